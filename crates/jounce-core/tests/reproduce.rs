@@ -36,10 +36,10 @@ fn flags(table: &str, column: &str) -> Vec<bool> {
     }
 }
 
-fn close(found: f64, expected: f64, relative: f64) {
+fn close(value: f64, expected: f64, relative: f64) {
     assert!(
-        (found / expected - 1.0).abs() < relative,
-        "found {found:e}, expected {expected:e}"
+        (value / expected - 1.0).abs() < relative,
+        "found {value:e}, expected {expected:e}"
     );
 }
 
@@ -80,8 +80,11 @@ fn runs_and_lines() {
         floats("figure-7-orders", "order"),
         floats("figure-7-orders", "voltage_peak_v"),
     );
-    for (wanted, known_v) in [(1.0, 13.0), (2.0, 1.23), (3.0, 0.87), (4.0, 2.13)] {
-        let line = order.iter().position(|order| *order == wanted).unwrap();
+    for (order_number, known_v) in [(1.0, 13.0), (2.0, 1.23), (3.0, 0.87), (4.0, 2.13)] {
+        let line = order
+            .iter()
+            .position(|order| *order == order_number)
+            .unwrap();
         close(voltage_v[line], known_v, 0.02);
     }
 }
@@ -90,11 +93,11 @@ fn runs_and_lines() {
 #[test]
 fn power_over_resistance() {
     let at = |figure: &str, column: &str, ohm: f64| {
-        let place = floats(figure, "resistance_ohm")
+        let index = floats(figure, "resistance_ohm")
             .iter()
             .position(|r| (r / ohm - 1.0).abs() < 1e-9)
             .unwrap();
-        floats(figure, column)[place]
+        floats(figure, column)[index]
     };
     close(at("figure-8", "linear_power_w", 1e5), 3.837e-9 * 4e4, 1e-3);
     close(at("figure-8", "impact_power_w", 1e5), 1.479e-8 * 4e4, 0.02);
@@ -118,7 +121,7 @@ fn claims() {
     }
     // The stop on the ground misses S5 (chaotic at 6 Hz), S6 (87.6 against 146.4 kΩ there) and S8
     // (the normalised peak falls with the force).
-    let missed = ["S5", "S6", "S8"];
+    let failed = ["S5", "S6", "S8"];
     let verdicts: Vec<(&str, bool)> = PAPER
         .claims
         .iter()
@@ -127,9 +130,9 @@ fn claims() {
     assert_eq!(
         verdicts,
         ["S2", "S3", "S4", "S5", "S6", "S7", "S8", "S9"]
-            .map(|name| (name, !missed.contains(&name)))
+            .map(|name| (name, !failed.contains(&name)))
     );
-    let evidence = |place: usize| &PAPER.claims[place].evidence;
+    let evidence = |index: usize| &PAPER.claims[index].evidence;
     assert!(
         evidence(0).contains("4.05") && evidence(0).contains("8.70"),
         "{}",

@@ -36,10 +36,10 @@ fn status(key: &str) -> u64 {
 }
 
 /// Returns a result, and the memory peak of its computation above the value `before`.
-fn peak_of<T>(before: u64, what: impl FnOnce() -> T) -> (u64, T) {
+fn peak_of<T>(before: u64, work: impl FnOnce() -> T) -> (u64, T) {
     // Resets the peak to the memory in use.
     std::fs::write("/proc/self/clear_refs", "5").expect("the peak can be set back");
-    let made = what();
+    let made = work();
     (status("VmHWM").saturating_sub(before), made)
 }
 
@@ -178,10 +178,10 @@ fn peaks(folder: &Path, rows: usize, before: u64) -> Vec<(&'static str, u64)> {
     npy(&at("a.npy"), rows);
     mat(&at("a.mat"), rows);
     uff58b(&at("b.uff"), rows);
-    let mut found = Vec::new();
-    let (peak, whole) = peak_of(before, || read(&at("a.csv")));
-    found.push(("CSV", peak));
-    let jitter = whole.recordings[0]
+    let mut peaks = Vec::new();
+    let (peak, summary) = peak_of(before, || read(&at("a.csv")));
+    peaks.push(("CSV", peak));
+    let jitter = summary.recordings[0]
         .findings
         .iter()
         .find(|finding| finding.kind == IssueKind::Jitter);
@@ -196,12 +196,12 @@ fn peaks(folder: &Path, rows: usize, before: u64) -> Vec<(&'static str, u64)> {
         ("to CSV", "c.csv"),
     ] {
         let (peak, ()) = peak_of(before, || {
-            write_surveyed(&whole.recordings[0], &at(file))
+            write_surveyed(&summary.recordings[0], &at(file))
                 .unwrap_or_else(|fault| panic!("{fault}"))
         });
-        found.push((name, peak));
+        peaks.push((name, peak));
     }
-    drop(whole);
+    drop(summary);
     for (name, file) in [
         ("LVM", "a.lvm"),
         ("MAT", "a.mat"),
@@ -228,9 +228,9 @@ fn peaks(folder: &Path, rows: usize, before: u64) -> Vec<(&'static str, u64)> {
             (mean_square - 4.5).abs() < 0.01,
             "{name}: a sine of 3 has 4.5, not {mean_square}"
         );
-        found.push((name, peak));
+        peaks.push((name, peak));
     }
-    found
+    peaks
 }
 
 /// Measured, MB: see the book's page on recordings.

@@ -95,8 +95,8 @@ fn hdf5() -> Vec<u8> {
 }
 
 /// A complete file of each format, with its extension.
-fn whole(folder: &Path) -> Vec<(&'static str, Vec<u8>)> {
-    let written = |recording, name: &str| {
+fn complete_files(folder: &Path) -> Vec<(&'static str, Vec<u8>)> {
+    let bytes_of = |recording, name: &str| {
         let path = folder.join(name);
         write(recording, &path).unwrap_or_else(|fault| panic!("{fault}"));
         std::fs::read(&path).expect("it was written")
@@ -121,10 +121,10 @@ fn whole(folder: &Path) -> Vec<(&'static str, Vec<u8>)> {
         .flat_map(|x| ((x * 3e4) as i16).to_le_bytes())
         .collect();
     vec![
-        ("csv", written(&samples::record(), "a.csv")),
-        ("parquet", written(&samples::record(), "a.parquet")),
-        ("uff", written(&samples::record(), "a.uff")),
-        ("uff", written(&samples::response(), "b.uff")),
+        ("csv", bytes_of(&samples::record(), "a.csv")),
+        ("parquet", bytes_of(&samples::record(), "a.parquet")),
+        ("uff", bytes_of(&samples::record(), "a.uff")),
+        ("uff", bytes_of(&samples::response(), "b.uff")),
         ("uff", samples::uff58b(false, true)),
         ("uff", shapes.to_vec()),
         ("npy", samples::npy(&rows)),
@@ -169,10 +169,10 @@ fn mutated(mut bytes: Vec<u8>, others: &[(&'static str, Vec<u8>)], random: &mut 
             4 => bytes[at..(at + 8).min(end)].fill([0, 0x7f, 0xff][random.below(3)]),
             5 => {
                 let word = [0, 1, 0x7fff_ffff, 0x8000_0000, 1 << 24, 0xffff_fffe][random.below(6)];
-                let bytes_of = u32::to_le_bytes(word);
+                let word_bytes = u32::to_le_bytes(word);
                 bytes[at..]
                     .iter_mut()
-                    .zip(bytes_of)
+                    .zip(word_bytes)
                     .for_each(|(to, from)| *to = from);
             }
             6 => drop(bytes.drain(at..end)),
@@ -206,7 +206,7 @@ fn status(key: &str) -> u64 {
         << 10
 }
 
-fn asked(key: &str, otherwise: u64) -> u64 {
+fn from_environment(key: &str, otherwise: u64) -> u64 {
     std::env::var(key).ok().map_or(otherwise, |text| {
         text.parse()
             .unwrap_or_else(|_| panic!("{key} is {text}; give a whole number"))
@@ -239,8 +239,8 @@ fn damaged_files_give_a_result_or_an_error() {
     let folder = tempfile::tempdir_in(Path::new("/dev/shm"))
         .or_else(|_| tempfile::tempdir())
         .expect("a folder");
-    let whole = whole(folder.path());
-    for (ending, bytes) in &whole {
+    let complete_files = complete_files(folder.path());
+    for (ending, bytes) in &complete_files {
         let path = folder.path().join(format!("whole.{ending}"));
         std::fs::write(&path, bytes).expect("a file");
         std::fs::write(
@@ -255,28 +255,28 @@ fn damaged_files_give_a_result_or_an_error() {
         summary(&path).unwrap_or_else(|fault| panic!("the whole file: {fault}"));
     }
     let (from, count) = (
-        asked("JOUNCE_MUTATIONS_FROM", 0),
-        asked("JOUNCE_MUTATIONS", COUNT),
+        from_environment("JOUNCE_MUTATIONS_FROM", 0),
+        from_environment("JOUNCE_MUTATIONS", COUNT),
     );
     let begin = Instant::now();
     control(begin);
     let (mut slowest, mut read, before) = (Duration::ZERO, 0, status("VmRSS"));
     for number in from..from + count {
         let mut random = Random(number);
-        let (ending, bytes) = &whole[random.below(whole.len())];
-        let damaged = mutated(bytes.clone(), &whole, &mut random);
+        let (ending, bytes) = &complete_files[random.below(complete_files.len())];
+        let damaged = mutated(bytes.clone(), &complete_files, &mut random);
         let path = folder.path().join(format!("damaged.{ending}"));
         std::fs::write(&path, &damaged).expect("a file");
         NUMBER.store(number, Ordering::Relaxed);
         SINCE_MS.store(begin.elapsed().as_millis() as u64, Ordering::Relaxed);
         let since = Instant::now();
-        let found = catch_unwind(AssertUnwindSafe(|| {
+        let outcome = catch_unwind(AssertUnwindSafe(|| {
             summary(&path)
                 .map(|_| ())
                 .map_err(|fault| fault.to_string())
         }));
         slowest = slowest.max(since.elapsed());
-        match found {
+        match outcome {
             Ok(Ok(())) => read += 1,
             Ok(Err(fault)) => assert!(fault.contains("damaged"), "input {number}: {fault}"),
             Err(_) => panic!("input {number}, {ending}: a panic"),

@@ -1,7 +1,7 @@
 //! The library's results for the starts of a cloud against brute-force integrations.
 
 use crate::brute::{Ending, Flow, Kind, Patience, ReferenceModel, classify};
-use crate::library::{Account, AccountKind, accounts, unseen};
+use crate::library::{Account, AccountKind, accounts, empty_interval};
 use jounce_core::analysis::{Cloud, InitialStates, Model};
 use jounce_core::plant::System;
 use jounce_core::spec::SpecFile;
@@ -127,9 +127,11 @@ fn verdict(ending: &Ending, account: Option<&Account>) -> Verdict {
     match (ending.kind, account.kind) {
         (Kind::Lost | Kind::Unsettled, _) => Verdict::Unknown,
         (_, AccountKind::Undecided) => Verdict::Undecided,
-        (Kind::Periodic(own), AccountKind::Periodic(theirs)) => {
+        (Kind::Periodic(period), AccountKind::Periodic(library_period)) => {
             let powers = same_power(ending, account.mean_power_w);
-            if own == theirs && powers && same_states(&ending.strobe, &account.strobe, ending.size)
+            if period == library_period
+                && powers
+                && same_states(&ending.strobe, &account.strobe, ending.size)
             {
                 Verdict::Same
             } else {
@@ -180,7 +182,7 @@ pub fn compare(
         drive.frequency_hz,
     );
     let begin = Instant::now();
-    let found = accounts(file, (&key.0, key.1), starts.clone());
+    let results = accounts(file, (&key.0, key.1), starts.clone());
     let library_s = begin.elapsed().as_secs_f64();
     let begin = Instant::now();
     let physical: Vec<Vec<f64>> = (0..starts.len())
@@ -188,8 +190,12 @@ pub fn compare(
         .collect();
     let endings = endings(&plant.system, &physical, patience, tolerance);
     let brute_s = begin.elapsed().as_secs_f64();
-    let of = |index: usize| found.iter().find(|account| account.starts.contains(&index));
-    let again = |index: usize, factor: f64| {
+    let of = |index: usize| {
+        results
+            .iter()
+            .find(|account| account.starts.contains(&index))
+    };
+    let recompute = |index: usize, factor: f64| {
         let start = std::slice::from_ref(&physical[index]);
         verdict(
             &self::endings(&plant.system, start, patience, factor * tolerance)[0],
@@ -200,7 +206,7 @@ pub fn compare(
         Verdict::Different
             if AGAIN
                 .iter()
-                .any(|factor| again(index, *factor) == Verdict::Same) =>
+                .any(|factor| recompute(index, *factor) == Verdict::Same) =>
         {
             Verdict::Sensitive
         }
@@ -219,15 +225,15 @@ pub fn compare(
                     ..cloud
                 }),
             );
-            covered(&endings[part..], &held_back, part)
+            coverage(&endings[part..], &held_back, part)
         }
         InitialStates::Grid(_) => [0, 0],
     };
     Agreement {
-        same_starts: covered(&endings, &found, starts.len()),
+        same_starts: coverage(&endings, &results, starts.len()),
         other_starts,
         endings,
-        accounts: found,
+        accounts: results,
         verdicts,
         seconds: [library_s, brute_s],
     }
@@ -235,15 +241,15 @@ pub fn compare(
 
 /// Number of attractors by brute force, and of those whose share lies in the library's interval for
 /// `of` starts.
-fn covered(endings: &[Ending], accounts: &[Account], of: usize) -> [usize; 2] {
+fn coverage(endings: &[Ending], accounts: &[Account], of: usize) -> [usize; 2] {
     let groups = groups(endings);
     let holds = |group: &&Vec<usize>| {
         let ending = &endings[group[0]];
-        let own = accounts
+        let reached = accounts
             .iter()
             .find(|account| verdict(ending, Some(account)) == Verdict::Same);
-        let [low, high] = own.map_or_else(
-            || unseen(of),
+        let [low, high] = reached.map_or_else(
+            || empty_interval(of),
             |account| [account.share.low, account.share.high],
         );
         (low..=high).contains(&(group.len() as f64 / endings.len() as f64))
@@ -263,7 +269,10 @@ impl Agreement {
 
     /// Number of starts with a verdict.
     pub fn count(&self, verdict: Verdict) -> usize {
-        self.verdicts.iter().filter(|own| **own == verdict).count()
+        self.verdicts
+            .iter()
+            .filter(|other| **other == verdict)
+            .count()
     }
 }
 
@@ -279,20 +288,20 @@ impl Display for Agreement {
         ]
         .map(|verdict| self.count(verdict));
         let [same, different, sensitive, undecided, unknown] = counts;
-        let [own, theirs] = self.attractors();
+        let [brute_force, library] = self.attractors();
         writeln!(
             f,
             "same {same} different {different} sensitive {sensitive} undecided {undecided} unknown {unknown}"
         )?;
         writeln!(
             f,
-            "  attractors by brute force {own}, by the library {theirs}"
+            "  attractors by brute force {brute_force}, by the library {library}"
         )?;
-        let [all, held] = self.same_starts;
-        let [others, held_others] = self.other_starts;
+        let [all, inside] = self.same_starts;
+        let [others, other_inside] = self.other_starts;
         writeln!(
             f,
-            "  shares in their intervals: {held} of {all}; of other starts {held_others} of {others}"
+            "  shares in their intervals: {inside} of {all}; of other starts {other_inside} of {others}"
         )?;
         let cycles: usize = self.endings.iter().map(|ending| ending.cycles).sum();
         writeln!(

@@ -2,7 +2,7 @@
 //! them.
 //!
 //! ```text
-//! JOUNCE_DRAWN_SYSTEMS=60 JOUNCE_DRAWN_STARTS=400 cargo test --release -p jounce --test attractors many_drawn -- --nocapture
+//! JOUNCE_DRAWN_SYSTEMS=60 JOUNCE_DRAWN_STARTS=400 cargo test --release -p jounce --test attractors many_random -- --nocapture
 //! ```
 //!
 //! `JOUNCE_DRAWN_FIRST` is the number of the first harvester, default 0; `JOUNCE_DRAWN_CYCLES` the
@@ -10,7 +10,7 @@
 
 use crate::agreement::{Verdict, compare};
 use crate::brute::Patience;
-use crate::drawn::drawn;
+use crate::random_specs::random_spec;
 use jounce_core::analysis::{Cloud, InitialStates};
 use jounce_core::spec::SpecFile;
 
@@ -40,10 +40,10 @@ fn cloud(starts: usize) -> InitialStates {
 const QUICK: [u64; 6] = [8, 15, 18, 20, 25, 26];
 
 #[test]
-fn a_few_drawn_harvesters_end_where_brute_force_ends() {
+fn a_few_random_harvesters_end_where_brute_force_ends() {
     for index in QUICK {
-        let found = compare(
-            &SpecFile::from_text(drawn(SEED, index)),
+        let agreement = compare(
+            &SpecFile::from_text(random_spec(SEED, index)),
             cloud(40),
             Patience {
                 cycles: 4000,
@@ -51,29 +51,29 @@ fn a_few_drawn_harvesters_end_where_brute_force_ends() {
             },
             TOLERANCE,
         );
-        eprint!("{index:3} {found}");
+        eprint!("{index:3} {agreement}");
         assert!(
-            found.count(Verdict::Different) == 0,
-            "harvester {index}: {found}"
+            agreement.count(Verdict::Different) == 0,
+            "harvester {index}: {agreement}"
         );
         assert!(
-            found.count(Verdict::Same) >= 38,
-            "harvester {index}: {found}"
+            agreement.count(Verdict::Same) >= 38,
+            "harvester {index}: {agreement}"
         );
         assert_eq!(
-            found.attractors()[0],
-            found.attractors()[1],
-            "harvester {index}: {found}"
+            agreement.attractors()[0],
+            agreement.attractors()[1],
+            "harvester {index}: {agreement}"
         );
         assert_eq!(
-            found.same_starts[0], found.same_starts[1],
-            "harvester {index}: {found}"
+            agreement.same_starts[0], agreement.same_starts[1],
+            "harvester {index}: {agreement}"
         );
     }
 }
 
 #[test]
-fn many_drawn_harvesters_end_where_brute_force_ends() {
+fn many_random_harvesters_end_where_brute_force_ends() {
     let Some(systems) = number("JOUNCE_DRAWN_SYSTEMS") else {
         eprintln!("SKIPPED: JOUNCE_DRAWN_SYSTEMS gives the number of harvesters");
         return;
@@ -86,21 +86,23 @@ fn many_drawn_harvesters_end_where_brute_force_ends() {
         cycles: number("JOUNCE_DRAWN_CYCLES").unwrap_or(20_000),
         period: 64,
     };
-    let mut wrong = Vec::new();
-    let (mut checked, mut held) = (0, 0);
+    let mut failures = Vec::new();
+    let (mut checked, mut inside) = (0, 0);
     for index in first..first + systems {
-        let file = SpecFile::from_text(drawn(SEED, index as u64));
-        let found = compare(&file, cloud(starts), patience, TOLERANCE);
-        eprint!("{index:3} {found}");
-        checked += found.other_starts[0];
-        held += found.other_starts[1];
-        if found.count(Verdict::Different) > 0 || found.attractors()[0] != found.attractors()[1] {
-            wrong.push(index);
+        let file = SpecFile::from_text(random_spec(SEED, index as u64));
+        let agreement = compare(&file, cloud(starts), patience, TOLERANCE);
+        eprint!("{index:3} {agreement}");
+        checked += agreement.other_starts[0];
+        inside += agreement.other_starts[1];
+        if agreement.count(Verdict::Different) > 0
+            || agreement.attractors()[0] != agreement.attractors()[1]
+        {
+            failures.push(index);
         }
     }
-    eprintln!("shares of other starts in their intervals: {held} of {checked}");
+    eprintln!("shares of other starts in their intervals: {inside} of {checked}");
     assert!(
-        wrong.is_empty(),
-        "harvesters with other attractors or starts attributed wrongly: {wrong:?}"
+        failures.is_empty(),
+        "harvesters with other attractors or starts attributed wrongly: {failures:?}"
     );
 }

@@ -34,7 +34,7 @@ pub fn accounts(file: &SpecFile, (key, value): (&str, f64), starts: InitialState
     let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key(key).unwrap();
     let parameter = Parameter::new(&base, &key, 1.0);
-    let answer = Basins {
+    let basins = Basins {
         base: &base,
         parameter: &parameter,
         value,
@@ -43,7 +43,7 @@ pub fn accounts(file: &SpecFile, (key, value): (&str, f64), starts: InitialState
     }
     .run(&|| ())
     .unwrap();
-    answer.attractors.iter().map(account).collect()
+    basins.attractors.iter().map(account).collect()
 }
 
 fn account(attractor: &Attractor) -> Account {
@@ -67,7 +67,7 @@ fn account(attractor: &Attractor) -> Account {
 }
 
 /// Confidence interval of an attractor that no start has reached.
-pub fn unseen(of: usize) -> [f64; 2] {
+pub fn empty_interval(of: usize) -> [f64; 2] {
     let share = wilson(0, of);
     [share.low, share.high]
 }

@@ -5,6 +5,6 @@
 mod agreement;
 mod brute;
 mod checks;
-mod drawn;
 mod harvesters;
 mod library;
+mod random_specs;

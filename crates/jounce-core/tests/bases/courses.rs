@@ -33,12 +33,20 @@ fn a_ball_falls_on_a_moving_table_in_either_frame() {
             // Position of the table: the steady displacement of a sinusoid, otherwise the double
             // integral.
             let table = |t: f64| -> [f64; 2] {
-                let own = outside.plant.system.drives.first().map_or([0.0; 2], |own| {
-                    let w = std::f64::consts::TAU * own.frequency_hz;
-                    let (sin, cos) = (w * t + own.phase_rad).sin_cos();
-                    [-own.amplitude_n / (w * w) * sin, -own.amplitude_n / w * cos]
-                });
-                let moved = outside
+                let drive = outside
+                    .plant
+                    .system
+                    .drives
+                    .first()
+                    .map_or([0.0; 2], |drive| {
+                        let w = std::f64::consts::TAU * drive.frequency_hz;
+                        let (sin, cos) = (w * t + drive.phase_rad).sin_cos();
+                        [
+                            -drive.amplitude_n / (w * w) * sin,
+                            -drive.amplitude_n / w * cos,
+                        ]
+                    });
+                let displaced = outside
                     .plant
                     .system
                     .signals
@@ -48,7 +56,7 @@ fn a_ball_falls_on_a_moving_table_in_either_frame() {
                         let index = signal.wave.index_at(t);
                         Travel::of(&signal.wave).at(index, &signal.wave.piece(index), t)
                     });
-                moved.fold(own, |[x, v], [dx, dv]| [x + dx, v + dv])
+                displaced.fold(drive, |[x, v], [dx, dv]| [x + dx, v + dv])
             };
             let [x, v] = table(0.0);
             let mut one = integrator(&inside, &[0.0], &[0.0], 1e-12);

@@ -30,47 +30,47 @@ fn text(on: &str, damping_ratio: f64, law: &str, drives: &str) -> String {
 /// Integrates both to several times and compares position and speed in space; returns the number of
 /// contacts.
 fn compare(
-    what: &str,
+    name: &str,
     moving: &str,
-    still: &str,
+    fixed: &str,
     base: impl Fn(f64) -> [f64; 2],
     allowed: f64,
 ) -> u64 {
-    let (moving, still) = (kernel(moving), kernel(still));
+    let (moving, fixed) = (kernel(moving), kernel(fixed));
     let [x, v] = base(0.0);
     // At rest in space, for both.
     let mut one = integrator(&moving, &[-x], &[-v], TOLERANCE);
-    let mut other = integrator(&still, &[0.0], &[0.0], TOLERANCE);
+    let mut other = integrator(&fixed, &[0.0], &[0.0], TOLERANCE);
     let (mut worst, mut largest) = (0.0_f64, 0.0_f64);
     for k in 1..=40 {
         let time_s = 0.0371 * f64::from(k);
         one.advance_to(time_s).unwrap();
         other.advance_to(time_s).unwrap();
-        let ([place, speed], [still_m, still_m_s]) = (
+        let ([position, speed], [fixed_m, fixed_m_s]) = (
             motion(&one, &moving, "mass"),
-            motion(&other, &still, "mass"),
+            motion(&other, &fixed, "mass"),
         );
         let [x, v] = base(time_s);
         let rate = TAU * FREQUENCY_HZ;
         worst = worst.max(
-            (place + x - still_m)
+            (position + x - fixed_m)
                 .abs()
-                .max((speed + v - still_m_s).abs() / rate),
+                .max((speed + v - fixed_m_s).abs() / rate),
         );
-        largest = largest.max(still_m.abs());
+        largest = largest.max(fixed_m.abs());
     }
     let (contacts, balance) = (
         one.statistics().contacts,
         one.energies().residual_relative().abs(),
     );
     eprintln!(
-        "{what}: {contacts} contacts, apart by {:.1e}, balance {balance:.1e}",
+        "{name}: {contacts} contacts, apart by {:.1e}, balance {balance:.1e}",
         worst / largest
     );
-    assert_eq!(contacts, other.statistics().contacts, "{what}");
+    assert_eq!(contacts, other.statistics().contacts, "{name}");
     assert!(
         worst < allowed * largest && balance < 1e-10,
-        "{what}: {:e}, {balance:e}",
+        "{name}: {:e}, {balance:e}",
         worst / largest
     );
     contacts
@@ -91,18 +91,18 @@ fn a_sinusoidal_base_is_a_force_on_its_spring() {
             "[drive.d]\n{kind}amplitude = \"{amplitude}\"\nfrequency = \"{drive_hz} Hz\"\nphase = \"{angle:.17} rad\"\n"
         )
     };
-    let displaced = course(
+    let with_displacement = course(
         format!("{amplitude_m:.17e} m"),
         "kind = \"base-displacement\"\nat = \"head\"\n",
         phase,
     );
     let peak_m_s2 = amplitude_m * w * w;
-    let accelerated = course(
+    let with_acceleration = course(
         format!("{peak_m_s2:.17e} m/s^2"),
         "kind = \"base-acceleration\"\nat = \"head\"\n",
         phase + PI,
     );
-    let forced = course(format!("{size:.17e} N"), "at = \"mass\"\n", turn);
+    let with_force = course(format!("{size:.17e} N"), "at = \"mass\"\n", turn);
     let base = |t: f64| {
         [
             amplitude_m * (w * t + phase).sin(),
@@ -110,11 +110,14 @@ fn a_sinusoidal_base_is_a_force_on_its_spring() {
         ]
     };
     for law in LAWS {
-        for (kind, drive) in [("displacement", &displaced), ("acceleration", &accelerated)] {
+        for (kind, drive) in [
+            ("displacement", &with_displacement),
+            ("acceleration", &with_acceleration),
+        ] {
             let contacts = compare(
                 &format!("{kind}, {}", law.lines().next().unwrap()),
                 &text("head", ratio, law, drive),
-                &text("ground", ratio, law, &forced),
+                &text("ground", ratio, law, &with_force),
                 base,
                 1e-10,
             );
@@ -164,7 +167,7 @@ fn other_displacements_are_forces_on_a_spring_too() {
             law,
             &course(format!("{amplitude_m:.17e} m"), head, &pulse),
         );
-        let still = text(
+        let fixed = text(
             "ground",
             0.0,
             law,
@@ -174,14 +177,14 @@ fn other_displacements_are_forces_on_a_spring_too() {
                 &pulse,
             ),
         );
-        assert!(compare(&format!("half-sine, {name}"), &moving, &still, half, 1e-9) >= 3);
+        assert!(compare(&format!("half-sine, {name}"), &moving, &fixed, half, 1e-9) >= 3);
         let moving = text("head", 0.0, law, &course("1.1 mm".to_owned(), head, sweep));
-        let still = text(
+        let fixed = text(
             "ground",
             0.0,
             law,
             &course(format!("{:.17e} N", k * 1.1e-3), "at = \"mass\"\n", sweep),
         );
-        assert!(compare(&format!("chirp, {name}"), &moving, &still, chirp, 1e-6) >= 3);
+        assert!(compare(&format!("chirp, {name}"), &moving, &fixed, chirp, 1e-6) >= 3);
     }
 }

@@ -2,8 +2,8 @@
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod courses;
+mod faults;
 mod frames;
 mod orbits;
-mod refused;
 mod systems;
 mod transmissibility;

@@ -42,7 +42,7 @@ fn start_m(file: &SpecFile, x_m: f64, balance: bool) -> (Orbit, f64) {
             unknown: method.unknown_of(settled.start(), DRIVE_HZ).unwrap(),
             parameter: DRIVE_HZ,
         };
-        let found = correct_at(
+        let solution = correct_at(
             &method,
             &Corrector {
                 goal: 1e-10,
@@ -52,7 +52,7 @@ fn start_m(file: &SpecFile, x_m: f64, balance: bool) -> (Orbit, f64) {
             position,
         )
         .unwrap();
-        method.orbit(&found.local, found.error).unwrap()
+        method.orbit(&solution.local, solution.error).unwrap()
     } else {
         settled
     };
@@ -72,23 +72,26 @@ fn both_methods_find_the_orbit_of_the_other_frame() {
             "kind = \"base-displacement\"\nat = \"head\"\namplitude = \"{amplitude_m:.17e} m\"\n"
         ),
     );
-    let still = file(
+    let fixed = file(
         "ground",
         &format!("at = \"mass\"\namplitude = \"{size:.17e} N\"\nphase = \"{turn:.17} rad\"\n"),
     );
-    let (wanted, place_m) = start_m(&still, 0.0, false);
+    let (fixed_orbit, fixed_m) = start_m(&fixed, 0.0, false);
     for balance in [false, true] {
-        let (orbit, found_m) = start_m(&moving, 0.0, balance);
-        let apart = (found_m / place_m - 1.0).abs();
-        let multiplier = (orbit.floquet_max_abs() / wanted.floquet_max_abs() - 1.0).abs();
-        let allowed = 2.0 * (orbit.error_estimate + wanted.error_estimate).max(1e-10);
+        let (orbit, moving_m) = start_m(&moving, 0.0, balance);
+        let error = (moving_m / fixed_m - 1.0).abs();
+        let multiplier = (orbit.floquet_max_abs() / fixed_orbit.floquet_max_abs() - 1.0).abs();
+        let allowed = 2.0 * (orbit.error_estimate + fixed_orbit.error_estimate).max(1e-10);
         eprintln!(
-            "balance {balance}: {} contacts, apart by {apart:.1e}, multipliers by {multiplier:.1e}, allowed {allowed:.1e}",
+            "balance {balance}: {} contacts, apart by {error:.1e}, multipliers by {multiplier:.1e}, allowed {allowed:.1e}",
             orbit.contacts
         );
         assert!(
-            orbit.contacts == 1 && wanted.contacts == 1 && apart < allowed && multiplier < 1e-6,
-            "{apart:e} {multiplier:e}"
+            orbit.contacts == 1
+                && fixed_orbit.contacts == 1
+                && error < allowed
+                && multiplier < 1e-6,
+            "{error:e} {multiplier:e}"
         );
     }
 }

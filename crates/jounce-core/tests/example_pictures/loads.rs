@@ -7,14 +7,14 @@ use jounce_core::plant::Plant;
 
 /// Magnitude of a response per g of the base.
 pub fn per_g(plant: &Plant, response: FrfResponse, frequency_hz: &[f64]) -> Vec<f64> {
-    let answer = frf(
+    let responses = frf(
         plant,
         &FrfInput::BaseAcceleration,
         &[response],
         frequency_hz,
     )
     .unwrap();
-    answer[0]
+    responses[0]
         .value
         .iter()
         .map(|value| value.norm() * G_M_S2)
@@ -32,7 +32,7 @@ pub fn power_per_g2(plant: &Plant, frequency_hz: f64, resistance_ohm: f64) -> f6
 }
 
 /// `count` values from `low` to `high`, evenly spaced on a logarithmic axis.
-pub fn spaced(low: f64, high: f64, count: usize) -> Vec<f64> {
+pub fn logarithmic_range(low: f64, high: f64, count: usize) -> Vec<f64> {
     (0..count)
         .map(|k| low * (high / low).powf(k as f64 / (count - 1) as f64))
         .collect()

@@ -4,9 +4,9 @@
 //! `JOUNCE_DRAW=1 cargo test --test example_pictures` draws them again.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
+mod comparison;
 #[path = "../linear/example.rs"]
 mod example;
-mod kept;
 mod loads;
 mod noise;
 mod oscillators;

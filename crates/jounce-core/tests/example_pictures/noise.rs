@@ -1,8 +1,8 @@
 //! `white-noise-adhikari-2009`: mean power against the load, with and without an inductor.
 
+use crate::comparison::check;
 use crate::example::plant;
-use crate::kept::check;
-use crate::loads::{over_resistance, spaced};
+use crate::loads::{logarithmic_range, over_resistance};
 use jounce_core::linear::white_noise_powers_w;
 use jounce_core::picture::power_against_resistance;
 use std::f64::consts::PI;
@@ -12,7 +12,7 @@ fn power_with_and_without_an_inductor() {
     const EXAMPLE: &str = "white-noise-adhikari-2009";
     // Two-sided density of the paper, 1 per rad/s, as a one-sided density per Hz.
     let density = 4.0 * PI;
-    let resistance_ohm = spaced(1e3, 1e7, 81);
+    let resistance_ohm = logarithmic_range(1e3, 1e7, 81);
     let power = |words: &str, inductance: Option<&str>| {
         let mut settings = vec![("circuit.load.resistance", words)];
         settings.extend(inductance.map(|inductance| ("circuit.load.inductance", inductance)));

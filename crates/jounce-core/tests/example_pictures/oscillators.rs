@@ -1,6 +1,6 @@
 //! `bouncing-and-impact-oscillators`: the resonance curve of Duffing's oscillator with its folds.
 
-use crate::kept::check;
+use crate::comparison::check;
 use crate::rows::folder;
 use jounce_core::analysis::{Bifurcation, Branch, BranchSearch, Model, OrbitMethodKind, Parameter};
 use jounce_core::picture::{Axis, BranchLine, BranchMark, branches};
@@ -26,11 +26,11 @@ fn line(branch: &Branch) -> BranchLine {
     }
 }
 
-fn mark(found: &Bifurcation) -> BranchMark {
+fn branch_mark(bifurcation: &Bifurcation) -> BranchMark {
     BranchMark {
-        kind: found.kind.name().to_owned(),
-        parameter: found.at.parameter,
-        value: found.at.orbit.max_penetration_m,
+        kind: bifurcation.kind.name().to_owned(),
+        parameter: bifurcation.at.parameter,
+        value: bifurcation.at.orbit.max_penetration_m,
     }
 }
 
@@ -42,7 +42,7 @@ fn resonance_curve_with_both_folds() {
     let range = (0.95, 1.4);
     let parameter = Parameter::new(&base, &key, range.1 - range.0);
     let method = OrbitMethodKind::Shooting;
-    let found = BranchSearch {
+    let result = BranchSearch {
         base: &base,
         parameter: &parameter,
         range,
@@ -52,11 +52,11 @@ fn resonance_curve_with_both_folds() {
         longest_period: 1,
     }
     .run();
-    let found = found.unwrap();
-    let lines: Vec<BranchLine> = found.iter().map(line).collect();
-    let marks: Vec<BranchMark> = found
+    let result = result.unwrap();
+    let lines: Vec<BranchLine> = result.iter().map(line).collect();
+    let marks: Vec<BranchMark> = result
         .iter()
-        .flat_map(|branch| branch.bifurcations.iter().map(mark))
+        .flat_map(|branch| branch.bifurcations.iter().map(branch_mark))
         .collect();
     let axes = (
         Axis::linear("Drive frequency", "Hz"),

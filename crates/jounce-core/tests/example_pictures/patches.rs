@@ -1,8 +1,8 @@
 //! `mfc-bender-bilgen-2010`, `porous-patch-martinez-ayuso`: effect of another patch.
 
+use crate::comparison::check;
 use crate::example::plant;
-use crate::kept::check;
-use crate::loads::{over_resistance, per_g, power_per_g2, spaced};
+use crate::loads::{logarithmic_range, over_resistance, per_g, power_per_g2};
 use jounce_core::linear::FrfResponse;
 use jounce_core::picture::{Axis, Colour, Figure, Panel, Series, power_against_resistance};
 
@@ -14,7 +14,7 @@ fn resonance_hz(
     low_hz: f64,
     high_hz: f64,
 ) -> f64 {
-    let frequency_hz = spaced(low_hz, high_hz, 4001);
+    let frequency_hz = logarithmic_range(low_hz, high_hz, 4001);
     let voltage = per_g(
         &plant(example, settings),
         FrfResponse::Voltage(patch.into()),
@@ -30,7 +30,7 @@ fn resonance_hz(
 fn the_two_kinds_of_macro_fibre_composite() {
     const EXAMPLE: &str = "mfc-bender-bilgen-2010";
     let kinds = ["MFC-P2", "MFC-P1"];
-    let frequency_hz = spaced(10.0, 500.0, 1000);
+    let frequency_hz = logarithmic_range(10.0, 500.0, 1000);
     let mut voltage = Panel::new(
         Axis::log("Frequency", "Hz"),
         Axis::log("Voltage at 100 kΩ per g, peak", "V"),
@@ -70,7 +70,7 @@ fn the_two_kinds_of_macro_fibre_composite() {
 fn a_porous_and_a_dense_patch() {
     const EXAMPLE: &str = "porous-patch-martinez-ayuso";
     let dense = [("patch.porous.porosity", "0")];
-    let resistance_ohm = spaced(1e3, 1e7, 61);
+    let resistance_ohm = logarithmic_range(1e3, 1e7, 61);
     let lines: Vec<_> = [("30 % of pores", &[][..]), ("dense", &dense[..])]
         .into_iter()
         .map(|(label, settings)| {

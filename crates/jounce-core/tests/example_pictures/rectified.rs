@@ -1,8 +1,8 @@
 //! `rectified-shu-lien-2006`: power against the load for four interfaces, and the charging of the
 //! storage.
 
-use crate::kept::check;
-use crate::loads::{over_resistance, spaced};
+use crate::comparison::check;
+use crate::loads::{logarithmic_range, over_resistance};
 use crate::rows::folder;
 use jounce_core::analysis::Model;
 use jounce_core::picture::{Trace, power_against_resistance, time_histories};
@@ -40,13 +40,13 @@ fn run(
         tolerance: 1e-7,
         record_s,
     };
-    let answer = simulate(&prepared.kernel, &start, &plan).unwrap();
-    (prepared, answer)
+    let result = simulate(&prepared.kernel, &start, &plan).unwrap();
+    (prepared, result)
 }
 
 #[test]
 fn power_of_the_interfaces_against_the_load() {
-    let resistance_ohm = spaced(0.03, 30.0, 31);
+    let resistance_ohm = logarithmic_range(0.03, 30.0, 31);
     let weak = ("modal.cell.patch.element.coupling_n_per_v", "[0.1]");
     let kinds: [(&str, &str, Option<&str>); 4] = [
         ("bridge", "bridge", None),
@@ -94,12 +94,12 @@ fn the_storage_as_it_charges() {
         DIODES,
     ];
     let (duration_s, count) = (240.0, 2400);
-    let (prepared, answer) = run(&settings, duration_s, duration_s, duration_s);
+    let (prepared, result) = run(&settings, duration_s, duration_s, duration_s);
     let plant = &prepared.kernel.plant;
     let time_s: Vec<f64> = (0..count)
         .map(|k| duration_s * f64::from(k) / f64::from(count - 1))
         .collect();
-    let instants = answer.trajectory.at(&prepared.kernel, &time_s);
+    let instants = result.trajectory.at(&prepared.kernel, &time_s);
     let states: Vec<Vec<f64>> = instants
         .iter()
         .map(|at| plant.to_physical(&at.state, at.time_s))

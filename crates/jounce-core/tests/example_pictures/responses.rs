@@ -1,8 +1,8 @@
 //! `unimorph-erturk-2008`, `bimorph-erturk-2009`: responses to a shaken base at several loads.
 
+use crate::comparison::check;
 use crate::example::plant;
-use crate::kept::check;
-use crate::loads::{over_resistance, per_g, power_per_g2, spaced};
+use crate::loads::{logarithmic_range, over_resistance, per_g, power_per_g2};
 use jounce_core::linear::FrfResponse;
 use jounce_core::picture::{Axis, Figure, Panel, Series, power_against_resistance};
 
@@ -26,7 +26,7 @@ fn panel(
 #[test]
 fn unimorph_voltage_current_and_tip_at_five_loads() {
     const EXAMPLE: &str = "unimorph-erturk-2008";
-    let frequency_hz = spaced(10.0, 1000.0, 1200);
+    let frequency_hz = logarithmic_range(10.0, 1000.0, 1200);
     let loads = [
         ("1 kΩ", "1 kohm", 1e3),
         ("10 kΩ", "10 kohm", 1e4),
@@ -78,7 +78,7 @@ fn unimorph_voltage_current_and_tip_at_five_loads() {
 #[test]
 fn bimorph_power_in_series_and_parallel() {
     const EXAMPLE: &str = "bimorph-erturk-2009";
-    let resistance_ohm = spaced(1e3, 1e7, 81);
+    let resistance_ohm = logarithmic_range(1e3, 1e7, 81);
     // Resonances with short-circuited and open electrodes.
     let lines: Vec<_> = [
         ("series", 45.7),

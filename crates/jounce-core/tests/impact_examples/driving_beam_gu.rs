@@ -1,6 +1,6 @@
 //! `examples/driving-beam-gu-2011`: Gu and Livermore, Smart Mater. Struct. 20 (2011) 045004.
 
-use crate::example::{integrator, kernel, motion, relative, run, system, throw};
+use crate::example::{integrator, kernel, motion, relative, run, set_velocity, system};
 use crate::rows::check;
 use jounce_core::integrate::{Integrator, Kernel};
 use std::f64::consts::{PI, TAU};
@@ -18,9 +18,9 @@ fn coupled_rad_s() -> f64 {
 }
 
 /// `zeta = (c1 + c2) / (2 sqrt((k1 + k2) (m1 + m2)))` of both in contact.
-fn coupled_damping(own: [f64; 2]) -> f64 {
+fn coupled_damping(uncoupled_rad_s: [f64; 2]) -> f64 {
     let damping: f64 = (0..2)
-        .map(|i| 2.0 * own[i] * (STIFFNESS_N_M[i] * MASS_KG[i]).sqrt())
+        .map(|i| 2.0 * uncoupled_rad_s[i] * (STIFFNESS_N_M[i] * MASS_KG[i]).sqrt())
         .sum();
     damping / (2.0 * (STIFFNESS_N_M.iter().sum::<f64>() * MASS_KG.iter().sum::<f64>()).sqrt())
 }
@@ -38,18 +38,18 @@ fn oscillators(damping: [f64; 2]) -> Kernel {
 }
 
 /// State where the driving mass has just come into contact at 0.1 m/s.
-fn struck(kernel: &Kernel) -> Integrator<'_> {
+fn at_contact(kernel: &Kernel) -> Integrator<'_> {
     let mut start = vec![0.0; kernel.plant.len()];
-    throw(&kernel.plant.system, &mut start, "driving", SPEED_M_S);
+    set_velocity(&kernel.plant.system, &mut start, "driving", SPEED_M_S);
     integrator(kernel, &start, 1e-11)
 }
 
 /// In contact they move as one oscillator, with its frequency and its damping. Measured: 1e-15.
 #[test]
-fn together_they_are_one_oscillator() {
+fn in_contact_the_beams_are_one_oscillator() {
     let damping = [0.02, 0.01];
     let kernel = oscillators(damping);
-    let mut integrator = struck(&kernel);
+    let mut integrator = at_contact(&kernel);
     let (w, zeta) = (coupled_rad_s(), coupled_damping(damping));
     let swing = w * (1.0 - zeta * zeta).sqrt();
     let common = SPEED_M_S * MASS_KG[0] / MASS_KG.iter().sum::<f64>();
@@ -68,7 +68,7 @@ fn together_they_are_one_oscillator() {
 /// energy lost in the merge.
 fn contact() -> [f64; 2] {
     let kernel = oscillators([0.0, 0.0]);
-    let mut integrator = struck(&kernel);
+    let mut integrator = at_contact(&kernel);
     integrator.advance_to(1.02 * PI / coupled_rad_s()).unwrap();
     let statistics = integrator.statistics();
     [statistics.sticking_s, integrator.energies().contact_loss_j]
@@ -78,30 +78,30 @@ fn contact() -> [f64; 2] {
 /// Measured without damping: 1e-7 (time), 4e-16 (loss).
 #[test]
 fn the_spec_starts_with_the_strike() {
-    let (_, answer) = run(EXAMPLE, SPEC, &[]);
+    let (_, result) = run(EXAMPLE, SPEC, &[]);
     let loss_j = 0.5 * MASS_KG[0] * MASS_KG[1] / MASS_KG.iter().sum::<f64>() * SPEED_M_S.powi(2);
     assert!(
-        answer.contacts == 1 && relative(answer.energies.contact_loss_j, loss_j) < 1e-9,
-        "{answer:?}"
+        result.contacts == 1 && relative(result.energies.contact_loss_j, loss_j) < 1e-9,
+        "{result:?}"
     );
     let free = [
         ("mass.driving.damping_ratio", "0"),
         ("mass.generating.damping_ratio", "0"),
         ("run.tolerance", "1e-11"),
     ];
-    let (_, answer) = run(EXAMPLE, SPEC, &free);
+    let (_, result) = run(EXAMPLE, SPEC, &free);
     let error = relative(
-        answer.stops[0].mean_contact_duration_s,
+        result.stops[0].mean_contact_duration_s,
         PI / coupled_rad_s(),
     );
     eprintln!(
         "dwell {error:.1e}, loss {:.1e}",
-        relative(answer.energies.contact_loss_j, loss_j)
+        relative(result.energies.contact_loss_j, loss_j)
     );
     assert!(
-        answer.contacts == 1 && error < 1e-6,
+        result.contacts == 1 && error < 1e-6,
         "{} contacts, {error:e}",
-        answer.contacts
+        result.contacts
     );
 }
 
@@ -113,20 +113,20 @@ fn every_expected_row_is_met() {
         relative(duration_s, PI / coupled_rad_s()) < 1e-6
             && relative(loss_j, 0.5 * reduced_kg * SPEED_M_S.powi(2)) < 1e-9
     );
-    let (_, answer) = run(EXAMPLE, "harvester.toml", &[]);
-    let residual = answer.energies.residual_relative();
+    let (_, result) = run(EXAMPLE, "harvester.toml", &[]);
+    let residual = result.energies.residual_relative();
     eprintln!(
         "{:.3e} W, residual {residual:.1e}, {} contacts",
-        answer.mean_power_w, answer.contacts
+        result.mean_power_w, result.contacts
     );
-    assert!(residual.abs() < 1e-8 && answer.stops.iter().all(|stop| stop.contacts > 10));
+    assert!(residual.abs() < 1e-8 && result.stops.iter().all(|stop| stop.contacts > 10));
     check(
         EXAMPLE,
         &[
             ("coupled_hz", PI / duration_s / TAU),
             ("contact_s", duration_s),
             ("merge_loss_j", loss_j),
-            ("mean_power_w", answer.mean_power_w),
+            ("mean_power_w", result.mean_power_w),
         ],
     );
 }

@@ -33,12 +33,12 @@ pub fn run(example: &str, file: &str, settings: &[(&str, &str)]) -> (Kernel, Run
     let prepared = Model::new(spec).unwrap();
     let start = prepared.start(&folder(example)).unwrap();
     let plan = RunPlan::of(&run, run.duration_s);
-    let answer = simulate(&prepared.kernel, &start, &plan).unwrap();
-    (prepared.kernel, answer)
+    let result = simulate(&prepared.kernel, &start, &plan).unwrap();
+    (prepared.kernel, result)
 }
 
 /// Sets the velocity, m/s, of a point moved by one mode, in a physical state `(q, q', V)`.
-pub fn throw(system: &System, state: &mut [f64], point: &str, velocity_m_s: f64) {
+pub fn set_velocity(system: &System, state: &mut [f64], point: &str, velocity_m_s: f64) {
     let n = system.modes.len();
     state[n + own_mode(system, point)] =
         velocity_m_s / system.modes.shape[point][own_mode(system, point)];
@@ -73,6 +73,6 @@ pub fn motion(integrator: &Integrator, kernel: &Kernel, point: &str) -> [f64; 2]
     [0, n].map(|from| shape.iter().zip(&state[from..]).map(|(s, q)| s * q).sum())
 }
 
-pub fn relative(found: f64, expected: f64) -> f64 {
-    (found / expected - 1.0).abs()
+pub fn relative(value: f64, expected: f64) -> f64 {
+    (value / expected - 1.0).abs()
 }

@@ -16,7 +16,7 @@ fn contact(gap: &str, more: &str) -> String {
 }
 
 #[test]
-fn each_fault_is_told_once() {
+fn each_fault_is_reported_once() {
     let gravity = "[gravity]\nacceleration = \"-9.81 m/s^2\"\n";
     assert!(Spec::from_toml(&format!("{BALL}{}", contact("20 mm", gravity))).is_ok());
     // A ball may rest on a plate with the penetration of its weight: (0.049 N / 1e8 N/m^1.5)^(2/3)
@@ -48,10 +48,10 @@ fn each_fault_is_told_once() {
             "there is no patch \"disc\"",
         ),
     ] {
-        let found = Spec::from_toml(&text).unwrap_err().to_string();
+        let fault = Spec::from_toml(&text).unwrap_err().to_string();
         assert!(
-            found.contains(message) && found.lines().count() == 1,
-            "{text}\n-> {found}"
+            fault.contains(message) && fault.lines().count() == 1,
+            "{text}\n-> {fault}"
         );
     }
 }
@@ -82,10 +82,10 @@ fn a_run_that_starts_inside_a_rigid_stop_is_refused() {
         "{error}"
     );
     start.displacement[0] = -1e-3;
-    let answer = simulate(&kernel, &start, &plan).unwrap();
+    let result = simulate(&kernel, &start, &plan).unwrap();
     assert!(
-        answer.stops[0].contact_duty > 1.0 - 1e-9,
+        result.stops[0].contact_duty > 1.0 - 1e-9,
         "it rests on the stop: {:?}",
-        answer.stops
+        result.stops
     );
 }

@@ -19,14 +19,14 @@ fn run_w(force: &str, frequency: &str) -> f64 {
         ("drive.shaker.frequency", frequency),
         ("run.tolerance", "1e-9"),
     ];
-    let (_, answer) = run(EXAMPLE, SPEC, &settings);
-    let residual = answer.energies.residual_relative();
+    let (_, result) = run(EXAMPLE, SPEC, &settings);
+    let residual = result.energies.residual_relative();
     eprintln!(
         "{force}, {frequency}: {} contacts, residual {residual:.1e}",
-        answer.contacts
+        result.contacts
     );
-    assert!(answer.contacts > 10 && residual.abs() < 1e-8);
-    answer.mean_power_w
+    assert!(result.contacts > 10 && residual.abs() < 1e-8);
+    result.mean_power_w
 }
 
 /// Modes of the clamped beam and mean powers. The powers differ by 4e-10 at most.
@@ -58,7 +58,7 @@ fn impacts_help_above_the_resonance_and_not_below() {
     for (force, frequency, least, most) in
         [("200 N", "13 Hz", 2.0, 8.0), ("50 N", "6 Hz", 0.2, 0.8)]
     {
-        let (kernel, answer) = run(
+        let (kernel, result) = run(
             EXAMPLE,
             SPEC,
             &[
@@ -66,7 +66,7 @@ fn impacts_help_above_the_resonance_and_not_below() {
                 ("drive.shaker.frequency", frequency),
             ],
         );
-        let ratio = answer.mean_power_w / steady_power_w(&kernel.plant);
+        let ratio = result.mean_power_w / steady_power_w(&kernel.plant);
         eprintln!("{force}, {frequency}: {ratio:.3} of the linear power");
         assert!(
             (least..most).contains(&ratio),

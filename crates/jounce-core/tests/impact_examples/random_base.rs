@@ -38,16 +38,16 @@ fn powers_w(file: &str, settings: &[(&str, &str)]) -> [f64; 2] {
         most_rounds: 1,
         with_spectrum: false,
     };
-    let answer = study.run(&|_| {}).unwrap();
-    let residual = answer.members.iter().fold(0.0_f64, |max, member| {
+    let result = study.run(&|_| {}).unwrap();
+    let residual = result.members.iter().fold(0.0_f64, |max, member| {
         max.max(member.energy_residual_relative.abs())
     });
     eprintln!(
         "{file}: {:.4e} W, stop {:.3e} +- {:.1e} W, energy {residual:.1e}",
-        linear.mean_power_w, answer.power_w.mean, answer.power_w.half_width
+        linear.mean_power_w, result.power_w.mean, result.power_w.half_width
     );
-    assert!(residual < 1e-6 && answer.contact_rate_hz.mean > 1.0);
-    [linear.mean_power_w, answer.power_w.mean]
+    assert!(residual < 1e-6 && result.contact_rate_hz.mean > 1.0);
+    [linear.mean_power_w, result.power_w.mean]
 }
 
 #[test]

@@ -40,7 +40,7 @@ fn first_harmonic(squared_coupling: f64, damping_ratio: f64, ratio: f64, r: f64)
 
 /// Direct integration, `k_e^2`, damping ratio, frequency ratio, `r`, storage and duration in units
 /// of the spec.
-fn marched(cell: (f64, f64), ratio: f64, r: f64, storage: &str, duration: &str) -> f64 {
+fn simulated_power_w(cell: (f64, f64), ratio: f64, r: f64, storage: &str, duration: &str) -> f64 {
     let (coupling, damping) = (format!("[{}]", cell.0.sqrt()), format!("[{}]", cell.1));
     let (frequency, resistance) = (format!("{} Hz", ratio / TAU), format!("{r} ohm"));
     let settings = [
@@ -57,14 +57,14 @@ fn marched(cell: (f64, f64), ratio: f64, r: f64, storage: &str, duration: &str) 
     let spec = example::spec(EXAMPLE, "harvester.toml", &settings);
     let kernel = example::kernel(example::system(EXAMPLE, "harvester.toml", &settings));
     let plan = RunPlan::of(&spec.run, spec.run.duration_s).balancing(&kernel.plant);
-    let answer = simulate(&kernel, &StartState::rest(&kernel.plant), &plan).unwrap();
-    let residual = charges(&kernel, &answer, &plan)[0].residual_relative;
+    let result = simulate(&kernel, &StartState::rest(&kernel.plant), &plan).unwrap();
+    let residual = charges(&kernel, &result, &plan)[0].residual_relative;
     eprintln!(
         "k^2 {}, r {r}, {storage}: {} W, charge {residual:.1e}",
-        cell.0, answer.mean_power_w
+        cell.0, result.mean_power_w
     );
-    assert!(residual.abs() < 1e-9 && answer.energies.residual_relative().abs() < 1e-8);
-    answer.mean_power_w
+    assert!(residual.abs() < 1e-9 && result.energies.residual_relative().abs() < 1e-8);
+    result.mean_power_w
 }
 
 /// With weak damping and strong coupling the power has two equal peaks, at the short-circuit and
@@ -82,8 +82,8 @@ fn the_power_is_that_of_direct_integration() {
             .fold(0.0, f64::max)
     };
     let bound_w = 1.0 / (16.0 * strong.1);
-    let at_short_w = marched(strong, short.0, short.1, "200 F", "3000 s");
-    let at_open_w = marched(strong, open.0, open.1, "50 F", "6000 s");
+    let at_short_w = simulated_power_w(strong, short.0, short.1, "200 F", "3000 s");
+    let at_open_w = simulated_power_w(strong, open.0, open.1, "50 F", "6000 s");
     assert!(
         [
             at_short_w,
@@ -99,11 +99,11 @@ fn the_power_is_that_of_direct_integration() {
         &[
             (
                 "power_w",
-                marched((0.3, 0.02), 1.05, 0.420236, "2000 F", "12000 s"),
+                simulated_power_w((0.3, 0.02), 1.05, 0.420236, "2000 F", "12000 s"),
             ),
             (
                 "power_at_2_v_w",
-                marched((0.3, 0.02), 1.05, 1.904613, "2000 F", "40000 s"),
+                simulated_power_w((0.3, 0.02), 1.05, 1.904613, "2000 F", "40000 s"),
             ),
             ("formula_w", formula(0.3, 0.02, 1.05, 0.420236)),
             ("formula_at_2_v_w", formula(0.3, 0.02, 1.05, 1.904613)),
@@ -128,19 +128,19 @@ fn the_power_is_that_of_direct_integration() {
             ("strong_highest_w", highest(first_harmonic)),
         ],
     );
-    for (name, found, cell, (ratio, r)) in [
+    for (name, simulated_w, cell, (ratio, r)) in [
         ("short", at_short_w, strong, short),
         ("open", at_open_w, strong, open),
     ] {
-        let error = found / first_harmonic(cell.0, cell.1, ratio, r) - 1.0;
+        let error = simulated_w / first_harmonic(cell.0, cell.1, ratio, r) - 1.0;
         eprintln!("{name}: {error:.1e} beside the first harmonic");
         assert!(error.abs() < 5e-3, "{name}: {error:e}");
     }
 }
 
 #[test]
-fn what_does_not_go_together_is_told() {
-    for (key, value, told) in [
+fn incompatible_settings_are_refused() {
+    for (key, value, message) in [
         (
             "circuit.rectifier.efficiency",
             "0.5",
@@ -159,13 +159,12 @@ fn what_does_not_go_together_is_told() {
         ("circuit.rectifier.diode_drop", "-1 V", "must be at least 0"),
     ] {
         let mut file =
-            jounce_core::spec::SpecFile::read(rows::folder(EXAMPLE).join("harvester.toml"))
-                .unwrap();
-        let found = file.set(key, value).map_or_else(
+            jounce_core::spec::SpecFile::read(rows::folder(EXAMPLE).join("harvester.toml")).unwrap();
+        let fault = file.set(key, value).map_or_else(
             |fault| fault.to_string(),
             |_| file.spec().unwrap_err().to_string(),
         );
-        assert!(found.contains(told), "{key} = {value}: {found}");
+        assert!(fault.contains(message), "{key} = {value}: {fault}");
     }
 }
 

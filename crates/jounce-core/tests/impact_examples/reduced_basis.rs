@@ -10,20 +10,20 @@ use jounce_core::plant::System;
 use std::sync::Arc;
 
 /// System with only the lowest modes of its beam; the free mass (mode 0) remains.
-pub fn free_interface(system: &System, kept: usize) -> System {
+pub fn free_interface(system: &System, coordinates: usize) -> System {
     let beam = system.modes.len() - 1;
     in_coordinates(
         system,
         &Mat::from_fn(
             beam,
-            kept,
+            coordinates,
             |row, column| if row == column { 1.0 } else { 0.0 },
         ),
     )
 }
 
-/// System with the fixed-tip modes of the beam and the static shape, `kept` coordinates in all.
-pub fn fixed_contact(system: &System, kept: usize) -> System {
+/// System with the fixed-tip modes of the beam and the static shape, `coordinates` in all.
+pub fn fixed_contact(system: &System, coordinates: usize) -> System {
     let square: Vec<f64> = system.modes.frequency_rad_s[1..]
         .iter()
         .map(|w| w * w)
@@ -36,19 +36,19 @@ pub fn fixed_contact(system: &System, kept: usize) -> System {
     let mut mirror: Vec<f64> = tip.iter().map(|t| t / norm).collect();
     mirror[0] += mirror[0].signum();
     let size: f64 = mirror.iter().map(|m| m * m).sum();
-    let still = Mat::from_fn(n, n - 1, |row, column| {
+    let constrained = Mat::from_fn(n, n - 1, |row, column| {
         f64::from(row == column + 1) - 2.0 * mirror[row] * mirror[column + 1] / size
     });
-    let held = Mat::from_fn(n - 1, n - 1, |a, b| {
+    let stiffness = Mat::from_fn(n - 1, n - 1, |a, b| {
         (0..n)
-            .map(|i| still[(i, a)] * square[i] * still[(i, b)])
+            .map(|i| constrained[(i, a)] * square[i] * constrained[(i, b)])
             .sum::<f64>()
     });
-    let modes = held.self_adjoint_eigen(Side::Lower).unwrap();
-    let held_modes = &still * modes.U();
-    let basis = Mat::from_fn(n, kept, |row, column| {
-        if column + 1 < kept {
-            held_modes[(row, column)]
+    let modes = stiffness.self_adjoint_eigen(Side::Lower).unwrap();
+    let constrained_modes = &constrained * modes.U();
+    let basis = Mat::from_fn(n, coordinates, |row, column| {
+        if column + 1 < coordinates {
+            constrained_modes[(row, column)]
         } else {
             tip[row] / square[row]
         }
@@ -89,15 +89,15 @@ fn in_coordinates(system: &System, basis: &Mat<f64>) -> System {
     };
     let mut reduced = system.clone();
     let squares = solved.S().column_vector();
-    let own = Arc::make_mut(&mut reduced.modes);
-    own.frequency_rad_s = std::iter::once(0.0)
+    let modal = Arc::make_mut(&mut reduced.modes);
+    modal.frequency_rad_s = std::iter::once(0.0)
         .chain((0..shapes.ncols()).map(|k| squares[k].sqrt()))
         .collect();
-    own.damping_ratio = vec![0.0; shapes.ncols() + 1];
-    own.discretisation_error = vec![0.0; shapes.ncols() + 1];
-    own.participation_sqrt_kg = onto(&modes.participation_sqrt_kg);
-    own.shape.values_mut().for_each(|row| *row = onto(row));
-    own.patch.values_mut().for_each(|patch| {
+    modal.damping_ratio = vec![0.0; shapes.ncols() + 1];
+    modal.discretisation_error = vec![0.0; shapes.ncols() + 1];
+    modal.participation_sqrt_kg = onto(&modes.participation_sqrt_kg);
+    modal.shape.values_mut().for_each(|row| *row = onto(row));
+    modal.patch.values_mut().for_each(|patch| {
         patch.coupling_n_per_v = onto(&patch.coupling_n_per_v);
         patch.strain.clear();
     });

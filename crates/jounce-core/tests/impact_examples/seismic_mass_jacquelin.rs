@@ -1,7 +1,7 @@
 //! `examples/seismic-mass-jacquelin-2011`: Jacquelin, Adhikari and Friswell, Smart Mater. Struct.
 //! 20 (2011) 105008.
 
-use crate::example::{integrator, kernel, motion, relative, run, system, throw};
+use crate::example::{integrator, kernel, motion, relative, run, set_velocity, system};
 use crate::reduced_basis::{fixed_contact, free_interface};
 use crate::rows::check;
 use jounce_core::contact::{Hertz, Law};
@@ -17,12 +17,15 @@ const STIFFNESS: f64 = 7.4e9;
 
 /// The seismic mass, released from its spring, before the upper beam with `modes` modes, without
 /// damping.
-fn detached(modes: usize, settings: &[(&str, &str)]) -> System {
-    let kept = format!("{}", 2 * modes + 1);
-    let settings: Vec<(&str, &str)> = [("reduction.modes", kept.as_str()), ("damping.beyond", "0")]
-        .into_iter()
-        .chain(settings.iter().copied())
-        .collect();
+fn without_lower_beam(modes: usize, settings: &[(&str, &str)]) -> System {
+    let modes_text = format!("{}", 2 * modes + 1);
+    let settings: Vec<(&str, &str)> = [
+        ("reduction.modes", modes_text.as_str()),
+        ("damping.beyond", "0"),
+    ]
+    .into_iter()
+    .chain(settings.iter().copied())
+    .collect();
     let mut system = system(EXAMPLE, SPEC, &settings);
     let names = |part: &str| part.starts_with("lower");
     system.drives.clear();
@@ -36,23 +39,23 @@ fn detached(modes: usize, settings: &[(&str, &str)]) -> System {
     let upper = (0..system.modes.len()).filter(|i| system.modes.shape["upper.end"][*i] != 0.0);
     let order: Vec<usize> = std::iter::once(seismic).chain(upper.take(modes)).collect();
     let pick = |row: &mut Vec<f64>| *row = order.iter().map(|i| row[*i]).collect();
-    let own = Arc::make_mut(&mut system.modes);
-    own.frequency_rad_s[seismic] = 0.0;
-    own.patch.retain(|name, _| !names(name));
-    own.shape.retain(|name, _| !names(name));
+    let modal = Arc::make_mut(&mut system.modes);
+    modal.frequency_rad_s[seismic] = 0.0;
+    modal.patch.retain(|name, _| !names(name));
+    modal.shape.retain(|name, _| !names(name));
     [
-        &mut own.frequency_rad_s,
-        &mut own.participation_sqrt_kg,
-        &mut own.discretisation_error,
+        &mut modal.frequency_rad_s,
+        &mut modal.participation_sqrt_kg,
+        &mut modal.discretisation_error,
     ]
     .into_iter()
     .for_each(pick);
-    own.shape.values_mut().for_each(pick);
-    own.patch.values_mut().for_each(|patch| {
+    modal.shape.values_mut().for_each(pick);
+    modal.patch.values_mut().for_each(|patch| {
         pick(&mut patch.coupling_n_per_v);
         patch.strain.clear();
     });
-    own.damping_ratio = vec![0.0; order.len()];
+    modal.damping_ratio = vec![0.0; order.len()];
     system.stops.iter_mut().for_each(|stop| {
         pick(&mut stop.shape);
         stop.gap_m = 0.0;
@@ -65,7 +68,7 @@ fn detached(modes: usize, settings: &[(&str, &str)]) -> System {
 fn force_n(system: System) -> (Vec<f64>, f64) {
     let kernel = kernel(system);
     let mut start = vec![0.0; kernel.plant.len()];
-    throw(&kernel.plant.system, &mut start, "seismic", 0.1);
+    set_velocity(&kernel.plant.system, &mut start, "seismic", 0.1);
     let mut integrator = integrator(&kernel, &start, 1e-11);
     integrator.start_record();
     integrator.advance_to(8e-3).unwrap();
@@ -94,7 +97,7 @@ fn distance(one: &[f64], other: &[f64]) -> f64 {
 #[test]
 fn free_interface_and_fixed_contact_bases_are_equivalent() {
     let many = 40;
-    let mut system = detached(many, &[]);
+    let mut system = without_lower_beam(many, &[]);
     system.stops[0].law = Law::Hertz(Hertz {
         stiffness: 1e6,
         exponent: 1.5,
@@ -111,11 +114,14 @@ fn free_interface_and_fixed_contact_bases_are_equivalent() {
         "{complete:e}"
     );
     let mut before = [f64::INFINITY; 2];
-    for kept in [2, 4, 8] {
-        let errors = [free_interface(&system, kept), fixed_contact(&system, kept)]
-            .map(|reduced| distance(&force_n(reduced).0, &exact));
+    for coordinates in [2, 4, 8] {
+        let errors = [
+            free_interface(&system, coordinates),
+            fixed_contact(&system, coordinates),
+        ]
+        .map(|reduced| distance(&force_n(reduced).0, &exact));
         eprintln!(
-            "{kept} coordinates: free interface {:.2e}, fixed contact {:.2e}",
+            "{coordinates} coordinates: free interface {:.2e}, fixed contact {:.2e}",
             errors[0], errors[1]
         );
         assert!(
@@ -133,7 +139,7 @@ fn hertz_errors(times: f64) -> [f64; 2] {
         format!("{} GPa", 110.0 * times),
         format!("{} kg/m^3", 8530.0 * times),
     );
-    let system = detached(
+    let system = without_lower_beam(
         4,
         &[
             ("beam.upper.youngs_modulus", &modulus),
@@ -148,7 +154,7 @@ fn hertz_errors(times: f64) -> [f64; 2] {
     };
     let kernel = kernel(system);
     let mut start = vec![0.0; kernel.plant.len()];
-    throw(&kernel.plant.system, &mut start, "seismic", 0.1);
+    set_velocity(&kernel.plant.system, &mut start, "seismic", 0.1);
     let mut integrator = integrator(&kernel, &start, 1e-12);
     integrator
         .advance_to(3.0 * problem.contact_time_s())
@@ -175,12 +181,7 @@ fn a_heavy_beam_is_the_fixed_body_of_hertz() {
 }
 
 /// Largest power of all loads between two times of a run with a record, W.
-fn peak_power_w(
-    kernel: &Kernel,
-    answer: &jounce_core::run::RunResult,
-    from_s: f64,
-    to_s: f64,
-) -> f64 {
+fn peak_power_w(kernel: &Kernel, result: &jounce_core::run::RunResult, from_s: f64, to_s: f64) -> f64 {
     let plant = &kernel.plant;
     let times: Vec<f64> = (0..20_000)
         .map(|k| from_s + (to_s - from_s) * f64::from(k) / 2e4)
@@ -203,7 +204,7 @@ fn peak_power_w(
             .map(|load| of_patch(&load.connections[0].patch).powi(2) / load.resistance_ohm)
             .sum()
     };
-    answer
+    result
         .trajectory
         .at(kernel, &times)
         .into_iter()
@@ -213,10 +214,10 @@ fn peak_power_w(
 
 #[test]
 fn every_expected_row_is_met() {
-    let (kernel, answer) = run(EXAMPLE, SPEC, &[]);
-    let residual = answer.energies.residual_relative();
+    let (kernel, result) = run(EXAMPLE, SPEC, &[]);
+    let residual = result.energies.residual_relative();
     let [transient_w, steady_w] =
-        [[0.0, 1.0], [9.0, 10.0]].map(|[from, to]| peak_power_w(&kernel, &answer, from, to));
+        [[0.0, 1.0], [9.0, 10.0]].map(|[from, to]| peak_power_w(&kernel, &result, from, to));
     eprintln!(
         "residual {residual:.1e}; peak power {transient_w:.3e} W at first, {steady_w:.3e} W at last"
     );
@@ -244,7 +245,7 @@ fn every_expected_row_is_met() {
         &[
             ("hertz_force_ratio", 1.0 + force),
             ("hertz_duration_ratio", 1.0 + duration),
-            ("mean_power_w", answer.mean_power_w),
+            ("mean_power_w", result.mean_power_w),
         ],
     );
 }

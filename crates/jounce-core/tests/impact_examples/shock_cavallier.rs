@@ -12,7 +12,7 @@ const SPEC: &str = "harvester.toml";
 const PEAK_M_S2: f64 = 100.0 * 9.80665;
 
 /// First mode only: angular frequency, participation, and the blow equivalent to a shock.
-fn single() -> (f64, f64, Impulse) {
+fn first_mode() -> (f64, f64, Impulse) {
     let system = system(EXAMPLE, SPEC, &[("reduction.modes", "1")]);
     let (modes, load) = (&system.modes, &system.loads[0]);
     let frequency_rad_s = modes.frequency_rad_s[0];
@@ -20,7 +20,7 @@ fn single() -> (f64, f64, Impulse) {
     let coupling: f64 = load
         .connections
         .iter()
-        .map(|own| own.sign * modes.patch[&own.patch].coupling_n_per_v[0])
+        .map(|connection| connection.sign * modes.patch[&connection.patch].coupling_n_per_v[0])
         .sum();
     let capacitance_f: f64 = modes.patch.values().map(|patch| patch.capacitance_f).sum();
     let blow = Impulse {
@@ -33,11 +33,11 @@ fn single() -> (f64, f64, Impulse) {
 
 /// Energy in the load after a half sine of the given periods, over that of a blow with equal change
 /// of velocity.
-fn share(periods: f64) -> f64 {
-    let (frequency_rad_s, participation, _) = single();
+fn energy_ratio(periods: f64) -> f64 {
+    let (frequency_rad_s, participation, _) = first_mode();
     let duration_s = periods * TAU / frequency_rad_s;
     let duration = format!("{duration_s} s");
-    let (_, answer) = run(
+    let (_, result) = run(
         EXAMPLE,
         SPEC,
         &[
@@ -46,15 +46,15 @@ fn share(periods: f64) -> f64 {
         ],
     );
     let velocity = 2.0 * PEAK_M_S2 * duration_s / PI;
-    answer.energies.loads_j[0] / (0.5 * (participation * velocity).powi(2))
+    result.energies.loads_j[0] / (0.5 * (participation * velocity).powi(2))
 }
 
 /// A short shock acts as a blow: within 1 % at a twentieth of a period, and the difference falls
 /// with the square of the length. Measured: 4.9e-3 and 1.2e-3.
 #[test]
 fn a_short_shock_is_a_blow() {
-    let (_, _, blow) = single();
-    let errors = [0.05, 0.025].map(|periods| relative(share(periods), blow.efficiency()));
+    let (_, _, blow) = first_mode();
+    let errors = [0.05, 0.025].map(|periods| relative(energy_ratio(periods), blow.efficiency()));
     eprintln!("{blow:?}: {errors:?}");
     assert!(
         errors[0] < 0.01 && (errors[0] / errors[1] - 4.0).abs() < 0.1,
@@ -63,7 +63,7 @@ fn a_short_shock_is_a_blow() {
 }
 
 /// The first mode with open patches and without damping, and its frequency.
-fn undamped() -> (System, f64) {
+fn undamped_mode() -> (System, f64) {
     let mut system = system(
         EXAMPLE,
         SPEC,
@@ -83,7 +83,7 @@ fn undamped() -> (System, f64) {
 /// Amplitude of the free oscillation after a half sine of length `T`, over `p A / w^2`, with
 /// `w T = 2 pi periods`.
 fn residual(periods: f64) -> f64 {
-    let (mut system, frequency_rad_s) = undamped();
+    let (mut system, frequency_rad_s) = undamped_mode();
     let participation = system.modes.participation_sqrt_kg[0];
     let length_s = periods * TAU / frequency_rad_s;
     let file = ("drive.shock.duration", format!("{length_s} s"));
@@ -136,31 +136,31 @@ fn glued_plate_j() -> f64 {
 /// First mode of the three layers, Hz, from `EI` and the mass per length.
 fn layered_beam_hz() -> f64 {
     let (core_m, layer_m, length_m) = (0.3e-3_f64, 0.1e-3_f64, 20e-3);
-    let whole_m = core_m + 2.0 * layer_m;
+    let total_m = core_m + 2.0 * layer_m;
     let stiffness =
-        169e9 * core_m.powi(3) / 12.0 + 1.0 / 16.4e-12 * (whole_m.powi(3) - core_m.powi(3)) / 12.0;
+        169e9 * core_m.powi(3) / 12.0 + 1.0 / 16.4e-12 * (total_m.powi(3) - core_m.powi(3)) / 12.0;
     let mass = 2329.0 * core_m + 7750.0 * 2.0 * layer_m;
     1.875_104_068_711_961_f64.powi(2) / (TAU * length_m * length_m) * (stiffness / mass).sqrt()
 }
 
 #[test]
 fn every_expected_row_is_met() {
-    let (frequency_rad_s, ..) = single();
+    let (frequency_rad_s, ..) = first_mode();
     assert!(relative(layered_beam_hz(), frequency_rad_s / TAU) < 1e-9);
-    let (_, answer) = run(EXAMPLE, SPEC, &[]);
-    let harvested_j = answer.energies.loads_j[0];
+    let (_, result) = run(EXAMPLE, SPEC, &[]);
+    let harvested_j = result.energies.loads_j[0];
     eprintln!(
         "beam {harvested_j:.2e} J, glued plate below {:.2e} J",
         glued_plate_j()
     );
     assert!(
-        harvested_j > 1000.0 * glued_plate_j() && answer.energies.residual_relative().abs() < 1e-8
+        harvested_j > 1000.0 * glued_plate_j() && result.energies.residual_relative().abs() < 1e-8
     );
     check(
         EXAMPLE,
         &[
             ("first_mode_hz", frequency_rad_s / TAU),
-            ("short_shock_share", share(0.05)),
+            ("short_shock_share", energy_ratio(0.05)),
             ("residual_of_half_a_period", residual(0.5)),
             ("harvested_j", harvested_j),
         ],

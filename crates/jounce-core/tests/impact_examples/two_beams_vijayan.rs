@@ -1,7 +1,7 @@
 //! `examples/two-beams-vijayan-2015`: Vijayan, Friswell, Haddad Khodaparast and Adhikari, Int. J.
 //! Mech. Sci. 96-97 (2015) 101.
 
-use crate::example::{integrator, kernel, relative, run, system, throw};
+use crate::example::{integrator, kernel, relative, run, set_velocity, system};
 use crate::rows::check;
 use faer::linalg::solvers::Solve;
 use faer::{Mat, c64};
@@ -21,8 +21,8 @@ const STIFFNESS_N_M: f64 = 5e4;
 fn two_oscillators_swing_at_the_bilinear_frequency() {
     let kernel = kernel(system(EXAMPLE, "bilinear.toml", &[]));
     let mut start = vec![0.0; 4];
-    throw(&kernel.plant.system, &mut start, "lower", 0.5);
-    throw(&kernel.plant.system, &mut start, "upper", -0.5);
+    set_velocity(&kernel.plant.system, &mut start, "lower", 0.5);
+    set_velocity(&kernel.plant.system, &mut start, "upper", -0.5);
     let mut integrator = integrator(&kernel, &start, 1e-11);
     let bilinear_rad_s = 2.0 * 1.0 * 10.0 / (1.0 + 10.0);
     integrator
@@ -51,13 +51,13 @@ fn two_oscillators_swing_at_the_bilinear_frequency() {
 #[test]
 fn the_spec_starts_as_the_oscillators_meet() {
     for settings in [vec![], vec![("mass.lower.velocity", "0.3 m/s")]] {
-        let (_, answer) = run(EXAMPLE, "bilinear.toml", &settings);
-        let error = relative(answer.stops[0].mean_contact_duration_s, PI / 10.0);
+        let (_, result) = run(EXAMPLE, "bilinear.toml", &settings);
+        let error = relative(result.stops[0].mean_contact_duration_s, PI / 10.0);
         eprintln!("{settings:?}: {error:.1e}");
         assert!(
-            answer.contacts == 3 && error < 1e-6,
+            result.contacts == 3 && error < 1e-6,
             "{settings:?}: {} contacts, {error:e}",
-            answer.contacts
+            result.contacts
         );
     }
 }
@@ -70,13 +70,13 @@ fn equal_beams_and_distant_beams_are_linear() {
         [("beam.upper.thickness", "1 mm"), ("run.start", "linear")],
         [("stop.tips.gap", "1 m"), ("run.start", "linear")],
     ] {
-        let (kernel, answer) = run(EXAMPLE, SPEC, &settings);
-        let error = relative(answer.mean_power_w, steady_power_w(&kernel.plant));
+        let (kernel, result) = run(EXAMPLE, SPEC, &settings);
+        let error = relative(result.mean_power_w, steady_power_w(&kernel.plant));
         eprintln!("{settings:?}: {error:.1e}");
         assert!(
-            answer.contacts == 0 && error < 1e-9,
+            result.contacts == 0 && error < 1e-9,
             "{settings:?}: {} contacts, {error:e}",
-            answer.contacts
+            result.contacts
         );
     }
 }
@@ -94,10 +94,11 @@ fn coupled_power_w(system: &System) -> f64 {
         let is = |same: bool| f64::from(same);
         match (row < n, column < n) {
             (true, true) => {
-                let own = modes.frequency_rad_s[row];
-                let diagonal =
-                    c64::new(own * own - w * w, 2.0 * modes.damping_ratio[row] * own * w)
-                        * is(row == column);
+                let mode_rad_s = modes.frequency_rad_s[row];
+                let diagonal = c64::new(
+                    mode_rad_s * mode_rad_s - w * w,
+                    2.0 * modes.damping_ratio[row] * mode_rad_s * w,
+                ) * is(row == column);
                 diagonal + STIFFNESS_N_M * between[row] * between[column]
             }
             (true, false) => c64::new(-patches[column - n].coupling_n_per_v[row], 0.0),
@@ -120,17 +121,17 @@ fn coupled_power_w(system: &System) -> f64 {
             0.0,
         )
     });
-    let answer = Mat::from_fn(size, size, entry)
+    let solution = Mat::from_fn(size, size, entry)
         .partial_piv_lu()
         .solve(&force);
     (0..patches.len())
-        .map(|k| 0.5 * answer[(n + k, 0)].norm_sqr() / system.loads[k].resistance_ohm)
+        .map(|k| 0.5 * solution[(n + k, 0)].norm_sqr() / system.loads[k].resistance_ohm)
         .sum()
 }
 
 /// A two-sided spring, integrated from rest to steady state, against the coupled linear equations.
 /// Measured: 7e-12.
-fn permanent() -> [f64; 2] {
+fn permanent_contact_w() -> [f64; 2] {
     let mut system = system(EXAMPLE, SPEC, &[("stop.tips.gap", "0 mm")]);
     system.stops[0].law = Law::Cubic(Cubic {
         stiffness_n_m: STIFFNESS_N_M,
@@ -144,28 +145,28 @@ fn permanent() -> [f64; 2] {
         tolerance: 1e-10,
         record_s: 0.0,
     };
-    let answer = simulate(&kernel, &StartState::rest(&kernel.plant), &plan).unwrap();
-    [answer.mean_power_w, exact_w]
+    let result = simulate(&kernel, &StartState::rest(&kernel.plant), &plan).unwrap();
+    [result.mean_power_w, exact_w]
 }
 
 #[test]
 fn every_expected_row_is_met() {
-    let [marched_w, exact_w] = permanent();
+    let [integrated_w, exact_w] = permanent_contact_w();
     eprintln!(
-        "permanent contact: {marched_w:e} W, {:.1e}",
-        relative(marched_w, exact_w)
+        "permanent contact: {integrated_w:e} W, {:.1e}",
+        relative(integrated_w, exact_w)
     );
-    assert!(relative(marched_w, exact_w) < 1e-6);
-    let (kernel, answer) = run(EXAMPLE, SPEC, &[]);
-    let residual = answer.energies.residual_relative();
-    eprintln!("residual {residual:.1e}, {} contacts", answer.contacts);
-    assert!(residual.abs() < 1e-8 && answer.settlement.unwrap().settled);
+    assert!(relative(integrated_w, exact_w) < 1e-6);
+    let (kernel, result) = run(EXAMPLE, SPEC, &[]);
+    let residual = result.energies.residual_relative();
+    eprintln!("residual {residual:.1e}, {} contacts", result.contacts);
+    assert!(residual.abs() < 1e-8 && result.settlement.unwrap().settled);
     check(
         EXAMPLE,
         &[
-            ("permanent_contact_w", marched_w),
+            ("permanent_contact_w", integrated_w),
             ("linear_power_w", steady_power_w(&kernel.plant)),
-            ("mean_power_w", answer.mean_power_w),
+            ("mean_power_w", result.mean_power_w),
         ],
     );
 }

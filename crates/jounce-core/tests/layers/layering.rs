@@ -42,7 +42,9 @@ impl Layering {
             .collect();
         folders.sort_unstable();
         folders.dedup();
-        let unlisted = folders.iter().filter(|folder| self.place(folder).is_none());
+        let unlisted = folders
+            .iter()
+            .filter(|folder| self.position(folder).is_none());
         let absent = self
             .0
             .iter()
@@ -66,24 +68,26 @@ impl Layering {
         let says =
             |used: &super::paths::Use, why: String| format!("{}:{}: {why}", source.path, used.line);
         used.iter()
-            .filter_map(|used| match (self.place(layer), self.place(&used.name)) {
-                (_, None) => Some(says(
-                    used,
-                    format!(
-                        "`crate::{}` is not a layer; name the layer that holds it",
-                        used.name
-                    ),
-                )),
-                (Some(own), Some(other)) if other > own => Some(says(
-                    used,
-                    format!("`{layer}` uses `{}`, which stands to its right", used.name),
-                )),
-                _ => None,
-            })
+            .filter_map(
+                |used| match (self.position(layer), self.position(&used.name)) {
+                    (_, None) => Some(says(
+                        used,
+                        format!(
+                            "`crate::{}` is not a layer; name the layer that holds it",
+                            used.name
+                        ),
+                    )),
+                    (Some(position), Some(other)) if other > position => Some(says(
+                        used,
+                        format!("`{layer}` uses `{}`, which stands to its right", used.name),
+                    )),
+                    _ => None,
+                },
+            )
             .collect()
     }
 
-    fn place(&self, name: &str) -> Option<usize> {
+    fn position(&self, name: &str) -> Option<usize> {
         self.0.iter().position(|layer| layer == name)
     }
 }
@@ -105,7 +109,7 @@ fn depth_of(path: &str) -> usize {
 mod tests {
     use super::{Layering, Source, depth_of};
 
-    const LIST: &str = "# A\n\n```text layers of a\nother   crate\n```\n\n```text layers of jounce\nspec    says\nplant   linear\nmarch   time\n```\n\n```text\nother\n```\n";
+    const LIST: &str = "# A\n\n```text layers of a\nother   crate\n```\n\n```text layers of jounce\nspec    says\nplant   linear\nintegrate time\n```\n\n```text\nother\n```\n";
 
     fn faults(files: &[(&str, &str)]) -> Vec<String> {
         let source = |(path, text): &(&str, &str)| Source {
@@ -116,33 +120,36 @@ mod tests {
         layering.faults(&files.iter().map(source).collect::<Vec<_>>())
     }
 
-    const WHOLE: [(&str, &str); 4] = [
-        ("lib.rs", "pub mod march; use crate::march::Marcher;"),
+    const ALL_FILES: [(&str, &str); 4] = [
+        (
+            "lib.rs",
+            "pub mod integrate; use crate::integrate::Integrator;",
+        ),
         ("spec/mod.rs", ""),
         ("plant/mod.rs", "use crate::spec::Spec;"),
         (
-            "march/flight.rs",
-            "use crate::{plant::Plant, spec, march::Kernel}; use super::super::plant;",
+            "integrate/flight.rs",
+            "use crate::{plant::Plant, spec, integrate::Kernel}; use super::super::plant;",
         ),
     ];
 
     #[test]
     fn arrows_to_the_left_pass() {
-        assert_eq!(faults(&WHOLE), Vec::<String>::new());
+        assert_eq!(faults(&ALL_FILES), Vec::<String>::new());
     }
 
     #[test]
     fn an_arrow_to_the_right_is_caught_however_it_is_written() {
         for text in [
-            "\nuse crate::march::Marcher;",
-            "\nfn f() { crate::march::go() }",
-            "\nuse crate::{spec, march};",
-            "\nuse super::super::march;",
+            "\nuse crate::integrate::Integrator;",
+            "\nfn f() { crate::integrate::go() }",
+            "\nuse crate::{spec, integrate};",
+            "\nuse super::super::integrate;",
         ] {
-            let found = faults(&[&WHOLE[..], &[("plant/system.rs", text)]].concat());
+            let violations = faults(&[&ALL_FILES[..], &[("plant/system.rs", text)]].concat());
             assert_eq!(
-                found,
-                ["plant/system.rs:2: `plant` uses `march`, which stands to its right"],
+                violations,
+                ["plant/system.rs:2: `plant` uses `integrate`, which stands to its right"],
                 "{text}"
             );
         }
@@ -150,32 +157,38 @@ mod tests {
 
     #[test]
     fn tests_and_comments_may_point_anywhere() {
-        let text =
-            "//! See [`crate::march`].\n#[cfg(test)]\nmod tests { use crate::march::Marcher; }";
+        let text = "//! See [`crate::integrate`].\n#[cfg(test)]\nmod tests { use crate::integrate::Integrator; }";
         assert_eq!(
-            faults(&[&WHOLE[..], &[("plant/system.rs", text)]].concat()),
+            faults(&[&ALL_FILES[..], &[("plant/system.rs", text)]].concat()),
             Vec::<String>::new()
         );
     }
 
     #[test]
     fn a_way_round_through_the_root_is_caught() {
-        let found = faults(&[&WHOLE[..], &[("plant/system.rs", "use crate::Marcher;")]].concat());
+        let violations = faults(
+            &[
+                &ALL_FILES[..],
+                &[("plant/system.rs", "use crate::Integrator;")],
+            ]
+            .concat(),
+        );
         assert_eq!(
-            found,
-            ["plant/system.rs:1: `crate::Marcher` is not a layer; name the layer that holds it"]
+            violations,
+            ["plant/system.rs:1: `crate::Integrator` is not a layer; name the layer that holds it"]
         );
     }
 
     #[test]
     fn a_folder_that_is_not_listed_and_a_layer_without_folder_are_caught() {
-        let found = faults(&[&WHOLE[..3], &[("orbit/mod.rs", ""), ("extra.rs", "")]].concat());
-        assert_eq!(found.len(), 3, "{found:?}");
+        let violations =
+            faults(&[&ALL_FILES[..3], &[("orbit/mod.rs", ""), ("extra.rs", "")]].concat());
+        assert_eq!(violations.len(), 3, "{violations:?}");
         assert!(
-            found[0].contains("`extra`")
-                && found[1].contains("`orbit`")
-                && found[2].contains("`march`"),
-            "{found:?}"
+            violations[0].contains("`extra`")
+                && violations[1].contains("`orbit`")
+                && violations[2].contains("`integrate`"),
+            "{violations:?}"
         );
     }
 
@@ -191,8 +204,8 @@ mod tests {
     fn depth_counts_modules() {
         assert_eq!(
             [
-                depth_of("march/mod.rs"),
-                depth_of("march/flight.rs"),
+                depth_of("integrate/mod.rs"),
+                depth_of("integrate/flight.rs"),
                 depth_of("spec/key/mod.rs"),
                 depth_of("lib.rs")
             ],

@@ -1,6 +1,6 @@
 //! The code follows the layer list of ARCHITECTURE.md: a folder uses only the folders before it.
 
-mod blanked;
+mod blanking;
 mod layering;
 mod paths;
 
@@ -14,22 +14,22 @@ fn root() -> PathBuf {
 
 /// Every Rust file below a folder, with its path from there.
 fn sources(folder: &Path, inside: &Path) -> Vec<Source> {
-    let mut found = Vec::new();
+    let mut sources_found = Vec::new();
     for entry in std::fs::read_dir(folder).expect("the folder is there") {
         let path = entry.expect("the folder can be listed").path();
         let name = inside.join(path.file_name().expect("an entry of a folder has a name"));
         if path.is_dir() {
-            found.extend(sources(&path, &name));
+            sources_found.extend(sources(&path, &name));
         } else if path.extension().is_some_and(|extension| extension == "rs") {
             let text = std::fs::read_to_string(&path).expect("sources are UTF-8");
-            found.push(Source {
+            sources_found.push(Source {
                 path: name.to_string_lossy().replace('\\', "/"),
                 text,
             });
         }
     }
-    found.sort_by(|a, b| a.path.cmp(&b.path));
-    found
+    sources_found.sort_by(|a, b| a.path.cmp(&b.path));
+    sources_found
 }
 
 #[test]

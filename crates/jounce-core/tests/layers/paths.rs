@@ -1,7 +1,7 @@
 //! Module paths that begin at the root of the crate: `crate::name`, `crate::{name, name}`,
 //! `super::super::name`.
 
-use super::blanked::{blanked, is_word};
+use super::blanking::{is_word, product_code};
 
 /// Use of a top-level module.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -14,11 +14,11 @@ pub struct Use {
 
 /// Returns the uses in the source of a module `depth` modules below the root.
 pub fn uses(source: &str, depth: usize) -> Vec<Use> {
-    let code: Vec<char> = blanked(source).chars().collect();
+    let code: Vec<char> = product_code(source).chars().collect();
     let words = words(&code);
-    let mut found = Vec::new();
+    let mut uses_found = Vec::new();
     for (i, (start, word)) in words.iter().enumerate() {
-        let continues = i > 0 && joined(&code, &words[i - 1], *start);
+        let continues = i > 0 && is_joined(&code, &words[i - 1], *start);
         let roots = match word.as_str() {
             "crate" => 1,
             // The first `depth` of a chain of `super` lead to the root.
@@ -28,9 +28,9 @@ pub fn uses(source: &str, depth: usize) -> Vec<Use> {
         let line = 1 + code[..*start].iter().filter(|c| **c == '\n').count();
         let last = &words[i + roots - 1];
         let names = names_behind(&code, last.0 + last.1.chars().count());
-        found.extend(names.into_iter().map(|name| Use { name, line }));
+        uses_found.extend(names.into_iter().map(|name| Use { name, line }));
     }
-    found
+    uses_found
 }
 
 /// Identifiers with their positions.
@@ -46,7 +46,7 @@ fn words(code: &[char]) -> Vec<(usize, String)> {
 }
 
 /// True where only `::` lies between a word and the position of the next.
-fn joined(code: &[char], before: &(usize, String), next: usize) -> bool {
+fn is_joined(code: &[char], before: &(usize, String), next: usize) -> bool {
     let between: String = code[before.0 + before.1.chars().count()..next]
         .iter()
         .collect();
@@ -57,14 +57,14 @@ fn joined(code: &[char], before: &(usize, String), next: usize) -> bool {
 fn supers(code: &[char], words: &[(usize, String)]) -> usize {
     let linked = words
         .windows(2)
-        .take_while(|pair| pair[1].1 == "super" && joined(code, &pair[0], pair[1].0))
+        .take_while(|pair| pair[1].1 == "super" && is_joined(code, &pair[0], pair[1].0))
         .count();
     1 + linked
 }
 
 /// First names behind the `::` at a position: one, or all of a `{..}` group.
-fn names_behind(code: &[char], place: usize) -> Vec<String> {
-    let rest: String = code[place..].iter().collect();
+fn names_behind(code: &[char], position: usize) -> Vec<String> {
+    let rest: String = code[position..].iter().collect();
     let Some(rest) = rest.trim_start().strip_prefix("::").map(str::trim_start) else {
         return Vec::new();
     };
@@ -113,7 +113,7 @@ mod tests {
     fn names(source: &str, depth: usize) -> Vec<String> {
         uses(source, depth)
             .into_iter()
-            .map(|found| found.name)
+            .map(|uses_found| uses_found.name)
             .collect()
     }
 
@@ -121,8 +121,11 @@ mod tests {
     fn finds_every_spelling_of_a_path_from_the_root() {
         assert_eq!(names("use crate::plant::Pair;", 2), ["plant"]);
         assert_eq!(
-            names("use crate::{plant::{Pair, Tone}, spec, march::{self}};", 2),
-            ["plant", "spec", "march"]
+            names(
+                "use crate::{plant::{Pair, Tone}, spec, integrate::{self}};",
+                2
+            ),
+            ["plant", "spec", "integrate"]
         );
         assert_eq!(
             names(
@@ -150,7 +153,7 @@ mod tests {
     }
 
     #[test]
-    fn tells_the_line() {
+    fn reports_the_line() {
         assert_eq!(uses("//! crate::a\n\nuse crate::b;", 2)[0].line, 3);
     }
 }

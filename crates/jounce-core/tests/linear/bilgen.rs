@@ -22,11 +22,11 @@ fn bimetal_curvature(h_m: f64, e_pa: f64, patch_m: f64, patch_pa: f64, strain: f
 fn one_volt_bends_it_as_a_bimetal() {
     for (material, strain_per_v) in [("MFC-P2", -170e-12 / 0.3e-3), ("MFC-P1", 400e-12 / 0.5e-3)] {
         let spec = spec(EXAMPLE, &[("patch.mfc.material", material)]);
-        let found = modes(&spec).unwrap();
-        let coupling = &found.patch["mfc"].coupling_n_per_v;
-        let shape = &found.shape["substrate.end"];
-        let modal: f64 = (0..found.len())
-            .map(|mode| shape[mode] * coupling[mode] / found.frequency_rad_s[mode].powi(2))
+        let basis = modes(&spec).unwrap();
+        let coupling = &basis.patch["mfc"].coupling_n_per_v;
+        let shape = &basis.shape["substrate.end"];
+        let modal: f64 = (0..basis.len())
+            .map(|mode| shape[mode] * coupling[mode] / basis.frequency_rad_s[mode].powi(2))
             .sum();
         let curvature = bimetal_curvature(0.5e-3, 70e9, 0.3e-3, 30.336e9, strain_per_v);
         let exact = curvature * 0.085 * (0.1 - 0.005 - 0.085 / 2.0);
@@ -40,7 +40,7 @@ fn one_volt_bends_it_as_a_bimetal() {
 }
 
 /// The composite specified by its layers, with some keys changed.
-fn layered(kind: &[(&str, &str)]) -> jounce_core::spec::Spec {
+fn composite_from_layers(kind: &[(&str, &str)]) -> jounce_core::spec::Spec {
     let path = rows::folder(EXAMPLE).join("layers.toml");
     let mut file = jounce_core::spec::SpecFile::read(path).unwrap();
     kind.iter()
@@ -79,7 +79,7 @@ fn a_composite_given_from_its_layers_bends_as_their_stack() {
         ("patch.mfc.electrode_spacing", "0.5 mm"),
     ];
     for (kind, strain_per_v) in [(&[][..], -210e-12 / 0.18e-3), (&d33[..], 460e-12 / 0.5e-3)] {
-        let spec = layered(kind);
+        let spec = composite_from_layers(kind);
         let (beam, patch) = (&spec.beam["substrate"], &spec.patch["mfc"]);
         let section = CrossSection::laminated(beam, spec.layer.values(), spec.patch.values());
         let stack = [
@@ -90,7 +90,8 @@ fn a_composite_given_from_its_layers_bends_as_their_stack() {
             (2.5e9, 60e-6),
         ];
         let exact = stack_curvature(&stack, 3, strain_per_v);
-        let found = patch_moment_n_m_per_v(beam, &section, patch) / section.bending_stiffness_n_m2;
+        let curvature =
+            patch_moment_n_m_per_v(beam, &section, patch) / section.bending_stiffness_n_m2;
         let modes = modes(&spec).unwrap();
         let (shape, coupling) = (
             &modes.shape["substrate.end"],
@@ -100,10 +101,10 @@ fn a_composite_given_from_its_layers_bends_as_their_stack() {
             .map(|mode| shape[mode] * coupling[mode] / modes.frequency_rad_s[mode].powi(2))
             .sum();
         let errors = [
-            found / exact - 1.0,
+            curvature / exact - 1.0,
             end_m / (exact * 0.085 * (0.1 - 0.005 - 0.085 / 2.0)) - 1.0,
         ];
-        eprintln!("{strain_per_v:e} per V: curvature {found:e} 1/(V m), errors {errors:?}");
+        eprintln!("{strain_per_v:e} per V: curvature {curvature:e} 1/(V m), errors {errors:?}");
         assert!(errors[0].abs() < 1e-13 && errors[1].abs() < 1e-4);
         let mass =
             0.028 * (0.5e-3 * 2700.0 + 20e-6 * 1200.0 + 2.0 * 60e-6 * 1420.0 + 0.18e-3 * 5540.0);
@@ -115,24 +116,24 @@ fn a_composite_given_from_its_layers_bends_as_their_stack() {
 /// Measured 4e-16.
 #[test]
 fn foils_like_the_fibres_make_one_layer() {
-    let alike = [
+    let equal_modulus = [
         ("patch.mfc.foil_youngs_modulus", "48 GPa"),
         ("layer.bond.youngs_modulus", "70 GPa"),
     ];
-    let spec = layered(&alike);
+    let spec = composite_from_layers(&equal_modulus);
     let (beam, patch) = (&spec.beam["substrate"], &spec.patch["mfc"]);
     let section = CrossSection::laminated(beam, spec.layer.values(), spec.patch.values());
-    let found = patch_moment_n_m_per_v(beam, &section, patch) / section.bending_stiffness_n_m2;
+    let curvature = patch_moment_n_m_per_v(beam, &section, patch) / section.bending_stiffness_n_m2;
     // The moment of a d31 patch depends on its modulus, coefficient and lever arm only, not on its
     // thickness.
     let exact = bimetal_curvature(0.52e-3, 70e9, 0.3e-3, 48e9, -210e-12 / 0.3e-3);
-    eprintln!("{:.1e}", found / exact - 1.0);
-    assert!((found / exact - 1.0).abs() < 1e-13);
+    eprintln!("{:.1e}", curvature / exact - 1.0);
+    assert!((curvature / exact - 1.0).abs() < 1e-13);
 }
 
 #[test]
-fn foils_that_do_not_fit_are_told() {
-    for (key, value, told) in [
+fn foils_that_do_not_fit_are_refused() {
+    for (key, value, message) in [
         (
             "patch.mfc.foil_youngs_modulus",
             "3 GPa",
@@ -146,15 +147,14 @@ fn foils_that_do_not_fit_are_told() {
         ("patch.mfc.foil_thickness", "0 um", "must be"),
     ] {
         let mut file =
-            jounce_core::spec::SpecFile::read(rows::folder(EXAMPLE).join("harvester.toml"))
-                .unwrap();
-        let found = file.set(key, value).map_or_else(
+            jounce_core::spec::SpecFile::read(rows::folder(EXAMPLE).join("harvester.toml")).unwrap();
+        let fault = file.set(key, value).map_or_else(
             |fault| fault.to_string(),
             |()| file.spec().unwrap_err().to_string(),
         );
         assert!(
-            found.contains(told) && found.lines().count() == 1,
-            "{key} = {value}: {found}"
+            fault.contains(message) && fault.lines().count() == 1,
+            "{key} = {value}: {fault}"
         );
     }
 }
@@ -177,13 +177,13 @@ fn capacitances_are_those_of_the_manufacturer() {
 fn every_expected_row_is_met() {
     let of = |material: &str| {
         let spec = spec(EXAMPLE, &[("patch.mfc.material", material)]);
-        let found = modes(&spec).unwrap();
+        let modal = modes(&spec).unwrap();
         let (shape, coupling) = (
-            &found.shape["substrate.end"],
-            &found.patch["mfc"].coupling_n_per_v,
+            &modal.shape["substrate.end"],
+            &modal.patch["mfc"].coupling_n_per_v,
         );
-        let end_m: f64 = (0..found.len())
-            .map(|mode| shape[mode] * coupling[mode] / found.frequency_rad_s[mode].powi(2))
+        let end_m: f64 = (0..modal.len())
+            .map(|mode| shape[mode] * coupling[mode] / modal.frequency_rad_s[mode].powi(2))
             .sum();
         [1e6 * end_m, 1e9 * spec.patch["mfc"].clamped_capacitance_f()]
     };

@@ -107,7 +107,7 @@ fn equations(load: &Load, w: f64) -> Vec<Vec<c64>> {
         load.connections
             .iter()
             .find(|connection| connection.patch == NAMES[p])
-            .map_or(0.0, |found| found.sign)
+            .map_or(0.0, |connection| connection.sign)
     };
     let members: Vec<usize> = (0..3).filter(|p| sign(*p) != 0.0).collect();
     let mut rows: Vec<Vec<c64>> = (0..3)
@@ -144,7 +144,7 @@ fn equations(load: &Load, w: f64) -> Vec<Vec<c64>> {
 }
 
 /// Gauss elimination with pivoting; the last column is the right side.
-fn solved(mut rows: Vec<Vec<c64>>) -> Vec<c64> {
+fn solve(mut rows: Vec<Vec<c64>>) -> Vec<c64> {
     let n = rows.len();
     for k in 0..n {
         let pivot = (k..n)
@@ -166,7 +166,7 @@ fn solved(mut rows: Vec<Vec<c64>>) -> Vec<c64> {
 /// Every wiring of unequal patches, with and without an inductor.
 #[test]
 fn voltages_solve_the_circuit_equations() {
-    let wanted = NAMES.map(|name| FrfResponse::Voltage(name.into()));
+    let outputs = NAMES.map(|name| FrfResponse::Voltage(name.into()));
     let mut worst = 0.0_f64;
     for patches in [
         &[("a", 1.0), ("b", -1.0)][..],
@@ -182,17 +182,17 @@ fn voltages_solve_the_circuit_equations() {
                 let load = load(patches, wiring, inductor);
                 let plant = plant(&load);
                 for frequency_hz in [3.0, 9.6, 40.0, 150.0] {
-                    let exact = solved(equations(&load, TAU * frequency_hz));
-                    let found = frf(
+                    let exact = solve(equations(&load, TAU * frequency_hz));
+                    let responses = frf(
                         &plant,
                         &FrfInput::BaseAcceleration,
-                        &wanted,
+                        &outputs,
                         &[frequency_hz],
                     )
                     .unwrap();
                     let scale = exact[..3].iter().map(|v| v.norm()).fold(0.0, f64::max);
-                    for (found, exact) in found.iter().zip(&exact) {
-                        let error = (found.value[0] - exact).norm() / scale;
+                    for (response, exact) in responses.iter().zip(&exact) {
+                        let error = (response.value[0] - exact).norm() / scale;
                         worst = worst.max(error);
                         assert!(
                             error < 1e-9,
@@ -212,9 +212,9 @@ fn voltages_solve_the_circuit_equations() {
 fn an_open_patch_keeps_its_charge() {
     let plant = plant(&load(&[("a", 1.0)], Wiring::Parallel, None));
     let reals = &plant.diagonal.block.reals;
-    let still: Vec<usize> = (0..reals.len()).filter(|k| reals[*k] == 0.0).collect();
-    assert_eq!(still.len(), 2, "{reals:?}");
-    for k in still {
+    let zeros: Vec<usize> = (0..reals.len()).filter(|k| reals[*k] == 0.0).collect();
+    assert_eq!(zeros.len(), 2, "{reals:?}");
+    for k in zeros {
         let column = 2 * plant.diagonal.block.pairs.len() + k;
         assert!((3..6).all(|velocity| plant.diagonal.to_physical[(velocity, column)] == 0.0));
         assert_eq!(plant.load_voltage_row(0)[column], 0.0);

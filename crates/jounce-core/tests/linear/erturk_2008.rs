@@ -15,7 +15,7 @@ fn with_load(resistance: &str) -> jounce_core::plant::Plant {
 }
 
 /// Strain-rate and air damping of the paper, `c_s I / (Y I) w / 2 + c_a / m / (2 w)`.
-fn proportional(angular_frequency: f64) -> f64 {
+fn proportional_damping_ratio(angular_frequency: f64) -> f64 {
     0.5 * (1.2433e-5 * angular_frequency + 4.886 / angular_frequency)
 }
 
@@ -38,9 +38,18 @@ fn every_expected_row_is_met() {
             ("damping_1", spec.damping.ratios[0]),
             ("damping_2", spec.damping.ratios[1]),
             ("damping_3", spec.damping.ratios[2]),
-            ("proportional_damping_1", proportional(natural[0])),
-            ("proportional_damping_2", proportional(natural[1])),
-            ("proportional_damping_3", proportional(natural[2])),
+            (
+                "proportional_damping_1",
+                proportional_damping_ratio(natural[0]),
+            ),
+            (
+                "proportional_damping_2",
+                proportional_damping_ratio(natural[1]),
+            ),
+            (
+                "proportional_damping_3",
+                proportional_damping_ratio(natural[2]),
+            ),
             ("short_circuit_1_hz", near(&short, 47.8).0),
             ("short_circuit_2_hz", near(&short, 299.6).0),
             ("short_circuit_3_hz", near(&short, 838.2).0),
@@ -115,23 +124,23 @@ fn voltage_and_motion_are_the_closed_form() {
                     / dynamic(mode)
             })
             .sum();
-        let wanted = [
+        let outputs = [
             FrfResponse::Voltage("ceramic".into()),
             FrfResponse::Displacement("beam.end".into()),
         ];
-        let found = frf(
+        let responses = frf(
             &plant,
             &FrfInput::BaseAcceleration,
-            &wanted,
+            &outputs,
             &[frequency_hz],
         )
         .unwrap();
-        for (found, exact) in found.iter().zip([voltage, tip]) {
-            let error = (found.value[0] - exact).norm() / exact.norm();
+        for (response, exact) in responses.iter().zip([voltage, tip]) {
+            let error = (response.value[0] - exact).norm() / exact.norm();
             assert!(
                 error < 1e-9,
                 "{frequency_hz} Hz, {}: {error:e}",
-                found.response.name()
+                response.response.name()
             );
         }
     }

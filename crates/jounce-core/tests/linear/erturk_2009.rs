@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 
 const EXAMPLE: &str = "bimorph-erturk-2009";
 
-fn wired(wiring: &str, resistance: &str) -> Plant {
+fn with_wiring(wiring: &str, resistance: &str) -> Plant {
     plant(
         EXAMPLE,
         &[
@@ -24,14 +24,20 @@ fn every_expected_row_is_met() {
     let section = CrossSection::covered(&spec.beam["shim"], spec.patch.values());
     let moment = patch_moment_n_m_per_v(&spec.beam["shim"], &section, &spec.patch["top"]);
     let short_hz = modes(&spec).unwrap().frequency_rad_s[0] / TAU;
-    let highest = |resistance| peak(&wired("series", resistance), 44.0, 50.0);
+    let highest = |resistance| peak(&with_wiring("series", resistance), 44.0, 50.0);
     let peaks = ["1 kohm", "33 kohm", "100 kohm", "470 kohm", "995 kohm"].map(highest);
     let open_hz = highest("100 Mohm").0;
-    let node = &wired("series", "1 kohm").electrical.nodes[0];
-    let (best_short, power) = best_resistance(|resistance| wired("series", resistance), short_hz);
-    let (best_open, _) = best_resistance(|resistance| wired("series", resistance), open_hz);
-    let parallel =
-        |frequency_hz| best_resistance(|resistance| wired("parallel", resistance), frequency_hz).0;
+    let node = &with_wiring("series", "1 kohm").electrical.nodes[0];
+    let (best_short, power) =
+        best_resistance(|resistance| with_wiring("series", resistance), short_hz);
+    let (best_open, _) = best_resistance(|resistance| with_wiring("series", resistance), open_hz);
+    let parallel = |frequency_hz| {
+        best_resistance(
+            |resistance| with_wiring("parallel", resistance),
+            frequency_hz,
+        )
+        .0
+    };
     check(
         EXAMPLE,
         &[
@@ -86,7 +92,10 @@ fn series_and_parallel_are_one_harvester() {
         ("100 kohm", "25 kohm"),
         ("4 Mohm", "1 Mohm"),
     ] {
-        let (one, other) = (wired("series", series), wired("parallel", parallel));
+        let (one, other) = (
+            with_wiring("series", series),
+            with_wiring("parallel", parallel),
+        );
         for frequency_hz in [20.0, 45.7, 47.0, 48.1, 400.0] {
             let ratio = voltage_per_g(&one, frequency_hz) / voltage_per_g(&other, frequency_hz);
             assert!(
@@ -96,9 +105,9 @@ fn series_and_parallel_are_one_harvester() {
         }
     }
     // Two equal layers in series need no state other than their terminal voltage.
-    assert_eq!(wired("series", "1 kohm").electrical.nodes.len(), 1);
+    assert_eq!(with_wiring("series", "1 kohm").electrical.nodes.len(), 1);
     for wiring in ["series", "parallel"] {
-        let wrong = plant(
+        let reversed_plant = plant(
             EXAMPLE,
             &[
                 ("circuit.load.patches", "[\"top\", \"bottom\"]"),
@@ -106,7 +115,8 @@ fn series_and_parallel_are_one_harvester() {
             ],
         );
         assert!(
-            voltage_per_g(&wrong, 47.0) < 1e-9 * voltage_per_g(&wired(wiring, "100 kohm"), 47.0)
+            voltage_per_g(&reversed_plant, 47.0)
+                < 1e-9 * voltage_per_g(&with_wiring(wiring, "100 kohm"), 47.0)
         );
     }
 }
@@ -126,8 +136,11 @@ fn one_mode_has_the_best_resistances_of_the_closed_form() {
             ],
         )
     };
-    let made = single("1 kohm");
-    let (modes, node) = (&made.system.modes, &made.electrical.nodes[0]);
+    let single_harvester = single("1 kohm");
+    let (modes, node) = (
+        &single_harvester.system.modes,
+        &single_harvester.electrical.nodes[0],
+    );
     let (short, zeta) = (modes.frequency_rad_s[0], modes.damping_ratio[0]);
     // In series each layer has half of the voltage.
     let theta = 0.5
@@ -142,15 +155,15 @@ fn one_mode_has_the_best_resistances_of_the_closed_form() {
         / (open * node.capacitance_f);
     let bound_w = (modes.participation_sqrt_kg[0] * 9.81).powi(2) / (16.0 * zeta * short);
     for (angular_frequency, exact) in [(short, at_short), (open, at_open)] {
-        let (found, squared_over_resistance) = best_resistance(single, angular_frequency / TAU);
+        let (best_ohm, squared_over_resistance) = best_resistance(single, angular_frequency / TAU);
         let share = 0.5 * squared_over_resistance / bound_w;
         eprintln!(
-            "{found} against {exact} ohm: {:.1e}, {share:.4} of the bound",
-            found / exact - 1.0
+            "{best_ohm} against {exact} ohm: {:.1e}, {share:.4} of the bound",
+            best_ohm / exact - 1.0
         );
         assert!(
-            (found / exact - 1.0).abs() < 1e-12 && (0.9..1.0).contains(&share),
-            "{found} {exact} {share}"
+            (best_ohm / exact - 1.0).abs() < 1e-12 && (0.9..1.0).contains(&share),
+            "{best_ohm} {exact} {share}"
         );
     }
 }

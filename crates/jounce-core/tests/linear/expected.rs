@@ -8,14 +8,14 @@ use jounce_core::plant::Plant;
 
 /// Voltage of the load per g of the base, V zero to peak.
 pub fn voltage_per_g(plant: &Plant, frequency_hz: f64) -> f64 {
-    let answer = frf(
+    let responses = frf(
         plant,
         &FrfInput::BaseAcceleration,
         &[FrfResponse::LoadVoltage("load".into())],
         &[frequency_hz],
     )
     .unwrap();
-    answer[0].value[0].norm() * G_M_S2
+    responses[0].value[0].norm() * G_M_S2
 }
 
 /// Frequency and value of the highest voltage per g between two frequencies, by golden section.

@@ -18,11 +18,11 @@ fn every_expected_row_is_met() {
         .porous(0.5, PoreGeometry::Spheroids(1.0), Scheme::MoriTanaka)
         .unwrap();
     let [half_d31, _, half_permittivity] = half.free();
-    let load = |resistance| settled(&[("circuit.load.resistance", resistance)]);
+    let load = |resistance| run_to_steady_state(&[("circuit.load.resistance", resistance)]);
     let (small, best, large) = (load("1 kohm"), load("600 kohm"), load("1 Mohm"));
-    let over_unstopped = |frequency| {
+    let ratio_to_unstopped = |frequency| {
         let settings = [("drive.shaker.frequency", frequency)];
-        settled(&settings).mean_power_w
+        run_to_steady_state(&settings).mean_power_w
             / steady_power_w(&plant(
                 EXAMPLE,
                 &[&settings[..], &[("stop.tip.gap", "1 m")]].concat(),
@@ -75,11 +75,11 @@ fn every_expected_row_is_met() {
                 "strike_at_1_mohm_over_1_kohm",
                 large.stops[0].mean_impact_velocity_m_s / small.stops[0].mean_impact_velocity_m_s,
             ),
-            ("stop_gain_at_20_hz", over_unstopped("20 Hz")),
-            ("stop_gain_at_25_hz", over_unstopped("25 Hz")),
-            ("stop_gain_at_28_hz", over_unstopped("28 Hz")),
-            ("stop_gain_at_30_hz", over_unstopped("30 Hz")),
-            ("stop_gain_at_32_hz", over_unstopped("32 Hz")),
+            ("stop_gain_at_20_hz", ratio_to_unstopped("20 Hz")),
+            ("stop_gain_at_25_hz", ratio_to_unstopped("25 Hz")),
+            ("stop_gain_at_28_hz", ratio_to_unstopped("28 Hz")),
+            ("stop_gain_at_30_hz", ratio_to_unstopped("30 Hz")),
+            ("stop_gain_at_32_hz", ratio_to_unstopped("32 Hz")),
             ("modulus_in_spec_gpa", patch.youngs_modulus_pa / 1e9),
             (
                 "permittivity_in_spec_nf_m",
@@ -110,7 +110,7 @@ fn kernel(settings: &[(&str, &str)]) -> Kernel {
 }
 
 /// Run as in the spec: 20 s from rest, mean over the last 10.
-fn settled(settings: &[(&str, &str)]) -> RunResult {
+fn run_to_steady_state(settings: &[(&str, &str)]) -> RunResult {
     let run = spec(EXAMPLE, settings).run;
     let kernel = kernel(settings);
     simulate(
@@ -177,7 +177,7 @@ fn plain_power_w(plant: &Plant) -> f64 {
 /// At the rows of the example on load and frequency: integration against Runge-Kutta. Measured:
 /// 1.4e-7.
 #[test]
-fn powers_beside_the_stop_are_those_of_a_plain_integrator() {
+fn powers_with_the_stop_are_those_of_a_plain_integrator() {
     for settings in [
         [
             ("circuit.load.resistance", "10 kohm"),
@@ -203,15 +203,15 @@ fn powers_beside_the_stop_are_those_of_a_plain_integrator() {
             tolerance: 1e-9,
             record_s: 0.0,
         };
-        let answer = simulate(&kernel, &StartState::rest(&kernel.plant), &plan).unwrap();
+        let result = simulate(&kernel, &StartState::rest(&kernel.plant), &plan).unwrap();
         let plain_w = plain_power_w(&kernel.plant);
-        let error = answer.mean_power_w / plain_w - 1.0;
+        let error = result.mean_power_w / plain_w - 1.0;
         eprintln!(
             "{settings:?}: {:e} W against {plain_w:e}: {error:.1e}, {} contacts",
-            answer.mean_power_w, answer.contacts
+            result.mean_power_w, result.contacts
         );
         assert!(
-            error.abs() < 1e-5 && answer.contacts > 10,
+            error.abs() < 1e-5 && result.contacts > 10,
             "{settings:?}: {error:e}"
         );
     }

@@ -32,8 +32,8 @@ fn oscillator(damping_ratio: f64) -> Plant {
     .unwrap()
 }
 
-fn relative(found: f64, exact: f64) -> f64 {
-    (found / exact - 1.0).abs()
+fn relative(value: f64, exact: f64) -> f64 {
+    (value / exact - 1.0).abs()
 }
 
 /// Mean squares `S pi f / (4 zeta w^4)` and `S pi f / (4 zeta w^2)`, bandwidths
@@ -46,22 +46,25 @@ fn an_oscillator_under_white_noise_is_its_closed_form() {
     for zeta in [0.001, 0.02, 0.3, 0.6] {
         let plant = oscillator(zeta);
         let noise = [NoiseInput::of_base(&plant, DENSITY, WHITE)];
-        let (place, speed) = (plant.displacement_row(&[1.0]), plant.velocity_row(&[1.0]));
+        let (displacement, speed) = (plant.displacement_row(&[1.0]), plant.velocity_row(&[1.0]));
         let covariance = covariance(&plant, &noise).unwrap();
         let square = DENSITY * PI * FREQUENCY_HZ / (4.0 * zeta * w.powi(4));
         let crossing = Crossing {
             mean_m: 2e-3,
-            deviation_m: product(&covariance, &place, &place).sqrt(),
+            deviation_m: product(&covariance, &displacement, &displacement).sqrt(),
             velocity_m_s: product(&covariance, &speed, &speed).sqrt(),
             level_m: 2e-3,
         };
         let errors = [
-            relative(product(&covariance, &place, &place), square),
+            relative(product(&covariance, &displacement, &displacement), square),
             relative(product(&covariance, &speed, &speed), w * w * square),
-            product(&covariance, &place, &speed).abs() / (w * square),
-            relative(spectral_moment(&plant, &noise, &place, 1).unwrap(), square),
+            product(&covariance, &displacement, &speed).abs() / (w * square),
             relative(
-                noise_bandwidth_hz(&plant, &noise[0], &place).unwrap(),
+                spectral_moment(&plant, &noise, &displacement, 1).unwrap(),
+                square,
+            ),
+            relative(
+                noise_bandwidth_hz(&plant, &noise[0], &displacement).unwrap(),
                 PI * zeta * (1.0 - zeta * zeta) * FREQUENCY_HZ,
             ),
             relative(
@@ -69,7 +72,7 @@ fn an_oscillator_under_white_noise_is_its_closed_form() {
                 PI * zeta * FREQUENCY_HZ,
             ),
             relative(
-                statistical_bandwidth_hz(&plant, &noise, &place).unwrap(),
+                statistical_bandwidth_hz(&plant, &noise, &displacement).unwrap(),
                 TAU * zeta * FREQUENCY_HZ / (1.0 + 4.0 * zeta * zeta),
             ),
             relative(crossing.rate_hz(), FREQUENCY_HZ),
@@ -170,38 +173,41 @@ fn both_methods_agree_on_harvesters() {
 /// The paper's harvester on a shaker with noise: all reported values, and their sums from the
 /// densities.
 #[test]
-fn a_spec_is_answered_without_its_stop() {
+fn a_spec_is_evaluated_without_its_stop() {
     let spec =
         Spec::from_toml(include_str!("../../../../examples/random-base/shaker.toml")).unwrap();
     let random = Random::new(&spec).unwrap();
-    let answer = random.answer().unwrap();
-    let (load, stop) = (&answer.loads[0], &answer.stops[0]);
+    let result = random.answer().unwrap();
+    let (load, stop) = (&result.loads[0], &result.stops[0]);
     eprintln!("{load:?} {stop:?}");
     assert!(
         load.difference_relative.abs() < 1e-9
-            && relative(load.voltage_rms_v.powi(2) / 1e6, answer.mean_power_w) < 1e-12
+            && relative(load.voltage_rms_v.powi(2) / 1e6, result.mean_power_w) < 1e-12
     );
     assert!(load.statistical_bandwidth_hz > 0.0 && load.noise_bandwidth_hz[0] > 0.0);
     assert!(
         stop.displacement_rms_m > 0.0
             && stop.reached_hz.unwrap() > 0.0
             && stop.share_beyond.unwrap() < 0.5
-            && answer.left_out.is_empty()
+            && result.left_out.is_empty()
     );
-    let places = random.frequencies_hz(2.0, 30.0, 20_000);
-    let densities = random.densities(&places).unwrap();
-    let until_third = |looks: &std::cell::Cell<u32>| looks.replace(looks.get() + 1) % 3 == 2;
-    let (looks, whole) = (std::cell::Cell::new(0), &densities[0].value);
+    let frequencies_hz = random.frequencies_hz(2.0, 30.0, 20_000);
+    let densities = random.densities(&frequencies_hz).unwrap();
+    let until_third = |calls: &std::cell::Cell<u32>| calls.replace(calls.get() + 1) % 3 == 2;
+    let (calls, complete) = (std::cell::Cell::new(0), &densities[0].value);
     let stopped = random
-        .densities_until(&places, &|| until_third(&looks))
+        .densities_until(&frequencies_hz, &|| until_third(&calls))
         .unwrap();
-    assert_eq!(stopped[0].value, whole[..2]);
+    assert_eq!(stopped[0].value, complete[..2]);
     let voltage = densities
         .iter()
         .find(|density| density.name == "load.load_voltage")
         .unwrap();
-    let trapezia: f64 = (1..places.len())
-        .map(|k| 0.5 * (places[k] - places[k - 1]) * (voltage.value[k] + voltage.value[k - 1]))
+    let trapezia: f64 = (1..frequencies_hz.len())
+        .map(|k| {
+            0.5 * (frequencies_hz[k] - frequencies_hz[k - 1])
+                * (voltage.value[k] + voltage.value[k - 1])
+        })
         .sum();
     // Linear interpolation between the frequencies: 2e-5.
     assert!(
@@ -218,7 +224,7 @@ fn a_spec_is_answered_without_its_stop() {
 }
 
 #[test]
-fn what_has_no_linear_answer_is_refused() {
+fn a_spec_without_linear_response_is_refused() {
     let refused = |spec: &Spec| Random::new(spec).unwrap_err();
     assert_eq!(
         refused(&spec("bimorph-erturk-2009", &[])),

@@ -22,29 +22,29 @@ pub fn check(example: &str, computed: &[(&str, f64)]) {
     let document = expected(example);
     assert_eq!(document.len(), computed.len());
     for (name, _) in document.iter() {
-        let (_, found) = computed
+        let (_, value) = computed
             .iter()
             .find(|(computed, _)| *computed == name)
             .unwrap_or_else(|| panic!("{name} is not computed"));
-        check_row(example, name, *found);
+        check_row(example, name, *value);
     }
 }
 
 /// Checks one row of `expected.toml`.
-pub fn check_row(example: &str, name: &str, found: f64) {
+pub fn check_row(example: &str, name: &str, value: f64) {
     let document = expected(example);
     let row = document
         .get(name)
         .unwrap_or_else(|| panic!("{example} expects no {name}"));
     let number = |key: &str| row[key].as_float().unwrap();
-    let difference = (found / number("value") - 1.0).abs();
+    let difference = (value / number("value") - 1.0).abs();
     eprintln!(
-        "{example} {name}: {found} against {} ({difference:.1e})",
+        "{example} {name}: {value} against {} ({difference:.1e})",
         number("value")
     );
     assert!(
         difference <= number("allowed"),
-        "{example} {name}: {found} against {}",
+        "{example} {name}: {value} against {}",
         number("value")
     );
 }

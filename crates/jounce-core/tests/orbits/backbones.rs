@@ -37,8 +37,8 @@ fn orbit(
         unknown: shooting.unknown(state),
         parameter,
     };
-    let found = correct_at(&shooting, corrector, &Metric::at(&position, 1.0), position).unwrap();
-    shooting.orbit(&found.local, found.error).unwrap()
+    let solution = correct_at(&shooting, corrector, &Metric::at(&position, 1.0), position).unwrap();
+    shooting.orbit(&solution.local, solution.error).unwrap()
 }
 
 /// Parameter, and displacement relative to the drive, where the velocity vanishes at the start of
@@ -50,17 +50,18 @@ pub fn phase_resonance(
     scale: f64,
 ) -> (f64, f64) {
     let speed_at = |state: &[f64], parameter: f64| {
-        let found = orbit(&make, &AT_RESONANCE, state, parameter);
+        let candidate = orbit(&make, &AT_RESONANCE, state, parameter);
         let kernel = Systems(&make).at(parameter).unwrap().kernel;
-        let physical = Shooting::new(&Systems(&make), &kernel, 1, 1e-12).physical(found.start());
+        let physical =
+            Shooting::new(&Systems(&make), &kernel, 1, 1e-12).physical(candidate.start());
         (physical[1], physical)
     };
     let (mut at, mut next) = (parameter, parameter * (1.0 + 1e-5));
     let (mut speed, mut state) = speed_at(start, at);
     for _ in 0..30 {
-        let (moved, reached) = speed_at(&state, next);
-        let step = -moved * (next - at) / (moved - speed);
-        (at, speed, state) = (next, moved, reached);
+        let (next_speed, reached) = speed_at(&state, next);
+        let step = -next_speed * (next - at) / (next_speed - speed);
+        (at, speed, state) = (next, next_speed, reached);
         // The phase is then equally accurate, and the amplitude better by the factor of the
         // damping.
         if speed.abs() < 1e-8 * scale {
@@ -77,15 +78,15 @@ fn balancing_force(free: System, start: &[f64], w: f64, damping_n_s_m: f64) -> f
     let kernel = Kernel::new(Plant::new(free).unwrap()).unwrap();
     let mut integrator =
         Integrator::new(&kernel, &kernel.plant.from_physical(start, 0.0), 0.0, 1e-10).unwrap();
-    let looks = 256;
-    let (mut lost, mut fed) = (0.0, 0.0);
-    for k in 1..=looks {
-        let angle = TAU * f64::from(k) / f64::from(looks);
+    let samples = 256;
+    let (mut dissipation, mut input) = (0.0, 0.0);
+    for k in 1..=samples {
+        let angle = TAU * f64::from(k) / f64::from(samples);
         integrator.advance_to(angle / w).unwrap();
         let speed = kernel.plant.to_physical(&integrator.state(), 0.0)[1];
-        (lost, fed) = (lost + speed * speed, fed + speed * angle.sin());
+        (dissipation, input) = (dissipation + speed * speed, input + speed * angle.sin());
     }
-    damping_n_s_m * lost / fed
+    damping_n_s_m * dissipation / input
 }
 
 /// Errors of the frequency at two dampings; the second damping is half the first.
@@ -189,7 +190,7 @@ fn without_a_gap_the_resonance_is_the_bilinear_frequency() {
 /// A two-sided spring by harmonic balance: the state and the multipliers of shooting, within both
 /// error estimates.
 #[test]
-fn harmonic_balance_meets_shooting_on_a_cubic_spring() {
+fn harmonic_balance_agrees_with_shooting_on_a_cubic_spring() {
     for (b, gap_m, drive_rad_s) in [(1.0, 0.0, 1.2), (-0.3, 0.0, 0.7), (1.0, 0.2, 1.3)] {
         let duffing = Duffing {
             mass_kg: 1.0,
@@ -218,10 +219,10 @@ fn harmonic_balance_meets_shooting_on_a_cubic_spring() {
                 unknown: method.unknown_of(exact.start(), force).unwrap(),
                 parameter: force,
             };
-            let found =
+            let solution =
                 correct_at(&method, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
-            let other = method.orbit(&found.local, found.error).unwrap();
-            let apart = exact
+            let other = method.orbit(&solution.local, solution.error).unwrap();
+            let error = exact
                 .start()
                 .iter()
                 .zip(other.start())
@@ -229,18 +230,18 @@ fn harmonic_balance_meets_shooting_on_a_cubic_spring() {
                 .fold(0.0, f64::max)
                 / exact.size();
             eprintln!(
-                "b {b}, gap {gap_m}, {harmonics} harmonics: state off by {apart:.1e}, estimate {:.1e}",
+                "b {b}, gap {gap_m}, {harmonics} harmonics: state off by {error:.1e}, estimate {:.1e}",
                 other.error_estimate
             );
             assert!(
-                apart < 3.0 * other.error_estimate + 1e-10 && apart < (0.1 * last).max(1e-10),
-                "{apart:e} after {last:e}"
+                error < 3.0 * other.error_estimate + 1e-10 && error < (0.1 * last).max(1e-10),
+                "{error:e} after {last:e}"
             );
             assert!(
-                (other.floquet_max_abs() - exact.floquet_max_abs()).abs() < 10.0 * apart + 1e-9
+                (other.floquet_max_abs() - exact.floquet_max_abs()).abs() < 10.0 * error + 1e-9
                     && other.contacts == 0
             );
-            last = apart;
+            last = error;
         }
     }
 }

@@ -21,15 +21,14 @@ fn norm(values: &mut dyn Iterator<Item = f64>) -> f64 {
 
 fn system(frequency_hz: f64, law: Law) -> System {
     let spec = bench().spec().unwrap();
-    let mut system =
-        System::assemble(&spec, jounce_core::structure::modes(&spec).unwrap()).unwrap();
+    let mut system = System::assemble(&spec, jounce_core::structure::modes(&spec).unwrap()).unwrap();
     system.drives[0].frequency_hz = frequency_hz;
     system.stops[0].law = law;
     system
 }
 
 #[test]
-fn balance_meets_shooting_within_its_own_estimate() {
+fn balance_agrees_with_shooting_within_its_estimate() {
     let hertz = Hertz {
         stiffness: 1000.0,
         exponent: 1.5,
@@ -69,9 +68,9 @@ fn balance_meets_shooting_within_its_own_estimate() {
                 unknown: method.unknown_of(exact.start(), 11.0).unwrap(),
                 parameter: 11.0,
             };
-            let found =
+            let solution =
                 correct_at(&method, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
-            let orbit = method.orbit(&found.local, found.error).unwrap();
+            let orbit = method.orbit(&solution.local, solution.error).unwrap();
             let error = (orbit.mean_power_w / exact.mean_power_w - 1.0).abs();
             let state = norm(&mut orbit.start().iter().zip(exact.start()).map(|(a, b)| a - b))
                 / norm(&mut exact.start().iter().copied());
@@ -79,10 +78,10 @@ fn balance_meets_shooting_within_its_own_estimate() {
             eprintln!(
                 "{name}, {harmonics} harmonics: power off by {error:.1e}, state by {state:.1e}, estimate {estimate:.1e}"
             );
-            let off = state.max(error);
+            let largest = state.max(error);
             assert!(
-                off < 3.0 * estimate + 1e-9 && estimate < 3.0 * off + 1e-9,
-                "{name}: {off:e} {estimate:e}"
+                largest < 3.0 * estimate + 1e-9 && estimate < 3.0 * largest + 1e-9,
+                "{name}: {largest:e} {estimate:e}"
             );
             assert!(
                 state < (0.5 * last).max(1e-9),
@@ -100,7 +99,7 @@ fn balance_meets_shooting_within_its_own_estimate() {
 /// two methods differ by less than the sum of their estimates, and the powers by less than a
 /// millionth.
 #[test]
-fn both_methods_agree_along_the_whole_branch() {
+fn both_methods_agree_along_the_complete_branch() {
     let file = bench();
     let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("drive.shaker.frequency").unwrap();
@@ -117,17 +116,17 @@ fn both_methods_agree_along_the_whole_branch() {
                     .unwrap(),
                 parameter: point.parameter,
             };
-            let found =
+            let solution =
                 correct_at(&method, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
             match method
                 .finer()
-                .filter(|_| method.error_ratio(&found.local, 0.8).unwrap() > 1.0)
+                .filter(|_| method.error_ratio(&solution.local, 0.8).unwrap() > 1.0)
             {
                 Some(finer) => method = finer,
-                None => break method.orbit(&found.local, found.error).unwrap(),
+                None => break method.orbit(&solution.local, solution.error).unwrap(),
             }
         };
-        let apart = (orbit.mean_power_w / point.orbit.mean_power_w - 1.0).abs();
+        let power_error = (orbit.mean_power_w / point.orbit.mean_power_w - 1.0).abs();
         let allowed = orbit.error_estimate + point.orbit.error_estimate;
         let state = norm(
             &mut orbit
@@ -138,13 +137,13 @@ fn both_methods_agree_along_the_whole_branch() {
         ) / norm(&mut orbit.start().iter().copied());
         let (at, harmonics) = (point.parameter, method.harmonics);
         eprintln!(
-            "{at:.6} Hz, {harmonics} harmonics: power apart by {apart:.1e}, state by {state:.1e}, estimates {allowed:.1e}"
+            "{at:.6} Hz, {harmonics} harmonics: power apart by {power_error:.1e}, state by {state:.1e}, estimates {allowed:.1e}"
         );
         assert!(
-            state < allowed && apart < allowed && apart < 1e-6 && harmonics < 512,
-            "{at} Hz: {state:e}, {apart:e} > {allowed:e}"
+            state < allowed && power_error < allowed && power_error < 1e-6 && harmonics < 512,
+            "{at} Hz: {state:e}, {power_error:e} > {allowed:e}"
         );
-        worst = worst.max(apart / allowed);
+        worst = worst.max(power_error / allowed);
     }
     eprintln!("largest difference of the powers: {worst:.2} of the sum of the estimates");
 }
@@ -152,7 +151,7 @@ fn both_methods_agree_along_the_whole_branch() {
 #[test]
 fn folds_are_those_of_shooting_and_no_others() {
     let file = bench();
-    let found = [
+    let by_method = [
         OrbitMethodKind::Shooting,
         OrbitMethodKind::HarmonicBalance { harmonics: 64 },
     ]
@@ -161,19 +160,19 @@ fn folds_are_those_of_shooting_and_no_others() {
             .remove(0)
             .bifurcations;
         all.into_iter()
-            .map(|found| (found.kind, found.at.parameter, found.at.orbit.mean_power_w))
+            .map(|label| (label.kind, label.at.parameter, label.at.orbit.mean_power_w))
             .collect::<Vec<_>>()
     });
-    eprintln!("{found:?}");
+    eprintln!("{by_method:?}");
     assert!(
-        found[0].len() == found[1].len()
-            && found[0]
+        by_method[0].len() == by_method[1].len()
+            && by_method[0]
                 .iter()
                 .filter(|(kind, ..)| *kind == BranchKind::Fold)
                 .count()
                 == 2
     );
-    for (a, b) in found[0].iter().zip(&found[1]) {
+    for (a, b) in by_method[0].iter().zip(&by_method[1]) {
         assert!(a.0 == b.0 && (a.1 - b.1).abs() < 1e-5, "{a:?} {b:?}");
     }
 }
@@ -181,14 +180,14 @@ fn folds_are_those_of_shooting_and_no_others() {
 /// The complete branch with an adaptive number of harmonics: exactly the folds, doublings, tori and
 /// grazings of shooting.
 #[test]
-fn labels_of_the_whole_branch_are_those_of_shooting() {
+fn labels_of_the_complete_branch_are_those_of_shooting() {
     let file = bench();
-    let found = [
+    let by_method = [
         OrbitMethodKind::Shooting,
         OrbitMethodKind::HarmonicBalance { harmonics: 64 },
     ]
     .map(|method| branches(&file, (4.0, 20.0), method, 0).remove(0));
-    let [one, two] = found.each_ref().map(|branch| &branch.bifurcations);
+    let [one, two] = by_method.each_ref().map(|branch| &branch.bifurcations);
     assert_eq!(one.len(), two.len());
     for (a, b) in one.iter().zip(two) {
         let (at, other) = (&a.at, &b.at);
@@ -206,7 +205,7 @@ fn labels_of_the_whole_branch_are_those_of_shooting() {
             at.parameter
         );
     }
-    let worst = found[1]
+    let worst = by_method[1]
         .points
         .iter()
         .map(|point| point.orbit.error_estimate)
@@ -214,15 +213,15 @@ fn labels_of_the_whole_branch_are_those_of_shooting() {
     eprintln!(
         "{} labels, {} and {} points, largest estimate {worst:.1e}",
         one.len(),
-        found[0].points.len(),
-        found[1].points.len()
+        by_method[0].points.len(),
+        by_method[1].points.len()
     );
     assert!(worst < 1e-5, "{worst:e}");
 }
 
 /// The number of harmonics increases by a half and decreases by a third, between limits.
 #[test]
-fn the_number_of_harmonics_has_two_ends() {
+fn the_number_of_harmonics_has_two_limits() {
     let harvester = crate::harvesters::Systems(|frequency_hz| {
         system(
             frequency_hz,
@@ -320,12 +319,12 @@ fn the_change_with_the_parameter_is_that_of_differences() {
             .unwrap()
             .bordered(&none, 1.0, &change, 0.0)
             .unwrap();
-        let apart = norm(&mut along.iter().zip(&by_difference).map(|(a, b)| a - b))
+        let error = norm(&mut along.iter().zip(&by_difference).map(|(a, b)| a - b))
             / norm(&mut along.iter().copied());
-        eprintln!("{name}: {apart:.1e}");
+        eprintln!("{name}: {error:.1e}");
         // At most 3e-10; 3e-7 for the gap, whose contact edges move the nodes and so change the
         // quadrature error in the difference.
-        assert!(apart < 1e-6, "{name}: {apart:e}");
+        assert!(error < 1e-6, "{name}: {error:e}");
     }
 }
 
@@ -333,7 +332,7 @@ fn the_change_with_the_parameter_is_that_of_differences() {
 /// contact, Newton evaluations.
 #[test]
 fn the_work_at_a_point_is_flat_in_the_number_of_modes() {
-    let mut told = String::new();
+    let mut report = String::new();
     for modes in [8, 24, 40] {
         let mut file = SpecFile::from_text(include_str!(
             "../../../../examples/impact-harvester-2019/harvester.toml"
@@ -356,34 +355,34 @@ fn the_work_at_a_point_is_flat_in_the_number_of_modes() {
             3e-7,
         )
         .unwrap();
-        let (found, evaluations) = loop {
+        let (solution, evaluations) = loop {
             let position = Position {
                 unknown: method.unknown_of(start.start(), 11.0).unwrap(),
                 parameter: 11.0,
             };
-            let found =
+            let solution =
                 correct_at(&method, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
             match method
                 .finer()
-                .filter(|_| method.error_ratio(&found.local, 0.8).unwrap() > 1.0)
+                .filter(|_| method.error_ratio(&solution.local, 0.8).unwrap() > 1.0)
             {
                 Some(finer) => method = finer,
-                None => break (found.local, found.evaluations),
+                None => break (solution.local, solution.evaluations),
             }
         };
-        told += &format!(
+        report += &format!(
             "{modes} modes: {} harmonics, {} nodes, {evaluations} evaluations\n",
             method.harmonics,
-            found.nodes()
+            solution.nodes()
         );
     }
-    insta::assert_snapshot!(told);
+    insta::assert_snapshot!(report);
 }
 
 /// When Newton fails, the error lists the residual by harmonic: for a contact-free orbit, the shift
 /// of the third one.
 #[test]
-fn a_failure_tells_the_residual_by_harmonic() {
+fn a_failure_reports_the_residual_by_harmonic() {
     let law = Law::Hertz(Hertz {
         stiffness: 1000.0,
         exponent: 1.5,
@@ -412,11 +411,17 @@ fn a_failure_tells_the_residual_by_harmonic() {
         unknown,
         parameter: 11.0,
     };
-    let hasty = Corrector {
+    let one_iteration = Corrector {
         goal: 1e-10,
         most: 1,
     };
-    let failed = correct_at(&method, &hasty, &Metric::at(&position, 1.0), position).unwrap_err();
+    let failed = correct_at(
+        &method,
+        &one_iteration,
+        &Metric::at(&position, 1.0),
+        position,
+    )
+    .unwrap_err();
     let ContinuationError::Diverged { left, .. } = &failed else {
         panic!("{failed}")
     };

@@ -35,7 +35,7 @@ fn basins(frequency_hz: f64) -> BasinsResult {
 }
 
 /// Mean power over the last cycles of a long integration.
-fn marched_power_w(kernel: &Kernel, start: &[f64], frequency_hz: f64) -> f64 {
+fn integrated_power_w(kernel: &Kernel, start: &[f64], frequency_hz: f64) -> f64 {
     let mut integrator =
         Integrator::new(kernel, &kernel.plant.from_physical(start, 0.0), 0.0, 1e-8).unwrap();
     integrator.advance_to(4800.0 / frequency_hz).unwrap();
@@ -45,14 +45,14 @@ fn marched_power_w(kernel: &Kernel, start: &[f64], frequency_hz: f64) -> f64 {
 }
 
 #[test]
-fn shares_are_those_of_plain_marches() {
+fn fractions_are_those_of_plain_integrations() {
     let frequency_hz = 14.0;
-    let answer = basins(frequency_hz);
-    for a in &answer.attractors {
+    let result = basins(frequency_hz);
+    for a in &result.attractors {
         eprintln!("{}: {:.6e} W, {:?}", a.id, a.mean_power_w, a.share);
     }
     assert!(
-        answer.attractors.len() > 1,
+        result.attractors.len() > 1,
         "two attractors are known at 14 Hz"
     );
     let file = bench();
@@ -64,8 +64,8 @@ fn shares_are_those_of_plain_marches() {
         .kernel;
     let mut sum = 0.0;
     for index in 0..CLOUD.starts {
-        let power_w = marched_power_w(&kernel, &CLOUD.start(&kernel.plant, index), frequency_hz);
-        let home = answer
+        let power_w = integrated_power_w(&kernel, &CLOUD.start(&kernel.plant, index), frequency_hz);
+        let home = result
             .attractors
             .iter()
             .find(|a| a.starts.contains(&index))
@@ -78,30 +78,30 @@ fn shares_are_those_of_plain_marches() {
         sum += power_w / CLOUD.starts as f64;
     }
     assert!(
-        (answer.expected_power_w / sum - 1.0).abs() < 1e-4,
+        (result.expected_power_w / sum - 1.0).abs() < 1e-4,
         "{} {sum}",
-        answer.expected_power_w
+        result.expected_power_w
     );
-    assert!(answer.expected_power_low_w < sum && sum < answer.expected_power_high_w);
+    assert!(result.expected_power_low_w < sum && sum < result.expected_power_high_w);
 }
 
 #[test]
 fn any_number_of_threads_gives_the_same_bits() {
-    let with = |threads: usize| {
+    let run_on = |threads: usize| {
         rayon::ThreadPoolBuilder::new()
             .num_threads(threads)
             .build()
             .unwrap()
             .install(|| basins(14.0))
     };
-    assert_eq!(with(1), with(3));
+    assert_eq!(run_on(1), run_on(3));
 }
 
 /// The full range of the harvester by several point clouds: slow transients are neither undecided
 /// nor classified as chaos. The torus at 12.3 Hz is one such case: its motion fills a closed curve,
 /// and neighbours neither separate nor converge.
 #[test]
-fn what_settles_slowly_is_recognised_at_every_frequency() {
+fn slow_transients_are_recognised_at_every_frequency() {
     let file = bench();
     let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("drive.shaker.frequency").unwrap();
@@ -121,7 +121,7 @@ fn what_settles_slowly_is_recognised_at_every_frequency() {
             seed,
             spread: 10.0,
         });
-        let answer = Basins {
+        let result = Basins {
             base: &base,
             parameter: &parameter,
             value,
@@ -130,12 +130,12 @@ fn what_settles_slowly_is_recognised_at_every_frequency() {
         }
         .run(&|| ())
         .unwrap();
-        let ids: Vec<&str> = answer.attractors.iter().map(|a| a.id.as_str()).collect();
+        let ids: Vec<&str> = result.attractors.iter().map(|a| a.id.as_str()).collect();
         eprintln!("{value} Hz: {ids:?}");
-        let wanders =
+        let is_aperiodic =
             |id: &str| ["chaos", "undecided"].contains(&id) || (id == "torus" && value != 12.3);
         assert!(
-            answer.lost.is_empty() && !ids.iter().any(|id| wanders(id)),
+            result.lost.is_empty() && !ids.iter().any(|id| is_aperiodic(id)),
             "{value} Hz: {ids:?}"
         );
     }
@@ -144,7 +144,7 @@ fn what_settles_slowly_is_recognised_at_every_frequency() {
 /// A displacement axis applies a static force, a velocity axis an impulse: the stop's point has
 /// exactly that displacement and speed.
 #[test]
-fn a_grid_starts_where_its_sides_say() {
+fn a_grid_starts_at_its_limits() {
     let plant = Model::new(bench().spec().unwrap()).unwrap().kernel.plant;
     let side = |axis: GridAxis, from: f64, to: f64, count: usize| GridSide {
         axis,
@@ -182,14 +182,14 @@ fn the_exponent_of_a_linear_plant_is_its_slowest_decay() {
         .iter()
         .map(|value| value.re)
         .fold(f64::NEG_INFINITY, f64::max);
-    let found = largest_exponent(&kernel, &vec![0.0; kernel.plant.len()], 640, 1e-8).unwrap();
+    let exponent = largest_exponent(&kernel, &vec![0.0; kernel.plant.len()], 640, 1e-8).unwrap();
     eprintln!(
         "exponent {} +- {}, slowest decay {slowest}",
-        found.exponent_per_s, found.error_per_s
+        exponent.exponent_per_s, exponent.error_per_s
     );
     assert!(
-        (found.exponent_per_s / slowest - 1.0).abs() < 2e-2
-            && found.kind() == AttractorKind::Undecided
+        (exponent.exponent_per_s / slowest - 1.0).abs() < 2e-2
+            && exponent.kind() == AttractorKind::Undecided
     );
 }
 
@@ -223,21 +223,21 @@ fn the_exponent_of_a_stable_orbit_is_that_of_its_multiplier() {
         .from_physical(&oscillator.start(&orbit), start_s);
     let mut integrator = Integrator::new(&kernel, &y, start_s, 1e-12).unwrap();
     integrator.advance_to(TAU / 0.8).unwrap();
-    let found = largest_exponent(&kernel, &integrator.state(), 320, 1e-12).unwrap();
+    let exponent = largest_exponent(&kernel, &integrator.state(), 320, 1e-12).unwrap();
     eprintln!(
         "{} +- {}, closed form {exact}",
-        found.exponent_per_s, found.error_per_s
+        exponent.exponent_per_s, exponent.error_per_s
     );
     assert!(
-        (found.exponent_per_s / exact - 1.0).abs() < 2e-2
-            && found.kind() == AttractorKind::Undecided
+        (exponent.exponent_per_s / exact - 1.0).abs() < 2e-2
+            && exponent.kind() == AttractorKind::Undecided
     );
 }
 
 /// Chaos at `w = 2.8` on a stop without gap: two neighbouring integrations separate at the rate of
 /// the exponent.
 #[test]
-fn chaos_is_told_by_its_exponent() {
+fn chaos_is_identified_by_its_exponent() {
     let kernel = kernel(&oscillator(0.0, 2.8), 0.3);
     let cycle_s = TAU / 2.8;
     let after_cycle = |y: &[f64]| {
@@ -247,10 +247,10 @@ fn chaos_is_told_by_its_exponent() {
     };
     let mut y = kernel.plant.from_physical(&[-0.1, 0.0], 0.0);
     (0..200).for_each(|_| y = after_cycle(&y));
-    let found = largest_exponent(&kernel, &y, 1600, 1e-12).unwrap();
-    let (cycles, apart) = (1600, 1e-8);
+    let exponent = largest_exponent(&kernel, &y, 1600, 1e-12).unwrap();
+    let (cycles, separation) = (1600, 1e-8);
     let mut other = y.clone();
-    other[0] += apart;
+    other[0] += separation;
     let mut growth = 0.0;
     for _ in 0..cycles {
         (y, other) = (after_cycle(&y), after_cycle(&other));
@@ -260,22 +260,22 @@ fn chaos_is_told_by_its_exponent() {
             .map(|(a, b)| (a - b).powi(2))
             .sum::<f64>()
             .sqrt();
-        growth += (distance / apart).ln();
+        growth += (distance / separation).ln();
         other = y
             .iter()
             .zip(&other)
-            .map(|(a, b)| a + (b - a) * apart / distance)
+            .map(|(a, b)| a + (b - a) * separation / distance)
             .collect();
     }
-    let marched = growth / (f64::from(cycles) * cycle_s);
+    let two_trajectories = growth / (f64::from(cycles) * cycle_s);
     eprintln!(
-        "exponent {} +- {}, two marches {marched}",
-        found.exponent_per_s, found.error_per_s
+        "exponent {} +- {}, two marches {two_trajectories}",
+        exponent.exponent_per_s, exponent.error_per_s
     );
-    assert!(found.kind() == AttractorKind::Chaos);
+    assert!(exponent.kind() == AttractorKind::Chaos);
     assert!(
-        (found.exponent_per_s - marched).abs() < 5.0 * found.error_per_s,
-        "{} {marched}",
-        found.exponent_per_s
+        (exponent.exponent_per_s - two_trajectories).abs() < 5.0 * exponent.error_per_s,
+        "{} {two_trajectories}",
+        exponent.exponent_per_s
     );
 }

@@ -46,8 +46,9 @@ fn trace_determinant(table: BouncingTable, cycles: u32, softness: f64) -> [f64; 
         unknown: guess,
         parameter: table.acceleration_ratio,
     };
-    let found = correct_at(&shooting, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
-    let orbit = shooting.orbit(&found.local, found.error).unwrap();
+    let solution =
+        correct_at(&shooting, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
+    let orbit = shooting.orbit(&solution.local, solution.error).unwrap();
     assert_eq!(orbit.contacts, 1);
     let [a, b] = [orbit.multipliers[0], orbit.multipliers[1]];
     [(a + b).re, (a * b).re]
@@ -68,10 +69,10 @@ fn multipliers_are_those_of_the_exact_map() {
             acceleration_ratio,
         };
         let exact = table.orbit(cycles).unwrap().trace_determinant;
-        let found = [0, 1]
+        let limit = [0, 1]
             .map(|k| without_spring(|softness| trace_determinant(table, cycles, softness)[k]));
         let plain = trace_determinant(table, cycles, SOFTNESS)[0] - exact[0];
-        let errors = [found[0] - exact[0], found[1] - exact[1]];
+        let errors = [limit[0] - exact[0], limit[1] - exact[1]];
         eprintln!(
             "e {restitution}, G {acceleration_ratio}, {cycles} cycles: {errors:?}, with the spring {plain:.1e}"
         );
@@ -112,12 +113,12 @@ fn doubling_is_where_the_closed_form_has_it() {
             }
             b
         };
-        let found = without_spring(doubling);
+        let limit = without_spring(doubling);
         eprintln!(
-            "e {restitution}: doubles at {found:.9}, off by {:.1e}",
-            found - exact
+            "e {restitution}: doubles at {limit:.9}, off by {:.1e}",
+            limit - exact
         );
-        assert!((found - exact).abs() < 1e-6, "{found}");
+        assert!((limit - exact).abs() < 1e-6, "{limit}");
     }
 }
 
@@ -158,10 +159,10 @@ fn under_gravity(table: BouncingTable, cycles: u32) -> [f64; 2] {
         parameter: amplitude,
     };
     let metric = Metric::at(&position, 1.0);
-    let found = correct_at(&shooting, &CORRECTOR, &metric, position.clone()).unwrap();
+    let solution = correct_at(&shooting, &CORRECTOR, &metric, position.clone()).unwrap();
     // The start equals that of the closed form.
-    assert!(metric.length(&position.to(&found.position)) < 1e-9);
-    let orbit = shooting.orbit(&found.local, found.error).unwrap();
+    assert!(metric.length(&position.to(&solution.position)) < 1e-9);
+    let orbit = shooting.orbit(&solution.local, solution.error).unwrap();
     assert_eq!(orbit.contacts, 1);
     let [a, b] = [orbit.multipliers[0], orbit.multipliers[1]];
     [(a + b).re, (a * b).re]
@@ -176,11 +177,11 @@ fn multipliers_under_gravity_are_those_of_the_exact_map() {
             restitution,
             acceleration_ratio,
         };
-        let (exact, found) = (
+        let (exact, computed) = (
             table.orbit(cycles).unwrap().trace_determinant,
             under_gravity(table, cycles),
         );
-        let errors = [found[0] - exact[0], found[1] - exact[1]];
+        let errors = [computed[0] - exact[0], computed[1] - exact[1]];
         eprintln!(
             "e {restitution}, G {acceleration_ratio}, {cycles} cycles under gravity: {errors:?}"
         );

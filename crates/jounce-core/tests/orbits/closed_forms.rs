@@ -53,9 +53,9 @@ fn impact_oscillator_has_the_multipliers_and_the_speed_of_the_closed_form() {
             unknown: shooting.unknown(&guess),
             parameter: gap,
         };
-        let found =
+        let solution =
             correct_at(&shooting, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
-        let orbit = shooting.orbit(&found.local, found.error).unwrap();
+        let orbit = shooting.orbit(&solution.local, solution.error).unwrap();
         let (sum, product) = (
             orbit.multipliers[0] + orbit.multipliers[1],
             orbit.multipliers[0] * orbit.multipliers[1],
@@ -88,8 +88,9 @@ fn orbit_without_contact_is_linear() {
         unknown: vec![0.3, -0.2],
         parameter: 5.0,
     };
-    let found = correct_at(&shooting, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
-    let orbit = shooting.orbit(&found.local, found.error).unwrap();
+    let solution =
+        correct_at(&shooting, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
+    let orbit = shooting.orbit(&solution.local, solution.error).unwrap();
     let steady = shooting.unknown(&kernel.plant.to_physical(&[0.0, 0.0], 0.0));
     assert!(
         orbit
@@ -122,14 +123,15 @@ fn impact_oscillator_swings_as_far_as_its_closed_form() {
                 -size * w * (w * t + exact.angle_rad - lag).sin(),
             ]
         };
-        let own = (1.0 - zeta * zeta).sqrt();
+        let damped = (1.0 - zeta * zeta).sqrt();
         let [x, v] = [
             gap - steady(0.0)[0],
             -reference.restitution * exact.speed - steady(0.0)[1],
         ];
         let at = |t: f64| {
             steady(t)[0]
-                + (-zeta * t).exp() * (x * (own * t).cos() + (v + zeta * x) / own * (own * t).sin())
+                + (-zeta * t).exp()
+                    * (x * (damped * t).cos() + (v + zeta * x) / damped * (damped * t).sin())
         };
         let lowest = (0..1_000_000)
             .map(|k| at(TAU / w * f64::from(k) * 1e-6))
@@ -149,9 +151,9 @@ fn impact_oscillator_swings_as_far_as_its_closed_form() {
             unknown: shooting.unknown(&kernel.plant.to_physical(&integrator.state(), 0.0)),
             parameter: gap,
         };
-        let found =
+        let solution =
             correct_at(&shooting, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
-        let orbit = shooting.orbit(&found.local, found.error).unwrap();
+        let orbit = shooting.orbit(&solution.local, solution.error).unwrap();
         let error = orbit.displacement_peak_m / (0.5 * (gap - lowest)) - 1.0;
         eprintln!("gap {gap}, {after_rad} rad on: {error:e}");
         assert!(

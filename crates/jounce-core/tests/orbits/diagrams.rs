@@ -42,9 +42,9 @@ fn powers_w(branches: &[Branch], value: f64) -> Vec<f64> {
 
 /// Stepped up and down, the integrations stay on the branch, and jump within one step of its fold.
 #[test]
-fn stepped_marches_lie_on_the_branches_and_jump_at_their_folds() {
-    let found = branches(&bench(), (11.4, 12.8), OrbitMethodKind::Shooting, 0);
-    let upper = found
+fn stepped_runs_lie_on_the_branches_and_jump_at_their_folds() {
+    let branches_found = branches(&bench(), (11.4, 12.8), OrbitMethodKind::Shooting, 0);
+    let upper = branches_found
         .iter()
         .flat_map(|branch| &branch.bifurcations)
         .filter(|at| at.kind == BranchKind::Fold);
@@ -53,7 +53,7 @@ fn stepped_marches_lie_on_the_branches_and_jump_at_their_folds() {
     let (visits, _) = visits(&values, DiagramOrder::Both);
     assert_eq!(visits.len(), 62);
     let on = |visit: &DiagramPoint| {
-        powers_w(&found, visit.parameter)
+        powers_w(&branches_found, visit.parameter)
             .iter()
             .any(|power_w| (visit.mean_power_w / power_w - 1.0).abs() < 0.02)
     };
@@ -157,14 +157,14 @@ fn attractors_keep_their_ids_over_coarse_steps() {
             .collect();
         let seen: Vec<f64> = triple
             .iter()
-            .flat_map(|own| own.seen.iter().map(|seen| seen.parameter))
+            .flat_map(|track| track.seen.iter().map(|seen| seen.parameter))
             .collect();
-        let alive: Vec<f64> = values
+        let expected: Vec<f64> = values
             .into_iter()
             .filter(|value| lives.contains(value))
             .collect();
         assert!(
-            triple.len() == 1 && seen == alive,
+            triple.len() == 1 && seen == expected,
             "{count} values, {} ids: {seen:?}",
             triple.len()
         );
@@ -173,7 +173,7 @@ fn attractors_keep_their_ids_over_coarse_steps() {
 
 #[test]
 fn any_number_of_threads_gives_the_same_diagram() {
-    let with = |threads: usize| {
+    let run_on = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(threads)
             .build()
@@ -189,7 +189,7 @@ fn any_number_of_threads_gives_the_same_diagram() {
             )
         })
     };
-    assert_eq!(with(1), with(3));
+    assert_eq!(run_on(1), run_on(3));
 }
 
 /// The points of an orbit are its states at each cycle in coordinates of the stop.

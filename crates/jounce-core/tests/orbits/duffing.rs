@@ -66,12 +66,12 @@ impl Oracle {
         for _ in 0..6 {
             let value = self.fold(at);
             let columns: [[f64; 3]; 3] = std::array::from_fn(|j| {
-                let moved = |by: f64| {
+                let shifted = |by: f64| {
                     self.fold(std::array::from_fn(|i| {
                         at[i] + if i == j { by } else { 0.0 }
                     }))
                 };
-                let (up, down) = (moved(1e-6), moved(-1e-6));
+                let (up, down) = (shifted(1e-6), shifted(-1e-6));
                 std::array::from_fn(|i| (up[i] - down[i]) / 2e-6)
             });
             let det = |c: &[[f64; 3]; 3]| {
@@ -81,9 +81,9 @@ impl Oracle {
             };
             let all = det(&columns);
             at = std::array::from_fn(|j| {
-                let mut with = columns;
-                with[j] = value;
-                at[j] - det(&with) / all
+                let mut replaced = columns;
+                replaced[j] = value;
+                at[j] - det(&replaced) / all
             });
         }
         at
@@ -103,15 +103,15 @@ fn cusp(square: f64, damping: f64, b: f64, [x, v, w, force]: [f64; 4]) -> [f64; 
     let length = y[4].hypot(y[2] - 1.0);
     let along = [-y[4] / length, (y[2] - 1.0) / length];
     let [closed, rest, fold] = oracle.fold([x, v, w]);
-    let moved = |way: f64| oracle.fold([x + way * along[0], v + way * along[1], w])[2];
-    [closed, rest, fold, (moved(1e-3) - moved(-1e-3)) / 2e-3]
+    let shifted = |step: f64| oracle.fold([x + step * along[0], v + step * along[1], w])[2];
+    [closed, rest, fold, (shifted(1e-3) - shifted(-1e-3)) / 2e-3]
 }
 
 /// Newton's method with differences.
 fn nearest_cusp(square: f64, damping: f64, b: f64, mut at: [f64; 4]) -> [f64; 4] {
     for _ in 0..8 {
         let value = cusp(square, damping, b, at);
-        let moved = |j: usize, by: f64| {
+        let shifted = |j: usize, by: f64| {
             cusp(
                 square,
                 damping,
@@ -120,7 +120,7 @@ fn nearest_cusp(square: f64, damping: f64, b: f64, mut at: [f64; 4]) -> [f64; 4]
             )
         };
         let columns: [[f64; 4]; 4] = std::array::from_fn(|j| {
-            let (up, down) = (moved(j, 1e-5), moved(j, -1e-5));
+            let (up, down) = (shifted(j, 1e-5), shifted(j, -1e-5));
             std::array::from_fn(|i| (up[i] - down[i]) / 2e-5)
         });
         let change = Mat::from_fn(4, 4, |i, j| columns[j][i])
@@ -167,14 +167,18 @@ fn folds_are_those_of_an_independent_integration() {
             OrbitMethodKind::Shooting,
             OrbitMethodKind::HarmonicBalance { harmonics: 16 },
         ] {
-            let found = branches(&file, range, method, 0);
-            let folds: Vec<_> = found[0]
+            let branches_found = branches(&file, range, method, 0);
+            let folds: Vec<_> = branches_found[0]
                 .bifurcations
                 .iter()
-                .filter(|found| found.kind == BranchKind::Fold)
+                .filter(|label| label.kind == BranchKind::Fold)
                 .collect();
             assert_eq!(
-                (found.len(), folds.len(), found[0].bifurcations.len()),
+                (
+                    branches_found.len(),
+                    folds.len(),
+                    branches_found[0].bifurcations.len()
+                ),
                 (1, 2, 2)
             );
             for fold in folds {
@@ -205,13 +209,13 @@ fn folds_of_the_first_harmonic_are_the_limit_of_small_bending() {
             &format!("[{}]", duffing.damping_ratio),
         )
         .unwrap();
-        let found = branches(&file, (0.98, 1.12), OrbitMethodKind::Shooting, 0);
-        let folds = found[0]
+        let branches_found = branches(&file, (0.98, 1.12), OrbitMethodKind::Shooting, 0);
+        let folds = branches_found[0]
             .bifurcations
             .iter()
-            .filter(|found| found.kind == BranchKind::Fold);
+            .filter(|label| label.kind == BranchKind::Fold);
         let exact = folds
-            .map(|found| found.at.parameter)
+            .map(|label| label.at.parameter)
             .fold(f64::INFINITY, f64::min);
         let first = duffing
             .first_harmonic_folds(scale)
@@ -234,9 +238,9 @@ fn folds_of_the_first_harmonic_are_the_limit_of_small_bending() {
 #[test]
 fn multipliers_multiply_to_the_decay_of_a_period() {
     let (file, duffing) = example(20.0, 1.0);
-    let found = branches(&file, (0.95, 1.4), OrbitMethodKind::Shooting, 0);
+    let branches_found = branches(&file, (0.95, 1.4), OrbitMethodKind::Shooting, 0);
     let mut worst = 0.0_f64;
-    for point in &found[0].points {
+    for point in &branches_found[0].points {
         let product = point.orbit.multipliers[0] * point.orbit.multipliers[1];
         let exact =
             (-2.0 * duffing.damping_ratio * duffing.frequency_rad_s / point.parameter).exp();
@@ -246,7 +250,7 @@ fn multipliers_multiply_to_the_decay_of_a_period() {
     }
     eprintln!(
         "{} points, product off by {worst:.1e}",
-        found[0].points.len()
+        branches_found[0].points.len()
     );
     assert!(worst < 1e-8);
 }
@@ -282,11 +286,11 @@ fn a_curve_of_folds_goes_through_its_cusp() {
     assert!((w / exact[2] - 1.0).abs() < 1e-3 && (first[3] / force - 1.0).abs() < 1e-3);
 
     // Continuation stops before the cusp in one plane, behind it in the other.
-    for (own, ranges) in [
+    for (drive_n, ranges) in [
         (0.2308, [(1.0172, 1.0178), (0.2303, 0.2313)]),
         (1.0, [(1.016, 1.0185), (0.229, 0.233)]),
     ] {
-        let (file, _) = example(20.0, own);
+        let (file, _) = example(20.0, drive_n);
         let base = Model::new(file.spec().unwrap()).unwrap();
         let keys = ["drive.shaker.frequency", "drive.shaker.amplitude"]
             .map(|key| file.numeric_key(key).unwrap());
@@ -318,24 +322,24 @@ fn a_curve_of_folds_goes_through_its_cusp() {
             .iter()
             .min_by(|a, b| a.parameter_2.total_cmp(&b.parameter_2))
             .unwrap();
-        let off = [turn.parameter / hz - 1.0, turn.parameter_2 / force - 1.0];
-        let apart = |away: f64| {
-            let arms: Vec<f64> = curve
-                .crossings(force + away)
+        let errors = [turn.parameter / hz - 1.0, turn.parameter_2 / force - 1.0];
+        let separation = |distance: f64| {
+            let frequencies_hz: Vec<f64> = curve
+                .crossings(force + distance)
                 .iter()
                 .map(|(hz, _)| *hz)
                 .collect();
-            assert_eq!(arms.len(), 2);
-            (arms[1] - arms[0]).abs()
+            assert_eq!(frequencies_hz.len(), 2);
+            (frequencies_hz[1] - frequencies_hz[0]).abs()
         };
-        let ratio = apart(8e-4) / apart(2e-4);
+        let ratio = separation(8e-4) / separation(2e-4);
         eprintln!(
-            "turns off by {off:?}; arms part by {:e} Hz at 0.2 mN, {ratio} times that at 0.8 mN",
-            apart(2e-4)
+            "turns off by {errors:?}; arms part by {:e} Hz at 0.2 mN, {ratio} times that at 0.8 mN",
+            separation(2e-4)
         );
         assert!(
-            off.iter().all(|off| off.abs() < 1e-8) && (ratio / 8.0 - 1.0).abs() < 0.05,
-            "{off:?} {ratio}"
+            errors.iter().all(|error| error.abs() < 1e-8) && (ratio / 8.0 - 1.0).abs() < 0.05,
+            "{errors:?} {ratio}"
         );
     }
 }

@@ -15,7 +15,7 @@ const METHODS: [OrbitMethodKind; 2] = [
     OrbitMethodKind::HarmonicBalance { harmonics: 64 },
 ];
 
-fn with(changes: &[(&str, &str)]) -> SpecFile {
+fn spec_with(changes: &[(&str, &str)]) -> SpecFile {
     let mut file = bench();
     changes
         .iter()
@@ -24,7 +24,7 @@ fn with(changes: &[(&str, &str)]) -> SpecFile {
 }
 
 /// Branches of one drive cycle over the frequency, for given options and tolerance.
-fn found(
+fn branches_with(
     file: &SpecFile,
     range: (f64, f64),
     (method, tolerance): (OrbitMethodKind, f64),
@@ -50,7 +50,7 @@ fn labels(branches: &[Branch]) -> Vec<(BranchKind, f64)> {
     let all = branches
         .iter()
         .flat_map(|branch| &branch.bifurcations)
-        .map(|found| (found.kind, found.at.parameter));
+        .map(|label| (label.kind, label.at.parameter));
     let mut all: Vec<(BranchKind, f64)> = all
         .filter(|(kind, _)| *kind != BranchKind::Grazing)
         .collect();
@@ -76,7 +76,7 @@ fn finds_the_pair_of_tori(file: &SpecFile, pair: [f64; 2]) {
                 let branches: Vec<Branch> = ranges
                     .iter()
                     .flat_map(|range| {
-                        found(
+                        branches_with(
                             file,
                             *range,
                             (OrbitMethodKind::Shooting, tolerance),
@@ -84,8 +84,8 @@ fn finds_the_pair_of_tori(file: &SpecFile, pair: [f64; 2]) {
                         )
                     })
                     .collect();
-                let own = labels(&branches);
-                let tori = own.iter().filter(|(kind, at)| {
+                let bifurcations = labels(&branches);
+                let tori = bifurcations.iter().filter(|(kind, at)| {
                     *kind == BranchKind::NeimarkSacker && (10.4..10.6).contains(at)
                 });
                 let tori: Vec<f64> = tori.map(|(_, at)| *at).collect();
@@ -104,13 +104,13 @@ fn finds_the_pair_of_tori(file: &SpecFile, pair: [f64; 2]) {
                 assert!(
                     tolerance == 1e-7 || branches.iter().all(|branch| branch.not_proved.is_empty())
                 );
-                let known = known.get_or_insert_with(|| own.clone());
-                let alike = own.len() == known.len()
-                    && own
+                let known = known.get_or_insert_with(|| bifurcations.clone());
+                let agree = bifurcations.len() == known.len()
+                    && bifurcations
                         .iter()
                         .zip(&*known)
                         .all(|(a, b)| a.0 == b.0 && (a.1 - b.1).abs() < 1e-4);
-                assert!(alike, "{own:?} {known:?}");
+                assert!(agree, "{bifurcations:?} {known:?}");
             }
         }
     }
@@ -124,7 +124,7 @@ fn a_pair_of_tori_inside_one_step_is_found() {
         ("circuit.load.resistance", "\"100 kohm\""),
         ("stop.tip.frame", "\"harvester.table\""),
     ];
-    finds_the_pair_of_tori(&with(&changes), [10.47358, 10.52108]);
+    finds_the_pair_of_tori(&spec_with(&changes), [10.47358, 10.52108]);
 }
 
 /// Against the same independent integration: 10.46710 and 10.52154 Hz.
@@ -134,7 +134,7 @@ fn a_pair_of_tori_does_not_depend_on_the_tolerance() {
         ("drive.shaker.amplitude", "\"100 N\""),
         ("modal.harvester.damping_ratio.1", "0.3"),
     ];
-    finds_the_pair_of_tori(&with(&changes), [10.46710, 10.52154]);
+    finds_the_pair_of_tori(&spec_with(&changes), [10.46710, 10.52154]);
 }
 
 /// Mean power between two labels of a level, by both methods: the labels are where the power of the
@@ -150,7 +150,7 @@ fn a_level_of_power_is_labelled_where_the_branch_passes_it() {
         ..BranchOptions::default()
     };
     let [shooting, balance] = METHODS.map(|method| {
-        let branches = found(&file, (10.5, 14.0), (method, 1e-10), &options);
+        let branches = branches_with(&file, (10.5, 14.0), (method, 1e-10), &options);
         for branch in &branches {
             let mut crossings = branch.points.windows(2).map(|two| {
                 two.iter()
@@ -158,26 +158,27 @@ fn a_level_of_power_is_labelled_where_the_branch_passes_it() {
                     .collect::<Vec<_>>()
             });
             let crossings = crossings.by_ref().filter(|two| two[0] != two[1]).count();
-            let own: Vec<_> = branch
+            let bifurcations: Vec<_> = branch
                 .bifurcations
                 .iter()
-                .filter(|found| found.level.as_deref() == Some("mean_power=50 uW"))
+                .filter(|label| label.level.as_deref() == Some("mean_power=50 uW"))
                 .collect();
             assert!(
-                own.len() == crossings && crossings > 0,
+                bifurcations.len() == crossings && crossings > 0,
                 "{} {crossings}",
-                own.len()
+                bifurcations.len()
             );
             assert!(
-                own.iter()
-                    .all(|found| (found.at.orbit.mean_power_w / 50e-6 - 1.0).abs() < 1e-6)
+                bifurcations
+                    .iter()
+                    .all(|label| (label.at.orbit.mean_power_w / 50e-6 - 1.0).abs() < 1e-6)
             );
         }
         branches
             .iter()
             .flat_map(|branch| &branch.bifurcations)
-            .filter(|found| found.kind == BranchKind::Level)
-            .map(|found| found.at.parameter)
+            .filter(|label| label.kind == BranchKind::Level)
+            .map(|label| label.at.parameter)
             .collect::<Vec<_>>()
     });
     eprintln!("{shooting:?} {balance:?}");
@@ -188,42 +189,42 @@ fn a_level_of_power_is_labelled_where_the_branch_passes_it() {
                 .zip(&balance)
                 .all(|(a, b)| (a - b).abs() < 1e-5)
     );
-    for wrong in [
+    for text in [
         "mean_power=50 V",
         "force=2 N",
         "contact_force.wall=2 N",
         "mean_power=-1 W",
         "mean_power",
     ] {
-        let why = QuantityLevel::parse(wrong, &plant).unwrap_err();
-        assert!(why.contains(wrong), "{why}");
+        let reason = QuantityLevel::parse(text, &plant).unwrap_err();
+        assert!(reason.contains(text), "{reason}");
     }
 }
 
 /// Random points along branches of four harvesters: the multipliers agree with an integration from
 /// a perturbation of 1e-6, over 300 cycles or more where these do not decide.
 #[test]
-fn stability_agrees_with_marches_from_a_kick() {
+fn stability_agrees_with_integrations_after_a_perturbation() {
     let specs = [
-        with(&[]),
-        with(&[
+        spec_with(&[]),
+        spec_with(&[
             ("drive.shaker.amplitude", "\"80 N\""),
             ("circuit.load.resistance", "\"100 kohm\""),
             ("stop.tip.frame", "\"harvester.table\""),
         ]),
-        with(&[
+        spec_with(&[
             ("drive.shaker.amplitude", "\"100 N\""),
             ("modal.harvester.damping_ratio.1", "0.3"),
         ]),
-        with(&[("stop.tip.gap", "\"0 mm\"")]),
+        spec_with(&[("stop.tip.gap", "\"0 mm\"")]),
     ];
     let (mut checked, mut unstable) = (0, 0);
-    for (which, file) in specs.iter().enumerate() {
+    for (index, file) in specs.iter().enumerate() {
         let range = (4.0, 20.0);
         let base = Model::new(file.spec().unwrap()).unwrap();
         let key = file.numeric_key("drive.shaker.frequency").unwrap();
         let parameter = Parameter::new(&base, &key, range.1 - range.0);
-        let points: Vec<_> = found(
+        let points: Vec<_> = branches_with(
             file,
             range,
             (OrbitMethodKind::Shooting, 1e-10),
@@ -233,7 +234,7 @@ fn stability_agrees_with_marches_from_a_kick() {
         .flat_map(|branch| branch.points)
         .collect();
         for k in 0..50 {
-            let share = (f64::from(k * 4 + which as i32) * 0.618_033_988_749_895).fract();
+            let share = (f64::from(k * 4 + index as i32) * 0.618_033_988_749_895).fract();
             let point = &points[(share * points.len() as f64) as usize];
             let largest = point.orbit.floquet_max_abs();
             if (largest - 1.0).abs() < 1e-4 {
@@ -245,7 +246,7 @@ fn stability_agrees_with_marches_from_a_kick() {
             assert_eq!(
                 grown < 1.0,
                 largest < 1.0,
-                "{which}: {} Hz, {largest}, {grown}",
+                "{index}: {} Hz, {largest}, {grown}",
                 point.parameter
             );
             (checked, unstable) = (checked + 1, unstable + usize::from(largest > 1.0));
@@ -266,13 +267,13 @@ fn growth<H: ParametricModel>(
 ) -> f64 {
     let size = |u: &[f64]| u.iter().map(|u| u * u).sum::<f64>().sqrt();
     let kick = 1e-6 * size(start);
-    let kicked: Vec<f64> = start
+    let perturbed_start: Vec<f64> = start
         .iter()
         .enumerate()
         .map(|(i, u)| u + kick * (1.0 + i as f64).sin())
         .collect();
     let cycle_s = kernel.plant.period_s().unwrap();
-    let mut integrators = [start, &kicked].map(|from| {
+    let mut integrators = [start, &perturbed_start].map(|from| {
         Integrator::new(
             kernel,
             &kernel.plant.from_physical(&shooting.physical(from), 0.0),
@@ -281,33 +282,36 @@ fn growth<H: ParametricModel>(
         )
         .unwrap()
     });
-    let mut apart = Vec::new();
+    let mut distances = Vec::new();
     loop {
-        let time_s = (apart.len() + 1) as f64 * cycle_s;
+        let time_s = (distances.len() + 1) as f64 * cycle_s;
         let [plain, from] = integrators.each_mut().map(|integrator| {
             integrator.advance_to(time_s).unwrap();
             shooting.unknown(&kernel.plant.to_physical(&integrator.state(), time_s))
         });
-        let off = size(
+        let distance = size(
             &from
                 .iter()
                 .zip(&plain)
                 .map(|(a, b)| a - b)
                 .collect::<Vec<_>>(),
         );
-        apart.push(off);
-        let (count, change) = (apart.len(), (off / apart[apart.len() / 3]).ln().abs());
+        distances.push(distance);
+        let (count, change) = (
+            distances.len(),
+            (distance / distances[distances.len() / 3]).ln().abs(),
+        );
         let is_decided = count.is_multiple_of(300) && change > 10_f64.ln() || count == 9600;
-        if is_decided || !(1e-3 * kick..1e3 * kick).contains(&off) {
+        if is_decided || !(1e-3 * kick..1e3 * kick).contains(&distance) {
             break;
         }
     }
-    let part = &apart[(apart.len() - 1) / 3..];
+    let part = &distances[(distances.len() - 1) / 3..];
     let middle = 0.5 * (part.len() - 1) as f64;
     let (mut up, mut along) = (0.0, 0.0);
-    for (k, off) in part.iter().enumerate() {
-        let away = k as f64 - middle;
-        (up, along) = (up + away * off.ln(), along + away * away);
+    for (k, distance) in part.iter().enumerate() {
+        let offset = k as f64 - middle;
+        (up, along) = (up + offset * distance.ln(), along + offset * offset);
     }
     if along == 0.0 {
         part[0] / kick

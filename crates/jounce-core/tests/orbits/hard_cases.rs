@@ -14,7 +14,7 @@ use jounce_core::reference::ImpactOscillator;
 use jounce_core::run::{RunPlan, StartState, simulate};
 use jounce_core::spec::SpecFile;
 
-fn with(changes: &[(&str, &str)]) -> SpecFile {
+fn spec_with(changes: &[(&str, &str)]) -> SpecFile {
     let mut file = bench();
     changes
         .iter()
@@ -22,7 +22,7 @@ fn with(changes: &[(&str, &str)]) -> SpecFile {
     file
 }
 
-fn over(
+fn branches_over(
     file: &SpecFile,
     key: &str,
     range: (f64, f64),
@@ -46,14 +46,14 @@ fn over(
 /// A stop that touches at rest, and one that is pressed at rest: the first point is the steady
 /// state of a long integration.
 #[test]
-fn closed_and_preloaded_gaps_are_marched_to_the_same_power() {
+fn closed_and_preloaded_gaps_have_the_power_of_integration() {
     for gap in ["\"0 mm\"", "\"-0.2 mm\""] {
-        let file = with(&[
+        let file = spec_with(&[
             ("stop.tip.gap", gap),
             ("drive.shaker.frequency", "\"13 Hz\""),
         ]);
-        let found = branches(&file, (13.0, 14.0), OrbitMethodKind::Shooting, 0);
-        let first = found
+        let branches_found = branches(&file, (13.0, 14.0), OrbitMethodKind::Shooting, 0);
+        let first = branches_found
             .iter()
             .flat_map(|branch| &branch.points)
             .find(|point| point.parameter == 13.0)
@@ -65,13 +65,13 @@ fn closed_and_preloaded_gaps_are_marched_to_the_same_power() {
             tolerance: 1e-9,
             record_s: 0.0,
         };
-        let marched = simulate(&kernel, &StartState::rest(&kernel.plant), &plan).unwrap();
+        let run = simulate(&kernel, &StartState::rest(&kernel.plant), &plan).unwrap();
         eprintln!(
             "gap {gap}: {:.9e} W, marched {:.9e} W",
-            first.orbit.mean_power_w, marched.mean_power_w
+            first.orbit.mean_power_w, run.mean_power_w
         );
         assert!(
-            (first.orbit.mean_power_w / marched.mean_power_w - 1.0).abs() < 1e-5
+            (first.orbit.mean_power_w / run.mean_power_w - 1.0).abs() < 1e-5
                 && first.orbit.contacts > 0
         );
     }
@@ -79,16 +79,16 @@ fn closed_and_preloaded_gaps_are_marched_to_the_same_power() {
 
 /// With a stop out of reach the response is linear and stable everywhere.
 #[test]
-fn a_stop_that_is_never_met_leaves_the_linear_answer() {
-    let file = with(&[("stop.tip.gap", "\"500 mm\"")]);
-    let found = branches(&file, (10.5, 14.0), OrbitMethodKind::Shooting, 0);
+fn a_stop_that_is_never_reached_leaves_the_linear_response() {
+    let file = spec_with(&[("stop.tip.gap", "\"500 mm\"")]);
+    let branches_found = branches(&file, (10.5, 14.0), OrbitMethodKind::Shooting, 0);
     assert!(
-        found.len() == 1
-            && found[0].bifurcations.is_empty()
-            && found[0].endings == [Termination::Range]
+        branches_found.len() == 1
+            && branches_found[0].bifurcations.is_empty()
+            && branches_found[0].endings == [Termination::Range]
     );
     let base = Model::new(file.spec().unwrap()).unwrap();
-    for point in &found[0].points {
+    for point in &branches_found[0].points {
         let mut drives = base.kernel.plant.system.drives.clone();
         drives[0].frequency_hz = point.parameter;
         let plant = base.kernel.plant.with_drives(drives).unwrap();
@@ -113,10 +113,10 @@ fn grazing_at_the_start_is_an_ordinary_start() {
     let grazing = first
         .iter()
         .flat_map(|branch| &branch.bifurcations)
-        .find(|found| found.kind == BranchKind::Grazing)
+        .find(|label| label.kind == BranchKind::Grazing)
         .unwrap();
     let start_hz = grazing.at.parameter;
-    let found = branches(&bench(), (start_hz, 14.0), OrbitMethodKind::Shooting, 0);
+    let branches_found = branches(&bench(), (start_hz, 14.0), OrbitMethodKind::Shooting, 0);
     let goes_on = |branch: &Branch| {
         let first = &branch.points[0];
         let same = (first.orbit.mean_power_w / grazing.at.orbit.mean_power_w - 1.0).abs() < 1e-6;
@@ -124,17 +124,17 @@ fn grazing_at_the_start_is_an_ordinary_start() {
     };
     eprintln!(
         "{:?}",
-        found
+        branches_found
             .iter()
             .map(|branch| (branch.period_cycles, &branch.endings))
             .collect::<Vec<_>>()
     );
-    assert!(found.iter().any(goes_on));
+    assert!(branches_found.iter().any(goes_on));
 }
 
 #[test]
-fn resonance_without_damping_says_so() {
-    let undamped = |frequency_ratio: f64| {
+fn resonance_without_damping_is_reported() {
+    let without_damping = |frequency_ratio: f64| {
         ImpactOscillator {
             frequency_ratio,
             damping_ratio: 0.0,
@@ -143,7 +143,7 @@ fn resonance_without_damping_says_so() {
         }
         .system(0.0)
     };
-    let harvester = crate::harvesters::Systems(undamped);
+    let harvester = crate::harvesters::Systems(without_damping);
     let kernel = harvester.at(0.5).unwrap().kernel;
     let shooting = Shooting::new(&harvester, &kernel, 1, 1e-9);
     let refused = shooting.at(&[0.0, 0.0], 1.0).unwrap_err();
@@ -161,8 +161,8 @@ fn resonance_without_damping_says_so() {
 /// the error reports this.
 #[test]
 fn a_stop_of_1e10_ends_the_low_branch_at_its_grazing() {
-    let file = with(&[("stop.tip.stiffness", "\"1e10 N/m^1.5\"")]);
-    let found = branches(&file, (13.0, 14.0), OrbitMethodKind::Shooting, 0);
+    let file = spec_with(&[("stop.tip.stiffness", "\"1e10 N/m^1.5\"")]);
+    let branches_found = branches(&file, (13.0, 14.0), OrbitMethodKind::Shooting, 0);
     let grazes = |branch: &Branch| {
         branch
             .endings
@@ -171,26 +171,26 @@ fn a_stop_of_1e10_ends_the_low_branch_at_its_grazing() {
     };
     eprintln!(
         "{:?}",
-        found
+        branches_found
             .iter()
             .map(|branch| &branch.endings)
             .collect::<Vec<_>>()
     );
-    assert!(found.iter().any(grazes));
+    assert!(branches_found.iter().any(grazes));
 }
 
 /// Harmonic balance ends there too with an error, instead of reversing along the orbits that never
 /// touch.
 #[test]
 fn a_stop_of_1e10_ends_harmonic_balance_at_the_same_grazing() {
-    let file = with(&[("stop.tip.stiffness", "\"1e10 N/m^1.5\"")]);
-    let found = branches(
+    let file = spec_with(&[("stop.tip.stiffness", "\"1e10 N/m^1.5\"")]);
+    let branches_found = branches(
         &file,
         (13.0, 14.0),
         OrbitMethodKind::HarmonicBalance { harmonics: 64 },
         0,
     );
-    let low = found
+    let low = branches_found
         .iter()
         .find(|branch| branch.points[0].parameter == 14.0)
         .unwrap();
@@ -217,16 +217,16 @@ fn a_stop_of_1e10_ends_harmonic_balance_at_the_same_grazing() {
 /// both ends still lie on one branch.
 #[test]
 fn a_sharp_resonance_is_one_branch() {
-    let file = with(&[("stop.tip.gap", "\"1 m\"")]);
+    let file = spec_with(&[("stop.tip.gap", "\"1 m\"")]);
     for method in [
         OrbitMethodKind::Shooting,
         OrbitMethodKind::HarmonicBalance { harmonics: 16 },
     ] {
-        let found = branches(&file, (4.0, 20.0), method, 2);
+        let branches_found = branches(&file, (4.0, 20.0), method, 2);
         assert!(
-            found.len() == 1 && found[0].endings == [Termination::Range],
+            branches_found.len() == 1 && branches_found[0].endings == [Termination::Range],
             "{method:?}: {} branches",
-            found.len()
+            branches_found.len()
         );
     }
 }
@@ -251,8 +251,8 @@ fn a_branch_by_harmonic_balance_keeps_to_its_range() {
         seeds: 0,
         longest_period: 1,
     };
-    let found = search.run().unwrap();
-    let points = || found.iter().flat_map(|branch| &branch.points);
+    let branches_found = search.run().unwrap();
+    let points = || branches_found.iter().flat_map(|branch| &branch.points);
     assert!(
         points().all(|point| (range.0..=range.1).contains(&point.parameter))
             && points().any(|point| point.parameter == range.0)
@@ -264,7 +264,7 @@ fn a_branch_by_harmonic_balance_keeps_to_its_range() {
 /// tangency by up to 8e-5 Hz; elsewhere by 2e-8 Hz.
 #[test]
 fn a_closed_gap_has_the_same_grazings_by_both_methods() {
-    let file = with(&[("stop.tip.gap", "\"0 mm\"")]);
+    let file = spec_with(&[("stop.tip.gap", "\"0 mm\"")]);
     let grazings = [
         OrbitMethodKind::Shooting,
         OrbitMethodKind::HarmonicBalance { harmonics: 64 },
@@ -274,10 +274,10 @@ fn a_closed_gap_has_the_same_grazings_by_both_methods() {
         let grazes = branch
             .bifurcations
             .iter()
-            .filter(|found| found.kind == BranchKind::Grazing);
-        let mut found: Vec<f64> = grazes.map(|found| found.at.parameter).collect();
-        found.sort_by(f64::total_cmp);
-        found
+            .filter(|label| label.kind == BranchKind::Grazing);
+        let mut grazings_hz: Vec<f64> = grazes.map(|label| label.at.parameter).collect();
+        grazings_hz.sort_by(f64::total_cmp);
+        grazings_hz
     });
     eprintln!("{grazings:?}");
     assert!(grazings[0].len() == 3 && grazings[1].len() == 3);
@@ -293,21 +293,21 @@ fn a_closed_gap_has_the_same_grazings_by_both_methods() {
 /// continuation ends.
 #[test]
 fn a_step_into_nothing_is_made_shorter() {
-    let at = |turned: f64| Position {
-        unknown: vec![1.5 + turned.cos()],
-        parameter: 1.0 + turned.sin(),
+    let at = |angle: f64| Position {
+        unknown: vec![1.5 + angle.cos()],
+        parameter: 1.0 + angle.sin(),
     };
-    let tangent = |turned: f64| Direction {
-        unknown: vec![-turned.sin()],
-        parameter: turned.cos(),
+    let tangent = |angle: f64| Direction {
+        unknown: vec![-angle.sin()],
+        parameter: angle.cos(),
     };
-    let turned = -0.9;
+    let angle = -0.9;
     // The circle touches zero at its lowest point.
-    let ahead = Direction {
-        unknown: vec![-tangent(turned).unknown[0]],
-        parameter: -tangent(turned).parameter,
+    let start_direction = Direction {
+        unknown: vec![-tangent(angle).unknown[0]],
+        parameter: -tangent(angle).parameter,
     };
-    let walk = Continuation::new(
+    let continuation = Continuation::new(
         &Circle,
         Corrector {
             goal: 1e-12,
@@ -318,10 +318,10 @@ fn a_step_into_nothing_is_made_shorter() {
             ..StepControl::default()
         },
         1.0,
-        at(turned),
-        ahead,
+        at(angle),
+        start_direction,
     );
-    let last = walk
+    let last = continuation
         .take(200)
         .map(|step| step.map(|step| step.position))
         .take_while(|step| step.as_ref().is_ok_and(|at| at.parameter < 1.0))
@@ -381,7 +381,7 @@ impl Linearization for Place {
 /// A tolerance below roundoff: a result with its actual error, or an error, but no endless search.
 #[test]
 fn a_tolerance_out_of_reach_ends() {
-    match over(&bench(), "drive.shaker.frequency", (10.5, 10.6), 1e-17) {
+    match branches_over(&bench(), "drive.shaker.frequency", (10.5, 10.6), 1e-17) {
         Ok(found) => {
             let worst = found
                 .iter()
@@ -397,7 +397,7 @@ fn a_tolerance_out_of_reach_ends() {
 
 #[test]
 fn without_a_drive_there_is_no_orbit() {
-    let file = with(&[("drive.shaker.amplitude", "\"0 N\"")]);
+    let file = spec_with(&[("drive.shaker.amplitude", "\"0 N\"")]);
     let mut spec = file.spec().unwrap();
     spec.drive.clear();
     let base = Model::new(spec).unwrap();
@@ -433,12 +433,12 @@ fn every_kind_of_key_leads_through_the_same_orbit() {
         "circuit.load.resistance",
         "modal.harvester.patch.mfc.capacitance",
     ] {
-        let own = file.numeric_key(name).unwrap().get(&spec).unwrap();
-        let found = over(&file, name, (own, 1.02 * own), 1e-10).unwrap();
-        let first = found[0]
+        let value = file.numeric_key(name).unwrap().get(&spec).unwrap();
+        let branches_found = branches_over(&file, name, (value, 1.02 * value), 1e-10).unwrap();
+        let first = branches_found[0]
             .points
             .iter()
-            .find(|point| point.parameter == own)
+            .find(|point| point.parameter == value)
             .unwrap();
         eprintln!("{name}: {:.10e} W", first.orbit.mean_power_w);
         powers.push(first.orbit.mean_power_w);
@@ -454,7 +454,7 @@ fn every_kind_of_key_leads_through_the_same_orbit() {
 /// A budget of ten orbits: branches are listed up to the point where the budget ends, and the
 /// remainder is counted.
 #[test]
-fn a_budget_ends_the_search_and_counts_what_is_left() {
+fn a_budget_ends_the_search_and_counts_the_remaining_work() {
     let file = bench();
     let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("drive.shaker.frequency").unwrap();
@@ -470,7 +470,7 @@ fn a_budget_ends_the_search_and_counts_what_is_left() {
         seeds,
         longest_period,
     };
-    let with = |budget: usize| {
+    let spec_with = |budget: usize| {
         search
             .run_with(&BranchOptions {
                 budget,
@@ -481,10 +481,10 @@ fn a_budget_ends_the_search_and_counts_what_is_left() {
     let work = |branches: &[Branch]| {
         branches
             .iter()
-            .map(|own| own.points.len() * own.period_cycles as usize)
+            .map(|branch| branch.points.len() * branch.period_cycles as usize)
             .sum::<usize>()
     };
-    let (cut, full) = (with(10), with(50_000));
+    let (cut, full) = (spec_with(10), spec_with(50_000));
     assert!(
         work(&full) > 100
             && full
@@ -493,8 +493,8 @@ fn a_budget_ends_the_search_and_counts_what_is_left() {
     );
     let doublings = full
         .iter()
-        .flat_map(|own| &own.bifurcations)
-        .filter(|found| found.kind == BranchKind::PeriodDoubling)
+        .flat_map(|branch| &branch.bifurcations)
+        .filter(|label| label.kind == BranchKind::PeriodDoubling)
         .count();
     assert!(doublings > 0);
     // Both directions of the first branch may use the budget, and each remaining start is a

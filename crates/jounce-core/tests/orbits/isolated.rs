@@ -11,17 +11,17 @@ use jounce_core::spec::SpecFile;
 /// three times, has left the curve.
 #[test]
 fn a_curve_of_three_cycles_closes_and_stays_one_of_three_cycles() {
-    let found = branches_of(&bench(), (13.2, 14.4), OrbitMethodKind::Shooting, 6, 3);
-    let of_three: Vec<_> = found
+    let branches_found = branches_of(&bench(), (13.2, 14.4), OrbitMethodKind::Shooting, 6, 3);
+    let of_three: Vec<_> = branches_found
         .iter()
         .filter(|branch| branch.period_cycles == 3)
         .collect();
-    assert_eq!(of_three.len(), 1, "{} branches", found.len());
+    assert_eq!(of_three.len(), 1, "{} branches", branches_found.len());
     let branch = of_three[0];
     let folds = branch
         .bifurcations
         .iter()
-        .filter(|found| found.kind == BranchKind::Fold)
+        .filter(|label| label.kind == BranchKind::Fold)
         .count();
     eprintln!(
         "{} points, {folds} folds, {:?}",
@@ -44,7 +44,7 @@ fn a_curve_of_three_cycles_closes_and_stays_one_of_three_cycles() {
 /// Over the gap the search finds it from a ramped-down drive, and its fold agrees with the branch
 /// over the amplitude at that gap.
 #[test]
-fn a_large_answer_beside_a_small_one_is_found() {
+fn a_large_response_next_to_a_small_one_is_found() {
     let mut file = bench();
     file.set("drive.shaker.frequency", "12 Hz").unwrap();
     file.set("drive.shaker.amplitude", "20 N").unwrap();
@@ -62,13 +62,13 @@ fn a_large_answer_beside_a_small_one_is_found() {
             seeds: 4,
             longest_period: 1,
         };
-        let found = search.run().unwrap();
-        let folds = found
+        let branches_found = search.run().unwrap();
+        let folds = branches_found
             .iter()
             .flat_map(|branch| &branch.bifurcations)
-            .filter(|found| found.kind == BranchKind::Fold);
+            .filter(|label| label.kind == BranchKind::Fold);
         folds
-            .map(|found| (found.at.parameter, found.at.orbit.mean_power_w))
+            .map(|label| (label.at.parameter, label.at.orbit.mean_power_w))
             .max_by(|a, b| a.1.total_cmp(&b.1))
     };
     let (gap_m, power_w) = over(&file, "stop.tip.gap", (0.5e-3, 3e-3)).unwrap();
@@ -87,14 +87,14 @@ fn a_large_answer_beside_a_small_one_is_found() {
 /// At 12.30122 Hz, just below the fold, a range may also begin: 1.751276e-3 W, computed by another
 /// program.
 #[test]
-fn a_large_answer_at_the_end_of_a_range_is_found() {
+fn a_large_response_at_the_end_of_a_range_is_found() {
     let Some(file) = paper() else { return };
     for method in [
         OrbitMethodKind::Shooting,
         OrbitMethodKind::HarmonicBalance { harmonics: 64 },
     ] {
-        let found = branches_of(&file, (12.301_22, 12.6), method, 1, 1);
-        let ends = found
+        let branches_found = branches_of(&file, (12.301_22, 12.6), method, 1, 1);
+        let ends = branches_found
             .iter()
             .flat_map(|branch| [branch.points.first(), branch.points.last()])
             .flatten();
@@ -140,7 +140,7 @@ fn no_step_lands_beyond_a_fold() {
                 panic!("{} branches", of_three.len())
             };
             let mut kinds: Vec<BranchKind> =
-                branch.bifurcations.iter().map(|found| found.kind).collect();
+                branch.bifurcations.iter().map(|label| label.kind).collect();
             kinds.sort_by_key(|kind| kind.name());
             assert_eq!(
                 kinds,
@@ -155,8 +155,8 @@ fn no_step_lands_beyond_a_fold() {
             let folds = branch
                 .bifurcations
                 .iter()
-                .filter(|found| found.kind == BranchKind::Fold)
-                .map(|found| found.at.parameter);
+                .filter(|label| label.kind == BranchKind::Fold)
+                .map(|label| label.at.parameter);
             let [low, high] = [
                 folds.clone().fold(f64::INFINITY, f64::min),
                 folds.fold(0.0, f64::max),

@@ -16,27 +16,27 @@ const METHODS: [OrbitMethodKind; 2] = [
 /// original side, and both methods find equal power there.
 #[test]
 fn a_branch_that_leaves_the_range_below_a_fold_ends_on_the_edge() {
-    let whole = branches(&bench(), (10.5, 12.6), OrbitMethodKind::Shooting, 0);
-    let folds = whole
+    let complete = branches(&bench(), (10.5, 12.6), OrbitMethodKind::Shooting, 0);
+    let folds = complete
         .iter()
         .flat_map(|branch| &branch.bifurcations)
-        .filter(|found| found.kind == BranchKind::Fold);
+        .filter(|label| label.kind == BranchKind::Fold);
     let fold = folds
-        .map(|found| &found.at)
+        .map(|label| &label.at)
         .max_by(|a, b| a.parameter.total_cmp(&b.parameter))
         .unwrap();
     for below in [1.8e-3, 3e-4, 2e-5] {
         let edge = fold.parameter - below;
         let powers_w = METHODS.map(|method| {
-            let found = branches(&bench(), (10.5, edge), method, 0);
+            let branches_found = branches(&bench(), (10.5, edge), method, 0);
             assert!(
-                found.iter().all(|branch| branch
+                branches_found.iter().all(|branch| branch
                     .endings
                     .iter()
                     .all(|ending| *ending == Termination::Range)),
                 "{method:?} {edge}"
             );
-            let ends = found
+            let ends = branches_found
                 .iter()
                 .flat_map(|branch| [branch.points.first(), branch.points.last()])
                 .flatten();
@@ -68,7 +68,7 @@ fn a_branch_that_leaves_the_range_below_a_fold_ends_on_the_edge() {
 /// Near 5.797 Hz a contact whose force begins with a jump starts with the period. There the
 /// shooting state has a kink and the harmonics of the displacement do not.
 #[test]
-fn a_branch_goes_on_where_a_contact_begins_with_the_period() {
+fn a_branch_continues_where_a_contact_begins_with_the_period() {
     let damped = include_str!("../../../../bench/plant.toml")
         .replace(
             "law = \"hertz\"",
@@ -76,25 +76,25 @@ fn a_branch_goes_on_where_a_contact_begins_with_the_period() {
         )
         .replace("stiffness = \"1000 N/m^1.5\"", "stiffness = \"100 N/m\"");
     let [shooting, balance] = METHODS.map(|method| {
-        let found = branches(&SpecFile::from_text(damped.clone()), (4.0, 20.0), method, 0);
-        let [whole] = &found[..] else {
-            panic!("{method:?}: {} branches", found.len())
+        let branches_found = branches(&SpecFile::from_text(damped.clone()), (4.0, 20.0), method, 0);
+        let [branch] = &branches_found[..] else {
+            panic!("{method:?}: {} branches", branches_found.len())
         };
-        assert_eq!(whole.endings, [Termination::Range], "{method:?}");
-        let mut labels: Vec<(BranchKind, f64)> = whole
+        assert_eq!(branch.endings, [Termination::Range], "{method:?}");
+        let mut labels: Vec<(BranchKind, f64)> = branch
             .bifurcations
             .iter()
-            .map(|found| (found.kind, found.at.parameter))
+            .map(|label| (label.kind, label.at.parameter))
             .collect();
         labels.sort_by(|a, b| a.1.total_cmp(&b.1));
         labels
     });
-    let apart = shooting
+    let distance_hz = shooting
         .iter()
         .zip(&balance)
         .map(|(a, b)| (a.1 - b.1).abs())
         .fold(0.0, f64::max);
-    eprintln!("{apart:e} Hz apart: {shooting:?}");
+    eprintln!("{distance_hz:e} Hz apart: {shooting:?}");
     assert!(
         shooting
             .iter()
@@ -102,7 +102,7 @@ fn a_branch_goes_on_where_a_contact_begins_with_the_period() {
             .eq(balance.iter().map(|label| label.0)),
         "{shooting:?} {balance:?}"
     );
-    assert!(shooting.len() == 10 && apart < 1e-4, "{apart}");
+    assert!(shooting.len() == 10 && distance_hz < 1e-4, "{distance_hz}");
 }
 
 /// Where a doubled branch returns to its parent, the only label is the doubling of the parent.
@@ -110,22 +110,24 @@ fn a_branch_goes_on_where_a_contact_begins_with_the_period() {
 fn a_doubled_branch_has_no_label_where_it_ends() {
     let Some(file) = paper() else { return };
     for method in METHODS {
-        let found = branches_of(&file, (4.0, 5.2), method, 0, 2);
-        let doublings: Vec<f64> = (found.iter().flat_map(|branch| &branch.bifurcations))
-            .filter(|found| found.kind == BranchKind::PeriodDoubling)
-            .map(|found| found.at.parameter)
-            .collect();
-        let doubled = found
+        let branches_found = branches_of(&file, (4.0, 5.2), method, 0, 2);
+        let doublings: Vec<f64> = (branches_found
+            .iter()
+            .flat_map(|branch| &branch.bifurcations))
+        .filter(|label| label.kind == BranchKind::PeriodDoubling)
+        .map(|label| label.at.parameter)
+        .collect();
+        let doubled_branch = branches_found
             .iter()
             .find(|branch| branch.period_cycles == 2)
             .unwrap();
-        let kinds: Vec<BranchKind> = doubled
+        let kinds: Vec<BranchKind> = doubled_branch
             .bifurcations
             .iter()
-            .map(|found| found.kind)
+            .map(|label| label.kind)
             .collect();
-        eprintln!("{doublings:?} {kinds:?} {:?}", doubled.endings);
-        assert!(doublings.len() == 2 && doubled.endings.contains(&Termination::Merged));
+        eprintln!("{doublings:?} {kinds:?} {:?}", doubled_branch.endings);
+        assert!(doublings.len() == 2 && doubled_branch.endings.contains(&Termination::Merged));
         assert_eq!(
             kinds,
             [BranchKind::Fold, BranchKind::Grazing, BranchKind::Fold]
@@ -154,15 +156,15 @@ fn a_bandwidth_ends_with_stability_at_a_fold() {
             seeds: 0,
             longest_period: 4,
         };
-        let found = search.run().unwrap();
+        let branches_found = search.run().unwrap();
         let widths = BandwidthSearch {
             base: &base,
             parameter: &parameter,
             range,
             tolerance,
         }
-        .run(&found);
-        let (branch, width) = found
+        .run(&branches_found);
+        let (branch, width) = branches_found
             .iter()
             .zip(&widths.branches)
             .find(|(branch, _)| branch.period_cycles == 4)
@@ -170,7 +172,7 @@ fn a_bandwidth_ends_with_stability_at_a_fold() {
         let fold = branch
             .bifurcations
             .iter()
-            .find(|found| found.kind == BranchKind::Fold)
+            .find(|label| label.kind == BranchKind::Fold)
             .unwrap()
             .at
             .parameter;

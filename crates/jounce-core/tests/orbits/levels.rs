@@ -31,9 +31,9 @@ fn curves(file: &SpecFile, level: &str, ranges: [(f64, f64); 2]) -> Vec<Bifurcat
         longest_period: 1,
         peaks: false,
     };
-    let mut found = search.run_with(&options(&base, level)).unwrap();
-    found.retain(|curve| curve.kind == CurveKind::Bifurcation(BranchKind::Level));
-    found.iter().for_each(|curve| {
+    let mut level_curves = search.run_with(&options(&base, level)).unwrap();
+    level_curves.retain(|curve| curve.kind == CurveKind::Bifurcation(BranchKind::Level));
+    level_curves.iter().for_each(|curve| {
         eprintln!(
             "{level}: {} points, {:?}",
             curve.points.len(),
@@ -41,11 +41,11 @@ fn curves(file: &SpecFile, level: &str, ranges: [(f64, f64); 2]) -> Vec<Bifurcat
         )
     });
     assert!(
-        found
+        level_curves
             .iter()
             .all(|curve| curve.level.as_deref() == Some(level))
     );
-    found
+    level_curves
 }
 
 /// Without contact the mean power is that of the steady state, in closed form.
@@ -53,9 +53,9 @@ fn curves(file: &SpecFile, level: &str, ranges: [(f64, f64); 2]) -> Vec<Bifurcat
 fn a_level_of_power_without_contact_is_that_of_the_steady_power() {
     let mut file = bench();
     file.set("stop.tip.gap", "\"500 mm\"").unwrap();
-    let found = curves(&file, "mean_power=100 uW", [(8.2, 9.4), (1.0, 20.0)]);
-    let [curve] = &found[..] else {
-        panic!("{} curves", found.len())
+    let level_curves = curves(&file, "mean_power=100 uW", [(8.2, 9.4), (1.0, 20.0)]);
+    let [curve] = &level_curves[..] else {
+        panic!("{} curves", level_curves.len())
     };
     assert!(curve.failures.is_empty() && curve.points.len() > 5);
     let plant = Model::new(file.spec().unwrap()).unwrap().kernel.plant;
@@ -75,7 +75,7 @@ fn a_level_of_power_without_contact_is_that_of_the_steady_power() {
 #[test]
 fn a_level_of_contact_force_passes_the_labels_along_one_key() {
     let (level, range) = ("contact_force.tip=0.3 N", (11.0, 14.5));
-    let found = curves(&bench(), level, [range, (48.0, 52.0)]);
+    let level_curves = curves(&bench(), level, [range, (48.0, 52.0)]);
     let mut labels = 0;
     for amplitude_n in [48.0, 52.0] {
         let mut file = bench();
@@ -99,18 +99,18 @@ fn a_level_of_contact_force_passes_the_labels_along_one_key() {
             .flat_map(|branch| &branch.bifurcations)
             .filter(|label| label.kind == BranchKind::Level)
         {
-            let points = found
+            let points = level_curves
                 .iter()
                 .flat_map(|curve| &curve.points)
                 .filter(|point| point.parameter_2 == amplitude_n);
-            let away = points
+            let distance_hz = points
                 .map(|point| (point.parameter - label.at.parameter).abs())
                 .fold(f64::INFINITY, f64::min);
             eprintln!(
-                "{amplitude_n} N, {:.6} Hz: {away:.1e} Hz away",
+                "{amplitude_n} N, {:.6} Hz: {distance_hz:.1e} Hz away",
                 label.at.parameter
             );
-            assert!(away < 1e-6, "{away:e}");
+            assert!(distance_hz < 1e-6, "{distance_hz:e}");
             labels += 1;
         }
     }

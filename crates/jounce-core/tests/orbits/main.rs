@@ -6,7 +6,7 @@ mod backbones;
 mod balance;
 mod basins;
 mod bouncing_table;
-mod carried;
+mod branch_update;
 mod closed_forms;
 mod diagrams;
 mod duffing;
@@ -23,14 +23,14 @@ mod peaks;
 mod planes;
 mod recognition;
 mod rectified;
-mod rested;
 #[path = "../linear/rows.rs"]
 #[expect(dead_code, reason = "rows are checked one by one here")]
 mod rows;
 mod same_labels;
-mod several;
+mod several_frequencies;
+mod several_stops;
 mod square_root;
-mod summed;
+mod sticking_orbits;
 mod sweeps;
 mod tracking;
 mod widths;

@@ -88,8 +88,8 @@ fn a_branch_is_that_of_a_patch_that_was_never_charged() {
             tolerance: 1e-9,
             record_s: 0.0,
         };
-        let marched = simulate(&kernel, &StartState::rest(&kernel.plant), &plan).unwrap();
-        let error = point.orbit.max_penetration_m / marched.max_penetration_m - 1.0;
+        let run = simulate(&kernel, &StartState::rest(&kernel.plant), &plan).unwrap();
+        let error = point.orbit.max_penetration_m / run.max_penetration_m - 1.0;
         eprintln!("{} Hz: {error:.1e}", point.parameter);
         assert!(error.abs() < 1e-6);
     }

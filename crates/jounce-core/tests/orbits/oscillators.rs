@@ -15,8 +15,8 @@ use std::f64::consts::TAU;
 /// Folder of the specs.
 const EXAMPLE: &str = "bouncing-and-impact-oscillators";
 
-fn meets(found: f64, row: &str) {
-    rows::check_row(EXAMPLE, row, found);
+fn check_row(value: f64, row: &str) {
+    rows::check_row(EXAMPLE, row, value);
 }
 
 fn impact() -> SpecFile {
@@ -38,10 +38,12 @@ fn bifurcations(file: &SpecFile, key: &str, range: (f64, f64), kind: BranchKind)
         seeds: 0,
         longest_period: 1,
     };
-    let found = search.run().unwrap();
-    let all = found.iter().flat_map(|branch| &branch.bifurcations);
-    all.filter(|found| found.kind == kind)
-        .map(|found| found.at.parameter)
+    let branches_found = search.run().unwrap();
+    let all = branches_found
+        .iter()
+        .flat_map(|branch| &branch.bifurcations);
+    all.filter(|label| label.kind == kind)
+        .map(|label| label.at.parameter)
         .collect()
 }
 
@@ -52,7 +54,7 @@ fn impact_oscillator() {
     let key = file.numeric_key("stop.wall.gap").unwrap();
     let parameter = Parameter::new(&base, &key, 1.0);
     let orbit = settled_orbit(&parameter, 1.0, &[0.0, 0.0], 1e-11, 1e-10).unwrap();
-    meets(orbit.floquet_max_abs(), "impact_largest_multiplier");
+    check_row(orbit.floquet_max_abs(), "impact_largest_multiplier");
     let doublings = bifurcations(
         &file,
         "stop.wall.gap",
@@ -60,7 +62,7 @@ fn impact_oscillator() {
         BranchKind::PeriodDoubling,
     );
     eprintln!("doublings {doublings:?}");
-    meets(doublings[0], "impact_doubling_gap_m");
+    check_row(doublings[0], "impact_doubling_gap_m");
 }
 
 #[test]
@@ -78,7 +80,7 @@ fn bilinear() {
     };
     let (resonance_hz, away_m) = phase_resonance(driven, &[-1.0, 0.0], 1.5, 1.0);
     eprintln!("swings {away_m} m to the free side");
-    meets(resonance_hz, "bilinear_resonance_hz");
+    check_row(resonance_hz, "bilinear_resonance_hz");
 }
 
 #[test]
@@ -94,8 +96,8 @@ fn duffing() {
     );
     folds.sort_by(f64::total_cmp);
     assert_eq!(folds.len(), 2, "{folds:?}");
-    meets(folds[1], "duffing_upper_fold_hz");
-    meets(folds[0], "duffing_lower_fold_hz");
+    check_row(folds[1], "duffing_upper_fold_hz");
+    check_row(folds[0], "duffing_lower_fold_hz");
 }
 
 fn kernel(text: &str) -> Kernel {
@@ -116,9 +118,9 @@ fn ball_on_a_floor() {
         tolerance: 1e-9,
         record_s: 10.0,
     };
-    let answer = simulate(&kernel, &StartState::rest(&kernel.plant), &plan).unwrap();
-    meets(
-        10.0 - answer.stops[0].max_contact_duration_s,
+    let result = simulate(&kernel, &StartState::rest(&kernel.plant), &plan).unwrap();
+    check_row(
+        10.0 - result.stops[0].max_contact_duration_s,
         "ball_time_to_rest_s",
     );
     let ball = BouncingBall {
@@ -132,17 +134,17 @@ fn ball_on_a_floor() {
         .collect();
     times_s.sort_by(f64::total_cmp);
     let shape = kernel.plant.system.modes.shape["ball"][0];
-    let heights = answer
+    let heights = result
         .trajectory
         .at(&kernel, &times_s)
         .into_iter()
         .map(|at| shape * kernel.plant.to_physical(&at.state, at.time_s)[0]);
-    let (way_m, last_m) = heights.fold((0.0, 0.0_f64), |(way, before), height| {
-        (way + (height - before).abs(), height)
+    let (path_m, last_m) = heights.fold((0.0, 0.0_f64), |(path, before), height| {
+        (path + (height - before).abs(), height)
     });
     assert!((last_m + 1.0).abs() < 1e-12, "{last_m}");
-    meets(way_m, "ball_way_to_rest_m");
-    let weight_n_s = answer.stops[0].impulse_n_s;
+    check_row(path_m, "ball_way_to_rest_m");
+    let weight_n_s = result.stops[0].impulse_n_s;
     assert!(
         (weight_n_s / (0.01 * 9.81 * 10.0) - 1.0).abs() < 1e-9,
         "{weight_n_s}"
@@ -178,10 +180,10 @@ fn ball_on_a_table() {
         tolerance: 1e-10,
         record_s: 0.0,
     };
-    let answer = simulate(&kernel, &start, &plan).unwrap();
-    assert_eq!(answer.contacts, 20);
-    meets(
-        answer.stops[0].mean_impact_velocity_m_s,
+    let result = simulate(&kernel, &start, &plan).unwrap();
+    assert_eq!(result.contacts, 20);
+    check_row(
+        result.stops[0].mean_impact_velocity_m_s,
         "table_impact_velocity_m_s",
     );
     let doublings = bifurcations(
@@ -191,5 +193,5 @@ fn ball_on_a_table() {
         BranchKind::PeriodDoubling,
     );
     eprintln!("doublings {doublings:?}");
-    meets(doublings[0] * 1e3, "table_doubling_amplitude_mm");
+    check_row(doublings[0] * 1e3, "table_doubling_amplitude_mm");
 }

@@ -7,17 +7,17 @@ fn folds(branch: &Branch) -> Vec<(f64, f64)> {
     let folds = branch
         .bifurcations
         .iter()
-        .filter(|found| found.kind == BranchKind::Fold);
+        .filter(|label| label.kind == BranchKind::Fold);
     folds
-        .map(|found| (found.at.parameter, found.at.orbit.mean_power_w))
+        .map(|label| (label.at.parameter, label.at.orbit.mean_power_w))
         .collect()
 }
 
 #[test]
 fn published_points_and_folds_lie_on_the_branch() {
     let Some(file) = paper() else { return };
-    let found = branches(&file, (10.5, 14.0), OrbitMethodKind::Shooting, 0);
-    let branch = &found[0];
+    let branches_found = branches(&file, (10.5, 14.0), OrbitMethodKind::Shooting, 0);
+    let branch = &branches_found[0];
     let first = &branch.points[0];
     eprintln!(
         "10.5 Hz: {:.9e} W, {:.6}",
@@ -42,8 +42,8 @@ fn published_points_and_folds_lie_on_the_branch() {
 #[test]
 fn the_stable_point_below_the_fold_is_the_published_one() {
     let Some(file) = paper() else { return };
-    let found = branches(&file, (10.5, 12.30122), OrbitMethodKind::Shooting, 0);
-    let last = found[0].points.last().unwrap();
+    let branches_found = branches(&file, (10.5, 12.30122), OrbitMethodKind::Shooting, 0);
+    let last = branches_found[0].points.last().unwrap();
     eprintln!(
         "{} Hz: {:.9e} W, stable {}",
         last.parameter,
@@ -56,7 +56,7 @@ fn the_stable_point_below_the_fold_is_the_published_one() {
 
 /// The low branch is the linear response; it grazes where the steady amplitude equals the gap.
 #[test]
-fn low_branch_ends_where_the_steady_amplitude_meets_the_gap() {
+fn low_branch_ends_where_the_steady_amplitude_reaches_the_gap() {
     let Some(file) = paper() else { return };
     let plant = jounce_core::analysis::Model::new(file.spec().unwrap())
         .unwrap()
@@ -76,8 +76,8 @@ fn low_branch_ends_where_the_steady_amplitude_meets_the_gap() {
             high = middle
         }
     }
-    let found = branches(&file, (10.5, 14.0), OrbitMethodKind::Shooting, 0);
-    let grazing = found[0]
+    let branches_found = branches(&file, (10.5, 14.0), OrbitMethodKind::Shooting, 0);
+    let grazing = branches_found[0]
         .bifurcations
         .iter()
         .find(|b| b.kind == BranchKind::Grazing)

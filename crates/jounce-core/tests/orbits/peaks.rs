@@ -8,7 +8,7 @@ use jounce_core::analysis::{
 use jounce_core::linear::{optimal_resistance, steady_power_w};
 use jounce_core::spec::SpecFile;
 
-fn untouched() -> SpecFile {
+fn without_contact() -> SpecFile {
     let mut file = bench();
     file.set("stop.tip.gap", "\"500 mm\"").unwrap();
     file
@@ -38,8 +38,8 @@ fn curves(
         longest_period: 1,
         peaks: true,
     };
-    let found = search.run().unwrap();
-    found.iter().for_each(|curve| {
+    let curves_found = search.run().unwrap();
+    curves_found.iter().for_each(|curve| {
         eprintln!(
             "{}: {} points, {:?}",
             curve.kind.name(),
@@ -47,7 +47,7 @@ fn curves(
             curve.failures
         )
     });
-    found
+    curves_found
 }
 
 /// Resistance of maximum power at each frequency: `1 / |Y|` by Thevenin. Newton ends at 1e-7 of the
@@ -55,16 +55,16 @@ fn curves(
 /// at most 5e-6, of powers 2e-8.
 #[test]
 fn the_optimal_load_of_a_harvester_that_never_touches_is_the_closed_form() {
-    let found = peaks(
-        &untouched(),
+    let peaks_found = peaks(
+        &without_contact(),
         ["circuit.load.resistance", "drive.shaker.frequency"],
         [(1e4, 4e5), (8.2, 9.4)],
     );
-    let [curve] = &found[..] else {
-        panic!("{} curves", found.len())
+    let [curve] = &peaks_found[..] else {
+        panic!("{} curves", peaks_found.len())
     };
     assert!(curve.failures.is_empty() && curve.points.len() > 5);
-    let spec = untouched().spec().unwrap();
+    let spec = without_contact().spec().unwrap();
     let mut worst = 0.0_f64;
     for point in &curve.points {
         let mut spec = spec.clone();
@@ -90,16 +90,16 @@ fn the_optimal_load_of_a_harvester_that_never_touches_is_the_closed_form() {
 /// 1e-10: at most 1e-8 Hz off.
 #[test]
 fn the_resonance_of_a_harvester_that_never_touches_is_that_of_the_steady_power() {
-    let found = peaks(
-        &untouched(),
+    let peaks_found = peaks(
+        &without_contact(),
         ["drive.shaker.frequency", "circuit.load.resistance"],
         [(8.2, 9.2), (2e4, 5e5)],
     );
-    let [curve] = &found[..] else {
-        panic!("{} curves", found.len())
+    let [curve] = &peaks_found[..] else {
+        panic!("{} curves", peaks_found.len())
     };
     assert!(curve.failures.is_empty() && curve.points.len() > 5);
-    let spec = untouched().spec().unwrap();
+    let spec = without_contact().spec().unwrap();
     let mut worst = 0.0_f64;
     for point in &curve.points {
         let mut spec = spec.clone();
@@ -127,13 +127,13 @@ fn the_resonance_of_a_harvester_that_never_touches_is_that_of_the_steady_power()
 /// also lies on the branch there.
 #[test]
 fn the_peak_of_the_impact_branch_is_the_one_along_the_branch() {
-    let found = peaks(
+    let peaks_found = peaks(
         &bench(),
         ["drive.shaker.frequency", "drive.shaker.amplitude"],
         [(11.9, 12.5), (48.0, 50.0)],
     );
-    let [curve] = &found[..] else {
-        panic!("{} curves", found.len())
+    let [curve] = &peaks_found[..] else {
+        panic!("{} curves", peaks_found.len())
     };
     for amplitude_n in [48.0, 50.0] {
         let mut file = bench();
@@ -169,8 +169,8 @@ fn the_peak_of_the_impact_branch_is_the_one_along_the_branch() {
 /// loads. Measured: 0.03 % off with loads 2 % to both sides, whose third-order error is of that
 /// size; the power equal to 1e-9.
 #[test]
-fn the_optimal_load_with_contact_is_the_best_of_the_branches_beside_it() {
-    let found = peaks(
+fn the_optimal_load_with_contact_is_the_best_of_the_neighbouring_branches() {
+    let peaks_found = peaks(
         &bench(),
         ["circuit.load.resistance", "drive.shaker.frequency"],
         [(3e4, 2e5), (12.0, 12.1)],
@@ -182,7 +182,7 @@ fn the_optimal_load_with_contact_is_the_best_of_the_branches_beside_it() {
             .map(|point| point.mean_power_w)
             .fold(0.0, f64::max)
     };
-    let curve = found
+    let curve = peaks_found
         .iter()
         .max_by(|a, b| strongest(a).total_cmp(&strongest(b)))
         .unwrap();
@@ -207,21 +207,21 @@ fn the_optimal_load_with_contact_is_the_best_of_the_branches_beside_it() {
         ends.map(|point| point.orbit.mean_power_w)
             .fold(0.0, f64::max)
     };
-    let [low, less, own, more, high] = [0.9, 0.98, 1.0, 1.02, 1.1].map(power_w);
-    let vertex = 0.02 * 0.5 * (more - less) / (2.0 * own - less - more);
+    let [low, less, at_best, more, high] = [0.9, 0.98, 1.0, 1.02, 1.1].map(power_w);
+    let vertex = 0.02 * 0.5 * (more - less) / (2.0 * at_best - less - more);
     eprintln!(
-        "{:.1} ohm, {own:.9e} W, {:.1e} off; vertex {vertex:.1e} off",
+        "{:.1} ohm, {at_best:.9e} W, {:.1e} off; vertex {vertex:.1e} off",
         best.parameter,
-        best.mean_power_w / own - 1.0
+        best.mean_power_w / at_best - 1.0
     );
     assert!(
-        (best.mean_power_w / own - 1.0).abs() < 2e-7 && vertex.abs() < 1e-3,
+        (best.mean_power_w / at_best - 1.0).abs() < 2e-7 && vertex.abs() < 1e-3,
         "{vertex}"
     );
     assert!(
-        less > low && own > less && own > more && more > high,
+        less > low && at_best > less && at_best > more && more > high,
         "{:?}",
-        [low, less, own, more, high]
+        [low, less, at_best, more, high]
     );
 }
 
@@ -230,7 +230,7 @@ fn the_optimal_load_with_contact_is_the_best_of_the_branches_beside_it() {
 /// around it.
 #[test]
 fn the_peak_of_an_isolated_branch_ends_where_its_folds_meet() {
-    let found = curves(
+    let peaks_found = curves(
         &bench(),
         ["drive.shaker.frequency", "stop.tip.stiffness"],
         [(12.5, 14.0), (4780.0, 5000.0)],
@@ -246,7 +246,7 @@ fn the_peak_of_an_isolated_branch_ends_where_its_folds_meet() {
     let born = |curve: &&BifurcationCurve| {
         lowest(curve) > 4781.0 && curve.points.iter().all(|point| point.parameter > 13.0)
     };
-    let peak = found
+    let peak = peaks_found
         .iter()
         .filter(|curve| curve.kind == CurveKind::Peak)
         .find(born)
@@ -269,7 +269,7 @@ fn the_peak_of_an_isolated_branch_ends_where_its_folds_meet() {
                 .iter()
                 .any(|point| (point.parameter - end.parameter).abs() < 0.01)
     };
-    let fold = found
+    let fold = peaks_found
         .iter()
         .filter(folds)
         .min_by(|a, b| {

@@ -6,11 +6,11 @@ use jounce_core::spec::SpecFile;
 
 fn curves(file: &SpecFile, keys: [(&str, (f64, f64)); 2], seeds: usize) -> Vec<BifurcationCurve> {
     let base = Model::new(file.spec().unwrap()).unwrap();
-    let own = keys.map(|(key, _)| file.numeric_key(key).unwrap());
+    let numeric = keys.map(|(key, _)| file.numeric_key(key).unwrap());
     let ranges = keys.map(|(_, range)| range);
     let search = BifurcationSearch {
         base: &base,
-        keys: [&own[0], &own[1]],
+        keys: [&numeric[0], &numeric[1]],
         ranges,
         tolerance: 1e-9,
         seeds,
@@ -24,7 +24,7 @@ fn curves(file: &SpecFile, keys: [(&str, (f64, f64)); 2], seeds: usize) -> Vec<B
 /// include the fold of the large orbit across the corner, which crosses only one edge of each
 /// range.
 #[test]
-fn it_does_not_matter_which_key_comes_first() {
+fn the_order_of_the_keys_has_no_effect() {
     let mut file = bench();
     file.set("drive.shaker.frequency", "12 Hz").unwrap();
     let (gap, amplitude) = (
@@ -32,12 +32,12 @@ fn it_does_not_matter_which_key_comes_first() {
         ("drive.shaker.amplitude", (20.0, 80.0)),
     );
     let ends = |curve: &BifurcationCurve, first: usize| {
-        let place = |k: usize| {
+        let position = |k: usize| {
             let point = &curve.points[k];
             let keys = [point.parameter, point.parameter_2];
             (keys[first] / 2.5e-3, keys[1 - first] / 60.0)
         };
-        let mut ends = [place(0), place(curve.points.len() - 1)];
+        let mut ends = [position(0), position(curve.points.len() - 1)];
         ends.sort_by(|a, b| a.1.total_cmp(&b.1));
         (curve.kind.name(), ends)
     };
@@ -49,19 +49,19 @@ fn it_does_not_matter_which_key_comes_first() {
         .iter()
         .map(|curve| ends(curve, 1))
         .collect();
-    for found in [&mut one, &mut two] {
-        found.sort_by(|a, b| (a.0, a.1[0].1).partial_cmp(&(b.0, b.1[0].1)).unwrap());
+    for curves_found in [&mut one, &mut two] {
+        curves_found.sort_by(|a, b| (a.0, a.1[0].1).partial_cmp(&(b.0, b.1[0].1)).unwrap());
     }
     assert!(
         one.len() == two.len() && one.iter().filter(|(kind, _)| *kind == "fold").count() == 2,
         "{one:?} {two:?}"
     );
     for ((kind, a), (other, b)) in one.iter().zip(&two) {
-        let off = (0..2)
+        let distance = (0..2)
             .map(|k| (a[k].0 - b[k].0).abs().max((a[k].1 - b[k].1).abs()))
             .fold(0.0, f64::max);
-        eprintln!("{kind}: {a:?}, off by {off:.1e}");
-        assert!(kind == other && off < 1e-5);
+        eprintln!("{kind}: {a:?}, off by {distance:.1e}");
+        assert!(kind == other && distance < 1e-5);
     }
 }
 
@@ -74,8 +74,8 @@ fn no_curve_comes_back_over_its_own_points() {
         ("drive.shaker.frequency", (12.5, 14.0)),
         ("stop.tip.stiffness", (4780.0, 5000.0)),
     ];
-    let found = curves(&bench(), keys, 4);
-    let tori: Vec<&BifurcationCurve> = found
+    let curves_found = curves(&bench(), keys, 4);
+    let tori: Vec<&BifurcationCurve> = curves_found
         .iter()
         .filter(|curve| curve.kind == CurveKind::Bifurcation(BranchKind::NeimarkSacker))
         .collect();
@@ -83,7 +83,7 @@ fn no_curve_comes_back_over_its_own_points() {
         [0, curve.points.len() - 1]
             .map(|k| (curve.points[k].parameter, curve.points[k].parameter_2))
     };
-    let apart = |[a, b]: [(f64, f64); 2]| (a.0 - b.0).abs() / 1.5 + (a.1 - b.1).abs() / 220.0;
+    let separation = |[a, b]: [(f64, f64); 2]| (a.0 - b.0).abs() / 1.5 + (a.1 - b.1).abs() / 220.0;
     for curve in &tori {
         eprintln!(
             "{:?}, {} points, {:?}",
@@ -94,7 +94,7 @@ fn no_curve_comes_back_over_its_own_points() {
     }
     assert!(
         tori.iter()
-            .all(|curve| apart(ends(curve)) > 1e-3 && curve.failures.is_empty())
+            .all(|curve| separation(ends(curve)) > 1e-3 && curve.failures.is_empty())
     );
     let at_low_edge = |curve: &&&BifurcationCurve| {
         ends(curve)

@@ -52,8 +52,9 @@ fn with_basins<T>(
 /// the orbit.
 fn distance(shooting: &Shooting<Parameter>, orbit: &Orbit, physical: &[f64]) -> f64 {
     let state = shooting.unknown(physical);
-    let apart = |look: &Vec<f64>| {
-        look.iter()
+    let separation = |strobe_state: &Vec<f64>| {
+        strobe_state
+            .iter()
             .zip(&state)
             .map(|(a, b)| (a - b).powi(2))
             .sum::<f64>()
@@ -62,7 +63,7 @@ fn distance(shooting: &Shooting<Parameter>, orbit: &Orbit, physical: &[f64]) -> 
     orbit
         .strobe_states
         .iter()
-        .map(apart)
+        .map(separation)
         .fold(f64::INFINITY, f64::min)
         / orbit.size()
 }
@@ -84,9 +85,9 @@ fn no_start_is_attributed_to_an_orbit_that_it_does_not_reach() {
         .iter()
         .for_each(|(key, value)| file.set(key, value).unwrap());
     let starts = grid(30e-3, 1.6, 20);
-    with_basins(&file, &starts, 1e-8, |parameter, value, found| {
+    with_basins(&file, &starts, 1e-8, |parameter, value, result| {
         let count = |period: u32| {
-            found
+            result
                 .attractors
                 .iter()
                 .filter(|a| a.period_cycles == period)
@@ -99,7 +100,7 @@ fn no_start_is_attributed_to_an_orbit_that_it_does_not_reach() {
             counts.iter().sum::<usize>() == starts.len() && counts[4] > 40,
             "{counts:?}"
         );
-        let long = found
+        let long = result
             .attractors
             .iter()
             .find(|a| a.period_cycles == 18)
@@ -120,17 +121,21 @@ fn no_start_is_attributed_to_an_orbit_that_it_does_not_reach() {
             integrator
                 .advance_to(f64::from(LONG_CYCLES) / value)
                 .unwrap();
-            let home = found
+            let home = result
                 .attractors
                 .iter()
                 .find(|a| a.starts.contains(&index))
                 .unwrap();
-            let away = distance(
+            let distance_to_orbit = distance(
                 &shooting,
                 home.orbit.as_ref().unwrap(),
                 &integrator.physical(),
             );
-            assert!(away < 1e-5, "start {index}: {away:e} from {}", home.id);
+            assert!(
+                distance_to_orbit < 1e-5,
+                "start {index}: {distance_to_orbit:e} from {}",
+                home.id
+            );
         }
     });
 }
@@ -145,8 +150,8 @@ fn attractors_do_not_depend_on_the_tolerance() {
     file.set("drive.shaker.frequency", "\"12.55 Hz\"").unwrap();
     let starts = grid(15e-3, 1.2, 9);
     let at = |tolerance: f64| {
-        with_basins(&file, &starts, tolerance, |_, _, found| {
-            let listed = found
+        with_basins(&file, &starts, tolerance, |_, _, result| {
+            let listed = result
                 .attractors
                 .iter()
                 .map(|a| (a.id.clone(), a.mean_power_w, a.starts.clone()));
@@ -175,7 +180,7 @@ fn attractors_do_not_depend_on_the_tolerance() {
 /// A cycle budget too small for every start: no start is assigned, and the interval of the expected
 /// power shows this.
 #[test]
-fn what_is_not_proved_is_undecided() {
+fn an_attractor_without_proof_is_undecided() {
     let base = Model::new(bench().spec().unwrap()).unwrap();
     let file = bench();
     let key = file.numeric_key("drive.shaker.frequency").unwrap();
@@ -184,7 +189,7 @@ fn what_is_not_proved_is_undecided() {
         max_cycles: 20,
         ..Recognition::at(1e-8)
     };
-    let found = Basins {
+    let result = Basins {
         base: &base,
         parameter: &parameter,
         value: 11.0,
@@ -193,8 +198,8 @@ fn what_is_not_proved_is_undecided() {
     }
     .run(&|| ())
     .unwrap();
-    let [undecided] = &found.attractors[..] else {
-        panic!("{found:?}")
+    let [undecided] = &result.attractors[..] else {
+        panic!("{result:?}")
     };
     assert!(
         undecided.kind == AttractorKind::Undecided
@@ -202,6 +207,7 @@ fn what_is_not_proved_is_undecided() {
             && undecided.id == "undecided"
     );
     assert!(
-        found.expected_power_low_w == 0.0 && found.expected_power_high_w >= found.expected_power_w
+        result.expected_power_low_w == 0.0
+            && result.expected_power_high_w >= result.expected_power_w
     );
 }

@@ -10,7 +10,7 @@ use jounce_core::spec::SpecFile;
 use std::f64::consts::{PI, TAU};
 
 /// The example without the lines of the given keys.
-fn without(keys: &[&str]) -> SpecFile {
+fn example_without(keys: &[&str]) -> SpecFile {
     let text =
         std::fs::read_to_string(folder("rectified-shu-lien-2006").join("harvester.toml")).unwrap();
     let stays = |line: &&str| {
@@ -28,7 +28,7 @@ fn without(keys: &[&str]) -> SpecFile {
 
 /// The example with changed keys and default diodes: not every interface has them.
 fn file(settings: &[(&str, &str)]) -> SpecFile {
-    let mut file = without(&["diode_resistance"]);
+    let mut file = example_without(&["diode_resistance"]);
     settings
         .iter()
         .for_each(|(key, value)| file.set(key, value).unwrap());
@@ -54,7 +54,7 @@ fn orbit(file: &SpecFile, storage_v: f64) -> (Model, Orbit) {
             unknown: shooting.unknown(&guess),
             parameter: 1.0,
         };
-        let found = correct_at(
+        let solution = correct_at(
             &shooting,
             &Corrector {
                 goal: 1e-9,
@@ -64,7 +64,7 @@ fn orbit(file: &SpecFile, storage_v: f64) -> (Model, Orbit) {
             position,
         )
         .unwrap();
-        shooting.orbit(&found.local, found.error).unwrap()
+        shooting.orbit(&solution.local, solution.error).unwrap()
     };
     (base, orbit)
 }
@@ -79,7 +79,7 @@ fn the_orbit_has_the_power_of_direct_integration() {
         (&[("circuit.rectifier.battery", "1 V")][..], 6e-5),
     ] {
         let mut file =
-            without(&["storage", "resistance", "diode_resistance"][..2 * settings.len()]);
+            example_without(&["storage", "resistance", "diode_resistance"][..2 * settings.len()]);
         file.set("circuit.rectifier.diode_resistance", "1 uohm")
             .unwrap();
         settings
@@ -217,7 +217,7 @@ fn a_disturbance_decays_by_the_multipliers() {
             polynomial = higher.zip(lower).map(|(a, b)| a + b).collect();
         }
         let cycle_s = TAU / kernel.plant.tones[0].angular_frequency_rad_s;
-        let mut away: Vec<f64> = on
+        let mut perturbed_state: Vec<f64> = on
             .iter()
             .enumerate()
             .map(|(i, x)| x + [2e-7, -1e-7, 3e-7, 1e-7][i])
@@ -225,11 +225,11 @@ fn a_disturbance_decays_by_the_multipliers() {
         let (mut sum, mut largest) = (vec![0.0; 4], 0.0_f64);
         for c in &polynomial {
             for i in 0..4 {
-                let term = c.re * scale[i] * (away[i] - on[i]);
+                let term = c.re * scale[i] * (perturbed_state[i] - on[i]);
                 sum[i] += term;
                 largest = largest.max(term.abs());
             }
-            for state in [&mut on, &mut away] {
+            for state in [&mut on, &mut perturbed_state] {
                 let mut integrator =
                     Integrator::new(kernel, &kernel.plant.from_physical(state, 0.0), 0.0, 1e-12)
                         .unwrap();
@@ -248,7 +248,7 @@ fn a_disturbance_decays_by_the_multipliers() {
 
 /// Power over the load along a branch, against runs long enough to reach steady state.
 #[test]
-fn a_branch_over_the_load_has_the_power_of_settled_marches() {
+fn a_branch_over_the_load_has_the_power_of_settled_runs() {
     let settings = [
         ("circuit.rectifier.storage", "20 F"),
         ("circuit.rectifier.diode_resistance", "1 mohm"),
@@ -285,16 +285,16 @@ fn a_branch_over_the_load_has_the_power_of_settled_marches() {
             tolerance: 1e-9,
             record_s: 0.0,
         };
-        let answer = jounce_core::run::simulate(
+        let result = jounce_core::run::simulate(
             &kernel,
             &jounce_core::run::StartState::rest(&kernel.plant),
             &plan,
         )
         .unwrap();
-        let error = point.orbit.mean_power_w / answer.mean_power_w - 1.0;
+        let error = point.orbit.mean_power_w / result.mean_power_w - 1.0;
         eprintln!(
             "{:.4} ohm: {:.8} W, march {error:.1e}, error estimate {:.1e}",
-            point.parameter, answer.mean_power_w, point.orbit.error_estimate
+            point.parameter, result.mean_power_w, point.orbit.error_estimate
         );
         assert!(error.abs() < 1e-6, "{} ohm: {error:e}", point.parameter);
     }
@@ -303,8 +303,8 @@ fn a_branch_over_the_load_has_the_power_of_settled_marches() {
 /// A battery above the open-circuit voltage receives no current, and the charge of the patch is
 /// arbitrary: the orbit has the charge of the start.
 #[test]
-fn diodes_that_never_conduct_leave_a_charge_alone() {
-    let mut file = without(&["storage", "resistance"]);
+fn diodes_that_never_conduct_keep_the_charge() {
+    let mut file = example_without(&["storage", "resistance"]);
     file.set("circuit.rectifier.battery", "50 V").unwrap();
     let (base, orbit) = orbit(&file, 0.0);
     let steady = base

@@ -3,11 +3,11 @@
 //! lies in a part that one of them lists as not proved.
 //!
 //! ```text
-//! JOUNCE_DRAWN_SYSTEMS=40 cargo test --release -p jounce --test orbits labels_of_drawn -- --nocapture
+//! JOUNCE_DRAWN_SYSTEMS=40 cargo test --release -p jounce --test orbits labels_of_random -- --nocapture
 //! ```
 
-#[path = "../attractors/drawn.rs"]
-mod drawn;
+#[path = "../attractors/random_specs.rs"]
+mod random_specs;
 
 use crate::harvesters::bench;
 use jounce_core::analysis::{
@@ -78,10 +78,10 @@ impl Case {
         }
     }
 
-    fn drawn(index: u64) -> Self {
-        let file = SpecFile::from_text(drawn::drawn(SEED, index));
+    fn random(index: u64) -> Self {
+        let file = SpecFile::from_text(random_specs::random_spec(SEED, index));
         let key = "drive.d.frequency";
-        let own = file
+        let centre = file
             .numeric_key(key)
             .unwrap()
             .get(&file.spec().unwrap())
@@ -89,7 +89,7 @@ impl Case {
         Self {
             file,
             key,
-            range: (0.85 * own, 1.15 * own),
+            range: (0.85 * centre, 1.15 * centre),
         }
     }
 
@@ -122,7 +122,7 @@ impl Case {
                 ..BranchOptions::default()
             };
             match search.run_with(&options) {
-                Ok(found) => found,
+                Ok(branches) => branches,
                 Err(error @ OrbitError::Multipliers { .. }) => panic!("{error}"),
                 Err(error) => {
                     eprintln!("{error}");
@@ -138,17 +138,18 @@ impl Case {
     fn missing<'b>(&self, one: &'b [Branch], other: &[Branch]) -> Vec<&'b Bifurcation> {
         let labels = one
             .iter()
-            .flat_map(|branch| branch.bifurcations.iter().map(move |found| (branch, found)));
-        let lacks = labels
-            .filter(|(own, found)| !self.has(other, found) && self.has_followed(other, own, found));
-        let doubtful = |found: &Bifurcation| {
+            .flat_map(|branch| branch.bifurcations.iter().map(move |label| (branch, label)));
+        let missing_labels = labels.filter(|(branch, label)| {
+            !self.has(other, label) && self.has_followed(other, branch, label)
+        });
+        let is_unproved = |label: &Bifurcation| {
             one.iter()
                 .chain(other)
-                .any(|branch| self.doubts(branch, found))
+                .any(|branch| self.is_not_proved(branch, label))
         };
-        lacks
-            .map(|(_, found)| found)
-            .filter(|found| !doubtful(found))
+        missing_labels
+            .map(|(_, label)| label)
+            .filter(|label| !is_unproved(label))
             .collect()
     }
 
@@ -156,32 +157,34 @@ impl Case {
         branches
             .iter()
             .flat_map(|branch| &branch.bifurcations)
-            .any(|own| {
-                let (power_w, own_w) = (label.at.orbit.mean_power_w, own.at.orbit.mean_power_w);
-                own.kind == label.kind
-                    && (own.at.parameter - label.at.parameter).abs() < SAME * self.width()
-                    && (own_w - power_w).abs() <= SAME_POWER * power_w
+            .any(|candidate| {
+                let (power_w, other_w) =
+                    (label.at.orbit.mean_power_w, candidate.at.orbit.mean_power_w);
+                candidate.kind == label.kind
+                    && (candidate.at.parameter - label.at.parameter).abs() < SAME * self.width()
+                    && (other_w - power_w).abs() <= SAME_POWER * power_w
             })
     }
 
     /// True where branches pass the points next to a label on both of its sides.
-    fn has_followed(&self, branches: &[Branch], own: &Branch, label: &Bifurcation) -> bool {
-        let apart = |index: usize| {
-            let (here, there) = (label.at.orbit.start(), own.points[index].orbit.start());
+    fn has_followed(&self, branches: &[Branch], branch: &Branch, label: &Bifurcation) -> bool {
+        let distance = |index: usize| {
+            let (here, there) = (label.at.orbit.start(), branch.points[index].orbit.start());
             here.iter()
                 .zip(there)
                 .map(|(a, b)| (a - b).powi(2))
                 .sum::<f64>()
                 .sqrt()
         };
-        let Some(nearest) = (0..own.points.len()).min_by(|a, b| apart(*a).total_cmp(&apart(*b)))
+        let Some(nearest) =
+            (0..branch.points.len()).min_by(|a, b| distance(*a).total_cmp(&distance(*b)))
         else {
             return false;
         };
-        let beside: Vec<_> = [nearest.checked_sub(1), Some(nearest), Some(nearest + 1)]
+        let neighbours: Vec<_> = [nearest.checked_sub(1), Some(nearest), Some(nearest + 1)]
             .into_iter()
             .flatten()
-            .filter_map(|index| own.points.get(index))
+            .filter_map(|index| branch.points.get(index))
             .filter(|point| {
                 (point.parameter - label.at.parameter).abs() > SAME * BESIDE * self.width()
             })
@@ -198,28 +201,28 @@ impl Case {
                 .crossings(point.parameter)
                 .iter()
                 .any(|(state, power_w)| {
-                    let off = state
+                    let state_error = state
                         .iter()
                         .zip(point.orbit.start())
                         .map(|(a, b)| (a - b).powi(2))
                         .sum::<f64>()
                         .sqrt();
-                    off < SAME_POWER * size
+                    state_error < SAME_POWER * size
                         && (power_w - point.orbit.mean_power_w).abs()
                             <= SAME_POWER * point.orbit.mean_power_w
                 })
         };
-        let alike = |branch: &&Branch| branch.period_cycles == own.period_cycles;
-        beside.len() > 1
-            && beside.iter().all(|point| {
+        let same_period = |other: &&Branch| other.period_cycles == branch.period_cycles;
+        neighbours.len() > 1
+            && neighbours.iter().all(|point| {
                 branches
                     .iter()
-                    .filter(alike)
+                    .filter(same_period)
                     .any(|branch| passes(branch, point))
             })
     }
 
-    fn doubts(&self, branch: &Branch, label: &Bifurcation) -> bool {
+    fn is_not_proved(&self, branch: &Branch, label: &Bifurcation) -> bool {
         let near = SAME * self.width();
         let at = label.at.parameter;
         branch.not_proved.iter().any(|part| {
@@ -232,48 +235,48 @@ impl Case {
     }
 
     fn check(&self, name: &str) -> usize {
-        let begun = std::time::Instant::now();
+        let begin = std::time::Instant::now();
         let usual = self.search(USUAL);
         let labels = usual
             .iter()
             .map(|branch| branch.bifurcations.len())
             .sum::<usize>();
-        let doubts = |branches: &[Branch]| {
+        let unproved_count = |branches: &[Branch]| {
             branches
                 .iter()
                 .map(|branch| branch.not_proved.len())
                 .sum::<usize>()
         };
-        let mut listed = format!(
+        let mut report = format!(
             "{name}: {} branches, {labels} labels, {} doubts",
             usual.len(),
-            doubts(&usual)
+            unproved_count(&usual)
         );
-        let mut wrong = 0;
+        let mut missing_count = 0;
         for settings in OTHERS {
             let other = self.search(settings);
-            listed += &format!("; {} {} doubts", other.len(), doubts(&other));
-            for (who, missing) in [
+            report += &format!("; {} {} doubts", other.len(), unproved_count(&other));
+            for (which_set, missing) in [
                 ("more", self.missing(&other, &usual)),
                 ("missing", self.missing(&usual, &other)),
             ] {
-                for found in missing {
-                    wrong += 1;
-                    let (at, orbit) = (found.at.parameter, &found.at.orbit);
+                for label in missing {
+                    missing_count += 1;
+                    let (at, orbit) = (label.at.parameter, &label.at.orbit);
                     let (cycles, power_w, error) = (
                         orbit.period_cycles,
                         orbit.mean_power_w,
                         orbit.error_estimate,
                     );
-                    listed += &format!(
-                        "\n  {settings:?}: {who} {:?} of period {cycles} at {at}, {power_w:e} W +- {error:e}",
-                        found.kind
+                    report += &format!(
+                        "\n  {settings:?}: {which_set} {:?} of period {cycles} at {at}, {power_w:e} W +- {error:e}",
+                        label.kind
                     );
                 }
             }
         }
-        eprintln!("{listed} ({:.1} s)", begun.elapsed().as_secs_f64());
-        wrong
+        eprintln!("{report} ({:.1} s)", begin.elapsed().as_secs_f64());
+        missing_count
     }
 }
 
@@ -321,33 +324,39 @@ fn labels_of_the_cases_of_these_tests_are_the_same_for_all_settings() {
         &[("stop.tip.stiffness", "\"1e6 N/m^1.5\"")],
     ];
     // The first ones in every run, unless the environment variable gives another number.
-    let asked = number("JOUNCE_DRAWN_SYSTEMS")
+    let requested = number("JOUNCE_DRAWN_SYSTEMS")
         .map(|count| (number("JOUNCE_DRAWN_FIRST").unwrap_or(0), count));
-    let (first, count) = asked.unwrap_or((0, 5));
+    let (first, count) = requested.unwrap_or((0, 5));
     let cases = cases
         .iter()
         .enumerate()
         .skip(first as usize)
         .take(count as usize);
-    let wrong: usize = cases
+    let missing_count: usize = cases
         .map(|(k, changes)| Case::of_bench(changes).check(&format!("case {k}")))
         .sum();
-    assert_eq!(wrong, 0, "labels that one search has and another lacks");
+    assert_eq!(
+        missing_count, 0,
+        "labels that one search has and another lacks"
+    );
 }
 
 /// Random harvesters of low cost: their motions at both ends of the range settle soon.
 const QUICK: [u64; 6] = [1, 10, 12, 14, 17, 19];
 
 #[test]
-fn labels_of_drawn_harvesters_are_the_same_for_all_settings() {
-    let asked = number("JOUNCE_DRAWN_SYSTEMS").map(|count| {
+fn labels_of_random_harvesters_are_the_same_for_all_settings() {
+    let requested = number("JOUNCE_DRAWN_SYSTEMS").map(|count| {
         let first = number("JOUNCE_DRAWN_FIRST").unwrap_or(0);
         (first..first + count).collect()
     });
-    let indices: Vec<u64> = asked.unwrap_or_else(|| QUICK.to_vec());
-    let wrong: usize = indices
+    let indices: Vec<u64> = requested.unwrap_or_else(|| QUICK.to_vec());
+    let missing_count: usize = indices
         .into_iter()
-        .map(|index| Case::drawn(index).check(&format!("drawn {index}")))
+        .map(|index| Case::random(index).check(&format!("drawn {index}")))
         .sum();
-    assert_eq!(wrong, 0, "labels that one search has and another lacks");
+    assert_eq!(
+        missing_count, 0,
+        "labels that one search has and another lacks"
+    );
 }

@@ -73,12 +73,12 @@ fn one_cycle_from_the_steady_motion_leaves_it_by_the_square_root() {
     for decade in 2..=9 {
         let below = 10_f64.powi(-decade);
         let kernel = kernel(below);
-        let still = vec![0.0; kernel.plant.len()];
-        let mut integrator = Integrator::new(&kernel, &still, 0.0, 1e-12).unwrap();
+        let rest_state = vec![0.0; kernel.plant.len()];
+        let mut integrator = Integrator::new(&kernel, &rest_state, 0.0, 1e-12).unwrap();
         integrator.advance_to(TAU / 0.8).unwrap();
-        let lost = integrator.energies().contact_loss_j;
+        let loss_j = integrator.energies().contact_loss_j;
         let speed = 0.8 * (amplitude * amplitude - (amplitude - below).powi(2)).sqrt();
-        let error = (lost / (0.5 * (1.0 - 0.64) * speed * speed)).sqrt() - 1.0;
+        let error = (loss_j / (0.5 * (1.0 - 0.64) * speed * speed)).sqrt() - 1.0;
         assert_eq!(integrator.statistics().contacts, 1);
         // `X^2 - d^2` has the roundoff of both terms, and the integration that of the impact
         // position.
@@ -92,7 +92,7 @@ fn one_cycle_from_the_steady_motion_leaves_it_by_the_square_root() {
         ));
         let flow = FlowSensitivity::march(
             &kernel,
-            &still,
+            &rest_state,
             0.0,
             TAU / 0.8,
             1e-12,
@@ -101,10 +101,10 @@ fn one_cycle_from_the_steady_motion_leaves_it_by_the_square_root() {
         .unwrap();
         derivatives.push((below, flow.jacobian.norm_l2()));
     }
-    let ((distance, off), (derivative, wide)) =
+    let ((distance, scatter), (derivative, derivative_scatter)) =
         (power_law(&distances[2..]), power_law(&derivatives[2..]));
     eprintln!(
-        "distance: exponent {distance:.5} (off the line by {off:.1e}); derivative: {derivative:.5} ({wide:.1e})"
+        "distance: exponent {distance:.5} (off the line by {scatter:.1e}); derivative: {derivative:.5} ({derivative_scatter:.1e})"
     );
     assert!(
         (distance - 0.5).abs() < 1e-3 && (derivative + 0.5).abs() < 1e-3,
@@ -137,9 +137,9 @@ fn multiplier_of_the_impacting_orbit_diverges_towards_its_grazing() {
             unknown: guess,
             parameter: gap,
         };
-        let found =
+        let solution =
             correct_at(&shooting, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
-        let orbit = shooting.orbit(&found.local, found.error).unwrap();
+        let orbit = shooting.orbit(&solution.local, solution.error).unwrap();
         let trace = (orbit.multipliers[0] + orbit.multipliers[1]).re;
         let error = trace / exact.trace_determinant[0] - 1.0;
         eprintln!(
@@ -156,9 +156,10 @@ fn multiplier_of_the_impacting_orbit_diverges_towards_its_grazing() {
         speeds.push((amplitude - gap, exact.speed));
         multipliers.push((amplitude - gap, orbit.floquet_max_abs()));
     }
-    let ((speed, _), (multiplier, off)) = (power_law(&speeds[4..]), power_law(&multipliers[4..]));
+    let ((speed, _), (multiplier, scatter)) =
+        (power_law(&speeds[4..]), power_law(&multipliers[4..]));
     eprintln!(
-        "impact speed: exponent {speed:.4}; largest multiplier: {multiplier:.4} (off the line by {off:.1e})"
+        "impact speed: exponent {speed:.4}; largest multiplier: {multiplier:.4} (off the line by {scatter:.1e})"
     );
     assert!((speed - 1.0).abs() < 1e-2 && (multiplier + 1.0).abs() < 1e-2);
     // Over the depth that the stop removes, `v^2 / 2 X w^2`, it is the square root again.

@@ -5,10 +5,10 @@ use crate::harvesters::{bench, branches};
 use jounce_core::analysis::{OrbitMethodKind, Sweep, SweepOrder};
 
 #[test]
-fn sweeps_land_on_stable_stretches_and_jump_at_the_folds() {
+fn sweeps_follow_stable_segments_and_jump_at_the_folds() {
     let file = bench();
-    let found = branches(&file, (11.0, 13.0), OrbitMethodKind::Shooting, 0);
-    let branch = &found[0];
+    let branches_found = branches(&file, (11.0, 13.0), OrbitMethodKind::Shooting, 0);
+    let branch = &branches_found[0];
     let spec = file.spec().unwrap();
     let range = file
         .range("drive.shaker.frequency=11Hz:13Hz:0.1Hz")
@@ -23,7 +23,7 @@ fn sweeps_land_on_stable_stretches_and_jump_at_the_folds() {
     let points = sweep
         .run(None, &jounce_core::integrate::Control::default(), &|_| ())
         .unwrap();
-    let (mut met, mut worst) = (0, 0.0_f64);
+    let (mut hits, mut worst) = (0, 0.0_f64);
     for point in points
         .iter()
         .filter(|point| point.settled && point.period_cycles == 1)
@@ -34,10 +34,10 @@ fn sweeps_land_on_stable_stretches_and_jump_at_the_folds() {
             .map(|(_, power_w)| (power_w / point.mean_power_w - 1.0).abs());
         let nearest = distance.fold(f64::INFINITY, f64::min);
         worst = worst.max(nearest);
-        met += 1;
+        hits += 1;
     }
-    eprintln!("{met} settled points, farthest {worst:.1e} from the interpolated branch");
-    assert!(met > 15 && worst < 2e-2, "{met} points, {worst:e}");
+    eprintln!("{hits} settled points, farthest {worst:.1e} from the interpolated branch");
+    assert!(hits > 15 && worst < 2e-2, "{hits} points, {worst:e}");
     let fold = branch
         .bifurcations
         .iter()

@@ -6,9 +6,7 @@ use jounce_core::analysis::{
 };
 use jounce_core::continuation::{Corrector, Metric, Position, correct_at};
 use jounce_core::integrate::Integrator;
-use jounce_core::orbit::{
-    Condition, ExtendedProblem, ParametricModel, Shooting, TwoParameterProblem,
-};
+use jounce_core::orbit::{Condition, ExtendedProblem, ParametricModel, Shooting, TwoParameterProblem};
 use jounce_core::plant::{PlantError, System};
 use jounce_core::reference::ImpactOscillator;
 use std::f64::consts::TAU;
@@ -103,9 +101,9 @@ fn doublings_of_the_impact_oscillator_are_those_of_the_closed_form() {
             unknown: tracking.unknown(&start, 1.01 * gap),
             parameter: ratio,
         };
-        let found =
+        let solution =
             correct_at(&tracking, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
-        let there = tracking.parameter(&found.position.unknown);
+        let there = tracking.parameter(&solution.position.unknown);
         eprintln!("w = {ratio}: gap {there:.12}, closed form {expected:.12}");
         assert!((there / expected - 1.0).abs() < 1e-8, "{there} {expected}");
     }
@@ -142,27 +140,27 @@ fn folds_tori_and_grazings_over_the_amplitude_are_those_along_the_frequency() {
             .set("drive.shaker.amplitude", &format!("\"{amplitude_n} N\""))
             .unwrap();
         let along = branches(&changed, (11.0, 14.5), OrbitMethodKind::Shooting, 0);
-        let wanted = along.iter().flat_map(|branch| &branch.bifurcations);
-        for found in wanted.filter(|found| {
+        let all = along.iter().flat_map(|branch| &branch.bifurcations);
+        for bifurcation in all.filter(|bifurcation| {
             [
                 BranchKind::Fold,
                 BranchKind::NeimarkSacker,
                 BranchKind::Grazing,
             ]
-            .contains(&found.kind)
+            .contains(&bifurcation.kind)
         }) {
             let same = curves
                 .iter()
-                .filter(|curve| curve.kind == CurveKind::Bifurcation(found.kind))
+                .filter(|curve| curve.kind == CurveKind::Bifurcation(bifurcation.kind))
                 .flat_map(|curve| &curve.points);
             let distance = (same.filter(|point| point.parameter_2 == amplitude_n))
-                .map(|point| (point.parameter - found.at.parameter).abs())
+                .map(|point| (point.parameter - bifurcation.at.parameter).abs())
                 .fold(f64::INFINITY, f64::min);
             eprintln!(
                 "{:?} at {amplitude_n} N, {:.6} Hz: {distance:.1e} Hz away",
-                found.kind, found.at.parameter
+                bifurcation.kind, bifurcation.at.parameter
             );
-            assert!(distance < 1e-6, "{:?}: {distance:e}", found.kind);
+            assert!(distance < 1e-6, "{:?}: {distance:e}", bifurcation.kind);
         }
     }
     // The low branch grazes where the steady amplitude equals the gap.
@@ -185,7 +183,7 @@ fn folds_tori_and_grazings_over_the_amplitude_are_those_along_the_frequency() {
 /// The upper fold of the paper's harvester over the stiffness of its stop, against the folds along
 /// the frequency at fixed stiffness.
 #[test]
-fn the_fold_over_the_stiffness_is_whole_and_the_same_at_each_tolerance() {
+fn the_fold_over_the_stiffness_is_complete_and_the_same_at_each_tolerance() {
     let range = (10.5, 14.0);
     let curve = |tolerance: f64| {
         let file = bench();
@@ -210,10 +208,10 @@ fn the_fold_over_the_stiffness_is_whole_and_the_same_at_each_tolerance() {
                 .fold(0.0, f64::max);
             curve.kind == CurveKind::Bifurcation(BranchKind::Fold) && top_w > 1e-3
         };
-        let mut found: Vec<BifurcationCurve> =
+        let mut upper_curves: Vec<BifurcationCurve> =
             search.run().unwrap().into_iter().filter(upper).collect();
-        assert_eq!(found.len(), 1, "at tolerance {tolerance:e}");
-        found.pop().unwrap()
+        assert_eq!(upper_curves.len(), 1, "at tolerance {tolerance:e}");
+        upper_curves.pop().unwrap()
     };
     let curves = [1e-8, 1e-9, 1e-10].map(|tolerance| (tolerance, curve(tolerance)));
     for (tolerance, curve) in &curves {
@@ -236,7 +234,7 @@ fn the_fold_over_the_stiffness_is_whole_and_the_same_at_each_tolerance() {
         let folds = along
             .iter()
             .flat_map(|branch| &branch.bifurcations)
-            .filter(|found| found.kind == BranchKind::Fold);
+            .filter(|label| label.kind == BranchKind::Fold);
         let fold = folds
             .max_by(|a, b| a.at.orbit.mean_power_w.total_cmp(&b.at.orbit.mean_power_w))
             .unwrap();
@@ -304,22 +302,22 @@ fn along_the_branch(stiffness: f64, range: (f64, f64), kind: BranchKind) -> Vec<
         .set("stop.tip.stiffness", &format!("\"{stiffness} N/m^1.5\""))
         .unwrap();
     let along = branches(&changed, range, OrbitMethodKind::Shooting, 0);
-    let found = along
+    let labels = along
         .iter()
         .flat_map(|branch| &branch.bifurcations)
-        .filter(|found| found.kind == kind);
-    found.map(|found| found.at.parameter).collect()
+        .filter(|label| label.kind == kind);
+    labels.map(|label| label.at.parameter).collect()
 }
 
 /// Curves of one kind over the stiffness, each without a failure.
 fn over_the_stiffness(
-    own: f64,
+    start_n_m: f64,
     range: (f64, f64),
     stiffness: (f64, f64),
     kind: BranchKind,
 ) -> Vec<BifurcationCurve> {
     let mut file = bench();
-    file.set("stop.tip.stiffness", &format!("\"{own} N/m^1.5\""))
+    file.set("stop.tip.stiffness", &format!("\"{start_n_m} N/m^1.5\""))
         .unwrap();
     let base = Model::new(file.spec().unwrap()).unwrap();
     let keys =
@@ -400,15 +398,15 @@ fn a_curve_of_grazings_goes_through_its_cusp() {
         along_the_branch(stiffness.0, range, BranchKind::Grazing).len() + 2 == along.len(),
         "below the cusp there are two less"
     );
-    let apart = |away: f64| {
-        let sheets = sheets(cusp + away);
+    let separation = |offset: f64| {
+        let sheets = sheets(cusp + offset);
         sheets[1] - sheets[0]
     };
-    let ratio = apart(400.0) / apart(100.0);
+    let ratio = separation(400.0) / separation(100.0);
     eprintln!(
         "cusp at {cusp} N/m^1.5, sheets part by {:.3e} and {:.3e} Hz: ratio {ratio}",
-        apart(100.0),
-        apart(400.0)
+        separation(100.0),
+        separation(400.0)
     );
     assert!((ratio / 8.0 - 1.0).abs() < 0.15);
 }

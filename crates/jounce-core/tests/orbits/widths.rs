@@ -70,8 +70,8 @@ fn widths(file: &SpecFile, range: (f64, f64), tolerance: f64) -> Bandwidths {
 /// Measured at tolerance 1e-10: peak off by 1e-9 Hz, edges by 2e-9 Hz, inside the stated errors.
 #[test]
 fn the_bandwidth_of_one_mode_is_that_of_the_closed_form() {
-    let found = widths(&SpecFile::from_text(OSCILLATOR), (8.0, 12.0), 1e-10);
-    let width = found.branches[0].as_ref().unwrap();
+    let widths_found = widths(&SpecFile::from_text(OSCILLATOR), (8.0, 12.0), 1e-10);
+    let width = widths_found.branches[0].as_ref().unwrap();
     let (zeta, own_hz) = (0.02_f64, 10.0);
     eprintln!("{width:?}");
     assert!((width.peak.parameter - own_hz).abs() < 1e-7 && width.peak.at == BandLimit::Maximum);
@@ -81,25 +81,27 @@ fn the_bandwidth_of_one_mode_is_that_of_the_closed_form() {
     };
     for (edge, sign) in [(interval.from, -1.0), (interval.to, 1.0)] {
         let exact = own_hz * ((1.0 + zeta * zeta).sqrt() + sign * zeta);
-        let off = (edge.parameter - exact).abs();
+        let error = (edge.parameter - exact).abs();
         eprintln!(
-            "edge {:.12} Hz, closed form {exact:.12}, off {off:.1e}, stated {:.1e}",
+            "edge {:.12} Hz, closed form {exact:.12}, off {error:.1e}, stated {:.1e}",
             edge.parameter, edge.parameter_error
         );
         assert!(
-            off < 1e-7 && off < edge.parameter_error.max(2e-8) && edge.at == BandLimit::HalfPower
+            error < 1e-7
+                && error < edge.parameter_error.max(2e-8)
+                && edge.at == BandLimit::HalfPower
         );
     }
     assert!((width.width - 2.0 * zeta * own_hz).abs() < 1e-7);
-    assert_eq!(found.together.as_ref(), Some(width));
+    assert_eq!(widths_found.together.as_ref(), Some(width));
 }
 
 /// A range that ends on the flank of the peak truncates the interval there, and the result states
 /// this.
 #[test]
-fn a_range_that_cuts_the_peak_says_so() {
-    let found = widths(&SpecFile::from_text(OSCILLATOR), (9.0, 9.9), 1e-9);
-    let width = found.together.unwrap();
+fn a_range_that_cuts_the_peak_is_reported() {
+    let widths_found = widths(&SpecFile::from_text(OSCILLATOR), (9.0, 9.9), 1e-9);
+    let width = widths_found.together.unwrap();
     assert!(
         width.peak.parameter == 9.9 && width.peak.at == BandLimit::End,
         "{:?}",
@@ -131,20 +133,20 @@ fn the_bandwidth_without_contact_is_that_of_the_steady_power() {
     // Symmetric about the maximum to third order, so the slope there is zero.
     let (step, at) = (1e-4, width.peak.parameter);
     let (below, above) = (power_w(at - step), power_w(at + step));
-    let off = (above - below) / (above + below - 2.0 * power_w(at)) * 0.5 * step;
+    let error = (above - below) / (above + below - 2.0 * power_w(at)) * 0.5 * step;
     eprintln!(
-        "peak {at:.10} Hz, off {off:.1e}, stated {:.1e}",
+        "peak {at:.10} Hz, off {error:.1e}, stated {:.1e}",
         width.peak.parameter_error
     );
-    assert!(off.abs() < 1e-7);
+    assert!(error.abs() < 1e-7);
     for edge in [width.intervals[0].from, width.intervals[0].to] {
         let slope = (power_w(edge.parameter + 1e-6) - power_w(edge.parameter - 1e-6)) / 2e-6;
-        let off = (power_w(edge.parameter) - 0.5 * width.peak.mean_power_w) / slope;
+        let error = (power_w(edge.parameter) - 0.5 * width.peak.mean_power_w) / slope;
         eprintln!(
-            "edge {:.10} Hz, off {off:.1e}, stated {:.1e}",
+            "edge {:.10} Hz, off {error:.1e}, stated {:.1e}",
             edge.parameter, edge.parameter_error
         );
-        assert!(off.abs() < 1e-7);
+        assert!(error.abs() < 1e-7);
     }
 }
 
@@ -153,8 +155,8 @@ fn the_bandwidth_without_contact_is_that_of_the_steady_power() {
 #[test]
 fn the_bandwidth_of_the_impact_branch_ends_where_it_stops_being_stable() {
     let (file, range) = (bench(), (11.0, 14.0));
-    let found = widths(&file, range, 1e-9);
-    let width = found.together.unwrap();
+    let widths_found = widths(&file, range, 1e-9);
+    let width = widths_found.together.unwrap();
     eprintln!("{width:?}");
     let last = width.intervals.last().unwrap();
     assert!(
@@ -168,10 +170,10 @@ fn the_bandwidth_of_the_impact_branch_ends_where_it_stops_being_stable() {
     assert_eq!(first.at, BandLimit::HalfPower);
     let rest = vec![0.0; base.kernel.plant.len()];
     let orbit = settled_orbit(&parameter, first.parameter, &rest, 1e-9, 1e-9).unwrap();
-    let off = orbit.mean_power_w / (0.5 * width.peak.mean_power_w) - 1.0;
+    let error = orbit.mean_power_w / (0.5 * width.peak.mean_power_w) - 1.0;
     eprintln!(
-        "half power at {:.9} Hz, march off by {off:.1e}",
+        "half power at {:.9} Hz, march off by {error:.1e}",
         first.parameter
     );
-    assert!(off.abs() < 1e-6);
+    assert!(error.abs() < 1e-6);
 }

@@ -4,14 +4,13 @@ use std::path::Path;
 
 /// Draws a spec as SVG, and as PNG for inspection; returns the positions of labels that begin with
 /// the given words, px.
-fn shown(name: &str, text: &str, words: &[&str]) -> Vec<(f64, f64)> {
-    let drawing =
-        jounce_core::show::drawing(name, &jounce_core::spec::Spec::from_toml(text).unwrap());
+fn label_positions(name: &str, text: &str, words: &[&str]) -> Vec<(f64, f64)> {
+    let drawing = jounce_core::show::drawing(name, &jounce_core::spec::Spec::from_toml(text).unwrap());
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("pictures");
     std::fs::create_dir_all(&folder).unwrap();
     drawing.write(&folder.join(format!("{name}.png"))).unwrap();
     let svg = drawing.to_svg();
-    let place = |words: &&str| {
+    let label_position = |words: &&str| {
         let end = svg
             .find(&format!(">{words}"))
             .unwrap_or_else(|| panic!("{name}: {words} is not drawn"));
@@ -29,7 +28,7 @@ fn shown(name: &str, text: &str, words: &[&str]) -> Vec<(f64, f64)> {
         };
         (number("x"), number("y"))
     };
-    words.iter().map(place).collect()
+    words.iter().map(label_position).collect()
 }
 
 const MODAL: &str = r#"
@@ -104,8 +103,8 @@ frequency = "40 Hz"
 /// on a separate base, and at each of two clamps on two bases.
 #[test]
 fn every_moving_base_has_its_arrow() {
-    shown("shaken-modes", MODAL, &["blow: "]);
-    let [drive, stop] = shown(
+    label_positions("shaken-modes", MODAL, &["blow: "]);
+    let [drive, stop] = label_positions(
         "moving-stop",
         BEAM,
         &["d of ram: 1 mm peak", "stop hammer on ram"],
@@ -116,7 +115,7 @@ fn every_moving_base_has_its_arrow() {
         (drive.0 - stop.0).abs() < 150.0,
         "{drive:?} stands away from its stop {stop:?}"
     );
-    let [arm, other, head, ground] = shown(
+    let [arm, other, head, ground] = label_positions(
         "two-bases",
         TWO_BEAMS,
         &["arm, steel", "on head", "x of head: ", "y: "],

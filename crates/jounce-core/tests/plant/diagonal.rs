@@ -84,9 +84,9 @@ fn eigenvalues_solve_the_secular_equation() {
             value += l * (theta * theta) / dynamic;
             slope += (c64::new(w * w, 0.0) - l * l) * (theta * theta) / (dynamic * dynamic);
         }
-        let moved = (value / slope).norm() / l.norm();
-        eprintln!("{l:?}: {moved:.1e}");
-        assert!(moved < 1e-12, "{l:?}: {moved:e}");
+        let newton_step = (value / slope).norm() / l.norm();
+        eprintln!("{l:?}: {newton_step:.1e}");
+        assert!(newton_step < 1e-12, "{l:?}: {newton_step:e}");
     }
 }
 

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod diagonal;
+mod faults;
 mod meters;
-mod refused;
 mod steady;
 mod systems;

@@ -120,14 +120,14 @@ fn assert_meters(name: &str, system: System, start: &[f64], duration_s: f64, all
                     .sum::<f64>();
         }
     }
-    let found: Vec<f64> = energies
+    let meters: Vec<f64> = energies
         .loads_j
         .iter()
         .copied()
         .chain([energies.damping_j, energies.input_j])
         .collect();
     let exact: Vec<f64> = loads.into_iter().chain([damping, input]).collect();
-    let errors: Vec<f64> = found
+    let errors: Vec<f64> = meters
         .iter()
         .zip(&exact)
         .map(|(a, b)| (a - b).abs() / b.abs().max(1e-6 * energies.scale_j))
@@ -135,7 +135,7 @@ fn assert_meters(name: &str, system: System, start: &[f64], duration_s: f64, all
     eprintln!("{name}: {contacts} contacts, loads, damping, input {errors:?}");
     assert!(
         errors.iter().all(|e| *e < allowed),
-        "{name}: {found:?} {exact:?} {errors:?}"
+        "{name}: {meters:?} {exact:?} {errors:?}"
     );
     assert!(
         contacts > 0 || system.stops.is_empty(),

@@ -123,7 +123,7 @@ fn drives_have_their_least_common_period() {
         let found_s = period_s(frequencies_hz);
         let error = found_s
             .zip(expected_s)
-            .map_or(0.0, |(found, expected)| (found / expected - 1.0).abs());
+            .map_or(0.0, |(value, expected)| (value / expected - 1.0).abs());
         assert!(
             found_s.is_some() == expected_s.is_some() && error < 1e-12,
             "{frequencies_hz:?}: {found_s:?}, not {expected_s:?}"

@@ -3,7 +3,7 @@
 use jounce_core::spec::SpecFile;
 
 #[test]
-fn the_faults_of_the_corpus_are_as_they_were() {
+fn the_faults_of_the_corpus_are_unchanged() {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/corpus/spec");
     let mut files: Vec<_> = std::fs::read_dir(folder)
         .unwrap()
@@ -16,7 +16,7 @@ fn the_faults_of_the_corpus_are_as_they_were() {
     files.sort();
     assert!(files.len() > 40, "the corpus is here");
     for path in files {
-        let told = match SpecFile::read(&path) {
+        let report = match SpecFile::read(&path) {
             Ok(file) => file
                 .spec()
                 .map(|_| "no fault".to_owned())
@@ -25,6 +25,6 @@ fn the_faults_of_the_corpus_are_as_they_were() {
             Err(error) => error.to_string().rsplit('/').next().unwrap().to_owned(),
         };
         let name = path.file_stem().unwrap().to_string_lossy().into_owned();
-        insta::assert_snapshot!(name, told);
+        insta::assert_snapshot!(name, report);
     }
 }

@@ -12,7 +12,7 @@ fn faults(text: &str) -> String {
 }
 
 #[test]
-fn each_fault_of_a_drive_is_told_once() {
+fn each_fault_of_a_drive_is_reported_once() {
     for (text, message) in [
         (
             "[drive.d]\namplitude = \"1 N\"\nfrequency = \"7 Hz\"",
@@ -75,10 +75,10 @@ fn each_fault_of_a_drive_is_told_once() {
             "gravity acts on the mass of each mode; give modal.x.participation_sqrt_kg",
         ),
     ] {
-        let found = faults(text);
+        let fault = faults(text);
         assert!(
-            found.contains(message) && found.lines().count() == 1,
-            "{text}\n-> {found}"
+            fault.contains(message) && fault.lines().count() == 1,
+            "{text}\n-> {fault}"
         );
     }
 }

@@ -131,7 +131,7 @@ fn a_modal_structure_reads_its_long_literals_exactly() {
 }
 
 #[test]
-fn the_plant_given_as_numbers_loads_as_it_stands() {
+fn the_plant_given_as_numbers_loads_unchanged() {
     let path = root().join("../shared/plant/paper-plant.toml");
     if !path.exists() {
         eprintln!("skipped: {} is not here", path.display());

@@ -135,12 +135,12 @@ fn check(bytes: &[u8]) -> Result<(), String> {
                 return Err("refused without a fault".to_owned());
             }
             for fault in faults.as_slice() {
-                let held = fault
+                let line_end = fault
                     .line
                     .checked_sub(1)
                     .and_then(|line| lines.get(line))
                     .map(|line| line.chars().count() + 1);
-                if held.is_none_or(|most| fault.column == 0 || fault.column > most) {
+                if line_end.is_none_or(|most| fault.column == 0 || fault.column > most) {
                     return Err(format!("no such place: {fault}"));
                 }
             }
@@ -149,10 +149,10 @@ fn check(bytes: &[u8]) -> Result<(), String> {
     if file.set("stop.tip.gap", text).is_ok() {
         let _ = (file.spec(), file.text());
     }
-    let took = start.elapsed();
+    let duration = start.elapsed();
     // Measured: 0.3 to 1 s per megabyte on an idle core, for any content.
-    if took > Duration::from_secs_f64(2.0 + 5e-6 * text.len() as f64) {
-        Err(format!("took {took:?}"))
+    if duration > Duration::from_secs_f64(2.0 + 5e-6 * text.len() as f64) {
+        Err(format!("took {duration:?}"))
     } else {
         Ok(())
     }
@@ -181,14 +181,14 @@ fn fuzz_the_reader() {
         let bytes = strategy.new_tree(&mut runner).unwrap().current();
         let outcome = catch_unwind(AssertUnwindSafe(|| check(&bytes)))
             .unwrap_or_else(|_| Err("panicked".to_owned()));
-        if let Err(why) = outcome {
+        if let Err(reason) = outcome {
             let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/corpus/spec");
             let path = folder.join(format!(
                 "found-{:08x}.toml",
                 cases ^ u64::from(std::process::id()) << 16
             ));
             std::fs::write(&path, &bytes).unwrap();
-            panic!("{why}; after {cases} cases; kept as {}", path.display());
+            panic!("{reason}; after {cases} cases; kept as {}", path.display());
         }
         cases += 1;
     }
@@ -220,7 +220,7 @@ fn large_files_are_read_in_bounded_time() {
         many(50_000, &|i| format!("a{i} = = 1\n")),
     ] {
         let start = Instant::now();
-        check(text.as_bytes()).unwrap_or_else(|why| panic!("{}: {why}", &text[..40]));
+        check(text.as_bytes()).unwrap_or_else(|reason| panic!("{}: {reason}", &text[..40]));
         eprintln!(
             "{:?} for {} bytes of {:?}",
             start.elapsed(),

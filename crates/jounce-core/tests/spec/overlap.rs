@@ -2,10 +2,11 @@
 
 use jounce_core::spec::Spec;
 
-const HELD: &str = "[mass.held]\nmass = \"1 kg\"\nfrequency = \"10 Hz\"\ndamping_ratio = 0.1\n";
-const DOWN: &str = "[gravity]\nacceleration = \"-10 m/s^2\"\n";
+const SUPPORTED: &str =
+    "[mass.held]\nmass = \"1 kg\"\nfrequency = \"10 Hz\"\ndamping_ratio = 0.1\n";
+const DOWNWARD_GRAVITY: &str = "[gravity]\nacceleration = \"-10 m/s^2\"\n";
 
-fn free(name: &str) -> String {
+fn free_mass(name: &str) -> String {
     format!("[mass.{name}]\non = \"nothing\"\nmass = \"1 g\"\n")
 }
 
@@ -22,9 +23,9 @@ const RIGID: &str = "law = \"rigid\"\nrestitution = 0.5";
 fn bodies_that_fall_together_do_not_overlap() {
     for law in [HERTZ, RIGID] {
         let pair = format!(
-            "{}{}{}{DOWN}",
-            free("a"),
-            free("b"),
+            "{}{}{}{DOWNWARD_GRAVITY}",
+            free_mass("a"),
+            free_mass("b"),
             stop("s", ["a", "b", "positive", "-1 mm"], law)
         );
         let fault = Spec::from_toml(&pair).unwrap_err().to_string();
@@ -42,13 +43,13 @@ fn bodies_that_fall_together_do_not_overlap() {
 #[test]
 fn a_beam_does_not_begin_inside_a_rigid_stop() {
     let beam = "[beam.b]\nmaterial = \"steel\"\nlength = \"100 mm\"\nwidth = \"10 mm\"\nthickness = \"1 mm\"\n[damping]\nbeyond = 0.01\n";
-    let with = |gap: &str, law: &str| {
+    let between_stops = |gap: &str, law: &str| {
         format!(
             "{beam}{}",
             stop("s", ["b.end", "ground", "positive", gap], law)
         )
     };
-    let fault = Spec::from_toml(&with("-1 mm", RIGID))
+    let fault = Spec::from_toml(&between_stops("-1 mm", RIGID))
         .unwrap_err()
         .to_string();
     assert!(
@@ -57,8 +58,8 @@ fn a_beam_does_not_begin_inside_a_rigid_stop() {
         "{fault}"
     );
     assert!(
-        Spec::from_toml(&with("-1 mm", HERTZ)).is_ok()
-            && Spec::from_toml(&with("0 mm", RIGID)).is_ok()
+        Spec::from_toml(&between_stops("-1 mm", HERTZ)).is_ok()
+            && Spec::from_toml(&between_stops("0 mm", RIGID)).is_ok()
     );
 }
 
@@ -68,8 +69,8 @@ fn a_beam_does_not_begin_inside_a_rigid_stop() {
 fn a_preload_under_gravity_goes_no_deeper_than_weight_presses() {
     let ball = |gap: &str, side: &str| {
         format!(
-            "{}{}{DOWN}",
-            free("ball"),
+            "{}{}{DOWNWARD_GRAVITY}",
+            free_mass("ball"),
             stop("s", ["ball", "ground", side, gap], HERTZ)
         )
     };
@@ -99,9 +100,9 @@ fn a_preload_under_gravity_goes_no_deeper_than_weight_presses() {
     // Two balls stacked: the lower one carries both.
     let lower = stop("ground", ["a", "ground", "negative", "-7e-6 m"], HERTZ);
     let stack = format!(
-        "{}{}{lower}{}{DOWN}",
-        free("a"),
-        free("b"),
+        "{}{}{lower}{}{DOWNWARD_GRAVITY}",
+        free_mass("a"),
+        free_mass("b"),
         stop("s", ["b", "a", "negative", "-4e-6 m"], HERTZ)
     );
     assert!(
@@ -113,14 +114,14 @@ fn a_preload_under_gravity_goes_no_deeper_than_weight_presses() {
 
 #[test]
 fn two_rigid_stops_leave_room_between_them() {
-    let between = |one: &str, other: &str, law: &str| {
+    let two_stops = |one: &str, other: &str, law: &str| {
         format!(
-            "{HELD}{}{}",
+            "{SUPPORTED}{}{}",
             stop("a", ["held", "ground", "positive", one], law),
             stop("b", ["held", "ground", "negative", other], law)
         )
     };
-    let fault = Spec::from_toml(&between("1 mm", "-2 mm", RIGID))
+    let fault = Spec::from_toml(&two_stops("1 mm", "-2 mm", RIGID))
         .unwrap_err()
         .to_string();
     assert!(
@@ -131,9 +132,9 @@ fn two_rigid_stops_leave_room_between_them() {
     );
     // The two stops hold it where they meet, 1 mm from its rest position: a run from rest cannot
     // begin there.
-    let held = between("1 mm", "-1 mm", RIGID);
-    assert!(Spec::from_toml(&format!("{held}[run]\nstart = \"linear\"\n")).is_ok());
-    let fault = Spec::from_toml(&held).unwrap_err().to_string();
+    let result = two_stops("1 mm", "-1 mm", RIGID);
+    assert!(Spec::from_toml(&format!("{result}[run]\nstart = \"linear\"\n")).is_ok());
+    let fault = Spec::from_toml(&result).unwrap_err().to_string();
     assert!(
         fault.contains(
             "stop.b.gap is -1 mm: at rest \"held\" would lie inside the rigid stop; give at least 0"
@@ -141,5 +142,5 @@ fn two_rigid_stops_leave_room_between_them() {
         "{fault}"
     );
     // Compliant stops may squeeze the body between them.
-    assert!(Spec::from_toml(&between("1 mm", "-2 mm", HERTZ)).is_ok());
+    assert!(Spec::from_toml(&two_stops("1 mm", "-2 mm", HERTZ)).is_ok());
 }

@@ -4,7 +4,7 @@ use jounce_core::spec::{DriveSignal, ReadError, Spec, SpecFile, Start, StopLaw};
 
 use crate::{MODAL, paper};
 
-fn with(changes: &[(&str, &str)]) -> Result<Spec, String> {
+fn read_with(changes: &[(&str, &str)]) -> Result<Spec, String> {
     let mut file = SpecFile::from_text(paper());
     for (key, value) in changes {
         file.set(key, value).map_err(|fault| fault.to_string())?;
@@ -21,45 +21,54 @@ fn with(changes: &[(&str, &str)]) -> Result<Spec, String> {
 #[test]
 fn values_come_bare_or_as_toml() {
     assert_eq!(
-        with(&[("stop.tip.gap", "0.5 mm")]).unwrap().stop["tip"].gap_m,
+        read_with(&[("stop.tip.gap", "0.5 mm")]).unwrap().stop["tip"].gap_m,
         0.5e-3
     );
     assert_eq!(
-        with(&[("stop.tip.gap", "\"0.5 mm\"")]).unwrap().stop["tip"].gap_m,
+        read_with(&[("stop.tip.gap", "\"0.5 mm\"")]).unwrap().stop["tip"].gap_m,
         0.5e-3
     );
     assert_eq!(
-        with(&[("stop.tip.gap", "'0.5 mm'")]).unwrap().stop["tip"].gap_m,
+        read_with(&[("stop.tip.gap", "'0.5 mm'")]).unwrap().stop["tip"].gap_m,
         0.5e-3
     );
     assert_eq!(
-        with(&[("mass.table.damping_ratio", "0.05")]).unwrap().mass["table"].damping_ratio,
+        read_with(&[("mass.table.damping_ratio", "0.05")])
+            .unwrap()
+            .mass["table"]
+            .damping_ratio,
         Some(0.05)
     );
     assert_eq!(
-        with(&[("reduction.modes", "5")]).unwrap().reduction.modes,
+        read_with(&[("reduction.modes", "5")])
+            .unwrap()
+            .reduction
+            .modes,
         5
     );
     assert_eq!(
-        with(&[("stop.tip.frame", "table")]).unwrap().stop["tip"].frame,
+        read_with(&[("stop.tip.frame", "table")]).unwrap().stop["tip"].frame,
         "table"
     );
     assert_eq!(
-        with(&[("damping.ratios", "[0.1, 0.2, 3e-3, 0, 0, 0, 1]")])
+        read_with(&[("damping.ratios", "[0.1, 0.2, 3e-3, 0, 0, 0, 1]")])
             .unwrap()
             .damping
             .ratios[2],
         3e-3
     );
     assert_eq!(
-        with(&[("run.start", "states/a.json")]).unwrap().run.start,
+        read_with(&[("run.start", "states/a.json")])
+            .unwrap()
+            .run
+            .start,
         Start::State("states/a.json".to_owned())
     );
 }
 
 #[test]
 fn a_number_of_a_list_is_a_key_counted_from_1() {
-    let ratios = with(&[("damping.ratios.2", "0.05"), ("damping.ratios.7", "1")])
+    let ratios = read_with(&[("damping.ratios.2", "0.05"), ("damping.ratios.7", "1")])
         .unwrap()
         .damping
         .ratios;
@@ -70,7 +79,7 @@ fn a_number_of_a_list_is_a_key_counted_from_1() {
     );
     assert_eq!((ratios[0], &ratios[2..6]), (before[0], &before[2..6]));
     assert_eq!(
-        with(&[
+        read_with(&[
             ("damping.ratios", "[0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1]"),
             ("damping.ratios.1", "0.2")
         ])
@@ -79,16 +88,16 @@ fn a_number_of_a_list_is_a_key_counted_from_1() {
         .ratios[0],
         0.2
     );
-    let told = with(&[("damping.ratios.8", "0.05")]).unwrap_err();
-    let wanted = "damping.ratios.8: damping.ratios holds 7 numbers; write one of damping.ratios.1 to damping.ratios.7";
-    assert!(told.ends_with(wanted), "{told}");
+    let fault = read_with(&[("damping.ratios.8", "0.05")]).unwrap_err();
+    let expected = "damping.ratios.8: damping.ratios holds 7 numbers; write one of damping.ratios.1 to damping.ratios.7";
+    assert!(fault.ends_with(expected), "{fault}");
     assert!(
-        with(&[("damping.ratios.0", "0.05")])
+        read_with(&[("damping.ratios.0", "0.05")])
             .unwrap_err()
             .ends_with("to damping.ratios.7")
     );
     assert!(
-        with(&[("damping.ratios.2", "11")])
+        read_with(&[("damping.ratios.2", "11")])
             .unwrap_err()
             .contains("damping.ratios: number 2 is 11; it must be from 0 to 10")
     );
@@ -119,22 +128,33 @@ fn a_number_of_a_list_is_a_key_counted_from_1() {
 #[test]
 fn optional_keys_may_be_new_and_later_overrides_win() {
     assert_eq!(
-        with(&[("run.tolerance", "1e-10")]).unwrap().run.tolerance,
+        read_with(&[("run.tolerance", "1e-10")])
+            .unwrap()
+            .run
+            .tolerance,
         1e-10
     );
     assert_eq!(
-        with(&[("damping.beyond", "0.01")]).unwrap().damping.beyond,
+        read_with(&[("damping.beyond", "0.01")])
+            .unwrap()
+            .damping
+            .beyond,
         Some(0.01)
     );
     assert_eq!(
-        with(&[("beam.beam.point.sensor", "100 mm")]).unwrap().beam["beam"].point["sensor"],
+        read_with(&[("beam.beam.point.sensor", "100 mm")])
+            .unwrap()
+            .beam["beam"]
+            .point["sensor"],
         0.1
     );
-    let turned = with(&[("drive.shaker.phase", "180 deg")]).unwrap().drive["shaker"]
+    let phase = read_with(&[("drive.shaker.phase", "180 deg")])
+        .unwrap()
+        .drive["shaker"]
         .signal
         .clone();
     assert_eq!(
-        turned,
+        phase,
         DriveSignal::Sine {
             amplitude: 200.0,
             frequency_hz: 13.0,
@@ -142,7 +162,7 @@ fn optional_keys_may_be_new_and_later_overrides_win() {
         }
     );
     assert_eq!(
-        with(&[("run.duration", "30 s"), ("run.duration", "40 s")])
+        read_with(&[("run.duration", "30 s"), ("run.duration", "40 s")])
             .unwrap()
             .run
             .duration_s,
@@ -165,21 +185,24 @@ fn laws_and_springs_can_be_exchanged() {
         ("stop.tip.damping", "10 N s/m"),
     ];
     assert_eq!(
-        with(&law).unwrap().stop["tip"].law,
+        read_with(&law).unwrap().stop["tip"].law,
         StopLaw::KelvinVoigt {
             stiffness_n_m: 2e6,
             damping_n_s_m: 10.0
         }
     );
     assert_eq!(
-        with(&[("mass.table.stiffness", "500 N/m")]).unwrap().mass["table"].stiffness_n_m,
+        read_with(&[("mass.table.stiffness", "500 N/m")])
+            .unwrap()
+            .mass["table"]
+            .stiffness_n_m,
         Some(500.0)
     );
 }
 
 #[test]
 fn faults_name_the_override_as_their_place() {
-    for (key, value, told) in [
+    for (key, value, message) in [
         (
             "stop.tip.gpa",
             "1 mm",
@@ -236,9 +259,9 @@ fn faults_name_the_override_as_their_place() {
             "--set run.average_over=30 s: run.average_over is 30 s; it must be at most run.duration = 20 s",
         ),
     ] {
-        let fault = with(&[(key, value)]).unwrap_err();
+        let fault = read_with(&[(key, value)]).unwrap_err();
         assert!(
-            fault.starts_with("--set") && fault.contains(told),
+            fault.starts_with("--set") && fault.contains(message),
             "{fault}"
         );
     }
@@ -303,7 +326,7 @@ fn inline_and_dotted_tables_are_overridden_too() {
 }
 
 #[test]
-fn files_that_cannot_be_read_say_why() {
+fn files_that_cannot_be_read_have_a_reason() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("spec.toml");
     assert!(matches!(

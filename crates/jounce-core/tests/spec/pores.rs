@@ -87,7 +87,7 @@ fn no_pores_leave_nearly_the_material_of_the_library() {
 }
 
 #[test]
-fn what_does_not_go_with_pores_is_told() {
+fn keys_that_do_not_go_with_pores_are_refused() {
     for (keys, message) in [
         (
             "material = \"PZT-5H\"\nporosity = 0.2",

@@ -120,9 +120,9 @@ fn modal() -> impl Strategy<Value = Modal> {
 
 fn patch(beam: (String, Beam)) -> impl Strategy<Value = Patch> {
     let section = prop_oneof![Just(Section::ThinSkin), Just(Section::Laminate)];
-    let place = (0.0..0.5f64, 0.01..0.49f64);
+    let position = (0.0..0.5f64, 0.01..0.49f64);
     (
-        place,
+        position,
         0.01..=1.0f64,
         positive(),
         (positive(), positive(), any_number(), positive()),
@@ -311,7 +311,7 @@ pub fn spec() -> impl Strategy<Value = Spec> {
 /// A resistor; in a quarter of the cases with an inductor and a list of one patch.
 fn circuit(patch: String, resistance_ohm: f64) -> Circuit {
     let many = resistance_ohm.to_bits().is_multiple_of(4);
-    let own = Circuit::resistor(
+    let direct = Circuit::resistor(
         if many { String::new() } else { patch.clone() },
         resistance_ohm,
     );
@@ -327,13 +327,13 @@ fn circuit(patch: String, resistance_ohm: f64) -> Circuit {
         } else {
             Wiring::Parallel
         },
-        ..own
+        ..direct
     }
 }
 
 /// No body lies inside a rigid stop, and no free mass inside any stop: gaps are positive there. A
 /// mass has an initial velocity where no beam is clamped to it and no file specifies the start.
-fn apart(spec: &mut Spec) {
+fn separate(spec: &mut Spec) {
     let free = |point: &str| {
         spec.mass
             .get(point.split('.').next().unwrap())
@@ -394,7 +394,7 @@ fn assemble(
         .map(|(patch, (name, resistance_ohm))| (name, circuit(patch, resistance_ohm)))
         .collect();
     // If two circuits have one name, the second is used; the patch of the first is left open.
-    let taken: Vec<String> = spec
+    let connected: Vec<String> = spec
         .circuit
         .values()
         .flat_map(|circuit| circuit.connections().map(|(patch, _)| patch.to_owned()))
@@ -403,12 +403,13 @@ fn assemble(
         let patches = modal.patch.iter_mut();
         patches.map(move |(name, patch)| (format!("{body}.{name}"), &mut patch.electrodes))
     });
-    let own = spec
+    let direct = spec
         .patch
         .iter_mut()
         .map(|(name, patch)| (name.clone(), &mut patch.electrodes));
-    own.chain(modal)
-        .filter(|(name, _)| !taken.contains(name))
+    direct
+        .chain(modal)
+        .filter(|(name, _)| !connected.contains(name))
         .for_each(|(_, electrodes)| *electrodes = Electrodes::Open);
     // A thin skin without mass prints and reads its unused density like any other value.
     let mut spec = Spec {
@@ -422,6 +423,6 @@ fn assemble(
         },
         ..spec
     };
-    apart(&mut spec);
+    separate(&mut spec);
     spec
 }

@@ -46,27 +46,27 @@ fn the_unit_and_the_channel_come_from_the_file() {
         "road.csv",
         "time (ms),dead (g),out (V),floor (g)\n0,0,1,0\n500,0,2,1\n1000,0,5,-4\n",
     );
-    let found = read(file, "").unwrap();
+    let spec_read = read(file, "").unwrap();
     assert_eq!(
-        (record(&found).step_s, &record(&found).values[..]),
+        (record(&spec_read).step_s, &record(&spec_read).values[..]),
         (0.5, &[G, 2.0 * G, -3.0 * G][..])
     );
-    assert_eq!(record(&found).mean, -G);
+    assert_eq!(record(&spec_read).mean, -G);
     assert!(
-        findings(&found)
+        findings(&spec_read)
             .iter()
-            .any(|told| told == "road: floor: its mean of -9.80665 m/s^2 is removed"),
+            .any(|message| message == "road: floor: its mean of -9.80665 m/s^2 is removed"),
         "{:?}",
-        findings(&found)
+        findings(&spec_read)
     );
-    let kept = read(file, "mean = \"kept\"\nscale = 2\n").unwrap();
-    assert_eq!(&record(&kept).values[..], &[0.0, G, -4.0 * G]);
+    let unchanged = read(file, "mean = \"kept\"\nscale = 2\n").unwrap();
+    assert_eq!(&record(&unchanged).values[..], &[0.0, G, -4.0 * G]);
     assert!(matches!(
-        kept.drive["road"].signal,
+        unchanged.drive["road"].signal,
         DriveSignal::Recording { scale: 2.0, .. }
     ));
-    let numbered = read(file, "channel = \"3\"\nmean = \"kept\"\n").unwrap();
-    assert_eq!(record(&numbered), record(&kept));
+    let by_number = read(file, "channel = \"3\"\nmean = \"kept\"\n").unwrap();
+    assert_eq!(record(&by_number), record(&unchanged));
     for (keys, message) in [
         (
             "channel = \"roof\"\n",
@@ -107,7 +107,7 @@ fn the_unit_and_the_channel_come_from_the_file() {
 }
 
 #[test]
-fn what_the_file_does_not_tell_is_said_by_a_key() {
+fn information_missing_from_the_file_is_given_by_a_key() {
     let folder = tempfile::tempdir().unwrap();
     let read = |file, keys| spec(folder.path(), file, keys);
     let bare = ("bare.csv", "a\n1\n-1\n3\n-3\n");
@@ -117,12 +117,16 @@ fn what_the_file_does_not_tell_is_said_by_a_key() {
             && fault.contains("give the drive a `sample_rate`"),
         "{fault}"
     );
-    let found = read(bare, "sample_rate = \"250 Hz\"\nunit = \"g\"\n").unwrap();
+    let spec_read = read(bare, "sample_rate = \"250 Hz\"\nunit = \"g\"\n").unwrap();
     assert_eq!(
-        (record(&found).step_s, &record(&found).values[..]),
+        (record(&spec_read).step_s, &record(&spec_read).values[..]),
         (0.004, &[G, -G, 3.0 * G, -3.0 * G][..])
     );
-    assert!(findings(&found).is_empty(), "{:?}", findings(&found));
+    assert!(
+        findings(&spec_read).is_empty(),
+        "{:?}",
+        findings(&spec_read)
+    );
     let assumed = read(bare, "sample_rate = \"250 Hz\"\n").unwrap();
     assert_eq!(
         findings(&assumed),
@@ -144,26 +148,26 @@ fn gaps_are_bridged_and_reported() {
         .map(|k| format!("{:.4},{}\n", 0.0101 * f64::from(k), k % 2))
         .collect();
     let rows = rows.replace("0.0505,1\n", "0.0505,nan\n");
-    let found = spec(
+    let spec_read = spec(
         folder.path(),
         ("road.csv", &format!("time (s),a (m/s^2)\n{rows}")),
         "mean = \"kept\"\n",
     )
     .unwrap();
-    let values = &record(&found).values;
+    let values = &record(&spec_read).values;
     assert_eq!(
         (values.len(), values[5], values[17], values[18]),
         (40, 0.0, 0.0, 0.0)
     );
-    let told = findings(&found).join("; ");
+    let message = findings(&spec_read).join("; ");
     assert!(
-        told.contains("not numbers") && told.contains("missing"),
-        "{told}"
+        message.contains("not numbers") && message.contains("missing"),
+        "{message}"
     );
 }
 
 #[test]
-fn the_digest_goes_with_what_the_file_holds() {
+fn the_digest_depends_on_the_content_of_the_file() {
     let folder = tempfile::tempdir().unwrap();
     let read = |text| {
         spec(folder.path(), ("road.csv", text), "")

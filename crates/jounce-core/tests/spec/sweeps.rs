@@ -60,7 +60,7 @@ fn counts_and_lists_hit_their_ends() {
 
 #[test]
 fn wrong_ranges_are_refused() {
-    for (assignment, told) in [
+    for (assignment, message) in [
         (
             "drive.shaker.frequency=4Hz:20Hz:0.1mm",
             "\"0.1mm\" is a length; expected a frequency",
@@ -131,7 +131,7 @@ fn wrong_ranges_are_refused() {
         ),
     ] {
         let refusal = values(assignment).unwrap_err();
-        assert!(refusal.contains(told), "{assignment}: {refusal}");
+        assert!(refusal.contains(message), "{assignment}: {refusal}");
     }
 }
 
@@ -158,10 +158,10 @@ fn setting_a_number_is_editing_the_file() {
 }
 
 #[test]
-fn a_refused_number_leaves_the_spec_alone() {
+fn a_refused_number_does_not_change_the_spec() {
     let before = Spec::from_toml(&paper()).unwrap();
     let mut spec = before.clone();
-    for (key, value, told) in [
+    for (key, value, message) in [
         (
             "patch.mfc.length",
             0.4,
@@ -207,13 +207,13 @@ fn a_refused_number_leaves_the_spec_alone() {
         ),
     ] {
         let fault = spec.set_si(key, value).unwrap_err().to_string();
-        assert!(fault.contains(told), "{fault}");
+        assert!(fault.contains(message), "{fault}");
         assert_eq!(spec, before);
     }
 }
 
 #[test]
-fn a_number_is_set_100_000_times_in_a_moment() {
+fn a_number_is_set_100_000_times_quickly() {
     let mut spec = Spec::from_toml(&paper()).unwrap();
     let key = NumericKey::find(&spec, "drive.shaker.frequency").unwrap();
     let start = Instant::now();

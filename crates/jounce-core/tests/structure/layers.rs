@@ -46,19 +46,19 @@ fn spec(beam: Beam, layers: &[(&str, Layer)], patches: &[(&str, Patch)]) -> Spec
     spec
 }
 
-fn solved(spec: &Spec) -> Modes {
+fn beam_modes(spec: &Spec) -> Modes {
     modes(spec).unwrap()
 }
 
-fn relative(found: f64, exact: f64) -> f64 {
-    (found / exact - 1.0).abs()
+fn relative(value: f64, exact: f64) -> f64 {
+    (value / exact - 1.0).abs()
 }
 
 /// `EI = b (E1^2 t1^4 + 4 E1 E2 t1^3 t2 + 6 E1 E2 t1^2 t2^2 + 4 E1 E2 t1 t2^3 + E2^2 t2^4) / (12 (E1 t1 + E2 t2))`
 /// (S. Timoshenko, J. Opt. Soc. Am. 11 (1925) 233), on either face; first frequency
 /// `1.8751040687^2 / (2 pi L^2) sqrt(EI / m)`.
 #[test]
-fn a_layer_over_the_whole_beam_makes_a_bimetal() {
+fn a_layer_over_the_full_beam_makes_a_bimetal() {
     let beam = paper_beam("ground");
     for (thickness_m, modulus_pa, density) in [
         (0.2e-3, 70e9, 2200.0),
@@ -82,11 +82,11 @@ fn a_layer_over_the_whole_beam_makes_a_bimetal() {
                 "{:e}",
                 relative(section.bending_stiffness_n_m2, stiffness)
             );
-            let found = solved(&spec(beam.clone(), &[("coat", coat)], &[]));
+            let modal = beam_modes(&spec(beam.clone(), &[("coat", coat)], &[]));
             assert!(
-                relative(frequency_hz(&found)[0], exact_hz) < 1e-10,
+                relative(frequency_hz(&modal)[0], exact_hz) < 1e-10,
                 "{:e}",
-                relative(frequency_hz(&found)[0], exact_hz)
+                relative(frequency_hz(&modal)[0], exact_hz)
             );
         }
     }
@@ -103,14 +103,14 @@ fn layers_of_the_beams_material_thicken_it() {
         thickness_m: beam.thickness_m + 0.5e-3,
         ..beam.clone()
     };
-    let coated = solved(&spec(
+    let with_coat = beam_modes(&spec(
         beam,
         &[("a", top), ("b", bottom)],
         &[("mfc", patch.clone())],
     ));
-    let plain = solved(&spec(thick, &[], &[("mfc", patch)]));
-    let (one, other) = (&coated.patch["mfc"], &plain.patch["mfc"]);
-    let pairs = (coated.frequency_rad_s.iter().zip(&plain.frequency_rad_s))
+    let plain = beam_modes(&spec(thick, &[], &[("mfc", patch)]));
+    let (one, other) = (&with_coat.patch["mfc"], &plain.patch["mfc"]);
+    let pairs = (with_coat.frequency_rad_s.iter().zip(&plain.frequency_rad_s))
         .chain(one.coupling_n_per_v.iter().zip(&other.coupling_n_per_v))
         .chain(
             one.strain
@@ -197,22 +197,22 @@ fn layers_that_do_not_fit_are_refused() {
         length_m: 0.05,
         ..coat.clone()
     };
-    let told = |layers: &[(&str, Layer)]| {
+    let error = |layers: &[(&str, Layer)]| {
         modes(&spec(beam.clone(), layers, &[("mfc", patch.clone())]))
             .unwrap_err()
             .to_string()
     };
-    let under = told(&[("bond", part.clone())]);
+    let under = error(&[("bond", part.clone())]);
     assert!(
         under.contains("layer.bond covers 0 m to 0.05 m, under a part of patch.mfc"),
         "{under}"
     );
-    let twice = told(&[("a", coat.clone()), ("b", part)]);
+    let twice = error(&[("a", coat.clone()), ("b", part)]);
     assert!(
         twice.contains("layer.a") && twice.contains("layer.b") && twice.contains("nor must layers"),
         "{twice}"
     );
-    let skin = told(&[(
+    let skin = error(&[(
         "a",
         Layer {
             section: Section::ThinSkin,
@@ -223,7 +223,7 @@ fn layers_that_do_not_fit_are_refused() {
         skin.contains("layer.a and patch.mfc cover the same part of the beam"),
         "{skin}"
     );
-    let long = told(&[(
+    let long = error(&[(
         "a",
         Layer {
             length_m: 0.4,
@@ -231,7 +231,7 @@ fn layers_that_do_not_fit_are_refused() {
         },
     )]);
     assert!(long.contains("layer.a covers 0 m to 0.4 m"), "{long}");
-    let elsewhere = told(&[(
+    let elsewhere = error(&[(
         "a",
         Layer {
             on: "bean".into(),

@@ -67,10 +67,10 @@ pub fn paper_patch(section: Section) -> Patch {
 }
 
 pub fn paper_table() -> Mass {
-    sprung("ground", 12.0, 12.0 * TAU * TAU, 0.3)
+    sprung_mass("ground", 12.0, 12.0 * TAU * TAU, 0.3)
 }
 
-pub fn sprung(on: &str, mass_kg: f64, stiffness_n_m: f64, damping_ratio: f64) -> Mass {
+pub fn sprung_mass(on: &str, mass_kg: f64, stiffness_n_m: f64, damping_ratio: f64) -> Mass {
     Mass {
         on: on.into(),
         mass_kg,
@@ -82,7 +82,7 @@ pub fn sprung(on: &str, mass_kg: f64, stiffness_n_m: f64, damping_ratio: f64) ->
     }
 }
 
-pub fn fixed(on: &str, mass_kg: f64, rotary_inertia_kg_m2: f64) -> Mass {
+pub fn attached_mass(on: &str, mass_kg: f64, rotary_inertia_kg_m2: f64) -> Mass {
     Mass {
         on: on.into(),
         mass_kg,
@@ -110,7 +110,7 @@ pub fn paper(section: Section) -> Spec {
     }
 }
 
-pub fn bare_cantilever(kept: usize) -> Spec {
+pub fn bare_cantilever(count: usize) -> Spec {
     Spec {
         beam: BTreeMap::from([("beam".into(), paper_beam("ground"))]),
         damping: Damping {
@@ -118,7 +118,7 @@ pub fn bare_cantilever(kept: usize) -> Spec {
             beyond: Some(0.01),
         },
         reduction: Reduction {
-            modes: kept,
+            modes: count,
             mesh_tolerance: 1e-9,
         },
         ..Spec::default()
@@ -137,9 +137,9 @@ pub fn frequency_hz(modes: &Modes) -> Vec<f64> {
         .collect()
 }
 
-pub fn greatest_relative_difference(found: &[f64], expected: &[f64]) -> f64 {
-    assert_eq!(found.len(), expected.len());
-    found
+pub fn greatest_relative_difference(values: &[f64], expected: &[f64]) -> f64 {
+    assert_eq!(values.len(), expected.len());
+    values
         .iter()
         .zip(expected)
         .map(|(one, other)| ((one - other) / other).abs())

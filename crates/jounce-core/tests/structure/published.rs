@@ -7,32 +7,34 @@ use jounce_core::structure::{modes, modes_holding, modes_on_cubic_mesh};
 /// Table 2 of the paper, model column, as printed.
 #[test]
 fn table_2_to_every_printed_digit() {
-    let found = frequency_hz(&modes_holding(&paper(Section::ThinSkin), &table()).unwrap());
-    assert!((found[0] - 8.66).abs() <= 0.005, "{}", found[0]);
-    for (found, printed) in found
+    let computed_hz = frequency_hz(&modes_holding(&paper(Section::ThinSkin), &table()).unwrap());
+    assert!((computed_hz[0] - 8.66).abs() <= 0.005, "{}", computed_hz[0]);
+    for (hz, printed) in computed_hz
         .iter()
         .zip([8.66, 50.3, 140.9, 278.9, 457.6, 681.9, 960.5])
         .skip(1)
     {
-        assert!((found - printed).abs() <= 0.05, "{found} {printed}");
+        assert!((hz - printed).abs() <= 0.05, "{hz} {printed}");
     }
 }
 
 /// Full composite section with the patch's own mass: within 0.9 % of the measured column.
 #[test]
 fn laminate_with_patch_mass_predicts_the_measured_column() {
-    let found = frequency_hz(&modes_holding(&paper(Section::Laminate), &table()).unwrap());
+    let computed_hz = frequency_hz(&modes_holding(&paper(Section::Laminate), &table()).unwrap());
     assert!(
         greatest_relative_difference(
-            &found,
+            &computed_hz,
             &[9.01, 49.71, 133.18, 262.58, 435.25, 648.28, 910.21]
         ) < 5e-4,
-        "{found:?}"
+        "{computed_hz:?}"
     );
     assert!(
-        greatest_relative_difference(&found, &[9.01, 49.7, 133.2, 262.8, 436.2, 651.3, 918.1])
-            < 0.009,
-        "{found:?}"
+        greatest_relative_difference(
+            &computed_hz,
+            &[9.01, 49.7, 133.2, 262.8, 436.2, 651.3, 918.1]
+        ) < 0.009,
+        "{computed_hz:?}"
     );
 }
 
@@ -42,12 +44,12 @@ fn laminate_with_patch_mass_predicts_the_measured_column() {
 fn laminate_without_patch_mass() {
     let mut spec = paper(Section::Laminate);
     spec.patch.get_mut("mfc").unwrap().density_kg_m3 = 0.0;
-    let found = frequency_hz(&modes_holding(&spec, &table()).unwrap());
-    for (found, expected) in found
+    let computed_hz = frequency_hz(&modes_holding(&spec, &table()).unwrap());
+    for (hz, expected) in computed_hz
         .iter()
         .zip([9.02, 50.92, 142.54, 283.70, 465.05, 690.91, 975.43])
     {
-        assert!((found - expected).abs() < 0.01, "{found} {expected}");
+        assert!((hz - expected).abs() < 0.01, "{hz} {expected}");
     }
 }
 
@@ -55,7 +57,7 @@ fn laminate_without_patch_mass() {
 /// elements, as printed.
 #[test]
 fn table_coupled_modes_of_the_paper() {
-    let found = modes(&paper(Section::ThinSkin)).unwrap();
+    let modal = modes(&paper(Section::ThinSkin)).unwrap();
     let tip = [
         0.29414, 12.13914, 10.58325, 9.52673, 8.15715, 6.81263, 5.67309, 4.41866,
     ];
@@ -66,19 +68,19 @@ fn table_coupled_modes_of_the_paper() {
         0.0127, 25.5627, 56.5846, 49.5722, 333.002, 586.987, 531.998, 195.718,
     ];
     let absolute = |values: &[f64]| values.iter().map(|value| value.abs()).collect::<Vec<_>>();
-    assert!(greatest_relative_difference(&absolute(&found.shape["beam.tip"]), &tip) < 2e-5);
-    for (found, printed) in absolute(&found.shape["table"]).iter().zip(table) {
-        assert!((found - printed).abs() < 1e-6, "{found} {printed}");
+    assert!(greatest_relative_difference(&absolute(&modal.shape["beam.tip"]), &tip) < 2e-5);
+    for (value, printed) in absolute(&modal.shape["table"]).iter().zip(table) {
+        assert!((value - printed).abs() < 1e-6, "{value} {printed}");
     }
     let couplings: Vec<f64> = slope
         .iter()
         .map(|difference| difference * 8.6639e-5)
         .collect();
-    let found = absolute(&found.patch["mfc"].coupling_n_per_v);
-    assert!((found[0] - couplings[0]).abs() < 5e-9);
+    let coupling = absolute(&modal.patch["mfc"].coupling_n_per_v);
+    assert!((coupling[0] - couplings[0]).abs() < 5e-9);
     assert!(
-        greatest_relative_difference(&found[1..], &couplings[1..]) < 1e-5,
-        "{found:?}"
+        greatest_relative_difference(&coupling[1..], &couplings[1..]) < 1e-5,
+        "{coupling:?}"
     );
 }
 
@@ -89,7 +91,7 @@ fn table_coupled_modes_of_the_paper() {
 fn a_cubic_mesh_gives_the_plant_given_as_numbers() {
     let mut spec = paper(Section::ThinSkin);
     spec.beam.get_mut("beam").unwrap().point.remove("hammer");
-    let found = modes_on_cubic_mesh(&spec, &[], 5e-3).unwrap();
+    let modal = modes_on_cubic_mesh(&spec, &[], 5e-3).unwrap();
     let frequencies = [457.6487341226, 681.9430586802, 960.5247575291];
     let tip = [6.812658275635, 5.673139253107, 4.418725984466];
     let table = [0.001976333709613, 0.001541885795661, 0.001268572331023];
@@ -100,13 +102,13 @@ fn a_cubic_mesh_gives_the_plant_given_as_numbers() {
             .map(|value| value.abs())
             .collect::<Vec<_>>()
     };
-    for (found, given) in [
-        (last(&frequency_hz(&found)), frequencies),
-        (last(&found.shape["beam.tip"]), tip),
-        (last(&found.shape["table"]), table),
-        (last(&found.patch["mfc"].coupling_n_per_v), coupling),
+    for (values, expected) in [
+        (last(&frequency_hz(&modal)), frequencies),
+        (last(&modal.shape["beam.tip"]), tip),
+        (last(&modal.shape["table"]), table),
+        (last(&modal.patch["mfc"].coupling_n_per_v), coupling),
     ] {
-        let error = greatest_relative_difference(&found, &given);
+        let error = greatest_relative_difference(&values, &expected);
         assert!(error < 1e-8, "{error:e}");
     }
 }
@@ -123,10 +125,10 @@ fn cubic_meshes_converge_as_published() {
         (2.5e-3, 960.518, 5e-4),
         (1.25e-3, 960.518, 5e-4),
     ] {
-        let found = frequency_hz(&modes_on_cubic_mesh(&spec, &[], longest_m).unwrap())[7];
+        let top_hz = frequency_hz(&modes_on_cubic_mesh(&spec, &[], longest_m).unwrap())[7];
         assert!(
-            (found - expected_hz).abs() <= printed_hz,
-            "{longest_m}: {found}"
+            (top_hz - expected_hz).abs() <= printed_hz,
+            "{longest_m}: {top_hz}"
         );
     }
 }

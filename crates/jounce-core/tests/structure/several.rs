@@ -1,7 +1,8 @@
 //! Several structures in one spec, free masses, structures specified by their modes, damping.
 
 use crate::paper::{
-    bare_cantilever, fixed, greatest_relative_difference, paper, paper_beam, sprung, table,
+    attached_mass, bare_cantilever, greatest_relative_difference, paper, paper_beam, sprung_mass,
+    table,
 };
 use jounce_core::spec::{Beam, Electrodes, Modal, ModalPatch, Section, Spec};
 use jounce_core::structure::{StructureError, modes, modes_holding};
@@ -10,15 +11,15 @@ use std::f64::consts::TAU;
 
 #[test]
 fn table_mode_takes_the_damping_of_the_table() {
-    let found = modes(&paper(Section::ThinSkin)).unwrap();
+    let modal = modes(&paper(Section::ThinSkin)).unwrap();
     assert_eq!(
-        found.damping_ratio,
+        modal.damping_ratio,
         [
             0.3, 0.00194, 0.00925, 0.00864, 0.00359, 0.00126, 0.00274, 0.00160
         ]
     );
     let clamped = modes_holding(&paper(Section::ThinSkin), &table()).unwrap();
-    assert_eq!(clamped.damping_ratio, found.damping_ratio[1..]);
+    assert_eq!(clamped.damping_ratio, modal.damping_ratio[1..]);
     assert_eq!(clamped.shape["table"], [0.0; 7]);
     // A stiff spring puts the table's mode above all retained ones, which then do not use its
     // ratio.
@@ -34,12 +35,12 @@ fn table_mode_takes_the_damping_of_the_table() {
 }
 
 #[test]
-fn structures_side_by_side_keep_their_modes() {
-    let alone = modes(&paper(Section::ThinSkin)).unwrap();
+fn independent_structures_keep_their_modes() {
+    let single = modes(&paper(Section::ThinSkin)).unwrap();
     let mut spec = paper(Section::ThinSkin);
     spec.mass.insert(
         "anvil".into(),
-        sprung("ground", 2.0, 2.0 * (TAU * 20.0).powi(2), 0.1),
+        sprung_mass("ground", 2.0, 2.0 * (TAU * 20.0).powi(2), 0.1),
     );
     spec.beam.insert(
         "clamped".into(),
@@ -60,42 +61,42 @@ fn structures_side_by_side_keep_their_modes() {
     );
     spec.damping.beyond = Some(0.005);
     spec.reduction.modes = 12;
-    let found = modes(&spec).unwrap();
-    assert_eq!(found.len(), 14);
+    let modal = modes(&spec).unwrap();
+    assert_eq!(modal.len(), 14);
     assert!(
-        found
+        modal
             .frequency_rad_s
             .windows(2)
             .all(|pair| pair[0] <= pair[1])
     );
     let of_table: Vec<usize> = (0..14)
-        .filter(|mode| found.shape["table"][*mode] != 0.0)
+        .filter(|mode| modal.shape["table"][*mode] != 0.0)
         .collect();
-    for (mode, place) in of_table.iter().enumerate() {
-        assert!((found.frequency_rad_s[*place] / alone.frequency_rad_s[mode] - 1.0).abs() < 1e-12);
+    for (mode, index) in of_table.iter().enumerate() {
+        assert!((modal.frequency_rad_s[*index] / single.frequency_rad_s[mode] - 1.0).abs() < 1e-12);
         assert!(
-            (found.shape["beam.tip"][*place] / alone.shape["beam.tip"][mode] - 1.0).abs() < 1e-8
+            (modal.shape["beam.tip"][*index] / single.shape["beam.tip"][mode] - 1.0).abs() < 1e-8
         );
-        assert_eq!(found.shape["clamped.end"][*place], 0.0);
+        assert_eq!(modal.shape["clamped.end"][*index], 0.0);
     }
-    let anvil = found.shape["anvil"]
+    let anvil = modal.shape["anvil"]
         .iter()
         .position(|value| *value != 0.0)
         .unwrap();
-    assert!((found.frequency_rad_s[anvil] / TAU - 20.0).abs() < 1e-12);
-    assert!((found.shape["anvil"][anvil] - 0.5_f64.sqrt()).abs() < 1e-15);
-    assert_eq!(found.damping_ratio[anvil], 0.1);
+    assert!((modal.frequency_rad_s[anvil] / TAU - 20.0).abs() < 1e-12);
+    assert!((modal.shape["anvil"][anvil] - 0.5_f64.sqrt()).abs() < 1e-15);
+    assert_eq!(modal.damping_ratio[anvil], 0.1);
     assert_eq!(
-        (found.shape["other.tip"][0], found.damping_ratio[0]),
+        (modal.shape["other.tip"][0], modal.damping_ratio[0]),
         (3.0, 0.01)
     );
-    assert_eq!(found.discretisation_error[0], 0.0);
+    assert_eq!(modal.discretisation_error[0], 0.0);
 }
 
 /// A structure specified by its modes needs no beam, retains every mode, and cannot be fixed at a
 /// point.
 #[test]
-fn modal_structures_stand_alone() {
+fn modal_structures_need_no_beams() {
     let harvester = Modal {
         frequency_hz: vec![1.0, 8.0],
         damping_ratio: vec![0.05, 0.002],
@@ -115,16 +116,16 @@ fn modal_structures_stand_alone() {
         modal: BTreeMap::from([("harvester".into(), harvester)]),
         ..Spec::default()
     };
-    let found = modes(&spec).unwrap();
-    assert_eq!(found.frequency_rad_s, [TAU, TAU * 8.0]);
-    assert_eq!(found.damping_ratio, [0.05, 0.002]);
-    assert_eq!(found.participation_sqrt_kg, [1.5, -0.1]);
-    assert_eq!(found.shape["harvester.tip"], [0.3, -12.0]);
-    assert_eq!(found.patch["harvester.mfc"].coupling_n_per_v, [-1e-6, 2e-3]);
-    assert_eq!(found.patch["harvester.mfc"].capacitance_f, 177e-9);
-    let held = modes_holding(&spec, &["harvester.table".into()]).unwrap_err();
+    let modal = modes(&spec).unwrap();
+    assert_eq!(modal.frequency_rad_s, [TAU, TAU * 8.0]);
+    assert_eq!(modal.damping_ratio, [0.05, 0.002]);
+    assert_eq!(modal.participation_sqrt_kg, [1.5, -0.1]);
+    assert_eq!(modal.shape["harvester.tip"], [0.3, -12.0]);
+    assert_eq!(modal.patch["harvester.mfc"].coupling_n_per_v, [-1e-6, 2e-3]);
+    assert_eq!(modal.patch["harvester.mfc"].capacitance_f, 177e-9);
+    let error = modes_holding(&spec, &["harvester.table".into()]).unwrap_err();
     assert_eq!(
-        held,
+        error,
         StructureError::CannotHoldGiven {
             name: "harvester.table".into()
         }
@@ -154,17 +155,21 @@ fn equal_beams_on_one_mass_split_into_even_and_odd() {
     spec.beam.insert("second".into(), paper_beam("table"));
     spec.mass.get_mut("table").unwrap().mass_kg = 0.05;
     spec.damping.beyond = Some(0.01);
-    let found = modes(&spec).unwrap();
+    let modal = modes(&spec).unwrap();
     let clamped = modes(&bare_cantilever(3)).unwrap();
     for (mode, exact) in clamped.frequency_rad_s.iter().enumerate() {
-        let odd = found
+        let antisymmetric = modal
             .frequency_rad_s
             .iter()
             .position(|frequency| (frequency / exact - 1.0).abs() < 1e-10)
             .unwrap();
-        assert!(found.shape["table"][odd].abs() < 1e-9, "{mode}");
-        assert!((found.shape["beam.end"][odd] + found.shape["second.end"][odd]).abs() < 1e-8);
-        assert!(found.shape["beam.end"][odd] > 0.0);
+        assert!(modal.shape["table"][antisymmetric].abs() < 1e-9, "{mode}");
+        assert!(
+            (modal.shape["beam.end"][antisymmetric] + modal.shape["second.end"][antisymmetric])
+                .abs()
+                < 1e-8
+        );
+        assert!(modal.shape["beam.end"][antisymmetric] > 0.0);
     }
 }
 
@@ -173,7 +178,8 @@ fn equal_beams_on_one_mass_split_into_even_and_odd() {
 #[test]
 fn free_mass_has_a_rigid_body_mode() {
     let mut spec = paper(Section::ThinSkin);
-    spec.mass.insert("table".into(), fixed("nothing", 0.1, 0.0));
+    spec.mass
+        .insert("table".into(), attached_mass("nothing", 0.1, 0.0));
     let free = modes(&spec).unwrap();
     let total_kg: f64 = 0.1 + 2750.0 * 0.03 * 0.98e-3 * 0.315;
     assert_eq!(
@@ -189,7 +195,7 @@ fn free_mass_has_a_rigid_body_mode() {
     }
     assert!(free.patch["mfc"].coupling_n_per_v[0].abs() < 1e-18);
     spec.mass
-        .insert("table".into(), sprung("ground", 0.1, 1e-6, 0.0));
+        .insert("table".into(), sprung_mass("ground", 0.1, 1e-6, 0.0));
     let soft = modes(&spec).unwrap();
     assert!(
         greatest_relative_difference(&free.frequency_rad_s[1..], &soft.frequency_rad_s[1..]) < 1e-8

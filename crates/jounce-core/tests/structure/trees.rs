@@ -1,6 +1,8 @@
 //! Beams on beams, masses on beams: against characteristic equations and receptances.
 
-use crate::paper::{bare_cantilever, fixed, greatest_relative_difference, paper_beam, sprung};
+use crate::paper::{
+    attached_mass, bare_cantilever, greatest_relative_difference, paper_beam, sprung_mass,
+};
 use jounce_core::reference::Cantilever;
 use jounce_core::spec::{Beam, Spec};
 use jounce_core::structure::{StructureError, modes, modes_holding};
@@ -22,7 +24,7 @@ fn with_tip(mass_kg: f64, rotary_inertia_kg_m2: f64) -> Spec {
     let mut spec = bare_cantilever(6);
     spec.mass.insert(
         "tip".into(),
-        fixed("beam.end", mass_kg, rotary_inertia_kg_m2),
+        attached_mass("beam.end", mass_kg, rotary_inertia_kg_m2),
     );
     spec
 }
@@ -32,8 +34,8 @@ fn with_tip(mass_kg: f64, rotary_inertia_kg_m2: f64) -> Spec {
 fn a_tip_mass_with_rotary_inertia_solves_its_characteristic_equation() {
     let beam_kg = MASS_PER_LENGTH_KG_M * LENGTH_M;
     for (a, c) in [(0.5, 0.0), (1.4, 0.0), (0.3, 0.02), (20.0, 1.5)] {
-        let found = modes(&with_tip(a * beam_kg, c * beam_kg * LENGTH_M * LENGTH_M)).unwrap();
-        for frequency in &found.frequency_rad_s {
+        let modal = modes(&with_tip(a * beam_kg, c * beam_kg * LENGTH_M * LENGTH_M)).unwrap();
+        for frequency in &modal.frequency_rad_s {
             let root =
                 (frequency * (MASS_PER_LENGTH_KG_M / STIFFNESS_N_M2).sqrt()).sqrt() * LENGTH_M;
             let slope = (characteristic(root * (1.0 + 1e-5), a, c)
@@ -42,9 +44,9 @@ fn a_tip_mass_with_rotary_inertia_solves_its_characteristic_equation() {
             let error = (characteristic(root, a, c) / slope).abs();
             assert!(error < 1e-12, "{a} {c}: {root} {error:e}");
         }
-        assert_eq!(found.shape["tip"], found.shape["beam.end"]);
+        assert_eq!(modal.shape["tip"], modal.shape["beam.end"]);
         // The base also moves the tip mass: mode 1 has most of the mass.
-        let squares: f64 = found
+        let squares: f64 = modal
             .participation_sqrt_kg
             .iter()
             .map(|value| value * value)
@@ -77,9 +79,9 @@ fn a_clamp_that_turns_solves_its_characteristic_equation() {
         let rigid = modes(&spec).unwrap();
         spec.beam.get_mut("beam").unwrap().root_stiffness_n_m_rad =
             Some(STIFFNESS_N_M2 / (c * LENGTH_M));
-        let found = modes(&spec).unwrap();
-        assert_eq!(found.len(), 6);
-        for (frequency, clamped) in found.frequency_rad_s.iter().zip(&rigid.frequency_rad_s) {
+        let modal = modes(&spec).unwrap();
+        assert_eq!(modal.len(), 6);
+        for (frequency, clamped) in modal.frequency_rad_s.iter().zip(&rigid.frequency_rad_s) {
             let root =
                 (frequency * (MASS_PER_LENGTH_KG_M / STIFFNESS_N_M2).sqrt()).sqrt() * LENGTH_M;
             let at = |l: f64| characteristic_on_clamp(l, a, c);
@@ -89,14 +91,14 @@ fn a_clamp_that_turns_solves_its_characteristic_equation() {
             assert!(frequency < clamped, "{a} {c}: {frequency} {clamped}");
         }
         // The root does not move; it only rotates.
-        assert!(found.shape["beam.root"].iter().all(|value| *value == 0.0));
+        assert!(modal.shape["beam.root"].iter().all(|value| *value == 0.0));
     }
 }
 
 /// Two halves joined end to end are one beam; measured 3e-14.
 #[test]
 fn a_chain_of_equal_beams_is_one_beam() {
-    let whole = modes(&bare_cantilever(8)).unwrap();
+    let single = modes(&bare_cantilever(8)).unwrap();
     let mut spec = bare_cantilever(8);
     let half = Beam {
         length_m: LENGTH_M / 2.0,
@@ -115,13 +117,13 @@ fn a_chain_of_equal_beams_is_one_beam() {
     ]
     .into();
     let chain = modes(&spec).unwrap();
-    assert!(greatest_relative_difference(&chain.frequency_rad_s, &whole.frequency_rad_s) < 1e-12);
+    assert!(greatest_relative_difference(&chain.frequency_rad_s, &single.frequency_rad_s) < 1e-12);
     // "one.end" moves at least half as far as "two.end" in some modes and then defines the sign.
     let ends = |modes: &[f64]| modes.iter().map(|value| value.abs()).collect::<Vec<_>>();
     assert!(
         greatest_relative_difference(
             &ends(&chain.shape["two.end"]),
-            &ends(&whole.shape["beam.end"])
+            &ends(&single.shape["beam.end"])
         ) < 1e-10
     );
     assert_eq!(chain.shape["two.root"], chain.shape["one.end"]);
@@ -142,7 +144,7 @@ fn a_rigid_mass_passes_the_slope_on() {
         );
         if with_mass {
             spec.mass
-                .insert("joint".into(), fixed("beam.end", 1e-12, 0.0));
+                .insert("joint".into(), attached_mass("beam.end", 1e-12, 0.0));
         }
         modes(&spec).unwrap()
     };
@@ -157,7 +159,7 @@ fn a_rigid_mass_passes_the_slope_on() {
 /// tip from its closed-form modes and its static remainder. Measured: 2e-10 of the receptance's
 /// scale (the sum has 200 modes).
 #[test]
-fn a_sprung_mass_on_the_tip_meets_the_receptance_of_the_beam() {
+fn a_sprung_mass_on_the_tip_agrees_with_the_receptance_of_the_beam() {
     let beam = Cantilever {
         bending_stiffness_n_m2: STIFFNESS_N_M2,
         mass_per_length_kg_m: MASS_PER_LENGTH_KG_M,
@@ -167,12 +169,12 @@ fn a_sprung_mass_on_the_tip_meets_the_receptance_of_the_beam() {
     let mut spec = bare_cantilever(4);
     spec.mass.insert(
         "absorber".into(),
-        sprung("beam.end", mass_kg, stiffness_n_m, 0.2),
+        sprung_mass("beam.end", mass_kg, stiffness_n_m, 0.2),
     );
-    let found = modes(&spec).unwrap();
+    let modal = modes(&spec).unwrap();
     let tip_square = 4.0 / (MASS_PER_LENGTH_KG_M * LENGTH_M);
     let static_rest = LENGTH_M.powi(3) / (3.0 * STIFFNESS_N_M2);
-    for w in &found.frequency_rad_s {
+    for w in &modal.frequency_rad_s {
         // 1/(a - b) - 1/a = b / (a (a - b)): the dynamic part beyond the static deflection.
         let dynamic: f64 = (0..200)
             .map(|mode| {
@@ -190,7 +192,7 @@ fn a_sprung_mass_on_the_tip_meets_the_receptance_of_the_beam() {
         );
     }
     assert_eq!(
-        found
+        modal
             .damping_ratio
             .iter()
             .filter(|ratio| **ratio == 0.2)
@@ -201,29 +203,29 @@ fn a_sprung_mass_on_the_tip_meets_the_receptance_of_the_beam() {
 
 /// Two sprung masses of one body have one mode each, although both move most in the same one.
 #[test]
-fn each_sprung_mass_has_a_mode_of_its_own() {
+fn each_sprung_mass_adds_one_mode() {
     let mut spec = bare_cantilever(4);
     spec.mass
-        .insert("one".into(), sprung("beam.end", 0.01, 40.0, 0.2));
+        .insert("one".into(), sprung_mass("beam.end", 0.01, 40.0, 0.2));
     spec.mass
-        .insert("two".into(), sprung("one", 0.0001, 0.4, 0.3));
-    let found = modes(&spec).unwrap();
+        .insert("two".into(), sprung_mass("one", 0.0001, 0.4, 0.3));
+    let modal = modes(&spec).unwrap();
     for ratio in [0.2, 0.3] {
         assert_eq!(
-            found
+            modal
                 .damping_ratio
                 .iter()
-                .filter(|found| **found == ratio)
+                .filter(|value| **value == ratio)
                 .count(),
             1,
             "{:?}",
-            found.damping_ratio
+            modal.damping_ratio
         );
     }
 }
 
 #[test]
-fn what_stands_on_nothing_is_told() {
+fn a_structure_without_support_is_refused() {
     let mut cycle = bare_cantilever(4);
     cycle.beam.insert("one".into(), paper_beam("two.end"));
     cycle.beam.insert("two".into(), paper_beam("one.end"));
@@ -231,20 +233,23 @@ fn what_stands_on_nothing_is_told() {
         modes(&cycle).unwrap_err(),
         StructureError::SupportCycle { name: "one".into() }
     );
-    let mut lost = with_tip(0.1, 0.0);
-    lost.mass.get_mut("tip").unwrap().on = "beam.top".into();
+    let mut unknown_point = with_tip(0.1, 0.0);
+    unknown_point.mass.get_mut("tip").unwrap().on = "beam.top".into();
     assert!(
-        modes(&lost)
+        modes(&unknown_point)
             .unwrap_err()
             .to_string()
             .contains("mass.tip.on is \"beam.top\"")
     );
-    let mut loose = with_tip(0.1, 0.0);
-    loose.mass.get_mut("tip").unwrap().on = "ground".into();
+    let mut without_spring = with_tip(0.1, 0.0);
+    without_spring.mass.get_mut("tip").unwrap().on = "ground".into();
     assert_eq!(
-        modes(&loose).unwrap_err(),
+        modes(&without_spring).unwrap_err(),
         StructureError::MissingSpring { mass: "tip".into() }
     );
-    let held = modes_holding(&with_tip(0.1, 0.0), &["tip".into()]).unwrap_err();
-    assert!(matches!(held, StructureError::CannotHold { .. }), "{held}");
+    let error = modes_holding(&with_tip(0.1, 0.0), &["tip".into()]).unwrap_err();
+    assert!(
+        matches!(error, StructureError::CannotHold { .. }),
+        "{error}"
+    );
 }

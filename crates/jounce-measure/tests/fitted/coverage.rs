@@ -1,6 +1,6 @@
 //! Coverage of stated confidence intervals.
 
-use super::{free, given, spec};
+use super::{free_keys, relative_deviation, spec};
 use jounce_core::drive::RandomStream;
 use jounce_core::integrate::Control;
 use jounce_core::structure;
@@ -43,19 +43,19 @@ fn modes(keys: &[f64]) -> Vec<(f64, f64)> {
         spec.set_si(key, *value)
             .unwrap_or_else(|fault| panic!("{fault}"))
     });
-    let found = structure::modes(&spec).expect("modes");
-    found
+    let modal = structure::modes(&spec).expect("modes");
+    modal
         .frequency_rad_s
         .iter()
         .map(|w| w / TAU)
-        .zip(found.damping_ratio)
+        .zip(modal.damping_ratio)
         .collect()
 }
 
 /// In every trial the keys are drawn from their priors, and four frequencies and two damping ratios
 /// are measured with noise. Returns the fraction of trials in which the interval of each key
 /// contains the true value, and last the fraction for further measurements.
-fn shares(trials: u64) -> [f64; 5] {
+fn coverage_fractions(trials: u64) -> [f64; 5] {
     let (file, spec) = spec(CANTILEVER, &[]);
     let start: Vec<f64> = KEYS
         .iter()
@@ -80,22 +80,22 @@ fn shares(trials: u64) -> [f64; 5] {
         let true_modes = modes(&truth);
         let mode = |(k, (hz, ratio)): (usize, &(f64, f64))| ModeFeature {
             number: k + 1,
-            frequency: Some((moved(*hz, FREQUENCY), given(FREQUENCY))),
-            damping_ratio: (k < 2).then(|| (moved(*ratio, DAMPING), given(DAMPING))),
+            frequency: Some((moved(*hz, FREQUENCY), relative_deviation(FREQUENCY))),
+            damping_ratio: (k < 2).then(|| (moved(*ratio, DAMPING), relative_deviation(DAMPING))),
             ..ModeFeature::default()
         };
         let measured = true_modes.iter().enumerate().map(mode).collect();
         let features = Features {
-            free: free(&KEYS),
+            free: free_keys(&KEYS),
             modes: measured,
             ..Features::default()
         };
-        let (answer, _) = fit(&file, &spec, &features, Path::new("."), &Control::default())
+        let (result, _) = fit(&file, &spec, &features, Path::new("."), &Control::default())
             .unwrap_or_else(|fault| panic!("{seed}: {fault}"));
-        for (inside, (key, truth)) in inside.iter_mut().zip(answer.keys.iter().zip(&truth)) {
+        for (inside, (key, truth)) in inside.iter_mut().zip(result.keys.iter().zip(&truth)) {
             *inside += u32::from((key.low..=key.high).contains(truth));
         }
-        let frequencies = answer
+        let frequencies = result
             .features
             .iter()
             .filter(|feature| feature.unit == "Hz");
@@ -115,7 +115,7 @@ fn shares(trials: u64) -> [f64; 5] {
 /// fraction is known to 1.1 %. In 4000 trials: 95.5, 94.3, 94.9, 95.5 and 94.7 %.
 #[test]
 fn intervals_of_95_percent_hold_the_truth_in_95_percent_of_400_trials() {
-    for share in shares(400) {
+    for share in coverage_fractions(400) {
         assert!((0.92..=0.98).contains(&share), "{share}");
     }
 }

@@ -1,6 +1,6 @@
 //! Damping ratios of a list, all of them and one.
 
-use super::{free, given, noisy, recovered, spec};
+use super::{fit_and_compare, free_keys, relative_deviation, spec, with_noise};
 use jounce_core::integrate::Control;
 use jounce_core::structure;
 use jounce_measure::fit::{Features, ModeFeature, fit};
@@ -35,15 +35,18 @@ fn features(keys: &[(&str, f64)], ratios: &[f64]) -> Features {
         .iter()
         .map(|w| w / TAU)
         .collect();
-    let (hz, ratios) = (noisy(&hz, FREQUENCY, 3), noisy(ratios, DAMPING, 4));
+    let (hz, ratios) = (
+        with_noise(&hz, FREQUENCY, 3),
+        with_noise(ratios, DAMPING, 4),
+    );
     let mode = |(k, (hz, ratio)): (usize, (&f64, &f64))| ModeFeature {
         number: k + 1,
-        frequency: Some((*hz, given(FREQUENCY))),
-        damping_ratio: Some((*ratio, given(DAMPING))),
+        frequency: Some((*hz, relative_deviation(FREQUENCY))),
+        damping_ratio: Some((*ratio, relative_deviation(DAMPING))),
         ..ModeFeature::default()
     };
     Features {
-        free: free(keys),
+        free: free_keys(keys),
         modes: hz.iter().zip(&ratios).enumerate().map(mode).collect(),
         ..Features::default()
     }
@@ -55,7 +58,7 @@ fn features(keys: &[(&str, f64)], ratios: &[f64]) -> Features {
 #[test]
 fn a_list_of_damping_ratios_comes_back_by_one_line() {
     let truth = [72e9, TRUTH[0], TRUTH[1], TRUTH[2], TRUTH[3]];
-    let answer = recovered(
+    let result = fit_and_compare(
         CANTILEVER,
         &features(
             &[("beam.beam.youngs_modulus", 0.05), ("damping.ratios", 0.6)],
@@ -64,18 +67,18 @@ fn a_list_of_damping_ratios_comes_back_by_one_line() {
         &truth,
         0.15,
     );
-    let keys: Vec<&str> = answer.keys.iter().map(|key| key.key.as_str()).collect();
-    let wanted = [
+    let keys: Vec<&str> = result.keys.iter().map(|key| key.key.as_str()).collect();
+    let free_ratios = [
         "beam.beam.youngs_modulus",
         "damping.ratios.1",
         "damping.ratios.2",
         "damping.ratios.3",
         "damping.ratios.4",
     ];
-    assert_eq!(keys, wanted);
-    assert!(answer.correlation.len() == 5 && answer.correlation.iter().all(|row| row.len() == 5));
+    assert_eq!(keys, free_ratios);
+    assert!(result.correlation.len() == 5 && result.correlation.iter().all(|row| row.len() == 5));
     let deviation = 1.0 / (DAMPING.powi(-2) + 0.6_f64.powi(-2)).sqrt();
-    for key in &answer.keys[1..] {
+    for key in &result.keys[1..] {
         assert!(
             (key.deviation / deviation - 1.0).abs() < 1e-3,
             "{key:?} {deviation}"
@@ -91,7 +94,7 @@ fn one_damping_ratio_of_a_list_comes_back() {
         ("damping.ratios.3", 0.6),
     ];
     let features = features(&keys, &[0.01, 0.01, TRUTH[2], 0.01]);
-    recovered(CANTILEVER, &features, &[72e9, TRUTH[2]], 0.15);
+    fit_and_compare(CANTILEVER, &features, &[72e9, TRUTH[2]], 0.15);
     let (file, spec) = spec(CANTILEVER, &[]);
     let (_, fitted) =
         fit(&file, &spec, &features, Path::new("."), &Control::default()).expect("a fit");
@@ -106,8 +109,8 @@ fn one_damping_ratio_of_a_list_comes_back() {
 }
 
 #[test]
-fn a_number_beyond_the_list_or_named_twice_is_told() {
-    let told = |keys: &[(&str, f64)]| {
+fn a_number_beyond_the_list_or_a_duplicate_is_refused() {
+    let fault = |keys: &[(&str, f64)]| {
         let (file, spec) = spec(CANTILEVER, &[]);
         fit(
             &file,
@@ -119,8 +122,11 @@ fn a_number_beyond_the_list_or_named_twice_is_told() {
         .expect_err("a fault")
         .to_string()
     };
-    let beyond = "free.damping.ratios.5: damping.ratios.5: damping.ratios holds 4 numbers; write one of damping.ratios.1 to damping.ratios.4";
-    assert_eq!(told(&[("damping.ratios.5", 0.3)]), beyond);
-    let twice = told(&[("damping.ratios", 0.3), ("damping.ratios.2", 0.3)]);
-    assert!(twice.contains("damping.ratios.2 is free twice"), "{twice}");
+    let expected = "free.damping.ratios.5: damping.ratios.5: damping.ratios holds 4 numbers; write one of damping.ratios.1 to damping.ratios.4";
+    assert_eq!(fault(&[("damping.ratios.5", 0.3)]), expected);
+    let duplicate = fault(&[("damping.ratios", 0.3), ("damping.ratios.2", 0.3)]);
+    assert!(
+        duplicate.contains("damping.ratios.2 is free twice"),
+        "{duplicate}"
+    );
 }

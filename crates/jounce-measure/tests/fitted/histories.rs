@@ -1,6 +1,6 @@
 //! A voltage history of a run with impacts.
 
-use super::{HARVESTER, free, given, recovered, spec};
+use super::{HARVESTER, fit_and_compare, free_keys, relative_deviation, spec};
 use jounce_core::analysis::Model;
 use jounce_core::integrate::Control;
 use jounce_core::linear::FrfResponse;
@@ -30,7 +30,7 @@ average_over = \"0.1 s\"
 
 /// The first 0.16 s from rest of the harvester with another stop, which it strikes, recorded with
 /// noise of 3 %.
-fn recorded(text: &str) -> Recording {
+fn simulated_record(text: &str) -> Recording {
     let (_, spec) = spec(
         text,
         &[
@@ -41,9 +41,9 @@ fn recorded(text: &str) -> Recording {
     let prepared = Model::new(spec).expect("a harvester");
     let start = prepared.start(Path::new(".")).expect("a start");
     let kernel = prepared.from_state(&start).expect("a kernel");
-    let answer = simulate(&kernel, &start, &RunPlan::of(&prepared.spec.run, 0.16)).expect("a run");
-    eprintln!("{} contacts", answer.contacts);
-    assert!(answer.contacts >= 3);
+    let result = simulate(&kernel, &start, &RunPlan::of(&prepared.spec.run, 0.16)).expect("a run");
+    eprintln!("{} contacts", result.contacts);
+    assert!(result.contacts >= 3);
     let test = ShakerTest {
         rate_hz: 1000.0,
         duration_s: 0.16,
@@ -72,12 +72,12 @@ fn features(folder: &Path, begins_s: Option<f64>) -> Features {
         file: "run.csv".into(),
         channel: "mfc.voltage".to_owned(),
         output: FrfResponse::Voltage("mfc".to_owned()),
-        deviation: given(0.03),
+        deviation: relative_deviation(0.03),
         begins_s,
         set: Vec::new(),
     };
     Features {
-        free: free(&[("stop.tip.gap", 0.1), ("stop.tip.stiffness", 0.3)]),
+        free: free_keys(&[("stop.tip.gap", 0.1), ("stop.tip.stiffness", 0.3)]),
         histories: vec![feature],
         folder: folder.to_owned(),
         ..Features::default()
@@ -88,14 +88,14 @@ fn features(folder: &Path, begins_s: Option<f64>) -> Features {
 fn gap_and_stiffness_of_a_stop_come_back_from_a_voltage() {
     let text = format!("{HARVESTER}{RUN}");
     let folder = tempfile::tempdir().expect("a folder");
-    write(&recorded(&text), &folder.path().join("run.csv")).expect("a file");
-    let answer = recovered(
+    write(&simulated_record(&text), &folder.path().join("run.csv")).expect("a file");
+    let result = fit_and_compare(
         &text,
         &features(folder.path(), None),
         &[0.21e-3, 5000.0],
         0.05,
     );
-    let (before, after) = answer.curves[0].errors();
+    let (before, after) = result.curves[0].errors();
     eprintln!(
         "{:.2} % off before, {:.2} % after, rms",
         100.0 * before,
@@ -106,12 +106,12 @@ fn gap_and_stiffness_of_a_stop_come_back_from_a_voltage() {
         "{before} {after}"
     );
     assert!(
-        answer
+        result
             .warnings
             .iter()
             .all(|warning| !warning.contains("begins")),
         "{:?}",
-        answer.warnings
+        result.warnings
     );
 }
 
@@ -119,14 +119,14 @@ fn gap_and_stiffness_of_a_stop_come_back_from_a_voltage() {
 /// A clock that was not set needs `begins`, which gives an equal result. With `begins` at the start
 /// of the run the fit is poor.
 #[test]
-fn a_record_that_begins_later_is_met_at_its_own_times() {
+fn a_record_that_begins_later_is_compared_at_its_times() {
     let text = format!("{HARVESTER}{RUN}");
-    let whole = recorded(&text);
+    let complete = simulated_record(&text);
     let cut = |clock_s: f64| {
         let folder = tempfile::tempdir().expect("a folder");
         let mut part = Recording {
-            grid: Grid::even(clock_s + 0.05, 1e-3, whole.grid.len() - 50).expect("a grid"),
-            ..whole.clone()
+            grid: Grid::even(clock_s + 0.05, 1e-3, complete.grid.len() - 50).expect("a grid"),
+            ..complete.clone()
         };
         part.channels
             .iter_mut()
@@ -134,53 +134,53 @@ fn a_record_that_begins_later_is_met_at_its_own_times() {
         write(&part, &folder.path().join("run.csv")).expect("a file");
         folder
     };
-    let here = cut(0.0);
-    let answer = recovered(
+    let from_zero = cut(0.0);
+    let result = fit_and_compare(
         &text,
-        &features(here.path(), None),
+        &features(from_zero.path(), None),
         &[0.21e-3, 5000.0],
         0.05,
     );
     assert!(
-        answer.warnings.iter().any(
+        result.warnings.iter().any(
             |warning| warning.contains("its first stamp, 0.05 s, is read as a time of the run")
         ),
-        "{answer:?}"
+        "{result:?}"
     );
     assert!(
-        (answer.curves[0].at[0] - 0.05).abs() < 1e-12 && answer.curves[0].errors().1 < 0.04,
-        "{answer:?}"
+        (result.curves[0].at[0] - 0.05).abs() < 1e-12 && result.curves[0].errors().1 < 0.04,
+        "{result:?}"
     );
     let (file, spec) = spec(&text, &[]);
-    let fitted = |features: &Features| {
-        fit(&file, &spec, features, Path::new("."), &Control::default()).map(|(answer, _)| answer)
+    let try_fit = |features: &Features| {
+        fit(&file, &spec, features, Path::new("."), &Control::default()).map(|(result, _)| result)
     };
     let clock = cut(3600.0);
-    let told = fitted(&features(clock.path(), None))
+    let message = try_fit(&features(clock.path(), None))
         .expect_err("beyond the run")
         .to_string();
     assert!(
-        told.contains("from 3600.05 to")
-            && told.contains("run.duration = 0.16 s")
-            && told.contains("begins = \"0 s\""),
-        "{told}"
+        message.contains("from 3600.05 to")
+            && message.contains("run.duration = 0.16 s")
+            && message.contains("begins = \"0 s\""),
+        "{message}"
     );
-    let early = fitted(&features(cut(-1.0).path(), None))
+    let early = try_fit(&features(cut(-1.0).path(), None))
         .expect_err("before the run")
         .to_string();
     assert!(
         early.contains("its first stamp is -0.95 s, before the run starts"),
         "{early}"
     );
-    let said = fitted(&features(clock.path(), Some(0.05))).expect("a fit");
-    for (key, by_stamps) in said.keys.iter().zip(&answer.keys) {
+    let with_begins = try_fit(&features(clock.path(), Some(0.05))).expect("a fit");
+    for (key, by_stamps) in with_begins.keys.iter().zip(&result.keys) {
         assert!(
             (key.after / by_stamps.after - 1.0).abs() < 1e-6,
             "{key:?} {by_stamps:?}"
         );
     }
-    let wrong = fitted(&features(here.path(), Some(0.0)))
-        .map_or(f64::INFINITY, |answer| answer.curves[0].errors().1);
-    eprintln!("taken from the start of the run: {wrong:.2} off");
-    assert!(wrong > 0.1, "{wrong}");
+    let error = try_fit(&features(from_zero.path(), Some(0.0)))
+        .map_or(f64::INFINITY, |result| result.curves[0].errors().1);
+    eprintln!("taken from the start of the run: {error:.2} off");
+    assert!(error > 0.1, "{error}");
 }

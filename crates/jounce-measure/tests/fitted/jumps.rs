@@ -1,6 +1,6 @@
 //! Jump frequencies.
 
-use super::{HARVESTER, free, given, recovered, spec};
+use super::{HARVESTER, fit_and_compare, free_keys, relative_deviation, spec};
 use jounce_core::analysis::{BranchKind, BranchSearch, Model, OrbitMethodKind, Parameter};
 use jounce_core::spec::NumericKey;
 use jounce_measure::fit::{Features, JumpFeature};
@@ -43,7 +43,7 @@ fn the_stiffness_of_a_stop_comes_back_from_a_jump() {
     let folds: Vec<f64> = branches
         .iter()
         .flat_map(|branch| &branch.bifurcations)
-        .filter(|found| found.kind == BranchKind::Fold)
+        .filter(|label| label.kind == BranchKind::Fold)
         .map(|fold| fold.at.parameter)
         .collect();
     eprintln!("folds at {folds:.4?} Hz");
@@ -52,13 +52,13 @@ fn the_stiffness_of_a_stop_comes_back_from_a_jump() {
         over: "drive.shaker.frequency".to_owned(),
         at: format!("{} Hz", highest * 1.001),
         between: ["60 Hz".to_owned(), "95 Hz".to_owned()],
-        deviation: given(0.001),
+        deviation: relative_deviation(0.001),
         set: Vec::new(),
     };
     let features = Features {
-        free: free(&[("stop.tip.stiffness", 0.3)]),
+        free: free_keys(&[("stop.tip.stiffness", 0.3)]),
         jumps: vec![feature],
         ..Features::default()
     };
-    recovered(&text, &features, &[330.0], 0.05);
+    fit_and_compare(&text, &features, &[330.0], 0.05);
 }

@@ -29,31 +29,36 @@ pub fn spec(text: &str, set: &[(&str, &str)]) -> (SpecFile, Spec) {
 }
 
 /// Fits the harvester to features, and compares every free key with its true value. The error must
-/// be within four stated deviations and, relative, within `most`.
-pub fn recovered(text: &str, features: &Features, truth: &[f64], most: f64) -> FitResult {
+/// be within four stated deviations and, relative, within `max_error`.
+pub fn fit_and_compare(
+    text: &str,
+    features: &Features,
+    truth: &[f64],
+    max_error: f64,
+) -> FitResult {
     let (file, spec) = spec(text, &[]);
-    let (answer, _) = fit(&file, &spec, features, Path::new("."), &Control::default())
+    let (result, _) = fit(&file, &spec, features, Path::new("."), &Control::default())
         .unwrap_or_else(|fault| panic!("{fault}"));
-    for (key, truth) in answer.keys.iter().zip(truth) {
-        let off = key.after / truth - 1.0;
+    for (key, truth) in result.keys.iter().zip(truth) {
+        let error = key.after / truth - 1.0;
         eprintln!(
-            "{}: {:.2e} off before, {off:.2e} after, {:.2} of its deviations; {} evaluations",
+            "{}: {:.2e} off before, {error:.2e} after, {:.2} of its deviations; {} evaluations",
             key.key,
             key.before / truth - 1.0,
-            off / key.deviation,
-            answer.evaluations
+            error / key.deviation,
+            result.evaluations
         );
         assert!(
-            off.abs() < most && off.abs() < 4.0 * key.deviation,
+            error.abs() < max_error && error.abs() < 4.0 * key.deviation,
             "{key:?} {truth}"
         );
         assert!(key.deviation < 0.5 * key.prior_deviation, "{key:?}");
     }
-    answer
+    result
 }
 
 /// Adds noise of a relative deviation to numbers.
-pub fn noisy(values: &[f64], deviation: f64, seed: u64) -> Vec<f64> {
+pub fn with_noise(values: &[f64], deviation: f64, seed: u64) -> Vec<f64> {
     let mut stream = RandomStream::new(seed, 0);
     values
         .iter()
@@ -62,13 +67,13 @@ pub fn noisy(values: &[f64], deviation: f64, seed: u64) -> Vec<f64> {
 }
 
 /// Free keys.
-pub fn free(keys: &[(&str, f64)]) -> Vec<(String, f64)> {
+pub fn free_keys(keys: &[(&str, f64)]) -> Vec<(String, f64)> {
     keys.iter()
         .map(|(key, deviation)| ((*key).to_owned(), *deviation))
         .collect()
 }
 
 /// A known deviation.
-pub const fn given(deviation: f64) -> Deviation {
+pub const fn relative_deviation(deviation: f64) -> Deviation {
     Deviation::Given(deviation)
 }

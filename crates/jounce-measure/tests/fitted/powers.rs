@@ -1,6 +1,6 @@
 //! Mean powers over the load.
 
-use super::{HARVESTER, free, given, noisy, recovered, spec};
+use super::{HARVESTER, fit_and_compare, free_keys, relative_deviation, spec, with_noise};
 use jounce_core::analysis::Model;
 use jounce_core::run::{RunPlan, simulate};
 use jounce_measure::fit::{Features, PowerFeature};
@@ -43,23 +43,23 @@ fn coupling_and_capacitance_come_back_from_powers_over_the_load() {
     let feature = PowerFeature {
         over: "circuit.load.resistance".to_owned(),
         values: LOADS.iter().map(|load| (*load).to_owned()).collect(),
-        mean_power_w: noisy(&truth, 0.02, 3),
-        deviation: given(0.02),
+        mean_power_w: with_noise(&truth, 0.02, 3),
+        deviation: relative_deviation(0.02),
         set: vec![("drive.shaker.frequency".to_owned(), "60 Hz".to_owned())],
     };
     let features = Features {
-        free: free(&[("patch.mfc.d31", 0.3), ("patch.mfc.capacitance", 0.3)]),
+        free: free_keys(&[("patch.mfc.d31", 0.3), ("patch.mfc.capacitance", 0.3)]),
         powers: vec![feature],
         ..Features::default()
     };
-    let answer = recovered(&text, &features, &[-190e-12, 50e-9], 0.05);
-    assert_eq!(answer.features.len(), 5);
+    let result = fit_and_compare(&text, &features, &[-190e-12, 50e-9], 0.05);
+    assert_eq!(result.features.len(), 5);
     assert!(
-        answer.features[2].name.contains("50 kohm")
-            && answer
+        result.features[2].name.contains("50 kohm")
+            && result
                 .features
                 .iter()
                 .all(|feature| feature.errors().1.abs() < 0.06),
-        "{answer:?}"
+        "{result:?}"
     );
 }

@@ -1,6 +1,6 @@
 //! Frequency responses.
 
-use super::{HARVESTER, free, given, noisy, recovered, spec};
+use super::{HARVESTER, fit_and_compare, free_keys, relative_deviation, spec, with_noise};
 use faer::c64;
 use jounce_core::drive::RandomStream;
 use jounce_core::integrate::Control;
@@ -32,14 +32,14 @@ fn voltage() -> (Vec<f64>, Vec<c64>) {
     )
     .expect("plant");
     let frequency_hz: Vec<f64> = (0..40).map(|k| 40.0 + 1.5 * f64::from(k)).collect();
-    let found = frf(
+    let responses = frf(
         &plant,
         &FrfInput::BaseAcceleration,
         &[FrfResponse::Voltage("mfc".to_owned())],
         &frequency_hz,
     )
     .expect("responses");
-    (frequency_hz, found[0].value.clone())
+    (frequency_hz, responses[0].value.clone())
 }
 
 fn features(lines: MeasuredLines, deviation: Deviation) -> Features {
@@ -56,7 +56,7 @@ fn features(lines: MeasuredLines, deviation: Deviation) -> Features {
         set: Vec::new(),
     };
     Features {
-        free: free(&KEYS),
+        free: free_keys(&KEYS),
         responses: vec![feature],
         ..Features::default()
     }
@@ -68,27 +68,27 @@ fn features(lines: MeasuredLines, deviation: Deviation) -> Features {
 fn keys_come_back_from_sizes_and_their_deviation_from_residuals() {
     let (frequency_hz, value) = voltage();
     let sizes: Vec<f64> = value.iter().map(|h| h.norm()).collect();
-    let answer = recovered(
+    let result = fit_and_compare(
         HARVESTER,
         &features(
-            MeasuredLines::Magnitude(frequency_hz, noisy(&sizes, 0.02, 1)),
+            MeasuredLines::Magnitude(frequency_hz, with_noise(&sizes, 0.02, 1)),
             Deviation::Residuals,
         ),
         &TRUTH,
         0.05,
     );
-    let found = &answer.deviations[0];
+    let deviation = &result.deviations[0];
     eprintln!(
         "deviation {:.2e} with {:.1?} degrees of freedom",
-        found.deviation, found.degrees_of_freedom
+        deviation.deviation, deviation.degrees_of_freedom
     );
     assert!(
-        (found.deviation / 0.02 - 1.0).abs() < 0.3
-            && found
+        (deviation.deviation / 0.02 - 1.0).abs() < 0.3
+            && deviation
                 .degrees_of_freedom
                 .is_some_and(|freedom| (freedom - 37.0).abs() < 1.0)
     );
-    let curve = &answer.curves[0];
+    let curve = &result.curves[0];
     let (before, after) = curve.errors();
     assert!(before > 0.2 && after < 0.03, "{before} {after}");
     // About 95 % of the measurements lie within the interval for a further one.
@@ -102,23 +102,26 @@ fn keys_come_back_from_sizes_and_their_deviation_from_residuals() {
 fn keys_come_back_from_complex_values() {
     let (frequency_hz, value) = voltage();
     let mut stream = RandomStream::new(5, 0);
-    let noisy = |h: &c64| {
+    let with_noise = |h: &c64| {
         let [re, im] = stream.normal_pair();
         h + c64::new(re, im) * (0.02 * h.norm())
     };
-    let value = value.iter().map(noisy).collect();
-    let answer = recovered(
+    let value = value.iter().map(with_noise).collect();
+    let result = fit_and_compare(
         HARVESTER,
-        &features(MeasuredLines::Complex(frequency_hz, value), given(0.02)),
+        &features(
+            MeasuredLines::Complex(frequency_hz, value),
+            relative_deviation(0.02),
+        ),
         &TRUTH,
         0.03,
     );
-    assert_eq!((answer.curves.len(), answer.features.len()), (2, 0));
-    eprintln!("chi square {:.1} for 80 numbers", answer.chi_square);
+    assert_eq!((result.curves.len(), result.features.len()), (2, 0));
+    eprintln!("chi square {:.1} for 80 numbers", result.chi_square);
     assert!(
-        (40.0..125.0).contains(&answer.chi_square) && answer.warnings.is_empty(),
+        (40.0..125.0).contains(&result.chi_square) && result.warnings.is_empty(),
         "{:?}",
-        answer.warnings
+        result.warnings
     );
 }
 
@@ -126,7 +129,7 @@ fn keys_come_back_from_complex_values() {
 /// response of the tip. It recovers the keys where it is specified as absolute. A file in V/N is
 /// refused where voltage per acceleration of the base is expected; one in V/g is converted.
 #[test]
-fn a_sensor_on_the_structure_and_the_unit_of_a_file_are_minded() {
+fn a_sensor_on_the_structure_and_the_unit_of_a_file_are_used() {
     let (file, model) = spec(HARVESTER, &[]);
     let (_, truth) = spec(
         HARVESTER,
@@ -141,40 +144,46 @@ fn a_sensor_on_the_structure_and_the_unit_of_a_file_are_minded() {
     .expect("plant");
     let frequency_hz: Vec<f64> = (0..40).map(|k| 40.0 + 1.5 * f64::from(k)).collect();
     let output = FrfResponse::Acceleration("beam.end".to_owned());
-    let found = frf(
+    let responses = frf(
         &plant,
         &FrfInput::BaseAcceleration,
         std::slice::from_ref(&output),
         &frequency_hz,
     )
     .expect("responses");
-    let riding = found[0].value.iter().map(|h| h + 1.0).collect();
-    let lines = MeasuredLines::Complex(frequency_hz.clone(), riding);
+    let on_structure = responses[0].value.iter().map(|h| h + 1.0).collect();
+    let lines = MeasuredLines::Complex(frequency_hz.clone(), on_structure);
     let feature = ResponseFeature {
         input: FrfInput::BaseAcceleration,
         output,
         lines,
         absolute: true,
-        deviation: given(0.001),
+        deviation: relative_deviation(0.001),
         set: Vec::new(),
     };
     let keys = [("beam.beam.youngs_modulus", 0.1), ("damping.beyond", 0.5)];
-    let riding = Features {
-        free: free(&keys),
+    let on_structure = Features {
+        free: free_keys(&keys),
         responses: vec![feature],
         ..Features::default()
     };
-    let (answer, _) =
-        fit(&file, &model, &riding, Path::new("."), &Control::default()).expect("a fit");
-    let off = [
-        answer.keys[0].after / 72.5e9 - 1.0,
-        answer.keys[1].after / 0.016 - 1.0,
+    let (result, _) = fit(
+        &file,
+        &model,
+        &on_structure,
+        Path::new("."),
+        &Control::default(),
+    )
+    .expect("a fit");
+    let errors = [
+        result.keys[0].after / 72.5e9 - 1.0,
+        result.keys[1].after / 0.016 - 1.0,
     ];
-    eprintln!("absolute: {:.1e} {:.1e} off", off[0], off[1]);
+    eprintln!("absolute: {:.1e} {:.1e} off", errors[0], errors[1]);
     assert!(
-        off.iter().all(|off| off.abs() < 1e-4) && answer.warnings.is_empty(),
-        "{off:?} {:?}",
-        answer.warnings
+        errors.iter().all(|error| error.abs() < 1e-4) && result.warnings.is_empty(),
+        "{errors:?} {:?}",
+        result.warnings
     );
     let folder = tempfile::tempdir().expect("a folder");
     for (unit, fits) in [("V/g", true), ("V/N", false), ("V", false), ("", true)] {
@@ -199,7 +208,7 @@ fn a_sensor_on_the_structure_and_the_unit_of_a_file_are_minded() {
         };
         let features = Features {
             folder: folder.path().to_owned(),
-            ..features(lines, given(0.01))
+            ..features(lines, relative_deviation(0.01))
         };
         match fit(
             &file,
@@ -208,19 +217,19 @@ fn a_sensor_on_the_structure_and_the_unit_of_a_file_are_minded() {
             Path::new("."),
             &Control::default(),
         ) {
-            Ok((answer, _)) => {
+            Ok((result, _)) => {
                 assert!(fits, "{unit}");
                 assert_eq!(
-                    answer
+                    result
                         .warnings
                         .iter()
-                        .any(|told| told.contains("has no unit")),
+                        .any(|message| message.contains("has no unit")),
                     unit.is_empty(),
                     "{:?}",
-                    answer.warnings
+                    result.warnings
                 );
-                let off = answer.keys[1].after / TRUTH[1] - 1.0;
-                assert!(unit.is_empty() || off.abs() < 1e-3, "{off:e}");
+                let error = result.keys[1].after / TRUTH[1] - 1.0;
+                assert!(unit.is_empty() || error.abs() < 1e-3, "{error:e}");
             }
             Err(fault) => assert!(
                 !fits && fault.to_string().contains("is in V/(m/s^2)"),

@@ -6,42 +6,44 @@ use jounce_measure::read::ReadError;
 use jounce_measure::recording::IssueKind;
 
 #[test]
-fn arrays_need_notes_where_they_tell_no_time() {
+fn arrays_without_a_time_need_notes() {
     let rows = vec![
         (0..50).map(|k| f64::from(k) * 1e-3).collect(),
         (0..50).map(|k| f64::from(k).sin()).collect::<Vec<f64>>(),
     ];
-    let found = one("a.npy", &npy(&rows), None);
+    let recording = one("a.npy", &npy(&rows), None);
     assert_eq!(
-        (found.channels.len(), found.channels[0].values.len()),
+        (recording.channels.len(), recording.channels[0].values.len()),
         (1, 50)
     );
-    assert!((found.rate() - 1000.0).abs() < 1e-9);
+    assert!((recording.rate() - 1000.0).abs() < 1e-9);
     let only = vec![rows[1].clone(), rows[1].clone()];
     assert!(matches!(
         read("b.npy", &npy(&only), None),
         Err(ReadError::NoTime { .. })
     ));
     let notes = "rate = \"2 kHz\"\n[channel.1]\nname = \"hammer\"\nunit = \"lbf\"\nscale = 10\n[channel.2]\nuse = false\n";
-    let noted = one("b.npy", &npy(&only), Some(notes));
+    let with_notes = one("b.npy", &npy(&only), Some(notes));
     assert_eq!(
         (
-            noted.channels.len(),
-            noted.channels[0].name.as_str(),
-            noted.rate()
+            with_notes.channels.len(),
+            with_notes.channels[0].name.as_str(),
+            with_notes.rate()
         ),
         (1, "hammer", 2000.0)
     );
-    assert!((noted.channels[0].values[1] / (only[0][1] * 44.482_216_152_605) - 1.0).abs() < 1e-14);
-    let wrong = read(
+    assert!(
+        (with_notes.channels[0].values[1] / (only[0][1] * 44.482_216_152_605) - 1.0).abs() < 1e-14
+    );
+    let error = read(
         "c.npy",
         &npy(&only),
         Some("rate = \"1 Hz\"\n[channel.hamster]\nunit = \"N\"\n"),
     )
     .expect_err("no such channel");
     assert!(
-        wrong.to_string().contains("hamster") && wrong.to_string().contains("channel 1"),
-        "{wrong}"
+        error.to_string().contains("hamster") && error.to_string().contains("channel 1"),
+        "{error}"
     );
     let matrix = one("a.mat", &mat("m", &rows), None);
     assert_eq!(matrix.channels[0].name, "m(2)");
@@ -68,20 +70,21 @@ fn arrays_of_two_bytes_are_read_and_complex_ones_refused_with_a_way_out() {
     let little: Vec<u8> = halves.iter().flat_map(|half| half.to_le_bytes()).collect();
     let big: Vec<u8> = halves.iter().flat_map(|half| half.to_be_bytes()).collect();
     for (dtype, numbers) in [("<f2", little), (">f2", big)] {
-        let found = one("a.npy", &[header(dtype), numbers].concat(), notes);
+        let recording = one("a.npy", &[header(dtype), numbers].concat(), notes);
         assert_eq!(
-            found.channels[0].values,
+            recording.channels[0].values,
             [1.5, -5.0, 2.0_f64.powi(-24)],
             "{dtype}"
         );
     }
     for dtype in ["<c8", "<c16"] {
-        let told = read("a.npy", &[header(dtype), vec![0; 48]].concat(), notes)
+        let message = read("a.npy", &[header(dtype), vec![0; 48]].concat(), notes)
             .expect_err("complex")
             .to_string();
         assert!(
-            told.contains(&format!("complex ({dtype})")) && told.contains("NAME.re and NAME.im"),
-            "{told}"
+            message.contains(&format!("complex ({dtype})"))
+                && message.contains("NAME.re and NAME.im"),
+            "{message}"
         );
     }
 }
@@ -89,11 +92,11 @@ fn arrays_of_two_bytes_are_read_and_complex_ones_refused_with_a_way_out() {
 /// A rate or a step next to the arrays replaces a time; a time has priority. A conflicting number,
 /// also one against the notes, is reported.
 #[test]
-fn a_single_number_of_a_matrix_file_tells_the_rate() {
+fn a_single_number_of_a_matrix_file_gives_the_rate() {
     let (ramp, tip): (Vec<f64>, Vec<f64>) = (0..50)
         .map(|k| (f64::from(k) * 1e-3, f64::from(k).sin()))
         .unzip();
-    let with = |numbers: &[(&str, f64)], time: bool| {
+    let with_numbers = |numbers: &[(&str, f64)], time: bool| {
         let mut bytes = mat("tip", std::slice::from_ref(&tip));
         numbers
             .iter()
@@ -109,52 +112,58 @@ fn a_single_number_of_a_matrix_file_tells_the_rate() {
         ("sample_rate", 2000.0),
         ("dt", 5e-4),
     ] {
-        let found = one("a.mat", &with(&[(name, number)], false), None);
+        let recording = one("a.mat", &with_numbers(&[(name, number)], false), None);
         assert!(
-            (found.rate() / 2000.0 - 1.0).abs() < 1e-12 && found.grid.at(0) == 0.0,
+            (recording.rate() / 2000.0 - 1.0).abs() < 1e-12 && recording.grid.at(0) == 0.0,
             "{name}: {}",
-            found.rate()
+            recording.rate()
         );
         assert_eq!(
             (
-                found.channels.len(),
-                &found.channels[0].values,
-                kinds(&found)
+                recording.channels.len(),
+                &recording.channels[0].values,
+                kinds(&recording)
             ),
             (1, &tip, vec![IssueKind::Assumed]),
             "{name}"
         );
         assert!(
-            found.findings[0].to_string().contains(&format!(
+            recording.findings[0].to_string().contains(&format!(
                 "at 2000 Hz, starting at 0 s, from {name} = {number} "
             )),
             "{:?}",
-            found.findings
+            recording.findings
         );
     }
-    let told = |bytes: &[u8], notes: Option<&str>, rate: f64, words: &str| {
-        let found = one("a.mat", bytes, notes);
-        assert!((found.rate() / rate - 1.0).abs() < 1e-9, "{}", found.rate());
-        let found: Vec<String> = found.findings.iter().map(ToString::to_string).collect();
+    let assert_finding = |bytes: &[u8], notes: Option<&str>, rate: f64, words: &str| {
+        let recording = one("a.mat", bytes, notes);
         assert!(
-            found.iter().any(|told| told.contains(words)),
-            "{found:?} {words}"
+            (recording.rate() / rate - 1.0).abs() < 1e-9,
+            "{}",
+            recording.rate()
+        );
+        let recording: Vec<String> = recording.findings.iter().map(ToString::to_string).collect();
+        assert!(
+            recording
+                .iter()
+                .any(|assert_finding| assert_finding.contains(words)),
+            "{recording:?} {words}"
         );
     };
-    told(
-        &with(&[("fs", 2000.0)], true),
+    assert_finding(
+        &with_numbers(&[("fs", 2000.0)], true),
         None,
         1000.0,
         "fs = 2000 in the file is 2000 Hz, the stamps give 1000.000000 Hz; the stamps are used",
     );
-    told(
-        &with(&[("fs", 2000.0)], false),
+    assert_finding(
+        &with_numbers(&[("fs", 2000.0)], false),
         Some("rate = \"500 Hz\"\n"),
         500.0,
         "the notes specify 500.000000 Hz; the notes are used",
     );
-    told(
-        &with(&[("fs", 2000.0), ("dt", 1e-3)], false),
+    assert_finding(
+        &with_numbers(&[("fs", 2000.0), ("dt", 1e-3)], false),
         None,
         2000.0,
         "dt = 0.001 one of 1000 Hz; the first is used",
@@ -162,7 +171,7 @@ fn a_single_number_of_a_matrix_file_tells_the_rate() {
     assert!(
         !kinds(&one(
             "a.mat",
-            &with(&[("fs", 1000.0), ("dt", 1e-3)], true),
+            &with_numbers(&[("fs", 1000.0), ("dt", 1e-3)], true),
             None
         ))
         .contains(&IssueKind::HeaderDisagrees)
@@ -183,7 +192,7 @@ fn a_single_number_of_a_matrix_file_tells_the_rate() {
         2
     );
     for (name, number) in [("fs", 0.0), ("fs", f64::NAN), ("gain", 2000.0)] {
-        let refused = read("a.mat", &with(&[(name, number)], false), None);
+        let refused = read("a.mat", &with_numbers(&[(name, number)], false), None);
         assert!(
             matches!(refused, Err(ReadError::NoTime { .. })),
             "{name} = {number}: {refused:?}"
@@ -198,27 +207,27 @@ fn a_matrix_file_is_read_element_by_element() {
     let ramp: Vec<f64> = (0..50).map(|k| f64::from(k) * 1e-3).collect();
     let second = mat("tip", &[ramp.iter().map(|t| t.sin()).collect()]).split_off(128);
     let both = [mat("t", std::slice::from_ref(&ramp)), second.clone()].concat();
-    let whole = one("a.mat", &both, None);
+    let complete = one("a.mat", &both, None);
     assert_eq!(
-        (whole.channels.len(), whole.channels[0].name.as_str()),
+        (complete.channels.len(), complete.channels[0].name.as_str()),
         (1, "tip")
     );
-    let told = read("a.mat", &both[..both.len() - 8], None)
+    let message = read("a.mat", &both[..both.len() - 8], None)
         .expect_err("it is cut")
         .to_string();
     let begin = both.len() - second.len();
     assert!(
-        told.contains(&format!("byte {begin}")) && told.contains("is the file truncated?"),
-        "{told}"
+        message.contains(&format!("byte {begin}")) && message.contains("is the file truncated?"),
+        "{message}"
     );
-    let mut odd = both.clone();
+    let mut odd_length = both.clone();
     // Changes the class of the second array to that of an object.
-    odd[begin + 16] = 17;
+    odd_length[begin + 16] = 17;
     let rate = Some("rate = \"1 kHz\"\n");
-    let told = read("a.mat", &odd, rate)
+    let message = read("a.mat", &odd_length, rate)
         .expect_err("only a time is left")
         .to_string();
-    assert!(told.contains("was left out"), "{told}");
+    assert!(message.contains("was left out"), "{message}");
 }
 
 /// A time of 50 samples and channels of 40 do not form a recording.
@@ -226,12 +235,12 @@ fn a_matrix_file_is_read_element_by_element() {
 fn a_matrix_file_without_a_channel_as_long_as_its_time_is_refused() {
     let ramp: Vec<f64> = (0..50).map(|k| f64::from(k) * 1e-3).collect();
     let short = mat("tip", &[ramp[..40].to_vec()]).split_off(128);
-    let told = read("a.mat", &[mat("t", &[ramp]), short].concat(), None)
+    let message = read("a.mat", &[mat("t", &[ramp]), short].concat(), None)
         .expect_err("no channel")
         .to_string();
     assert!(
-        told.contains("no channel remains")
-            && told.contains("tip has 40 samples where the recording has 50"),
-        "{told}"
+        message.contains("no channel remains")
+            && message.contains("tip has 40 samples where the recording has 50"),
+        "{message}"
     );
 }

@@ -23,7 +23,7 @@ fn relative(hz: f64) -> Complex<f64> {
 
 /// Motion of the tip per motion of the base, each of a given kind; the kinds differ by factors
 /// `j w`.
-fn transferred(output: Quantity, input: Quantity, hz: f64) -> Complex<f64> {
+fn transfer_function(output: Quantity, input: Quantity, hz: f64) -> Complex<f64> {
     let power = |quantity: Quantity| match quantity {
         Quantity::Displacement => 0,
         Quantity::Velocity => 1,
@@ -36,7 +36,7 @@ fn responses(output: Quantity, input: Quantity) -> MeasuredResponses {
     let frequency_hz: Vec<f64> = (40..1400).map(|k| f64::from(k) * 0.25).collect();
     let value: Vec<_> = frequency_hz
         .iter()
-        .map(|hz| transferred(output, input, *hz))
+        .map(|hz| transfer_function(output, input, *hz))
         .collect();
     let coherence = vec![1.0; value.len()];
     MeasuredResponses {
@@ -76,30 +76,30 @@ fn every_motion_of_tip_and_base_gives_the_same_modes_and_participation() {
         .flat_map(|output| kinds.iter().map(move |input| (*output, *input)))
     {
         let responses = responses(output, input);
-        let found = identify(
+        let identification = identify(
             &Band::of(&responses, (10.0, 349.0)).expect("a band"),
             ModalSettings { order: 16 },
         )
         .expect("modes");
         assert_eq!(
-            found.modes.len(),
+            identification.modes.len(),
             3,
             "{output:?} {input:?}: {:?}",
-            found.modes
+            identification.modes
         );
-        for (mode, (hz, ratio, part)) in found.modes.iter().zip(MODES) {
-            let told = mode.base_participation(&responses).expect("a base")[0];
-            let off = [
+        for (mode, (hz, ratio, part)) in identification.modes.iter().zip(MODES) {
+            let participation = mode.base_participation(&responses).expect("a base")[0];
+            let errors = [
                 mode.frequency_hz / hz - 1.0,
                 mode.damping_ratio / ratio - 1.0,
-                told.re / part - 1.0,
-                told.im / part,
+                participation.re / part - 1.0,
+                participation.im / part,
             ];
             eprintln!(
                 "{output:?} per {input:?}, {hz} Hz: {:.1e} {:.1e} {:.1e}",
-                off[0], off[1], off[2]
+                errors[0], errors[1], errors[2]
             );
-            assert!(off.iter().all(|off| off.abs() < 1e-12), "{off:?}");
+            assert!(errors.iter().all(|error| error.abs() < 1e-12), "{errors:?}");
         }
     }
     assert_eq!(found_under_a_force(), None);
@@ -107,27 +107,27 @@ fn every_motion_of_tip_and_base_gives_the_same_modes_and_participation() {
 
 fn found_under_a_force() -> Option<usize> {
     let responses = responses(Quantity::Acceleration, Quantity::Force);
-    let found = identify(
+    let identification = identify(
         &Band::of(&responses, (10.0, 349.0)).expect("a band"),
         ModalSettings { order: 16 },
     )
     .expect("modes");
-    found.modes[0]
+    identification.modes[0]
         .base_participation(&responses)
         .map(|parts| parts.len())
 }
 
 /// A noise-like signal and its double as the response, in given units.
-fn shaken(
+fn shaker_record(
     input: (Quantity, &str),
     output: (Quantity, &str),
     turns: impl Fn(u32) -> f64,
 ) -> Recording {
     let values: Vec<f64> = (0..8000).map(turns).collect();
-    let twice = values.iter().map(|x| 2.0 * x).collect();
+    let two_bases = values.iter().map(|x| 2.0 * x).collect();
     let channels = vec![
         Channel::new("in", input.0, input.1, values),
-        Channel::new("out", output.0, output.1, twice),
+        Channel::new("out", output.0, output.1, two_bases),
     ];
     Recording {
         name: "shaken".to_owned(),
@@ -138,7 +138,7 @@ fn shaken(
     }
 }
 
-fn going_on(k: u32) -> f64 {
+fn continuous_signal(k: u32) -> f64 {
     (f64::from(k) * 0.7).sin() + (f64::from(k).powi(2) * 1e-4).sin()
 }
 
@@ -195,31 +195,31 @@ fn units_are_those_of_output_and_input() {
         ),
     ];
     for (input, output, unit, per_g, transmits) in cases {
-        let found =
-            of(&shaken(input, output, going_on), &PLAIN).unwrap_or_else(|fault| panic!("{fault}"));
+        let responses = of(&shaker_record(input, output, continuous_signal), &PLAIN)
+            .unwrap_or_else(|fault| panic!("{fault}"));
         assert_eq!(
             (
-                found.units[0].as_str(),
-                found.inputs[0],
-                found.references[0].as_str()
+                responses.units[0].as_str(),
+                responses.inputs[0],
+                responses.references[0].as_str()
             ),
             (unit, input.0, "in")
         );
         assert_eq!(
-            found.per_g(0),
+            responses.per_g(0),
             per_g.map(|unit| (9.806_65, unit.to_owned()))
         );
-        assert_eq!(found.is_transmissibility(0), transmits);
-        assert!((found.functions[0].value[112] - 2.0).norm() < 1e-9);
+        assert_eq!(responses.is_transmissibility(0), transmits);
+        assert!((responses.functions[0].value[112] - 2.0).norm() < 1e-9);
         // A written unit is read as that of a file of responses.
         assert_eq!(jounce_measure::recording::Unit::per(unit), Some(input.0));
     }
 }
 
 #[test]
-fn what_cannot_be_an_input_is_refused() {
+fn a_channel_that_cannot_be_an_input_is_refused() {
     let volts = (Quantity::Voltage, "V");
-    let told = |record: &Recording, chosen: &ChannelChoice| {
+    let error = |record: &Recording, chosen: &ChannelChoice| {
         MeasuredResponses::of_hits(std::slice::from_ref(record), chosen, &PLAIN)
             .expect_err("a refusal")
             .to_string()
@@ -228,14 +228,14 @@ fn what_cannot_be_an_input_is_refused() {
         excitation: Excitation::Channel(name.to_owned()),
         ..ChannelChoice::default()
     };
-    let silent = shaken((Quantity::Unknown, ""), volts, going_on);
-    assert!(told(&silent, &channel("in")).contains("has no unit"));
-    let counts = shaken((Quantity::Unknown, "counts"), volts, going_on);
-    assert!(told(&counts, &channel("in")).contains("the unit counts"));
-    let base = shaken((Quantity::Acceleration, "m/s^2"), volts, going_on);
-    assert!(told(&base, &ChannelChoice::default()).contains("--input"));
+    let without_unit = shaker_record((Quantity::Unknown, ""), volts, continuous_signal);
+    assert!(error(&without_unit, &channel("in")).contains("has no unit"));
+    let counts = shaker_record((Quantity::Unknown, "counts"), volts, continuous_signal);
+    assert!(error(&counts, &channel("in")).contains("the unit counts"));
+    let base = shaker_record((Quantity::Acceleration, "m/s^2"), volts, continuous_signal);
+    assert!(error(&base, &ChannelChoice::default()).contains("--input"));
     assert!(
-        told(
+        error(
             &base,
             &ChannelChoice {
                 excitation: Excitation::Force("in".to_owned()),
@@ -244,9 +244,9 @@ fn what_cannot_be_an_input_is_refused() {
         )
         .contains("--input")
     );
-    assert!(told(&base, &channel("nowhere")).contains("nowhere"));
+    assert!(error(&base, &channel("nowhere")).contains("nowhere"));
     assert!(
-        told(
+        error(
             &base,
             &ChannelChoice {
                 responses: vec!["in".to_owned()],
@@ -255,10 +255,10 @@ fn what_cannot_be_an_input_is_refused() {
         )
         .contains("cannot respond to itself")
     );
-    let pulse = shaken((Quantity::Acceleration, "m/s^2"), volts, |k| {
+    let pulse = shaker_record((Quantity::Acceleration, "m/s^2"), volts, |k| {
         if (20..30).contains(&k) { 50.0 } else { 0.0 }
     });
-    assert!(told(&pulse, &channel("in")).contains("--shaker"));
+    assert!(error(&pulse, &channel("in")).contains("--shaker"));
     assert!(
         of(
             &pulse,
@@ -269,7 +269,7 @@ fn what_cannot_be_an_input_is_refused() {
         )
         .is_ok()
     );
-    let other = shaken((Quantity::Velocity, "m/s"), volts, going_on);
+    let other = shaker_record((Quantity::Velocity, "m/s"), volts, continuous_signal);
     let fault = MeasuredResponses::of_hits(&[base, other], &channel("in"), &PLAIN)
         .expect_err("a refusal")
         .to_string();

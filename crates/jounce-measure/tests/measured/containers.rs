@@ -56,15 +56,15 @@ fn nested() -> Value {
 #[test]
 fn structs_and_cells_of_any_depth_are_read() {
     for compressed in [false, true] {
-        let found = one("a.mat", &file(&[("data", nested())], compressed), None);
+        let recording = one("a.mat", &file(&[("data", nested())], compressed), None);
         assert_eq!(
-            names(&found),
+            names(&recording),
             [("tip", "m/s^2"), ("drive", "V")],
             "{compressed}"
         );
-        assert!((found.rate() - 1000.0).abs() < 1e-9);
+        assert!((recording.rate() - 1000.0).abs() < 1e-9);
         assert_eq!(
-            found.channels[0].values,
+            recording.channels[0].values,
             sine(200, 0.0)
                 .iter()
                 .map(|x| x * 9.806_65)
@@ -73,10 +73,10 @@ fn structs_and_cells_of_any_depth_are_read() {
         let deep = (0..30).fold(nested(), |inside, _| {
             Value::Cell(vec![fields(vec![("x", inside)])])
         });
-        let found = one("a.mat", &file(&[("deep", deep)], compressed), None);
-        assert_eq!(names(&found), [("tip", "m/s^2"), ("drive", "V")]);
+        let recording = one("a.mat", &file(&[("deep", deep)], compressed), None);
+        assert_eq!(names(&recording), [("tip", "m/s^2"), ("drive", "V")]);
         let cell = Value::Cell(vec![column(&ramp(50, 0.5)), column(&sine(50, 0.0))]);
-        let found = one(
+        let recording = one(
             "a.mat",
             &file(
                 &[("c", cell), ("time", column(&ramp(50, 0.01)))],
@@ -84,13 +84,13 @@ fn structs_and_cells_of_any_depth_are_read() {
             ),
             None,
         );
-        assert_eq!(names(&found), [("c{1}", ""), ("c{2}", "")]);
+        assert_eq!(names(&recording), [("c{1}", ""), ("c{2}", "")]);
     }
     let too_deep = (0..200).fold(nested(), |inside, _| Value::Cell(vec![inside]));
-    let told = read("a.mat", &file(&[("deep", too_deep)], false), None)
+    let message = read("a.mat", &file(&[("deep", too_deep)], false), None)
         .expect_err("too deep")
         .to_string();
-    assert!(told.contains("more than 100 structs"), "{told}");
+    assert!(message.contains("more than 100 structs"), "{message}");
 }
 
 /// Each array is assigned to the nearest time or frequency of its length; equal times form one
@@ -117,24 +117,24 @@ fn several_grids_in_one_file_are_several_recordings() {
         ],
         true,
     );
-    let found = all("a.mat", &bytes);
-    let told: Vec<_> = found
+    let contents = all("a.mat", &bytes);
+    let summary: Vec<_> = contents
         .recordings
         .iter()
         .map(|one| (one.over, names(one)))
         .collect();
     let h = ["frf.h(1,1)", "frf.h(2,1)", "frf.h(1,2)", "frf.h(2,2)"].map(|name| (name, ""));
-    let due = [
+    let expected = [
         (Over::Time, vec![("run1.acc", ""), ("run3.acc", "")]),
         (Over::Time, vec![("run2.acc", "")]),
         (Over::Frequency, h.to_vec()),
     ];
-    assert_eq!(told, due);
-    assert_eq!(found.recordings[1].channels[0].values, sine(200, 1.0));
-    let h12 = &found.recordings[2].channels[2];
+    assert_eq!(summary, expected);
+    assert_eq!(contents.recordings[1].channels[0].values, sine(200, 1.0));
+    let h12 = &contents.recordings[2].channels[2];
     assert_eq!(h12.values, sine(400, 0.0)[200..300]);
     assert_eq!(h12.imaginary.as_deref(), Some(&sine(400, 1.0)[200..300]));
-    let about: Vec<String> = found.findings.iter().map(ToString::to_string).collect();
+    let about: Vec<String> = contents.findings.iter().map(ToString::to_string).collect();
     assert!(
         about
             .iter()
@@ -142,15 +142,15 @@ fn several_grids_in_one_file_are_several_recordings() {
         "{about:?}"
     );
     assert!(
-        found.recordings[0].name.ends_with("1: run1"),
+        contents.recordings[0].name.ends_with("1: run1"),
         "{}",
-        found.recordings[0].name
+        contents.recordings[0].name
     );
 }
 
 /// Exports of Simcenter Testlab: a start, a step and the quantity of each axis.
 #[test]
-fn an_axis_may_be_told_by_numbers() {
+fn an_axis_may_be_specified_by_numbers() {
     let axis = |step, unit| {
         let quantity = fields(vec![("label", Value::Text(unit))]);
         fields(vec![
@@ -166,7 +166,7 @@ fn an_axis_may_be_told_by_numbers() {
         ]);
         fields(vec![("x_values", axis(step, axis_unit)), ("y_values", y)])
     };
-    let found = all(
+    let contents = all(
         "a.mat",
         &file(
             &[
@@ -176,13 +176,13 @@ fn an_axis_may_be_told_by_numbers() {
             true,
         ),
     );
-    let told: Vec<_> = found
+    let summary: Vec<_> = contents
         .recordings
         .iter()
         .map(|one| (one.over, one.grid.at(0), one.grid.at(89), names(one)))
         .collect();
     assert_eq!(
-        told[0],
+        summary[0],
         (
             Over::Time,
             0.5,
@@ -191,7 +191,7 @@ fn an_axis_may_be_told_by_numbers() {
         )
     );
     assert_eq!(
-        told[1],
+        summary[1],
         (
             Over::Frequency,
             0.5,
@@ -202,9 +202,9 @@ fn an_axis_may_be_told_by_numbers() {
 }
 
 #[test]
-fn whole_numbers_and_objects_in_matlab_files() {
+fn integers_and_objects_in_matlab_files() {
     let short: Vec<i16> = (-20..20).map(|k| k * 7 % 40 * 800).collect();
-    let found = one(
+    let recording = one(
         "a.mat",
         &file(
             &[("x", Value::Short(short.clone())), ("fs", column(&[100.0]))],
@@ -213,13 +213,13 @@ fn whole_numbers_and_objects_in_matlab_files() {
         None,
     );
     assert!(
-        found.channels[0]
+        recording.channels[0]
             .values
             .iter()
             .zip(&short)
             .all(|(a, b)| *a == f64::from(*b))
     );
-    assert!(kinds(&found).contains(&IssueKind::RawCounts));
+    assert!(kinds(&recording).contains(&IssueKind::RawCounts));
 }
 
 #[test]
@@ -231,22 +231,25 @@ fn an_archive_of_arrays_is_read_by_their_names() {
         entry("gain.npy", vec![2.0]),
     ];
     for compressed in [false, true] {
-        let found = one("a.npz", &zip::file(&entries, compressed), None);
-        assert_eq!(names(&found), [("tip_mv", "V")]);
-        assert!((found.rate() - 1000.0).abs() < 1e-9);
+        let recording = one("a.npz", &zip::file(&entries, compressed), None);
+        assert_eq!(names(&recording), [("tip_mv", "V")]);
+        assert!((recording.rate() - 1000.0).abs() < 1e-9);
         assert_eq!(
-            found.channels[0].values,
+            recording.channels[0].values,
             sine(64, 0.0).iter().map(|x| x * 1e-3).collect::<Vec<f64>>()
         );
     }
-    let told = read(
+    let message = read(
         "a.zip",
         &zip::file(&[("a.txt", b"hello".to_vec())], false),
         None,
     )
     .expect_err("no array")
     .to_string();
-    assert!(told.contains("ZIP archive without NumPy arrays"), "{told}");
+    assert!(
+        message.contains("ZIP archive without NumPy arrays"),
+        "{message}"
+    );
     let mut damaged = zip::file(&entries, true);
     damaged[150] ^= 0x55;
     read("a.npz", &damaged, None).expect_err("its check sum is wrong");
@@ -281,19 +284,19 @@ fn hdf5_groups_and_chunks_are_read() {
     for matlab in [false, true] {
         let mut bytes = hdf5(matlab);
         let name = if matlab { "a.mat" } else { "a.h5" };
-        let found = one(name, &bytes, None);
-        assert_eq!(names(&found), [("run.tip", "V")]);
+        let recording = one(name, &bytes, None);
+        assert_eq!(names(&recording), [("run.tip", "V")]);
         assert!(
-            found.channels[0]
+            recording.channels[0]
                 .values
                 .iter()
                 .zip(sine(300, 0.0))
                 .all(|(a, b)| *a == f64::from(b as f32) * 1e-3)
         );
-        assert_eq!(found.channels[0].quantity, Quantity::Voltage);
+        assert_eq!(recording.channels[0].quantity, Quantity::Voltage);
         bytes.truncate(bytes.len() / 2);
-        let told = read(name, &bytes, None).expect_err("it is cut").to_string();
-        assert!(told.contains("is the file truncated?"), "{told}");
+        let message = read(name, &bytes, None).expect_err("it is cut").to_string();
+        assert!(message.contains("is the file truncated?"), "{message}");
     }
 }
 
@@ -321,18 +324,18 @@ fn tdms_channels_run_through_all_segments() {
             ];
             segment(&channels, interleaved, closed)
         };
-        let found = one(
+        let recording = one(
             "a.tdms",
             &[part(0, 70, true), part(70, 200, true)].concat(),
             None,
         );
         assert_eq!(
-            (names(&found), found.grid.at(0)),
+            (names(&recording), recording.grid.at(0)),
             (vec![("a", "V"), ("b", "V")], 0.25)
         );
-        assert!((found.rate() - 1000.0).abs() < 1e-9);
+        assert!((recording.rate() - 1000.0).abs() < 1e-9);
         assert_eq!(
-            found.channels[1].values,
+            recording.channels[1].values,
             b.iter().map(|x| x * 1e-3).collect::<Vec<f64>>()
         );
         let open = one(
@@ -340,13 +343,13 @@ fn tdms_channels_run_through_all_segments() {
             &[part(0, 70, true), part(70, 200, false)].concat(),
             None,
         );
-        assert_eq!(open.channels, found.channels);
+        assert_eq!(open.channels, recording.channels);
         assert!(kinds(&open).contains(&IssueKind::HeaderDisagrees));
-        let whole = part(0, 200, true);
-        let told = read("a.tdms", &whole[..whole.len() - 8], None)
+        let complete = part(0, 200, true);
+        let message = read("a.tdms", &complete[..complete.len() - 8], None)
             .expect_err("it is cut")
             .to_string();
-        assert!(told.contains("is the file truncated?"), "{told}");
+        assert!(message.contains("is the file truncated?"), "{message}");
     }
     let groups = [
         channel("/'x'/'a'", a.clone()),
@@ -361,7 +364,7 @@ fn tdms_channels_run_through_all_segments() {
 #[test]
 fn wav_samples_of_every_size_are_read() {
     let counts: Vec<i32> = (0..300).map(|k| (k * 37) % 251 - 125).collect();
-    let whole = |size: usize| -> Vec<u8> {
+    let integers = |size: usize| -> Vec<u8> {
         counts
             .iter()
             .flat_map(|x| x.to_le_bytes()[..size].to_vec())
@@ -380,31 +383,34 @@ fn wav_samples_of_every_size_are_read() {
     let bytes: Vec<u8> = counts.iter().map(|x| (x + 128) as u8).collect();
     for (kind, size, samples) in [
         (1, 1, bytes),
-        (1, 2, whole(2)),
-        (1, 3, whole(3)),
-        (1, 4, whole(4)),
+        (1, 2, integers(2)),
+        (1, 3, integers(3)),
+        (1, 4, integers(4)),
         (3, 4, floats(false)),
         (3, 8, floats(true)),
     ] {
-        let found = one("a.wav", &wav::file(kind, size, 2, 48_000, &samples), None);
-        assert_eq!((found.channels.len(), found.rate().round()), (2, 48_000.0));
-        let due: Vec<f64> = counts
+        let recording = one("a.wav", &wav::file(kind, size, 2, 48_000, &samples), None);
+        assert_eq!(
+            (recording.channels.len(), recording.rate().round()),
+            (2, 48_000.0)
+        );
+        let expected: Vec<f64> = counts
             .iter()
             .skip(1)
             .step_by(2)
             .map(|x| f64::from(*x))
             .collect();
-        assert_eq!(found.channels[1].values, due, "{kind} {size}");
+        assert_eq!(recording.channels[1].values, expected, "{kind} {size}");
     }
-    let told = read("a.wav", &wav::file(6, 1, 1, 8000, &[0; 100]), None)
+    let message = read("a.wav", &wav::file(6, 1, 1, 8000, &[0; 100]), None)
         .expect_err("A-law")
         .to_string();
-    assert!(told.contains("kind 6"), "{told}");
+    assert!(message.contains("kind 6"), "{message}");
 }
 
 #[test]
 fn other_binary_files_are_named_with_their_program() {
-    for (name, bytes, what) in [
+    for (name, bytes, program) in [
         ("a.ide", &b"\x1aE\xdf\xa3\0\0"[..], "enDAQ"),
         ("a.wfm", b"\x0f\x0f:WFM#003\0", "Tektronix"),
         ("a.bin", b"AG10\0\0\0", "Keysight"),
@@ -413,7 +419,7 @@ fn other_binary_files_are_named_with_their_program() {
         ("a.dxd", b"\x01\x02\0\0", "DewesoftX"),
         ("a.nc", b"CDF\x01\0\0", "NetCDF 3"),
     ] {
-        let told = read(name, bytes, None).expect_err(what).to_string();
-        assert!(told.contains(what), "{told}");
+        let message = read(name, bytes, None).expect_err(program).to_string();
+        assert!(message.contains(program), "{message}");
     }
 }

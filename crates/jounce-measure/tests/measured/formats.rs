@@ -10,7 +10,7 @@ use jounce_measure::write::write;
 use std::f64::consts::TAU;
 
 #[test]
-fn a_response_is_what_its_unit_says() {
+fn the_unit_of_a_response_gives_its_quantity() {
     let (w0, zeta) = (TAU * 20.0, 0.01);
     for (unit, si, scale, acceleration) in [
         ("mm/kN", "m/N", 1e6, false),
@@ -28,12 +28,15 @@ fn a_response_is_what_its_unit_says() {
                 -b * size
             ));
         }
-        let found = one("h.csv", text.as_bytes(), None);
+        let recording = one("h.csv", text.as_bytes(), None);
         assert_eq!(
-            (found.channels[0].quantity, found.channels[0].unit.as_str()),
+            (
+                recording.channels[0].quantity,
+                recording.channels[0].unit.as_str()
+            ),
             (Quantity::Response, si)
         );
-        let responses = MeasuredResponses::given(&[found]).expect("responses");
+        let responses = MeasuredResponses::given(&[recording]).expect("responses");
         let band = Band::of(&responses, (10.0, 30.0)).expect("a band");
         let modes = identify(&band, ModalSettings { order: 10 })
             .expect("modes")
@@ -52,17 +55,20 @@ fn a_response_is_what_its_unit_says() {
 }
 
 #[test]
-fn a_text_with_units_gaps_and_words_is_read_and_told() {
+fn a_text_with_units_gaps_and_words_is_read_and_reported() {
     let text = "Lab 3\nsensor: A\n\ntime_ms;a [g];Kraft (lbf);n\n0,0;1,0;2;7\n1,0;-1,5;NaN;8\n2,0;0,25;3\n3,0;0,5;x;9\n# end\n4,0;0;0;0\n";
-    let found = one("a.txt", text.as_bytes(), None);
-    assert!((found.rate() - 1000.0).abs() < 1e-9);
-    assert_eq!(found.channels.len(), 3);
-    assert!((found.channels[0].values[1] + 1.5 * 9.80665).abs() < 1e-14);
+    let recording = one("a.txt", text.as_bytes(), None);
+    assert!((recording.rate() - 1000.0).abs() < 1e-9);
+    assert_eq!(recording.channels.len(), 3);
+    assert!((recording.channels[0].values[1] + 1.5 * 9.80665).abs() < 1e-14);
     assert_eq!(
-        (found.channels[1].quantity, found.channels[1].name.as_str()),
+        (
+            recording.channels[1].quantity,
+            recording.channels[1].name.as_str()
+        ),
         (Quantity::Force, "Kraft")
     );
-    let kinds = kinds(&found);
+    let kinds = kinds(&recording);
     for kind in [
         IssueKind::Converted,
         IssueKind::NotANumber,
@@ -85,7 +91,7 @@ fn a_text_with_units_gaps_and_words_is_read_and_told() {
 /// An unknown unit in round brackets is reported, like one in square brackets; a place in them
 /// belongs to the name.
 #[test]
-fn a_unit_that_is_not_known_is_told_in_brackets_of_any_kind() {
+fn an_unknown_unit_in_brackets_of_any_kind_is_reported() {
     for head in [
         "U (furlong)",
         "U [furlong]",
@@ -95,33 +101,36 @@ fn a_unit_that_is_not_known_is_told_in_brackets_of_any_kind() {
         "U [dBm]",
         "U (dB re 1 furlong)",
     ] {
-        let found = one(
+        let recording = one(
             "a.csv",
             format!("t (s),{head}\n0,1\n1,20\n2,3\n").as_bytes(),
             None,
         );
         assert_eq!(
-            (kinds(&found), found.channels[0].name.as_str()),
+            (kinds(&recording), recording.channels[0].name.as_str()),
             (vec![IssueKind::UnknownUnit], "U"),
             "{head}"
         );
         assert_eq!(
-            (found.channels[0].quantity, &found.channels[0].values[..]),
+            (
+                recording.channels[0].quantity,
+                &recording.channels[0].values[..]
+            ),
             (Quantity::Unknown, &[1.0, 20.0, 3.0][..]),
             "{head}"
         );
     }
     for head in ["sensor (top)", "channel (1)", "a (ch2)"] {
-        let found = one(
+        let recording = one(
             "a.csv",
             format!("t (s),{head}\n0,1\n1,20\n2,3\n").as_bytes(),
             None,
         );
         assert_eq!(
             (
-                kinds(&found),
-                found.channels[0].name.as_str(),
-                found.channels[0].unit.as_str()
+                kinds(&recording),
+                recording.channels[0].name.as_str(),
+                recording.channels[0].unit.as_str()
             ),
             (Vec::new(), head, "")
         );
@@ -136,10 +145,10 @@ fn a_unit_that_is_not_known_is_told_in_brackets_of_any_kind() {
 /// One letter in brackets behind a sensor or channel may be a label or a unit. The interpretation
 /// is reported, unless notes specify it. An LVM file has a line of units, so its headers are names.
 #[test]
-fn a_letter_that_may_be_a_label_is_told() {
+fn a_letter_that_may_be_a_label_is_reported() {
     let text = b"t (s),sensor (A),channel (V),channel (B)\n0,1,2,3\n1,20,2.5,3.5\n2,3,2,3\n";
-    let found = one("a.csv", text, None);
-    let names: Vec<(&str, &str)> = found
+    let recording = one("a.csv", text, None);
+    let names: Vec<(&str, &str)> = recording
         .channels
         .iter()
         .map(|channel| (channel.name.as_str(), channel.unit.as_str()))
@@ -148,12 +157,12 @@ fn a_letter_that_may_be_a_label_is_told() {
         names,
         [("sensor (A)", ""), ("channel", "V"), ("channel (B)", "")]
     );
-    let told: Vec<String> = found.findings.iter().map(ToString::to_string).collect();
+    let findings: Vec<String> = recording.findings.iter().map(ToString::to_string).collect();
     assert!(
-        kinds(&found) == [IssueKind::Assumed; 2]
-            && told[0].contains("as a label")
-            && told[1].contains("as the unit V"),
-        "{told:?}"
+        kinds(&recording) == [IssueKind::Assumed; 2]
+            && findings[0].contains("as a label")
+            && findings[1].contains("as the unit V"),
+        "{findings:?}"
     );
     let notes = "[channel.\"sensor (A)\"]\nname = \"sensor A\"\n[channel.channel]\nunit = \"V\"\n";
     assert_eq!(kinds(&one("a.csv", text, Some(notes))), []);
@@ -175,7 +184,7 @@ fn a_letter_that_may_be_a_label_is_told() {
 
 /// 20 dB is ten times an amplitude, and a hundred times a density.
 #[test]
-fn decibels_are_told_of_their_reference() {
+fn decibels_are_converted_with_their_reference() {
     let cases = [
         ("a (dB re 1 m/s^2)", 10.0, "m/s^2"),
         ("a (dB re 1 g)", 98.0665, "m/s^2"),
@@ -191,29 +200,29 @@ fn decibels_are_told_of_their_reference() {
             "(m/s^2)^2/Hz",
         ),
     ];
-    for (head, due, unit) in cases {
-        let found = one(
+    for (head, expected, unit) in cases {
+        let recording = one(
             "a.csv",
             format!("t (s),{head}\n0,0\n1,20\n2,3\n").as_bytes(),
             None,
         );
-        let value = found.channels[0].values[1];
-        assert!((value / due - 1.0).abs() < 1e-13, "{head}: {value}");
-        assert_eq!(found.channels[0].unit, unit, "{head}");
-        assert!(kinds(&found).contains(&IssueKind::Decibels), "{head}");
+        let value = recording.channels[0].values[1];
+        assert!((value / expected - 1.0).abs() < 1e-13, "{head}: {value}");
+        assert_eq!(recording.channels[0].unit, unit, "{head}");
+        assert!(kinds(&recording).contains(&IssueKind::Decibels), "{head}");
     }
 }
 
 /// A number at the end of a text may be truncated; a line without an end is reported.
 #[test]
-fn a_last_line_without_an_end_is_told() {
+fn a_last_line_without_an_end_is_reported() {
     let open = one("a.csv", b"t [s],a [m/s^2]\n0,1\n1,20\n2,3", None);
-    let told: Vec<String> = open.findings.iter().map(ToString::to_string).collect();
+    let findings: Vec<String> = open.findings.iter().map(ToString::to_string).collect();
     assert!(
-        told.len() == 1
-            && told[0].starts_with("the last line has no end")
-            && told[0].ends_with("(at line 4)"),
-        "{told:?}"
+        findings.len() == 1
+            && findings[0].starts_with("the last line has no end")
+            && findings[0].ends_with("(at line 4)"),
+        "{findings:?}"
     );
     assert_eq!(open.channels[0].values, [1.0, 20.0, 3.0]);
     assert_eq!(
@@ -224,9 +233,9 @@ fn a_last_line_without_an_end_is_told() {
 
 /// Two sets over separate grids: the first is read, and the other is reported.
 #[test]
-fn the_record_that_is_taken_of_several_is_told() {
+fn the_selected_record_of_several_is_reported() {
     let folder = tempfile::tempdir().expect("a folder");
-    let written = |name: &str, rate: f64| {
+    let bytes_of = |name: &str, rate: f64| {
         let path = folder.path().join(name);
         let recording = Recording {
             grid: Grid::even(0.0, 1.0 / rate, 301).expect("a grid"),
@@ -238,36 +247,36 @@ fn the_record_that_is_taken_of_several_is_told() {
     let path = folder.path().join("both.uff");
     std::fs::write(
         &path,
-        [written("a.uff", 1000.0), written("b.uff", 500.0)].concat(),
+        [bytes_of("a.uff", 1000.0), bytes_of("b.uff", 500.0)].concat(),
     )
     .expect("a file");
-    for found in [
+    for recording in [
         read::record(&path),
-        read::survey_record(&path).map(|taken| taken.into_recording().expect("in memory")),
+        read::survey_record(&path).map(|summary| summary.into_recording().expect("in memory")),
     ] {
-        let found = found.unwrap_or_else(|fault| panic!("{fault}"));
-        assert!((found.rate() - 1000.0).abs() < 1e-6);
-        let told = found.findings.last().expect("a finding").to_string();
+        let recording = recording.unwrap_or_else(|fault| panic!("{fault}"));
+        assert!((recording.rate() - 1000.0).abs() < 1e-6);
+        let message = recording.findings.last().expect("a finding").to_string();
         assert!(
-            told.contains("is used") && told.contains("left out: both 2"),
-            "{told}"
+            message.contains("is used") && message.contains("left out: both 2"),
+            "{message}"
         );
     }
 }
 
 #[test]
 fn the_stamps_of_an_lvm_win_over_its_header() {
-    let found = one("a.lvm", lvm().as_bytes(), None);
-    assert!((found.rate() - 800.0).abs() < 1e-9);
+    let recording = one("a.lvm", lvm().as_bytes(), None);
+    assert!((recording.rate() - 800.0).abs() < 1e-9);
     assert_eq!(
-        found
+        recording
             .channels
             .iter()
             .map(|c| c.quantity)
             .collect::<Vec<_>>(),
         [Quantity::Voltage, Quantity::Force]
     );
-    let kinds = kinds(&found);
+    let kinds = kinds(&recording);
     assert!(
         kinds.contains(&IssueKind::RescaledStamps) && kinds.contains(&IssueKind::HeaderDisagrees),
         "{kinds:?}"
@@ -282,7 +291,7 @@ fn a_second_segment_is_refused_at_its_place() {
         .expect("a header")
         .1
         .to_owned();
-    let wrong = read("a.lvm", format!("{}\n{segment}", lvm()).as_bytes(), None)
+    let error = read("a.lvm", format!("{}\n{segment}", lvm()).as_bytes(), None)
         .expect_err("two segments")
         .to_string();
     let line = lvm().lines().count()
@@ -293,8 +302,8 @@ fn a_second_segment_is_refused_at_its_place() {
             .expect("a header")
         + 1;
     assert!(
-        wrong.contains(&format!("line {line}")) && wrong.contains("segment"),
-        "{wrong}"
+        error.contains(&format!("line {line}")) && error.contains("segment"),
+        "{error}"
     );
 }
 
@@ -303,38 +312,42 @@ fn a_second_segment_is_refused_at_its_place() {
 #[test]
 fn a_text_whose_lines_differ_is_no_table() {
     let text = "1 2\n3 4\n5 6\n".to_owned() + &"1 2 3\n".repeat(30);
-    let wrong = read("a.txt", text.as_bytes(), Some("rate = \"10 Hz\"\n"))
+    let error = read("a.txt", text.as_bytes(), Some("rate = \"10 Hz\"\n"))
         .expect_err("no table")
         .to_string();
     assert!(
-        wrong.contains("line 4")
-            && wrong.contains("29 more of 33 lines")
-            && wrong.contains(".channels.toml"),
-        "{wrong}"
+        error.contains("line 4")
+            && error.contains("29 more of 33 lines")
+            && error.contains(".channels.toml"),
+        "{error}"
     );
-    let odd = "t a\n".to_owned() + &"1 2\n3 4\n5 6\n".repeat(10) + "1 2 3\n";
+    let irregular = "t a\n".to_owned() + &"1 2\n3 4\n5 6\n".repeat(10) + "1 2 3\n";
     assert!(
-        kinds(&one("a.txt", odd.as_bytes(), Some("rate = \"10 Hz\"\n")))
-            .contains(&IssueKind::Ragged)
+        kinds(&one(
+            "a.txt",
+            irregular.as_bytes(),
+            Some("rate = \"10 Hz\"\n")
+        ))
+        .contains(&IssueKind::Ragged)
     );
 }
 
 #[test]
 fn binary_functions_of_every_order_and_size_are_read() {
     for (double, little) in [(false, false), (false, true), (true, false), (true, true)] {
-        let found = one("a.uff", &uff58b(double, little), None);
-        let Grid::Stamped(stamps) = &found.grid else {
+        let recording = one("a.uff", &uff58b(double, little), None);
+        let Grid::Stamped(stamps) = &recording.grid else {
             panic!("stamped")
         };
         assert_eq!(stamps[19], 361.0);
         assert!(
-            (found.channels[0].values[19] - 15.5 * 9.80665).abs() < 1e-5,
+            (recording.channels[0].values[19] - 15.5 * 9.80665).abs() < 1e-5,
             "{double} {little}"
         );
         assert_eq!(
             (
-                found.channels[0].place.as_str(),
-                found.channels[0].direction.as_str()
+                recording.channels[0].place.as_str(),
+                recording.channels[0].direction.as_str()
             ),
             ("node 5", "+z")
         );
@@ -345,14 +358,17 @@ fn binary_functions_of_every_order_and_size_are_read() {
 #[test]
 fn an_endless_line_is_refused() {
     let text = ["1,2\n3,4\n5,6\n".to_owned(), "7,".repeat(9 << 20)].concat();
-    let told = read("a.csv", text.as_bytes(), Some("rate = \"1 Hz\"\n"))
+    let message = read("a.csv", text.as_bytes(), Some("rate = \"1 Hz\"\n"))
         .expect_err("too long")
         .to_string();
-    assert!(told.contains("line 4") && told.contains("16 MiB"), "{told}");
+    assert!(
+        message.contains("line 4") && message.contains("16 MiB"),
+        "{message}"
+    );
 }
 
 #[test]
-fn what_is_no_recording_is_refused_with_its_reason() {
+fn a_file_that_is_not_a_recording_is_refused_with_its_reason() {
     let cases: [(&str, &[u8], &str); 8] = [
         ("a.csv", b"", "empty"),
         ("a.csv", b"no numbers\nat all\n", "no rows of numbers"),
@@ -371,9 +387,9 @@ fn what_is_no_recording_is_refused_with_its_reason() {
             "no data set 55 or 58",
         ),
     ];
-    for (name, bytes, why) in cases {
-        let told = read(name, bytes, None).expect_err(why).to_string();
-        assert!(told.contains(why), "{told}");
+    for (name, bytes, reason) in cases {
+        let message = read(name, bytes, None).expect_err(reason).to_string();
+        assert!(message.contains(reason), "{message}");
     }
     let constant = one("a.csv", b"t [s],a\n0,1\n1,1\n2,1\n3,1\n", None);
     assert!(kinds(&constant).contains(&IssueKind::Constant));

@@ -84,9 +84,10 @@ fn responses_and_coherence_are_those_of_an_independent_package() {
         ),
     ];
     for (estimator, lines) in expected {
-        let found = averaged(&records, estimator);
+        let responses = averaged(&records, estimator);
         for (line, re, im) in lines {
-            let error = (found.value[line].re - re).hypot(found.value[line].im - im) / re.hypot(im);
+            let error =
+                (responses.value[line].re - re).hypot(responses.value[line].im - im) / re.hypot(im);
             assert!(error < 1e-12, "{estimator:?} {line}: {error:e}");
         }
     }
@@ -110,22 +111,22 @@ fn hits_have_their_noted_peaks_and_contact_times() {
     let Some(records) = records() else { return };
     for (record, peak) in records.iter().zip([68.6, 83.7, 85.4, 88.9, 76.5]) {
         let force = Samples::new(&record.channels[0].values, 25_600.0).expect("samples");
-        let found = hits(&force, HitSearch::default()).expect("a hit");
-        assert_eq!(found.len(), 1);
+        let impacts = hits(&force, HitSearch::default()).expect("a hit");
+        assert_eq!(impacts.len(), 1);
         assert!(
-            (found[0].peak_force_n - peak).abs() < 0.06,
+            (impacts[0].peak_force_n - peak).abs() < 0.06,
             "{peak}: {:?}",
-            found[0]
+            impacts[0]
         );
         assert!(
-            (0.26e-3..0.32e-3).contains(&found[0].contact_time_s),
+            (0.26e-3..0.32e-3).contains(&impacts[0].contact_time_s),
             "{:?}",
-            found[0]
+            impacts[0]
         );
         // Seven samples per pulse do not show Hertz's law (exponents 0.64 to 0.97, deviation 0.11
         // to 0.22), but they are few and include the filter of the amplifier. Restitution 0.66 to
         // 0.71 by the asymmetry.
-        let law = contact::fit(&force, &found[0], None).unwrap_or_else(|fault| panic!("{fault}"));
+        let law = contact::fit(&force, &impacts[0], None).unwrap_or_else(|fault| panic!("{fault}"));
         assert!(
             law.exponent < 1.2
                 && law.exponent_deviation > 0.1
@@ -140,9 +141,9 @@ fn hits_have_their_noted_peaks_and_contact_times() {
 #[test]
 fn bands_far_from_zero_hold_the_same_modes() {
     let Some(records) = records() else { return };
-    let found = averaged(&records, Estimator::H1);
-    let deviation: Vec<f64> = (0..found.value.len())
-        .map(|k| found.relative_deviation(k))
+    let responses = averaged(&records, Estimator::H1);
+    let deviation: Vec<f64> = (0..responses.value.len())
+        .map(|k| responses.relative_deviation(k))
         .collect();
     let bands = [
         ((500.0, 1500.0), vec![900.0]),
@@ -152,11 +153,11 @@ fn bands_far_from_zero_hold_the_same_modes() {
     ];
     for (between_hz, resonances) in bands {
         let (value, deviation) = (
-            std::slice::from_ref(&found.value),
+            std::slice::from_ref(&responses.value),
             std::slice::from_ref(&deviation),
         );
         let band = Band::new(
-            &found.frequency_hz,
+            &responses.frequency_hz,
             value,
             deviation,
             1,
@@ -167,18 +168,18 @@ fn bands_far_from_zero_hold_the_same_modes() {
         let identified =
             identify(&band, ModalSettings::default()).unwrap_or_else(|fault| panic!("{fault}"));
         for expected in resonances {
-            let off = |hz: f64| (hz / expected - 1.0).abs();
+            let error = |hz: f64| (hz / expected - 1.0).abs();
             let nearest = identified
                 .modes
                 .iter()
                 .map(|mode| mode.frequency_hz)
-                .min_by(|a, b| off(*a).total_cmp(&off(*b)));
+                .min_by(|a, b| error(*a).total_cmp(&error(*b)));
             eprintln!(
                 "{between_hz:?} Hz, {} modes: {nearest:?} Hz",
                 identified.modes.len()
             );
             assert!(
-                nearest.is_some_and(|hz| off(hz) < 1e-3),
+                nearest.is_some_and(|hz| error(hz) < 1e-3),
                 "no mode at {expected} Hz: {:?}",
                 identified.modes
             );
@@ -193,13 +194,13 @@ fn bands_far_from_zero_hold_the_same_modes() {
 #[test]
 fn modes_are_those_of_an_independent_package() {
     let Some(records) = records() else { return };
-    let found = averaged(&records, Estimator::H1);
-    let deviation: Vec<f64> = (0..found.value.len())
-        .map(|k| found.relative_deviation(k))
+    let responses = averaged(&records, Estimator::H1);
+    let deviation: Vec<f64> = (0..responses.value.len())
+        .map(|k| responses.relative_deviation(k))
         .collect();
     let band = Band::new(
-        &found.frequency_hz,
-        std::slice::from_ref(&found.value),
+        &responses.frequency_hz,
+        std::slice::from_ref(&responses.value),
         &[deviation],
         1,
         ResponseQuantity::Acceleration,
@@ -228,7 +229,7 @@ fn modes_are_those_of_an_independent_package() {
 /// The band up to 12.8 kHz has more modes than order 40 can represent: the missing ones are found
 /// at their peaks.
 #[test]
-fn modes_are_found_in_the_whole_band() {
+fn modes_are_found_in_the_full_band() {
     let Some(records) = records() else { return };
     let chosen = ChannelChoice {
         excitation: Excitation::Force("channel 2".to_owned()),
@@ -236,25 +237,26 @@ fn modes_are_found_in_the_whole_band() {
     };
     let responses = MeasuredResponses::of_hits(&records, &chosen, &ImpactSettings::default())
         .unwrap_or_else(|fault| panic!("{fault}"));
-    let found = identify(
+    let identification = identify(
         &Band::of(&responses, (0.0, 12_800.0)).expect("a band"),
         ModalSettings::default(),
     )
     .expect("modes");
-    let told: Vec<(f64, f64)> = found
+    let modes: Vec<(f64, f64)> = identification
         .modes
         .iter()
         .map(|mode| (mode.frequency_hz, mode.frequency_half_width_hz()))
         .collect();
     eprintln!(
-        "{told:.2?}, misfit {:.1}, unexplained {:?}",
-        found.misfit, found.unexplained
+        "{modes:.2?}, misfit {:.1}, unexplained {:?}",
+        identification.misfit, identification.unexplained
     );
     for expected in [900.020, 2640.196, 3668.706, 4128.050] {
         assert!(
-            told.iter()
+            modes
+                .iter()
                 .any(|(hz, _)| (hz / expected - 1.0).abs() < 1e-3),
-            "no mode at {expected} Hz: {told:?}"
+            "no mode at {expected} Hz: {modes:?}"
         );
     }
 }

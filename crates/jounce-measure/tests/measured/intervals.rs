@@ -43,7 +43,7 @@ fn accelerations() -> Vec<FrfResponse> {
 }
 
 /// Hits in one recording.
-fn struck(plant: &Plant, (hits, block_s, noise): (usize, f64, f64), seed: u64) -> Recording {
+fn hammer_record(plant: &Plant, (hits, block_s, noise): (usize, f64, f64), seed: u64) -> Recording {
     let test = HammerTest {
         point: "beam.struck".to_owned(),
         responses: accelerations(),
@@ -62,7 +62,7 @@ fn struck(plant: &Plant, (hits, block_s, noise): (usize, f64, f64), seed: u64) -
 }
 
 /// White noise of a shaker, and its response in the steady state.
-fn shaken(plant: &Plant, (samples, noise): (usize, f64), seed: u64) -> Recording {
+fn shaker_record(plant: &Plant, (samples, noise): (usize, f64), seed: u64) -> Recording {
     let mut stream = RandomStream::new(seed, 7);
     let force: Vec<f64> = (0..samples / 2)
         .flat_map(|_| stream.normal_pair())
@@ -129,17 +129,17 @@ fn shaken(plant: &Plant, (samples, noise): (usize, f64), seed: u64) -> Recording
 fn trial(record: Recording, settings: &ImpactSettings) -> [[f64; 2]; 3] {
     let responses = MeasuredResponses::of_hits(&[record], &ChannelChoice::default(), settings)
         .unwrap_or_else(|fault| panic!("{fault}"));
-    let mut found = identify(
+    let mut identification = identify(
         &Band::of(&responses, BAND_HZ).expect("a band"),
         ModalSettings { order: 12 },
     )
     .expect("modes");
-    found
+    identification
         .modes
         .iter_mut()
         .for_each(|mode| mode.without_decay(responses.window_decay_per_s));
     TRUTH.map(|(hz, ratio)| {
-        let near = found
+        let near = identification
             .modes
             .iter()
             .find(|mode| (mode.frequency_hz / hz - 1.0).abs() < 0.02);
@@ -155,14 +155,19 @@ fn trial(record: Recording, settings: &ImpactSettings) -> [[f64; 2]; 3] {
 
 /// Fractions of 400 trials in which the intervals contain the true value: frequencies and damping
 /// ratios.
-fn shares(name: &str, settings: &ImpactSettings, record: impl Fn(u64) -> Recording + Sync) {
-    let off: Vec<[[f64; 2]; 3]> = (0..TRIALS)
+fn coverage_fractions(
+    name: &str,
+    settings: &ImpactSettings,
+    record: impl Fn(u64) -> Recording + Sync,
+) {
+    let errors: Vec<[[f64; 2]; 3]> = (0..TRIALS)
         .into_par_iter()
         .map(|seed| trial(record(seed), settings))
         .collect();
     let inside = |mode: usize, number: usize| {
-        off.iter()
-            .filter(|off| off[mode][number].abs() <= 1.0)
+        errors
+            .iter()
+            .filter(|trial| trial[mode][number].abs() <= 1.0)
             .count() as f64
             / TRIALS as f64
     };
@@ -188,8 +193,8 @@ const PLAIN: ImpactSettings = ImpactSettings {
 #[test]
 fn intervals_of_five_hits_hold_the_truth() {
     let plant = plant();
-    shares("5 hits", &PLAIN, |seed| {
-        struck(&plant, (5, 1.0, 0.01), seed)
+    coverage_fractions("5 hits", &PLAIN, |seed| {
+        hammer_record(&plant, (5, 1.0, 0.01), seed)
     });
 }
 
@@ -197,8 +202,8 @@ fn intervals_of_five_hits_hold_the_truth() {
 #[test]
 fn intervals_of_twenty_hits_hold_the_truth() {
     let plant = plant();
-    shares("20 hits", &PLAIN, |seed| {
-        struck(&plant, (20, 1.0, 0.002), seed)
+    coverage_fractions("20 hits", &PLAIN, |seed| {
+        hammer_record(&plant, (20, 1.0, 0.002), seed)
     });
 }
 
@@ -211,8 +216,8 @@ fn intervals_with_an_exponential_window_hold_the_truth() {
         end_ratio: Some(0.05),
         ..PLAIN
     };
-    shares("5 hits, window", &settings, |seed| {
-        struck(&plant, (5, 1.0, 0.01), seed)
+    coverage_fractions("5 hits, window", &settings, |seed| {
+        hammer_record(&plant, (5, 1.0, 0.01), seed)
     });
 }
 
@@ -220,12 +225,12 @@ fn intervals_with_an_exponential_window_hold_the_truth() {
 #[test]
 fn intervals_of_a_shaker_test_hold_the_truth() {
     let plant = plant();
-    shares(
+    coverage_fractions(
         "shaker",
         &ImpactSettings {
             block_s: Some(1.0),
             ..PLAIN
         },
-        |seed| shaken(&plant, (1 << 14, 0.01), seed),
+        |seed| shaker_record(&plant, (1 << 14, 0.01), seed),
     );
 }

@@ -15,8 +15,8 @@ use std::f64::consts::TAU;
 const CLOSE: [(f64, f64); 4] = [(60.0, 0.012), (100.0, 0.01), (100.1, 0.01), (160.0, 0.008)];
 
 /// Independent shapes; those of the two close modes are sine and cosine along the points.
-fn shape(mode: usize, place: usize) -> f64 {
-    let x = place as f64;
+fn shape(mode: usize, node: usize) -> f64 {
+    let x = node as f64;
     match mode {
         0 => 0.4 + 0.2 * x,
         1 => (0.9 * x + 0.3).sin(),
@@ -26,11 +26,11 @@ fn shape(mode: usize, place: usize) -> f64 {
 }
 
 /// Acceleration at a point per force at another, mass 1.
-fn acceleration(modes: &[(f64, f64)], place: usize, force: usize, frequency_hz: f64) -> c64 {
+fn acceleration(modes: &[(f64, f64)], node: usize, force: usize, frequency_hz: f64) -> c64 {
     let s = c64::new(0.0, TAU * frequency_hz);
     let mode = |(r, (hz, zeta)): (usize, &(f64, f64))| {
         let w = TAU * hz;
-        s * s * shape(r, place) * shape(r, force) / (s * s + 2.0 * zeta * w * s + w * w)
+        s * s * shape(r, node) * shape(r, force) / (s * s + 2.0 * zeta * w * s + w * w)
     };
     modes.iter().enumerate().map(mode).sum()
 }
@@ -92,46 +92,46 @@ fn modes_of(responses: &MeasuredResponses, order: usize) -> Identification {
     identify(&band, ModalSettings { order }).expect("modes")
 }
 
-fn of_shape(mode: usize, places: &[usize]) -> Vec<c64> {
-    places
+fn shape_at(mode: usize, nodes: &[usize]) -> Vec<c64> {
+    nodes
         .iter()
-        .map(|place| c64::new(shape(mode, *place), 0.0))
+        .map(|node| c64::new(shape(mode, *node), 0.0))
         .collect()
 }
 
 /// Largest relative errors of frequency and damping ratio, and the largest difference of a shape's
 /// MAC from 1, over sensors and forces.
-fn worst(
-    found: &Identification,
+fn largest_errors(
+    identification: &Identification,
     modes: &[(f64, f64)],
     sensors: &[usize],
     forces: &[usize],
 ) -> [f64; 3] {
     assert_eq!(
-        found.modes.len(),
+        identification.modes.len(),
         modes.len(),
         "{:?}",
-        found
+        identification
             .modes
             .iter()
             .map(|m| (m.frequency_hz, m.damping_ratio))
             .collect::<Vec<_>>()
     );
-    let mut worst = [0.0_f64; 3];
-    for (r, (mode, (hz, zeta))) in found.modes.iter().zip(modes).enumerate() {
+    let mut largest_errors = [0.0_f64; 3];
+    for (r, (mode, (hz, zeta))) in identification.modes.iter().zip(modes).enumerate() {
         let (at_sensors, at_forces) = (
-            mac(&mode.residue, &of_shape(r, sensors)),
-            mac(&mode.participation, &of_shape(r, forces)),
+            mac(&mode.residue, &shape_at(r, sensors)),
+            mac(&mode.participation, &shape_at(r, forces)),
         );
-        let off = [
+        let errors = [
             mode.frequency_hz / hz - 1.0,
             mode.damping_ratio / zeta - 1.0,
             1.0 - at_sensors.min(at_forces),
         ];
-        worst
+        largest_errors
             .iter_mut()
-            .zip(off)
-            .for_each(|(worst, off)| *worst = worst.max(off.abs()));
+            .zip(errors)
+            .for_each(|(largest_errors, error)| *largest_errors = largest_errors.max(error.abs()));
         assert_eq!(
             (mode.residue.len(), mode.participation.len()),
             (sensors.len(), forces.len())
@@ -145,9 +145,9 @@ fn worst(
     }
     eprintln!(
         "frequencies {:.1e}, damping ratios {:.1e}, shapes {:.1e} off",
-        worst[0], worst[1], worst[2]
+        largest_errors[0], largest_errors[1], largest_errors[2]
     );
-    worst
+    largest_errors
 }
 
 /// Two references separate two modes 0.1 % apart, with fewer sensors or fewer forces. Measured:
@@ -156,27 +156,31 @@ fn worst(
 fn two_references_separate_two_close_modes() {
     let (few, many) = ([0, 3], [0, 1, 2, 3, 4, 5]);
     for (sensors, forces) in [(&many[..], &few[..]), (&few, &many)] {
-        let given = responses(&CLOSE, sensors, forces, 0.0);
-        let found = modes_of(&given, 16);
-        let off = worst(&found, &CLOSE, sensors, forces);
-        assert!(off[0] < 1e-6 && off[1] < 1e-6 && off[2] < 1e-3, "{off:?}");
+        let computed = responses(&CLOSE, sensors, forces, 0.0);
+        let identification = modes_of(&computed, 16);
+        let errors = largest_errors(&identification, &CLOSE, sensors, forces);
+        assert!(
+            errors[0] < 1e-6 && errors[1] < 1e-6 && errors[2] < 1e-3,
+            "{errors:?}"
+        );
         // The synthesised responses are listed next to the measured ones, in the order of the
         // responses.
-        for (k, function) in given.functions.iter().enumerate() {
+        for (k, function) in computed.functions.iter().enumerate() {
             let (hz, at) = (
-                found.frequency_hz[100],
+                identification.frequency_hz[100],
                 function
                     .frequency_hz
                     .iter()
-                    .position(|hz| *hz == found.frequency_hz[100]),
+                    .position(|hz| *hz == identification.frequency_hz[100]),
             );
             let displacement = function.value[at.expect("the line")] / -(TAU * hz).powi(2);
             assert!(
-                (found.measured[k][100] - displacement).norm() < 1e-12 * displacement.norm(),
+                (identification.measured[k][100] - displacement).norm()
+                    < 1e-12 * displacement.norm(),
                 "{k}"
             );
             assert!(
-                (found.model[k][100] - displacement).norm() < 1e-6 * displacement.norm(),
+                (identification.model[k][100] - displacement).norm() < 1e-6 * displacement.norm(),
                 "{k}"
             );
         }
@@ -188,12 +192,15 @@ fn two_references_separate_two_close_modes() {
 #[test]
 fn two_references_separate_two_close_modes_in_noise() {
     let (few, many) = ([0, 3], [0, 1, 2, 3, 4, 5]);
-    let found = modes_of(&responses(&CLOSE, &many, &few, 0.005), 16);
-    let off = worst(&found, &CLOSE, &many, &few);
-    assert!(off[0] < 2e-5 && off[1] < 2e-3 && off[2] < 1e-3, "{off:?}");
+    let identification = modes_of(&responses(&CLOSE, &many, &few, 0.005), 16);
+    let errors = largest_errors(&identification, &CLOSE, &many, &few);
+    assert!(
+        errors[0] < 2e-5 && errors[1] < 2e-3 && errors[2] < 1e-3,
+        "{errors:?}"
+    );
     let one = modes_of(&responses(&CLOSE, &many, &few[..1], 0.005), 16);
     assert_eq!(one.modes.len(), 3, "{:?}", one.modes);
-    for (mode, (hz, zeta)) in found.modes.iter().zip(CLOSE) {
+    for (mode, (hz, zeta)) in identification.modes.iter().zip(CLOSE) {
         let (by, damped_by) = (
             (mode.frequency_hz - hz) / mode.frequency_deviation_hz,
             (mode.damping_ratio - zeta) / mode.damping_deviation,
@@ -204,11 +211,11 @@ fn two_references_separate_two_close_modes_in_noise() {
 
 /// The responses as channels over frequency, each with its sensor and the position of the force.
 fn recording(
-    given: &MeasuredResponses,
+    responses: &MeasuredResponses,
     (sensors, forces): (&[usize], &[usize]),
     reference: impl Fn(usize) -> String,
 ) -> Recording {
-    let hz = &given.functions[0].frequency_hz;
+    let hz = &responses.functions[0].frequency_hz;
     let channel = |(k, function): (usize, &FrequencyResponse)| {
         let real = function.value.iter().map(|h| h.re).collect();
         Channel {
@@ -216,11 +223,16 @@ fn recording(
             place: format!("node {}", 10 + sensors[k / forces.len()]),
             direction: "+z".to_owned(),
             reference: reference(forces[k % forces.len()]),
-            ..Channel::new(&given.names[k], Quantity::Response, "m/s^2/N", real)
+            ..Channel::new(&responses.names[k], Quantity::Response, "m/s^2/N", real)
         }
     };
     let grid = Grid::even(hz[0], hz[1] - hz[0], hz.len()).expect("a grid");
-    let channels = given.functions.iter().enumerate().map(channel).collect();
+    let channels = responses
+        .functions
+        .iter()
+        .enumerate()
+        .map(channel)
+        .collect();
     Recording {
         name: "test".to_owned(),
         over: Over::Frequency,
@@ -254,77 +266,85 @@ fn references_of_a_file_of_response_functions_are_used() {
         written.channels.reverse();
         write(&written, &path).expect("a file");
         let read = read::file(&path).expect("what was written").recordings;
-        let given = MeasuredResponses::given(&read).expect("responses");
-        assert_eq!(given.references, [reference(3), reference(0)], "{ending}");
-        assert_eq!((given.outputs.len(), given.functions.len()), (6, 12));
+        let responses = MeasuredResponses::given(&read).expect("responses");
         assert_eq!(
-            given.names[1],
-            format!("{} from {}", given.outputs[0], reference(0))
+            responses.references,
+            [reference(3), reference(0)],
+            "{ending}"
         );
-        let found = modes_of(&given, 16);
-        assert_eq!(found.modes.len(), expected.modes.len());
-        let mut off = [0.0_f64; 3];
-        for (a, b) in found.modes.iter().zip(&expected.modes) {
+        assert_eq!(
+            (responses.outputs.len(), responses.functions.len()),
+            (6, 12)
+        );
+        assert_eq!(
+            responses.names[1],
+            format!("{} from {}", responses.outputs[0], reference(0))
+        );
+        let identification = modes_of(&responses, 16);
+        assert_eq!(identification.modes.len(), expected.modes.len());
+        let mut errors = [0.0_f64; 3];
+        for (a, b) in identification.modes.iter().zip(&expected.modes) {
             let reversed = |of: &[c64]| of.iter().rev().copied().collect::<Vec<_>>();
             let shapes = mac(&reversed(&a.residue), &b.residue)
                 .min(mac(&reversed(&a.participation), &b.participation));
-            let apart = [
+            let differences = [
                 a.frequency_hz / b.frequency_hz - 1.0,
                 a.damping_ratio / b.damping_ratio - 1.0,
                 1.0 - shapes,
             ];
-            off.iter_mut()
-                .zip(apart)
-                .for_each(|(off, apart)| *off = off.max(apart.abs()));
+            errors
+                .iter_mut()
+                .zip(differences)
+                .for_each(|(largest, error)| *largest = largest.max(error.abs()));
         }
         eprintln!(
             "{ending}: frequencies {:.1e}, damping ratios {:.1e}, shapes {:.1e} apart",
-            off[0], off[1], off[2]
+            errors[0], errors[1], errors[2]
         );
         assert!(
-            off[0] < 1e-9 && off[1] < 1e-7 && off[2] < 1e-9,
-            "{ending}: {off:?}"
+            errors[0] < 1e-9 && errors[1] < 1e-7 && errors[2] < 1e-9,
+            "{ending}: {errors:?}"
         );
     }
 }
 
 /// A missing or duplicate pair is reported, and each function is then an output.
 #[test]
-fn references_without_all_their_functions_are_told() {
+fn references_without_all_their_functions_are_reported() {
     let (sensors, forces) = (&[0, 1, 2][..], &[0, 3][..]);
     let computed = responses(&CLOSE, sensors, forces, 0.0);
-    let whole = recording(&computed, (sensors, forces), |force| {
+    let complete = recording(&computed, (sensors, forces), |force| {
         format!("node {force} +z")
     });
-    let mut without = whole.clone();
-    without.channels.remove(3);
-    let mut twice = whole.clone();
-    twice.channels.push(whole.channels[2].clone());
-    let mut silent = whole.clone();
-    silent.channels[5].reference.clear();
-    for (odd, told) in [
-        (without, "0 of output node 11 +z to node 3 +z"),
-        (twice, "2 of output node 11 +z to node 0 +z"),
-        (silent, "unspecified"),
+    let mut incomplete = complete.clone();
+    incomplete.channels.remove(3);
+    let mut duplicate = complete.clone();
+    duplicate.channels.push(complete.channels[2].clone());
+    let mut unspecified = complete.clone();
+    unspecified.channels[5].reference.clear();
+    for (recording, message) in [
+        (incomplete, "0 of output node 11 +z to node 3 +z"),
+        (duplicate, "2 of output node 11 +z to node 0 +z"),
+        (unspecified, "unspecified"),
     ] {
-        let count = odd.channels.len();
-        let given = MeasuredResponses::given(&[odd]).expect("responses");
+        let count = recording.channels.len();
+        let responses = MeasuredResponses::given(&[recording]).expect("responses");
         assert!(
-            given.references.is_empty() && given.outputs.len() == count,
-            "{told}"
+            responses.references.is_empty() && responses.outputs.len() == count,
+            "{message}"
         );
         assert!(
-            given.findings.len() == 1 && given.findings[0].about.contains(told),
+            responses.findings.len() == 1 && responses.findings[0].about.contains(message),
             "{:?}",
-            given.findings
+            responses.findings
         );
     }
-    let given = MeasuredResponses::given(&[whole]).expect("responses");
+    let responses = MeasuredResponses::given(&[complete]).expect("responses");
     assert_eq!(
         (
-            given.references.len(),
-            given.outputs.len(),
-            given.findings.len()
+            responses.references.len(),
+            responses.outputs.len(),
+            responses.findings.len()
         ),
         (2, 3, 0)
     );
@@ -341,9 +361,9 @@ fn a_roving_hammer_gives_the_modes_of_roving_sensors() {
         responses(&apart, &[4], &all, 0.0),
     );
     let (one, other) = (modes_of(&sensors, 30), modes_of(&hammer, 30));
-    worst(&one, &apart, &all, &[4]);
-    let off = worst(&other, &apart, &[4], &all);
-    assert!(off.iter().all(|off| *off < 1e-9), "{off:?}");
+    largest_errors(&one, &apart, &all, &[4]);
+    let errors = largest_errors(&other, &apart, &[4], &all);
+    assert!(errors.iter().all(|error| *error < 1e-9), "{errors:?}");
     for (a, b) in one.modes.iter().zip(&other.modes) {
         assert!(
             (a.frequency_hz / b.frequency_hz - 1.0).abs() < 1e-12

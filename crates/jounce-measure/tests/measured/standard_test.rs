@@ -83,7 +83,7 @@ fn plant(spec: &Spec) -> Plant {
         .expect("a plant")
 }
 
-fn over_load(spec: &Spec, ohm: f64) -> Plant {
+fn with_load(spec: &Spec, ohm: f64) -> Plant {
     let mut spec = spec.clone();
     spec.set_si(LOAD, ohm).expect("a load");
     spec.take_drives_away();
@@ -153,7 +153,7 @@ fn record(response: &[Complex<f64>], stream: &mut RandomStream) -> Recording {
 }
 
 /// The response that a record gives, and the one mode in its band.
-fn identified(record: Recording) -> (MeasuredResponses, Mode) {
+fn identified_mode(record: Recording) -> (MeasuredResponses, Mode) {
     let chosen = ChannelChoice {
         excitation: Excitation::Channel("base".to_owned()),
         ..ChannelChoice::default()
@@ -172,18 +172,18 @@ fn identified(record: Recording) -> (MeasuredResponses, Mode) {
         ("V/(m/s^2)", 31)
     );
     assert_eq!(responses.per_g(0), Some((9.806_65, "V/g".to_owned())));
-    let sought = |band| {
+    let identify_in = |band| {
         identify(
             &Band::of(&responses, band).expect("a band"),
             ModalSettings::default(),
         )
         .ok()
     };
-    let found = BANDS_HZ
+    let identification = BANDS_HZ
         .into_iter()
-        .find_map(sought)
+        .find_map(identify_in)
         .expect("modes in one of the bands");
-    let mode = found
+    let mode = identification
         .modes
         .into_iter()
         .filter(|mode| (55.0..68.0).contains(&mode.frequency_hz));
@@ -202,7 +202,7 @@ fn conditions(ohm: f64) -> Vec<(String, String)> {
     vec![(LOAD.to_owned(), format!("{ohm} ohm"))]
 }
 
-fn loaded(mode: &Mode, ohm: f64) -> ModeFeature {
+fn loaded_mode(mode: &Mode, ohm: f64) -> ModeFeature {
     let (hz, ratio) = (mode.frequency_hz, mode.damping_ratio);
     ModeFeature {
         number: 1,
@@ -214,7 +214,11 @@ fn loaded(mode: &Mode, ohm: f64) -> ModeFeature {
 }
 
 /// Lines of a flank with the deviation that their coherence tells.
-fn flank(responses: &MeasuredResponses, (low, high): (f64, f64), ohm: f64) -> ResponseFeature {
+fn flank_feature(
+    responses: &MeasuredResponses,
+    (low, high): (f64, f64),
+    ohm: f64,
+) -> ResponseFeature {
     let function = &responses.functions[0];
     let inside =
         (0..function.value.len()).filter(|k| (low..=high).contains(&function.frequency_hz[*k]));
@@ -252,8 +256,8 @@ fn coupling_squared(spec: &Spec) -> Result<f64, AnalysisError> {
 /// Mean power over the fifth load under a base as it was recorded, all its lines that the first mode answers.
 fn power(spec: &Spec, base: &[(f64, f64)]) -> Result<f64, AnalysisError> {
     let frequency_hz: Vec<f64> = base.iter().map(|(hz, _)| *hz).collect();
-    let found = voltage(&over_load(spec, FIFTH_OHM), &frequency_hz);
-    Ok(found
+    let voltages = voltage(&with_load(spec, FIFTH_OHM), &frequency_hz);
+    Ok(voltages
         .iter()
         .zip(base)
         .map(|(h, (_, square))| h.norm_sqr() * square)
@@ -265,17 +269,21 @@ fn power(spec: &Spec, base: &[(f64, f64)]) -> Result<f64, AnalysisError> {
 /// stands in the prediction, that of the voltage in the measured power.
 fn sensor_deviation(spec: &Spec, base: &[(f64, f64)]) -> f64 {
     let frequency_hz: Vec<f64> = base.iter().map(|(hz, _)| *hz).collect();
-    let found = voltage(&over_load(spec, FIFTH_OHM), &frequency_hz);
-    let squares: Vec<(f64, f64)> = found
+    let voltages = voltage(&with_load(spec, FIFTH_OHM), &frequency_hz);
+    let mean_squares: Vec<(f64, f64)> = voltages
         .iter()
         .zip(base)
         .map(|(h, (_, square))| (h.norm_sqr(), *square))
         .collect();
-    let base_noise =
-        NOISE.powi(2) * base.iter().map(|(_, square)| square).sum::<f64>() / squares.len() as f64;
-    let volt_noise = NOISE.powi(2) * squares.iter().map(|(h, square)| h * square).sum::<f64>()
-        / squares.len() as f64;
-    let variance = squares
+    let base_noise = NOISE.powi(2) * base.iter().map(|(_, square)| square).sum::<f64>()
+        / mean_squares.len() as f64;
+    let volt_noise = NOISE.powi(2)
+        * mean_squares
+            .iter()
+            .map(|(h, square)| h * square)
+            .sum::<f64>()
+        / mean_squares.len() as f64;
+    let variance = mean_squares
         .iter()
         .map(|(h, square)| 2.0 * h * square * (h * base_noise + volt_noise))
         .sum::<f64>();
@@ -283,7 +291,7 @@ fn sensor_deviation(spec: &Spec, base: &[(f64, f64)]) -> f64 {
 }
 
 /// Mean square of each line of a record.
-fn squares(values: &[f64]) -> Vec<(f64, f64)> {
+fn mean_squares(values: &[f64]) -> Vec<(f64, f64)> {
     let plan = RealFftPlanner::new().plan_fft_forward(values.len());
     let (mut input, mut bins) = (values.to_vec(), plan.make_output_vec());
     plan.process(&mut input, &mut bins)
@@ -302,7 +310,7 @@ fn squares(values: &[f64]) -> Vec<(f64, f64)> {
 /// What a trial finds: name, and where the truth lies in its interval: -1 at the lower end, 1 at the upper end.
 type Inside = Vec<(&'static str, f64)>;
 
-fn place((low, high): (f64, f64), truth: f64) -> f64 {
+fn normalized_error((low, high): (f64, f64), truth: f64) -> f64 {
     (2.0 * truth - low - high) / (high - low)
 }
 
@@ -326,8 +334,8 @@ fn trial(truth: &Spec, responses: &[Vec<Complex<f64>>], seed: u64) -> Inside {
         ..Features::default()
     };
     for (ohm, response) in LOADS_OHM.iter().zip(responses) {
-        let (found, mode) = identified(record(response, &mut stream));
-        let (hz, ratio) = pole(&over_load(truth, *ohm));
+        let (responses, mode) = identified_mode(record(response, &mut stream));
+        let (hz, ratio) = pole(&with_load(truth, *ohm));
         inside.push((
             "loaded frequency",
             (hz - mode.frequency_hz) / mode.frequency_half_width_hz(),
@@ -336,10 +344,10 @@ fn trial(truth: &Spec, responses: &[Vec<Complex<f64>>], seed: u64) -> Inside {
             "loaded damping",
             (ratio - mode.damping_ratio) / mode.damping_half_width(),
         ));
-        features.modes.push(loaded(&mode, *ohm));
+        features.modes.push(loaded_mode(&mode, *ohm));
         features
             .responses
-            .extend(FLANKS_HZ.map(|band| flank(&found, band, *ohm)));
+            .extend(FLANKS_HZ.map(|band| flank_feature(&responses, band, *ohm)));
     }
     let (answer, fitted) = fit(
         &file,
@@ -359,24 +367,23 @@ fn trial(truth: &Spec, responses: &[Vec<Complex<f64>>], seed: u64) -> Inside {
             .expect("a key")
             .get(truth)
             .expect("a value");
-        inside.push((name, place((key.low, key.high), value)));
+        inside.push((name, normalized_error((key.low, key.high), value)));
     }
     let mut holds = |name, of: &dyn Fn(&Spec) -> Result<f64, AnalysisError>| {
-        let (found, value) = (
+        let (interval, value) = (
             answer.derived(&fitted, of).expect("a number"),
             of(truth).expect("a number"),
         );
-        inside.push((name, place((found.low, found.high), value)));
+        inside.push((name, normalized_error((interval.low, interval.high), value)));
     };
     holds("coupling", &coupling_squared);
     holds("optimal load", &optimum);
     let fifth = record(&responses[LOADS_OHM.len()], &mut stream);
-    let volts =
-        jounce_core::signal::Samples::new(&fifth.channels[1].values, RATE_HZ).expect("samples");
+    let volts = jounce_core::signal::Samples::new(&fifth.channels[1].values, RATE_HZ).expect("samples");
     let measured = mean_power(&volts, FIFTH_OHM, false)
         .expect("a power")
         .mean_power_w;
-    let base = squares(&fifth.channels[0].values);
+    let base = mean_squares(&fifth.channels[0].values);
     let predicted = answer
         .derived(&fitted, |spec| power(spec, &base))
         .expect("a power");
@@ -386,7 +393,7 @@ fn trial(truth: &Spec, responses: &[Vec<Complex<f64>>], seed: u64) -> Inside {
         |end: f64, sign: f64| predicted.value + sign * (end - predicted.value).hypot(noise);
     inside.push((
         "fifth load",
-        place(
+        normalized_error(
             (widened(predicted.low, -1.0), widened(predicted.high, 1.0)),
             measured,
         ),
@@ -396,14 +403,14 @@ fn trial(truth: &Spec, responses: &[Vec<Complex<f64>>], seed: u64) -> Inside {
 
 /// Frequency, Hz, and damping ratio of the first pole that turns.
 fn pole(plant: &Plant) -> (f64, f64) {
-    let turning = plant
+    let upper_half_plane = plant
         .diagonal
         .block
         .pairs
         .iter()
         .map(|pair| pair.eigenvalue())
         .filter(|p| p.im > 0.0);
-    let p = turning
+    let p = upper_half_plane
         .min_by(|a, b| a.norm().total_cmp(&b.norm()))
         .expect("a pole");
     (p.norm() / TAU, -p.re / p.norm())
@@ -417,17 +424,17 @@ const TRIALS: u64 = 16;
 /// standard deviation of 0.9 %. Without the noise of the sensors the intervals hold 90 % of these powers: they are 0.22 % wide on each side,
 /// and the noise of the base moves the prediction by 0.06 % (standard deviation).
 #[test]
-fn the_standard_test_holds_the_truth_as_often_as_its_intervals_say() {
+fn intervals_of_the_standard_test_have_their_coverage() {
     let trials = std::env::var("JOUNCE_TRIALS")
         .ok()
         .and_then(|text| text.parse().ok())
         .unwrap_or(TRIALS);
     let truth = spec();
     let at = line_hz();
-    let response = |ohm: &f64| voltage(&over_load(&truth, *ohm), &at);
+    let response = |ohm: &f64| voltage(&with_load(&truth, *ohm), &at);
     let responses: Vec<Vec<Complex<f64>>> =
         LOADS_OHM.iter().chain([&FIFTH_OHM]).map(response).collect();
-    let found: Vec<Inside> = (0..trials)
+    let inside_by_trial: Vec<Inside> = (0..trials)
         .into_par_iter()
         .map(|seed| trial(&truth, &responses, seed))
         .collect();
@@ -441,19 +448,25 @@ fn the_standard_test_holds_the_truth_as_often_as_its_intervals_say() {
         "optimal load",
         "fifth load",
     ] {
-        let of: Vec<f64> = found
+        let of: Vec<f64> = inside_by_trial
             .iter()
             .flatten()
             .filter(|(of, _)| *of == name)
-            .map(|(_, place)| *place)
+            .map(|(_, normalized_error)| *normalized_error)
             .collect();
         let mean = |of: &dyn Fn(f64) -> f64, all: &[f64]| {
-            all.iter().map(|place| of(*place)).sum::<f64>() / all.len() as f64
+            all.iter()
+                .map(|normalized_error| of(*normalized_error))
+                .sum::<f64>()
+                / all.len() as f64
         };
-        let share = mean(&|place| f64::from(u8::from(place.abs() <= 1.0)), &of);
+        let share = mean(
+            &|normalized_error| f64::from(u8::from(normalized_error.abs() <= 1.0)),
+            &of,
+        );
         let (middle, rms) = (
-            mean(&|place| place, &of),
-            mean(&|place| place * place, &of).sqrt(),
+            mean(&|normalized_error| normalized_error, &of),
+            mean(&|normalized_error| normalized_error * normalized_error, &of).sqrt(),
         );
         eprintln!(
             "{name}: {share:.4} of {} inside, truth at {middle:.2} and {rms:.2} rms of the half width",

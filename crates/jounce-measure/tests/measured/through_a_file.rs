@@ -20,7 +20,7 @@ pub fn one(name: &str, bytes: &[u8], notes: Option<&str>) -> Recording {
     contents.recordings.remove(0)
 }
 
-pub fn again(recording: &Recording, name: &str) -> Recording {
+pub fn through_file(recording: &Recording, name: &str) -> Recording {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join(name);
     write(recording, &path).unwrap_or_else(|fault| panic!("{fault}"));

@@ -175,7 +175,7 @@ pub fn classify<const N: usize, const D: usize>(
         states: Vec::with_capacity(patience.cycles + 1),
     };
     history.states.push(motion.state);
-    let (mut found, mut times) = (None, 0);
+    let (mut candidate, mut times) = (None, 0);
     while history.states.len() <= patience.cycles {
         flow.cycle(&mut motion);
         history.states.push(motion.state);
@@ -184,14 +184,16 @@ pub fn classify<const N: usize, const D: usize>(
         }
         if history.states.len().is_multiple_of(BETWEEN) {
             let period = history.period(patience.period, motion.size);
-            times = if period.is_some() && period == found {
+            times = if period.is_some() && period == candidate {
                 times + 1
             } else {
                 1
             };
-            found = period;
+            candidate = period;
             // Enough successive checks also cover several of the longest periods.
-            if let Some(period) = found.filter(|period| times >= CHECKS.max(3 * period / BETWEEN)) {
+            if let Some(period) =
+                candidate.filter(|period| times >= CHECKS.max(3 * period / BETWEEN))
+            {
                 return history.ending(Kind::Periodic(period), motion.size, None);
             }
         }
@@ -214,12 +216,12 @@ pub fn classify<const N: usize, const D: usize>(
 fn exponent<const N: usize, const D: usize>(flow: Flow<'_, N, D>, motion: &Motion<D>) -> [f64; 2] {
     let weights = &flow.model.weights;
     let mut motion = motion.clone();
-    let apart = APART * motion.size;
+    let initial_distance = APART * motion.size;
     let mut near: [f64; D] = std::array::from_fn(|i| {
         let weight = weights.0[i];
         motion.state[i]
             + if weight > 0.0 {
-                apart / weight / (D as f64).sqrt()
+                initial_distance / weight / (D as f64).sqrt()
             } else {
                 0.0
             }
@@ -235,9 +237,14 @@ fn exponent<const N: usize, const D: usize>(flow: Flow<'_, N, D>, motion: &Motio
             flow.cycle(&mut motion);
             flow.cycle(&mut other);
             let difference: [f64; D] = std::array::from_fn(|i| other.state[i] - motion.state[i]);
-            let distance = weights.square(&difference).sqrt().max(1e-6 * apart);
-            growth += (distance / apart).ln();
-            near = std::array::from_fn(|i| motion.state[i] + difference[i] * apart / distance);
+            let distance = weights
+                .square(&difference)
+                .sqrt()
+                .max(1e-6 * initial_distance);
+            growth += (distance / initial_distance).ln();
+            near = std::array::from_fn(|i| {
+                motion.state[i] + difference[i] * initial_distance / distance
+            });
         }
         means.push(growth / (EXPONENT_CYCLES / BLOCKS) as f64);
     }

@@ -26,7 +26,7 @@ pub struct Stepped<const D: usize> {
 
 /// `y + h sum_j a_j k_j`.
 #[inline(always)]
-fn moved<const D: usize, const S: usize>(
+fn stage_state<const D: usize, const S: usize>(
     y: &[f64; D],
     h: f64,
     terms: [(f64, &[f64; D]); S],
@@ -42,10 +42,13 @@ fn first_stages<const D: usize>(
     y: &[f64; D],
     k1: &[f64; D],
 ) -> [[f64; D]; 7] {
-    let k2 = rate(t + C2 * h, &moved(y, h, [(5.260_015_195_876_773e-2, k1)]));
+    let k2 = rate(
+        t + C2 * h,
+        &stage_state(y, h, [(5.260_015_195_876_773e-2, k1)]),
+    );
     let k3 = rate(
         t + C3 * h,
-        &moved(
+        &stage_state(
             y,
             h,
             [
@@ -56,7 +59,7 @@ fn first_stages<const D: usize>(
     );
     let k4 = rate(
         t + C4 * h,
-        &moved(
+        &stage_state(
             y,
             h,
             [
@@ -70,20 +73,20 @@ fn first_stages<const D: usize>(
         (-8.845_494_793_282_861e-1, &k3),
         (9.248_340_032_617_92e-1, &k4),
     ];
-    let k5 = rate(t + C5 * h, &moved(y, h, terms));
+    let k5 = rate(t + C5 * h, &stage_state(y, h, terms));
     let terms = [
         (1.0 / 27.0, k1),
         (1.708_286_087_294_738_6e-1, &k4),
         (1.254_676_875_668_224_2e-1, &k5),
     ];
-    let k6 = rate(t + C6 * h, &moved(y, h, terms));
+    let k6 = rate(t + C6 * h, &stage_state(y, h, terms));
     let terms = [
         (3.710_937_5e-2, k1),
         (1.702_522_110_195_440_4e-1, &k4),
         (6.021_653_898_045_596e-2, &k5),
         (-1.757_812_5e-2, &k6),
     ];
-    let k7 = rate(t + C7 * h, &moved(y, h, terms));
+    let k7 = rate(t + C7 * h, &stage_state(y, h, terms));
     let terms = [
         (3.709_200_011_850_479e-2, k1),
         (1.703_839_257_122_399_8e-1, &k4),
@@ -91,7 +94,7 @@ fn first_stages<const D: usize>(
         (-1.531_943_774_862_440_2e-2, &k6),
         (8.273_789_163_814_023e-3, &k7),
     ];
-    let k8 = rate(t + C8 * h, &moved(y, h, terms));
+    let k8 = rate(t + C8 * h, &stage_state(y, h, terms));
     [k2, k3, k4, k5, k6, k7, k8]
 }
 
@@ -111,7 +114,7 @@ fn last_stages<const D: usize>(
         (2.015_406_755_047_789_4e1, k7),
         (-4.348_988_418_106_996e1, k8),
     ];
-    let k9 = rate(t + C9 * h, &moved(y, h, terms));
+    let k9 = rate(t + C9 * h, &stage_state(y, h, terms));
     let terms = [
         (4.776_625_364_382_643_4e-1, k1),
         (-2.488_114_619_971_667_7, k4),
@@ -121,7 +124,7 @@ fn last_stages<const D: usize>(
         (-3.328_821_096_898_486e1, k8),
         (-2.033_120_170_850_862_7e-2, &k9),
     ];
-    let k10 = rate(t + C10 * h, &moved(y, h, terms));
+    let k10 = rate(t + C10 * h, &stage_state(y, h, terms));
     let terms = [
         (-9.371_424_300_859_873e-1, k1),
         (5.186_372_428_844_064, k4),
@@ -132,7 +135,7 @@ fn last_stages<const D: usize>(
         (2.493_605_552_679_652_3, &k9),
         (-3.046_764_471_898_219_6, &k10),
     ];
-    let k11 = rate(t + C11 * h, &moved(y, h, terms));
+    let k11 = rate(t + C11 * h, &stage_state(y, h, terms));
     let terms = [
         (2.273_310_147_516_538, k1),
         (-1.053_449_546_673_725e1, k4),
@@ -144,7 +147,7 @@ fn last_stages<const D: usize>(
         (1.236_056_717_579_430_3e1, &k10),
         (6.433_927_460_157_636e-1, &k11),
     ];
-    let k12 = rate(t + h, &moved(y, h, terms));
+    let k12 = rate(t + h, &stage_state(y, h, terms));
     [k9, k10, k11, k12]
 }
 
@@ -168,7 +171,7 @@ pub fn step<const D: usize>(
         (2.013_654_008_040_303_4e-1, &k11),
         (4.471_061_572_777_259e-2, &k12),
     ];
-    let state = moved(y, h, terms);
+    let state = stage_state(y, h, terms);
     let fifth = [
         (1.312_004_499_419_488e-2, k1),
         (-1.225_156_446_376_204_4, &k6),
@@ -179,14 +182,14 @@ pub fn step<const D: usize>(
         (8.192_320_648_511_571e-2, &k11),
         (-2.235_530_786_388_629_4e-2, &k12),
     ];
-    let by_fifth = weights.square(&moved(&[0.0; D], h, fifth));
+    let by_fifth = weights.square(&stage_state(&[0.0; D], h, fifth));
     let third = [
         (-2.440_944_881_889_764e-1, k1),
         (-7.338_466_882_816_118e-1, &k9),
         (-2.205_882_352_941_176_6e-2, &k12),
     ];
     let gained: [f64; D] = std::array::from_fn(|i| state[i] - y[i]);
-    let by_third = weights.square(&moved(&gained, h, third));
+    let by_third = weights.square(&stage_state(&gained, h, third));
     let both = by_fifth + 0.01 * by_third;
     Stepped {
         state,

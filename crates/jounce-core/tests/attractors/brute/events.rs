@@ -43,11 +43,11 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
         motion: &Motion<D>,
         (t, h): (f64, f64),
         rate: &[f64; D],
-        whole: End<D>,
+        complete: End<D>,
     ) -> Event<D> {
         let phases = &motion.phases;
-        let mut end = whole;
-        let mut found = None;
+        let mut end = complete;
+        let mut event = None;
         // Each event function is checked over the part of the step before the events found so far.
         for guard in self.model.guards(phases).iter() {
             let start = self.model.guard(guard, phases, t, (&motion.state, rate));
@@ -59,7 +59,7 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
             let negative = if is_negative {
                 Some(end.part)
             } else {
-                self.dip(motion, (t, h), rate, (guard, &start, &last, end.part))
+                self.local_minimum(motion, (t, h), rate, (guard, &start, &last, end.part))
             };
             let is_at_zero = start[0] <= roundoff;
             let leaves = self
@@ -78,17 +78,23 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
                 Some(_) if is_at_zero => 0.0,
                 Some(part) => self.root(motion, (t, h), rate, (guard, roundoff, part)),
             };
-            end = self.part(motion, (t, h), rate, there);
-            found = Some(guard);
+            end = self.state_at_fraction(motion, (t, h), rate, there);
+            event = Some(guard);
         }
-        match found {
+        match event {
             Some(guard) => Event::At(guard, end),
             None => Event::None(end),
         }
     }
 
     /// State at a fraction of a step.
-    fn part(&self, motion: &Motion<D>, (t, h): (f64, f64), rate: &[f64; D], part: f64) -> End<D> {
+    fn state_at_fraction(
+        &self,
+        motion: &Motion<D>,
+        (t, h): (f64, f64),
+        rate: &[f64; D],
+        part: f64,
+    ) -> End<D> {
         let state = self.step(motion, t, part * h, rate).state;
         End {
             part,
@@ -99,7 +105,7 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
 
     /// Finds the point where an event function that is positive at both ends is negative between,
     /// if there is one.
-    fn dip(
+    fn local_minimum(
         &self,
         motion: &Motion<D>,
         (t, h): (f64, f64),
@@ -122,7 +128,7 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
             } else {
                 middle
             };
-            let end = self.part(motion, (t, h), rate, at);
+            let end = self.state_at_fraction(motion, (t, h), rate, at);
             let [value, slope] =
                 self.model
                     .guard(guard, &motion.phases, t + at * h, (&end.state, &end.rate));
@@ -154,7 +160,7 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
         let (mut low, mut high) = (0.0, high);
         let mut at = 0.5 * high;
         for _ in 0..100 {
-            let end = self.part(motion, (t, h), rate, at);
+            let end = self.state_at_fraction(motion, (t, h), rate, at);
             let [value, slope] =
                 self.model
                     .guard(guard, &motion.phases, t + at * h, (&end.state, &end.rate));

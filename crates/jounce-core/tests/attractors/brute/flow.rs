@@ -56,7 +56,7 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
         for p in 0..model.stops.len() {
             let [d, rate] = model.depth(&model.stops[p], &motion.state);
             if matches!(model.stops[p].law, Law::Rigid { .. }) && d >= 0.0 && rate >= 0.0 {
-                self.strike(&mut motion, p, 0.0);
+                self.impact(&mut motion, p, 0.0);
             }
         }
         motion
@@ -84,16 +84,16 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
                 motion.length = next;
                 continue;
             }
-            let whole = End {
+            let complete = End {
                 part: 1.0,
                 state,
                 rate: model.rate(t + h, &state, &motion.phases, NONE),
             };
-            match self.event(motion, (t, h), &rate, whole) {
+            match self.event(motion, (t, h), &rate, complete) {
                 Event::Unclear => motion.length = 0.5 * h,
-                Event::None(whole) => {
+                Event::None(complete) => {
                     t = if is_last { end } else { t + h };
-                    (motion.state, rate) = (whole.state, whole.rate);
+                    (motion.state, rate) = (complete.state, complete.rate);
                     motion.length = if is_last {
                         motion.length.max(next)
                     } else {
@@ -118,9 +118,9 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
     /// Takes a step of length `h` in the current phases; the error is relative to the tolerance.
     pub fn step(&self, motion: &Motion<D>, t: f64, h: f64, rate: &[f64; D]) -> Stepped<D> {
         let right = |t: f64, y: &[f64; D]| self.model.rate(t, y, &motion.phases, NONE);
-        let mut stepped = step(right, (t, h), (&motion.state, rate), &self.model.weights);
-        stepped.error /= self.tolerance * motion.size;
-        stepped
+        let mut next_step = step(right, (t, h), (&motion.state, rate), &self.model.weights);
+        next_step.error /= self.tolerance * motion.size;
+        next_step
     }
 
     /// Changes the phase of a contact when its event function vanishes.
@@ -128,7 +128,7 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
         let (Guard::Surface(p) | Guard::Push(p) | Guard::Hold(p)) = guard;
         let is_rigid = matches!(self.model.stops[p].law, Law::Rigid { .. });
         motion.phases[p] = match (guard, motion.phases[p]) {
-            (Guard::Surface(_), Phase::Free) if is_rigid => return self.strike(motion, p, t),
+            (Guard::Surface(_), Phase::Free) if is_rigid => return self.impact(motion, p, t),
             (Guard::Surface(_), Phase::Free) | (Guard::Push(_), Phase::Slack) => Phase::Pushing,
             (Guard::Push(_), _) => Phase::Slack,
             (Guard::Surface(_) | Guard::Hold(_), _) => Phase::Free,
@@ -137,7 +137,7 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
 
     /// Applies an impact on a rigid stop; the point sticks where its acceleration ends the bounces
     /// soon.
-    fn strike(&self, motion: &mut Motion<D>, p: usize, t: f64) {
+    fn impact(&self, motion: &mut Motion<D>, p: usize, t: f64) {
         let stop = &self.model.stops[p];
         let Law::Rigid { e } = stop.law else { return };
         let [depth, before] = self.model.depth(stop, &motion.state);

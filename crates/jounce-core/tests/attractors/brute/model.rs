@@ -180,9 +180,9 @@ impl<const N: usize, const D: usize> ReferenceModel<N, D> {
         let (voltage, mut current) = (y[2 * N], 0.0);
         for i in 0..N {
             rate[i] = y[N + i];
-            let own = self.damping[i] * y[N + i] + self.stiffness[i] * y[i];
+            let internal = self.damping[i] * y[N + i] + self.stiffness[i] * y[i];
             rate[N + i] =
-                self.coupling[i] * voltage + self.driven[i] * drive + self.steady[i] - own;
+                self.coupling[i] * voltage + self.driven[i] * drive + self.steady[i] - internal;
             current += self.coupling[i] * y[N + i];
         }
         for (stop, phase) in self.stops.iter().zip(phases) {

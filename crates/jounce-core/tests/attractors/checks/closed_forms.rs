@@ -72,7 +72,7 @@ fn without_contact_the_power_is_that_of_the_linear_harvester() {
 
 /// Position and speed of a free mass of 1 kg, one second after it starts 0.1 m before the stop at
 /// 0.5 m/s.
-fn collided(law: &str) -> [f64; 2] {
+fn after_collision(law: &str) -> [f64; 2] {
     let text = format!(
         "[modal.h]\nfrequency_hz = [0.0]\ndamping_ratio = [0.0]\n[modal.h.point]\ntip = [1.0]\n\
          [stop.s]\nat = \"h.tip\"\ngap = \"0.1 m\"\n{law}\n\
@@ -107,12 +107,12 @@ fn elastic_collisions_take_the_time_of_hertz() {
         let part = 1.0 / (n + 1.0);
         let duration =
             2.0 * depth / v * PI.sqrt() * libm::tgamma(1.0 + part) / libm::tgamma(0.5 + part);
-        let [place, speed] = collided(law);
+        let [position, speed] = after_collision(law);
         let expected = 0.1 - v * (1.0 - 0.2 - duration);
-        eprintln!("{law}: speed {speed}, place {place} {expected}");
+        eprintln!("{law}: speed {speed}, place {position} {expected}");
         assert!(
-            (speed + v).abs() < 1e-11 && (place - expected).abs() < 1e-11,
-            "{law}: {place} {speed}, {expected}"
+            (speed + v).abs() < 1e-11 && (position - expected).abs() < 1e-11,
+            "{law}: {position} {speed}, {expected}"
         );
     }
 }
@@ -122,8 +122,9 @@ fn elastic_collisions_take_the_time_of_hertz() {
 #[test]
 fn a_collision_of_hunt_and_crossley_keeps_its_first_integral() {
     let a: f64 = 0.7;
-    let [_, after] =
-        collided("law = \"hunt-crossley\"\nstiffness = \"1000 N/m^1.5\"\ndamping = \"0.7 s/m\"");
+    let [_, after] = after_collision(
+        "law = \"hunt-crossley\"\nstiffness = \"1000 N/m^1.5\"\ndamping = \"0.7 s/m\"",
+    );
     let integral = |v: f64| v - (1.0 + a * v).ln() / a;
     eprintln!("{after}");
     assert!(
@@ -137,7 +138,7 @@ fn a_collision_of_hunt_and_crossley_keeps_its_first_integral() {
 fn a_collision_of_kelvin_and_voigt_ends_where_its_force_vanishes() {
     let (k, zeta): (f64, f64) = (400.0, 0.2);
     let damping = 2.0 * zeta * k.sqrt();
-    let [_, after] = collided(&format!(
+    let [_, after] = after_collision(&format!(
         "law = \"kelvin-voigt\"\nstiffness = \"400 N/m\"\ndamping = \"{damping} N s/m\""
     ));
     let (angle, root) = (PI - 2.0 * zeta.asin(), (1.0 - zeta * zeta).sqrt());
@@ -147,10 +148,10 @@ fn a_collision_of_kelvin_and_voigt_ends_where_its_force_vanishes() {
 
 #[test]
 fn a_rigid_collision_keeps_the_restitution() {
-    let [place, speed] = collided("law = \"rigid\"\nrestitution = 0.6");
+    let [position, speed] = after_collision("law = \"rigid\"\nrestitution = 0.6");
     assert!(
-        (speed + 0.3).abs() < 1e-14 && (place - (0.1 - 0.8 * 0.3)).abs() < 1e-13,
-        "{place} {speed}"
+        (speed + 0.3).abs() < 1e-14 && (position - (0.1 - 0.8 * 0.3)).abs() < 1e-13,
+        "{position} {speed}"
     );
 }
 
@@ -177,13 +178,13 @@ fn the_impact_oscillator_stays_on_its_closed_form() {
     let mut motion = flow.start(model.state(&oscillator.start(&orbit)));
     for cycle in 1..=50 {
         flow.cycle(&mut motion);
-        let [place, speed] = [motion.state[0], motion.state[1]];
-        let off = (speed - orbit.speed)
+        let [position, speed] = [motion.state[0], motion.state[1]];
+        let error = (speed - orbit.speed)
             .abs()
             .min((speed + 0.8 * orbit.speed).abs());
         assert!(
-            (place - 0.1).abs() < 1e-10 && off < 1e-10,
-            "cycle {cycle}: {place} {speed}, {orbit:?}"
+            (position - 0.1).abs() < 1e-10 && error < 1e-10,
+            "cycle {cycle}: {position} {speed}, {orbit:?}"
         );
     }
 }
@@ -192,7 +193,7 @@ fn the_impact_oscillator_stays_on_its_closed_form() {
 /// `tests/orbits/basins.rs`, found by another method). At twice its frequency the orbit with one
 /// impact per cycle is stable in closed form.
 #[test]
-fn chaos_and_a_period_are_told_apart() {
+fn chaos_and_a_period_are_distinguished() {
     let ending = |frequency_ratio: f64| {
         let oscillator = ImpactOscillator {
             frequency_ratio,

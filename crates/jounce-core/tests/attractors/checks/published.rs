@@ -75,10 +75,10 @@ fn starts_end_on_the_published_orbits() {
     let starts: Vec<Vec<f64>> = [25, 100, 150]
         .map(|number| grid().start(&plant, number))
         .to_vec();
-    let found = endings(&plant.system, &starts, PATIENCE, TOLERANCE);
-    let kinds: Vec<Kind> = found.iter().map(|ending| ending.kind).collect();
+    let endings_found = endings(&plant.system, &starts, PATIENCE, TOLERANCE);
+    let kinds: Vec<Kind> = endings_found.iter().map(|ending| ending.kind).collect();
     assert_eq!(kinds, [1, 18, 3].map(Kind::Periodic));
-    let power_w = found[1].mean_power_w;
+    let power_w = endings_found[1].mean_power_w;
     eprintln!("{power_w:.9e} W, published {POWER_W:.9e} W");
     assert!((power_w / POWER_W - 1.0).abs() < OTHER_MESH, "{power_w:e}");
 }
@@ -93,15 +93,15 @@ fn the_grid_ends_where_brute_force_ends() {
     }
     let file = std::env::var("JOUNCE_GRID_PLANT")
         .map_or_else(|_| bench(), |path| SpecFile::read(path).unwrap());
-    let found = compare(
+    let agreement = compare(
         &harvester(file),
         InitialStates::Grid(grid()),
         PATIENCE,
         TOLERANCE,
     );
-    eprintln!("{found}");
+    eprintln!("{agreement}");
     assert_eq!(
-        found.count(Verdict::Different),
+        agreement.count(Verdict::Different),
         0,
         "starts attributed wrongly"
     );

@@ -2,7 +2,7 @@
 //! events.
 
 use crate::brute::{Flow, ReferenceModel};
-use crate::drawn::drawn;
+use crate::random_specs::random_spec;
 use jounce_core::analysis::{Cloud, Model};
 use jounce_core::plant::Plant;
 use jounce_core::spec::SpecFile;
@@ -14,7 +14,7 @@ const CLOUD: Cloud = Cloud {
 };
 
 fn plant(index: u64) -> Plant {
-    Model::new(SpecFile::from_text(drawn(22, index)).spec().unwrap())
+    Model::new(SpecFile::from_text(random_spec(22, index)).spec().unwrap())
         .unwrap()
         .kernel
         .plant
@@ -58,14 +58,15 @@ fn refined<const N: usize, const D: usize>(
     for start in starts {
         let mut motion = coarse.start(model.state(start));
         for _ in 0..30 {
-            let (mut finer, mut moved) = (motion.clone(), motion.clone());
+            let (mut finer, mut perturbed) = (motion.clone(), motion.clone());
             // Along the velocities, where an error of a contact force appears.
-            (0..N).for_each(|i| moved.state[N + i] *= 1.0 + 1e-7);
-            let apart = distance(model, &motion.state, &moved.state).max(1e-12 * motion.size);
+            (0..N).for_each(|i| perturbed.state[N + i] *= 1.0 + 1e-7);
+            let initial_distance =
+                distance(model, &motion.state, &perturbed.state).max(1e-12 * motion.size);
             coarse.cycle(&mut motion);
             fine.cycle(&mut finer);
-            fine.cycle(&mut moved);
-            let growth = distance(model, &finer.state, &moved.state) / apart;
+            fine.cycle(&mut perturbed);
+            let growth = distance(model, &finer.state, &perturbed.state) / initial_distance;
             assert!(!motion.is_lost && !finer.is_lost);
             largest = largest
                 .max(distance(model, &motion.state, &finer.state) / motion.size / growth.max(1.0));
@@ -117,15 +118,15 @@ fn plain_cycle<const N: usize, const D: usize>(
 ) -> [f64; D] {
     let h = model.cycle_s / f64::from(steps);
     let rate = |t: f64, y: &[f64; D]| model.rate(t, y, &model.phases(y), usize::MAX);
-    let moved = |y: &[f64; D], h: f64, k: &[f64; D]| -> [f64; D] {
+    let perturbed = |y: &[f64; D], h: f64, k: &[f64; D]| -> [f64; D] {
         std::array::from_fn(|i| y[i] + h * k[i])
     };
     for step in 0..steps {
         let t = f64::from(step) * h;
         let k1 = rate(t, &y);
-        let k2 = rate(t + 0.5 * h, &moved(&y, 0.5 * h, &k1));
-        let k3 = rate(t + 0.5 * h, &moved(&y, 0.5 * h, &k2));
-        let k4 = rate(t + h, &moved(&y, h, &k3));
+        let k2 = rate(t + 0.5 * h, &perturbed(&y, 0.5 * h, &k1));
+        let k3 = rate(t + 0.5 * h, &perturbed(&y, 0.5 * h, &k2));
+        let k4 = rate(t + h, &perturbed(&y, h, &k3));
         y = std::array::from_fn(|i| y[i] + h / 6.0 * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]));
     }
     y
@@ -137,7 +138,7 @@ fn plain_cycle<const N: usize, const D: usize>(
 /// leave both distances equal.
 #[test]
 fn a_plain_method_without_events_converges_to_the_same_motion() {
-    let compliant = (0..40).filter(|index| !drawn(22, *index).contains("rigid"));
+    let compliant = (0..40).filter(|index| !random_spec(22, *index).contains("rigid"));
     let mut all: Vec<([f64; 2], u64)> = compliant
         .map(|index| (with_model!(plant(index), plain), index))
         .collect();

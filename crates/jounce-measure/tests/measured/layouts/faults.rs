@@ -18,17 +18,17 @@ fn a_preamble_without_a_step_gives_no_rate() {
     for step in ["", "0", "-1e-4", "soon"] {
         let text = format!("X,CH1,Start,Increment,\nSequence,Volt,-1e-2,{step}\n")
             + &rows(|k| format!("{k},{:.4},", sample(0, k)));
-        let told = refused(&text, None);
+        let message = refused(&text, None);
         assert!(
-            told.contains("\" counts") && told.contains("rate = "),
-            "{step}: {told}"
+            message.contains("\" counts") && message.contains("rate = "),
+            "{step}: {message}"
         );
     }
 }
 
 /// Column names for time with integer values need a unit; so does any column that only increases.
 #[test]
-fn what_only_rises_is_no_time() {
+fn a_rising_column_alone_is_not_a_time() {
     for head in ["sample", "Sequence", "index", "n", "#"] {
         assert!(
             refused(&format!("{head},a\n1,5\n2,7\n3,6\n4,5\n"), None).contains("counts"),
@@ -62,17 +62,18 @@ fn what_only_rises_is_no_time() {
 fn stamps_win_over_a_header_that_disagrees() {
     let text = "Sample Interval,1e-05\nTIME,CH1\n".to_owned()
         + &rows(|k| format!("{:e},{:.4}", 1e-3 * k as f64, sample(0, k)));
-    let found = one("a.csv", text.as_bytes(), None);
+    let recording = one("a.csv", text.as_bytes(), None);
     assert!(
-        (found.rate() - 1e3).abs() < 1e-6 && kinds(&found).contains(&IssueKind::HeaderDisagrees),
+        (recording.rate() - 1e3).abs() < 1e-6
+            && kinds(&recording).contains(&IssueKind::HeaderDisagrees),
         "{:?}",
-        found.findings
+        recording.findings
     );
 }
 
 /// Time stamps without a unit get it from the rate in the header.
 #[test]
-fn the_rate_tells_the_unit_of_the_stamps() {
+fn the_rate_gives_the_unit_of_the_stamps() {
     let text = "Sample Rate,200\ntime,CH1\n".to_owned()
         + &rows(|k| format!("{},{:.4}", 5 * k, sample(0, k)));
     assert!((one("a.csv", text.as_bytes(), None).rate() - 200.0).abs() < 1e-9);
@@ -83,8 +84,8 @@ fn the_rate_tells_the_unit_of_the_stamps() {
 #[test]
 fn channels_of_an_lvm_keep_their_own_times_and_units() {
     let text = lvm("Multi").replace("Volts\t\tVolts", "Volts\t\tPounds");
-    let found = one("a.lvm", text.as_bytes(), None);
-    let units: Vec<&str> = found
+    let recording = one("a.lvm", text.as_bytes(), None);
+    let units: Vec<&str> = recording
         .channels
         .iter()
         .map(|channel| channel.unit.as_str())
@@ -106,7 +107,7 @@ fn channels_of_an_lvm_keep_their_own_times_and_units() {
     let sets = read("a.lvm", other.as_bytes(), None)
         .expect("two sets")
         .recordings;
-    let told: Vec<(f64, usize, &str)> = sets
+    let summary: Vec<(f64, usize, &str)> = sets
         .iter()
         .map(|set| {
             (
@@ -116,7 +117,7 @@ fn channels_of_an_lvm_keep_their_own_times_and_units() {
             )
         })
         .collect();
-    assert_eq!(told, [(1000.0, 400, "CH1"), (250.0, 100, "CH2")]);
+    assert_eq!(summary, [(1000.0, 400, "CH1"), (250.0, 100, "CH2")]);
 }
 
 /// Power of a tone with rounded time stamps, against its true value; samples remain in place.
@@ -128,19 +129,19 @@ fn rounded_stamps_leave_every_sample_as_it_is() {
             + &(0..5000)
                 .map(|k| format!("{:.decimals$},{:e}\n", 7.25 + k as f64 / rate_hz, tone(k)))
                 .collect::<String>();
-        let found = one("a.csv", text.as_bytes(), None).even().expect("even");
+        let recording = one("a.csv", text.as_bytes(), None).even().expect("even");
         assert_eq!(
-            found.channels[0].values,
+            recording.channels[0].values,
             (0..5000).map(tone).collect::<Vec<f64>>(),
             "{rate_hz}"
         );
-        let off = (found.rate() / rate_hz - 1.0).abs();
-        eprintln!("{rate_hz} Hz with {decimals} decimals: off by {off:.1e}");
+        let error = (recording.rate() / rate_hz - 1.0).abs();
+        eprintln!("{rate_hz} Hz with {decimals} decimals: off by {error:.1e}");
         assert!(
-            off < 10f64.powf(-(decimals as f64)) * rate_hz / 5000.0,
-            "{rate_hz}: {off}"
+            error < 10f64.powf(-(decimals as f64)) * rate_hz / 5000.0,
+            "{rate_hz}: {error}"
         );
-        assert_eq!(kinds(&found), [IssueKind::RoundedStamps]);
+        assert_eq!(kinds(&recording), [IssueKind::RoundedStamps]);
     }
     let mut state = 1u32;
     let mut jitter = || {
@@ -151,30 +152,30 @@ fn rounded_stamps_leave_every_sample_as_it_is() {
         + &(0..5000)
             .map(|k| format!("{:.7},1.5\n", 1e-3 * (k as f64 + 0.3 * jitter())))
             .collect::<String>();
-    let found = one("a.csv", text.as_bytes(), None);
-    let told = found
+    let recording = one("a.csv", text.as_bytes(), None);
+    let message = recording
         .findings
         .iter()
         .find(|finding| finding.kind == IssueKind::Jitter)
         .expect("jitter")
         .to_string();
     assert!(
-        told.contains("% of the mean step") && told.contains("e-4 s"),
-        "{told}"
+        message.contains("% of the mean step") && message.contains("e-4 s"),
+        "{message}"
     );
 }
 
 /// The first bytes do not determine the format of a row: rows that begin beyond them, and lines
 /// longer than them.
 #[test]
-fn no_window_decides_what_a_row_is() {
+fn the_window_does_not_change_the_rows() {
     let remarks = "a remark that fills the header\n".repeat(20_000);
     let late = remarks
         + "t [s],a [V]\n"
         + &rows(|k| format!("{:.3},{:.4}", 1e-3 * k as f64, sample(0, k)));
-    let found = one("a.csv", late.as_bytes(), None);
+    let recording = one("a.csv", late.as_bytes(), None);
     assert_eq!(
-        (found.channels.len(), found.channels[0].values.len()),
+        (recording.channels.len(), recording.channels[0].values.len()),
         (1, 400)
     );
     let wide = |k: usize| {
@@ -185,9 +186,9 @@ fn no_window_decides_what_a_row_is() {
             + "\n"
     };
     let text: String = (0..6).map(wide).collect();
-    let found = one("a.csv", text.as_bytes(), Some("rate = \"1 kHz\"\n"));
+    let recording = one("a.csv", text.as_bytes(), Some("rate = \"1 kHz\"\n"));
     assert_eq!(
-        (found.channels.len(), found.channels[0].values.len()),
+        (recording.channels.len(), recording.channels[0].values.len()),
         (60_000, 6)
     );
     // A line that ends at the end of the window with fewer fields.
@@ -207,11 +208,11 @@ fn no_window_decides_what_a_row_is() {
 
 /// A rate in the notes does not make a recording of a file without rows.
 #[test]
-fn no_samples_are_no_success() {
+fn a_file_without_samples_is_an_error() {
     for text in ["5\n", "a,b\nx,y\n", "1,2\r\n", ",,\n,,\n"] {
-        let told = read("a.csv", text.as_bytes(), Some("rate = \"1 kHz\"\n"));
+        let result = read("a.csv", text.as_bytes(), Some("rate = \"1 kHz\"\n"));
         assert!(
-            told.map_or(true, |found| found
+            result.map_or(true, |recording| recording
                 .recordings
                 .iter()
                 .all(|set| set.channels.iter().all(|c| !c.values.is_empty()))),
@@ -219,7 +220,7 @@ fn no_samples_are_no_success() {
         );
     }
     assert!(
-        read("a.csv", b"5,6\nend\n", Some("rate = \"1 kHz\"\n")).is_ok_and(|found| found
+        read("a.csv", b"5,6\nend\n", Some("rate = \"1 kHz\"\n")).is_ok_and(|recording| recording
             .recordings[0]
             .channels[0]
             .values

@@ -34,7 +34,7 @@ fn comma(text: &str) -> String {
 }
 
 pub(super) fn all() -> Vec<Layout> {
-    [cards(), analysers(), stamped()]
+    [data_acquisition_cards(), analysers(), with_stamps()]
         .into_iter()
         .flatten()
         .map(|layout| Layout {
@@ -45,7 +45,7 @@ pub(super) fn all() -> Vec<Layout> {
         .collect()
 }
 
-fn cards() -> Vec<Layout> {
+fn data_acquisition_cards() -> Vec<Layout> {
     let digilent = "#Digilent WaveForms Oscilloscope Acquisition\n#Device Name: Discovery2\n#Serial Number: SN:210321A00000\n#Date Time: 2024-03-05 14:07:01.250\n#Sample rate: 1000Hz\n#Samples: 400\n#Trigger: Source: Channel 1 Type: Edge\n#Channel 1: Range: 5 V/div Offset: 0 V Attenuation: 1 X\n\n";
     let scopy = ";Scopy version,f9bbac3\n;Exported on,Tue Mar 5 14:07:01 2024\n;Device,M2K\n;Nr of samples,400\n;Sample rate,1000\n;Tool,Oscilloscope\n;Additional Information,\n";
     vec![
@@ -102,7 +102,7 @@ fn cards() -> Vec<Layout> {
             program: "Measurement Computing",
             series: "DAQami, TracerDAQ",
             text: "Sample,Date/Time,CH1 (V),CH2 (V)\n".to_owned()
-                + &rows(|k| format!("{},3/{}/2024 {},{}", k + 1, day(k), twelve(k), pair(k, ","))),
+                + &rows(|k| format!("{},3/{}/2024 {},{}", k + 1, day(k), twelve_hour_clock(k), pair(k, ","))),
             recognised: "rate from times of day, names, units",
             ..Layout::default()
         },
@@ -134,7 +134,7 @@ fn cards() -> Vec<Layout> {
 }
 
 /// Time of day on a twelve-hour clock.
-fn twelve(k: usize) -> String {
+fn twelve_hour_clock(k: usize) -> String {
     let text = clock(k);
     let hour: usize = text[..2].parse().unwrap_or(0);
     format!(
@@ -214,7 +214,7 @@ fn analysers() -> Vec<Layout> {
     ]
 }
 
-fn stamped() -> Vec<Layout> {
+fn with_stamps() -> Vec<Layout> {
     let toa5 = "\"TOA5\",\"CR6\",\"CR6\",\"1234\",\"CR6.Std.09\",\"CPU:beam.CR6\",\"20813\",\"fast\"\n\"TIMESTAMP\",\"RECORD\",\"CH1\",\"CH2\"\n\"TS\",\"RN\",\"Volts\",\"Volts\"\n\"\",\"\",\"Smp\",\"Smp\"\n";
     vec![
         Layout {

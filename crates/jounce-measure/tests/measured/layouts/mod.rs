@@ -91,57 +91,57 @@ fn faults(layout: &Layout, text: &str) -> Vec<String> {
         Ok(contents) => contents,
         Err(fault) => return vec![fault.to_string()],
     };
-    let [found] = &contents.recordings[..] else {
+    let [recording] = &contents.recordings[..] else {
         return vec![format!("{} recordings", contents.recordings.len())];
     };
     let mut faults = Vec::new();
-    let heads: Vec<(&str, &str)> = found
+    let heads: Vec<(&str, &str)> = recording
         .channels
         .iter()
         .map(|channel| (channel.name.as_str(), channel.unit.as_str()))
         .collect();
-    if heads != layout.channels || found.over != Over::Time {
+    if heads != layout.channels || recording.over != Over::Time {
         faults.push(format!("channels {heads:?}"));
     }
-    let off = (found.rate() / layout.rate_hz - 1.0).abs();
-    if off > 1e-9 || !matches!(found.grid, Grid::Even { .. }) {
-        faults.push(format!("{} Hz", found.rate()));
+    let error = (recording.rate() / layout.rate_hz - 1.0).abs();
+    if error > 1e-9 || !matches!(recording.grid, Grid::Even { .. }) {
+        faults.push(format!("{} Hz", recording.rate()));
     }
-    if (found.grid.at(0) - layout.start_s).abs() > 1e-9 {
-        faults.push(format!("starts at {}", found.grid.at(0)));
+    if (recording.grid.at(0) - layout.start_s).abs() > 1e-9 {
+        faults.push(format!("starts at {}", recording.grid.at(0)));
     }
-    for (c, channel) in found.channels.iter().enumerate() {
-        let off = channel
+    for (c, channel) in recording.channels.iter().enumerate() {
+        let error = channel
             .values
             .iter()
             .enumerate()
             .map(|(k, x)| (x - sample(c, k)).abs())
             .fold(0.0, f64::max);
-        if channel.values.len() != COUNT || off.is_nan() || off > 6e-3 {
+        if channel.values.len() != COUNT || error.is_nan() || error > 6e-3 {
             faults.push(format!(
-                "{}: {} samples, off by {off}",
+                "{}: {} samples, off by {error}",
                 channel.name,
                 channel.values.len()
             ));
         }
     }
     if !faults.is_empty() {
-        faults.extend(found.findings.iter().map(ToString::to_string));
+        faults.extend(recording.findings.iter().map(ToString::to_string));
     }
     faults
 }
 
 fn report(faults: Vec<(String, Vec<String>)>) {
-    let wrong: Vec<String> = faults
+    let wrong_layouts: Vec<String> = faults
         .into_iter()
         .filter(|(_, faults)| !faults.is_empty())
         .map(|(name, faults)| format!("{name}: {faults:#?}"))
         .collect();
     assert!(
-        wrong.is_empty(),
+        wrong_layouts.is_empty(),
         "{} layouts are read wrong:\n{}",
-        wrong.len(),
-        wrong.join("\n")
+        wrong_layouts.len(),
+        wrong_layouts.join("\n")
     );
 }
 
@@ -152,29 +152,29 @@ fn name(layout: &Layout) -> String {
 /// Each layout gives its rate, start, names, units and samples. A file that needs notes is refused
 /// without them.
 #[test]
-fn every_layout_is_read_as_the_table_says() {
-    let judged = |layout: &Layout| {
-        let mut found = faults(layout, &layout.text);
+fn every_layout_is_read_as_in_the_table() {
+    let check_layout = |layout: &Layout| {
+        let mut faults_found = faults(layout, &layout.text);
         if !layout.refused.is_empty() {
             match read(file_name(layout), layout.text.as_bytes(), None) {
-                Ok(_) => found.push("it is not refused without notes".to_owned()),
+                Ok(_) => faults_found.push("it is not refused without notes".to_owned()),
                 Err(fault) => {
-                    let told = fault.to_string();
-                    found.extend(Some(told).filter(|told| {
-                        !told.contains(layout.refused) || !told.contains(".channels.toml")
+                    let message = fault.to_string();
+                    faults_found.extend(Some(message).filter(|message| {
+                        !message.contains(layout.refused) || !message.contains(".channels.toml")
                     }));
                 }
             }
         }
-        (name(layout), found)
+        (name(layout), faults_found)
     };
-    report(all().iter().map(judged).collect());
+    report(all().iter().map(check_layout).collect());
 }
 
 /// Each layout with other line endings and empty rows at the end.
 #[test]
-fn ends_of_lines_and_empty_rows_at_the_end_change_nothing() {
-    let judged = |layout: &Layout| {
+fn line_endings_and_empty_rows_at_the_end_have_no_effect() {
+    let check_layout = |layout: &Layout| {
         let last = layout.text.lines().last().unwrap_or_default();
         let delimiter = last.chars().find(|c| ",;\t".contains(*c)).unwrap_or(' ');
         let empty = format!(
@@ -193,7 +193,7 @@ fn ends_of_lines_and_empty_rows_at_the_end_change_nothing() {
             texts.iter().flat_map(|text| faults(layout, text)).collect(),
         )
     };
-    report(all().iter().map(judged).collect());
+    report(all().iter().map(check_layout).collect());
 }
 
 /// The table of the book has exactly these layouts.
@@ -209,12 +209,17 @@ fn the_table_of_the_book_is_this_list() {
             layout.program, layout.series, layout.recognised, layout.by_hand
         )
     };
-    let due: Vec<String> = all().iter().map(row).collect();
-    let found: Vec<&str> = book
+    let expected: Vec<String> = all().iter().map(row).collect();
+    let book_rows: Vec<&str> = book
         .lines()
         .filter(|line| line.starts_with("| "))
         .skip(1)
         .collect();
-    assert!(due.len() >= 40, "{}", due.len());
-    assert_eq!(found, due, "the table should be\n{}", due.join("\n"));
+    assert!(expected.len() >= 40, "{}", expected.len());
+    assert_eq!(
+        book_rows,
+        expected,
+        "the table should be\n{}",
+        expected.join("\n")
+    );
 }

@@ -20,7 +20,7 @@ fn table(end: &str) -> String {
 }
 
 /// Settings next to the first rows, as in older Tektronix files, three or five fields wide.
-fn beside(settings: &[&str], blank: &str, row: impl Fn(usize) -> String) -> String {
+fn with_settings(settings: &[&str], blank: &str, row: impl Fn(usize) -> String) -> String {
     rows(|k| format!("{},{}", settings.get(k).unwrap_or(&blank), row(k)))
 }
 
@@ -99,7 +99,7 @@ fn tektronix() -> Vec<Layout> {
         "Serial Number,C000001,",
         "Firmware Version,FV:v22.01,",
     ];
-    let quoted = [
+    let quoted_settings = [
         "\"Record Length\",400,\"Points\"",
         "\"Sample Interval\",1e-04,s",
         "\"Trigger Point\",200,\"Samples\"",
@@ -114,7 +114,7 @@ fn tektronix() -> Vec<Layout> {
         Layout {
             program: TEKTRONIX,
             series: "TDS1000, TDS2000, TBS1000, DPO2000: settings beside the first rows",
-            text: beside(&older, ",,", one),
+            text: with_settings(&older, ",,", one),
             channels: &[("CH1", "V")],
             ..Layout::default()
         },
@@ -124,7 +124,7 @@ fn tektronix() -> Vec<Layout> {
             recognised: "rate, start",
             by_hand: "names, units",
             notes: "[channel.5]\nname = \"CH1\"\nunit = \"V\"\n",
-            text: beside(&quoted, ",,", |k| format!("{},{}", t(k), v(0, k))),
+            text: with_settings(&quoted_settings, ",,", |k| format!("{},{}", t(k), v(0, k))),
             channels: &[("CH1", "V")],
             ..Layout::default()
         },

@@ -35,8 +35,8 @@ pub fn segment(channels: &[Channel], interleaved: bool, closed: bool) -> Vec<u8>
                     ]
                     .concat(),
                 ),
-                Property::Text(name, told) => metadata
-                    .extend([text(name), 0x20_u32.to_le_bytes().to_vec(), text(told)].concat()),
+                Property::Text(name, value) => metadata
+                    .extend([text(name), 0x20_u32.to_le_bytes().to_vec(), text(value)].concat()),
             }
         }
     }
