@@ -1,6 +1,6 @@
-//! What is answered, and that it is what the library says.
+//! Responses of the server, compared with results of the library.
 
-use crate::client::{Served, paper};
+use crate::client::{TestServer, paper};
 use jounce::analysis::{BranchSearch, Model, OrbitMethodKind, Parameter};
 use jounce::spec::SpecFile;
 use jounce_explorer::{ServerLimits, Source};
@@ -10,18 +10,18 @@ use std::time::{Duration, Instant};
 
 #[tokio::test]
 async fn a_design_has_a_drawing_and_controls() {
-    let served = Served::new(&paper(), ServerLimits::default());
-    let mut page = served.page().await;
-    page.ask("design", json!({ "set": [["stop.tip.gap", "0.5 mm"]] }))
+    let server = TestServer::new(&paper(), ServerLimits::default());
+    let mut page = server.page().await;
+    page.send_request("design", json!({ "set": [["stop.tip.gap", "0.5 mm"]] }))
         .await;
-    let heard = page.until("design", "done").await;
+    let response = page.receive_until("design", "done").await;
     assert!(
-        heard.head["drawing"]["svg"]
+        response.head["drawing"]["svg"]
             .as_str()
             .unwrap()
             .contains("gap 0.5 mm")
     );
-    let grips = heard.head["drawing"]["grips"].as_array().unwrap();
+    let grips = response.head["drawing"]["grips"].as_array().unwrap();
     let keys: Vec<_> = grips
         .iter()
         .map(|grip| {
@@ -31,14 +31,14 @@ async fn a_design_has_a_drawing_and_controls() {
             )
         })
         .collect();
-    let due = [
+    let expected = [
         ("start", "patch.mfc.start"),
         ("end", "patch.mfc.length"),
         ("place", "beam.beam.point.tip"),
         ("gap", "stop.tip.gap"),
     ];
-    assert_eq!(keys, due);
-    let gap = heard.head["controls"]
+    assert_eq!(keys, expected);
+    let gap = response.head["controls"]
         .as_array()
         .unwrap()
         .iter()
@@ -54,36 +54,36 @@ async fn a_design_has_a_drawing_and_controls() {
     );
 }
 
-/// The words of a fault are those of the command line.
+/// Fault messages equal those of the command line.
 #[tokio::test]
-async fn a_wrong_value_is_told_by_its_key() {
-    let served = Served::new(&paper(), ServerLimits::default());
-    let mut page = served.page().await;
-    page.ask(
+async fn a_wrong_value_is_reported_with_its_key() {
+    let server = TestServer::new(&paper(), ServerLimits::default());
+    let mut page = server.page().await;
+    page.send_request(
         "design",
         json!({ "set": [["circuit.load.resistance", "-1 ohm"]] }),
     )
     .await;
-    let heard = page.until("design", "fault").await;
+    let response = page.receive_until("design", "fault").await;
     let mut file = SpecFile::read(paper()).unwrap();
     file.set("circuit.load.resistance", "-1 ohm").unwrap();
-    let due = file.spec().unwrap_err().to_string();
+    let expected = file.spec().unwrap_err().to_string();
     assert_eq!(
-        heard.head["faults"][0]["message"].as_str(),
-        Some(due.as_str())
+        response.head["faults"][0]["message"].as_str(),
+        Some(expected.as_str())
     );
-    assert_eq!(heard.head["faults"][0]["key"], "circuit.load.resistance");
+    assert_eq!(response.head["faults"][0]["key"], "circuit.load.resistance");
 }
 
-/// The fine answer is that of the library, number by number; the coarse one runs through it.
+/// The fine response equals the library's branch number by number; the coarse one agrees at the ends.
 #[tokio::test]
-async fn a_response_is_the_branch_of_the_library() {
-    let served = Served::new(&paper(), ServerLimits::default());
-    let mut page = served.page().await;
+async fn a_response_equals_the_branch_of_the_library() {
+    let server = TestServer::new(&paper(), ServerLimits::default());
+    let mut page = server.page().await;
     let range = json!({ "over": "drive.shaker.frequency", "from": 12.6, "to": 13.0 });
-    let id = page.ask("response", range.clone()).await;
-    let coarse = page.until("response", "coarse").await;
-    let fine = page.until("response", "fine").await;
+    let id = page.send_request("response", range.clone()).await;
+    let coarse = page.receive_until("response", "coarse").await;
+    let fine = page.receive_until("response", "fine").await;
     let file = SpecFile::read(paper()).unwrap();
     let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("drive.shaker.frequency").unwrap();
@@ -98,9 +98,12 @@ async fn a_response_is_the_branch_of_the_library() {
         seeds: 6,
         longest_period: 8,
     };
-    let due = search.run().unwrap();
-    assert_eq!(fine.head["branches"].as_array().unwrap().len(), due.len());
-    for (k, branch) in due.iter().enumerate() {
+    let expected = search.run().unwrap();
+    assert_eq!(
+        fine.head["branches"].as_array().unwrap().len(),
+        expected.len()
+    );
+    for (k, branch) in expected.iter().enumerate() {
         let powers: Vec<f64> = branch
             .points
             .iter()
@@ -108,32 +111,38 @@ async fn a_response_is_the_branch_of_the_library() {
             .collect();
         assert_eq!(fine.array(&format!("{k}.power")), powers);
     }
-    // The ends of the first coarse branch lie on the edges of the range, with the power of the fine one there (8e-6 off).
-    let ends = |heard: &crate::client::Heard| (heard.array("0.x")[0], heard.array("0.power")[0]);
-    let (rough, exact) = (ends(&coarse), ends(&fine));
-    assert_eq!(rough.0, exact.0);
+    // The first coarse branch ends at the edges of the range, with the power of the fine one (relative difference 8e-6).
+    let ends = |response: &crate::client::Response| {
+        (response.array("0.x")[0], response.array("0.power")[0])
+    };
+    let (coarse_end, fine_end) = (ends(&coarse), ends(&fine));
+    assert_eq!(coarse_end.0, fine_end.0);
     assert!(
-        (rough.1 / exact.1 - 1.0).abs() < 1e-4,
-        "{rough:?} {exact:?}"
+        (coarse_end.1 / fine_end.1 - 1.0).abs() < 1e-4,
+        "{coarse_end:?} {fine_end:?}"
     );
 
-    page.ask("orbit", json!({ "answer": id, "branch": 0, "point": 0 }))
+    page.send_request("orbit", json!({ "answer": id, "branch": 0, "point": 0 }))
         .await;
-    let orbit = page.until("orbit", "done").await;
-    assert!((orbit.head["mean_power_w"].as_f64().unwrap() / exact.1 - 1.0).abs() < 1e-6);
-    let (motion, places) = (orbit.array("motion.beam"), orbit.array("place.beam"));
+    let orbit = page.receive_until("orbit", "done").await;
+    assert!((orbit.head["mean_power_w"].as_f64().unwrap() / fine_end.1 - 1.0).abs() < 1e-6);
+    let (motion, positions) = (orbit.array("motion.beam"), orbit.array("place.beam"));
     assert_eq!(
         motion.len(),
-        places.len() * orbit.head["pictures"].as_u64().unwrap() as usize
+        positions.len() * orbit.head["pictures"].as_u64().unwrap() as usize
     );
-    // The point that strikes moves alike in the picture of the beam (nearest place 305 mm) and in the history of the port.
-    let place = places
+    // The striking point has the same displacement in the beam motion (nearest position 305 mm) and in the history of the port.
+    let index = positions
         .iter()
-        .position(|place| (place - 0.305).abs() < 0.0035)
+        .position(|position| (position - 0.305).abs() < 0.0035)
         .unwrap();
-    let (drawn, marched) = (motion[place], orbit.array("displacement.0")[0]);
-    assert!((drawn / marched - 1.0).abs() < 0.05, "{drawn} {marched}");
-    // Mean square of the sampled voltage against the exact one of the flow.
+    let (frame_displacement, history_displacement) =
+        (motion[index], orbit.array("displacement.0")[0]);
+    assert!(
+        (frame_displacement / history_displacement - 1.0).abs() < 0.05,
+        "{frame_displacement} {history_displacement}"
+    );
+    // RMS of the sampled voltage against the exact value of the flow.
     let voltage = orbit.array("voltage");
     let rms = (voltage.iter().map(|v| v * v).sum::<f64>() / voltage.len() as f64).sqrt();
     assert!(
@@ -144,36 +153,36 @@ async fn a_response_is_the_branch_of_the_library() {
 
 #[tokio::test]
 async fn a_new_position_stops_the_old_computation() {
-    let served = Served::new(&paper(), ServerLimits::default());
-    let mut page = served.page().await;
+    let server = TestServer::new(&paper(), ServerLimits::default());
+    let mut page = server.page().await;
     for k in 0..30 {
         let set = json!([["stop.tip.gap", format!("{} mm", 0.9 + 0.005 * f64::from(k))]]);
-        page.ask(
+        page.send_request(
             "response",
             json!({ "set": set, "over": "drive.shaker.frequency", "from": 4.0, "to": 20.0 }),
         )
         .await;
     }
-    page.ask(
+    page.send_request(
         "sweep",
         json!({ "over": "drive.shaker.frequency", "from": 4.0, "to": 20.0, "points": 400 }),
     )
     .await;
-    page.ask("stop", json!({ "what": "sweep" })).await;
-    let asked = Instant::now();
+    page.send_request("stop", json!({ "what": "sweep" })).await;
+    let request_time = Instant::now();
     let last = page
-        .ask(
+        .send_request(
             "response",
             json!({ "over": "drive.shaker.frequency", "from": 12.9, "to": 13.0 }),
         )
         .await;
-    let heard = page.until("response", "coarse").await;
+    let response = page.receive_until("response", "coarse").await;
     assert_eq!(
-        heard.head["id"].as_u64(),
+        response.head["id"].as_u64(),
         Some(last),
         "answers to older positions are not sent"
     );
-    assert!(asked.elapsed() < Duration::from_secs(60));
+    assert!(request_time.elapsed() < Duration::from_secs(60));
 }
 
 #[tokio::test]
@@ -182,51 +191,51 @@ async fn the_page_follows_the_file() {
     let path = folder.path().join("harvester.toml");
     let text = std::fs::read_to_string(paper()).unwrap();
     std::fs::write(&path, &text).unwrap();
-    let served = Served::new(&path, ServerLimits::default());
-    let mut page = served.page().await;
+    let server = TestServer::new(&path, ServerLimits::default());
+    let mut page = server.page().await;
     std::fs::write(&path, text.replace("gap = \"1 mm\"", "gap = \"oops\"")).unwrap();
-    page.until("file", "done").await;
-    page.ask("design", json!({})).await;
-    let heard = page.until("design", "fault").await;
+    page.receive_until("file", "done").await;
+    page.send_request("design", json!({})).await;
+    let response = page.receive_until("design", "fault").await;
     assert_eq!(
         (
-            &heard.head["faults"][0]["key"],
-            heard.head["faults"][0]["line"].as_u64()
+            &response.head["faults"][0]["key"],
+            response.head["faults"][0]["line"].as_u64()
         ),
         (&json!("stop.tip.gap"), Some(36))
     );
     std::fs::write(&path, text).unwrap();
-    page.until("file", "done").await;
-    page.ask("design", json!({})).await;
-    page.until("design", "done").await;
+    page.receive_until("file", "done").await;
+    page.send_request("design", json!({})).await;
+    page.receive_until("design", "done").await;
 }
 
 #[tokio::test]
 async fn exported_text_is_the_design() {
-    let served = Served::new(&paper(), ServerLimits::default());
-    let mut page = served.page().await;
+    let server = TestServer::new(&paper(), ServerLimits::default());
+    let mut page = server.page().await;
     let set = json!([["stop.tip.gap", "0.5 mm"]]);
-    page.ask(
+    page.send_request(
         "export",
         json!({ "set": set, "over": "drive.shaker.frequency", "from": 12.0, "to": 13.0 }),
     )
     .await;
-    let heard = page.until("export", "done").await;
-    let spec = SpecFile::from_text(heard.head["spec"].as_str().unwrap())
+    let response = page.receive_until("export", "done").await;
+    let spec = SpecFile::from_text(response.head["spec"].as_str().unwrap())
         .spec()
         .unwrap();
     assert_eq!(spec.stop["tip"].gap_m, 0.5e-3);
-    let shell = heard.head["shell"].as_str().unwrap();
+    let shell = response.head["shell"].as_str().unwrap();
     assert!(
         shell.ends_with("--over 'drive.shaker.frequency=12 Hz:13 Hz' --set 'stop.tip.gap=0.5 mm'"),
         "{shell}"
     );
 }
 
-/// A spec that no file holds is named after the file that the page would save it to, and leaves nothing behind.
+/// A spec without a file takes the name under which the page would save it, and saves no address.
 #[tokio::test]
 async fn a_spec_without_a_file_is_served() {
-    let keep = tempfile::tempdir().unwrap();
+    let state_folder = tempfile::tempdir().unwrap();
     let text = std::fs::read_to_string(paper())
         .unwrap()
         .replace("gap = \"1 mm\"", "gap = \"2 mm\"");
@@ -234,42 +243,42 @@ async fn a_spec_without_a_file_is_served() {
         text: text.clone(),
         folder: PathBuf::new(),
     };
-    let served = Served::of(
+    let server = TestServer::from_source(
         source,
         ServerLimits::default(),
-        Some(keep.path().to_path_buf()),
+        Some(state_folder.path().to_path_buf()),
     );
-    let mut page = served.page().await;
-    page.ask("design", json!({})).await;
-    page.until("design", "done").await;
-    page.ask(
+    let mut page = server.page().await;
+    page.send_request("design", json!({})).await;
+    page.receive_until("design", "done").await;
+    page.send_request(
         "export",
         json!({ "over": "drive.shaker.frequency", "from": 12.0, "to": 13.0 }),
     )
     .await;
-    let heard = page.until("export", "done").await;
-    assert_eq!(heard.head["spec"].as_str(), Some(text.as_str()));
+    let response = page.receive_until("export", "done").await;
+    assert_eq!(response.head["spec"].as_str(), Some(text.as_str()));
     assert!(
-        heard.head["python"]
+        response.head["python"]
             .as_str()
             .unwrap()
             .contains("jounce.read(\"harvester.toml\")")
     );
     assert!(
-        heard.head["shell"]
+        response.head["shell"]
             .as_str()
             .unwrap()
             .starts_with("jounce branch harvester.toml ")
     );
-    assert_eq!(std::fs::read_dir(keep.path()).unwrap().count(), 0);
+    assert_eq!(std::fs::read_dir(state_folder.path()).unwrap().count(), 0);
 }
 
-/// The next server of a spec has the address of the one before; one beside it has another.
+/// The next server of a spec reuses the address of the previous one; a second server at the same time has another.
 #[tokio::test]
-async fn a_page_comes_back_with_its_server() {
+async fn a_page_reconnects_to_the_next_server() {
     let folder = tempfile::tempdir().unwrap();
     let serve = || {
-        Served::kept(
+        TestServer::with_state_folder(
             &paper(),
             ServerLimits::default(),
             Some(folder.path().to_path_buf()),
@@ -277,9 +286,9 @@ async fn a_page_comes_back_with_its_server() {
     };
     let first = serve();
     let (host, token) = (first.host.clone(), first.token.clone());
-    let beside = serve();
-    assert!(beside.host != host && beside.token != token);
-    drop((beside, first));
+    let other = serve();
+    assert!(other.host != host && other.token != token);
+    drop((other, first));
     let latest = serve();
     let (host, token) = (latest.host.clone(), latest.token.clone());
     drop(latest);
