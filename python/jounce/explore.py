@@ -64,8 +64,8 @@ class Explorer:
 def explore(harvester: Spec | str | PathLike[str], *, browser: bool = True, listen: str | None = None) -> Explorer:
     """Serves the live page of a harvester and opens it: its drawing, branches and orbits follow every slider.
 
-    The page of a :class:`Spec` shows its present state and leaves no file; the page of a path follows the file. The server is a thread of this
-    process and is reachable from this machine only, unless ``listen = "ADDRESS:PORT"`` is given. In a script,
+    The page of a :class:`Spec` shows its present state and leaves no file; the page of a path follows the file. The server is a thread of
+    this process and is reachable from this machine only, unless ``listen = "ADDRESS:PORT"`` is given. In a script,
     ``jounce.explore(harvester).wait()`` serves until Ctrl-C.
     """
     if isinstance(harvester, Spec):

@@ -38,8 +38,8 @@ class State:
 
     def to_dict(self) -> dict[str, Any]:
         """Modal displacements and velocities, voltages and drive angles, SI."""
-        found: dict[str, Any] = json.loads(self.json)
-        return found
+        values: dict[str, Any] = json.loads(self.json)
+        return values
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -74,7 +74,9 @@ class RunResult(Result):
     rectified_charge_load_c: Annotated[Floats, Along("rectified", "C", "charge through the load")]
     rectified_charge_leakage_c: Annotated[Floats, Along("rectified", "C", "charge through the leakage of the storage")]
     rectified_charge_storage_c: Annotated[Floats, Along("rectified", "C", "charge added to the storage")]
-    rectified_charge_residual_relative: Annotated[Floats, Along("rectified", "1", "residual of the charge balance, relative to the largest term")]
+    rectified_charge_residual_relative: Annotated[
+        Floats, Along("rectified", "1", "residual of the charge balance, relative to the largest term")
+    ]
     #: Names of the patches with leakage, and mean power of each leakage, W.
     leak: list[str]
     leak_power_w: Annotated[Floats, Along("leak", "W", "mean power lost by leakage of a patch")]
@@ -127,12 +129,12 @@ class RunResult(Result):
     wall_time_s: float = dataclasses.field(compare=False)
 
     @classmethod
-    def _made(cls, answer: dict[str, Any]) -> Self:
-        history = answer["history"]
+    def _from_core(cls, result: dict[str, Any]) -> Self:
+        history = result["history"]
         if history is not None:
-            history = History._made({**history, "manifest": answer["manifest"], "sample_rate_hz": answer["sample_rate_hz"]})
-        made = {key: value for key, value in answer.items() if key != "sample_rate_hz"}
-        return super()._made({**made, "history": history, "end": State(answer["end"]), "work": json.loads(answer["work"])})
+            history = History._from_core({**history, "manifest": result["manifest"], "sample_rate_hz": result["sample_rate_hz"]})
+        fields = {key: value for key, value in result.items() if key != "sample_rate_hz"}
+        return super()._from_core({**fields, "history": history, "end": State(result["end"]), "work": json.loads(result["work"])})
 
     @property
     def voltage_rms_v(self) -> float | None:
@@ -149,8 +151,8 @@ class RunResult(Result):
     def _peaks(self) -> list[tuple[str, float]]:
         """Returns the largest voltage of each load, and of each patch without a load."""
         peaks = list(zip(self.load, map(float, self.load_voltage_peak_v)))
-        of_patches = zip(self.patch, map(float, self.patch_voltage_peak_v))
-        return peaks + [(name, volts) for name, volts in of_patches if volts not in self.load_voltage_peak_v]
+        patch_peaks = zip(self.patch, map(float, self.patch_voltage_peak_v))
+        return peaks + [(name, volts) for name, volts in patch_peaks if volts not in self.load_voltage_peak_v]
 
     def _summary(self) -> list[tuple[str, str]]:
         settled = f"period {self.period_cycles} drive cycles" if self.settled else f"NOT settled, change {self.periodicity_change:.1e}"
@@ -170,17 +172,17 @@ class RunResult(Result):
 
     def to_dict(self) -> dict[str, Any]:
         """Returns every number and name except the record."""
-        left = ("history", "end", "manifest")
-        return {field.name: getattr(self, field.name) for field in dataclasses.fields(self) if field.name not in left}
+        excluded = ("history", "end", "manifest")
+        return {field.name: getattr(self, field.name) for field in dataclasses.fields(self) if field.name not in excluded}
 
     def to_xarray(self) -> Any:
         """Returns an ``xarray.Dataset`` of the means over ``load``, ``patch``, ``rectified``, ``leak``, ``stop``, without the record."""
-        told = {
+        settling = {
             "settled": Variable((), bool(self.settled), "1", "settled when averaged"),
             "period_cycles": Variable((), self.period_cycles or 0, "1", "period in drive cycles, 0 without a period"),
         }
         coords = {name: Variable((name,), getattr(self, name), "", name) for name in ("load", "patch", "rectified", "leak", "stop")}
-        return self._dataset({**self._variables(), **told}, coords)
+        return self._dataset({**self._variables(), **settling}, coords)
 
     def to_pandas(self) -> Any:
         """Returns a ``pandas.DataFrame`` with one row."""

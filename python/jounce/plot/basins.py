@@ -14,12 +14,18 @@ def plot_basins(result: BasinsResult, ax: Any = None) -> Any:
     """Draws the starts by displacement and velocity towards the stop, coloured by attractor."""
     with axes(ax) as ax:
         for number, name in enumerate(result.attractor):
-            own = result.ends_in == number
+            members = result.ends_in == number
             text = f"{name}: {100 * result.fraction[number]:.0f} %"
-            ax.plot(result.start_displacement_m[own], result.start_velocity_m_s[own], "o", alpha=0.8, label=text)
-        left = result.ends_in < 0
-        if left.any():
-            ax.plot(result.start_displacement_m[left], result.start_velocity_m_s[left], "x", color="#888888", label="not classified")
+            ax.plot(result.start_displacement_m[members], result.start_velocity_m_s[members], "o", alpha=0.8, label=text)
+        unclassified = result.ends_in < 0
+        if unclassified.any():
+            ax.plot(
+                result.start_displacement_m[unclassified],
+                result.start_velocity_m_s[unclassified],
+                "x",
+                color="#888888",
+                label="not classified",
+            )
         label(ax.xaxis, "Displacement towards the stop", "m")
         label(ax.yaxis, "Velocity", "m/s")
         ax.legend()
