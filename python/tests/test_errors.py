@@ -31,8 +31,8 @@ def test_a_bare_number_is_refused_with_the_message_of_toml(harvester):
         harvester["stop.tip.gap"] = 0.5
     with pytest.raises(jounce.SpecError) as from_dict:
         jounce.Spec({**harvester.to_dict(), "stop": {"tip": {**harvester.to_dict()["stop"]["tip"], "gap": 0.5}}})
-    words = from_toml.value.faults[0].message
-    assert from_set.value.faults[0].message == words == from_dict.value.faults[0].message
+    message = from_toml.value.faults[0].message
+    assert from_set.value.faults[0].message == message == from_dict.value.faults[0].message
     assert from_dict.value.faults[0].line == 0 and harvester.si("stop.tip.gap") == 1e-3
 
 
@@ -51,10 +51,10 @@ def test_a_bare_number_is_refused_with_the_message_of_toml(harvester):
     ],
 )
 def test_wrong_settings_change_nothing(harvester, key, value):
-    before = harvester.to_toml()
+    toml_before = harvester.to_toml()
     with pytest.raises(jounce.SpecError):
         harvester.set(key, value)
-    assert harvester.to_toml() == before
+    assert harvester.to_toml() == toml_before
 
 
 def test_all_faults_of_several_settings_come_at_once(harvester):
@@ -254,6 +254,6 @@ def test_invalid_counts_are_refused_by_name(harvester):
         (lambda: noisy.noise(points=-1), "points is -1"),
         (lambda: harvester.modes().plot_modes(modes=0), "modes is 0"),
     ]
-    for call, words in invalid_calls:
-        with pytest.raises(jounce.ArgumentError, match=words):
+    for call, message in invalid_calls:
+        with pytest.raises(jounce.ArgumentError, match=message):
             call()

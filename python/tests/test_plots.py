@@ -116,9 +116,9 @@ def pixels(figure):
 
 @pytest.mark.parametrize("name", NAMES)
 def test_a_picture_shows_something_and_changes_no_setting(plot_functions, name):
-    before = dict(matplotlib.rcParams)
+    settings_before = dict(matplotlib.rcParams)
     ax = plot_functions[name]()
-    assert dict(matplotlib.rcParams) == before
+    assert dict(matplotlib.rcParams) == settings_before
     colours = pixels(ax.figure)
     lightness = colours.max(axis=1).astype(int) - colours.min(axis=1)
     assert (colours.min(axis=1) < 250).mean() > 0.005, "next to nothing is drawn"

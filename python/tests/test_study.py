@@ -122,9 +122,9 @@ def test_killed_five_times_and_resumed_it_is_the_same_table(study, table, tmp_pa
         return len(list((tmp_path / "out/parts").glob("part-*.parquet")))
 
     for _ in range(5):
-        before, child = parts(), subprocess.Popen([sys.executable, "-c", code])
+        n_parts, child = parts(), subprocess.Popen([sys.executable, "-c", code])
         # At work: a part more than before is there, and the next one is being made.
-        while parts() == before and child.poll() is None:
+        while parts() == n_parts and child.poll() is None:
             time.sleep(0.001)
         child.kill()
         child.wait()

@@ -66,7 +66,8 @@ pub enum RequestKind {
     /// Orbit of a point of a response.
     Orbit {
         /// Number of the response.
-        answer: u64,
+        #[serde(rename = "answer")]
+        response: u64,
         /// Index of the branch in the response.
         branch: usize,
         /// Index of the point on the branch.

@@ -159,12 +159,12 @@ impl Explorer {
 
     /// Returns the address of the page, with its token.
     pub fn page(&self) -> String {
-        let shown = if self.address.ip().is_unspecified() {
+        let address = if self.address.ip().is_unspecified() {
             SocketAddr::from((Ipv4Addr::LOCALHOST, self.address.port()))
         } else {
             self.address
         };
-        format!("http://{shown}/{}/", self.authenticator.token())
+        format!("http://{address}/{}/", self.authenticator.token())
     }
 
     /// Returns a handle that stops the server.

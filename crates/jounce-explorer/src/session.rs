@@ -175,10 +175,10 @@ impl Session {
             }
             RequestKind::Response(span) => branches::respond(self, id, design, span, cancellation),
             RequestKind::Orbit {
-                answer,
+                response,
                 branch,
                 point,
-            } => orbit::respond(self, id, (*answer, *branch, *point), cancellation),
+            } => orbit::respond(self, id, (*response, *branch, *point), cancellation),
             RequestKind::Sweep { range, points } => {
                 sweep::respond(self, id, &design, range, *points, cancellation)
             }

@@ -188,7 +188,7 @@ async fn sockets_messages_and_times_are_limited() {
             Ok(page) => break page,
             Err(status) => assert!(
                 tokio::time::Instant::now() < deadline,
-                "no place became free: {status}"
+                "no socket became free: {status}"
             ),
         }
         tokio::time::sleep(Duration::from_millis(50)).await;

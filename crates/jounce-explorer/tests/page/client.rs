@@ -188,7 +188,7 @@ impl Page {
         loop {
             match tokio::time::timeout(limit, self.socket.next())
                 .await
-                .expect("an answer within five minutes")?
+                .expect("a response within five minutes")?
             {
                 Ok(Message::Binary(bytes)) => {
                     let length = u32::from_le_bytes(bytes[..4].try_into().unwrap()) as usize;

@@ -180,7 +180,7 @@ async fn a_new_position_stops_the_old_computation() {
     assert_eq!(
         response.head["id"].as_u64(),
         Some(last),
-        "answers to older positions are not sent"
+        "responses to older positions are not sent"
     );
     assert!(request_time.elapsed() < Duration::from_secs(60));
 }
@@ -292,7 +292,7 @@ async fn a_page_reconnects_to_the_next_server() {
     let latest = serve();
     let (host, token) = (latest.host.clone(), latest.token.clone());
     drop(latest);
-    let again = serve();
-    assert_eq!((&again.host, &again.token), (&host, &token));
-    again.page().await;
+    let next_server = serve();
+    assert_eq!((&next_server.host, &next_server.token), (&host, &token));
+    next_server.page().await;
 }
