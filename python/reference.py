@@ -12,25 +12,27 @@ Made from the docstrings by `python/reference.py`. Arrays are numpy's; units are
 """
 
 
-def signature(name: str, what: object) -> str:
+def signature(name: str, member: object) -> str:
     """A call as it is written, without the annotations that only a type checker reads."""
     try:
-        found = inspect.signature(what)  # type: ignore[arg-type]
+        call_signature = inspect.signature(member)  # type: ignore[arg-type]
     except ValueError:
         return name
-    shown = [p.replace(annotation=inspect.Parameter.empty) for p in found.parameters.values() if p.name not in ("self", "cls")]
-    return f"{name}{found.replace(parameters=shown, return_annotation=inspect.Signature.empty)}"
+    parameters = [
+        p.replace(annotation=inspect.Parameter.empty) for p in call_signature.parameters.values() if p.name not in ("self", "cls")
+    ]
+    return f"{name}{call_signature.replace(parameters=parameters, return_annotation=inspect.Signature.empty)}"
 
 
 def members(kind: type) -> list[str]:
     """Lines of the public methods and properties of a class, its bases of jounce included."""
     lines = []
-    for name, what in inspect.getmembers(kind):
-        plain = inspect.isfunction(what) or inspect.ismethod(what) or isinstance(what, property)
-        if name.startswith("_") or not plain or not (inspect.getdoc(what) or "").strip() or hasattr(dict, name):
+    for name, member in inspect.getmembers(kind):
+        is_shown = inspect.isfunction(member) or inspect.ismethod(member) or isinstance(member, property)
+        if name.startswith("_") or not is_shown or not (inspect.getdoc(member) or "").strip() or hasattr(dict, name):
             continue
-        call = f"{name}" if isinstance(what, property) else signature(name, what)
-        lines.append(f"- `{call}`: {' '.join((inspect.getdoc(what) or '').split())}")
+        call = f"{name}" if isinstance(member, property) else signature(name, member)
+        lines.append(f"- `{call}`: {' '.join((inspect.getdoc(member) or '').split())}")
     return lines
 
 
@@ -45,17 +47,17 @@ def page() -> str:
     """The whole page."""
     parts = [HEAD]
     for name in sorted(jounce.__all__, key=str.lower):
-        what = getattr(jounce, name)
-        if not callable(what):
+        member = getattr(jounce, name)
+        if not callable(member):
             continue
-        parts.append(f"## {name}\n\n{' '.join((inspect.getdoc(what) or '').split())}\n")
-        if not inspect.isclass(what):
-            parts.append(f"`{signature(name, what)}`\n")
+        parts.append(f"## {name}\n\n{' '.join((inspect.getdoc(member) or '').split())}\n")
+        if not inspect.isclass(member):
+            parts.append(f"`{signature(name, member)}`\n")
             continue
-        held = fields(what)
-        if held:
-            parts.append(f"Holds {held}.\n")
-        lines = members(what)
+        field_names = fields(member)
+        if field_names:
+            parts.append(f"Holds {field_names}.\n")
+        lines = members(member)
         if lines:
             parts.append("\n".join(lines) + "\n")
     return "\n".join(parts)

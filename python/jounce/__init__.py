@@ -3,8 +3,8 @@
 >>> import jounce
 >>> harvester = jounce.examples()["impact-harvester-2019"]
 >>> harvester["stop.tip.gap"] = "0.5 mm"
->>> answer = harvester.run(tolerance=1e-8)
->>> print(answer.mean_power_w, answer.settled)  # doctest: +SKIP
+>>> run = harvester.run(tolerance=1e-8)
+>>> print(run.mean_power_w, run.settled)  # doctest: +SKIP
 """
 
 from __future__ import annotations

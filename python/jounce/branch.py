@@ -9,7 +9,7 @@ from typing import Annotated, Any, Self
 
 import numpy as np
 
-from .result import Along, Data, Floats, Integers, Result, Truths, Variable, described, html_table
+from .result import Along, Data, Floats, Integers, Result, Truths, Variable, dataset_fields, html_table
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -69,9 +69,9 @@ class BranchResult(Result):
     half_power: dict[str, Any] | None
 
     @classmethod
-    def _made(cls, answer: dict[str, Any]) -> Self:
-        made = [Branch.made(one) for one in answer["branches"]]
-        return super()._made({**answer, "branches": made, "half_power": json.loads(answer["half_power"])})
+    def _from_core(cls, result: dict[str, Any]) -> Self:
+        branches = [Branch.made(one) for one in result["branches"]]
+        return super()._from_core({**result, "branches": branches, "half_power": json.loads(result["half_power"])})
 
     def __len__(self) -> int:
         return len(self.branches)
@@ -88,9 +88,12 @@ class BranchResult(Result):
             lines.append((f"branch {number}", f"period {one.period_cycles}: {len(one)} points, {int(one.stable.sum())} of them stable"))
             for kind, name, at in zip(one.bifurcation_kind, one.bifurcation_name, one.bifurcation_parameter):
                 lines.append(("", f"{kind}{f' ({name})' if name else ''} at {at:.6g} {self.unit}"))
-            for part in one.not_proved:
+            for segment in one.not_proved:
                 lines.append(
-                    ("warning", f"from {part['from']:.6g} to {part['to']:.6g} {self.unit} two more events {part['event']} are possible")
+                    (
+                        "warning",
+                        f"from {segment['from']:.6g} to {segment['to']:.6g} {self.unit} two more events {segment['event']} are possible",
+                    )
                 )
             if one.not_followed:
                 lines.append(("warning", f"the branches of {one.not_followed} period doublings were not continued"))
@@ -109,24 +112,24 @@ class BranchResult(Result):
         title = f"{len(self)} branches over {self.key}"
         return html_table(title, ["branch", "period", "bifurcation", f"at [{self.unit}]", "mean power [W]"], rows)
 
-    def _joined(self, field: str) -> Any:
+    def _concatenated(self, field: str) -> Any:
         return np.concatenate([getattr(one, field) for one in self.branches]) if self.branches else np.empty(0)
 
-    def _numbers(self) -> Integers:
+    def _branch_numbers(self) -> Integers:
         return np.repeat(np.arange(len(self), dtype=np.int64), [len(one) for one in self.branches])
 
     def to_xarray(self) -> Any:
         """Returns an ``xarray.Dataset`` over ``point`` (all branches in sequence, numbered by ``branch``) and ``bifurcation``."""
-        variables = {"parameter": Variable(("point",), self._joined("parameter"), self.unit, self.key)}
-        variables |= {along.name(field): along.of(self._joined(field)) for field, along in described(Branch).items()}
+        variables = {"parameter": Variable(("point",), self._concatenated("parameter"), self.unit, self.key)}
+        variables |= {along.name(field): along.of(self._concatenated(field)) for field, along in dataset_fields(Branch).items()}
         periods = np.repeat(np.array([one.period_cycles for one in self.branches], dtype=np.int64), [len(one) for one in self.branches])
-        owners = [number for number, one in enumerate(self.branches) for _ in one.bifurcation_kind]
+        branch_numbers = [number for number, one in enumerate(self.branches) for _ in one.bifurcation_kind]
         variables |= {
-            "branch": Variable(("point",), self._numbers(), "1", "number of the branch"),
+            "branch": Variable(("point",), self._branch_numbers(), "1", "number of the branch"),
             "period_cycles": Variable(("point",), periods, "1", "period in drive cycles"),
-            "bifurcation_parameter": Variable(("bifurcation",), self._joined("bifurcation_parameter"), self.unit, self.key),
-            "bifurcation_power": Variable(("bifurcation",), self._joined("bifurcation_power_w"), "W", "mean power of all loads"),
-            "bifurcation_branch": Variable(("bifurcation",), np.array(owners, dtype=np.int64), "1", "number of the branch"),
+            "bifurcation_parameter": Variable(("bifurcation",), self._concatenated("bifurcation_parameter"), self.unit, self.key),
+            "bifurcation_power": Variable(("bifurcation",), self._concatenated("bifurcation_power_w"), "W", "mean power of all loads"),
+            "bifurcation_branch": Variable(("bifurcation",), np.array(branch_numbers, dtype=np.int64), "1", "number of the branch"),
         }
         kinds = [kind for one in self.branches for kind in one.bifurcation_kind]
         coords = {"bifurcation": Variable(("bifurcation",), kinds, "", "kind of the bifurcation")}
@@ -135,8 +138,8 @@ class BranchResult(Result):
     def to_pandas(self) -> Any:
         """Returns a ``pandas.DataFrame`` with a row for each point of each branch."""
         periods = np.repeat([one.period_cycles for one in self.branches], [len(one) for one in self.branches])
-        along = {field: self._joined(field) for field in ("parameter", *described(Branch))}
-        return self._frame({"branch": self._numbers(), "period_cycles": periods, **along})
+        along = {field: self._concatenated(field) for field in ("parameter", *dataset_fields(Branch))}
+        return self._frame({"branch": self._branch_numbers(), "period_cycles": periods, **along})
 
     def bifurcations_to_pandas(self) -> Any:
         """Returns a ``pandas.DataFrame`` with a row for each bifurcation."""

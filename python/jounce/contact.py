@@ -11,15 +11,15 @@ import numpy as np
 from . import _core
 from .arguments import optional_si
 from .inputs import Measured, recording
-from .issue import Finding, found, told
+from .issue import Finding, issue_lines, parse_issues
 from .recording import names_of
-from .result import Along, Data, Floats, Result, Variable, column, html_table, made_manifest
+from .result import Along, Data, Floats, Result, Variable, column, html_table, make_manifest
 
 #: Quantile: half width of the 95 % interval in standard deviations.
 QUANTILE_95 = 1.959963984540054
 
 #: Description of the laws that a pulse allows.
-TOLD = {
+LAW_DESCRIPTIONS = {
     "neither": "neither a linear spring nor Hertz's law fits",
     "linear": "a linear spring fits, Hertz's law does not",
     "hertz": "Hertz's law fits, a linear spring does not",
@@ -85,12 +85,12 @@ class ContactResult(Result):
             lines.append((f"hit at {self.time_s[k]:.6f} s", ", ".join([hit, *self.warnings[k]])))
             if kind:
                 law = f"95 %: exponent {self.exponent[k]:.3f} +- {QUANTILE_95 * self.exponent_deviation[k]:.3f}"
-                back = f"restitution {self.restitution[k]:.3f} +- {QUANTILE_95 * self.restitution_deviation[k]:.3f}"
-                lines.append(("", f"{law}, {back}; contact time {self.law_contact_time_s[k]:.4e} s; {TOLD[kind]}"))
+                restitution = f"restitution {self.restitution[k]:.3f} +- {QUANTILE_95 * self.restitution_deviation[k]:.3f}"
+                lines.append(("", f"{law}, {restitution}; contact time {self.law_contact_time_s[k]:.4e} s; {LAW_DESCRIPTIONS[kind]}"))
                 lines.extend(("", stiffness) for stiffness in self._stiffnesses(k))
             else:
                 lines.append(("", f"no law: {self.why[k]}"))
-        return lines + told(self.findings)
+        return lines + issue_lines(self.findings)
 
     def _stiffnesses(self, k: int) -> list[str]:
         laws = {
@@ -98,12 +98,12 @@ class ContactResult(Result):
             "N/m as a linear spring": (self.linear_stiffness, self.linear_stiffness_low, self.linear_stiffness_high),
             "N/m^1.5 as Hertz's law": (self.hertz_stiffness, self.hertz_stiffness_low, self.hertz_stiffness_high),
         }
-        told = {unit: [one[k] for one in values] for unit, values in laws.items() if np.isfinite(values[0][k])}
-        return [f"stiffness {value:.4e} {unit}, 95 % from {low:.4e} to {high:.4e}" for unit, (value, low, high) in told.items()]
+        values_by_unit = {unit: [one[k] for one in values] for unit, values in laws.items() if np.isfinite(values[0][k])}
+        return [f"stiffness {value:.4e} {unit}, 95 % from {low:.4e} to {high:.4e}" for unit, (value, low, high) in values_by_unit.items()]
 
     def _repr_html_(self) -> str:
-        shown = (self.time_s, self.peak_force_n, self.contact_time_s, self.exponent, self.restitution)
-        rows = [[*(f"{one[k]:.5g}" for one in shown), TOLD.get(kind, self.why[k])] for k, kind in enumerate(self.told)]
+        columns = (self.time_s, self.peak_force_n, self.contact_time_s, self.exponent, self.restitution)
+        rows = [[*(f"{one[k]:.5g}" for one in columns), LAW_DESCRIPTIONS.get(kind, self.why[k])] for k, kind in enumerate(self.told)]
         return html_table("Hits", ["time [s]", "peak force [N]", "contact [s]", "exponent", "restitution", ""], rows)
 
     def to_xarray(self) -> Any:
@@ -130,29 +130,29 @@ def contact(record: Measured, *, sample_rate_hz: Any = None, force: str | None =
     ``record`` is a :class:`Recording`, a file, SEP005 time series, or an array with its ``sample_rate_hz``. ``force`` names the channel, by
     default the first in newtons. The struck body is assumed to be at rest during a contact.
     """
-    given = recording(record, sample_rate_hz)
+    input_recording = recording(record, sample_rate_hz)
     mass_kg = optional_si("mass", mass, "mass")
-    answer = _core.measured_contact(given._core(), force, mass_kg)
-    hits = json.loads(answer["hits"])
-    laws = [law or {} for law in json.loads(answer["laws"])]
-    of_exponent = ("exponent", "exponent_deviation", "restitution", "restitution_deviation", "relative_error")
-    of_law = (*of_exponent, "stiffness", "stiffness_relative_deviation", "speed_m_s")
+    result = _core.measured_contact(input_recording._core(), force, mass_kg)
+    hits = json.loads(result["hits"])
+    laws = [law or {} for law in json.loads(result["laws"])]
+    exponent_fields = ("exponent", "exponent_deviation", "restitution", "restitution_deviation", "relative_error")
+    law_fields = (*exponent_fields, "stiffness", "stiffness_relative_deviation", "speed_m_s")
     return ContactResult(
-        manifest=made_manifest("contact", **names_of([given]), mass_kg=mass_kg),
-        channel=answer["channel"],
-        **{name: column(laws, name) for name in of_law},
+        manifest=make_manifest("contact", **names_of([input_recording]), mass_kg=mass_kg),
+        channel=result["channel"],
+        **{name: column(laws, name) for name in law_fields},
         **stiffness_95(laws, ""),
-        **{f"{held}_stiffness": column([law.get(held) or {} for law in laws], "stiffness") for held in ("linear", "hertz")},
+        **{f"{law_name}_stiffness": column([law.get(law_name) or {} for law in laws], "stiffness") for law_name in ("linear", "hertz")},
         **stiffness_95([law.get("linear") or {} for law in laws], "linear_"),
         **stiffness_95([law.get("hertz") or {} for law in laws], "hertz_"),
         law_contact_time_s=column(laws, "contact_time_s"),
-        time_s=column(hits, "peak") / answer["rate_hz"],
+        time_s=column(hits, "peak") / result["rate_hz"],
         **{name: column(hits, name) for name in ("peak_force_n", "contact_time_s", "impulse_n_s")},
         told=[law.get("told", "") for law in laws],
-        why=answer["why"],
+        why=result["why"],
         warnings=[[kind_of(one) for one in hit["warnings"]] for hit in hits],
-        pulses=[Pulse(*one) for one in answer["pulses"]],
-        findings=[*given.findings, *found(answer["findings"])],
+        pulses=[Pulse(*one) for one in result["pulses"]],
+        findings=[*input_recording.findings, *parse_issues(result["findings"])],
     )
 
 
@@ -163,5 +163,5 @@ def kind_of(warning: Any) -> str:
 
 def stiffness_95(laws: list[dict[str, Any]], prefix: str) -> dict[str, Floats]:
     """Returns both ends of the stiffness interval of each law, NaN where there is no interval."""
-    ends = np.array([law.get("stiffness_95") or (np.nan, np.nan) for law in laws], dtype=float).reshape(-1, 2)
-    return {f"{prefix}stiffness_low": ends[:, 0], f"{prefix}stiffness_high": ends[:, 1]}
+    interval_ends = np.array([law.get("stiffness_95") or (np.nan, np.nan) for law in laws], dtype=float).reshape(-1, 2)
+    return {f"{prefix}stiffness_low": interval_ends[:, 0], f"{prefix}stiffness_high": interval_ends[:, 1]}

@@ -52,9 +52,9 @@ class DiagramResult(Result):
     branches: list[Branch]
 
     @classmethod
-    def _made(cls, answer: dict[str, Any]) -> Self:
-        branches = [Branch.made(one) for one in answer["branches"]]
-        return super()._made({**answer, "branches": branches, "attractors": json.loads(answer["attractors"]) or []})
+    def _from_core(cls, result: dict[str, Any]) -> Self:
+        branches = [Branch.made(one) for one in result["branches"]]
+        return super()._from_core({**result, "branches": branches, "attractors": json.loads(result["attractors"]) or []})
 
     def __len__(self) -> int:
         return len(self.parameter)
@@ -64,8 +64,10 @@ class DiagramResult(Result):
         lines = [("over", f"{self.key} [{self.unit}]"), ("runs", f"{len(self)} with {len(self.section_visit)} points of the section")]
         lines += [(kind, str(self.motion.count(kind))) for kind in kinds]
         for one in self.attractors:
-            seen = one["seen"]
-            lines.append((f"attractor {one['id']}", f"from {seen[0]['parameter']:.6g} to {seen[-1]['parameter']:.6g} {self.unit}"))
+            track_points = one["seen"]
+            lines.append(
+                (f"attractor {one['id']}", f"from {track_points[0]['parameter']:.6g} to {track_points[-1]['parameter']:.6g} {self.unit}")
+            )
         return [*lines, ("branches", str(len(self.branches)))]
 
     def _repr_html_(self) -> str:
@@ -74,22 +76,22 @@ class DiagramResult(Result):
 
     def to_xarray(self) -> Any:
         """Returns an ``xarray.Dataset`` over ``visit`` and ``section``; ``section_visit`` is the run of each point."""
-        of = ("visit",)
+        dims = ("visit",)
         variables = {
-            "motion": Variable(of, self.motion, "", "kind of the motion"),
-            "period_cycles": Variable(of, self.period_cycles, "1", "period in drive cycles, 0 without a period"),
-            "contacts_per_period": Variable(of, self.contacts_per_period, "1", "contacts per period"),
-            "mean_power": Variable(of, self.mean_power_w, "W", "mean power of all loads"),
-            "attractor_number": Variable(of, self.attractor_number, "1", "number of the attractor, -1 without one"),
-            "start": Variable(of, self.start, "1", "number of the start in its cloud"),
+            "motion": Variable(dims, self.motion, "", "kind of the motion"),
+            "period_cycles": Variable(dims, self.period_cycles, "1", "period in drive cycles, 0 without a period"),
+            "contacts_per_period": Variable(dims, self.contacts_per_period, "1", "contacts per period"),
+            "mean_power": Variable(dims, self.mean_power_w, "W", "mean power of all loads"),
+            "attractor_number": Variable(dims, self.attractor_number, "1", "number of the attractor, -1 without one"),
+            "start": Variable(dims, self.start, "1", "number of the start in its cloud"),
             "section_visit": Variable(("section",), self.section_visit, "1", "run of the point"),
         }
-        for name, (field, units, about) in SECTION.items():
-            variables[f"section_{name}"] = Variable(("section",), getattr(self, field), units, about)
+        for name, (field, units, description) in SECTION.items():
+            variables[f"section_{name}"] = Variable(("section",), getattr(self, field), units, description)
         coords = {
-            "visit": Variable(of, np.arange(len(self)), "1", "order of visit"),
-            "parameter": Variable(of, self.parameter, self.unit, self.key),
-            "direction": Variable(of, self.direction, "", "direction of the sweep"),
+            "visit": Variable(dims, np.arange(len(self)), "1", "order of visit"),
+            "parameter": Variable(dims, self.parameter, self.unit, self.key),
+            "direction": Variable(dims, self.direction, "", "direction of the sweep"),
         }
         return self._dataset(variables, coords)
 
@@ -116,8 +118,8 @@ class DiagramResult(Result):
         """Returns values at the points of the section, unit and description of ``"displacement"``, ``"velocity"`` or ``"voltage"``."""
         if quantity not in SECTION:
             raise ArgumentError(f"{quantity}: no such quantity of a section; there are {', '.join(SECTION)}")
-        field, units, about = SECTION[quantity]
-        return getattr(self, field), units, about
+        field, units, description = SECTION[quantity]
+        return getattr(self, field), units, description
 
     def plot_diagram(self, ax: Any = None, quantity: str = "displacement") -> Any:
         """Draws the section over the key: orbits as large dots, other motions as small dots, coloured by direction or attractor."""

@@ -11,7 +11,7 @@ from typing import Any
 __all__ = ["Beam", "Circuit", "Damping", "Drive", "Gravity", "Layer", "Mass", "Modal", "Patch", "Reduction", "Run", "Stop"]
 
 
-class Thing(dict[str, Any]):
+class Element(dict[str, Any]):
     """Table of a spec."""
 
     def __init__(self, **keys: Any) -> None:
@@ -21,56 +21,56 @@ class Thing(dict[str, Any]):
         return f"{type(self).__name__}({', '.join(f'{key}={value!r}' for key, value in self.items())})"
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return (_again, (type(self), dict(self)))
+        return (_rebuild, (type(self), dict(self)))
 
 
-def _again(kind: type[Thing], keys: dict[str, Any]) -> Thing:
+def _rebuild(kind: type[Element], keys: dict[str, Any]) -> Element:
     return kind(**keys)
 
 
-class Beam(Thing):
+class Beam(Element):
     """Uniform beam: ``length``, ``width``, ``thickness``, ``material`` or ``youngs_modulus``, ``density``; ``root``, ``point={...}``."""
 
 
-class Patch(Thing):
+class Patch(Element):
     """Piezoelectric patch: ``on``, ``start``, ``length``, ``width``, ``thickness``, ``material`` or ``d31`` and ``capacitance``."""
 
 
-class Layer(Thing):
+class Layer(Element):
     """Passive layer on a face of a beam: ``on``, ``face``, ``start``, ``length``, ``width``, ``thickness``, ``material``."""
 
 
-class Mass(Thing):
+class Mass(Element):
     """Rigid mass: ``mass``, ``on``; on a spring also ``frequency`` or ``stiffness``, and ``damping_ratio``."""
 
 
-class Modal(Thing):
+class Modal(Element):
     """Structure given by its modes: ``frequency_hz``, ``damping_ratio``, ``point={name: shape}``, ``patch={name: {...}}``."""
 
 
-class Stop(Thing):
+class Stop(Element):
     """Stop with a gap: ``at``, ``frame``, ``side``, ``gap``, ``law`` and the keys of the law."""
 
 
-class Circuit(Thing):
+class Circuit(Element):
     """Electrical load: ``patch`` or ``patches`` with their ``wiring``, ``resistance``, ``inductance``."""
 
 
-class Drive(Thing):
+class Drive(Element):
     """Excitation: ``kind``, ``at``, ``signal`` and the keys of the signal, by default ``amplitude`` (zero to peak), ``frequency``."""
 
 
-class Gravity(Thing):
+class Gravity(Element):
     """Gravity on all moving parts: ``acceleration``."""
 
 
-class Damping(Thing):
+class Damping(Element):
     """Damping ratios of the flexible modes: ``ratios``, ``beyond``."""
 
 
-class Reduction(Thing):
+class Reduction(Element):
     """Number of retained modes: ``modes``, ``mesh_tolerance``."""
 
 
-class Run(Thing):
+class Run(Element):
     """Settings of a run: ``start``, ``duration``, ``average_over``, ``tolerance``."""

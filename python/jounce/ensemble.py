@@ -85,7 +85,7 @@ class EnsembleResult(Result):
                 f"{self.mean_impact_velocity_m_s:.4e} m/s in the mean, {self.max_impact_velocity_m_s:.4e} m/s at most, "
                 f"{self.mean_contact_duration_s:.4e} s each",
             ),
-            *((f"stop {name}", self._of_stop(k)) for k, name in enumerate(self.stop)),
+            *((f"stop {name}", self._stop_summary(k)) for k, name in enumerate(self.stop)),
             *(
                 (f"bandwidth of {name}", f"{width:.4e} Hz +- {half:.1e} Hz (statistical)")
                 for name, width, half in zip(self.patch, self.bandwidth_hz, self.bandwidth_half_width_hz)
@@ -93,7 +93,7 @@ class EnsembleResult(Result):
             *(("warning", text) for text in self.warnings),
         ]
 
-    def _of_stop(self, k: int) -> str:
+    def _stop_summary(self, k: int) -> str:
         rate = f"{self.stop_contact_rate_hz[k]:.4g} contacts per second +- {self.stop_contact_rate_half_width_hz[k]:.1e}"
         strike = f"{self.stop_mean_impact_velocity_m_s[k]:.4e} m/s +- {self.stop_mean_impact_velocity_half_width_m_s[k]:.1e} m/s"
         return f"{rate}, at {strike}, {100 * self.stop_contact_duty[k]:.3g} % of the time"
@@ -106,9 +106,9 @@ class EnsembleResult(Result):
             "patch": Variable(("patch",), self.patch, "", "patch"),
             "frequency": Variable(("frequency",), self.frequency_hz, "Hz", "middle of the bin"),
         }
-        asked = {name: one for name, one in self._variables().items() if self.patch or "patch" not in one.dims}
-        axes = {axis for one in asked.values() for axis in one.dims}
-        return self._dataset(asked, {name: one for name, one in coords.items() if name in axes})
+        variables = {name: one for name, one in self._variables().items() if self.patch or "patch" not in one.dims}
+        axes = {axis for one in variables.values() for axis in one.dims}
+        return self._dataset(variables, {name: one for name, one in coords.items() if name in axes})
 
     def to_pandas(self) -> Any:
         """Returns a ``pandas.DataFrame`` with a row for each member."""

@@ -78,8 +78,8 @@ class SpecError(JounceError, ValueError):
 
     def __init__(self, message: str, details: dict[str, Any] | None = None) -> None:
         super().__init__(message, details)
-        found = self.details.get("faults", [])
-        self.faults: list[Fault] = [Fault(f["line"], f["column"], f["key"], f["message"]) for f in found]
+        fault_dicts = self.details.get("faults", [])
+        self.faults: list[Fault] = [Fault(f["line"], f["column"], f["key"], f["message"]) for f in fault_dicts]
 
 
 class StructureError(JounceError):

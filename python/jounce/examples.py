@@ -13,8 +13,8 @@ class Examples(Mapping[str, Spec]):
     """Specs by name: the name of the system for its ``harvester.toml``, ``SYSTEM/FILE`` for others, as in ``random-base/ball``."""
 
     def __init__(self) -> None:
-        named = ((system if file == "harvester" else f"{system}/{file}", text) for system, file, text in _core.examples())
-        self._texts = dict(named)
+        named_texts = ((system if file == "harvester" else f"{system}/{file}", text) for system, file, text in _core.examples())
+        self._texts = dict(named_texts)
 
     def __getitem__(self, name: str) -> Spec:
         if name not in self._texts:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import numpy as np
 
 from .errors import ArgumentError
-from .result import Along, Data, Floats, Result, Variable, column, html_table, whole
+from .result import Along, Data, Floats, Result, Variable, column, html_table, result_or_raise
 
 if TYPE_CHECKING:
     from .spec import Spec
@@ -128,30 +128,30 @@ class FitResult(Result):
             (one.name, f"{len(one)} points, rms error {100 * one.error_before:.3f} % before and {100 * one.error_after:.3f} % after")
             for one in self.curves
         ]
-        found = [
+        deviations = [
             (f"deviation of {one.name}", f"{one.deviation:.3e} from residuals, {one.degrees_of_freedom:.1f} degrees of freedom")
             for one in self.deviations
             if one.degrees_of_freedom is not None
         ]
-        return [*keys, *features, *curves, *found, *(("warning", text) for text in self.warnings)]
+        return [*keys, *features, *curves, *deviations, *(("warning", text) for text in self.warnings)]
 
     def curve(self, name: str | None = None) -> FitCurve:
         """Returns the curve of a name or of a number from 1; by default the first."""
-        named = {**{str(number): one for number, one in enumerate(self.curves, 1)}, **{one.name: one for one in self.curves}}
-        if not named:
+        curves_by_name = {**{str(number): one for number, one in enumerate(self.curves, 1)}, **{one.name: one for one in self.curves}}
+        if not curves_by_name:
             raise ArgumentError("no curve was fitted; add [[response]] or [[history]] tables to the features")
-        found = named.get("1" if name is None else str(name))
-        if found is None:
+        curve = curves_by_name.get("1" if name is None else str(name))
+        if curve is None:
             raise ArgumentError(f"{name}: no such curve; use one of {', '.join(one.name for one in self.curves)}")
-        return found
+        return curve
 
     def _repr_html_(self) -> str:
         numbers = (self.before, self.after, self.low, self.high)
         rows = [[key, unit, *(f"{one[k]:.6g}" for one in numbers)] for k, (key, unit) in enumerate(zip(self.key, self.key_unit))]
         errors = zip(self.feature, self.feature_measured, 100 * self.error_before, 100 * self.error_after)
-        listed = [[name, f"{measured:.6g}", f"{before:.3f}", f"{after:.3f}"] for name, measured, before, after in errors]
+        feature_rows = [[name, f"{measured:.6g}", f"{before:.3f}", f"{after:.3f}"] for name, measured, before, after in errors]
         head = ["feature", "measured", "error before [%]", "error after [%]"]
-        return html_table("Keys", ["key", "unit", "before", "after", "95 % from", "to"], rows) + html_table("Features", head, listed)
+        return html_table("Keys", ["key", "unit", "before", "after", "95 % from", "to"], rows) + html_table("Features", head, feature_rows)
 
     def to_xarray(self) -> Any:
         """Returns an ``xarray.Dataset`` over ``key`` and ``feature``; values are in the units of ``key_unit`` and ``feature_unit``."""
@@ -193,15 +193,15 @@ class FitResult(Result):
         return plot_curve(self.curve(curve), ax)
 
 
-def made_fit(spec: Spec, handed: tuple[str | None, BaseException | None], manifest: dict[str, Any]) -> FitResult:
+def make_fit(spec: Spec, core_result: tuple[str | None, BaseException | None], manifest: dict[str, Any]) -> FitResult:
     """Returns the fit of a result of the compiled module; raises the error that ended the fit early."""
-    told = json.loads(whole(handed))
-    keys, features = told["keys"], told["features"]
+    result = json.loads(result_or_raise(core_result))
+    keys, features = result["keys"], result["features"]
     after = {one["key"]: f"{one['after']!r} {one['unit']}".strip() for one in keys}
-    of_keys = ("before", "after", "low", "high", "prior_deviation", "deviation")
-    of_features = ("measured", "deviation", "before", "after", "predicted_deviation", "low", "high")
-    numbers: dict[str, Any] = {name: column(keys, name) for name in of_keys}
-    numbers |= {f"feature_{name}": column(features, name) for name in of_features}
+    key_fields = ("before", "after", "low", "high", "prior_deviation", "deviation")
+    feature_fields = ("measured", "deviation", "before", "after", "predicted_deviation", "low", "high")
+    numbers: dict[str, Any] = {name: column(keys, name) for name in key_fields}
+    numbers |= {f"feature_{name}": column(features, name) for name in feature_fields}
     return FitResult(
         manifest=manifest,
         key=[one["key"] for one in keys],
@@ -209,14 +209,14 @@ def made_fit(spec: Spec, handed: tuple[str | None, BaseException | None], manife
         **numbers,
         feature=[one["name"] for one in features],
         feature_unit=[one["unit"] for one in features],
-        curves=[_curve(one) for one in told["curves"]],
-        deviations=[FitDeviation(**one) for one in told["deviations"]],
-        correlation=np.array(told["correlation"], dtype=np.float64),
+        curves=[_curve(one) for one in result["curves"]],
+        deviations=[FitDeviation(**one) for one in result["deviations"]],
+        correlation=np.array(result["correlation"], dtype=np.float64),
         spec=spec.changed(after),
-        **{name: told[name] for name in ("quantile", "chi_square", "objective", "warnings", "evaluations")},
+        **{name: result[name] for name in ("quantile", "chi_square", "objective", "warnings", "evaluations")},
     )
 
 
-def _curve(told: dict[str, Any]) -> FitCurve:
-    numbers = {name: np.array(told[name], dtype=np.float64) for name in ("at", "measured", "before", "after", "low", "high")}
-    return FitCurve(name=told["name"], unit=told["unit"], over=told["over"], **numbers)
+def _curve(fields: dict[str, Any]) -> FitCurve:
+    numbers = {name: np.array(fields[name], dtype=np.float64) for name in ("at", "measured", "before", "after", "low", "high")}
+    return FitCurve(name=fields["name"], unit=fields["unit"], over=fields["over"], **numbers)

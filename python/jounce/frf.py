@@ -27,10 +27,10 @@ class FrfResult(Result):
     held: list[str]
 
     @classmethod
-    def _made(cls, answer: dict[str, Any]) -> Self:
-        responses = answer["responses"]
-        split = {"responses": {k: v for k, (v, _) in responses.items()}, "units": {k: unit for k, (_, unit) in responses.items()}}
-        return super()._made({**answer, **split})
+    def _from_core(cls, result: dict[str, Any]) -> Self:
+        responses = result["responses"]
+        by_name = {"responses": {k: v for k, (v, _) in responses.items()}, "units": {k: unit for k, (_, unit) in responses.items()}}
+        return super()._from_core({**result, **by_name})
 
     def __getitem__(self, name: str) -> Complexes:
         if name not in self.responses:

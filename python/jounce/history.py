@@ -51,24 +51,24 @@ class History(Result):
 
     def channels(self) -> dict[str, tuple[Floats, str]]:
         """Returns channels with units by name: ``"beam.tip.displacement"``, ``"mfc.voltage"``, ``"tip.towards"``, ``"tip.force"``."""
-        found: dict[str, tuple[Floats, str]] = {}
+        channels: dict[str, tuple[Floats, str]] = {}
         for row, name in enumerate(self.patch):
-            found[f"{name}.voltage"] = (self.voltage_v[row], "V")
+            channels[f"{name}.voltage"] = (self.voltage_v[row], "V")
         for row, name in enumerate(self.point):
-            found[f"{name}.displacement"] = (self.displacement_m[row], "m")
-            found[f"{name}.velocity"] = (self.velocity_m_s[row], "m/s")
+            channels[f"{name}.displacement"] = (self.displacement_m[row], "m")
+            channels[f"{name}.velocity"] = (self.velocity_m_s[row], "m/s")
         for row, name in enumerate(self.stop):
-            found[f"{name}.towards"] = (self.relative_displacement_m[row], "m")
-            found[f"{name}.force"] = (self.force_n[row], "N")
-        return found
+            channels[f"{name}.towards"] = (self.relative_displacement_m[row], "m")
+            channels[f"{name}.force"] = (self.force_n[row], "N")
+        return channels
 
     def channel(self, name: str | None = None) -> tuple[str, Floats, str]:
         """Returns name, values and unit of a channel; by default the first, which is a voltage if there is a patch."""
-        found = self.channels()
-        name = next(iter(found)) if name is None else name
-        if name not in found:
-            raise ArgumentError(f"{name}: no such channel; use one of {', '.join(found)}")
-        return (name, *found[name])
+        channels = self.channels()
+        name = next(iter(channels)) if name is None else name
+        if name not in channels:
+            raise ArgumentError(f"{name}: no such channel; use one of {', '.join(channels)}")
+        return (name, *channels[name])
 
     def spectrum(self, channel: str | None = None) -> Spectrum:
         """Returns the amplitude spectrum of a channel."""

@@ -30,11 +30,11 @@ class Finding:
 _NOTES = ("converted", "encoding", "non-ascii-unit")
 
 
-def found(text: str) -> list[Finding]:
+def parse_issues(text: str) -> list[Finding]:
     """Returns the issues of a result of the compiled module."""
     return [Finding(**one) for one in json.loads(text)]
 
 
-def told(findings: Sequence[Finding]) -> list[tuple[str, str]]:
+def issue_lines(issues: Sequence[Finding]) -> list[tuple[str, str]]:
     """Returns printable lines, each once; an issue that changes no number of a result is a note."""
-    return list(dict.fromkeys(("note" if one.kind in _NOTES else "!", one.text) for one in findings))
+    return list(dict.fromkeys(("note" if one.kind in _NOTES else "!", one.text) for one in issues))

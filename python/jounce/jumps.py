@@ -43,8 +43,8 @@ class JumpsResult(Result):
     curves: list[JumpCurve]
 
     @classmethod
-    def _made(cls, answer: dict[str, Any]) -> Self:
-        return super()._made({**answer, "curves": [JumpCurve(**one) for one in answer["curves"]]})
+    def _from_core(cls, result: dict[str, Any]) -> Self:
+        return super()._from_core({**result, "curves": [JumpCurve(**one) for one in result["curves"]]})
 
     def __len__(self) -> int:
         return len(self.curves)
@@ -66,7 +66,7 @@ class JumpsResult(Result):
         ]
 
     def _table(self) -> dict[str, Any]:
-        def joined(field: str) -> Any:
+        def concatenated(field: str) -> Any:
             return np.concatenate([getattr(one, field) for one in self.curves]) if self.curves else np.empty(0)
 
         lengths = [len(one) for one in self.curves]
@@ -75,16 +75,16 @@ class JumpsResult(Result):
             "curve": numbers,
             "kind": [one.level or one.kind for one in self.curves for _ in range(len(one))],
             "period_cycles": np.repeat(np.array([one.period_cycles for one in self.curves], dtype=np.int64), lengths),
-            "parameter": joined("parameter"),
-            "parameter_2": joined("parameter_2"),
-            "mean_power_w": joined("mean_power_w"),
-            "stable": joined("stable"),
+            "parameter": concatenated("parameter"),
+            "parameter_2": concatenated("parameter_2"),
+            "mean_power_w": concatenated("mean_power_w"),
+            "stable": concatenated("stable"),
         }
 
     def to_xarray(self) -> Any:
         """Returns an ``xarray.Dataset`` over ``point``: all curves in sequence, numbered by ``curve``."""
         columns = self._table()
-        about = {
+        descriptions = {
             "curve": ("curve", "1", "number of the curve"),
             "kind": ("kind", "", "kind of the bifurcation, or the level"),
             "period_cycles": ("period_cycles", "1", "period in drive cycles"),
@@ -94,7 +94,7 @@ class JumpsResult(Result):
             "stable": ("stable", "1", "1 for a stable peak; -1 on other curves"),
         }
         return self._dataset(
-            {name: Variable(("point",), columns[column], units, text) for column, (name, units, text) in about.items()}, {}
+            {name: Variable(("point",), columns[column], units, text) for column, (name, units, text) in descriptions.items()}, {}
         )
 
     def to_pandas(self) -> Any:

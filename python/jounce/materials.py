@@ -38,33 +38,35 @@ class Materials(Mapping[str, Material]):
     """Materials by name."""
 
     def __init__(self) -> None:
-        self._found = {one["name"]: _made(one) for one in json.loads(_core.materials())}
+        self._materials = {one["name"]: _material(one) for one in json.loads(_core.materials())}
 
     def __getitem__(self, name: str) -> Material:
-        if name not in self._found:
+        if name not in self._materials:
             raise ArgumentError(
-                f"{name}: no such material; use one of {', '.join(self._found)}", {"wanted": name, "known": list(self._found)}
+                f"{name}: no such material; use one of {', '.join(self._materials)}", {"wanted": name, "known": list(self._materials)}
             )
-        return self._found[name]
+        return self._materials[name]
 
     def __iter__(self) -> Iterator[str]:
-        return iter(self._found)
+        return iter(self._materials)
 
     def __len__(self) -> int:
-        return len(self._found)
+        return len(self._materials)
 
     def __contains__(self, name: object) -> bool:
-        return name in self._found
+        return name in self._materials
 
     def __repr__(self) -> str:
-        return f"<jounce.materials: {', '.join(self._found)}>"
+        return f"<jounce.materials: {', '.join(self._materials)}>"
 
     def _repr_html_(self) -> str:
-        rows = [[one.name, f"{one.youngs_modulus_pa / 1e9:.4g}", f"{one.density_kg_m3:.4g}", one.source] for one in self._found.values()]
+        rows = [
+            [one.name, f"{one.youngs_modulus_pa / 1e9:.4g}", f"{one.density_kg_m3:.4g}", one.source] for one in self._materials.values()
+        ]
         return html_table("Materials", ["name", "Young's modulus [GPa]", "density [kg/m³]", "source"], rows)
 
 
-def _made(one: dict[str, Any]) -> Material:
+def _material(one: dict[str, Any]) -> Material:
     active = one.pop("active") or dict.fromkeys(("charge_coefficient_m_per_v", "permittivity_f_m", "electrode_spacing_m"))
     limits = one.pop("voltage_limits_v")
     return Material(**one, **active, voltage_limits_v=None if limits is None else (limits[0], limits[1]))

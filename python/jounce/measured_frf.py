@@ -14,9 +14,9 @@ from .arguments import names, optional_si
 from .contact import kind_of
 from .errors import ArgumentError
 from .inputs import Measured, responses
-from .issue import Finding, found, told
+from .issue import Finding, issue_lines, parse_issues
 from .recording import Recording, names_of
-from .result import Complexes, Floats, Result, Variable, html_table, made_manifest
+from .result import Complexes, Floats, Result, Variable, html_table, make_manifest
 
 
 @dataclasses.dataclass(frozen=True)
@@ -64,17 +64,17 @@ class MeasuredFrf(Result):
         lines = [] if self.block_s is None else [("hits", f"{used} of {len(self.hits)} averaged, blocks of {self.block_s:.6g} s")]
         lines += [("warning", f"hit {k} is {kind}") for k, hit in enumerate(self.hits, 1) for kind in hit.warnings]
         lines += [("left out", f"hit {k}, its block would extend beyond the record") for k, hit in enumerate(self.hits, 1) if not hit.used]
-        return [*lines, *((name, text) for name, text in zip(self.responses, self._peaks())), *told(self.findings)]
+        return [*lines, *((name, text) for name, text in zip(self.responses, self._peaks())), *issue_lines(self.findings)]
 
     def _peaks(self) -> list[str]:
         """Returns the highest line of each response, without the offset of the sensor at 0 Hz."""
         lines = []
         for name, values in self.responses.items():
             k = 1 + int(np.argmax(np.abs(values[1:])))
-            where = f"{self.frequency_hz[k]:.5g} Hz, coherence {self.coherence[name][k]:.5f}"
+            position = f"{self.frequency_hz[k]:.5g} Hz, coherence {self.coherence[name][k]:.5f}"
             factor, unit = self.per_g.get(name, (1.0, ""))
             per_g = f" ({factor * abs(values[k]):.5e} {unit})" if unit else ""
-            lines.append(f"highest {abs(values[k]):.5e} {self.units[name]}{per_g} at {where}")
+            lines.append(f"highest {abs(values[k]):.5e} {self.units[name]}{per_g} at {position}")
         return lines
 
     def _repr_html_(self) -> str:
@@ -82,10 +82,10 @@ class MeasuredFrf(Result):
 
     def to_xarray(self) -> Any:
         """Returns an ``xarray.Dataset`` over ``frequency``: each response as ``_re`` and ``_im``, its coherence as ``NAME_coherence``."""
-        of = ("frequency",)
-        variables = {name: Variable(of, values, self.units[name], name) for name, values in self.responses.items()}
-        variables |= {f"{name}_coherence": Variable(of, values, "1", f"{name}, coherence") for name, values in self.coherence.items()}
-        return self._dataset(variables, {"frequency": Variable(of, self.frequency_hz, "Hz", "frequency")})
+        dims = ("frequency",)
+        variables = {name: Variable(dims, values, self.units[name], name) for name, values in self.responses.items()}
+        variables |= {f"{name}_coherence": Variable(dims, values, "1", f"{name}, coherence") for name, values in self.coherence.items()}
+        return self._dataset(variables, {"frequency": Variable(dims, self.frequency_hz, "Hz", "frequency")})
 
     def to_pandas(self) -> Any:
         """Returns a ``pandas.DataFrame`` with a row for each frequency."""
@@ -109,12 +109,12 @@ def hammer_options(
     force: str | None,
     input: str | None,
     response: str | Sequence[str],
-    cut: tuple[str, float, Any, bool, float | None, bool],
+    estimation: tuple[str, float, Any, bool, float | None, bool],
     functions: str | None,
     bridge: bool,
 ) -> dict[str, Any]:
     """Returns the options of a hammer or shaker test in the form of the compiled module."""
-    estimator, noise_ratio, block, force_window, end_ratio, shaker = cut
+    estimator, noise_ratio, block, force_window, end_ratio, shaker = estimation
     return {
         "force": force,
         "input": input,
@@ -130,27 +130,27 @@ def hammer_options(
     }
 
 
-def made_frf(given: list[Recording], answer: dict[str, Any], manifest: dict[str, Any]) -> MeasuredFrf:
+def make_frf(inputs: list[Recording], result: dict[str, Any], manifest: dict[str, Any]) -> MeasuredFrf:
     """Returns the responses of a result of the compiled module."""
-    told = answer["responses"]
+    response_tuples = result["responses"]
     hits = [
         ImpactHit(one["record"], one["peak_force_n"], one["contact_time_s"], one["used"], tuple(map(kind_of, one["warnings"])))
-        for one in json.loads(answer["hits"])
+        for one in json.loads(result["hits"])
     ]
     return MeasuredFrf(
         manifest=manifest,
-        frequency_hz=answer["frequency_hz"],
-        output=answer["outputs"],
-        reference=answer["references"],
-        responses={name: values for name, (values, _, _) in told.items()},
-        units={name: unit for name, (_, unit, _) in told.items()},
-        coherence={name: coherence for name, (_, _, coherence) in told.items()},
-        input=answer["input"],
-        per_g={name: one for name, one in zip(told, answer["per_g"]) if one is not None},
+        frequency_hz=result["frequency_hz"],
+        output=result["outputs"],
+        reference=result["references"],
+        responses={name: values for name, (values, _, _) in response_tuples.items()},
+        units={name: unit for name, (_, unit, _) in response_tuples.items()},
+        coherence={name: coherence for name, (_, _, coherence) in response_tuples.items()},
+        input=result["input"],
+        per_g={name: one for name, one in zip(response_tuples, result["per_g"]) if one is not None},
         hits=hits,
-        block_s=answer["block_s"],
-        window_decay_per_s=answer["window_decay_per_s"],
-        findings=[*(finding for one in given for finding in one.findings), *found(answer["findings"])],
+        block_s=result["block_s"],
+        window_decay_per_s=result["window_decay_per_s"],
+        findings=[*(finding for one in inputs for finding in one.findings), *parse_issues(result["findings"])],
     )
 
 
@@ -185,8 +185,8 @@ def measured_frf(
     In a file over frequency the complex channels are the responses. ``functions`` gives the contents of every two real columns where the
     header does not, and ``bridge`` interpolates lines that are not numbers linearly.
     """
-    given = responses(records, sample_rate_hz)
-    cut = (estimator, noise_ratio, block, force_window, end_ratio, shaker)
-    options = hammer_options(force, input, response, cut, functions, bridge)
-    answer = _core.measured_frf([one._core() for one in given], options)
-    return made_frf(given, answer, made_manifest("frf", **names_of(given), **options))
+    inputs = responses(records, sample_rate_hz)
+    estimation = (estimator, noise_ratio, block, force_window, end_ratio, shaker)
+    options = hammer_options(force, input, response, estimation, functions, bridge)
+    result = _core.measured_frf([one._core() for one in inputs], options)
+    return make_frf(inputs, result, make_manifest("frf", **names_of(inputs), **options))

@@ -9,14 +9,14 @@ from typing import Annotated, Any, Literal
 import numpy as np
 
 from . import _core
-from .arguments import check_wholes, names, optional_si, si
+from .arguments import check_integers, names, optional_si, to_si
 from .errors import ArgumentError
 from .inputs import Measured, responses
-from .issue import Finding, found
-from .measured_frf import MeasuredFrf, hammer_options, made_frf
+from .issue import Finding, parse_issues
+from .measured_frf import MeasuredFrf, hammer_options, make_frf
 from .quantity import span as span_of
 from .recording import Recording, names_of
-from .result import Along, Complexes, Floats, Integers, Result, Variable, html_table, made_manifest, with_uncertainty
+from .result import Along, Complexes, Floats, Integers, Result, Variable, html_table, make_manifest, with_uncertainty
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -71,8 +71,10 @@ class MeasuredModes(Result):
             for k, (hz, zeta, (dhz, dzeta)) in enumerate(zip(self.frequency_hz, self.damping_ratio, deviations), 1)
         ]
         if any(self.doubtful):
-            which = ", ".join(str(k) for k, doubtful in enumerate(self.doubtful, 1) if doubtful)
-            lines.append(("doubtful", f"the damping of mode {which} is statistically indistinguishable from zero: it may be noise"))
+            doubtful_modes = ", ".join(str(k) for k, doubtful in enumerate(self.doubtful, 1) if doubtful)
+            lines.append(
+                ("doubtful", f"the damping of mode {doubtful_modes} is statistically indistinguishable from zero: it may be noise")
+            )
         if len(self.unexplained_hz):
             peaks = ", ".join(f"{hz:.6g}" for hz in self.unexplained_hz[:8])
             lines.append(("unexplained", f"peaks at {peaks} Hz; try between=... around them, or a larger order"))
@@ -158,68 +160,68 @@ def measured_modes(
     Sources: B. Peeters and others, Shock and Vibration 11 (2004) 395 (poles); G. James, T. Carne, J. Lauffer, SAND92-1666 (1993)
     (output-only).
     """
-    check_wholes(order=order)
-    given = responses(records, sample_rate_hz)
+    check_integers(order=order)
+    inputs = responses(records, sample_rate_hz)
     if free_decay or output_only:
-        hammer = (force, input, estimator != "h1", noise_ratio != 1.0, block, force_window, end_ratio, shaker, functions, bridge)
-        if free_decay and output_only or any(one not in (None, False) for one in hammer):
+        hammer_values = (force, input, estimator != "h1", noise_ratio != 1.0, block, force_window, end_ratio, shaker, functions, bridge)
+        if free_decay and output_only or any(one not in (None, False) for one in hammer_values):
             raise ArgumentError("free_decay, output_only and the options of a hammer exclude each other; give the options of one of them")
-        return _unforced(given, response, (free_decay, span, reference, lags), between, order)
+        return _modes_without_force(inputs, response, (free_decay, span, reference, lags), between, order)
     if span is not None or reference or lags is not None:
         raise ArgumentError("span needs free_decay=True; reference and lags need output_only=True")
-    cut = (estimator, noise_ratio, block, force_window, end_ratio, shaker)
-    options = hammer_options(force, input, response, cut, functions, bridge)
-    band = _ends("frequency", between, "between")
-    answer = _core.measured_modes([one._core() for one in given], options, band, order)
-    manifest = made_manifest("modes", **names_of(given), **options, between_hz=band, order=order)
-    frf = made_frf(given, answer.pop("frf"), manifest)
-    return MeasuredModes(manifest=manifest, frf=frf, findings=frf.findings, **_shaped(answer))
+    estimation = (estimator, noise_ratio, block, force_window, end_ratio, shaker)
+    options = hammer_options(force, input, response, estimation, functions, bridge)
+    band = _range_si("frequency", between, "between")
+    result = _core.measured_modes([one._core() for one in inputs], options, band, order)
+    manifest = make_manifest("modes", **names_of(inputs), **options, between_hz=band, order=order)
+    frf = make_frf(inputs, result.pop("frf"), manifest)
+    return MeasuredModes(manifest=manifest, frf=frf, findings=frf.findings, **_with_array_shapes(result))
 
 
-def _unforced(
-    given: list[Recording], response: str | Sequence[str], how: tuple[bool, Any, str | Sequence[str], Any], between: Any, order: int
+def _modes_without_force(
+    inputs: list[Recording], response: str | Sequence[str], settings: tuple[bool, Any, str | Sequence[str], Any], between: Any, order: int
 ) -> MeasuredModes:
     """Identifies modes of free decays or of outputs only."""
-    free, span_given, reference, lags = how
-    if (free and (reference or lags is not None)) or (not free and span_given is not None):
+    free_decay, span, reference, lags = settings
+    if (free_decay and (reference or lags is not None)) or (not free_decay and span is not None):
         raise ArgumentError("span needs free_decay=True; reference and lags need output_only=True")
     options = {
         "responses": names(response),
-        "free": free,
-        "span_s": _ends("time", span_given, "span"),
+        "free": free_decay,
+        "span_s": _range_si("time", span, "span"),
         "references": names(reference),
         "lags_s": optional_si("time", lags, "lags"),
     }
-    band = _ends("frequency", between, "between")
-    answer = _core.measured_decays([one._core() for one in given], options, band, order)
-    manifest = made_manifest("modes", **names_of(given), **options, between_hz=band, order=order)
-    odd = [*(finding for one in given for finding in one.findings), *found(answer.pop("findings"))]
-    return MeasuredModes(manifest=manifest, frf=None, findings=odd, **_shaped(answer))
+    band = _range_si("frequency", between, "between")
+    result = _core.measured_decays([one._core() for one in inputs], options, band, order)
+    manifest = make_manifest("modes", **names_of(inputs), **options, between_hz=band, order=order)
+    issues = [*(finding for one in inputs for finding in one.findings), *parse_issues(result.pop("findings"))]
+    return MeasuredModes(manifest=manifest, frf=None, findings=issues, **_with_array_shapes(result))
 
 
-def _ends(kind: str, range: Any, what: str) -> tuple[float, float] | None:
+def _range_si(kind: str, range: Any, what: str) -> tuple[float, float] | None:
     """Returns the two ends of a range, SI."""
     if range is None:
         return None
-    low, high = (si(kind, end, what) for end in span_of(range, what))
+    low, high = (to_si(kind, end, what) for end in span_of(range, what))
     if not 0.0 <= low < high:
         raise ArgumentError(f"{what} is {range!r}; its ends must be at least 0, with the first below the second")
     return low, high
 
 
-def _shaped(answer: dict[str, Any]) -> dict[str, Any]:
+def _with_array_shapes(result: dict[str, Any]) -> dict[str, Any]:
     """Sets the shape of arrays without a mode or a line, which have an axis of length 0."""
-    modes = len(answer["frequency_hz"])
-    shape = np.array(answer["shape"]).reshape(modes, len(answer["response"])).T
-    participation = np.array(answer["participation"], dtype=np.complex128).reshape(modes, len(answer["reference"])).T
-    of_base = np.array(answer.get("base_participation", []), dtype=np.complex128)
-    size = (modes, len(answer["response"]))
-    base_participation = of_base.reshape(size).T if of_base.size == size[0] * size[1] else np.full(size[::-1], np.nan + 0j)
+    modes = len(result["frequency_hz"])
+    shape = np.array(result["shape"]).reshape(modes, len(result["response"])).T
+    participation = np.array(result["participation"], dtype=np.complex128).reshape(modes, len(result["reference"])).T
+    base_values = np.array(result.get("base_participation", []), dtype=np.complex128)
+    size = (modes, len(result["response"]))
+    base_participation = base_values.reshape(size).T if base_values.size == size[0] * size[1] else np.full(size[::-1], np.nan + 0j)
     return {
-        **answer,
+        **result,
         "shape": shape,
         "participation": participation,
         "base_participation": base_participation,
-        "measured": np.array(answer["measured"]),
-        "model": np.array(answer["model"]),
+        "measured": np.array(result["measured"]),
+        "model": np.array(result["model"]),
     }

@@ -59,8 +59,8 @@ class ModesResult(Result):
             "point": Variable(("point",), self.point, "", "point"),
             "patch": Variable(("patch",), self.patch, "", "patch"),
         }
-        for name, (place_m, shape) in self.beams.items():
-            coords[f"place_{name}"] = Variable((f"place_{name}",), place_m, "m", f"distance from the root of {name}")
+        for name, (position_m, shape) in self.beams.items():
+            coords[f"place_{name}"] = Variable((f"place_{name}",), position_m, "m", f"distance from the root of {name}")
             variables[f"shape_{name}"] = Variable(("mode", f"place_{name}"), shape, "kg^-0.5", f"mass-normalised shape along {name}")
         return self._dataset(variables, coords)
 

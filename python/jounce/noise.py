@@ -57,10 +57,10 @@ class NoiseResult(Result):
     units: dict[str, str]
 
     @classmethod
-    def _made(cls, answer: dict[str, Any]) -> Self:
-        densities = answer["densities"]
-        split = {"densities": {k: v for k, (v, _) in densities.items()}, "units": {k: unit for k, (_, unit) in densities.items()}}
-        return super()._made({**answer, **split})
+    def _from_core(cls, result: dict[str, Any]) -> Self:
+        densities = result["densities"]
+        by_name = {"densities": {k: v for k, (v, _) in densities.items()}, "units": {k: unit for k, (_, unit) in densities.items()}}
+        return super()._from_core({**result, **by_name})
 
     def __getitem__(self, name: str) -> Floats:
         if name not in self.densities:
@@ -74,11 +74,11 @@ class NoiseResult(Result):
         return [
             ("mean power", f"{self.mean_power_w:.6e} W"),
             *(
-                (f"load {name}", f"{volts:.6g} V rms, {width:.4g} Hz wide; powers by two methods differ by {apart:.1e}")
-                for name, volts, apart, width in loads
+                (f"load {name}", f"{volts:.6g} V rms, {width:.4g} Hz wide; powers by two methods differ by {difference:.1e}")
+                for name, volts, difference, width in loads
             ),
             *((f"patch {name}", f"{volts:.6g} V rms") for name, volts in zip(self.patch, self.patch_voltage_rms_v)),
-            *((f"point {name}", f"{place:.4e} m rms, {speed:.4e} m/s rms") for name, place, speed in points),
+            *((f"point {name}", f"{displacement:.4e} m rms, {speed:.4e} m/s rms") for name, displacement, speed in points),
             *((f"drive {name}", "LEFT OUT: not a stationary noise") for name in self.left_out),
             *(
                 (
@@ -95,8 +95,8 @@ class NoiseResult(Result):
         """Returns an ``xarray.Dataset``: densities over ``frequency``, others over ``load``, ``drive``, ``patch``, ``point``, ``stop``."""
         variables = self._variables()
         for name, values in self.densities.items():
-            about = f"{name}, one-sided power spectral density"
-            variables[f"{name}_psd"] = Variable(("frequency",), values, self.units[name], about)
+            description = f"{name}, one-sided power spectral density"
+            variables[f"{name}_psd"] = Variable(("frequency",), values, self.units[name], description)
         coords = {name: Variable((name,), getattr(self, name), "", name) for name in ("load", "drive", "patch", "point", "stop")}
         return self._dataset(variables, {**coords, "frequency": Variable(("frequency",), self.frequency_hz, "Hz", "frequency")})
 

@@ -6,7 +6,7 @@ from importlib import import_module
 from typing import Any
 
 
-def needed(module: str, extra: str) -> Any:
+def require(module: str, extra: str) -> Any:
     """Returns the module, or raises an ImportError with the command that installs it."""
     try:
         return import_module(module)

@@ -13,9 +13,9 @@ from . import _core
 from .arguments import optional_si, positive_si
 from .errors import ArgumentError
 from .inputs import Measured, recordings
-from .issue import Finding, found, told
+from .issue import Finding, issue_lines, parse_issues
 from .recording import Recording, names_of
-from .result import Along, Floats, Integers, Result, Truths, Variable, column, html_table, made_manifest, whole, with_uncertainty
+from .result import Along, Floats, Integers, Result, Truths, Variable, column, html_table, make_manifest, result_or_raise, with_uncertainty
 from .signal import Spectrum
 
 #: Multiples of the drive frequency whose amplitudes are reported.
@@ -62,7 +62,7 @@ class PowerResult(Result):
             mean = with_uncertainty(self.mean_power_w[k], self.half_width_w[k], "W")
             power = f"{mean} (95 %) in {self.resistance_ohm[k]:g} ohm"
             lines.append((name, power + (", interval too narrow: the record is too short" if self.correlated[k] else "")))
-        return lines + told(self.findings)
+        return lines + issue_lines(self.findings)
 
     def _repr_html_(self) -> str:
         rows = [
@@ -113,35 +113,35 @@ def power(
     name channels; by default the first one in volts, and no base. With a ``drive``, ``"13 Hz"``, amplitudes at its multiples are returned.
     ``remove_mean`` subtracts the mean of the voltage first, where it is an amplifier offset.
     """
-    given = recordings(records, sample_rate_hz)
-    several = isinstance(resistance, Sequence) and not isinstance(resistance, str)
-    ohms = [positive_si("resistance", one, "resistance") for one in (resistance if several else [resistance] * len(given))]
-    if len(ohms) != len(given):
+    inputs = recordings(records, sample_rate_hz)
+    is_list = isinstance(resistance, Sequence) and not isinstance(resistance, str)
+    ohms = [positive_si("resistance", one, "resistance") for one in (resistance if is_list else [resistance] * len(inputs))]
+    if len(ohms) != len(inputs):
         raise ArgumentError(
-            f"there are {len(ohms)} resistances for {len(given)} recordings; give one for all, or one for each",
-            {"resistances": len(ohms), "recordings": len(given)},
+            f"there are {len(ohms)} resistances for {len(inputs)} recordings; give one for all, or one for each",
+            {"resistances": len(ohms), "recordings": len(inputs)},
         )
     drive_hz = optional_si("frequency", drive, "drive")
-    asked = (voltage, base, drive_hz, ORDERS, remove_mean)
-    answers = [whole(_core.measured_power(one._core(), ohm, *asked)) for one, ohm in zip(given, ohms)]
-    manifest = made_manifest("power", **names_of(given), resistance_ohm=ohms, drive_hz=drive_hz, remove_mean=remove_mean)
-    return _told(given, np.array(ohms), answers, manifest)
+    options = (voltage, base, drive_hz, ORDERS, remove_mean)
+    results = [result_or_raise(_core.measured_power(one._core(), ohm, *options)) for one, ohm in zip(inputs, ohms)]
+    manifest = make_manifest("power", **names_of(inputs), resistance_ohm=ohms, drive_hz=drive_hz, remove_mean=remove_mean)
+    return _power_result(inputs, np.array(ohms), results, manifest)
 
 
-def _told(given: list[Recording], ohms: Floats, answers: list[dict[str, Any]], manifest: dict[str, Any]) -> PowerResult:
-    powers = [json.loads(one["power"]) for one in answers]
-    order = max((one["order"] for one in answers), key=len)
-    peaks = np.full((len(given), len(order)), np.nan)
-    for row, one in zip(peaks, answers):
+def _power_result(inputs: list[Recording], ohms: Floats, results: list[dict[str, Any]], manifest: dict[str, Any]) -> PowerResult:
+    powers = [json.loads(one["power"]) for one in results]
+    order = max((one["order"] for one in results), key=len)
+    peaks = np.full((len(inputs), len(order)), np.nan)
+    for row, one in zip(peaks, results):
         row[: len(one["order"])] = one["order_amplitude_peak_v"]
     spectra = [
         Spectrum(manifest, f"{record.name}, {one['channel']}", "V", one["frequency_hz"], one["amplitude_peak"])
-        for record, one in zip(given, answers)
+        for record, one in zip(inputs, results)
     ]
     return PowerResult(
         manifest=manifest,
-        record=[one.name for one in given],
-        channel=[one["channel"] for one in answers],
+        record=[one.name for one in inputs],
+        channel=[one["channel"] for one in results],
         resistance_ohm=ohms,
         mean_power_w=column(powers, "mean_power_w"),
         half_width_w=column(powers, "half_width_w"),
@@ -150,9 +150,9 @@ def _told(given: list[Recording], ohms: Floats, answers: list[dict[str, Any]], m
         effective_samples=column(powers, "effective_samples"),
         correlated=column(powers, "correlated").astype(np.bool_),
         mean_voltage_v=column(powers, "mean_voltage_v"),
-        mean_square_base_acceleration_m2_s4=column(answers, "mean_square_base_acceleration_m2_s4"),
+        mean_square_base_acceleration_m2_s4=column(results, "mean_square_base_acceleration_m2_s4"),
         order=order,
         order_amplitude_peak_v=peaks,
         spectra=spectra,
-        findings=[finding for record, one in zip(given, answers) for finding in [*record.findings, *found(one["findings"])]],
+        findings=[finding for record, one in zip(inputs, results) for finding in [*record.findings, *parse_issues(one["findings"])]],
     )

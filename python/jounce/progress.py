@@ -7,27 +7,27 @@ from contextlib import contextmanager
 from typing import Any
 
 from .errors import ArgumentError
-from .optional import needed
+from .optional import require
 
 #: Function called with the parts done, the total (as far as known, else 0) and the seconds left (``None`` where unknown).
 Progress = Callable[[int, int, float | None], object]
 
 
 @contextmanager
-def told(progress: bool | Progress | None) -> Iterator[Progress | None]:
+def progress_callback(progress: bool | Progress | None) -> Iterator[Progress | None]:
     """Yields the progress callback: ``None``, the given function, or a tqdm bar for ``True``."""
     if progress is None or progress is False:
         yield None
     elif progress is True:
-        bar: Any = needed("tqdm.auto", "progress").tqdm(total=0)
+        bar: Any = require("tqdm.auto", "progress").tqdm(total=0)
 
-        def tell(done: int, total: int, seconds_left: float | None) -> None:
+        def update_bar(done: int, total: int, seconds_left: float | None) -> None:
             del seconds_left  # tqdm has its own estimate
             bar.total = total or None
             bar.update(done - bar.n)
 
         try:
-            yield tell
+            yield update_bar
         finally:
             bar.close()
     elif callable(progress):

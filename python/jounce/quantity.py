@@ -41,9 +41,9 @@ def plain(value: Any, what: str) -> Any:
         return value
     if is_quantity(value):
         texts = texts_of(value, what)
-        one = texts[0] if np.ndim(value.magnitude) == 0 else texts
+        text_or_texts = texts[0] if np.ndim(value.magnitude) == 0 else texts
         # A pure number has no unit, as a key without unit expects.
-        return float(one) if isinstance(one, str) and " " not in one else one
+        return float(text_or_texts) if isinstance(text_or_texts, str) and " " not in text_or_texts else text_or_texts
     if isinstance(value, Mapping):
         return {name(key, what): plain(item, f"{what}.{key}") for key, item in value.items()}
     if isinstance(value, np.ndarray):
@@ -65,10 +65,10 @@ def name(key: Any, what: str) -> str:
 
 def setting(value: Any, key: str) -> str:
     """Returns a value as it is written after ``key =`` on a command line."""
-    made = plain(value, key)
-    if isinstance(made, dict):
+    plain_value = plain(value, key)
+    if isinstance(plain_value, dict):
         raise ArgumentError(f"{key} is a table; set its keys one by one, or make a spec of a dict")
-    return made if isinstance(made, str) else _value(made)
+    return plain_value if isinstance(plain_value, str) else _value(plain_value)
 
 
 def toml(tables: Mapping[str, Any]) -> str:
@@ -79,10 +79,10 @@ def toml(tables: Mapping[str, Any]) -> str:
 
 
 def _table(table: dict[str, Any], path: str, lines: list[str]) -> None:
-    own = {key: value for key, value in table.items() if not isinstance(value, dict)}
-    if path and (own or not table):
+    entries = {key: value for key, value in table.items() if not isinstance(value, dict)}
+    if path and (entries or not table):
         lines += ["", f"[{path}]"]
-    lines += [f"{_key(key)} = {_value(value)}" for key, value in own.items()]
+    lines += [f"{_key(key)} = {_value(value)}" for key, value in entries.items()]
     for key, value in table.items():
         if isinstance(value, dict):
             _table(value, f"{path}.{_key(key)}" if path else _key(key), lines)
@@ -104,8 +104,8 @@ def _value(value: Any) -> str:
 
 def span(value: Any, key: str) -> tuple[str, str]:
     """Returns the two ends of a range: ``"12 Hz:13 Hz"``, or two quantities."""
-    made = plain(value, key)
-    ends = made.split(":") if isinstance(made, str) else made
+    plain_value = plain(value, key)
+    ends = plain_value.split(":") if isinstance(plain_value, str) else plain_value
     if not isinstance(ends, list) or len(ends) != 2 or any(isinstance(end, (dict, list)) for end in ends):
         raise ArgumentError(
             f'{key}: {value!r} is not a range; give "FROM:TO", as in "4 Hz:20 Hz", or a pair of quantities', {"given": repr(value)}
@@ -141,12 +141,12 @@ def _side(side: Any, range: Any) -> str:
     return f"{low}:{high}:{range[2]}x"
 
 
-def values(given: Any, unit: str | None, key: str) -> str:
+def values(value: Any, unit: str | None, key: str) -> str:
     """Returns the values of a sweep as one text: a range, or a list of quantities, or numbers in ``unit``."""
-    made = plain(given, key)
-    if isinstance(made, str):
-        return made
-    items = made if isinstance(made, list) else [made]
+    plain_value = plain(value, key)
+    if isinstance(plain_value, str):
+        return plain_value
+    items = plain_value if isinstance(plain_value, list) else [plain_value]
     if not items:
         raise ArgumentError(f"{key}: the list of values is empty; give at least one")
     if any(isinstance(item, (dict, list)) for item in items):

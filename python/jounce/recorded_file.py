@@ -10,9 +10,9 @@ from typing import Any
 
 from . import _core
 from .errors import ArgumentError
-from .issue import Finding, found, told
+from .issue import Finding, issue_lines, parse_issues
 from .recording import Recording, digest_of
-from .result import Complexes, Data, Floats, Integers, Result, Variable, html_table, made_manifest
+from .result import Complexes, Data, Floats, Integers, Result, Variable, html_table, make_manifest
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -57,18 +57,18 @@ class RecordedFile(Result):
         lines = [("file", self.name)]
         lines += [(one.name, f"{len(one)} samples over {one.over} of {', '.join(c.name for c in one)}") for one in self.recordings]
         lines += [("shape", f"at {one.frequency_hz:g} Hz, {len(one.node)} nodes") for one in self.shapes]
-        return lines + told([*self.findings, *(finding for one in self.recordings for finding in one.findings)])
+        return lines + issue_lines([*self.findings, *(finding for one in self.recordings for finding in one.findings)])
 
     def _table(self) -> dict[str, list[Any]]:
-        each = [(one, channel) for one in self.recordings for channel in one]
+        pairs = [(one, channel) for one in self.recordings for channel in one]
         return {
-            "recording": [one.name for one, _ in each],
-            "channel": [channel.name for _, channel in each],
-            "quantity": [channel.quantity for _, channel in each],
-            "unit": [channel.unit for _, channel in each],
-            "rms": [channel.rms for _, channel in each],
-            "peak": [channel.peak for _, channel in each],
-            "rate": [one.rate for one, _ in each],
+            "recording": [one.name for one, _ in pairs],
+            "channel": [channel.name for _, channel in pairs],
+            "quantity": [channel.quantity for _, channel in pairs],
+            "unit": [channel.unit for _, channel in pairs],
+            "rms": [channel.rms for _, channel in pairs],
+            "peak": [channel.peak for _, channel in pairs],
+            "rate": [one.rate for one, _ in pairs],
         }
 
     def _repr_html_(self) -> str:
@@ -77,9 +77,9 @@ class RecordedFile(Result):
 
     def to_xarray(self) -> Any:
         """Returns an ``xarray.Dataset`` over ``channel`` that lists the channels; each recording has a dataset of its samples."""
-        of = ("channel",)
-        variables = {name: Variable(of, values, "", name) for name, values in self._table().items() if name != "channel"}
-        return self._dataset(variables, {"channel": Variable(of, self._table()["channel"], "", "channel")})
+        dims = ("channel",)
+        variables = {name: Variable(dims, values, "", name) for name, values in self._table().items() if name != "channel"}
+        return self._dataset(variables, {"channel": Variable(dims, self._table()["channel"], "", "channel")})
 
     def to_pandas(self) -> Any:
         """Returns a ``pandas.DataFrame`` with a row for each channel; each recording has a frame of its samples."""
@@ -91,14 +91,14 @@ def read_recordings(path: str | PathLike[str]) -> RecordedFile:
 
     Notes in ``FILE.channels.toml`` next to the file add data that the file lacks. Every data-quality issue is a :class:`Finding`.
     """
-    told = _core.recording_read(fspath(path))
+    contents = _core.recording_read(fspath(path))
     name = Path(path).name
-    manifest = made_manifest("read", recording=name, recording_sha256=digest_of(path))
-    recordings = [Recording._of(one, manifest) for one in told["recordings"]]
-    shapes = [_shape(one) for one in told["shapes"]]
-    return RecordedFile(manifest, name, recordings, shapes, found(told["findings"]))
+    manifest = make_manifest("read", recording=name, recording_sha256=digest_of(path))
+    recordings = [Recording._from_core_recording(one, manifest) for one in contents["recordings"]]
+    shapes = [_shape(one) for one in contents["shapes"]]
+    return RecordedFile(manifest, name, recordings, shapes, parse_issues(contents["findings"]))
 
 
-def _shape(told: dict[str, Any]) -> ModeShape:
-    real: Floats = told["real"]
-    return ModeShape(told["frequency_hz"], told["damping_ratio"], told["node"], real + 1j * told["imaginary"])
+def _shape(contents: dict[str, Any]) -> ModeShape:
+    real: Floats = contents["real"]
+    return ModeShape(contents["frequency_hz"], contents["damping_ratio"], contents["node"], real + 1j * contents["imaginary"])

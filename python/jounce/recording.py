@@ -12,8 +12,8 @@ import numpy as np
 
 from . import _core
 from .errors import ArgumentError
-from .issue import Finding, found, told
-from .result import Complexes, Data, Floats, Result, Variable, html_table, made_manifest
+from .issue import Finding, issue_lines, parse_issues
+from .result import Complexes, Data, Floats, Result, Variable, html_table, make_manifest
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -64,12 +64,12 @@ class Recording(Result):
     findings: list[Finding]
 
     @classmethod
-    def _of(cls, told: Mapping[str, Any], manifest: Mapping[str, Any]) -> Self:
+    def _from_core_recording(cls, fields: Mapping[str, Any], manifest: Mapping[str, Any]) -> Self:
         """Returns a recording of the compiled module; the manifest gets the digest of the samples where it has no digest of a file."""
-        channels = [_channel(one) for one in told["channels"]]
-        made = cls(**{**told, "manifest": dict(manifest), "channels": channels, "findings": found(told["findings"])})
-        options = {"recording": made.name, "recording_sha256": made._sha256(), **manifest["options"]}
-        return dataclasses.replace(made, manifest={**manifest, "options": options})
+        channels = [_channel(one) for one in fields["channels"]]
+        recording = cls(**{**fields, "manifest": dict(manifest), "channels": channels, "findings": parse_issues(fields["findings"])})
+        options = {"recording": recording.name, "recording_sha256": recording._sha256(), **manifest["options"]}
+        return dataclasses.replace(recording, manifest={**manifest, "options": options})
 
     @classmethod
     def of(
@@ -90,10 +90,10 @@ class Recording(Result):
         is checked for jitter and gaps; NaN are missing samples. With ``frequency_hz`` the values are accelerations per force, complex and
         for ``e^{+i w t}``.
         """
-        from .inputs import of_arrays
+        from .inputs import recording_from_arrays
 
         grid = {"sample_rate_hz": sample_rate_hz, "time_s": time_s, "frequency_hz": frequency_hz}
-        return cls._of(_core.recording_given(of_arrays(values, grid, units, name)), made_manifest("read"))
+        return cls._from_core_recording(_core.recording_given(recording_from_arrays(values, grid, units, name)), make_manifest("read"))
 
     def __len__(self) -> int:
         return len(self.places)
@@ -106,8 +106,8 @@ class Recording(Result):
 
     def channel(self, name: str) -> Channel:
         """Returns the channel of a name, or of a number from 1."""
-        numbered = {str(number): one for number, one in enumerate(self.channels, 1)}
-        one = {**numbered, **{one.name: one for one in self.channels}}.get(str(name))
+        channels_by_number = {str(number): one for number, one in enumerate(self.channels, 1)}
+        one = {**channels_by_number, **{one.name: one for one in self.channels}}.get(str(name))
         if one is None:
             raise ArgumentError(f"{name}: no such channel; use one of {', '.join(one.name for one in self.channels)}")
         return one
@@ -115,13 +115,13 @@ class Recording(Result):
     def _core(self) -> dict[str, Any]:
         """Returns the recording in the form of the compiled module."""
 
-        def plain(one: Channel) -> dict[str, Any]:
+        def channel_fields(one: Channel) -> dict[str, Any]:
             values = np.asarray(one.values)
             imaginary = values.imag if np.iscomplexobj(values) else None
             fields = ("name", "quantity", "unit", "place", "direction", "reference")
             return {**{field: getattr(one, field) for field in fields}, "values": values.real, "imaginary": imaginary}
 
-        channels = [plain(one) for one in self.channels]
+        channels = [channel_fields(one) for one in self.channels]
         return {"name": self.name, "over": self.over, "places": self.places, "step": self.step, "channels": channels}
 
     def _sha256(self) -> str:
@@ -133,8 +133,8 @@ class Recording(Result):
 
     def even(self) -> Self:
         """Returns the recording at even steps without missing samples, by linear interpolation; ``findings`` lists the corrections."""
-        even = type(self)._of(_core.recording_even(self._core()), self.manifest)
-        return dataclasses.replace(even, findings=[*self.findings, *even.findings])
+        even_recording = type(self)._from_core_recording(_core.recording_even(self._core()), self.manifest)
+        return dataclasses.replace(even_recording, findings=[*self.findings, *even_recording.findings])
 
     def write(self, path: str | PathLike[str]) -> None:
         """Writes the recording in SI, in the format of the ending: ``.uff`` (UFF 58 in ASCII), ``.parquet`` or ``.csv``."""
@@ -154,13 +154,13 @@ class Recording(Result):
         _, _, unit = self._grid()
         lines = [("name", self.name), ("samples", f"{len(self)} over {self.over}, {self.rate:.6g} per {unit}")]
         lines += [(one.name, f"rms {one.rms:.5e}, peak {one.peak:.5e} {one.unit or '(no unit)'}") for one in self.channels]
-        return lines + told(self.findings)
+        return lines + issue_lines(self.findings)
 
     def _repr_html_(self) -> str:
         rows = [[one.name, one.quantity, one.unit, f"{one.rms:.5e}", f"{one.peak:.5e}"] for one in self.channels]
-        listed = html_table("", [], [[one.text] for one in self.findings]) if self.findings else ""
+        issue_table = html_table("", [], [[one.text] for one in self.findings]) if self.findings else ""
         title = f"{self.name}: {len(self)} samples, {self.rate:.6g} per {self._grid()[2]}"
-        return html_table(title, ["channel", "quantity", "unit", "rms", "peak"], rows) + listed
+        return html_table(title, ["channel", "quantity", "unit", "rms", "peak"], rows) + issue_table
 
     def to_xarray(self) -> Any:
         """Returns an ``xarray.Dataset`` over ``time`` or ``frequency`` with a variable for each channel."""
@@ -180,10 +180,10 @@ class Recording(Result):
         return plot_recording(self, ax, self.channels[0] if channel is None else self.channel(channel))
 
 
-def _channel(told: Mapping[str, Any]) -> Channel:
-    real, imaginary = told["values"], told["imaginary"]
-    rest = {key: value for key, value in told.items() if key not in ("values", "imaginary")}
-    return Channel(**rest, values=real if imaginary is None else real + 1j * imaginary)
+def _channel(fields: Mapping[str, Any]) -> Channel:
+    real, imaginary = fields["values"], fields["imaginary"]
+    other_fields = {key: value for key, value in fields.items() if key not in ("values", "imaginary")}
+    return Channel(**other_fields, values=real if imaginary is None else real + 1j * imaginary)
 
 
 def digest_of(path: str | PathLike[str]) -> str:

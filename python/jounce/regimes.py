@@ -9,12 +9,12 @@ from typing import Annotated, Any
 import numpy as np
 
 from . import _core
-from .arguments import check_wholes, optional_si, positive_si
+from .arguments import check_integers, optional_si, positive_si
 from .errors import ArgumentError
 from .inputs import Measured, recording
-from .issue import Finding, found, told
+from .issue import Finding, issue_lines, parse_issues
 from .recording import Recording, names_of
-from .result import Along, Floats, Integers, Result, Variable, column, html_table, made_manifest, whole, with_uncertainty
+from .result import Along, Floats, Integers, Result, Variable, column, html_table, make_manifest, result_or_raise, with_uncertainty
 from .spec import Spec
 
 
@@ -68,10 +68,12 @@ class RegimesResult(Result):
         for k, name in enumerate(self.names()):
             mean = with_uncertainty(self.mean_power_w[k], self.half_width_w[k], "W")
             power = f", {mean}" if np.isfinite(self.mean_power_w[k]) else ""
-            shown = f", solution: {self.solution[k]}" if self.solution else ""
-            lines.append((f"{self.start_s[k]:.3f} s to {self.end_s[k]:.3f} s", f"rms {self.rms[k]:.5e} {self.unit}, {name}{power}{shown}"))
+            solution = f", solution: {self.solution[k]}" if self.solution else ""
+            lines.append(
+                (f"{self.start_s[k]:.3f} s to {self.end_s[k]:.3f} s", f"rms {self.rms[k]:.5e} {self.unit}, {name}{power}{solution}")
+            )
         lines += [(f"{at_s:.3f} s", f"{reason}, same solution") for at_s, reason in zip(self.joint_s, self.joint_reason)]
-        return lines + told(self.findings)
+        return lines + issue_lines(self.findings)
 
     def _repr_html_(self) -> str:
         columns = (self.start_s, self.end_s, self.rms, self.mismatch)
@@ -96,8 +98,8 @@ class RegimesResult(Result):
 
     def to_pandas(self) -> Any:
         """Returns a ``pandas.DataFrame`` with a row for each segment."""
-        shown = {"solution": self.solution} if self.solution else {}
-        return self._frame({**self._columns("stretch"), "rms": self.rms, **shown})
+        solution_column = {"solution": self.solution} if self.solution else {}
+        return self._frame({**self._columns("stretch"), "rms": self.rms, **solution_column})
 
     def candidates_to_pandas(self) -> Any:
         """Returns a ``pandas.DataFrame`` with a row for each solution of the model in each segment."""
@@ -134,51 +136,53 @@ def regimes(
     the relative distance of its waveform is at most ``within``. The solutions are found from random ``starts`` with a ``seed``; ``load``
     names the circuit whose voltage was recorded, by default the first.
     """
-    check_wholes(starts=starts, seed=seed)
+    check_integers(starts=starts, seed=seed)
     if model is not None and not isinstance(model, Spec):
         raise ArgumentError(f"model is of type {type(model).__name__}; give a jounce.Spec")
-    given = recording(record, sample_rate_hz)
+    input_recording = recording(record, sample_rate_hz)
     drive_hz, ohm = positive_si("frequency", drive, "drive"), optional_si("resistance", resistance, "resistance")
-    compared = {"starts": starts, "seed": seed, "load": load, "within": within}
-    handed = _core.measured_regimes(given._core(), drive_hz, channel, ohm, None if model is None else model._spec, compared)
-    answer = whole(handed)
-    shown = json.loads(answer["correspondences"])
-    stretches, given_powers, joints = (json.loads(answer[name]) for name in ("stretches", "powers", "joints"))
-    powers = [one or {} for one in given_powers]
-    periods = [one["period"] for one in stretches]
-    none: list[dict[str, Any]] = [{} for _ in stretches]
+    matching = {"starts": starts, "seed": seed, "load": load, "within": within}
+    core_result = _core.measured_regimes(input_recording._core(), drive_hz, channel, ohm, None if model is None else model._spec, matching)
+    result = result_or_raise(core_result)
+    matches = json.loads(result["correspondences"])
+    segments, power_dicts, joints = (json.loads(result[name]) for name in ("stretches", "powers", "joints"))
+    powers = [one or {} for one in power_dicts]
+    periods = [one["period"] for one in segments]
+    no_values: list[dict[str, Any]] = [{} for _ in segments]
     return RegimesResult(
-        manifest=_manifest(given, drive_hz, ohm, model, compared),
-        channel=answer["channel"],
-        unit=answer["unit"],
+        manifest=_manifest(input_recording, drive_hz, ohm, model, matching),
+        channel=result["channel"],
+        unit=result["unit"],
         drive_hz=drive_hz,
-        start_s=column(stretches, "start_s"),
-        end_s=column(stretches, "end_s"),
-        rms=column(stretches, "rms"),
+        start_s=column(segments, "start_s"),
+        end_s=column(segments, "end_s"),
+        rms=column(segments, "rms"),
         period_cycles=np.array([one["cycles"] or 0 for one in periods], dtype=np.int64),
         mismatch=column(periods, "mismatch"),
-        mean_power_w=column(powers or none, "mean_power_w"),
-        half_width_w=column(powers or none, "half_width_w"),
-        effective_samples=column(powers or none, "effective_samples"),
+        mean_power_w=column(powers or no_values, "mean_power_w"),
+        half_width_w=column(powers or no_values, "half_width_w"),
+        effective_samples=column(powers or no_values, "effective_samples"),
         joint_s=column(joints, "at_s"),
         joint_reason=[one["reason"] for one in joints],
-        uncertainty_s=answer["uncertainty_s"],
-        solution=[_named(one) for one in shown],
-        candidates=[one["candidates"] for one in shown],
-        time_s=answer["time_s"] - answer["time_s"][0],
-        values=answer["values"],
-        findings=[*given.findings, *found(answer["findings"])],
+        uncertainty_s=result["uncertainty_s"],
+        solution=[_solution_name(one) for one in matches],
+        candidates=[one["candidates"] for one in matches],
+        time_s=result["time_s"] - result["time_s"][0],
+        values=result["values"],
+        findings=[*input_recording.findings, *parse_issues(result["findings"])],
     )
 
 
-def _named(shown: dict[str, Any]) -> str:
+def _solution_name(match: dict[str, Any]) -> str:
     """Returns the matching solution of a segment."""
-    one: str = shown["candidates"][0]["id"] if shown["fits"] == "one" else shown["fits"]
+    one: str = match["candidates"][0]["id"] if match["fits"] == "one" else match["fits"]
     return one
 
 
-def _manifest(given: Recording, drive_hz: float, ohm: float | None, model: Spec | None, compared: dict[str, Any]) -> dict[str, Any]:
+def _manifest(
+    input_recording: Recording, drive_hz: float, ohm: float | None, model: Spec | None, matching: dict[str, Any]
+) -> dict[str, Any]:
     options: dict[str, Any] = {"drive_hz": drive_hz, "resistance_ohm": ohm}
     if model is None:
-        return made_manifest("regimes", **names_of([given]), **options)
-    return {**made_manifest("regimes", **names_of([given]), **options, **compared), "spec_sha256": model.sha256}
+        return make_manifest("regimes", **names_of([input_recording]), **options)
+    return {**make_manifest("regimes", **names_of([input_recording]), **options, **matching), "spec_sha256": model.sha256}

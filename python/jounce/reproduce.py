@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import Any
 
 from . import _core
-from .arguments import check_wholes
-from .progress import Progress, told
-from .result import Result, html_table, made_manifest, whole
+from .arguments import check_integers
+from .progress import Progress, progress_callback
+from .result import Result, html_table, make_manifest, result_or_raise
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -34,7 +34,7 @@ class ReproduceResult(Result):
         return [("report", str(self.report)), ("files", f"{len(self.tables)} tables, {len(self.figures)} figures"), *verdicts]
 
     def _repr_html_(self) -> str:
-        rows = [[claim, "yes" if holds else "no", told] for claim, holds, told in zip(self.claim, self.holds, self.evidence)]
+        rows = [[claim, "yes" if holds else "no", evidence] for claim, holds, evidence in zip(self.claim, self.holds, self.evidence)]
         return html_table("Claims of the paper", ["claim", "holds", "evidence"], rows)
 
     def to_pandas(self) -> Any:
@@ -53,6 +53,6 @@ def reproduce(
 
     Source: "Experimental validation of an impact off-resonance energy harvester" (2019).
     """
-    check_wholes(threads=threads)
-    with told(progress) as tell:
-        return ReproduceResult(manifest=made_manifest("reproduce"), **whole(_core.reproduce(fspath(out), threads, tell)))
+    check_integers(threads=threads)
+    with progress_callback(progress) as callback:
+        return ReproduceResult(manifest=make_manifest("reproduce"), **result_or_raise(_core.reproduce(fspath(out), threads, callback)))

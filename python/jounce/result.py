@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from . import _core
 from .errors import Interrupted
-from .optional import needed
+from .optional import require
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -23,8 +23,8 @@ Complexes = NDArray[np.complex128]
 
 
 #: Result of a long call of the compiled module, if there is one, and the error that ended it early.
-Handed = tuple[dict[str, Any] | None, BaseException | None]
-Answer = TypeVar("Answer")
+CoreResult = tuple[dict[str, Any] | None, BaseException | None]
+ResultT = TypeVar("ResultT")
 
 
 class Variable(NamedTuple):
@@ -44,22 +44,22 @@ class Along(NamedTuple):
     unit: str
     about: str
     #: Name in a dataset, without a unit; by default the name of the field without its unit.
-    called: str = ""
+    dataset_name: str = ""
 
     def name(self, field: str) -> str:
         """Returns the name in a dataset."""
-        written = {"1/s": "hz"}.get(self.unit, self.unit.lower().replace("^", "").replace("/", "_").replace(" ", "_"))
-        return self.called or field.removesuffix(f"_{written}")
+        unit_suffix = {"1/s": "hz"}.get(self.unit, self.unit.lower().replace("^", "").replace("/", "_").replace(" ", "_"))
+        return self.dataset_name or field.removesuffix(f"_{unit_suffix}")
 
     def of(self, values: Any) -> Variable:
         """Returns the variable of these values."""
         return Variable(tuple(self.axes.split()), values, self.unit, self.about)
 
 
-def described(kind: type) -> dict[str, Along]:
+def dataset_fields(kind: type) -> dict[str, Along]:
     """Returns the fields of a class that are part of its dataset."""
     hints = get_type_hints(kind, include_extras=True)
-    return {field: found for field, hint in hints.items() for found in get_args(hint)[1:] if isinstance(found, Along)}
+    return {field: annotation for field, hint in hints.items() for annotation in get_args(hint)[1:] if isinstance(annotation, Along)}
 
 
 class Data:
@@ -69,7 +69,7 @@ class Data:
         if type(other) is not type(self):
             return NotImplemented
         fields = (field.name for field in dataclasses.fields(self) if field.compare)  # type: ignore[arg-type]
-        return all(_same(getattr(self, name), getattr(other, name)) for name in fields)
+        return all(_equal(getattr(self, name), getattr(other, name)) for name in fields)
 
     __hash__ = None  # type: ignore[assignment]
 
@@ -82,9 +82,9 @@ class Result(Data):
     manifest: dict[str, Any]
 
     @classmethod
-    def _made(cls, answer: dict[str, Any]) -> Self:
+    def _from_core(cls, fields: dict[str, Any]) -> Self:
         """Returns the result of a dict of the library."""
-        return cls(**{**answer, "manifest": json.loads(answer["manifest"])})
+        return cls(**{**fields, "manifest": json.loads(fields["manifest"])})
 
     @classmethod
     def _filled(cls, answer: dict[str, Any]) -> dict[str, Any]:
@@ -101,14 +101,14 @@ class Result(Data):
         return made
 
     @classmethod
-    def _handed(cls, handed: Handed) -> Self:
+    def _from_core_call(cls, core_result: CoreResult) -> Self:
         """Returns the result of a long call; raises the error that ended it early, with the finished part."""
-        answer, ended = handed
-        result = None if answer is None else cls._made(answer)
-        if isinstance(ended, KeyboardInterrupt):
+        fields, error = core_result
+        result = None if fields is None else cls._from_core(fields)
+        if isinstance(error, KeyboardInterrupt):
             raise Interrupted(result) from None
-        if ended is not None:
-            raise ended
+        if error is not None:
+            raise error
         assert result is not None, "a call without an error must have a result"
         return result
 
@@ -126,59 +126,59 @@ class Result(Data):
 
     def _variables(self) -> dict[str, Variable]:
         """Returns the fields that have a description for a dataset."""
-        return {along.name(field): along.of(getattr(self, field)) for field, along in described(type(self)).items()}
+        return {along.name(field): along.of(getattr(self, field)) for field, along in dataset_fields(type(self)).items()}
 
     def _columns(self, axis: str) -> dict[str, Any]:
         """Returns the fields along one axis, by their own names."""
-        return {field: getattr(self, field) for field, along in described(type(self)).items() if along.axes == axis}
+        return {field: getattr(self, field) for field, along in dataset_fields(type(self)).items() if along.axes == axis}
 
     def _dataset(self, variables: Mapping[str, Variable], coords: Mapping[str, Variable]) -> Any:
         """Returns an xarray.Dataset with units, long names and the manifest in its attributes."""
-        xarray = needed("xarray", "xarray")
+        xarray = require("xarray", "xarray")
 
-        def described(found: Mapping[str, Variable]) -> dict[str, Any]:
-            made = {}
-            for name, variable in found.items():
+        def with_attrs(variables: Mapping[str, Variable]) -> dict[str, Any]:
+            entries = {}
+            for name, variable in variables.items():
                 values = np.asarray(variable.values)
                 attrs = {"units": variable.units, "long_name": variable.long_name}
                 if np.iscomplexobj(values):
-                    made[f"{name}_re"] = (variable.dims, values.real, {**attrs, "long_name": f"{variable.long_name}, real part"})
-                    made[f"{name}_im"] = (variable.dims, values.imag, {**attrs, "long_name": f"{variable.long_name}, imaginary part"})
+                    entries[f"{name}_re"] = (variable.dims, values.real, {**attrs, "long_name": f"{variable.long_name}, real part"})
+                    entries[f"{name}_im"] = (variable.dims, values.imag, {**attrs, "long_name": f"{variable.long_name}, imaginary part"})
                 else:
-                    made[name] = (variable.dims, values.astype(object) if values.dtype.kind == "U" else values, attrs)
-            return made
+                    entries[name] = (variable.dims, values.astype(object) if values.dtype.kind == "U" else values, attrs)
+            return entries
 
         attrs = {"manifest": json.dumps(self.manifest, sort_keys=True), "created_by": "jounce", "version": self.manifest["version"]}
-        return xarray.Dataset(described(variables), described(coords), attrs)
+        return xarray.Dataset(with_attrs(variables), with_attrs(coords), attrs)
 
     def _frame(self, columns: Mapping[str, Any], units: Mapping[str, str] | None = None) -> Any:
         """Returns a pandas.DataFrame with the manifest in its attributes, and the units of its columns where given."""
-        frame = needed("pandas", "pandas").DataFrame(dict(columns))
+        frame = require("pandas", "pandas").DataFrame(dict(columns))
         frame.attrs["manifest"] = self.manifest
         if units is not None:
             frame.attrs["units"] = dict(units)
         return frame
 
 
-def _same(a: Any, b: Any) -> bool:
+def _equal(a: Any, b: Any) -> bool:
     if isinstance(a, np.ndarray) and isinstance(b, np.ndarray):
         return a.shape == b.shape and a.dtype == b.dtype and bool(np.array_equal(a, b, equal_nan=a.dtype.kind in "fc"))
     if isinstance(a, dict) and isinstance(b, dict):
-        return a.keys() == b.keys() and all(_same(a[key], b[key]) for key in a)
+        return a.keys() == b.keys() and all(_equal(a[key], b[key]) for key in a)
     if isinstance(a, (list, tuple)) and isinstance(b, (list, tuple)):
-        return len(a) == len(b) and all(map(_same, a, b))
+        return len(a) == len(b) and all(map(_equal, a, b))
     return bool(a == b or (a != a and b != b))
 
 
-def whole(handed: tuple[Answer | None, BaseException | None]) -> Answer:
+def result_or_raise(core_result: tuple[ResultT | None, BaseException | None]) -> ResultT:
     """Returns the result of a long call that has no partial result; raises the error that ended it early."""
-    answer, ended = handed
-    if isinstance(ended, KeyboardInterrupt):
+    result, error = core_result
+    if isinstance(error, KeyboardInterrupt):
         raise Interrupted(None) from None
-    if ended is not None:
-        raise ended
-    assert answer is not None, "a call without an error must have a result"
-    return answer
+    if error is not None:
+        raise error
+    assert result is not None, "a call without an error must have a result"
+    return result
 
 
 def column(rows: Sequence[Mapping[str, Any]], name: str) -> Floats:
@@ -186,23 +186,23 @@ def column(rows: Sequence[Mapping[str, Any]], name: str) -> Floats:
     return np.array([np.nan if row.get(name) is None else row[name] for row in rows], dtype=np.float64)
 
 
-def made_manifest(command: str, **options: Any) -> dict[str, Any]:
+def make_manifest(command: str, **options: Any) -> dict[str, Any]:
     """Returns the origin of a result that needs no spec; options of ``None`` are those that were not given."""
-    given = {name: str(value) for name, value in options.items() if value is not None}
-    return {"created_by": "jounce", "version": _core.VERSION, "spec_sha256": "", "options": {"command": command, **given}}
+    string_options = {name: str(value) for name, value in options.items() if value is not None}
+    return {"created_by": "jounce", "version": _core.VERSION, "spec_sha256": "", "options": {"command": command, **string_options}}
 
 
 def with_uncertainty(value: float, half_width: float, unit: str = "") -> str:
     """Formats a value with the half width of its interval, both to the second digit of the half width: ``(6.9 +- 4.9)e-6 W``."""
-    behind = f" {unit}" if unit else ""
+    suffix = f" {unit}" if unit else ""
     largest = max(abs(value), abs(half_width))
     if not (math.isfinite(value) and math.isfinite(half_width) and largest > 0.0):
-        return f"{value:g} +- {half_width:g}{behind}"
+        return f"{value:g} +- {half_width:g}{suffix}"
     power = _power_of_ten(largest)
     exponent = 0 if -3 <= power <= 5 else power
     digits = max(0, 1 + exponent - _power_of_ten(max(half_width, largest * 1e-12)))
     numbers = f"{value / 10.0**exponent:.{digits}f} +- {half_width / 10.0**exponent:.{digits}f}"
-    return f"{numbers}{behind}" if exponent == 0 else f"({numbers})e{exponent}{behind}"
+    return f"{numbers}{suffix}" if exponent == 0 else f"({numbers})e{exponent}{suffix}"
 
 
 def _power_of_ten(value: float) -> int:

@@ -9,14 +9,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
 from . import _core
-from .arguments import check_wholes, names, optional_si, positive_si
+from .arguments import check_integers, names, optional_si, positive_si
 from .errors import ArgumentError
-from .fit import FitResult, made_fit
+from .fit import FitResult, make_fit
 from .inputs import Measured, recording
-from .progress import Progress, told
+from .progress import Progress, progress_callback
 from .quantity import toml
 from .recording import Recording
-from .result import made_manifest, whole
+from .result import make_manifest, result_or_raise
 from .spec_text import SpecText
 
 if TYPE_CHECKING:
@@ -80,9 +80,9 @@ class SpecOnRig(SpecText):
         Raises :class:`ArgumentError` for a number out of range or an unknown name or solution, :class:`MarchError` for an integration that
         could not continue. Source of the fluctuation: D. Gillespie, Phys. Rev. E 54 (1996) 2084, equation 1.9.
         """
-        check_wholes(bits=bits, seed=seed, hits=hits, starts=starts, starts_seed=starts_seed)
+        check_integers(bits=bits, seed=seed, hits=hits, starts=starts, starts_seed=starts_seed)
         sensors: dict[str, Any] = {"rate_hz": positive_si("frequency", rate, "rate"), "noise": noise, "bits": bits, "seed": seed}
-        sensors |= {"at": names(at), "hold": self._held(hold, fixed_table)}
+        sensors |= {"at": names(at), "hold": self._fixed_masses(hold, fixed_table)}
         sensors["sensor_mass_kg"] = optional_si("mass", sensor_mass, "sensor_mass")
         sensors["cable_f"] = optional_si("capacitance", cable, "cable")
         sensors["cable_leakage_ohm"] = optional_si("resistance", cable_leakage, "cable_leakage")
@@ -101,25 +101,29 @@ class SpecOnRig(SpecText):
             "keep_mean": keep_mean,
         }
         if hammer is not None:
-            moved = [
+            shaker_options = [
                 key for key in ("solution", "amplitude_wander", "frequency_wander", "amplitude_drift", "frequency_drift") if shaker[key]
             ]
-            if moved or base is not None:
-                raise ArgumentError(f"{', '.join(moved) or 'base'} needs a shaker test, without hammer; give one of them")
+            if shaker_options or base is not None:
+                raise ArgumentError(f"{', '.join(shaker_options) or 'base'} needs a shaker test, without hammer; give one of them")
             test = {"point": hammer, "hits": hits, "block_s": positive_si("time", block, "block")}
             test |= {"peak_force_n": positive_si("force", peak, "peak"), "contact_time_s": positive_si("time", contact, "contact")}
-            return Recording._of(_core.rig_struck(self._spec, sensors, test), self._of_rig(sensors, test))
+            return Recording._from_core_recording(_core.rig_struck(self._spec, sensors, test), self._rig_manifest(sensors, test))
         if shaker["solution"] and (base is not None or sensors["hold"]):
             raise ArgumentError("solution needs the complete model under its own drive; give it without base, hold and fixed_table")
-        moves = None if base is None else recording(base)
-        handed = _core.rig_shaken(self._spec, sensors, shaker, None if moves is None else moves._core())
-        of_base = {} if moves is None else {"base": moves.name, "base_sha256": moves.manifest["options"]["recording_sha256"]}
-        made = Recording._of(whole(handed), self._of_rig(sensors, {**shaker, **of_base}))
-        return made if moves is None else dataclasses.replace(made, findings=[*moves.findings, *made.findings])
+        base_recording = None if base is None else recording(base)
+        core_result = _core.rig_shaken(self._spec, sensors, shaker, None if base_recording is None else base_recording._core())
+        base_options = (
+            {}
+            if base_recording is None
+            else {"base": base_recording.name, "base_sha256": base_recording.manifest["options"]["recording_sha256"]}
+        )
+        result = Recording._from_core_recording(result_or_raise(core_result), self._rig_manifest(sensors, {**shaker, **base_options}))
+        return result if base_recording is None else dataclasses.replace(result, findings=[*base_recording.findings, *result.findings])
 
-    def _of_rig(self, sensors: Mapping[str, Any], test: Mapping[str, Any]) -> dict[str, Any]:
+    def _rig_manifest(self, sensors: Mapping[str, Any], test: Mapping[str, Any]) -> dict[str, Any]:
         """Returns the origin of a recording of the rig."""
-        return {**made_manifest("rig", **sensors, **test), "spec_sha256": self.sha256}
+        return {**make_manifest("rig", **sensors, **test), "spec_sha256": self.sha256}
 
     def fit(self, to: str | PathLike[str] | Mapping[str, Any], *, progress: bool | Progress | None = None) -> FitResult:
         """Fits keys to measured features: the path of a file of features, or a dict with the same contents.
@@ -129,34 +133,34 @@ class SpecOnRig(SpecText):
         reports the number of computed models; their total is not known and reported as 0.
         """
         if isinstance(to, Mapping):
-            given, about = {"text": features(to)}, "features"
+            source, source_name = {"text": features(to)}, "features"
         elif isinstance(to, (str, PathLike)):
-            given, about = {"path": fspath(to)}, Path(to).name
+            source, source_name = {"path": fspath(to)}, Path(to).name
         else:
             raise ArgumentError(f"to is of type {type(to).__name__}; give the path of a file of features, or a dict with the same contents")
-        with told(progress) as tell:
-            answer = _core.fit(self._spec, **given, progress=tell)
-        manifest = {**made_manifest("fit", to=about), "spec_sha256": self.sha256}
-        return made_fit(cast("Spec", self), answer, manifest)
+        with progress_callback(progress) as callback:
+            result = _core.fit(self._spec, **source, progress=callback)
+        manifest = {**make_manifest("fit", to=source_name), "spec_sha256": self.sha256}
+        return make_fit(cast("Spec", self), result, manifest)
 
 
-def _solutions(given: str | Sequence[str | tuple[str, Any]]) -> list[tuple[str, float]]:
+def _solutions(solution: str | Sequence[str | tuple[str, Any]]) -> list[tuple[str, float]]:
     """Returns ids of solutions and the times of the record at which they begin, s; the first one begins with the record."""
-    each = [given] if isinstance(given, str) else list(given)
-    found = []
-    for number, one in enumerate(each):
+    items = [solution] if isinstance(solution, str) else list(solution)
+    solutions = []
+    for number, one in enumerate(items):
         pair = (one, None) if isinstance(one, str) else tuple(one)
         if len(pair) != 2 or not isinstance(pair[0], str) or (number > 0 and pair[1] is None):
             raise ArgumentError(f'solution: {one!r} is invalid; give the id of the first, as in "1a", then pairs, as in ("3a", "42 s")')
-        found.append((pair[0], 0.0 if number == 0 else positive_si("time", pair[1], f"the time of solution {pair[0]}")))
-    return found
+        solutions.append((pair[0], 0.0 if number == 0 else positive_si("time", pair[1], f"the time of solution {pair[0]}")))
+    return solutions
 
 
 def features(tables: Mapping[str, Any]) -> str:
     """Returns features as TOML; a list of dicts is an array of tables, ``[[mode]]``."""
     lists = {key: value for key, value in tables.items() if _is_list_of_tables(value)}
     text = toml({key: value for key, value in tables.items() if key not in lists})
-    return text + "".join(f"\n[[{key}]]\n{toml(one)}" for key, each in lists.items() for one in each)
+    return text + "".join(f"\n[[{key}]]\n{toml(one)}" for key, tables_of_key in lists.items() for one in tables_of_key)
 
 
 def _is_list_of_tables(value: Any) -> bool:

@@ -38,8 +38,8 @@ class State:
 
     def to_dict(self) -> dict[str, Any]:
         """Modal displacements and velocities, voltages and drive angles, SI."""
-        found: dict[str, Any] = json.loads(self.json)
-        return found
+        values: dict[str, Any] = json.loads(self.json)
+        return values
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -132,18 +132,18 @@ class RunResult(Result):
     wall_time_s: float = dataclasses.field(compare=False)
 
     @classmethod
-    def _made(cls, answer: dict[str, Any]) -> Self:
+    def _from_core(cls, answer: dict[str, Any]) -> Self:
         answer, history = dict(answer), answer["history"]
         if history is not None:
-            history = History._made({**history, "manifest": answer["manifest"]})
+            history = History._from_core({**history, "manifest": answer["manifest"]})
         energies = _sums(answer.pop("energies"))
-        return super()._made({**cls._filled(answer), "energies_j": energies, "history": history, "end": State(answer["end"])})
+        return super()._from_core({**cls._filled(answer), "energies_j": energies, "history": history, "end": State(answer["end"])})
 
     def _peaks(self) -> list[tuple[str, float]]:
         """Returns the largest voltage of each load, and of each patch without a load."""
         peaks = list(zip(self.load, map(float, self.load_voltage_peak_v)))
-        of_patches = zip(self.patch, map(float, self.patch_voltage_peak_v))
-        return peaks + [(name, volts) for name, volts in of_patches if volts not in self.load_voltage_peak_v]
+        patch_peaks = zip(self.patch, map(float, self.patch_voltage_peak_v))
+        return peaks + [(name, volts) for name, volts in patch_peaks if volts not in self.load_voltage_peak_v]
 
     def _summary(self) -> list[tuple[str, str]]:
         settled = f"period {self.period_cycles} drive cycles" if self.settled else f"NOT settled, change {self.periodicity_change:.1e}"
@@ -163,8 +163,8 @@ class RunResult(Result):
 
     def to_dict(self) -> dict[str, Any]:
         """Returns every number and name except the record."""
-        left = ("history", "end", "manifest")
-        return {field.name: getattr(self, field.name) for field in dataclasses.fields(self) if field.name not in left}
+        excluded = ("history", "end", "manifest")
+        return {field.name: getattr(self, field.name) for field in dataclasses.fields(self) if field.name not in excluded}
 
     def to_xarray(self) -> Any:
         """Returns an ``xarray.Dataset`` of the means over loads, patches, circuits and stops, without the record."""

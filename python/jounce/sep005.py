@@ -12,7 +12,7 @@ from .quantity import is_quantity
 from .result import Floats
 
 
-def checked(series: Mapping[str, Any]) -> Mapping[str, Any]:
+def check_series(series: Mapping[str, Any]) -> Mapping[str, Any]:
     """Returns the series; raises ArgumentError where a required key is missing."""
     missing = [key for key in ("data", "name", "unit_str") if key not in series]
     if missing:

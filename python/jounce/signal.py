@@ -13,8 +13,8 @@ from . import _core
 from .arguments import rate_hz
 from .errors import ArgumentError, FileError
 from .quantity import is_quantity, unit_of
-from .result import Floats, Result, Variable, made_manifest
-from .sep005 import checked, even_rate_hz, numbers
+from .result import Floats, Result, Variable, make_manifest
+from .sep005 import check_series, even_rate_hz, numbers
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -58,7 +58,7 @@ def spectrum(values: Any, sample_rate_hz: float | None = None, *, name: str = "s
     elif is_quantity(values):
         unit = unit_of(values)
     frequency_hz, amplitude_peak = _core.spectrum(row, row_rate_hz)
-    return Spectrum(made_manifest("spectrum"), name, unit, frequency_hz, amplitude_peak)
+    return Spectrum(make_manifest("spectrum"), name, unit, frequency_hz, amplitude_peak)
 
 
 def write_recording(path: str | PathLike[str], values: Any, sample_rate_hz: float | None = None) -> None:
@@ -83,5 +83,5 @@ def write_recording(path: str | PathLike[str], values: Any, sample_rate_hz: floa
 def _samples(values: Any, sample_rate_hz: float | None) -> tuple[Floats, float]:
     """Returns samples and their rate, Hz."""
     if isinstance(values, Mapping):
-        values, sample_rate_hz = checked(values)["data"], even_rate_hz(values)
+        values, sample_rate_hz = check_series(values)["data"], even_rate_hz(values)
     return numbers(values, "the samples"), rate_hz(sample_rate_hz)

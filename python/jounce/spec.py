@@ -6,8 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any, Literal
 
 from . import _core
-from .arguments import check_wholes, frequencies, names, options
-from .arguments import si as in_si
+from .arguments import check_integers, frequencies, names, options, to_si
 from .basins import BasinsResult
 from .branch import BranchResult
 from .diagram import DiagramResult
@@ -17,7 +16,7 @@ from .frf import FrfResult
 from .jumps import JumpsResult
 from .modes import ModesResult
 from .noise import NoiseResult
-from .progress import Progress, told
+from .progress import Progress, progress_callback
 from .quantity import sides, span, values
 from .rig import SpecOnRig
 from .run import RunResult, State
@@ -41,7 +40,7 @@ class Spec(SpecOnRig):
 
     def modes(self, hold: str | Sequence[str] = (), *, fixed_table: bool = False) -> ModesResult:
         """Computes natural frequencies, damping ratios, couplings and shapes, with some masses fixed, with ``fixed_table`` all of them."""
-        return ModesResult._made(_core.modes(self._spec, self._held(hold, fixed_table)))
+        return ModesResult._from_core(_core.modes(self._spec, self._fixed_masses(hold, fixed_table)))
 
     def frf(
         self,
@@ -60,7 +59,9 @@ class Spec(SpecOnRig):
 
         ``frequency``: text or quantities, ``["1 Hz", "2 Hz"]``, or a pint array; by default 2000 from 1 to 1000 Hz.
         """
-        return FrfResult._handed(_core.frf(self._spec, frequencies(frequency), input, base, self._held(hold, fixed_table), open_circuit))
+        return FrfResult._from_core_call(
+            _core.frf(self._spec, frequencies(frequency), input, base, self._fixed_masses(hold, fixed_table), open_circuit)
+        )
 
     def noise(self, *, low: Any = None, high: Any = None, points: int = 1000) -> NoiseResult:
         """Computes the exact response to the noises of the spec without contact: means, mean squares, bandwidths, gap crossing rates.
@@ -68,10 +69,10 @@ class Spec(SpecOnRig):
         Densities are computed at ``points`` frequencies from ``low`` to ``high``, by default over the band of the noise, and at further
         ones around each resonance.
         """
-        check_wholes(points=points)
-        low_hz = None if low is None else in_si("frequency", low, "low")
-        high_hz = None if high is None else in_si("frequency", high, "high")
-        return NoiseResult._handed(_core.noise(self._spec, low_hz, high_hz, points))
+        check_integers(points=points)
+        low_hz = None if low is None else to_si("frequency", low, "low")
+        high_hz = None if high is None else to_si("frequency", high, "high")
+        return NoiseResult._from_core_call(_core.noise(self._spec, low_hz, high_hz, points))
 
     def run(
         self,
@@ -89,13 +90,13 @@ class Spec(SpecOnRig):
         """
         given = options(
             tolerance=tolerance,
-            record_s=0.0 if record is None else in_si("time", record, "record"),
-            sample_rate_hz=in_si("frequency", sample_rate, "sample_rate"),
+            record_s=0.0 if record is None else to_si("time", record, "record"),
+            sample_rate_hz=to_si("frequency", sample_rate, "sample_rate"),
         )
         if start is not None and not isinstance(start, State):
             raise ArgumentError(f"start is of type {type(start).__name__}; give the `end` of another run, or jounce.State.read(PATH)")
-        with told(progress) as tell:
-            return RunResult._handed(_core.run(self._spec, given, start.json if start else None, tell))
+        with progress_callback(progress) as callback:
+            return RunResult._from_core_call(_core.run(self._spec, given, start.json if start else None, callback))
 
     def sweep(
         self,
@@ -114,10 +115,10 @@ class Spec(SpecOnRig):
         ``range``: ``"10 Hz:14 Hz:0.5 Hz"`` (step), ``"10 Hz:14 Hz:9x"`` (number), ``"1 kohm:1 Mohm:9log"``, a list of quantities, or
         numbers with their ``unit``. Each point is integrated until it has settled, or for ``run.duration`` with ``fixed_duration``.
         """
-        check_wholes(threads=threads)
+        check_integers(threads=threads)
         text = values(range, unit, key)
-        with told(progress) as tell:
-            return SweepResult._handed(_core.sweep(self._spec, key, text, direction, fixed_duration, tolerance, threads, tell))
+        with progress_callback(progress) as callback:
+            return SweepResult._from_core_call(_core.sweep(self._spec, key, text, direction, fixed_duration, tolerance, threads, callback))
 
     def branch(
         self,
@@ -144,12 +145,12 @@ class Spec(SpecOnRig):
         ``"contact_force.STOP=2 N"``. ``largest_step`` is in relative changes of the state or twentieths of the range. After orbits of
         ``budget`` drive cycles no further branch is continued; ``not_followed`` counts the rest.
         """
-        check_wholes(harmonics=harmonics, seeds=seeds, longest_period=longest_period, budget=budget, threads=threads)
+        check_integers(harmonics=harmonics, seeds=seeds, longest_period=longest_period, budget=budget, threads=threads)
         ends = span(range, key)
-        with told(progress) as tell:
+        with progress_callback(progress) as callback:
             options = (method, harmonics, tolerance, seeds, longest_period, names(levels), (largest_step, budget))
-            found = _core.branch(self._spec, key, ends, *options, threads, tell)
-            return BranchResult._handed(found)
+            result = _core.branch(self._spec, key, ends, *options, threads, callback)
+            return BranchResult._from_core_call(result)
 
     def jumps(
         self,
@@ -173,12 +174,12 @@ class Spec(SpecOnRig):
         The search misses curves that pass neither an edge of the two ranges nor the value of ``key_2`` in the spec. It also misses curves
         of branches that none of the ``seeds`` converges to, and of periods above ``longest_period`` cycles.
         """
-        check_wholes(seeds=seeds, longest_period=longest_period, threads=threads)
+        check_integers(seeds=seeds, longest_period=longest_period, threads=threads)
         over, against = span(range, key), span(range_2, key_2)
-        with told(progress) as tell:
+        with progress_callback(progress) as callback:
             options = (tolerance, seeds, longest_period, peaks, names(levels))
-            found = _core.jumps(self._spec, (key, key_2), over, against, *options, threads, tell)
-            return JumpsResult._handed(found)
+            result = _core.jumps(self._spec, (key, key_2), over, against, *options, threads, callback)
+            return JumpsResult._from_core_call(result)
 
     def basins(
         self,
@@ -201,7 +202,7 @@ class Spec(SpecOnRig):
         A start belongs to the orbit that its motion is proven to reach, of a period of up to ``longest_period`` drive cycles. A start
         without a proven attractor after ``max_cycles`` drive cycles is chaos or undecided.
         """
-        check_wholes(starts=starts, seed=seed, longest_period=longest_period, max_cycles=max_cycles, threads=threads)
+        check_integers(starts=starts, seed=seed, longest_period=longest_period, max_cycles=max_cycles, threads=threads)
         given = options(
             starts=starts,
             seed=seed,
@@ -212,8 +213,8 @@ class Spec(SpecOnRig):
             max_cycles=max_cycles,
             threads=threads,
         )
-        with told(progress) as tell:
-            return BasinsResult._handed(_core.basins(self._spec, given, tell))
+        with progress_callback(progress) as callback:
+            return BasinsResult._from_core_call(_core.basins(self._spec, given, callback))
 
     def diagram(
         self,
@@ -239,12 +240,12 @@ class Spec(SpecOnRig):
         ``range`` is as in :meth:`sweep`; ``cycles`` is the number of points of a motion without a period, ``longest_period`` (4) the limit
         for continued branches.
         """
-        check_wholes(starts=starts, seed=seed, cycles=cycles, longest_period=longest_period, threads=threads)
+        check_integers(starts=starts, seed=seed, cycles=cycles, longest_period=longest_period, threads=threads)
         text = values(range, unit, key)
         cloud = (starts, seed, spread)
-        with told(progress) as tell:
-            found = _core.diagram(self._spec, key, text, direction, *cloud, cycles, tolerance, branches, longest_period, threads, tell)
-            return DiagramResult._handed(found)
+        with progress_callback(progress) as callback:
+            result = _core.diagram(self._spec, key, text, direction, *cloud, cycles, tolerance, branches, longest_period, threads, callback)
+            return DiagramResult._from_core_call(result)
 
     def ensemble(
         self,
@@ -263,7 +264,7 @@ class Spec(SpecOnRig):
         power. With ``spectrum``, for at least two members, the power spectral density of every voltage and its bandwidth are also
         estimated.
         """
-        check_wholes(members=members, seed=seed, threads=threads)
-        with told(progress) as tell:
-            found = _core.ensemble(self._spec, members, seed, relative_width, spectrum, tolerance, threads, tell)
-            return EnsembleResult._handed(found)
+        check_integers(members=members, seed=seed, threads=threads)
+        with progress_callback(progress) as callback:
+            result = _core.ensemble(self._spec, members, seed, relative_width, spectrum, tolerance, threads, callback)
+            return EnsembleResult._from_core_call(result)

@@ -9,9 +9,9 @@ from os import PathLike, fspath
 from typing import Any, Self
 
 from . import _core
-from .arguments import names, of_tables
+from .arguments import names, spec_from_tables
 from .errors import ArgumentError, SpecError, UnknownKeyError
-from .issue import Finding, found
+from .issue import Finding, parse_issues
 from .quantity import name as name_of
 from .quantity import setting
 from .result import html_table
@@ -29,12 +29,12 @@ class SpecText:
                 raise ArgumentError(f"{source} is the name of a file: read it with jounce.read({source!r})")
             self._spec = _core.Spec(source, "")
         elif source is None or isinstance(source, Mapping):
-            self._spec = of_tables({**(source or {}), **tables})
+            self._spec = spec_from_tables({**(source or {}), **tables})
         else:
             raise ArgumentError(f"a spec is made of TOML text or of a dict, not of {type(source).__name__}")
 
     @classmethod
-    def _of(cls, core: _core.Spec) -> Self:
+    def _from_core(cls, core: _core.Spec) -> Self:
         spec = cls.__new__(cls)
         spec._spec = core
         return spec
@@ -42,7 +42,7 @@ class SpecText:
     @classmethod
     def read(cls, path: str | PathLike[str]) -> Self:
         """Reads a TOML file; the path of a state file in it is relative to its folder."""
-        return cls._of(_core.Spec.read(fspath(path)))
+        return cls._from_core(_core.Spec.read(fspath(path)))
 
     def write(self, path: str | PathLike[str]) -> None:
         """Writes the text to a file, with comments and layout; the file is written completely or not at all."""
@@ -55,7 +55,7 @@ class SpecText:
     @property
     def findings(self) -> list[Finding]:
         """Data-quality issues of the recordings of its drives, and the corrections made."""
-        return found(self._spec.findings())
+        return parse_issues(self._spec.findings())
 
     def to_dict(self, canonical: bool = False) -> dict[str, Any]:
         """Returns the tables; ``Spec(spec.to_dict()) == spec``."""
@@ -78,7 +78,7 @@ class SpecText:
 
     def copy(self) -> Self:
         """Returns an independent copy."""
-        return self._of(self._spec)
+        return self._from_core(self._spec)
 
     __copy__ = copy
 
@@ -92,31 +92,31 @@ class SpecText:
         """Returns the value of a key in the text, or its default; a table as a dict."""
         if not isinstance(key, str):
             raise ArgumentError(f'{key!r} is not a key; keys are text, as in "stop.tip.gap"', {"given": repr(key)})
-        found = self._found(key)
-        if found is None:
+        value = self._lookup(key)
+        if value is None:
             raise self._unknown(key)
-        return found
+        return value
 
-    def _found(self, key: str) -> Any:
+    def _lookup(self, key: str) -> Any:
         for canonical in (False, True):
-            found: Any = self.to_dict(canonical)
+            value: Any = self.to_dict(canonical)
             for part in key.split("."):
-                found = found.get(part) if isinstance(found, dict) else None
-            if found is not None:
-                return found
+                value = value.get(part) if isinstance(value, dict) else None
+            if value is not None:
+                return value
         return None
 
     def _unknown(self, key: str) -> UnknownKeyError:
-        near = next(iter(get_close_matches(key, _paths(self.to_dict(canonical=True), ""), 1)), None)
-        hint = f"did you mean {near}?" if near else "spec.to_dict(canonical=True) contains all keys"
-        return UnknownKeyError(f"{key}: this spec has no such key; {hint}", {"wanted": key, "nearest": near})
+        nearest = next(iter(get_close_matches(key, _paths(self.to_dict(canonical=True), ""), 1)), None)
+        hint = f"did you mean {nearest}?" if nearest else "spec.to_dict(canonical=True) contains all keys"
+        return UnknownKeyError(f"{key}: this spec has no such key; {hint}", {"wanted": key, "nearest": nearest})
 
     def _number(self, key: str) -> tuple[float, str]:
         try:
             return self._spec.number(key)
         except SpecError:
             # An existing key that is not a number is a different fault.
-            if self._found(key) is None:
+            if self._lookup(key) is None:
                 raise self._unknown(key) from None
             raise
 
@@ -141,20 +141,20 @@ class SpecText:
     __hash__ = None  # type: ignore[assignment]
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return (_again, (type(self), self._spec.text, str(self._spec.folder)))
+        return (_rebuild, (type(self), self._spec.text, str(self._spec.folder)))
 
-    def _held(self, hold: str | Sequence[str], fixed_table: bool) -> list[str]:
+    def _fixed_masses(self, hold: str | Sequence[str], fixed_table: bool) -> list[str]:
         """Returns the fixed masses, with ``fixed_table`` all of them."""
-        every = self.to_dict(canonical=True).get("mass", {}) if fixed_table else {}
-        return [*names(hold), *every]
+        all_masses = self.to_dict(canonical=True).get("mass", {}) if fixed_table else {}
+        return [*names(hold), *all_masses]
 
     def _lines(self) -> Iterator[tuple[str, str]]:
-        for kind, things in self.to_dict().items():
-            if all(isinstance(thing, dict) for thing in things.values()):
-                for name, keys in things.items():
-                    yield f"{kind}.{name}", _shown(keys)
+        for kind, elements in self.to_dict().items():
+            if all(isinstance(element, dict) for element in elements.values()):
+                for name, keys in elements.items():
+                    yield f"{kind}.{name}", _format_keys(keys)
             else:
-                yield kind, _shown(things)
+                yield kind, _format_keys(elements)
 
     def __repr__(self) -> str:
         lines = list(self._lines())
@@ -172,17 +172,17 @@ class SpecText:
         return plot_harvester(self._spec.drawing(title), ax)
 
 
-def _again(kind: type[SpecText], text: str, folder: str) -> SpecText:
-    return kind._of(_core.Spec(text, folder))
+def _rebuild(kind: type[SpecText], text: str, folder: str) -> SpecText:
+    return kind._from_core(_core.Spec(text, folder))
 
 
 def _paths(tables: Mapping[str, Any], path: str) -> list[str]:
     """Returns the dotted keys of tables."""
-    found: list[str] = []
+    paths: list[str] = []
     for key, value in tables.items():
-        found += _paths(value, f"{path}{key}.") if isinstance(value, dict) else [path + key]
-    return found
+        paths += _paths(value, f"{path}{key}.") if isinstance(value, dict) else [path + key]
+    return paths
 
 
-def _shown(keys: Mapping[str, Any]) -> str:
-    return ", ".join(f"{key} = {value}" if not isinstance(value, dict) else f"{key}: {_shown(value)}" for key, value in keys.items())
+def _format_keys(keys: Mapping[str, Any]) -> str:
+    return ", ".join(f"{key} = {value}" if not isinstance(value, dict) else f"{key}: {_format_keys(value)}" for key, value in keys.items())

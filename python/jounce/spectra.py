@@ -8,9 +8,9 @@ from typing import Annotated, Any, Literal
 from . import _core
 from .arguments import optional_si
 from .inputs import Measured, recording
-from .issue import Finding, found, told
+from .issue import Finding, issue_lines, parse_issues
 from .recording import names_of
-from .result import Along, Floats, Result, Variable, html_table, made_manifest, whole
+from .result import Along, Floats, Result, Variable, html_table, make_manifest, result_or_raise
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -71,7 +71,7 @@ class SpectraResult(Result):
         lines += [("peak", f"{density:.4e} {self.density_unit} at {hz:.5g} Hz") for hz, density in peaks]
         for order, hz, peak in zip(self.order, self.order_frequency_hz, self.order_amplitude_peak):
             lines.append((f"order {order:.4g}", f"{peak:.5e} {self.unit} peak at {hz:.5g} Hz"))
-        return lines + told(self.findings)
+        return lines + issue_lines(self.findings)
 
     def _repr_html_(self) -> str:
         lines = super()._repr_html_()
@@ -139,10 +139,10 @@ def spectra(
     Raises :class:`ArgumentError` for an unknown channel, window or unit, :class:`RecordingError` for segments that do not fit the record.
     Source: P. Welch, IEEE Trans. Audio Electroacoust. 15 (1967) 70; G. Heinzel, A. Ruediger, R. Schilling (2002).
     """
-    given = recording(record, sample_rate_hz)
+    input_recording = recording(record, sample_rate_hz)
     drive_hz, segment_s = optional_si("frequency", drive, "drive"), optional_si("time", segment, "segment")
-    cut = {"drive_hz": drive_hz, "segment_s": segment_s, "overlap": overlap, "window": window}
-    answer = whole(_core.measured_spectra(given._core(), channel, cut))
-    manifest = made_manifest("spectra", **names_of([given]), **cut)
-    odd = [*given.findings, *found(answer.pop("findings"))]
-    return SpectraResult(manifest=manifest, drive_hz=drive_hz, overlap=overlap, window=window, findings=odd, **answer)
+    options = {"drive_hz": drive_hz, "segment_s": segment_s, "overlap": overlap, "window": window}
+    result = result_or_raise(_core.measured_spectra(input_recording._core(), channel, options))
+    manifest = make_manifest("spectra", **names_of([input_recording]), **options)
+    issues = [*input_recording.findings, *parse_issues(result.pop("findings"))]
+    return SpectraResult(manifest=manifest, drive_hz=drive_hz, overlap=overlap, window=window, findings=issues, **result)

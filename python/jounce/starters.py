@@ -29,5 +29,5 @@ def keys() -> str:
 
 def schema() -> dict[str, Any]:
     """Returns the JSON Schema (draft-07) of a spec, for editors, as printed by ``jounce schema``."""
-    found: dict[str, Any] = json.loads(_core.schema())
-    return found
+    contents: dict[str, Any] = json.loads(_core.schema())
+    return contents

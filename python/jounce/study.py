@@ -13,9 +13,9 @@ from pathlib import Path
 from typing import Any, Literal
 
 from . import _core
-from .arguments import check_wholes
+from .arguments import check_integers
 from .errors import ArgumentError, FileError, Interrupted, SpecError
-from .progress import Progress, told
+from .progress import Progress, progress_callback
 from .quantity import plain, toml
 from .quantity import values as range_text
 from .spec import Spec
@@ -81,11 +81,11 @@ class Study:
             raise FileError(f"the study {path} cannot be read: {error}", {"path": str(path)}) from error
         except tomllib.TOMLDecodeError as error:
             raise SpecError(f"{path}: {error}") from error
-        named = tables.pop("spec", None)
-        if not isinstance(named, str):
+        spec_path = tables.pop("spec", None)
+        if not isinstance(spec_path, str):
             raise SpecError(f'{path} names no spec; write spec = "harvester.toml"')
         study = cls.__new__(cls)
-        study._set(Spec.read(file.parent / named), toml(tables))
+        study._set(Spec.read(file.parent / spec_path), toml(tables))
         return study
 
     def _set(self, spec: Spec, text: str) -> None:
@@ -113,7 +113,7 @@ class Study:
 
     def point(self, index: int) -> list[float]:
         """Returns the values of the keys at a point, SI."""
-        check_wholes(index=index)
+        check_integers(index=index)
         return self._study.point(index)
 
     def to_toml(self, spec: str | PathLike[str] | None = None) -> str:
@@ -127,7 +127,7 @@ class Study:
         return hash(self.sha256)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return (_again, (self._spec, self._text))
+        return (_rebuild, (self._spec, self._text))
 
     def __repr__(self) -> str:
         return f"<jounce.Study of {len(self)} points in {self.parts} parts, {self.sha256[:12]}>"
@@ -147,53 +147,53 @@ class Study:
         ``Client.get_executor()``. Parts are written when finished, completely or not at all, so that a stopped or killed call can be
         continued. ``shard="3/8"`` computes every eighth part; the table is written when no part is missing.
         """
-        check_wholes(threads=threads)
+        check_integers(threads=threads)
         if executor is not None and not callable(getattr(executor, "submit", None)):
             kind = type(executor).__name__
             raise ArgumentError(f"executor is of type {kind}; give one of concurrent.futures, or Dask's client.get_executor()")
         folder = fspath(out)
-        with told(progress) as tell:
+        with progress_callback(progress) as callback:
             if executor is None:
-                answer, ended = self._study.run(folder, shard, threads, tell)
-                if isinstance(ended, KeyboardInterrupt):
+                result, error = self._study.run(folder, shard, threads, callback)
+                if isinstance(error, KeyboardInterrupt):
                     raise Interrupted(StudyStatus.read(folder)) from None
-                if ended is not None:
-                    raise ended
-                wall_time_s = float(answer["wall_time_s"]) if answer else 0.0
+                if error is not None:
+                    raise error
+                wall_time_s = float(result["wall_time_s"]) if result else 0.0
             else:
-                wall_time_s = self._spread(folder, executor, shard, tell)
+                wall_time_s = self._run_on_executor(folder, executor, shard, callback)
         if StudyStatus.read(folder).missing == 0:
             _core.study_merge(folder)
         return StudyResult(Path(folder), wall_time_s)
 
-    def _spread(self, folder: str, executor: concurrent.futures.Executor, shard: str, tell: Progress | None) -> float:
+    def _run_on_executor(self, folder: str, executor: concurrent.futures.Executor, shard: str, callback: Progress | None) -> float:
         """Submits parts to an executor, a few at a time so that a study larger than memory works, and writes the results.
 
         Returns the integration time of the workers, s.
         """
-        index, of = _shard(shard)
-        waiting = [part for part in self._study.missing(folder) if part % of == index - 1]
-        total = sum(self._study.points_of(part) for part in waiting)
-        done, wall_time_s, each_s, begun = 0, 0.0, None, time.monotonic()
+        index, count = _shard(shard)
+        pending = [part for part in self._study.missing(folder) if part % count == index - 1]
+        total = sum(self._study.points_of(part) for part in pending)
+        done_points, wall_time_s, part_time_s, start_time = 0, 0.0, None, time.monotonic()
         tasks: dict[Any, list[int]] = {}
         try:
-            while waiting or tasks:
+            while pending or tasks:
                 # The first tasks have one part each, from which the size of later tasks is computed.
-                size = 1 if each_s is None else max(1, math.ceil(TASK_S / max(each_s, 1e-6)))
-                most = 2 * _workers(executor) + 2
-                while waiting and len(tasks) < most:
-                    batch, waiting = waiting[:size], waiting[size:]
-                    tasks[executor.submit(_parts, self, batch)] = batch
+                size = 1 if part_time_s is None else max(1, math.ceil(TASK_S / max(part_time_s, 1e-6)))
+                max_tasks = 2 * _workers(executor) + 2
+                while pending and len(tasks) < max_tasks:
+                    batch, pending = pending[:size], pending[size:]
+                    tasks[executor.submit(_compute_parts, self, batch)] = batch
                 for task in concurrent.futures.wait(tasks, return_when=concurrent.futures.FIRST_COMPLETED).done:
                     batch = tasks.pop(task)
-                    seconds, found = task.result()
-                    each_s = seconds / len(batch)
-                    for part, (content, part_s) in zip(batch, found):
+                    elapsed_s, results = task.result()
+                    part_time_s = elapsed_s / len(batch)
+                    for part, (content, part_s) in zip(batch, results):
                         self._study.keep(folder, part, content)
                         wall_time_s += part_s
-                        done += self._study.points_of(part)
-                    if tell is not None:
-                        tell(done, total, (time.monotonic() - begun) * (total - done) / done)
+                        done_points += self._study.points_of(part)
+                    if callback is not None:
+                        callback(done_points, total, (time.monotonic() - start_time) * (total - done_points) / done_points)
         except KeyboardInterrupt:
             raise Interrupted(StudyStatus.read(folder)) from None
         finally:
@@ -204,33 +204,33 @@ class Study:
 
 def _workers(executor: Any) -> int:
     """Returns the number of workers of an executor, as far as known; it limits the number of waiting tasks."""
-    known = getattr(executor, "_max_workers", None)
-    if known is None and hasattr(executor, "_client"):
-        known = sum(executor._client.nthreads().values())
-    return int(known or 8)
+    workers = getattr(executor, "_max_workers", None)
+    if workers is None and hasattr(executor, "_client"):
+        workers = sum(executor._client.nthreads().values())
+    return int(workers or 8)
 
 
 def _shard(text: str) -> tuple[int, int]:
-    index, slash, of = text.partition("/")
-    if slash and index.isdecimal() and of.isdecimal() and 1 <= int(index) <= int(of):
-        return int(index), int(of)
+    index, slash, count = text.partition("/")
+    if slash and index.isdecimal() and count.isdecimal() and 1 <= int(index) <= int(count):
+        return int(index), int(count)
     raise ArgumentError(f'"{text}" is not a shard; write I/N with I from 1 to N, as in 3/8')
 
 
-def _parts(study: Study, parts: Sequence[int]) -> tuple[float, list[tuple[bytes, float]]]:
+def _compute_parts(study: Study, parts: Sequence[int]) -> tuple[float, list[tuple[bytes, float]]]:
     """Computes parts in any process; returns the elapsed time, and of each part the bytes of its file and the integration time, s."""
-    begun = time.monotonic()
-    found = []
+    start_time = time.monotonic()
+    results = []
     for part in parts:
-        answer, ended = study._study.part(part)
-        if ended is not None:
-            raise ended
-        assert answer is not None, "a part without an error must have a result"
-        found.append((answer["bytes"], answer["wall_time_s"]))
-    return time.monotonic() - begun, found
+        result, error = study._study.part(part)
+        if error is not None:
+            raise error
+        assert result is not None, "a part without an error must have a result"
+        results.append((result["bytes"], result["wall_time_s"]))
+    return time.monotonic() - start_time, results
 
 
-def _again(spec: Spec, text: str) -> Study:
+def _rebuild(spec: Spec, text: str) -> Study:
     study = Study.__new__(Study)
     study._set(spec, text)
     return study

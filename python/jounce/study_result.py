@@ -113,18 +113,18 @@ class StudyTable(Result):
         return [("points", f"{len(self)}, {failed} without a result"), ("varied", ", ".join(self.keys))]
 
     def _repr_html_(self) -> str:
-        shown = [name for name in self.columns if name != "failure"]
-        rows = [[f"{self.columns[name][k]:.6g}" for name in shown] for k in range(min(len(self), 20))]
-        return html_table(f"The first of {len(self)} points", shown, rows)
+        columns = [name for name in self.columns if name != "failure"]
+        rows = [[f"{self.columns[name][k]:.6g}" for name in columns] for k in range(min(len(self), 20))]
+        return html_table(f"The first of {len(self)} points", columns, rows)
 
     def to_xarray(self) -> Any:
         """Returns an ``xarray.Dataset`` over ``point``, the varied keys as further coordinates."""
-        made = {
+        variables = {
             name: Variable(("point",), values, self.notes[name][0] or "1", self.notes[name][1] if name not in self.keys else name)
             for name, values in self.columns.items()
         }
-        coords = {name: made.pop(name) for name in ["point", *self.keys]}
-        return self._dataset(made, coords)
+        coords = {name: variables.pop(name) for name in ["point", *self.keys]}
+        return self._dataset(variables, coords)
 
     def to_pandas(self) -> Any:
         """Returns a ``pandas.DataFrame`` with a row for each point."""

@@ -44,11 +44,13 @@ class SweepResult(Result):
 
     def _repr_html_(self) -> str:
         rows: list[list[object]] = [
-            [f"{p:g}", way, f"{w:.5e}", f"{v:.5g}", bool(s)]
-            for p, way, w, v, s in zip(self.parameter, self.direction, self.mean_power_w, self.voltage_rms_v, self.settled)
+            [f"{p:g}", point_direction, f"{w:.5e}", f"{v:.5g}", bool(s)]
+            for p, point_direction, w, v, s in zip(self.parameter, self.direction, self.mean_power_w, self.voltage_rms_v, self.settled)
         ]
-        shown: list[list[object]] = rows if len(rows) <= 20 else [*rows[:10], list("…" * 5), *rows[-10:]]
-        return html_table(f"Sweep over {self.key}", [f"[{self.unit}]", "direction", "mean power [W]", "voltage, rms [V]", "settled"], shown)
+        displayed_rows: list[list[object]] = rows if len(rows) <= 20 else [*rows[:10], list("…" * 5), *rows[-10:]]
+        return html_table(
+            f"Sweep over {self.key}", [f"[{self.unit}]", "direction", "mean power [W]", "voltage, rms [V]", "settled"], displayed_rows
+        )
 
     def to_xarray(self) -> Any:
         """Returns an ``xarray.Dataset`` over ``visit``, with ``parameter`` and ``direction`` as further coordinates."""
@@ -65,8 +67,8 @@ class SweepResult(Result):
 
     def going(self, direction: str) -> Self:
         """Returns the points of one direction, by ascending value of the key."""
-        own = np.array([way == direction for way in self.direction], dtype=bool)
-        order = np.flatnonzero(own)[np.argsort(self.parameter[own], kind="stable")]
+        selected = np.array([point_direction == direction for point_direction in self.direction], dtype=bool)
+        order = np.flatnonzero(selected)[np.argsort(self.parameter[selected], kind="stable")]
         arrays = {
             field.name: getattr(self, field.name)[order]
             for field in dataclasses.fields(self)

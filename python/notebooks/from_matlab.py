@@ -57,31 +57,31 @@ def rhs(t, y):
 
 begun = time.perf_counter()
 times = np.linspace(1.0, 2.0, 20001)
-found = solve_ivp(rhs, (0.0, 2.0), np.zeros(2 * n + 1), "RK45", t_eval=times, rtol=1e-6, atol=1e-9)
+solution = solve_ivp(rhs, (0.0, 2.0), np.zeros(2 * n + 1), "RK45", t_eval=times, rtol=1e-6, atol=1e-9)
 ode45_s = time.perf_counter() - begun
-ode45_w = np.trapezoid(found.y[-1] ** 2, times) / resistance
+ode45_w = np.trapezoid(solution.y[-1] ** 2, times) / resistance
 
 # %% [markdown]
 # The same in jounce: the spec says all of it.
 
 # %%
-answer = harvester.run(record="1 s")
-print(f"ode45: {ode45_w:.6e} W in {ode45_s:.2f} s; jounce: {answer.mean_power_w:.6e} W in {answer.wall_time_s:.4f} s")
+run = harvester.run(record="1 s")
+print(f"ode45: {ode45_w:.6e} W in {ode45_s:.2f} s; jounce: {run.mean_power_w:.6e} W in {run.wall_time_s:.4f} s")
 # Two seconds of an impacting motion from rest: both agree to the tolerance of ode45.
-assert abs(ode45_w / answer.mean_power_w - 1.0) < 1e-3
+assert abs(ode45_w / run.mean_power_w - 1.0) < 1e-3
 
 # %%
-ax = answer.plot_time_history(channel="mfc.voltage")
-ax.plot(times, found.y[-1], "--", label="ode45")
+ax = run.plot_time_history(channel="mfc.voltage")
+ax.plot(times, solution.y[-1], "--", label="ode45")
 ax.legend()
 
 # %%
-history = answer.recorded()
-difference = np.interp(history.time_s, times, found.y[-1]) - history.voltage_v[0]
+history = run.recorded()
+difference = np.interp(history.time_s, times, solution.y[-1]) - history.voltage_v[0]
 figure, ax = plt.subplots(layout="constrained")
 ax.plot(history.time_s, difference)
 ax.set(xlabel="Time [s]", ylabel="Voltage, ode45 less jounce [V]")
 
 # %%
-answer.plot_energy()
-answer
+run.plot_energy()
+run

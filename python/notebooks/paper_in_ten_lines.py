@@ -36,7 +36,7 @@ for force in ("50 N", "200 N"):
 # One run at 13 Hz: its voltage, and where the energy of the drive went.
 
 # %%
-answer = harvester.run(record="0.5 s")
-answer.plot_time_history()
-answer.plot_energy()
-answer
+run = harvester.run(record="0.5 s")
+run.plot_time_history()
+run.plot_energy()
+run

@@ -39,13 +39,13 @@ harvester = jounce.Spec(tables)
 # What does it give, and what would it give without the stop?
 
 # %%
-answer = harvester.run(record="2 s")
-answer.plot_time_history()
-answer
+run = harvester.run(record="2 s")
+run.plot_time_history()
+run
 
 # %%
-answer.plot_spectrum()
+run.plot_spectrum()
 
 # %%
 without = jounce.Spec({key: table for key, table in tables.items() if key != "stop"})
-print(f"with the stop {1e6 * answer.mean_power_w:.3g} µW, without {1e6 * without.run().mean_power_w:.3g} µW")
+print(f"with the stop {1e6 * run.mean_power_w:.3g} µW, without {1e6 * without.run().mean_power_w:.3g} µW")

@@ -20,8 +20,8 @@ import numpy as np
 import jounce
 
 folder = Path(tempfile.mkdtemp())
-drawn = jounce.examples()["impact-harvester-2019"]
-built = drawn.changed({"beam.beam.thickness": f"{1.01 * drawn.si('beam.beam.thickness')} m"})
+harvester = jounce.examples()["impact-harvester-2019"]
+built = harvester.changed({"beam.beam.thickness": f"{1.01 * harvester.si('beam.beam.thickness')} m"})
 
 # %% [markdown]
 # ## A hammer test
@@ -49,7 +49,7 @@ modes
 
 # %%
 measured = [{"number": number, "frequency": f"{hz} Hz"} for number, hz in enumerate(modes.frequency_hz, start=2)]
-fit = drawn.fit({"hold": ["table"], "frequency_deviation": 1e-3, "free": {"beam.beam.thickness": 0.05}, "mode": measured})
+fit = harvester.fit({"hold": ["table"], "frequency_deviation": 1e-3, "free": {"beam.beam.thickness": 0.05}, "mode": measured})
 fit.plot_fit()
 print(f"thickness {1e3 * fit.after[0]:.4f} mm, the truth is {1e3 * built.si('beam.beam.thickness'):.4f} mm")
 fit

@@ -30,18 +30,18 @@ def sine(peak, frequency_hz, rate_hz, seconds):
     return peak * np.sin(2.0 * np.pi * frequency_hz * np.arange(int(rate_hz * seconds)) / rate_hz)
 
 
-def same(found, wanted):
+def assert_identical(actual, expected):
     """The same numbers, bit by bit."""
-    np.testing.assert_array_equal(np.asarray(found), np.asarray(wanted))
+    np.testing.assert_array_equal(np.asarray(actual), np.asarray(expected))
 
 
 def recordings(harvester):
     """A hammer test of the clamped beam, a tone that grows, and two pulses of force."""
-    struck = {"hammer": "beam.hammer", "at": ["beam.tip"], "hold": ["table"], "hits": 2, "block": "4 s", "contact": "8 ms"}
+    hammer_options = {"hammer": "beam.hammer", "at": ["beam.tip"], "hold": ["table"], "hits": 2, "block": "4 s", "contact": "8 ms"}
     time_s = np.arange(0.0, 8.0, 1e-3)
     tones = np.sin(20.0 * np.pi * time_s) * np.where(time_s < 4.0, 1.0, 3.0)
     pulses = np.tile(np.concatenate([np.zeros(2000), np.sin(np.pi * np.arange(1, 20) / 20.0), np.zeros(2000)]), 2)
-    return harvester.rig(**struck, rate="512 Hz", noise=0.001), jounce.Recording.of(tones, 1000.0, units="V"), pulses
+    return harvester.rig(**hammer_options, rate="512 Hz", noise=0.001), jounce.Recording.of(tones, 1000.0, units="V"), pulses
 
 
 @pytest.fixture
@@ -57,18 +57,20 @@ def short(harvester):
 @pytest.fixture(scope="session")
 def command_line(tmp_path_factory):
     """Runs the program on the paper's spec and gives its JSON answer."""
-    named = os.environ.get("JOUNCE_BIN")
+    program_path = os.environ.get("JOUNCE_BIN")
     program = (
-        Path(named) if named else next((p for p in (ROOT / "target/release/jounce", ROOT / "target/debug/jounce") if p.exists()), None)
+        Path(program_path)
+        if program_path
+        else next((p for p in (ROOT / "target/release/jounce", ROOT / "target/debug/jounce") if p.exists()), None)
     )
     assert program is not None, "the program is not built; run `cargo build --release`, or name it in JOUNCE_BIN"
     cache = tmp_path_factory.mktemp("cache")
 
-    def answer(command, *arguments, keys=None, spec=SPEC):
+    def run_command(command, *arguments, keys=None, spec=SPEC):
         settings = [f"--set={key}={value}" for key, value in (keys or {}).items()]
         call = [str(program), command, *([] if spec is None else [str(spec)]), *arguments, *settings, "--json"]
-        done = subprocess.run(call, capture_output=True, text=True, env={**os.environ, "JOUNCE_CACHE": str(cache)}, check=False)
-        assert done.returncode == 0, done.stderr
-        return json.loads(done.stdout)
+        process = subprocess.run(call, capture_output=True, text=True, env={**os.environ, "JOUNCE_CACHE": str(cache)}, check=False)
+        assert process.returncode == 0, process.stderr
+        return json.loads(process.stdout)
 
-    return answer
+    return run_command

@@ -39,7 +39,7 @@ try:
     while True:
         {call}
 except jounce.Interrupted as stopped:
-    print(time.process_time() - sent[0], time.perf_counter() - sent[1], type(stopped.result).__name__, {kept})
+    print(time.process_time() - sent[0], time.perf_counter() - sent[1], type(stopped.result).__name__, {result_size})
 """
 
 #: A second stop below the first, and a run without end.
@@ -98,77 +98,77 @@ CALLS = {
 
 
 @pytest.mark.parametrize("name", CALLS)
-def test_ctrl_c_ends_a_call_at_once_and_keeps_what_is_finished(name, tmp_path):
-    call, after, kept = CALLS[name]
+def test_ctrl_c_ends_a_call_at_once_and_returns_the_finished_part(name, tmp_path):
+    call, after, result_size = CALLS[name]
     call = call if call.startswith("jounce.") else f"harvester.{call}"
-    code = textwrap.dedent(CHILD.format(spec=str(SPEC), call=call, after=after, kept=kept))
+    code = textwrap.dedent(CHILD.format(spec=str(SPEC), call=call, after=after, result_size=result_size))
     done = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, timeout=120, check=False)
     assert done.returncode == 0, done.stderr
-    used_s, passed_s, kind, count = done.stdout.split()
+    cpu_time_s, wall_time_s, kind, count = done.stdout.split()
     # A tenth of a second for each thread at work. Measured on two cores that ten other jobs shared: 0.001 s to 0.02 s. With a signal half a
     # second late `run` uses 0.16 s even so; a process that gets little of a busy machine uses less, so that only an idle one tells all.
     threads = 2 if "threads=2" in call else 1
-    assert float(used_s) < 0.1 * threads, f"{used_s} s of processor time, {passed_s} s in all"
+    assert float(cpu_time_s) < 0.1 * threads, f"{cpu_time_s} s of processor time, {wall_time_s} s in all"
     # Waiting without work uses no processor time; no machine should be so busy that this fails of itself.
-    assert float(passed_s) < 5.0, f"{passed_s} s, of which {used_s} s of processor time"
+    assert float(wall_time_s) < 5.0, f"{wall_time_s} s, of which {cpu_time_s} s of processor time"
     if "sweep" in name:
         assert kind == "SweepResult" and int(count) > 0
     if name == "basins":
         assert kind == "BasinsResult" and int(count) > 0
 
 
-def test_progress_is_told_and_may_end_the_call(short):
-    heard = []
-    short.sweep(FREQUENCY, "10 Hz:11 Hz:21x", progress=lambda *told: heard.append(told))
-    done, total, left = heard[-1]
-    assert (done, total, left) == (21, 21, 0.0) and all(a[0] <= b[0] for a, b in zip(heard, heard[1:]))
+def test_progress_is_reported_and_can_end_the_call(short):
+    reports = []
+    short.sweep(FREQUENCY, "10 Hz:11 Hz:21x", progress=lambda *report: reports.append(report))
+    done, total, left = reports[-1]
+    assert (done, total, left) == (21, 21, 0.0) and all(a[0] <= b[0] for a, b in zip(reports, reports[1:]))
 
-    class Enough(Exception):
+    class StopRequest(Exception):
         pass
 
-    def enough(done, total, seconds_left):
-        raise Enough
+    def stop(done, total, seconds_left):
+        raise StopRequest
 
-    with pytest.raises(Enough):
-        short.sweep(FREQUENCY, "10 Hz:11 Hz:10001x", progress=enough)
+    with pytest.raises(StopRequest):
+        short.sweep(FREQUENCY, "10 Hz:11 Hz:10001x", progress=stop)
 
 
-def test_progress_of_a_run_is_the_time_marched(harvester):
-    heard = []
+def test_progress_of_a_run_is_the_simulated_time(harvester):
+    reports = []
     # The longest run ends soon enough, and the first is long enough for several looks on any machine.
     for seconds in (20_000, 200_000):
-        heard.clear()
-        harvester.changed({"run.duration": f"{seconds} s"}).run(progress=lambda *told: heard.append(told))
-        if len(heard) > 2:
+        reports.clear()
+        harvester.changed({"run.duration": f"{seconds} s"}).run(progress=lambda *report: reports.append(report))
+        if len(reports) > 2:
             break
-    assert heard[-1] == (1000, 1000, 0.0) and 0 < heard[0][0] < 1000
-    assert all(a[0] <= b[0] and b[1] == 1000 for a, b in zip(heard, heard[1:]))
+    assert reports[-1] == (1000, 1000, 0.0) and 0 < reports[0][0] < 1000
+    assert all(a[0] <= b[0] and b[1] == 1000 for a, b in zip(reports, reports[1:]))
     short = harvester.changed({"run.duration": "2 s", "run.average_over": "1 s"})
-    assert short.run(progress=lambda *told: None) == short.run()
+    assert short.run(progress=lambda *report: None) == short.run()
 
 
-def test_progress_of_a_fit_is_the_models_tried(harvester):
-    heard = []
+def test_progress_of_a_fit_is_the_number_of_models(harvester):
+    reports = []
     features = {"hold": ["table"], "frequency_deviation": 0.01, "free": {"beam.beam.thickness": 0.05}}
-    found = harvester.fit({**features, "mode": [{"number": 1, "frequency": "8.8 Hz"}]}, progress=lambda *told: heard.append(told))
+    result = harvester.fit({**features, "mode": [{"number": 1, "frequency": "8.8 Hz"}]}, progress=lambda *report: reports.append(report))
     # How many more there will be nobody knows.
-    assert heard[-1] == (found.evaluations, 0, None)
+    assert reports[-1] == (result.evaluations, 0, None)
 
 
-def test_progress_of_the_paper_is_told_and_may_end_it(tmp_path):
-    class Enough(Exception):
+def test_progress_of_the_paper_is_reported_and_can_end_it(tmp_path):
+    class StopRequest(Exception):
         pass
 
-    heard = []
+    reports = []
 
-    def enough(*told):
-        heard.append(told)
-        if len(heard) == 3:
-            raise Enough
+    def stop(*report):
+        reports.append(report)
+        if len(reports) == 3:
+            raise StopRequest
 
-    with pytest.raises(Enough):
-        jounce.reproduce(tmp_path / "out", progress=enough)
-    assert 0 < heard[-1][0] < heard[-1][1] and heard[-1][2] > 0.0
+    with pytest.raises(StopRequest):
+        jounce.reproduce(tmp_path / "out", progress=stop)
+    assert 0 < reports[-1][0] < reports[-1][1] and reports[-1][2] > 0.0
 
 
 def test_a_bar_is_shown_on_demand(short, capsys):
@@ -176,8 +176,8 @@ def test_a_bar_is_shown_on_demand(short, capsys):
     assert "3/3" in capsys.readouterr().err
 
 
-def test_the_interpreter_goes_on_during_a_call(harvester):
-    counted, done = 0, threading.Event()
+def test_other_threads_run_during_a_call(harvester):
+    iterations, done = 0, threading.Event()
 
     def work():
         harvester.changed({"run.duration": "20000 s"}).run()
@@ -186,10 +186,10 @@ def test_the_interpreter_goes_on_during_a_call(harvester):
     worker = threading.Thread(target=work)
     worker.start()
     while not done.wait(0.001):
-        counted += 1
+        iterations += 1
     worker.join()
     # The run takes most of a second; with the lock held, the loop would turn once or twice.
-    assert counted > 10
+    assert iterations > 10
 
 
 def test_threads_and_processes_give_the_same_bits(short):
@@ -198,12 +198,12 @@ def test_threads_and_processes_give_the_same_bits(short):
     one = [spec.run() for spec in specs]
     with ThreadPoolExecutor(2) as pool:
         assert list(pool.map(jounce.Spec.run, specs)) == one
-    for way in ("spawn", "forkserver"):
-        with ProcessPoolExecutor(2, mp_context=multiprocessing.get_context(way)) as pool:
+    for start_method in ("spawn", "forkserver"):
+        with ProcessPoolExecutor(2, mp_context=multiprocessing.get_context(start_method)) as pool:
             assert list(pool.map(jounce.Spec.run, specs)) == one
 
 
-def test_ctrl_c_is_the_usual_exception_for_those_who_do_not_know_ours():
+def test_interrupted_is_a_keyboard_interrupt():
     assert issubclass(jounce.Interrupted, KeyboardInterrupt)
     # What the interpreter itself sets: nothing, where a shell has started the tests in the background.
     assert signal.getsignal(signal.SIGINT) in (signal.default_int_handler, signal.SIG_IGN)

@@ -64,7 +64,7 @@ NAMES += ["recording", "power", "regimes", "contact", "measured frf", "measured 
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_every_variable_has_units_and_a_name_and_the_set_its_origin(results, name):
+def test_every_variable_has_units_and_a_name_and_every_dataset_its_origin(results, name):
     dataset = results[name].to_xarray()
     for variable in dataset.variables.values():
         assert "units" in variable.attrs and variable.attrs["long_name"]
@@ -78,14 +78,14 @@ def test_a_dataset_survives_netcdf_and_zarr(results, name, tmp_path):
 
     dataset = results[name].to_xarray()
     dataset.to_netcdf(tmp_path / "a.nc", engine="h5netcdf")
-    with xarray.open_dataset(tmp_path / "a.nc", engine="h5netcdf") as again:
-        xarray.testing.assert_identical(again.load(), dataset)
-    with_quiet_strings(dataset, tmp_path / "a.zarr")
-    with xarray.open_zarr(tmp_path / "a.zarr", consolidated=False) as again:
-        xarray.testing.assert_identical(again.load(), dataset)
+    with xarray.open_dataset(tmp_path / "a.nc", engine="h5netcdf") as restored:
+        xarray.testing.assert_identical(restored.load(), dataset)
+    write_zarr_without_warnings(dataset, tmp_path / "a.zarr")
+    with xarray.open_zarr(tmp_path / "a.zarr", consolidated=False) as restored:
+        xarray.testing.assert_identical(restored.load(), dataset)
 
 
-def with_quiet_strings(dataset, path):
+def write_zarr_without_warnings(dataset, path):
     """Texts are stored as variable-length strings, which Zarr 3 warns are not yet in its specification."""
     import warnings
 
@@ -134,11 +134,11 @@ def test_jumps_pass_through_the_bifurcations_and_peaks_of_a_branch(results):
     for curve in jumps:
         order = np.argsort(curve.parameter_2)
         # The curve is read linearly between its points.
-        here = np.interp(1e-3, curve.parameter_2[order], curve.parameter[order])
+        value_at_gap = np.interp(1e-3, curve.parameter_2[order], curve.parameter[order])
         if curve.kind == "peak":
-            highest[curve.mean_power_w.max()] = here
+            highest[curve.mean_power_w.max()] = value_at_gap
             continue
-        own = [at for one in branch for kind, at in zip(one.bifurcation_kind, one.bifurcation_parameter) if kind == curve.kind]
-        assert min(abs(here - at) for at in own) < 2e-3
+        candidates = [at for one in branch for kind, at in zip(one.bifurcation_kind, one.bifurcation_parameter) if kind == curve.kind]
+        assert min(abs(value_at_gap - at) for at in candidates) < 2e-3
     # The higher of the two peaks is that of the branch; they differ by 2e-7 Hz.
     assert highest[max(highest)] == pytest.approx(branch.half_power["peak"]["parameter"], abs=1e-5)

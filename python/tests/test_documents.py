@@ -27,7 +27,7 @@ def run(python, code, folder):
 
 
 @pytest.mark.parametrize("document", [d for d in DOCUMENTS if blocks(d)], ids=lambda d: d.relative_to(ROOT).as_posix())
-def test_the_blocks_of_a_document_run_one_after_the_other(document, tmp_path):
+def test_the_blocks_of_a_document_run_in_sequence(document, tmp_path):
     (tmp_path / "examples").symlink_to(ROOT / "examples")
     done = run(sys.executable, "\n".join(blocks(document)), tmp_path)
     assert done.returncode == 0, done.stderr
@@ -53,7 +53,7 @@ def test_readme_works_in_an_empty_environment(tmp_path):
     assert picture.read_bytes().startswith(b"\x89PNG") and picture.stat().st_size > 5000 and done.stdout
 
 
-def test_the_reference_is_that_of_the_docstrings():
-    made = subprocess.run([sys.executable, "-P", ROOT / "python/reference.py"], capture_output=True, text=True, check=True).stdout
-    written = (ROOT / "book/src/python-reference.md").read_text(encoding="utf-8")
-    assert written == made, "make it again: python -P python/reference.py > book/src/python-reference.md"
+def test_the_reference_equals_the_docstrings():
+    generated = subprocess.run([sys.executable, "-P", ROOT / "python/reference.py"], capture_output=True, text=True, check=True).stdout
+    stored = (ROOT / "book/src/python-reference.md").read_text(encoding="utf-8")
+    assert stored == generated, "make it again: python -P python/reference.py > book/src/python-reference.md"

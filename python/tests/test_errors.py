@@ -11,28 +11,28 @@ from conftest import SPEC
 import jounce
 
 
-def test_every_fault_of_a_text_is_told_with_its_place():
+def test_every_fault_of_a_text_is_reported_with_its_position():
     text = SPEC.read_text().replace('length = "315 mm"', "length = 315").replace('gap = "1 mm"', 'gap = "1 kg"')
-    with pytest.raises(jounce.SpecError) as caught:
+    with pytest.raises(jounce.SpecError) as excinfo:
         jounce.Spec(text)
-    first, second = caught.value.faults
+    first, second = excinfo.value.faults
     lines = text.splitlines()
     assert (lines[first.line - 1], first.key) == ("length = 315", "beam.beam.length")
     assert (lines[second.line - 1], second.key) == ('gap = "1 kg"', "stop.tip.gap")
-    assert str(first) in str(caught.value) and first.column == 10
-    again = pickle.loads(pickle.dumps(caught.value))
-    assert again.faults == caught.value.faults and str(again) == str(caught.value)
+    assert str(first) in str(excinfo.value) and first.column == 10
+    restored = pickle.loads(pickle.dumps(excinfo.value))
+    assert restored.faults == excinfo.value.faults and str(restored) == str(excinfo.value)
 
 
-def test_a_bare_number_is_refused_with_the_words_of_toml(harvester):
+def test_a_bare_number_is_refused_with_the_message_of_toml(harvester):
     with pytest.raises(jounce.SpecError) as from_toml:
         jounce.Spec(SPEC.read_text().replace('gap = "1 mm"', "gap = 0.5"))
     with pytest.raises(jounce.SpecError) as from_set:
         harvester["stop.tip.gap"] = 0.5
     with pytest.raises(jounce.SpecError) as from_dict:
         jounce.Spec({**harvester.to_dict(), "stop": {"tip": {**harvester.to_dict()["stop"]["tip"], "gap": 0.5}}})
-    words = from_toml.value.faults[0].message
-    assert from_set.value.faults[0].message == words == from_dict.value.faults[0].message
+    message = from_toml.value.faults[0].message
+    assert from_set.value.faults[0].message == message == from_dict.value.faults[0].message
     assert from_dict.value.faults[0].line == 0 and harvester.si("stop.tip.gap") == 1e-3
 
 
@@ -51,16 +51,16 @@ def test_a_bare_number_is_refused_with_the_words_of_toml(harvester):
     ],
 )
 def test_wrong_settings_change_nothing(harvester, key, value):
-    before = harvester.to_toml()
+    toml_before = harvester.to_toml()
     with pytest.raises(jounce.SpecError):
         harvester.set(key, value)
-    assert harvester.to_toml() == before
+    assert harvester.to_toml() == toml_before
 
 
 def test_all_faults_of_several_settings_come_at_once(harvester):
-    with pytest.raises(jounce.SpecError) as caught:
+    with pytest.raises(jounce.SpecError) as excinfo:
         harvester.set({"stop.tip.gapp": "1 mm", "no.such.key": 1})
-    assert len(caught.value.faults) == 2 and "stop.tip.gap`" in str(caught.value)
+    assert len(excinfo.value.faults) == 2 and "stop.tip.gap`" in str(excinfo.value)
 
 
 @pytest.mark.parametrize("value", [object(), {1, 2}, None, b"1 mm", 1 + 2j, {"a": 1}])
@@ -71,7 +71,7 @@ def test_values_of_wrong_types_are_refused(harvester, value):
 
 def test_arguments_are_checked(harvester):
     frequency, noisy = "drive.shaker.frequency", jounce.examples()["random-base"]
-    wrong = [
+    invalid_calls = [
         lambda: jounce.Spec(3),
         lambda: jounce.Spec("harvester.toml"),
         lambda: harvester[3],
@@ -135,23 +135,23 @@ def test_arguments_are_checked(harvester):
         lambda: harvester.basins(grid="displacement=-1mm:1mm:2x"),
         lambda: harvester.frf(["1 Hz"], input="table", base=True),
     ]
-    for call in wrong:
-        with pytest.raises(jounce.ArgumentError) as caught:
+    for call in invalid_calls:
+        with pytest.raises(jounce.ArgumentError) as excinfo:
             call()
         # Who reads a number in the message finds it, and what it is the number of, without parsing the text.
-        assert caught.value.details or not any(letter.isdigit() for letter in str(caught.value)), caught.value
+        assert excinfo.value.details or not any(letter.isdigit() for letter in str(excinfo.value)), excinfo.value
     with pytest.raises(jounce.SpecError, match="unit"):
         harvester.sweep(frequency, np.linspace(10.0, 14.0, 3))
     with pytest.raises(jounce.SpecError, match="reversed"):
         harvester.sweep(frequency, "14 Hz:10 Hz:1 Hz")
 
 
-def test_a_key_that_is_not_there_is_told_with_the_nearest(harvester):
+def test_an_unknown_key_is_reported_with_the_nearest_one(harvester):
     for read in (lambda key: harvester[key], harvester.si, harvester.unit):
-        with pytest.raises(jounce.UnknownKeyError, match="did you mean stop.tip.gap") as caught:
+        with pytest.raises(jounce.UnknownKeyError, match="did you mean stop.tip.gap") as excinfo:
             read("stop.tip.gapp")
-        assert isinstance(caught.value, KeyError) and caught.value.details == {"wanted": "stop.tip.gapp", "nearest": "stop.tip.gap"}
-        assert str(pickle.loads(pickle.dumps(caught.value))).startswith("stop.tip.gapp: this spec has no such key")
+        assert isinstance(excinfo.value, KeyError) and excinfo.value.details == {"wanted": "stop.tip.gapp", "nearest": "stop.tip.gap"}
+        assert str(pickle.loads(pickle.dumps(excinfo.value))).startswith("stop.tip.gapp: this spec has no such key")
     with pytest.raises(jounce.UnknownKeyError, match="stop.tip.gap"):
         harvester.si("stop.nope.gap")
     with pytest.raises(jounce.SpecError, match="no key with a number"):
@@ -172,29 +172,29 @@ def test_wrong_python_types_are_type_errors(harvester):
 
 
 def test_errors_carry_their_numbers(harvester):
-    with pytest.raises(jounce.StructureError) as caught:
+    with pytest.raises(jounce.StructureError) as excinfo:
         harvester.modes(hold=["beam"])
-    assert caught.value.details["name"] == "beam"
+    assert excinfo.value.details["name"] == "beam"
     state = harvester.changed({"run.duration": "0.2 s", "run.average_over": "0.1 s"}).run().end
-    with pytest.raises(jounce.StartError) as caught:
+    with pytest.raises(jounce.StartError) as excinfo:
         harvester.changed({"reduction.modes": 5}).run(start=state)
-    assert (caught.value.details["modes"], caught.value.details["wanted_modes"]) == (8, 5)
-    with pytest.raises(jounce.PlantError) as caught:
+    assert (excinfo.value.details["modes"], excinfo.value.details["wanted_modes"]) == (8, 5)
+    with pytest.raises(jounce.PlantError) as excinfo:
         harvester.frf(["10 Hz"], input="beam.nowhere")
-    assert caught.value.details["name"] == "beam.nowhere"
-    with pytest.raises(jounce.ArgumentError, match='did you mean "two-beams"') as caught:
+    assert excinfo.value.details["name"] == "beam.nowhere"
+    with pytest.raises(jounce.ArgumentError, match='did you mean "two-beams"') as excinfo:
         jounce.new("two-beam")
-    assert caught.value.details == {"kind": "two-beam", "nearest": "two-beams"}
-    with pytest.raises(jounce.PlantError, match="not linear") as caught:
+    assert excinfo.value.details == {"kind": "two-beam", "nearest": "two-beams"}
+    with pytest.raises(jounce.PlantError, match="not linear") as excinfo:
         jounce.examples()["rectified-shu-lien-2006"].noise()
-    assert caught.value.details == {"circuit": "rectifier"}
+    assert excinfo.value.details == {"circuit": "rectifier"}
     noisy = jounce.examples()["random-base"]
     for orbits in (noisy.basins, lambda: noisy.diagram("stop.tip.gap", "1 mm:2 mm:3x")):
         with pytest.raises(jounce.OrbitError, match="is not periodic"):
             orbits()
 
 
-def test_arguments_and_recordings_tell_what_is_allowed(harvester):
+def test_errors_of_arguments_and_recordings_contain_the_limits(harvester):
     frequency, volts = "drive.shaker.frequency", np.sin(np.arange(100.0))
     for call, details in (
         (lambda: harvester.basins(starts=-1), {"starts": -1, "least": 0, "most": 2**32 - 1}),
@@ -205,24 +205,24 @@ def test_arguments_and_recordings_tell_what_is_allowed(harvester):
         (lambda: jounce.spectra(volts, sample_rate_hz=100.0, segment="20 s"), {"segment": 2000, "samples": 100}),
         (lambda: jounce.regimes(volts, "12 Hz", sample_rate_hz=100.0), {"cycles": 12.0, "needed": 24.0}),
     ):
-        with pytest.raises(jounce.JounceError) as caught:
+        with pytest.raises(jounce.JounceError) as excinfo:
             call()
-        assert caught.value.details == details, caught.value
-        again = pickle.loads(pickle.dumps(caught.value))
-        assert (str(again), again.details) == (str(caught.value), details)
+        assert excinfo.value.details == details, excinfo.value
+        restored = pickle.loads(pickle.dumps(excinfo.value))
+        assert (str(restored), restored.details) == (str(excinfo.value), details)
 
 
 def test_files_that_cannot_be_read_or_written(harvester, tmp_path):
     missing = tmp_path / "no-such-file.toml"
-    with pytest.raises(jounce.FileError, match="does not exist") as caught:
+    with pytest.raises(jounce.FileError, match="does not exist") as excinfo:
         jounce.read(missing)
-    assert (caught.value.details["path"], caught.value.errno) == (str(missing), errno.ENOENT)
-    again = pickle.loads(pickle.dumps(caught.value))
-    assert (str(again), again.errno) == (str(caught.value), errno.ENOENT)
+    assert (excinfo.value.details["path"], excinfo.value.errno) == (str(missing), errno.ENOENT)
+    restored = pickle.loads(pickle.dumps(excinfo.value))
+    assert (str(restored), restored.errno) == (str(excinfo.value), errno.ENOENT)
     for call in (lambda: jounce.read_recordings(missing), lambda: harvester.write(tmp_path / "no" / "folder.toml")):
-        with pytest.raises(jounce.FileError) as caught:
+        with pytest.raises(jounce.FileError) as excinfo:
             call()
-        assert str(tmp_path) in caught.value.details["path"]
+        assert str(tmp_path) in excinfo.value.details["path"]
     with pytest.raises(jounce.FileError, match="not a folder"):
         harvester.write(tmp_path / "no" / "such" / "folder.toml")
     with pytest.raises(jounce.FileError):
@@ -240,9 +240,9 @@ def test_the_tree_of_exceptions():
     assert issubclass(jounce.Interrupted, KeyboardInterrupt) and not issubclass(jounce.Interrupted, Exception)
 
 
-def test_numbers_that_count_nothing_are_refused_by_name(harvester):
+def test_invalid_counts_are_refused_by_name(harvester):
     frequency, noisy = "drive.shaker.frequency", jounce.examples()["random-base"]
-    wrong = [
+    invalid_calls = [
         (lambda: harvester.basins(starts=-1), "starts is -1"),
         (lambda: harvester.basins(starts=1, seed=-1), "seed is -1"),
         (lambda: harvester.sweep(frequency, "10 Hz:11 Hz:2x", threads=-1), "threads is -1"),
@@ -254,6 +254,6 @@ def test_numbers_that_count_nothing_are_refused_by_name(harvester):
         (lambda: noisy.noise(points=-1), "points is -1"),
         (lambda: harvester.modes().plot_modes(modes=0), "modes is 0"),
     ]
-    for call, words in wrong:
-        with pytest.raises(jounce.ArgumentError, match=words):
+    for call, message in invalid_calls:
+        with pytest.raises(jounce.ArgumentError, match=message):
             call()

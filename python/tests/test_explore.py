@@ -20,8 +20,8 @@ import jounce
 
 def page(address):
     """The page, without a proxy between."""
-    with urllib.request.build_opener(urllib.request.ProxyHandler({})).open(address, timeout=20) as answer:
-        return answer.read().decode()
+    with urllib.request.build_opener(urllib.request.ProxyHandler({})).open(address, timeout=20) as response:
+        return response.read().decode()
 
 
 @pytest.fixture(autouse=True)
@@ -51,17 +51,17 @@ def test_a_harvester_without_a_file_is_served_and_leaves_nothing_behind(harveste
 def test_the_page_of_a_file_comes_back_at_its_address(home):
     with jounce.explore(SPEC, browser=False) as explorer:
         address = explorer.address
-    with jounce.explore(str(SPEC), browser=False) as again:
-        assert again.address == address and "jounce" in page(address)
+    with jounce.explore(str(SPEC), browser=False) as second_explorer:
+        assert second_explorer.address == address and "jounce" in page(address)
     assert len(list(home.rglob("explore-*"))) == 1
 
 
-def test_the_interpreter_goes_on_and_waiting_ends_with_the_page(harvester):
+def test_the_interpreter_runs_on_and_waiting_ends_with_the_page(harvester):
     explorer = jounce.explore(harvester, browser=False)
-    begun = time.monotonic()
+    start_time = time.monotonic()
     threading.Timer(0.3, explorer.stop).start()
     explorer.wait()
-    assert 0.2 < time.monotonic() - begun < 30.0 and not explorer.running
+    assert 0.2 < time.monotonic() - start_time < 30.0 and not explorer.running
 
 
 def test_ctrl_c_ends_the_page():
@@ -79,34 +79,34 @@ def test_ctrl_c_ends_the_page():
 
 @pytest.mark.skipif(os.name == "nt", reason="a browser is named in another way")
 def test_the_browser_is_opened_by_a_file_that_only_its_owner_may_read(tmp_path, harvester):
-    seen = tmp_path / "seen"
+    log = tmp_path / "seen"
     folder = tmp_path / "bin"
     folder.mkdir()
     opener = folder / "xdg-open"
-    opener.write_text(f'#!/bin/sh\nls -l "$1" > "{seen}.part"; cat "$1" >> "{seen}.part"; mv "{seen}.part" "{seen}"\n')
+    opener.write_text(f'#!/bin/sh\nls -l "$1" > "{log}.part"; cat "$1" >> "{log}.part"; mv "{log}.part" "{log}"\n')
     opener.chmod(0o755)
     code = textwrap.dedent(f"""
         import jounce, pathlib, time
         with jounce.explore({str(SPEC)!r}) as explorer:
             until = time.monotonic() + 20.0
-            while not pathlib.Path({str(seen)!r}).exists() and time.monotonic() < until:
+            while not pathlib.Path({str(log)!r}).exists() and time.monotonic() < until:
                 time.sleep(0.02)
             print(explorer.address)
     """)
     environment = {**os.environ, "PATH": f"{folder}:{os.environ['PATH']}", "TMPDIR": str(tmp_path)}
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60, env=environment, check=False)
-    told = seen.read_text()
-    assert done.stdout.strip() in told and re.match(r"-rw------- ", told), told
+    log_text = log.read_text()
+    assert done.stdout.strip() in log_text and re.match(r"-rw------- ", log_text), log_text
     assert not list(tmp_path.glob("jounce-*.html"))
 
 
-def test_what_cannot_be_served_is_told(harvester, tmp_path):
-    for wrong in (lambda: jounce.explore(3), lambda: jounce.explore(harvester, browser=False, listen="somewhere")):
+def test_invalid_servers_raise_errors(harvester, tmp_path):
+    for invalid_call in (lambda: jounce.explore(3), lambda: jounce.explore(harvester, browser=False, listen="somewhere")):
         with pytest.raises(jounce.ArgumentError):
-            wrong()
+            invalid_call()
     with pytest.raises(jounce.FileError, match="does not exist"):
         jounce.explore(tmp_path / "none.toml", browser=False)
-    with socket.create_server(("127.0.0.1", 0)) as taken, pytest.raises(jounce.ExploreError, match="cannot listen on"):
-        jounce.explore(harvester, browser=False, listen=f"127.0.0.1:{taken.getsockname()[1]}")
+    with socket.create_server(("127.0.0.1", 0)) as occupied_socket, pytest.raises(jounce.ExploreError, match="cannot listen on"):
+        jounce.explore(harvester, browser=False, listen=f"127.0.0.1:{occupied_socket.getsockname()[1]}")
     with jounce.explore(harvester, browser=False) as explorer, pytest.raises(TypeError):
         pickle.dumps(explorer)

@@ -19,13 +19,13 @@ def samples(kind):
     return (values + 101.0 if kind.startswith("u") else values).astype(kind)
 
 
-def only(path):
+def read_single(path):
     (recording,) = jounce.read_recordings(path)
     return recording
 
 
-def same(found, wanted):
-    assert np.array_equal(found, np.asarray(wanted, dtype=np.complex128 if np.iscomplexobj(wanted) else np.float64))
+def assert_identical(actual, expected):
+    assert np.array_equal(actual, np.asarray(expected, dtype=np.complex128 if np.iscomplexobj(expected) else np.float64))
 
 
 @pytest.mark.parametrize("compressed", [False, True])
@@ -43,13 +43,13 @@ def test_mat_arrays_structs_and_cells(tmp_path, compressed):
     back = scipy.io.loadmat(path, squeeze_me=True, struct_as_record=False)["data"]
     # An even grid has its start and its step: its places are those of the file but for roundoff.
     assert np.allclose(over_time.places, back.time, rtol=1e-12, atol=1e-15)
-    same(over_time["tip"], back.signal[0].values)
-    same(over_time["base"], back.signal[1].values)
-    same(over_time["data.cells{2}"], back.cells[1])
-    same(over_time["data.matrix(2)"], back.matrix[:, 1])
+    assert_identical(over_time["tip"], back.signal[0].values)
+    assert_identical(over_time["base"], back.signal[1].values)
+    assert_identical(over_time["data.cells{2}"], back.cells[1])
+    assert_identical(over_time["data.matrix(2)"], back.matrix[:, 1])
     assert [over_time.channel(name).unit for name in ("tip", "base")] == ["V", "m/s^2"]
     assert over_frequency.over == "frequency"
-    same(over_frequency["data.frf.H"], back.frf.H)
+    assert_identical(over_frequency["data.frf.H"], back.frf.H)
 
 
 @pytest.mark.parametrize("kind", TYPES)
@@ -66,24 +66,24 @@ def test_every_type_of_number(tmp_path, kind):
         for part in (slice(0, 150), slice(150, 400)):
             writer.write_segment([ChannelObject("group", "x", values[part], properties)])
     for name in ("a.mat", "a.npz", "b.npz", "a.h5"):
-        found = only(tmp_path / name)
-        same(found["x"], values)
-        assert np.allclose(found.places, TIME, rtol=1e-12, atol=1e-15)
-    found = only(tmp_path / "a.tdms")
-    same(found["x"], TdmsFile.read(tmp_path / "a.tdms")["group"]["x"][:])
-    assert abs(found.rate - 1000.0) < 1e-9
+        recording = read_single(tmp_path / name)
+        assert_identical(recording["x"], values)
+        assert np.allclose(recording.places, TIME, rtol=1e-12, atol=1e-15)
+    recording = read_single(tmp_path / "a.tdms")
+    assert_identical(recording["x"], TdmsFile.read(tmp_path / "a.tdms")["group"]["x"][:])
+    assert abs(recording.rate - 1000.0) < 1e-9
 
 
 def test_complex_and_named_arrays_of_numpy(tmp_path):
     response = np.exp(1j * TIME * 30.0)
     np.savez(tmp_path / "a.npz", frequency_hz=np.arange(400) * 0.25, H=response, H_unit="m/s^2/N")
-    found = only(tmp_path / "a.npz")
-    assert (found.over, found.channels[0].unit) == ("frequency", "m/s^2/N")
-    same(found["H"], response)
+    recording = read_single(tmp_path / "a.npz")
+    assert (recording.over, recording.channels[0].unit) == ("frequency", "m/s^2/N")
+    assert_identical(recording["H"], response)
     cube = np.arange(400.0 * 6).reshape(400, 2, 3)
     np.savez(tmp_path / "b.npz", t=TIME, cube=cube)
-    found = only(tmp_path / "b.npz")
-    same(found["cube(2,3)"], cube[:, 1, 2])
+    recording = read_single(tmp_path / "b.npz")
+    assert_identical(recording["cube(2,3)"], cube[:, 1, 2])
 
 
 @pytest.mark.parametrize("libver", ["earliest", ("earliest", "v110")])
@@ -96,14 +96,14 @@ def test_hdf5_groups_attributes_and_filters(tmp_path, libver):
         tip.attrs["units"] = "V"
         run.create_dataset("both", data=np.column_stack([samples("f8"), samples("f8") * 2]), chunks=(64, 1), compression="gzip")
         run["note"] = "a text"
-    found = only(path)
-    same(found["run.tip"], samples("f4"))
-    same(found["run.both(2)"], samples("f8") * 2)
-    assert found.channel("run.tip").unit == "V"
+    recording = read_single(path)
+    assert_identical(recording["run.tip"], samples("f4"))
+    assert_identical(recording["run.both(2)"], samples("f8") * 2)
+    assert recording.channel("run.tip").unit == "V"
     with h5py.File(tmp_path / "b.h5", "w", libver=libver) as file:
         file["x"] = samples("f8")
         file["x"].attrs["fs"] = 500.0
-    assert abs(only(tmp_path / "b.h5").rate - 500.0) < 1e-9
+    assert abs(read_single(tmp_path / "b.h5").rate - 500.0) < 1e-9
 
 
 def test_matlab_73(tmp_path):
@@ -113,14 +113,14 @@ def test_matlab_73(tmp_path):
         refs = file.create_group("#refs#")
 
         def numbers(group, name, values):
-            made = group.create_dataset(name, data=np.atleast_2d(values))
-            made.attrs["MATLAB_class"] = np.bytes_("double")
-            return made
+            dataset = group.create_dataset(name, data=np.atleast_2d(values))
+            dataset.attrs["MATLAB_class"] = np.bytes_("double")
+            return dataset
 
-        def text(group, name, told):
-            made = group.create_dataset(name, data=np.array([[ord(c)] for c in told], dtype=np.uint16))
-            made.attrs["MATLAB_class"] = np.bytes_("char")
-            return made
+        def text(group, name, value):
+            dataset = group.create_dataset(name, data=np.array([[ord(c)] for c in value], dtype=np.uint16))
+            dataset.attrs["MATLAB_class"] = np.bytes_("char")
+            return dataset
 
         data = file.create_group("data")
         data.attrs["MATLAB_class"] = np.bytes_("struct")
@@ -132,17 +132,17 @@ def test_matlab_73(tmp_path):
             "label": [text(refs, "c", "tip"), text(refs, "d", "base")],
             "unit": [text(refs, "e", "V"), text(refs, "f", "m/s^2")],
         }
-        for name, each in fields.items():
-            signal.create_dataset(name, data=np.array([[one.ref] for one in each], dtype=h5py.ref_dtype))
+        for name, references in fields.items():
+            signal.create_dataset(name, data=np.array([[one.ref] for one in references], dtype=h5py.ref_dtype))
         cell = data.create_dataset("cells", data=np.array([[refs["a"].ref], [refs["b"].ref]], dtype=h5py.ref_dtype))
         cell.attrs["MATLAB_class"] = np.bytes_("cell")
     with open(path, "r+b") as file:
         file.write(b"MATLAB 7.3 MAT-file".ljust(124) + b"\x00\x02IM")
-    found = only(path)
-    same(found["tip"], samples("f8"))
-    same(found["base"], samples("f8") * 3)
-    same(found["data.cells{2}"], samples("f8") * 3)
-    assert [found.channel(name).unit for name in ("tip", "base")] == ["V", "m/s^2"]
+    recording = read_single(path)
+    assert_identical(recording["tip"], samples("f8"))
+    assert_identical(recording["base"], samples("f8") * 3)
+    assert_identical(recording["data.cells{2}"], samples("f8") * 3)
+    assert [recording.channel(name).unit for name in ("tip", "base")] == ["V", "m/s^2"]
 
 
 @pytest.mark.parametrize("width", [1, 2, 4])
@@ -153,9 +153,9 @@ def test_wav_of_the_standard_library(tmp_path, width):
         file.setsampwidth(width)
         file.setframerate(8000)
         file.writeframes(np.repeat(values, 2).tobytes())
-    found = only(tmp_path / "a.wav")
-    assert abs(found.rate - 8000.0) < 1e-9 and len(found.channels) == 2
-    same(found["channel 2"], values.astype("f8") - (128.0 if width == 1 else 0.0))
+    recording = read_single(tmp_path / "a.wav")
+    assert abs(recording.rate - 8000.0) < 1e-9 and len(recording.channels) == 2
+    assert_identical(recording["channel 2"], values.astype("f8") - (128.0 if width == 1 else 0.0))
 
 
 @pytest.mark.parametrize("kind", ["i2", "i4", "f4", "f8"])
@@ -163,10 +163,10 @@ def test_wav_of_scipy(tmp_path, kind):
     values = np.column_stack([samples(kind), samples(kind)[::-1]])
     scipy.io.wavfile.write(tmp_path / "a.wav", 44100, values)
     rate, back = scipy.io.wavfile.read(tmp_path / "a.wav")
-    found = only(tmp_path / "a.wav")
-    assert abs(found.rate - rate) < 1e-6
-    same(found["channel 1"], back[:, 0])
-    same(found["channel 2"], back[:, 1])
+    recording = read_single(tmp_path / "a.wav")
+    assert abs(recording.rate - rate) < 1e-6
+    assert_identical(recording["channel 1"], back[:, 0])
+    assert_identical(recording["channel 2"], back[:, 1])
 
 
 def test_mode_shapes_of_pyuff(tmp_path):
@@ -177,11 +177,11 @@ def test_mode_shapes_of_pyuff(tmp_path):
     shape = np.arange(9.0).reshape(3, 3)
     normal = {**common, "analysis_type": 2, "data_type": 2, "freq": 12.5, "modal_m": 1.0, "modal_damp_vis": 0.013, "modal_damp_his": 0.0}
     eigenvalue = -3.0 + 80.0j
-    turned = shape * (1.0 - 0.5j)
+    complex_shape = shape * (1.0 - 0.5j)
     damped = {**common, "analysis_type": 3, "data_type": 5, "eig": eigenvalue, "modal_a": 1 + 0j, "modal_b": 0j}
-    columns = [{"node_nums": np.array([1, 5, 9]), **dict(zip(("r1", "r2", "r3"), of.T))} for of in (shape, turned)]
+    columns = [{"node_nums": np.array([1, 5, 9]), **dict(zip(("r1", "r2", "r3"), of.T))} for of in (shape, complex_shape)]
     pyuff.UFF(str(path)).write_sets([{**normal, **columns[0]}, {**damped, **columns[1]}], mode="overwrite")
     first, second = jounce.read_recordings(path).shapes
     assert (first.frequency_hz, first.damping_ratio, first.node.tolist()) == (12.5, 0.013, [1, 5, 9])
-    assert np.allclose(first.shape, shape, rtol=1e-5) and np.allclose(second.shape, turned, rtol=1e-5)
+    assert np.allclose(first.shape, shape, rtol=1e-5) and np.allclose(second.shape, complex_shape, rtol=1e-5)
     assert np.isclose(second.frequency_hz, abs(eigenvalue) / (2 * np.pi)) and np.isclose(second.damping_ratio, 3.0 / abs(eigenvalue))

@@ -43,13 +43,13 @@ def dated():
 def test_units_and_times_are_read(values, sample_rate_hz):
     if isinstance(values, (pd.Series, pd.DataFrame)):
         values.attrs["units"] = "mV" if isinstance(values, pd.Series) else {"mfc": "mV"}
-    found = jounce.power(values, "100 kohm", sample_rate_hz=sample_rate_hz)
-    assert abs(found.mean_power_w[0] / POWER_W - 1.0) < 1e-3
+    result = jounce.power(values, "100 kohm", sample_rate_hz=sample_rate_hz)
+    assert abs(result.mean_power_w[0] / POWER_W - 1.0) < 1e-3
     assert abs(jounce.Recording.of(values, sample_rate_hz).rate / 1000.0 - 1.0) < 1e-6
 
 
 @pytest.mark.parametrize(
-    ("values", "given", "words"),
+    ("values", "options", "words"),
     [
         (array(), {"sample_rate_hz": 500.0}, "sample_rate_hz is 500 Hz, but its times give 1000 Hz"),
         (array(), {"units": "V"}, "is in mV, but V is given"),
@@ -62,30 +62,30 @@ def test_units_and_times_are_read(values, sample_rate_hz):
         (array().rename(time="x").to_dataset().drop_vars("mfc"), {}, "the dataset has no variable"),
     ],
 )
-def test_contradictions_are_refused(values, given, words):
+def test_contradictions_are_refused(values, options, words):
     with pytest.raises(jounce.ArgumentError, match=words):
-        jounce.Recording.of(values, **given)
+        jounce.Recording.of(values, **options)
 
 
-def test_our_own_export_comes_back():
+def test_exported_data_are_read_back():
     recording = jounce.Recording.of({"tip": V, "floor": 2.0 * V}, 1000.0, units={"tip": "g", "floor": "mV"})
     response = jounce.Recording.of({"H": np.exp(1j * T)}, frequency_hz=1.0 + T, units={"H": "m/s^2/N"})
-    for made in (recording, response):
-        for exported in (made.to_xarray(), made.to_pandas()):
+    for original in (recording, response):
+        for exported in (original.to_xarray(), original.to_pandas()):
             back = jounce.Recording.of(exported)
-            assert back.over == made.over and [one.name for one in back] == [one.name for one in made]
-            assert [one.unit for one in back] == [one.unit for one in made]
-            assert np.allclose(back.places, made.places, rtol=1e-12)
-            for name in [one.name for one in made]:
-                assert np.array_equal(back[name], made[name])
+            assert back.over == original.over and [one.name for one in back] == [one.name for one in original]
+            assert [one.unit for one in back] == [one.unit for one in original]
+            assert np.allclose(back.places, original.places, rtol=1e-12)
+            for name in [one.name for one in original]:
+                assert np.array_equal(back[name], original[name])
 
 
 def test_the_history_of_a_run_is_a_recording(short):
     history = short.run(record="0.1 s").history
     for values in (history, history.to_xarray(), history.to_pandas()):
-        found = jounce.Recording.of(values)
-        assert abs(found.rate / history.sample_rate_hz - 1.0) < 1e-6
+        recording = jounce.Recording.of(values)
+        assert abs(recording.rate / history.sample_rate_hz - 1.0) < 1e-6
         units = {name: unit for name, (_, unit) in history.channels().items()}
-        assert {one.name: one.unit for one in found} == units
-        for name, (wanted, _) in history.channels().items():
-            assert np.array_equal(found[name], wanted)
+        assert {one.name: one.unit for one in recording} == units
+        for name, (expected, _) in history.channels().items():
+            assert np.array_equal(recording[name], expected)

@@ -14,7 +14,7 @@ FREQUENCY = "drive.shaker.frequency"
 
 
 @pytest.fixture(scope="module")
-def drawn():
+def plot_functions():
     harvester = jounce.examples()["impact-harvester-2019"]
     short = harvester.changed({"run.duration": "1 s", "run.average_over": "0.5 s"})
     run = short.run(record="0.5 s")
@@ -115,28 +115,28 @@ def pixels(figure):
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_a_picture_shows_something_and_changes_no_setting(drawn, name):
-    before = dict(matplotlib.rcParams)
-    ax = drawn[name]()
-    assert dict(matplotlib.rcParams) == before
-    seen = pixels(ax.figure)
-    lightness = seen.max(axis=1).astype(int) - seen.min(axis=1)
-    assert (seen.min(axis=1) < 250).mean() > 0.005, "next to nothing is drawn"
+def test_a_picture_shows_something_and_changes_no_setting(plot_functions, name):
+    settings_before = dict(matplotlib.rcParams)
+    ax = plot_functions[name]()
+    assert dict(matplotlib.rcParams) == settings_before
+    colours = pixels(ax.figure)
+    lightness = colours.max(axis=1).astype(int) - colours.min(axis=1)
+    assert (colours.min(axis=1) < 250).mean() > 0.005, "next to nothing is drawn"
     assert (lightness > 60).sum() > 20, "no coloured mark is drawn"
     assert ax.get_xlabel() or name == "harvester"
     plt.close("all")
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_a_picture_goes_where_it_is_told(drawn, name):
+def test_a_picture_is_drawn_into_the_specified_axes(plot_functions, name):
     figure, (left, right) = plt.subplots(1, 2)
-    assert drawn[name](ax=right) is right
+    assert plot_functions[name](ax=right) is right
     assert not left.has_data() and right.has_data()
     plt.close(figure)
 
 
-def test_axes_name_their_units(drawn):
-    ax = drawn["branch"]()
+def test_axes_name_their_units(plot_functions):
+    ax = plot_functions["branch"]()
     assert ax.get_xlabel() == f"{FREQUENCY} [Hz]" and ax.get_ylabel() == "Mean power [W]" and ax.get_yscale() == "log"
     labels = [text.get_text() for text in ax.get_legend().get_texts()]
     assert "fold" in labels and any("unstable" in label for label in labels)
@@ -145,7 +145,7 @@ def test_axes_name_their_units(drawn):
     plt.close("all")
 
 
-def test_a_settled_orbit_is_a_place_and_not_its_roundoff():
+def test_a_settled_orbit_is_drawn_as_a_point():
     settled = jounce.examples()["impact-harvester-2019"].changed({"stop.tip.gap": "1 m", "run.start": "linear"}).run(record="2 s")
     history, ax = settled.recorded(), settled.plot_poincare(point="beam.tip")
     row = history.point.index("beam.tip")
@@ -155,7 +155,7 @@ def test_a_settled_orbit_is_a_place_and_not_its_roundoff():
     plt.close("all")
 
 
-def test_what_cannot_be_drawn_is_told(drawn):
+def test_pictures_without_data_raise_errors(plot_functions):
     run = jounce.examples()["impact-harvester-2019"].changed({"run.duration": "0.2 s", "run.average_over": "0.1 s"}).run()
     with pytest.raises(jounce.ArgumentError, match="record"):
         run.plot_time_history()
@@ -163,6 +163,6 @@ def test_what_cannot_be_drawn_is_told(drawn):
     with pytest.raises(jounce.ArgumentError, match="spectrum=True"):
         noisy.ensemble(members=2).plot_spectra()
     with pytest.raises(jounce.ArgumentError, match="no such density"):
-        drawn["noise"](density="mfc.heat")
+        plot_functions["noise"](density="mfc.heat")
     with pytest.raises(jounce.ArgumentError, match="no such channel"):
-        drawn["time history"](channel="temperature")
+        plot_functions["time history"](channel="temperature")

@@ -5,7 +5,7 @@ import pickle
 import numpy as np
 import pint
 import pytest
-from conftest import ROOT, same
+from conftest import ROOT, assert_identical
 
 import jounce
 
@@ -15,43 +15,45 @@ SHAKER = ROOT / "examples/random-base/shaker.toml"
 def test_ensembles_are_those_of_the_command_line(command_line):
     keys = {"run.duration": "2 s", "run.average_over": "1 s"}
     spec = ROOT / "examples/random-base/harvester.toml"
-    told = command_line("ensemble", "--members=4", "--seed=3", keys=keys, spec=spec)
-    found = jounce.read(spec).changed(keys).ensemble(members=4, seed=3)
-    assert found.mean_power_w == told["mean_power_w"] and found.interval_over == told["interval_over"]
-    same(found.member_power_w, [member["mean_power_w"] for member in told["members"]])
-    assert found == jounce.read(spec).changed(keys).ensemble(members=4, seed=3, threads=1)
-    assert found.patch == [] and found.voltage_psd_v2_hz.shape == (0, 0)
+    expected = command_line("ensemble", "--members=4", "--seed=3", keys=keys, spec=spec)
+    result = jounce.read(spec).changed(keys).ensemble(members=4, seed=3)
+    assert result.mean_power_w == expected["mean_power_w"] and result.interval_over == expected["interval_over"]
+    assert_identical(result.member_power_w, [member["mean_power_w"] for member in expected["members"]])
+    assert result == jounce.read(spec).changed(keys).ensemble(members=4, seed=3, threads=1)
+    assert result.patch == [] and result.voltage_psd_v2_hz.shape == (0, 0)
 
 
 def test_spectra_and_stops_of_an_ensemble_are_those_of_the_command_line(command_line):
     keys = {"run.duration": "2 s", "run.average_over": "1 s"}
-    told = command_line("ensemble", "--members=8", "--seed=3", "--spectrum", keys=keys, spec=SHAKER)
-    found = jounce.read(SHAKER).changed(keys).ensemble(members=8, seed=3, spectrum=True)
-    assert found.interval_over == "members" and found.stop == [one["name"] for one in told["stops"]]
+    expected = command_line("ensemble", "--members=8", "--seed=3", "--spectrum", keys=keys, spec=SHAKER)
+    result = jounce.read(SHAKER).changed(keys).ensemble(members=8, seed=3, spectrum=True)
+    assert result.interval_over == "members" and result.stop == [one["name"] for one in expected["stops"]]
     for name, unit in (("contact_rate", "_hz"), ("mean_impact_velocity", "_m_s"), ("mean_contact_duration", "_s"), ("contact_duty", "")):
-        same(getattr(found, f"stop_{name}{unit}"), [one[name + unit]["mean"] for one in told["stops"]])
-        same(getattr(found, f"stop_{name}_half_width{unit}"), [one[name + unit]["half_width"] or np.inf for one in told["stops"]])
+        assert_identical(getattr(result, f"stop_{name}{unit}"), [one[name + unit]["mean"] for one in expected["stops"]])
+        assert_identical(
+            getattr(result, f"stop_{name}_half_width{unit}"), [one[name + unit]["half_width"] or np.inf for one in expected["stops"]]
+        )
     for name in ("max_impact_velocity_m_s", "max_contact_duration_s", "max_contact_force_n", "max_penetration_m"):
-        same(getattr(found, f"stop_{name}"), [one[name] for one in told["stops"]])
-    assert found.stop_contact_rate_hz[0] > 0.0
-    (width,) = told["bandwidths_hz"].values()
-    assert found.patch == list(told["bandwidths_hz"]) and found.bandwidth_hz[0] == width["mean"] > 0.0
-    assert found.bandwidth_half_width_hz[0] == width["half_width"] and found.voltage_psd_v2_hz.shape == (1, len(found.frequency_hz))
+        assert_identical(getattr(result, f"stop_{name}"), [one[name] for one in expected["stops"]])
+    assert result.stop_contact_rate_hz[0] > 0.0
+    (width,) = expected["bandwidths_hz"].values()
+    assert result.patch == list(expected["bandwidths_hz"]) and result.bandwidth_hz[0] == width["mean"] > 0.0
+    assert result.bandwidth_half_width_hz[0] == width["half_width"] and result.voltage_psd_v2_hz.shape == (1, len(result.frequency_hz))
     # The density sums to the mean square of the voltage on the load of 1 Mohm, but for the Hann window: off by 2.2e-2.
-    square = found.voltage_psd_v2_hz[0].sum() * np.diff(found.frequency_hz)[0]
-    assert square / 1e6 == pytest.approx(found.mean_power_w, rel=0.05)
-    dataset = found.to_xarray()
+    square = result.voltage_psd_v2_hz[0].sum() * np.diff(result.frequency_hz)[0]
+    assert square / 1e6 == pytest.approx(result.mean_power_w, rel=0.05)
+    dataset = result.to_xarray()
     assert dataset.voltage_psd.dims == ("patch", "frequency") and dataset.stop_contact_rate.attrs["units"] == "1/s"
-    assert pickle.loads(pickle.dumps(found)) == found and "bandwidth of mfc" in repr(found) and "stop tip" in found._repr_html_()
+    assert pickle.loads(pickle.dumps(result)) == result and "bandwidth of mfc" in repr(result) and "stop tip" in result._repr_html_()
 
 
-def test_the_answer_to_noise_is_that_of_the_command_line(command_line, tmp_path):
-    told = command_line("noise", "--from=4Hz", "--to=20Hz", "--points=50", f"--out={tmp_path}", spec=SHAKER)
-    found = jounce.read(SHAKER).noise(low="4 Hz", high=pint.UnitRegistry()("20 Hz"), points=50)
-    assert found.mean_power_w == told["mean_power_w"] and (found.drive, found.left_out) == (told["drives"], told["left_out"])
-    listed = {"load": "loads", "patch": "patches", "point": "points", "stop": "stops"}
-    for thing, many in listed.items():
-        assert getattr(found, thing) == [one["name"] for one in told[many]]
+def test_the_response_to_noise_is_that_of_the_command_line(command_line, tmp_path):
+    expected = command_line("noise", "--from=4Hz", "--to=20Hz", "--points=50", f"--out={tmp_path}", spec=SHAKER)
+    result = jounce.read(SHAKER).noise(low="4 Hz", high=pint.UnitRegistry()("20 Hz"), points=50)
+    assert result.mean_power_w == expected["mean_power_w"] and (result.drive, result.left_out) == (expected["drives"], expected["left_out"])
+    tables = {"load": "loads", "patch": "patches", "point": "points", "stop": "stops"}
+    for axis, group in tables.items():
+        assert getattr(result, axis) == [one["name"] for one in expected[group]]
     fields = {
         "load_mean_power_w": ("loads", "mean_power_w"),
         "load_spectral_power_w": ("loads", "spectral_power_w"),
@@ -64,20 +66,20 @@ def test_the_answer_to_noise_is_that_of_the_command_line(command_line, tmp_path)
         "point_velocity_rms_m_s": ("points", "velocity_rms_m_s"),
         **{f"stop_{name}": ("stops", name) for name in ("gap_m", "mean_m", "displacement_rms_m", "reached_hz", "share_beyond")},
     }
-    for field, (many, name) in fields.items():
-        same(getattr(found, field), [one[name] for one in told[many]])
+    for field, (group, name) in fields.items():
+        assert_identical(getattr(result, field), [one[name] for one in expected[group]])
     table, _, _ = jounce._core.table_read(tmp_path / "noise.parquet")
-    same(found.frequency_hz, table["frequency_hz"])
-    for name, values in found.densities.items():
-        same(values, table[f"{name}.psd"])
+    assert_identical(result.frequency_hz, table["frequency_hz"])
+    for name, values in result.densities.items():
+        assert_identical(values, table[f"{name}.psd"])
     # Fifty and those about each resonance, over the band that was asked for.
-    assert len(found.frequency_hz) > 50 and (found.frequency_hz[0], found.frequency_hz[-1]) == (4.0, 20.0)
-    assert found["mfc.voltage"] is found.densities["mfc.voltage"] and found.units["mfc.voltage"] == "V^2/Hz"
-    assert found.manifest["options"]["command"] == "noise" and "LEFT OUT" in repr(found)
-    assert found._repr_html_().startswith("<table>") and pickle.loads(pickle.dumps(found)) == found
+    assert len(result.frequency_hz) > 50 and (result.frequency_hz[0], result.frequency_hz[-1]) == (4.0, 20.0)
+    assert result["mfc.voltage"] is result.densities["mfc.voltage"] and result.units["mfc.voltage"] == "V^2/Hz"
+    assert result.manifest["options"]["command"] == "noise" and "LEFT OUT" in repr(result)
+    assert result._repr_html_().startswith("<table>") and pickle.loads(pickle.dumps(result)) == result
 
 
-def test_an_oscillator_in_noise_is_its_closed_form():
+def test_an_oscillator_in_noise_equals_its_closed_form():
     # Mean squares S pi f / (4 zeta w^4) and S pi f / (4 zeta w^2) of white noise, of which 3e-12 and 2e-5 lie above 10 kHz. The rms
     # values are off by 1.5e-12 and 8.9e-6.
     zeta, frequency_hz, density = 0.02, 7.0, 0.3
@@ -86,17 +88,17 @@ def test_an_oscillator_in_noise_is_its_closed_form():
         drive={"floor": {"kind": "base-acceleration", "signal": "noise", "psd": f"{density} (m/s^2)^2/Hz", "high": "10 kHz"}},
         run={"duration": "1 s", "average_over": "1 s"},
     )
-    found = spec.noise(low="10 mHz", high="100 Hz", points=20_000)
+    result = spec.noise(low="10 mHz", high="100 Hz", points=20_000)
     square = density * np.pi * frequency_hz / (4.0 * zeta)
     w = 2.0 * np.pi * frequency_hz
-    assert found.point_displacement_rms_m == pytest.approx([square**0.5 / w**2], rel=1e-10)
-    assert found.point_velocity_rms_m_s == pytest.approx([square**0.5 / w], rel=1e-5)
+    assert result.point_displacement_rms_m == pytest.approx([square**0.5 / w**2], rel=1e-10)
+    assert result.point_velocity_rms_m_s == pytest.approx([square**0.5 / w], rel=1e-5)
     # The density sums to the mean square, by straight lines between the frequencies from 10 mHz: off by 3.5e-5.
-    summed = np.trapezoid(found["ball.displacement"], found.frequency_hz)
+    summed = np.trapezoid(result["ball.displacement"], result.frequency_hz)
     assert summed == pytest.approx(square / w**4, rel=1e-4)
-    assert found.load == [] and found.load_noise_bandwidth_hz.shape == (0, 1) and found.mean_power_w == 0.0
+    assert result.load == [] and result.load_noise_bandwidth_hz.shape == (0, 1) and result.mean_power_w == 0.0
 
 
 def test_a_run_under_noise_has_no_period_to_settle_to():
-    answer = jounce.examples()["random-base"].changed({"run.duration": "2 s", "run.average_over": "1 s"}).run()
-    assert answer.settled is None and answer.period_cycles is None and "no common period" in repr(answer)
+    result = jounce.examples()["random-base"].changed({"run.duration": "2 s", "run.average_over": "1 s"}).run()
+    assert result.settled is None and result.period_cycles is None and "no common period" in repr(result)

@@ -61,14 +61,14 @@ SERIES = {"data": VOLTS, "name": "u", "unit_str": "V", "fs": 1000.0}
         (lambda: jounce.regimes(SERIES, "10 Hz", starts=-1), jounce.ArgumentError, "starts is -1"),
     ],
 )
-def test_recordings_that_cannot_be_used_are_told(call, kind, words):
+def test_unusable_recordings_raise_errors(call, kind, words):
     with pytest.raises(kind, match=words):
         call()
 
 
-def test_rigs_and_fits_that_cannot_be_had_are_told(harvester, tmp_path):
+def test_impossible_rigs_and_fits_raise_errors(harvester, tmp_path):
     features = {"free": {"beam.beam.thickness": 0.1}, "frequency_deviation": 0.01, "mode": [{"number": 1, "frequency": "9 Hz"}]}
-    wrong = [
+    invalid_calls = [
         (lambda: harvester.rig(hammer="nowhere"), jounce.PlantError, "beam.tip"),
         (lambda: harvester.rig(hammer="beam.tip", hold=["beam"]), jounce.StructureError, "only a mass"),
         (lambda: harvester.rig(hammer="beam.tip", noise=-1.0), jounce.ArgumentError, "noise"),
@@ -93,7 +93,7 @@ def test_rigs_and_fits_that_cannot_be_had_are_told(harvester, tmp_path):
         (lambda: harvester.fit(tmp_path / "none.toml"), jounce.FileError, "No such file"),
     ]
     (tmp_path / "file").write_text("")
-    for call, kind, words in wrong:
+    for call, kind, words in invalid_calls:
         with pytest.raises(kind, match=words):
             call()
 
@@ -102,7 +102,7 @@ def test_files_of_recordings_that_cannot_be_read_or_written(tmp_path):
     recording = jounce.Recording.of(np.array([1.0, np.nan] * 5), 10.0)
     (tmp_path / "cut.uff").write_text("    -1\n    58\nabc")
     (tmp_path / "empty.csv").write_text("")
-    wrong = [
+    invalid_calls = [
         (lambda: jounce.read_recordings(tmp_path / "none.csv"), jounce.FileError, "No such file"),
         (lambda: jounce.read_recordings(tmp_path), jounce.FileError, "not a file"),
         (lambda: jounce.read_recordings(tmp_path / "cut.uff"), jounce.FileError, "is the file truncated"),
@@ -112,7 +112,7 @@ def test_files_of_recordings_that_cannot_be_read_or_written(tmp_path):
         (lambda: recording.write(tmp_path / "a.uff"), jounce.RecordingError, "sample 1 of signal is NaN"),
         (lambda: jounce.State("{}").write(tmp_path / "no/state.json"), jounce.FileError, "cannot be written"),
     ]
-    for call, kind, words in wrong:
+    for call, kind, words in invalid_calls:
         with pytest.raises(kind, match=words):
             call()
     assert {path.name for path in tmp_path.iterdir()} == {"cut.uff", "empty.csv"}

@@ -5,7 +5,7 @@ import pickle
 import numpy as np
 import pint
 import pytest
-from conftest import SHORTER, same, sine
+from conftest import SHORTER, assert_identical, sine
 
 import jounce
 
@@ -20,56 +20,61 @@ def hits():
 
 
 @pytest.fixture(scope="module")
-def shaken():
+def run_recording():
     return jounce.examples()["impact-harvester-2019"].changed(SHORTER).rig(rate="2 kHz", noise=0.01, bits=16, seed=3)
 
 
-def test_the_rig_is_that_of_the_command_line(hits, shaken, command_line, tmp_path):
+def test_the_rig_is_that_of_the_command_line(hits, run_recording, command_line, tmp_path):
     hits.write(tmp_path / "own.parquet")
     command_line("rig", *HITS_OPTIONS, f"--to={tmp_path / 'told.parquet'}")
-    own, told = (jounce.read_recordings(tmp_path / name)[0] for name in ("own.parquet", "told.parquet"))
-    same(own.places, told.places)
+    actual, expected = (jounce.read_recordings(tmp_path / name)[0] for name in ("own.parquet", "told.parquet"))
+    assert_identical(actual.places, expected.places)
     for name in ("force", "beam.tip.acceleration"):
-        same(own[name], told[name])
+        assert_identical(actual[name], expected[name])
     options = ["--rate=2kHz", "--noise=0.01", "--bits=16", "--seed=3", f"--to={tmp_path / 'run.parquet'}"]
     command_line("rig", *options, keys=SHORTER)
-    same(shaken["mfc.voltage"], jounce.read_recordings(tmp_path / "run.parquet")[0]["mfc.voltage"])
-    assert shaken.channel("1").quantity == "voltage" and shaken.rate == 2000.0 and len(shaken) == 1000
-    assert shaken.manifest["spec_sha256"] and shaken.manifest["options"]["seed"] == "3"
+    assert_identical(run_recording["mfc.voltage"], jounce.read_recordings(tmp_path / "run.parquet")[0]["mfc.voltage"])
+    assert run_recording.channel("1").quantity == "voltage" and run_recording.rate == 2000.0 and len(run_recording) == 1000
+    assert run_recording.manifest["spec_sha256"] and run_recording.manifest["options"]["seed"] == "3"
 
 
 def test_reading_is_that_of_the_command_line(hits, command_line, tmp_path):
     hits.write(tmp_path / "hits.csv")
-    (told,) = command_line("read", spec=tmp_path / "hits.csv")["recordings"]
+    (expected,) = command_line("read", spec=tmp_path / "hits.csv")["recordings"]
     file = jounce.read_recordings(tmp_path / "hits.csv")
-    (found,) = file
-    assert (found.name, found.over, len(found), found.rate) == (told["name"], told["over"], told["samples"], told["rate"])
-    for one, listed in zip(found, told["channels"]):
-        assert (one.name, one.quantity, one.unit) == (listed["name"], listed["quantity"], listed["unit"])
+    (result,) = file
+    assert (result.name, result.over, len(result), result.rate) == (
+        expected["name"],
+        expected["over"],
+        expected["samples"],
+        expected["rate"],
+    )
+    for one, expected_channel in zip(result, expected["channels"]):
+        assert (one.name, one.quantity, one.unit) == (expected_channel["name"], expected_channel["quantity"], expected_channel["unit"])
         # Sums in another order: off by 1e-16.
-        assert [one.rms, one.peak] == pytest.approx([listed["rms"], listed["peak"]], rel=1e-12)
-    same(found["force"], hits["force"])
-    assert file.over_time is found and "force" in repr(file) and file._repr_html_().startswith("<table>")
+        assert [one.rms, one.peak] == pytest.approx([expected_channel["rms"], expected_channel["peak"]], rel=1e-12)
+    assert_identical(result["force"], hits["force"])
+    assert file.over_time is result and "force" in repr(file) and file._repr_html_().startswith("<table>")
     assert pickle.loads(pickle.dumps(file)) == file and len(file.to_pandas()) == 2
 
 
-def test_what_is_odd_is_found_and_told():
+def test_data_quality_issues_are_reported():
     samples = np.round(sine(0.8, 5.0, 1000.0, 1.0), 12)
     samples[[40, 41, 900]] = np.nan
     stamps = np.arange(1000) / 1000.0
     stamps[500:] += 0.0123
-    found = jounce.Recording.of({"a": samples}, time_s=stamps, units={"a": "g"}, name="floor")
-    assert {one.kind for one in found.findings} == {"jitter", "gap", "not-a-number", "converted"}
-    (missing,) = [one for one in found.findings if one.kind == "not-a-number"]
-    assert (missing.channel, missing.count, missing.first) == ("a", 3, "sample 40") and str(missing) in repr(found)
-    assert found.channel("a").unit == "m/s^2" and found.channel("a").peak == pytest.approx(0.8 * 9.80665)
+    result = jounce.Recording.of({"a": samples}, time_s=stamps, units={"a": "g"}, name="floor")
+    assert {one.kind for one in result.findings} == {"jitter", "gap", "not-a-number", "converted"}
+    (missing,) = [one for one in result.findings if one.kind == "not-a-number"]
+    assert (missing.channel, missing.count, missing.first) == ("a", 3, "sample 40") and str(missing) in repr(result)
+    assert result.channel("a").unit == "m/s^2" and result.channel("a").peak == pytest.approx(0.8 * 9.80665)
     # What is masked is missing as well.
     masked = jounce.Recording.of({"a": np.ma.masked_invalid(samples)}, time_s=stamps, units={"a": "g"}, name="floor")
-    assert masked == found
-    even = found.even()
-    assert even.step is not None and np.isfinite(even["a"]).all() and found.step is None
+    assert masked == result
+    even = result.even()
+    assert even.step is not None and np.isfinite(even["a"]).all() and result.step is None
     assert {"bridged", "resampled"} < {one.kind for one in even.findings}
-    assert "<table>" in found._repr_html_() and pickle.loads(pickle.dumps(found)) == found
+    assert "<table>" in result._repr_html_() and pickle.loads(pickle.dumps(result)) == result
 
 
 def test_every_form_of_a_recording_gives_the_same():
@@ -93,69 +98,69 @@ def test_every_form_of_a_recording_gives_the_same():
         (jounce.Recording.of(pint.UnitRegistry().Quantity(1e3 * volts, "mV"), 2000.0), None),
     ]
     for values, rate in forms:
-        found = jounce.power(values, "100 kohm", sample_rate_hz=rate, drive="13 Hz")
+        result = jounce.power(values, "100 kohm", sample_rate_hz=rate, drive="13 Hz")
         # Whole cycles of a sine: its mean square is half the square of its peak, off by 1e-15.
-        assert found.mean_power_w == pytest.approx([2.0**2 / 2.0 / 1e5], rel=1e-12)
-        assert found.order_amplitude_peak_v[0, list(found.order).index(1.0)] == pytest.approx(2.0, rel=1e-9)
+        assert result.mean_power_w == pytest.approx([2.0**2 / 2.0 / 1e5], rel=1e-12)
+        assert result.order_amplitude_peak_v[0, list(result.order).index(1.0)] == pytest.approx(2.0, rel=1e-9)
         # Its batches of 16.25 cycles differ a little.
-        assert 0.0 < found.half_width_w[0] < 1e-3 * found.mean_power_w[0]
+        assert 0.0 < result.half_width_w[0] < 1e-3 * result.mean_power_w[0]
     two = jounce.power([volts, 2.0 * volts], ["100 kohm", "400 kohm"], sample_rate_hz=2000.0)
     assert two.mean_power_w[0] == two.mean_power_w[1] and len(two.to_pandas()) == 2
 
 
-def test_power_against_the_load_is_that_of_the_command_line(shaken, command_line, tmp_path):
+def test_power_against_the_load_is_that_of_the_command_line(run_recording, command_line, tmp_path):
     paths = [tmp_path / name for name in ("a.csv", "b.csv")]
     for path in paths:
-        shaken.write(path)
-    told = command_line("power", *map(str, paths), "--resistance=1Mohm", "--resistance=2Mohm", "--drive=11Hz", spec=None)["records"]
-    found = jounce.power(paths, ["1 Mohm", "2 Mohm"], drive="11 Hz")
-    same(found.resistance_ohm, [one["resistance_ohm"] for one in told])
+        run_recording.write(path)
+    expected = command_line("power", *map(str, paths), "--resistance=1Mohm", "--resistance=2Mohm", "--drive=11Hz", spec=None)["records"]
+    result = jounce.power(paths, ["1 Mohm", "2 Mohm"], drive="11 Hz")
+    assert_identical(result.resistance_ohm, [one["resistance_ohm"] for one in expected])
     for name in ("mean_power_w", "half_width_w", "batches", "batch_correlation", "effective_samples", "correlated", "mean_voltage_v"):
-        same(getattr(found, name), [one["power"][name] for one in told])
-    same(found.order_amplitude_peak_v, [[line["amplitude_peak_v"] for line in one["orders"]] for one in told])
-    assert found.record == ["a", "b"] and len(found.manifest["options"]["recording_sha256"].split()) == 2
-    assert found.mean_power_w[0] == 2.0 * found.mean_power_w[1] > 0.0
-    assert jounce.power([shaken, shaken], ["1 Mohm", "2 Mohm"]).mean_power_w.tolist() == found.mean_power_w.tolist()
+        assert_identical(getattr(result, name), [one["power"][name] for one in expected])
+    assert_identical(result.order_amplitude_peak_v, [[line["amplitude_peak_v"] for line in one["orders"]] for one in expected])
+    assert result.record == ["a", "b"] and len(result.manifest["options"]["recording_sha256"].split()) == 2
+    assert result.mean_power_w[0] == 2.0 * result.mean_power_w[1] > 0.0
+    assert jounce.power([run_recording, run_recording], ["1 Mohm", "2 Mohm"]).mean_power_w.tolist() == result.mean_power_w.tolist()
 
 
 def test_power_per_base_acceleration():
     recording = jounce.Recording.of(
         {"u": sine(2.0, 10.0, 1000.0, 10.0), "floor": 0.5 + sine(3.0, 10.0, 1000.0, 10.0)}, 1000.0, units={"u": "V", "floor": "m/s2"}
     )
-    found = jounce.power(recording, "1 kohm", base="floor", remove_mean=True)
-    assert found.mean_square_base_acceleration_m2_s4 == pytest.approx([3.0**2 / 2.0], rel=1e-12)
-    assert found.mean_power_per_mean_square_w_s4_m2 == pytest.approx([2e-3 / 4.5], rel=1e-12)
+    result = jounce.power(recording, "1 kohm", base="floor", remove_mean=True)
+    assert result.mean_square_base_acceleration_m2_s4 == pytest.approx([3.0**2 / 2.0], rel=1e-12)
+    assert result.mean_power_per_mean_square_w_s4_m2 == pytest.approx([2e-3 / 4.5], rel=1e-12)
 
 
-def test_regimes_are_those_of_the_command_line_and_find_a_made_change(command_line, tmp_path):
+def test_regimes_are_those_of_the_command_line_and_find_a_known_change(command_line, tmp_path):
     quiet, loud = sine(1.0, 10.0, 1000.0, 20.0), sine(4.0, 5.0, 1000.0, 20.0) + sine(2.0, 10.0, 1000.0, 20.0)
     recording = jounce.Recording.of({"u": np.concatenate([quiet, loud])}, 1000.0, units="V", name="made")
     recording.write(tmp_path / "made.csv")
-    told = command_line("regimes", "--drive=10Hz", "--resistance=1kohm", spec=tmp_path / "made.csv")
-    found = jounce.regimes(recording, "10 Hz", resistance="1 kohm")
-    stretches = told["regimes"]["stretches"]
+    expected = command_line("regimes", "--drive=10Hz", "--resistance=1kohm", spec=tmp_path / "made.csv")
+    result = jounce.regimes(recording, "10 Hz", resistance="1 kohm")
+    segments = expected["regimes"]["stretches"]
     for name in ("start_s", "end_s", "rms"):
-        same(getattr(found, name), [one[name] for one in stretches])
+        assert_identical(getattr(result, name), [one[name] for one in segments])
     for name in ("mean_power_w", "effective_samples"):
-        same(getattr(found, name), [one[name] for one in told["powers"]])
-    assert len(found.joint_s) == len(told["regimes"]["joints"]) == 0
+        assert_identical(getattr(result, name), [one[name] for one in expected["powers"]])
+    assert len(result.joint_s) == len(expected["regimes"]["joints"]) == 0
     # The change is found within a block, and the second stretch repeats after two cycles.
-    assert abs(found.end_s[0] - 20.0) <= found.uncertainty_s and found.period_cycles.tolist() == [1, 2]
-    assert found.names() == ["period 1", "period 2"] and found.channel == "u"
+    assert abs(result.end_s[0] - 20.0) <= result.uncertainty_s and result.period_cycles.tolist() == [1, 2]
+    assert result.names() == ["period 1", "period 2"] and result.channel == "u"
 
 
-def test_a_change_of_the_noise_is_a_joint_within_a_stretch(command_line, tmp_path):
+def test_a_change_of_the_noise_is_a_joint_within_a_segment(command_line, tmp_path):
     stream = np.random.default_rng(1)
     noise = np.concatenate([0.02 * stream.standard_normal(20_000), 0.4 * stream.standard_normal(20_000)])
     recording = jounce.Recording.of({"u": sine(1.0, 10.0, 1000.0, 40.0) + noise}, 1000.0, units="V", name="noisy")
     recording.write(tmp_path / "noisy.csv")
-    told = command_line("regimes", "--drive=10Hz", spec=tmp_path / "noisy.csv")["regimes"]
-    found = jounce.regimes(recording, "10 Hz")
-    assert len(found) == len(told["stretches"]) == 1 and np.isnan(found.effective_samples).all()
-    same(found.joint_s, [one["at_s"] for one in told["joints"]])
-    assert found.joint_reason == [one["reason"] for one in told["joints"]] == ["noise-changed"]
-    assert abs(found.joint_s[0] - 20.0) <= found.uncertainty_s and "noise-changed, same solution" in str(found)
-    assert found.to_xarray().sizes["joint"] == 1
+    expected = command_line("regimes", "--drive=10Hz", spec=tmp_path / "noisy.csv")["regimes"]
+    result = jounce.regimes(recording, "10 Hz")
+    assert len(result) == len(expected["stretches"]) == 1 and np.isnan(result.effective_samples).all()
+    assert_identical(result.joint_s, [one["at_s"] for one in expected["joints"]])
+    assert result.joint_reason == [one["reason"] for one in expected["joints"]] == ["noise-changed"]
+    assert abs(result.joint_s[0] - 20.0) <= result.uncertainty_s and "noise-changed, same solution" in str(result)
+    assert result.to_xarray().sizes["joint"] == 1
 
 
 def test_contacts_are_those_of_the_command_line(command_line, tmp_path):
@@ -164,54 +169,54 @@ def test_contacts_are_those_of_the_command_line(command_line, tmp_path):
     force = np.concatenate([np.zeros(500), pulse, np.zeros(2000), 0.5 * pulse, np.zeros(500)])
     recording = jounce.Recording.of({"hammer": force}, 20_000.0, units="N", name="pulses")
     recording.write(tmp_path / "pulses.csv")
-    told = command_line("contact", "--mass=0.1kg", spec=tmp_path / "pulses.csv")
-    found = jounce.contact(recording, mass="100 g")
+    expected = command_line("contact", "--mass=0.1kg", spec=tmp_path / "pulses.csv")
+    result = jounce.contact(recording, mass="100 g")
     for name in ("exponent", "exponent_deviation", "restitution", "stiffness", "speed_m_s", "relative_error", "told"):
-        same(getattr(found, name), [one["law"][name] for one in told["hits"]])
-    same(found.peak_force_n, [one["hit"]["peak_force_n"] for one in told["hits"]])
+        assert_identical(getattr(result, name), [one["law"][name] for one in expected["hits"]])
+    assert_identical(result.peak_force_n, [one["hit"]["peak_force_n"] for one in expected["hits"]])
     # The law is linear, gives all of the speed back, and its stiffness is m w^2: off by 9e-8, 3e-10 and 7e-7.
-    assert found.exponent == pytest.approx([1.0, 1.0], abs=1e-6) and found.restitution == pytest.approx([1.0, 1.0], abs=1e-8)
-    assert found.stiffness == pytest.approx([0.1 * (np.pi / 3e-3) ** 2] * 2, rel=1e-5) and found.told == ["linear", "linear"]
-    assert found.linear_stiffness == pytest.approx([0.1 * (np.pi / 3e-3) ** 2] * 2, rel=1e-5) and np.isnan(found.hertz_stiffness).all()
-    same(found.linear_stiffness_low, [one["law"]["linear"]["stiffness_95"][0] for one in told["hits"]])
-    same(found.stiffness_high, [one["law"]["stiffness_95"][1] for one in told["hits"]])
-    assert (found.linear_stiffness_low <= found.linear_stiffness).all() and "as a linear spring" in repr(found)
-    pulse = found.pulses[0]
+    assert result.exponent == pytest.approx([1.0, 1.0], abs=1e-6) and result.restitution == pytest.approx([1.0, 1.0], abs=1e-8)
+    assert result.stiffness == pytest.approx([0.1 * (np.pi / 3e-3) ** 2] * 2, rel=1e-5) and result.told == ["linear", "linear"]
+    assert result.linear_stiffness == pytest.approx([0.1 * (np.pi / 3e-3) ** 2] * 2, rel=1e-5) and np.isnan(result.hertz_stiffness).all()
+    assert_identical(result.linear_stiffness_low, [one["law"]["linear"]["stiffness_95"][0] for one in expected["hits"]])
+    assert_identical(result.stiffness_high, [one["law"]["stiffness_95"][1] for one in expected["hits"]])
+    assert (result.linear_stiffness_low <= result.linear_stiffness).all() and "as a linear spring" in repr(result)
+    pulse = result.pulses[0]
     # Off by 2.3e-4 N of 50 N.
     assert np.interp(pulse.time_s, pulse.law_time_s, pulse.law_force_n) == pytest.approx(pulse.force_n, abs=1e-3)
 
 
 def test_responses_of_a_hammer_test_are_those_of_the_model_and_of_the_command_line(harvester, hits, command_line, tmp_path):
     hits.write(tmp_path / "hits.csv")
-    told = command_line("frf", f"--measured={tmp_path / 'hits.csv'}", "--end-ratio=0.01", spec=None)
-    found = jounce.measured_frf(hits, end_ratio=0.01)
-    (name,) = found.responses
-    same(found.frequency_hz, told["frequency_hz"])
-    same(found[name].real, told["responses"][name]["re"])
-    same(found.coherence[name], told["responses"][name]["coherence"])
-    assert found.units[name] == "m/s^2/N" and found.block_s == told["block_s"] and len(found.hits) == 4
+    expected = command_line("frf", f"--measured={tmp_path / 'hits.csv'}", "--end-ratio=0.01", spec=None)
+    result = jounce.measured_frf(hits, end_ratio=0.01)
+    (name,) = result.responses
+    assert_identical(result.frequency_hz, expected["frequency_hz"])
+    assert_identical(result[name].real, expected["responses"][name]["re"])
+    assert_identical(result.coherence[name], expected["responses"][name]["coherence"])
+    assert result.units[name] == "m/s^2/N" and result.block_s == expected["block_s"] and len(result.hits) == 4
     # Between the resonances, where the window changes little, the response is that of the model: off by 0.58 % at most.
-    clear = (found.frequency_hz > 80.0) & (found.frequency_hz < 110.0)
-    model = harvester.frf([f"{hz} Hz" for hz in found.frequency_hz[clear]], input="beam.hammer", hold=["table"])[name]
-    assert np.abs(found[name][clear] / model - 1.0).max() < 0.01
+    band = (result.frequency_hz > 80.0) & (result.frequency_hz < 110.0)
+    model = harvester.frf([f"{hz} Hz" for hz in result.frequency_hz[band]], input="beam.hammer", hold=["table"])[name]
+    assert np.abs(result[name][band] / model - 1.0).max() < 0.01
 
 
 def test_modes_of_a_hammer_test_are_those_of_the_model_and_of_the_command_line(harvester, hits, command_line, tmp_path):
     hits.write(tmp_path / "hits.csv")
-    told = command_line("modes", f"--measured={tmp_path / 'hits.csv'}", "--end-ratio=0.01", "--between=20Hz:350Hz", spec=None)
-    found = jounce.measured_modes(hits, end_ratio=0.01, between="20 Hz:350 Hz")
+    expected = command_line("modes", f"--measured={tmp_path / 'hits.csv'}", "--end-ratio=0.01", "--between=20Hz:350Hz", spec=None)
+    result = jounce.measured_modes(hits, end_ratio=0.01, between="20 Hz:350 Hz")
     for name in ("frequency_hz", "frequency_deviation_hz", "damping_ratio", "damping_deviation"):
-        same(getattr(found, name), [mode[name] for mode in told["modes"]])
-    same(found.mac, told["mac"])
-    assert found.shape.shape == (1, len(found)) and found.pole_stable[0] == told["stabilisation"][0]["stable"]
+        assert_identical(getattr(result, name), [mode[name] for mode in expected["modes"]])
+    assert_identical(result.mac, expected["mac"])
+    assert result.shape.shape == (1, len(result)) and result.pole_stable[0] == expected["stabilisation"][0]["stable"]
     # The truth is known: with 1 Mohm the frequencies are nearly those of the open patch, which are off by 8e-5, 3e-5 and 3e-6.
     truth = harvester.modes(hold=["table"]).open_circuit_hz[0]
-    assert found.frequency_hz == pytest.approx(truth[(truth > 20.0) & (truth < 350.0)], rel=2e-4)
+    assert result.frequency_hz == pytest.approx(truth[(truth > 20.0) & (truth < 350.0)], rel=2e-4)
     # The responses as arrays go the same way, without what the coherence told: off by 6.6e-5.
-    frf = found.frf
-    given = jounce.Recording.of(frf.responses, frequency_hz=frf.frequency_hz)
-    again = jounce.measured_modes(given, between=("20 Hz", "350 Hz"))
-    assert again.frequency_hz == pytest.approx(found.frequency_hz, rel=2e-4)
+    frf = result.frf
+    recording = jounce.Recording.of(frf.responses, frequency_hz=frf.frequency_hz)
+    repeated = jounce.measured_modes(recording, between=("20 Hz", "350 Hz"))
+    assert repeated.frequency_hz == pytest.approx(result.frequency_hz, rel=2e-4)
 
 
 def test_the_motion_of_a_base_is_an_input_and_that_of_the_command_line(command_line, tmp_path):
@@ -223,47 +228,49 @@ def test_the_motion_of_a_base_is_an_input_and_that_of_the_command_line(command_l
     w = 2.0 * np.pi * 40.0
     relative = -1.0 / (s**2 + 2.0 * 0.02 * w * s + w**2)
     base, tip, volts = (np.fft.irfft(bins * h, count) for h in (np.ones_like(s), 1.0 + s**2 * relative, 300.0 * relative))
-    given = jounce.Recording.of(
+    recording = jounce.Recording.of(
         {"base": base / 9.80665, "tip": tip, "piezo": volts}, rate, units={"base": "g", "tip": "m/s^2", "piezo": "V"}, name="shaken"
     )
-    given.write(tmp_path / "shaken.csv")
-    found = jounce.measured_frf(given, input="base")
-    assert (found.input, found.units) == ("base", {"tip": "m/s^2/(m/s^2)", "piezo": "V/(m/s^2)"})
-    assert found.per_g == {"piezo": (9.80665, "V/g")}
-    told = command_line("frf", f"--measured={tmp_path / 'shaken.csv'}", "--input=base", spec=None)
-    same(found["piezo"].real, told["responses"]["piezo"]["re"])
-    assert "V/g" in repr(found)
-    modes = jounce.measured_modes(given, input="base", between="10 Hz:100 Hz", order=8)
+    recording.write(tmp_path / "shaken.csv")
+    result = jounce.measured_frf(recording, input="base")
+    assert (result.input, result.units) == ("base", {"tip": "m/s^2/(m/s^2)", "piezo": "V/(m/s^2)"})
+    assert result.per_g == {"piezo": (9.80665, "V/g")}
+    expected = command_line("frf", f"--measured={tmp_path / 'shaken.csv'}", "--input=base", spec=None)
+    assert_identical(result["piezo"].real, expected["responses"]["piezo"]["re"])
+    assert "V/g" in repr(result)
+    modes = jounce.measured_modes(recording, input="base", between="10 Hz:100 Hz", order=8)
     k = int(np.argmin(abs(modes.frequency_hz - 40.0)))
     assert modes.frequency_hz[k] == pytest.approx(40.0, rel=1e-3) and modes.damping_ratio[k] == pytest.approx(0.02, rel=0.05)
     assert modes.base_participation.shape == (2, len(modes))
     assert modes.base_participation[:, k].real == pytest.approx([1.0, 300.0], rel=0.05)
     with pytest.raises(jounce.ArgumentError, match="give one of them"):
-        jounce.measured_frf(given, input="base", force="base")
+        jounce.measured_frf(recording, input="base", force="base")
 
 
 def test_functions_of_plain_columns_and_their_gaps():
     hz = np.linspace(5.0, 60.0, 600)
     h = 1.0 / ((2 * np.pi * 20.0) ** 2 - (2 * np.pi * hz) ** 2 + 2j * 0.02 * 2 * np.pi * 20.0 * 2 * np.pi * hz)
     h[100] = np.nan
-    given = jounce.Recording.of({"size": np.abs(h), "phase": np.angle(h, deg=True)}, frequency_hz=hz, units={"size": "m/N", "phase": ""})
+    recording = jounce.Recording.of(
+        {"size": np.abs(h), "phase": np.angle(h, deg=True)}, frequency_hz=hz, units={"size": "m/N", "phase": ""}
+    )
     options = {"functions": "size-degrees", "between": "6 Hz:50 Hz", "order": 8}
     with pytest.raises(jounce.RecordingError, match="bridge"):
-        jounce.measured_modes(given, **options)
-    found = jounce.measured_modes(given, bridge=True, **options)
-    assert found.frequency_hz[0] == pytest.approx(20.0, rel=1e-4) and np.isnan(found.base_participation).all()
+        jounce.measured_modes(recording, **options)
+    result = jounce.measured_modes(recording, bridge=True, **options)
+    assert result.frequency_hz[0] == pytest.approx(20.0, rel=1e-4) and np.isnan(result.base_participation).all()
     with pytest.raises(jounce.ArgumentError, match="re-im"):
-        jounce.measured_frf(given, functions="polar")
+        jounce.measured_frf(recording, functions="polar")
 
 
 def test_a_value_and_its_uncertainty_end_at_one_digit():
     from jounce.result import with_uncertainty
 
-    told = [with_uncertainty(*one) for one in ((6.9123e-6, 4.9e-6, "W"), (60.312341, 1.23e-4, "Hz"), (123.0, 45.0), (1.234e7, 3e4, "Hz"))]
-    assert told == ["(6.9 +- 4.9)e-6 W", "60.31234 +- 0.00012 Hz", "123 +- 45", "(1.2340 +- 0.0030)e7 Hz"]
+    texts = [with_uncertainty(*one) for one in ((6.9123e-6, 4.9e-6, "W"), (60.312341, 1.23e-4, "Hz"), (123.0, 45.0), (1.234e7, 3e4, "Hz"))]
+    assert texts == ["(6.9 +- 4.9)e-6 W", "60.31234 +- 0.00012 Hz", "123 +- 45", "(1.2340 +- 0.0030)e7 Hz"]
 
 
-def test_hits_at_two_places_give_one_response_for_each_sensor_and_place(harvester, command_line, tmp_path):
+def test_hits_at_two_points_give_one_response_for_each_sensor_and_point(harvester, command_line, tmp_path):
     points = ["beam.hammer", "beam.tip"]
     options = {"fixed_table": True, "hits": 1, "block": "8 s", "rate": "1024 Hz", "contact": "4 ms", "noise": 1e-4}
     records = [harvester.rig(hammer=point, at=["beam.tip", "beam.hammer"], **options) for point in points]
@@ -271,13 +278,13 @@ def test_hits_at_two_places_give_one_response_for_each_sensor_and_place(harveste
     for record, file in zip(records, files):
         record.write(file)
     measured = ["--measured", *map(str, files), "--end-ratio=0.01"]
-    told = command_line("modes", *measured, "--between=20Hz:200Hz", spec=None)
-    found = jounce.measured_modes(records, end_ratio=0.01, between="20 Hz:200 Hz")
-    assert found.reference == found.frf.reference == told["references"] == points and len(found.frf.responses) == 4
-    same(found.frequency_hz, [mode["frequency_hz"] for mode in told["modes"]])
-    assert found.participation.shape == (2, len(found)) and found.to_xarray().sizes["reference"] == 2
+    expected = command_line("modes", *measured, "--between=20Hz:200Hz", spec=None)
+    result = jounce.measured_modes(records, end_ratio=0.01, between="20 Hz:200 Hz")
+    assert result.reference == result.frf.reference == expected["references"] == points and len(result.frf.responses) == 4
+    assert_identical(result.frequency_hz, [mode["frequency_hz"] for mode in expected["modes"]])
+    assert result.participation.shape == (2, len(result)) and result.to_xarray().sizes["reference"] == 2
     # Reciprocity: sensors stand at tip and hammer, hits at hammer and tip.
-    assert np.abs(found.shape[0] * found.participation[0] - found.shape[1] * found.participation[1]).max() < 0.02
+    assert np.abs(result.shape[0] * result.participation[0] - result.shape[1] * result.participation[1]).max() < 0.02
 
 
 def test_free_decays_and_outputs_alone_are_those_of_the_command_line(harvester, command_line, tmp_path):
@@ -285,50 +292,50 @@ def test_free_decays_and_outputs_alone_are_those_of_the_command_line(harvester, 
     hit = harvester.rig(hammer="beam.hammer", at="beam.tip", fixed_table=True, hits=1, block="8 s", rate="512 Hz", contact="8 ms")
     hit.write(tmp_path / "hit.csv")
     (name,) = [one.name for one in hit if one.name != "force"]
-    ways = [
+    cases = [
         (["--free-decay", "--span=0.1s:6s"], {"free_decay": True, "span": "0.1 s:6 s"}),
         (["--output-only", f"--reference={name}", "--lags=1.5s"], {"output_only": True, "reference": name, "lags": "1.5 s"}),
     ]
     truth = harvester.modes(fixed_table=True).open_circuit_hz[0]
-    for options, keywords in ways:
+    for options, keywords in cases:
         call = [f"--measured={tmp_path / 'hit.csv'}", f"--response={name}", "--between=5Hz:100Hz", "--order=20", *options]
-        told = command_line("modes", *call, spec=None)
-        found = jounce.measured_modes(hit, response=name, between="5 Hz:100 Hz", order=20, **keywords)
+        expected = command_line("modes", *call, spec=None)
+        result = jounce.measured_modes(hit, response=name, between="5 Hz:100 Hz", order=20, **keywords)
         for field in ("frequency_hz", "frequency_deviation_hz", "damping_ratio", "damping_deviation"):
-            same(getattr(found, field), [mode[field] for mode in told["modes"]])
-        assert found.frf is None and found.response == [name] and len(found.function) == 1
-        assert pickle.loads(pickle.dumps(found)) == found and found.to_xarray().sizes["function"] == 1
+            assert_identical(getattr(result, field), [mode[field] for mode in expected["modes"]])
+        assert result.frf is None and result.response == [name] and len(result.function) == 1
+        assert pickle.loads(pickle.dumps(result)) == result and result.to_xarray().sizes["function"] == 1
         # The truth is known; without noise the free decay is off by 3e-4 and less.
         if "free_decay" in keywords:
-            assert found.frequency_hz == pytest.approx(truth[(truth > 5.0) & (truth < 100.0)], rel=2e-3)
+            assert result.frequency_hz == pytest.approx(truth[(truth > 5.0) & (truth < 100.0)], rel=2e-3)
 
 
 def test_spectra_are_those_of_the_command_line_and_of_closed_form(command_line, tmp_path):
     volts = sine(2.0, 12.0, 1000.0, 20.0) + sine(1.0, 6.0, 1000.0, 20.0)
     recording = jounce.Recording.of({"u": volts}, 1000.0, units="V", name="tones")
     recording.write(tmp_path / "tones.csv")
-    told = command_line("spectra", "--drive=12Hz", "--overlap=0.75", "--window=flat-top", spec=tmp_path / "tones.csv")
-    found = jounce.spectra(recording, drive="12 Hz", overlap=0.75, window="flat-top")
+    expected = command_line("spectra", "--drive=12Hz", "--overlap=0.75", "--window=flat-top", spec=tmp_path / "tones.csv")
+    result = jounce.spectra(recording, drive="12 Hz", overlap=0.75, window="flat-top")
     for name in ("frequency_hz", "density"):
-        same(getattr(found, name), told[name])
-    same(found.order_amplitude_peak, [line["amplitude_peak"] for line in told["orders"]])
-    assert (found.segment_s, found.step_s, found.resolution_hz, found.mean) == tuple(
-        told[name] for name in ("segment_s", "step_s", "resolution_hz", "mean")
+        assert_identical(getattr(result, name), expected[name])
+    assert_identical(result.order_amplitude_peak, [line["amplitude_peak"] for line in expected["orders"]])
+    assert (result.segment_s, result.step_s, result.resolution_hz, result.mean) == tuple(
+        expected[name] for name in ("segment_s", "step_s", "resolution_hz", "mean")
     )
     # Amplitudes are 2 V and 1 V, and the variance half their squares: lines of a flat top are off by 1e-4.
-    peaks = dict(zip(found.order.round(3), found.order_amplitude_peak))
+    peaks = dict(zip(result.order.round(3), result.order_amplitude_peak))
     assert [peaks[1.0], peaks[0.5]] == pytest.approx([2.0, 1.0], rel=1e-9) and max(peaks[2.0], peaks[3.0]) < 1e-9
-    assert found.variance_between(0.0, 500.0) == pytest.approx(2.5, rel=1e-3)
-    at = [int(np.argmin(abs(found.frequency_hz - hz))) for hz in (12.0, 6.0)]
-    assert found.amplitude_peak.shape == (len(found.time_s), len(found.frequency_hz))
-    assert found.amplitude_peak[:, at] == pytest.approx(np.tile([2.0, 1.0], (len(found), 1)), rel=2e-3)
-    assert found.peak_frequency_hz.tolist()[:2] == [12.0, 6.0] and len(found.peak_density) == len(found.peak_frequency_hz)
-    dataset = found.to_xarray()
+    assert result.variance_between(0.0, 500.0) == pytest.approx(2.5, rel=1e-3)
+    at = [int(np.argmin(abs(result.frequency_hz - hz))) for hz in (12.0, 6.0)]
+    assert result.amplitude_peak.shape == (len(result.time_s), len(result.frequency_hz))
+    assert result.amplitude_peak[:, at] == pytest.approx(np.tile([2.0, 1.0], (len(result), 1)), rel=2e-3)
+    assert result.peak_frequency_hz.tolist()[:2] == [12.0, 6.0] and len(result.peak_density) == len(result.peak_frequency_hz)
+    dataset = result.to_xarray()
     assert dataset.density.attrs["units"] == "V^2/Hz" and dataset.amplitude_peak.dims == ("time", "frequency")
-    assert pickle.loads(pickle.dumps(found)) == found and "order 0.5" in repr(found) and len(found.orders_to_pandas()) == 10
+    assert pickle.loads(pickle.dumps(result)) == result and "order 0.5" in repr(result) and len(result.orders_to_pandas()) == 10
     # The same from an array, from a SEP005 time series, and from one that is strided and may not be written.
     series = {"name": "u", "unit_str": "V", "fs": 1000.0, "data": np.repeat(volts, 2)[::2]}
     series["data"].flags.writeable = False
-    for given, rate in ((volts, 1000.0), (series, None), ([series], None)):
-        again = jounce.spectra(given, sample_rate_hz=rate, drive="12 Hz", overlap=0.75, window="flat-top")
-        same(again.density, found.density)
+    for samples, rate in ((volts, 1000.0), (series, None), ([series], None)):
+        repeated = jounce.spectra(samples, sample_rate_hz=rate, drive="12 Hz", overlap=0.75, window="flat-top")
+        assert_identical(repeated.density, result.density)

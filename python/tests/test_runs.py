@@ -10,8 +10,8 @@ import jounce
 
 
 def test_a_run_is_that_of_the_command_line(short, command_line):
-    answer = short.run(tolerance=1e-8)
-    told = command_line("run", "--tolerance=1e-8", keys=SHORT)
+    result = short.run(tolerance=1e-8)
+    expected = command_line("run", "--tolerance=1e-8", keys=SHORT)
     for name in (
         "mean_power_w",
         "max_penetration_m",
@@ -21,12 +21,16 @@ def test_a_run_is_that_of_the_command_line(short, command_line):
         "energy_residual_relative",
         "settled",
     ):
-        assert getattr(answer, name) == told[name], name
-    assert answer.voltage_rms_v == told["voltage_rms_v"] and answer.voltage_peak_v == told["voltage_peak_v"] and answer.work == told["work"]
-    assert answer.energies_j["damping_j"] == told["energies"]["damping_j"]
-    assert answer.mean_power_w > 0.0 and abs(answer.energy_residual_relative) < 1e-6
-    (tip,) = told["stops"]
-    assert answer.stop == [tip["name"]] and answer.stop_contacts[0] == tip["contacts"]
+        assert getattr(result, name) == expected[name], name
+    assert (
+        result.voltage_rms_v == expected["voltage_rms_v"]
+        and result.voltage_peak_v == expected["voltage_peak_v"]
+        and result.work == expected["work"]
+    )
+    assert result.energies_j["damping_j"] == expected["energies"]["damping_j"]
+    assert result.mean_power_w > 0.0 and abs(result.energy_residual_relative) < 1e-6
+    (tip,) = expected["stops"]
+    assert result.stop == [tip["name"]] and result.stop_contacts[0] == tip["contacts"]
     for name in (
         "contact_rate_hz",
         "mean_impact_velocity_m_s",
@@ -35,72 +39,72 @@ def test_a_run_is_that_of_the_command_line(short, command_line):
         "max_contact_duration_s",
         "impulse_n_s",
     ):
-        assert getattr(answer, f"stop_{name}")[0] == tip[name], name
+        assert getattr(result, f"stop_{name}")[0] == tip[name], name
     # The time in contact is that of so many contacts.
-    assert answer.stop_mean_contact_duration_s[0] * answer.contacts == pytest.approx(answer.contact_duty * answer.average_over_s, rel=1e-9)
-    assert not answer.is_trivial and not told["is_trivial"] and answer.stop_mean_impact_velocity_m_s[0] > 0.0
+    assert result.stop_mean_contact_duration_s[0] * result.contacts == pytest.approx(result.contact_duty * result.average_over_s, rel=1e-9)
+    assert not result.is_trivial and not expected["is_trivial"] and result.stop_mean_impact_velocity_m_s[0] > 0.0
 
 
 def test_the_peak_voltage_is_that_of_the_record(short, command_line):
-    answer = short.run(record="1 s", sample_rate="50 kHz")
-    last = answer.history.time_s > 2.0 - (answer.period_cycles if answer.settled else 8) / 11.0
-    highest = np.abs(answer.history.voltage_v[0][last]).max()
-    assert 0.0 <= 1.0 - highest / answer.voltage_peak_v < 1e-5 and answer.voltage_peak_v > answer.voltage_rms_v
-    assert answer.load_voltage_peak_v == answer.patch_voltage_peak_v and "voltage, peak (load)" in repr(answer)
-    told, plain = command_line("run", keys=SHORT), short.run()
-    assert told["patches"] == [{"name": "mfc", "voltage_peak_v": plain.voltage_peak_v}]
-    assert told["loads"][0]["voltage_peak_v"] == plain.load_voltage_peak_v[0]
+    result = short.run(record="1 s", sample_rate="50 kHz")
+    last = result.history.time_s > 2.0 - (result.period_cycles if result.settled else 8) / 11.0
+    highest = np.abs(result.history.voltage_v[0][last]).max()
+    assert 0.0 <= 1.0 - highest / result.voltage_peak_v < 1e-5 and result.voltage_peak_v > result.voltage_rms_v
+    assert result.load_voltage_peak_v == result.patch_voltage_peak_v and "voltage, peak (load)" in repr(result)
+    expected, plain = command_line("run", keys=SHORT), short.run()
+    assert expected["patches"] == [{"name": "mfc", "voltage_peak_v": plain.voltage_peak_v}]
+    assert expected["loads"][0]["voltage_peak_v"] == plain.load_voltage_peak_v[0]
     # A run that keeps a record stops where the record starts: the same motion in other steps.
-    assert plain.voltage_peak_v == pytest.approx(answer.voltage_peak_v, rel=1e-12)
+    assert plain.voltage_peak_v == pytest.approx(result.voltage_peak_v, rel=1e-12)
     chirp = short.to_toml().replace('frequency = "11 Hz"', 'signal = "chirp"\nfrom = "9 Hz"\nto = "12 Hz"\nduration = "2 s"')
-    without = jounce.Spec(chirp).run()
-    assert without.voltage_peak_v is None and "peak (load)" not in repr(without)
+    run_without_record = jounce.Spec(chirp).run()
+    assert run_without_record.voltage_peak_v is None and "peak (load)" not in repr(run_without_record)
     assert jounce.Spec(chirp).run(record="1 s").voltage_peak_v > 0.0
 
 
-def test_leakage_of_a_patch_is_told_and_closes_the_balance(short, command_line):
+def test_leakage_of_a_patch_is_reported_and_closes_the_balance(short, command_line):
     keys = {"patch.mfc.leakage_resistance": "2 Mohm"}
-    answer, told = short.changed(keys).run(), command_line("run", keys={**SHORT, **keys})
-    (leak,) = told["leaks"]
-    assert answer.leak == [leak["name"]] and answer.leak_mean_power_w[0] == leak["mean_power_w"]
+    result, expected = short.changed(keys).run(), command_line("run", keys={**SHORT, **keys})
+    (leak,) = expected["leaks"]
+    assert result.leak == [leak["name"]] and result.leak_mean_power_w[0] == leak["mean_power_w"]
     # Load and leakage see one voltage: 1 Mohm takes twice what 2 Mohm takes.
-    assert answer.leak_mean_power_w[0] == pytest.approx(0.5 * answer.load_mean_power_w[0], rel=1e-9)
-    left = answer.energies_j["input_j"] - sum(value for name, value in answer.energies_j.items() if name != "input_j")
-    assert abs(left) < 1e-6 * answer.energies_j["input_j"]
-    assert "leakage (mfc)" in repr(answer) and "leak" in answer.to_xarray().dims and len(answer.plot_energy().patches) == 5
+    assert result.leak_mean_power_w[0] == pytest.approx(0.5 * result.load_mean_power_w[0], rel=1e-9)
+    residual = result.energies_j["input_j"] - sum(value for name, value in result.energies_j.items() if name != "input_j")
+    assert abs(residual) < 1e-6 * result.energies_j["input_j"]
+    assert "leakage (mfc)" in repr(result) and "leak" in result.to_xarray().dims and len(result.plot_energy().patches) == 5
 
 
-def test_a_run_in_which_nothing_happens_says_so(short):
+def test_a_run_without_motion_is_trivial(short):
     assert short.changed({"drive.shaker.amplitude": "0 N"}).run().is_trivial
 
 
-def test_a_run_goes_on_from_the_end_of_another(short, tmp_path):
+def test_a_run_continues_from_the_end_of_another(short, tmp_path):
     half = short.changed({"run.duration": "1 s"})
     first = half.run(tolerance=1e-10)
     first.end.write(tmp_path / "half.json")
-    again = half.run(tolerance=1e-10, start=jounce.State.read(tmp_path / "half.json"))
-    whole = short.run(tolerance=1e-10)
+    repeated = half.run(tolerance=1e-10, start=jounce.State.read(tmp_path / "half.json"))
+    full_run = short.run(tolerance=1e-10)
     # Two ways of stepping through the same two seconds differ by the tolerance.
-    assert again.mean_power_w == pytest.approx(whole.mean_power_w, rel=1e-8)
+    assert repeated.mean_power_w == pytest.approx(full_run.mean_power_w, rel=1e-8)
 
 
 def test_a_record_is_the_motion_of_the_run(short):
-    answer = short.run(record="1 s", sample_rate="2000 Hz")
-    history = answer.recorded()
+    result = short.run(record="1 s", sample_rate="2000 Hz")
+    history = result.recorded()
     assert history.time_s.shape == (2001,) and history.time_s[-1] == pytest.approx(2.0, abs=1e-12)
     assert history.displacement_m.shape == (len(history.point), 2001) and history.voltage_v.shape == (1, 2001)
     # Mean power is voltage squared over resistance; the trapezoidal rule of the samples is off by a few per mille at impacts.
-    assert np.trapezoid(history.voltage_v[0] ** 2, history.time_s) / 1e6 == pytest.approx(answer.mean_power_w, rel=0.01)
+    assert np.trapezoid(history.voltage_v[0] ** 2, history.time_s) / 1e6 == pytest.approx(result.mean_power_w, rel=0.01)
     # Velocity is the derivative of displacement.
     tip = history.point.index("beam.tip")
     slope = np.gradient(history.displacement_m[tip], history.time_s)
     assert np.abs(slope - history.velocity_m_s[tip]).max() < 0.05 * np.abs(history.velocity_m_s[tip]).max()
     # Once per cycle, ending with the run.
     assert np.diff(history.poincare_time_s) == pytest.approx(1.0 / 11.0) and history.poincare_time_s[-1] == 2.0
-    assert (history.force_n >= 0.0).all() and history.force_n.max() <= answer.max_contact_force_n * (1.0 + 1e-9)
+    assert (history.force_n >= 0.0).all() and history.force_n.max() <= result.max_contact_force_n * (1.0 + 1e-9)
 
 
-def test_a_recording_drives_the_harvester_as_the_sine_that_it_is_of(tmp_path):
+def test_a_recording_drives_the_harvester_like_the_recorded_sine(tmp_path):
     tables = {key: table for key, table in jounce.examples()["impact-harvester-2019"].to_dict().items() if key != "stop"}
     tables["run"] = {"duration": "4 s", "average_over": "1 s", "tolerance": 1e-10}
     sine = {"shaker": jounce.Drive(at="table", amplitude="50 N", frequency="11 Hz")}
@@ -108,12 +112,12 @@ def test_a_recording_drives_the_harvester_as_the_sine_that_it_is_of(tmp_path):
     jounce.write_recording(tmp_path / "force.csv", series)
     recorded = {"shaker": jounce.Drive(at="table", signal="recording", file=str(tmp_path / "force.csv"))}
     # Straight lines between 1818 samples of a cycle lower a sine by 1e-6 of itself, and its power by 2e-6.
-    power, again = (jounce.Spec({**tables, "drive": drive}).run().mean_power_w for drive in (sine, recorded))
-    assert again == pytest.approx(power, rel=1e-5)
+    power, repeated = (jounce.Spec({**tables, "drive": drive}).run().mean_power_w for drive in (sine, recorded))
+    assert repeated == pytest.approx(power, rel=1e-5)
     # A file beside the spec is found from there, and after the way through pickle.
     (tmp_path / "beside.toml").write_text(jounce.Spec({**tables, "drive": recorded}).to_toml().replace(f"{tmp_path}/", ""))
-    beside = jounce.read(tmp_path / "beside.toml")
-    assert pickle.loads(pickle.dumps(beside)).changed({"run.average_over": "1 s"}).run().mean_power_w == again
+    relative_spec = jounce.read(tmp_path / "beside.toml")
+    assert pickle.loads(pickle.dumps(relative_spec)).changed({"run.average_over": "1 s"}).run().mean_power_w == repeated
 
 
 def test_history_in_the_form_of_sep005(short):
@@ -126,25 +130,25 @@ def test_history_in_the_form_of_sep005(short):
 def test_a_rectified_circuit_is_that_of_the_command_line(command_line):
     spec = ROOT / "examples/rectified-shu-lien-2006/harvester.toml"
     keys = {"run.duration": "600 s", "run.average_over": "300 s"}
-    answer = jounce.read(spec).changed(keys).run()
-    told = command_line("run", keys=keys, spec=spec)
-    (circuit,) = told["rectified"]
-    assert answer.rectified == [circuit["name"]] and answer.load == []
+    result = jounce.read(spec).changed(keys).run()
+    expected = command_line("run", keys=keys, spec=spec)
+    (circuit,) = expected["rectified"]
+    assert result.rectified == [circuit["name"]] and result.load == []
     for name in ("mean_power_w", "voltage_rms_v", "mean_current_a", "storage_w", "diode_loss_w", "switch_loss_w", "leakage_w"):
-        assert getattr(answer, f"rectified_{name}")[0] == circuit[name], name
-    assert answer.mean_power_w == told["mean_power_w"] > 0.0 and answer.rectified_diode_loss_w[0] > 0.0
-    (charge,) = told["charges"]
+        assert getattr(result, f"rectified_{name}")[0] == circuit[name], name
+    assert result.mean_power_w == expected["mean_power_w"] > 0.0 and result.rectified_diode_loss_w[0] > 0.0
+    (charge,) = expected["charges"]
     for name in ("passed_c", "load_c", "leakage_c", "storage_c", "residual_relative"):
-        assert getattr(answer, f"charge_{name}")[0] == charge[name], name
+        assert getattr(result, f"charge_{name}")[0] == charge[name], name
     # What the diodes passed is their mean current over the window, and nothing of it is lost: off by 2e-11.
-    assert answer.charge_passed_c[0] == pytest.approx(answer.rectified_mean_current_a[0] * answer.average_over_s, rel=1e-12)
-    assert abs(answer.charge_residual_relative[0]) < 1e-9
-    (flows,) = told["energies"]["rectified"]
-    assert answer.energies_j["rectified_j"] == flows["load_j"] + flows["battery_j"]
+    assert result.charge_passed_c[0] == pytest.approx(result.rectified_mean_current_a[0] * result.average_over_s, rel=1e-12)
+    assert abs(result.charge_residual_relative[0]) < 1e-9
+    (flows,) = expected["energies"]["rectified"]
+    assert result.energies_j["rectified_j"] == flows["load_j"] + flows["battery_j"]
     # What goes in comes out, is lost or stays.
-    left = answer.energies_j["input_j"] - sum(value for name, value in answer.energies_j.items() if name != "input_j")
-    assert abs(left) < 1e-9 * answer.energies_j["input_j"]
-    dataset = answer.to_xarray()
+    residual = result.energies_j["input_j"] - sum(value for name, value in result.energies_j.items() if name != "input_j")
+    assert abs(residual) < 1e-9 * result.energies_j["input_j"]
+    dataset = result.to_xarray()
     assert dataset.rectified_voltage_rms.sel(rectified="rectifier") == circuit["voltage_rms_v"]
-    assert pickle.loads(pickle.dumps(answer)) == answer and "storage" in repr(answer)
-    assert len(answer.plot_energy().patches) == 6
+    assert pickle.loads(pickle.dumps(result)) == result and "storage" in repr(result)
+    assert len(result.plot_energy().patches) == 6

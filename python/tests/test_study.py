@@ -32,22 +32,24 @@ def table(study, tmp_path):
 
 def test_a_study_is_a_table(study, tmp_path):
     result = study.run(tmp_path, progress=lambda done, total, left: None)
-    found = result.table()
-    assert len(found) == 32 == len(study) and study.parts == 8 and found.keys == list(VARY)
-    assert list(found["stop.tip.gap"][:4]) == [0.5e-3, *np.linspace(0.5e-3, 1.5e-3, 4)[1:]]
+    study_table = result.table()
+    assert len(study_table) == 32 == len(study) and study.parts == 8 and study_table.keys == list(VARY)
+    assert list(study_table["stop.tip.gap"][:4]) == [0.5e-3, *np.linspace(0.5e-3, 1.5e-3, 4)[1:]]
     # What is there already is not marched again.
     assert result.wall_time_s > 0.0 and study.run(tmp_path).wall_time_s == 0.0
     # A row is the run of the changed spec, bit by bit.
     gap, frequency, load = study.point(13)
     single = study.spec
     single.set({"stop.tip.gap": f"{gap!r} m", "drive.shaker.frequency": f"{frequency!r} Hz", "circuit.load.resistance": f"{load!r} ohm"})
-    assert single.run().mean_power_w == found["mean_power_w"][13]
+    assert single.run().mean_power_w == study_table["mean_power_w"][13]
     frame, dataset = result.to_pandas(), result.to_xarray()
     assert len(frame) == 32 and dataset.mean_power_w.attrs["units"] == "W" and dataset["stop.tip.gap"].attrs["units"] == "m"
-    assert result.status.finished == 8 and result.status.failed_points == 0 and found.manifest["options"]["study_sha256"] == study.sha256
-    again = pickle.loads(pickle.dumps(study))
-    assert again == study and again.sha256 == study.sha256 and pickle.loads(pickle.dumps(found)) == found
-    assert "32 points" in repr(study) and found._repr_html_().startswith("<table>") and "32" in repr(found)
+    assert (
+        result.status.finished == 8 and result.status.failed_points == 0 and study_table.manifest["options"]["study_sha256"] == study.sha256
+    )
+    restored = pickle.loads(pickle.dumps(study))
+    assert restored == study and restored.sha256 == study.sha256 and pickle.loads(pickle.dumps(study_table)) == study_table
+    assert "32 points" in repr(study) and study_table._repr_html_().startswith("<table>") and "32" in repr(study_table)
 
 
 def test_the_command_line_computes_the_same_table(study, table, tmp_path):
@@ -61,10 +63,10 @@ def test_the_command_line_computes_the_same_table(study, table, tmp_path):
 
 @pytest.mark.parametrize("executor", [lambda: ThreadPoolExecutor(2), lambda: pool()], ids=["threads", "processes"])
 def test_an_executor_computes_the_same_table(study, table, tmp_path, executor):
-    told = []
+    reports = []
     with executor() as workers:
-        result = study.run(tmp_path, executor=workers, progress=lambda *each: told.append(each))
-    assert result.path.read_bytes() == table and told[-1][:2] == (32, 32) and result.wall_time_s > 0.0
+        result = study.run(tmp_path, executor=workers, progress=lambda *report: reports.append(report))
+    assert result.path.read_bytes() == table and reports[-1][:2] == (32, 32) and result.wall_time_s > 0.0
 
 
 def pool():
@@ -120,9 +122,9 @@ def test_killed_five_times_and_resumed_it_is_the_same_table(study, table, tmp_pa
         return len(list((tmp_path / "out/parts").glob("part-*.parquet")))
 
     for _ in range(5):
-        before, child = parts(), subprocess.Popen([sys.executable, "-c", code])
+        n_parts, child = parts(), subprocess.Popen([sys.executable, "-c", code])
         # At work: a part more than before is there, and the next one is being made.
-        while parts() == before and child.poll() is None:
+        while parts() == n_parts and child.poll() is None:
             time.sleep(0.001)
         child.kill()
         child.wait()
@@ -133,13 +135,13 @@ def test_the_file_of_a_study_is_read_and_its_shards_are_merged(command_line, tmp
     file = ROOT / "examples/impact-harvester-2019/study.toml"
     study = jounce.Study.read(file)
     study.run(tmp_path / "out", shard="1/2")
-    found = jounce.StudyResult(tmp_path / "out")
+    result = jounce.StudyResult(tmp_path / "out")
     with pytest.raises(jounce.StudyError, match="missing"):
-        found.merge()
+        result.merge()
     command_line("study", "run", str(file), f"--out={tmp_path / 'out'}", "--shard=2/2", spec=None)
     # The command line has merged it, being the last; so does this.
-    found.path.unlink()
-    assert found.merge() == found.path and len(found.table()) == len(study) == 18
+    result.path.unlink()
+    assert result.merge() == result.path and len(result.table()) == len(study) == 18
     assert pickle.loads(pickle.dumps(study)) == study
     for text, kind in (("[vary]", jounce.SpecError), ("vary = ", jounce.SpecError), ('spec = "none.toml"', jounce.FileError)):
         (tmp_path / "wrong.toml").write_text(text)
@@ -152,56 +154,67 @@ def test_the_file_of_a_study_is_read_and_its_shards_are_merged(command_line, tmp
 def test_drawn_points_and_other_quantities(harvester, tmp_path):
     vary = {"stop.tip.gap": "0.5 mm:1.5 mm", "circuit.load.resistance": "1 kohm:1 Mohm:log"}
     for sampling in ("random", "latin-hypercube", "sobol"):
-        drawn = jounce.Study(harvester, vary, sampling=sampling, points=16, seed=3, quantity={"command": "modes", "count": 2})
-        found = drawn.run(tmp_path / sampling).table()
-        assert len(found) == 16 and ((found["stop.tip.gap"] >= 0.5e-3) & (found["stop.tip.gap"] <= 1.5e-3)).all()
-        assert found["frequency_2_hz"] == pytest.approx(harvester.modes().frequency_hz[1])
-        assert drawn != jounce.Study(harvester, vary, sampling=sampling, points=16, seed=4, quantity={"command": "modes", "count": 2})
+        study = jounce.Study(harvester, vary, sampling=sampling, points=16, seed=3, quantity={"command": "modes", "count": 2})
+        study_table = study.run(tmp_path / sampling).table()
+        assert len(study_table) == 16 and ((study_table["stop.tip.gap"] >= 0.5e-3) & (study_table["stop.tip.gap"] <= 1.5e-3)).all()
+        assert study_table["frequency_2_hz"] == pytest.approx(harvester.modes().frequency_hz[1])
+        assert study != jounce.Study(harvester, vary, sampling=sampling, points=16, seed=4, quantity={"command": "modes", "count": 2})
 
 
 def test_jumps_as_a_quantity_end_at_the_folds_of_branches(tmp_path):
     plant, key, over = jounce.read(ROOT / "bench/plant.toml"), "drive.shaker.frequency", "12Hz:12.35Hz"
     quantity = {"command": "jumps", "over": f"{key}={over}", "against": "stop.tip.gap=0.99mm:1.01mm", "seeds": 0, "longest_period": 1}
-    found = jounce.Study(plant, {"drive.shaker.amplitude": "50 N"}, quantity=quantity).run(tmp_path).table()
+    study_table = jounce.Study(plant, {"drive.shaker.amplitude": "50 N"}, quantity=quantity).run(tmp_path).table()
     folds = []
     for gap in ("0.99 mm", "1.01 mm"):
         for branch in plant.changed({"stop.tip.gap": gap}).branch(key, over, seeds=0, longest_period=1):
             folds += [at for kind, at in zip(branch.bifurcation_kind, branch.bifurcation_parameter) if kind == "fold"]
-    assert found["folds"][0] == found["curves"][0] == 1 and len(folds) == 2
+    assert study_table["folds"][0] == study_table["curves"][0] == 1 and len(folds) == 2
     # The fold moves with the gap in one direction, so that its ends are the folds at the ends of the range of gaps: off by 2.3e-10 Hz.
-    assert [found["fold_low"][0], found["fold_high"][0]] == pytest.approx(sorted(folds), abs=1e-8)
+    assert [study_table["fold_low"][0], study_table["fold_high"][0]] == pytest.approx(sorted(folds), abs=1e-8)
 
 
-def test_noise_as_a_quantity_is_the_answer_to_noise(tmp_path):
+def test_noise_as_a_quantity_equals_the_response_to_noise(tmp_path):
     noisy = jounce.examples()["random-base"]
-    found = jounce.Study(noisy, {"stop.tip.gap": "1mm:2mm:2x"}, quantity="noise").run(tmp_path).table()
+    study_table = jounce.Study(noisy, {"stop.tip.gap": "1mm:2mm:2x"}, quantity="noise").run(tmp_path).table()
     for row, gap in enumerate(("1 mm", "2 mm")):
-        answer = noisy.changed({"stop.tip.gap": gap}).noise(points=2)
-        assert found["mean_power_w"][row] == answer.mean_power_w > 0.0
-        assert found["voltage_rms_v"][row] == answer.load_voltage_rms_v[0]
-        assert found["statistical_bandwidth_hz"][row] == answer.load_statistical_bandwidth_hz[0]
-        assert (found["reached_hz"][row], found["share_beyond"][row]) == (answer.stop_reached_hz[0], answer.stop_share_beyond[0])
+        response = noisy.changed({"stop.tip.gap": gap}).noise(points=2)
+        assert study_table["mean_power_w"][row] == response.mean_power_w > 0.0
+        assert study_table["voltage_rms_v"][row] == response.load_voltage_rms_v[0]
+        assert study_table["statistical_bandwidth_hz"][row] == response.load_statistical_bandwidth_hz[0]
+        assert (study_table["reached_hz"][row], study_table["share_beyond"][row]) == (
+            response.stop_reached_hz[0],
+            response.stop_share_beyond[0],
+        )
 
 
-def test_what_is_wrong_is_told(study, harvester, tmp_path):
-    with pytest.raises(jounce.SpecError) as caught:
+def test_invalid_studies_raise_errors(study, harvester, tmp_path):
+    with pytest.raises(jounce.SpecError) as excinfo:
         jounce.Study(harvester, {"stop.tip.gapp": "1mm", "stop.tip.gap": "1kg"})
-    assert len(caught.value.faults) == 2
-    for wrong in (lambda: jounce.Study("harvester.toml", VARY), lambda: jounce.Study(harvester, "stop.tip.gap"), lambda: study.point(99)):
+    assert len(excinfo.value.faults) == 2
+    for invalid_call in (
+        lambda: jounce.Study("harvester.toml", VARY),
+        lambda: jounce.Study(harvester, "stop.tip.gap"),
+        lambda: study.point(99),
+    ):
         with pytest.raises(jounce.ArgumentError):
-            wrong()
-    for wrong in (lambda: study.run(tmp_path / "a", executor=3), lambda: study.run(tmp_path / "a", threads=-1), lambda: study.point(-1)):
+            invalid_call()
+    for invalid_call in (
+        lambda: study.run(tmp_path / "a", executor=3),
+        lambda: study.run(tmp_path / "a", threads=-1),
+        lambda: study.point(-1),
+    ):
         with pytest.raises(jounce.ArgumentError):
-            wrong()
+            invalid_call()
     with pytest.raises(jounce.SpecError, match='"0.5mm:1.5mm:4x" cannot be drawn from; drawn values need a range FROM:TO'):
         jounce.Study(harvester, {"stop.tip.gap": "0.5mm:1.5mm:4x"}, sampling="random", points=4)
     with pytest.raises(jounce.SpecError, match="noise needs a drive"):
         jounce.Study(harvester, {"stop.tip.gap": "1mm"}, quantity="noise")
     with pytest.raises(jounce.ArgumentError, match="write I/N"):
         study.run(tmp_path / "a", shard="9/8")
-    partly = study.run(tmp_path / "b", shard="1/8")
+    partial_result = study.run(tmp_path / "b", shard="1/8")
     with pytest.raises(jounce.ArgumentError, match="lacks 7 parts"):
-        partly.to_pandas()
+        partial_result.to_pandas()
     other = jounce.Study(harvester, VARY)
     with pytest.raises(jounce.StudyError, match="another study"):
         other.run(tmp_path / "b")
@@ -212,9 +225,9 @@ def test_what_is_wrong_is_told(study, harvester, tmp_path):
         study.run(tmp_path / "file/below")
     part = tmp_path / "b/parts/part-000000.parquet"
     part.write_bytes(part.read_bytes()[:100])
-    assert partly.status.damaged == [str(part)]
-    whole = study.run(tmp_path / "b")
-    assert whole.status.finished == 8 and not whole.status.damaged
+    assert partial_result.status.damaged == [str(part)]
+    full_result = study.run(tmp_path / "b")
+    assert full_result.status.finished == 8 and not full_result.status.damaged
 
 
 def test_two_processes_at_one_study_lose_nothing(study, table, tmp_path):
@@ -227,30 +240,30 @@ def test_two_processes_at_one_study_lose_nothing(study, table, tmp_path):
             print(error)
     """)
 
-    def said(shard):
-        given = pickle.dumps((study, str(tmp_path / "out"), shard))
-        return subprocess.run([sys.executable, "-c", code], input=given, stdout=subprocess.PIPE, check=True).stdout.decode()
+    def run_shard(shard):
+        payload = pickle.dumps((study, str(tmp_path / "out"), shard))
+        return subprocess.run([sys.executable, "-c", code], input=payload, stdout=subprocess.PIPE, check=True).stdout.decode()
 
     with ThreadPoolExecutor(2) as pool:
         # Two at the whole of it: the second is told of the first, or comes when that is done.
-        both = list(pool.map(said, ["1/1", "1/1"]))
-        assert all(text == "" or "another process works on shard 1/1" in text for text in both) and "" in both
+        outputs = list(pool.map(run_shard, ["1/1", "1/1"]))
+        assert all(text == "" or "another process works on shard 1/1" in text for text in outputs) and "" in outputs
         assert (tmp_path / "out/study.parquet").read_bytes() == table
         # Two halves share it.
         (tmp_path / "out/parts/part-000003.parquet").unlink()
-        assert list(pool.map(said, ["1/2", "2/2"])) == ["", ""]
+        assert list(pool.map(run_shard, ["1/2", "2/2"])) == ["", ""]
         assert (tmp_path / "out/study.parquet").read_bytes() == table
 
 
 @pytest.mark.skipif(os.name == "nt" or os.getuid() == 0, reason="whoever may write everywhere is refused nowhere")
-def test_a_folder_that_cannot_be_written_is_told(study, tmp_path):
+def test_a_folder_that_cannot_be_written_raises_an_error(study, tmp_path):
     tmp_path.chmod(0o500)
     with pytest.raises(jounce.StudyError, match="cannot write into"):
         study.run(tmp_path / "out")
 
 
 @pytest.mark.skipif(not os.path.isdir("/proc/self"), reason="there is no folder in which even root makes none")
-def test_a_folder_in_which_nobody_may_write_is_told(study, harvester):
+def test_a_folder_that_nobody_can_write_raises_an_error(study, harvester):
     with pytest.raises(jounce.StudyError, match="cannot write into"):
         study.run("/proc/study")
     for write in (harvester.write, jounce.State("{}").write, jounce.Recording.of([1.0, 2.0], 1.0).write):
@@ -258,7 +271,7 @@ def test_a_folder_in_which_nobody_may_write_is_told(study, harvester):
             write("/proc/jounce.csv")
 
 
-def test_a_damaged_table_is_told_and_made_again(study, table, tmp_path):
+def test_a_damaged_table_is_reported_and_rebuilt(study, table, tmp_path):
     result = study.run(tmp_path)
     result.path.write_bytes(table[:50])
     with pytest.raises(jounce.FileError, match="cannot read the table"):
@@ -266,7 +279,7 @@ def test_a_damaged_table_is_told_and_made_again(study, table, tmp_path):
     assert study.run(tmp_path).path.read_bytes() == table
 
 
-def test_ctrl_c_keeps_what_is_finished(study, tmp_path):
+def test_ctrl_c_keeps_finished_parts(study, tmp_path):
     code = textwrap.dedent(f"""
         import os, signal, threading, time, jounce
         signal.signal(signal.SIGINT, signal.default_int_handler)

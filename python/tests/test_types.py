@@ -14,7 +14,7 @@ def test_types(arguments, tmp_path):
     assert done.returncode == 0, done.stdout + done.stderr
 
 
-def test_the_stubs_are_those_of_the_sources():
-    made = subprocess.run([sys.executable, "-P", ROOT / "python/stubs.py"], capture_output=True, text=True, check=True).stdout
-    written = (ROOT / "python/jounce/_core.pyi").read_text(encoding="utf-8")
-    assert written == made, "make them again: python -P python/stubs.py > python/jounce/_core.pyi"
+def test_the_stubs_equal_the_sources():
+    generated = subprocess.run([sys.executable, "-P", ROOT / "python/stubs.py"], capture_output=True, text=True, check=True).stdout
+    stored = (ROOT / "python/jounce/_core.pyi").read_text(encoding="utf-8")
+    assert stored == generated, "make them again: python -P python/stubs.py > python/jounce/_core.pyi"

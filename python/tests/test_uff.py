@@ -14,9 +14,9 @@ def read_back(recording, path):
     return sets if isinstance(sets, list) else [sets]
 
 
-def off(found, wanted):
+def relative_error(actual, expected):
     """Largest error over the largest size."""
-    return np.abs(np.asarray(found) - np.asarray(wanted)).max() / np.abs(wanted).max()
+    return np.abs(np.asarray(actual) - np.asarray(expected)).max() / np.abs(expected).max()
 
 
 def channels():
@@ -34,7 +34,7 @@ def test_even_records_come_back(tmp_path):
     for one, values, unit in zip(sets, (force, acceleration), ("N", "m/s^2")):
         assert (one["type"], one["func_type"], one["abscissa_spacing"], one["ordinate_axis_units_lab"]) == (58, 1, 1, unit)
         # Twelve digits behind the point; seven of the step.
-        assert off(one["data"], values) < 5e-13 and off(one["x"], time_s) < 1e-6
+        assert relative_error(one["data"], values) < 5e-13 and relative_error(one["x"], time_s) < 1e-6
 
 
 def test_stamped_records_come_back(tmp_path):
@@ -42,7 +42,9 @@ def test_stamped_records_come_back(tmp_path):
     stamps = time_s + 1e-4 * np.sin(noise)
     (one,) = read_back(jounce.Recording.of({"a": values}, time_s=stamps, units={"a": "g"}), tmp_path / "a.uff")
     # Stamps have seven digits.
-    assert one["abscissa_spacing"] == 0 and off(one["data"], 9.80665 * values) < 1e-12 and off(one["x"], stamps) < 1e-6
+    assert (
+        one["abscissa_spacing"] == 0 and relative_error(one["data"], 9.80665 * values) < 1e-12 and relative_error(one["x"], stamps) < 1e-6
+    )
 
 
 @pytest.mark.parametrize("power", [1.0, 1.5])
@@ -52,4 +54,4 @@ def test_responses_come_back(tmp_path, power):
     recording = jounce.Recording.of({"H": response}, frequency_hz=frequency_hz, units={"H": "m/s^2/N"})
     (one,) = read_back(recording, tmp_path / "a.uff")
     assert (one["func_type"], one["ord_data_type"], one["abscissa_spacing"]) == (4, 6, int(power == 1.0))
-    assert off(one["data"], response) < 5e-13 and off(one["x"], frequency_hz) < 1e-6
+    assert relative_error(one["data"], response) < 5e-13 and relative_error(one["x"], frequency_hz) < 1e-6

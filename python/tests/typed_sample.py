@@ -15,9 +15,9 @@ def best_gap(harvester: jounce.Spec, gaps: list[str]) -> tuple[str, float]:
 
 
 def sweep(harvester: jounce.Spec) -> NDArray[np.float64]:
-    found = harvester.sweep("drive.shaker.frequency", "10 Hz:14 Hz:0.5 Hz", direction="both", progress=lambda done, total, left: None)
-    assert_type(found, jounce.SweepResult)
-    return found.mean_power_w
+    result = harvester.sweep("drive.shaker.frequency", "10 Hz:14 Hz:0.5 Hz", direction="both", progress=lambda done, total, left: None)
+    assert_type(result, jounce.SweepResult)
+    return result.mean_power_w
 
 
 def stable_points(harvester: jounce.Spec) -> int:

@@ -297,7 +297,8 @@ fn a_frequency_response_has_the_peak_of_the_linear_harvester() {
     spec.stop.clear();
     let modes = jounce_core::structure::modes(&spec).unwrap();
     let plant =
-        jounce_core::plant::Plant::new(jounce_core::plant::System::assemble(&spec, modes).unwrap()).unwrap();
+        jounce_core::plant::Plant::new(jounce_core::plant::System::assemble(&spec, modes).unwrap())
+            .unwrap();
     let (input, response) = (
         FrfInput::Force("table".to_owned()),
         FrfResponse::LoadVoltage("load".to_owned()),

@@ -34,26 +34,26 @@ const FILES: [(&str, &str, &[u8]); 4] = [
 
 /// Returns the file with a name; only files of the list above are served.
 pub fn serve(name: &str) -> Response {
-    match FILES.iter().find(|(known, ..)| *known == name) {
-        Some((_, kind, content)) => guarded(
+    match FILES.iter().find(|(file_name, ..)| *file_name == name) {
+        Some((_, kind, content)) => with_security_headers(
             (
                 [(header::CONTENT_TYPE, HeaderValue::from_static(kind))],
                 *content,
             )
                 .into_response(),
         ),
-        None => refused(StatusCode::NOT_FOUND, "this server has no such file"),
+        None => refusal(StatusCode::NOT_FOUND, "this server has no such file"),
     }
 }
 
 /// Returns a refusal with a message of one line.
-pub fn refused(status: StatusCode, why: &'static str) -> Response {
-    guarded((status, why).into_response())
+pub fn refusal(status: StatusCode, message: &'static str) -> Response {
+    with_security_headers((status, message).into_response())
 }
 
 /// Adds the headers of every response.
-fn guarded(mut response: Response) -> Response {
-    let fixed: [(HeaderName, &'static str); 7] = [
+fn with_security_headers(mut response: Response) -> Response {
+    let headers: [(HeaderName, &'static str); 7] = [
         (header::CONTENT_SECURITY_POLICY, POLICY),
         (header::X_CONTENT_TYPE_OPTIONS, "nosniff"),
         (header::X_FRAME_OPTIONS, "DENY"),
@@ -70,6 +70,6 @@ fn guarded(mut response: Response) -> Response {
     ];
     response
         .headers_mut()
-        .extend(fixed.map(|(name, value)| (name, HeaderValue::from_static(value))));
+        .extend(headers.map(|(name, value)| (name, HeaderValue::from_static(value))));
     response
 }

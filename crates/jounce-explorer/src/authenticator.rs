@@ -38,8 +38,11 @@ impl Authenticator {
     ///
     /// # Errors
     /// The system provides no random numbers.
-    pub fn new(address: SocketAddr, before: Option<String>) -> Result<Self, getrandom::Error> {
-        let token = before.map_or_else(fresh, Ok)?;
+    pub fn new(
+        address: SocketAddr,
+        previous_token: Option<String>,
+    ) -> Result<Self, getrandom::Error> {
+        let token = previous_token.map_or_else(random_token, Ok)?;
         let port = address.port();
         let mut hosts = vec![address.to_string()];
         if address.ip().is_loopback() || address.ip().is_unspecified() {
@@ -78,27 +81,28 @@ impl Authenticator {
         let by_address = self.any_address
             && host
                 .parse::<SocketAddr>()
-                .is_ok_and(|named| named.port() == self.port);
+                .is_ok_and(|address| address.port() == self.port);
         if !by_address
             && !self
                 .hosts
                 .iter()
-                .any(|known| known.eq_ignore_ascii_case(host))
+                .any(|host_name| host_name.eq_ignore_ascii_case(host))
         {
             return Err(RequestRefusal::Host);
         }
         let origins: Vec<_> = headers.get_all(ORIGIN).iter().collect();
-        let own = format!("http://{host}");
-        if origins
-            .iter()
-            .any(|origin| !origin.as_bytes().eq_ignore_ascii_case(own.as_bytes()))
-            || (needs_origin && origins.is_empty())
+        let expected_origin = format!("http://{host}");
+        if origins.iter().any(|origin| {
+            !origin
+                .as_bytes()
+                .eq_ignore_ascii_case(expected_origin.as_bytes())
+        }) || (needs_origin && origins.is_empty())
         {
             return Err(RequestRefusal::Origin);
         }
         // Digests are compared, so that the duration reveals nothing about the token.
-        let same = <[u8; 32]>::from(Sha256::digest(token.as_bytes())) == self.digest;
-        if same {
+        let token_matches = <[u8; 32]>::from(Sha256::digest(token.as_bytes())) == self.digest;
+        if token_matches {
             Ok(())
         } else {
             Err(RequestRefusal::Token)
@@ -107,7 +111,7 @@ impl Authenticator {
 }
 
 /// Returns a random token.
-fn fresh() -> Result<String, getrandom::Error> {
+fn random_token() -> Result<String, getrandom::Error> {
     let mut bytes = [0; TOKEN_BYTES];
     getrandom::fill(&mut bytes)?;
     Ok(bytes.iter().fold(String::new(), |mut text, byte| {
@@ -122,7 +126,7 @@ mod tests {
     use super::*;
     use axum::http::HeaderValue;
 
-    fn asked(host: &str, origin: Option<&str>) -> HeaderMap {
+    fn request_headers(host: &str, origin: Option<&str>) -> HeaderMap {
         let mut headers = HeaderMap::new();
         headers.insert(HOST, HeaderValue::from_str(host).unwrap());
         origin.iter().for_each(|origin| {
@@ -132,9 +136,9 @@ mod tests {
     }
 
     #[test]
-    fn only_the_own_page_with_the_token_is_let_in() {
-        let guard = Authenticator::new("127.0.0.1:4321".parse().unwrap(), None).unwrap();
-        let token = guard.token().to_owned();
+    fn only_requests_of_the_page_with_the_token_are_accepted() {
+        let authenticator = Authenticator::new("127.0.0.1:4321".parse().unwrap(), None).unwrap();
+        let token = authenticator.token().to_owned();
         assert_eq!(token.len(), 32);
         assert_ne!(
             token,
@@ -143,7 +147,7 @@ mod tests {
                 .token()
         );
         let check = |token: &str, host: &str, origin, socket| {
-            guard.check(token, &asked(host, origin), socket)
+            authenticator.check(token, &request_headers(host, origin), socket)
         };
         assert_eq!(
             check(
@@ -188,8 +192,10 @@ mod tests {
             check("", "127.0.0.1:4321", None, false),
             Err(RequestRefusal::Token)
         );
-        let open = Authenticator::new("0.0.0.0:4321".parse().unwrap(), None).unwrap();
-        let check = |host: &str| open.check(open.token(), &asked(host, None), false);
+        let unspecified = Authenticator::new("0.0.0.0:4321".parse().unwrap(), None).unwrap();
+        let check = |host: &str| {
+            unspecified.check(unspecified.token(), &request_headers(host, None), false)
+        };
         assert_eq!(check("192.168.1.7:4321"), Ok(()));
         assert_eq!(check("evil.example:4321"), Err(RequestRefusal::Host));
     }

@@ -31,7 +31,7 @@ pub fn respond(
     side: usize,
     cancellation: &Cancellation,
 ) -> Result<(), DesignFault> {
-    let base = session.prepared(&design.spec, cancellation)?;
+    let base = session.model(&design.spec, cancellation)?;
     let sine = design
         .spec
         .drive
@@ -52,19 +52,19 @@ pub fn respond(
             "basins need a stop and a drive: add the missing one to the spec".to_owned(),
         ));
     };
-    let reach_m = HALF_WIDTH * plant.scale_m();
-    let reach_m_s = reach_m * tone.angular_frequency_rad_s;
+    let max_displacement_m = HALF_WIDTH * plant.scale_m();
+    let max_velocity_m_s = max_displacement_m * tone.angular_frequency_rad_s;
     let count = side.clamp(2, MAX_SIDE_VALUES);
-    let axis = |axis, reach: f64| GridSide {
+    let axis = |axis, half_width: f64| GridSide {
         axis,
-        from: -reach,
-        to: reach,
+        from: -half_width,
+        to: half_width,
         count,
     };
     let starts = InitialStates::Grid(Grid {
         sides: vec![
-            axis(GridAxis::Displacement, reach_m),
-            axis(GridAxis::Velocity, reach_m_s),
+            axis(GridAxis::Displacement, max_displacement_m),
+            axis(GridAxis::Velocity, max_velocity_m_s),
         ],
     });
     let study = Basins {
@@ -74,28 +74,29 @@ pub fn respond(
         starts,
         recognition: Recognition::at(TOLERANCE),
     };
-    let (of, finished, began) = (study.starts.len(), AtomicUsize::new(0), Instant::now());
-    let answer = study.run(&|| {
-        let done = 1 + finished.fetch_add(1, Ordering::Relaxed);
+    let (total, completed_runs, start_time) =
+        (study.starts.len(), AtomicUsize::new(0), Instant::now());
+    let result = study.run(&|| {
+        let completed = 1 + completed_runs.fetch_add(1, Ordering::Relaxed);
         let mut frame = Frame::new(id, "basins", "progress");
         frame
-            .put("done", done)
-            .put("of", of)
-            .put("seconds", began.elapsed().as_secs_f64());
-        session.hint(cancellation, frame);
+            .put("done", completed)
+            .put("of", total)
+            .put("seconds", start_time.elapsed().as_secs_f64());
+        session.try_send(cancellation, frame);
     })?;
-    let all: Vec<SectionPoint> = (0..of)
+    let points: Vec<SectionPoint> = (0..total)
         .map(|index| SectionPoint::of(&plant.system, &study.starts.start(plant, index)))
         .collect();
-    let home = |index: usize| {
-        answer
+    let attractor_index = |index: usize| {
+        result
             .attractors
             .iter()
             .position(|a| a.starts.contains(&index))
             .map_or(-1.0, |k| k as f64)
     };
     let mut frame = Frame::new(id, "basins", "done");
-    let listed: Vec<_> = (answer.attractors.iter())
+    let attractors: Vec<_> = (result.attractors.iter())
         .map(|a| {
             json!({
                 "id": a.id, "period_cycles": a.period_cycles, "mean_power_w": a.mean_power_w, "contacts": a.contacts_per_period,
@@ -104,17 +105,23 @@ pub fn respond(
         })
         .collect();
     frame
-        .put("attractors", listed)
-        .put("lost", answer.lost.len())
+        .put("attractors", attractors)
+        .put("lost", result.lost.len())
         .put("side", count)
         .put("frequency_hz", value);
     frame
-        .put("expected_power_w", answer.expected_power_w)
-        .put("expected_power_low_w", answer.expected_power_low_w);
-    frame.put("expected_power_high_w", answer.expected_power_high_w);
-    frame.array("displacement", all.iter().map(|point| point.displacement_m));
-    frame.array("velocity", all.iter().map(|point| point.velocity_m_per_s));
-    frame.array("home", (0..of).map(home));
+        .put("expected_power_w", result.expected_power_w)
+        .put("expected_power_low_w", result.expected_power_low_w);
+    frame.put("expected_power_high_w", result.expected_power_high_w);
+    frame.array(
+        "displacement",
+        points.iter().map(|point| point.displacement_m),
+    );
+    frame.array(
+        "velocity",
+        points.iter().map(|point| point.velocity_m_per_s),
+    );
+    frame.array("home", (0..total).map(attractor_index));
     session.send(cancellation, frame);
     Ok(())
 }

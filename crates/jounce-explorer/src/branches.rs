@@ -56,29 +56,29 @@ pub fn respond(
     session: &Session,
     id: u64,
     design: Design,
-    over: &KeySpan,
+    span: &KeySpan,
     cancellation: &Cancellation,
 ) -> Result<(), DesignFault> {
-    let key = design.range(&over.over, over.from, over.to)?;
-    let range = (over.from, over.to);
-    let base = session.prepared(&design.spec, cancellation)?;
+    let key = design.range(&span.over, span.from, span.to)?;
+    let range = (span.from, span.to);
+    let base = session.model(&design.spec, cancellation)?;
     let parameter = Parameter::new(&base, &key, range.1 - range.0);
-    let began = Instant::now();
-    let (found, linear) = rayon::join(
-        || coarse(session, &design, &base, &parameter, range),
+    let start_time = Instant::now();
+    let (coarse_result, linear) = rayon::join(
+        || coarse_branches(session, &design, &base, &parameter, range),
         || session.linear.curve(&design.spec, &parameter, range),
     );
-    let send = |stage: &str, branches: Vec<Branch>, origin: Option<Origin>, began: Instant| {
+    let send = |stage: &str, branches: Vec<Branch>, origin: Option<Origin>, start_time: Instant| {
         let mut frame = Frame::new(id, "response", stage);
         frame
             .put("over", key.path())
             .put("unit", key.unit())
-            .put("ms", 1e3 * began.elapsed().as_secs_f64());
+            .put("ms", 1e3 * start_time.elapsed().as_secs_f64());
         linear.put(&mut frame);
         put_branches(&mut frame, &branches);
         if !cancellation.is_stopped() {
             let (spec, branches) = (design.spec.clone(), Arc::new(branches));
-            let answered = StoredResponse {
+            let response = StoredResponse {
                 id,
                 spec,
                 key: key.clone(),
@@ -86,21 +86,21 @@ pub fn respond(
                 branches,
                 origin,
             };
-            session.answers.keep(answered);
+            session.responses.store(response);
         }
         session.send(cancellation, frame);
     };
-    let (branches, origin) = found;
-    send("coarse", branches, origin, began);
+    let (branches, origin) = coarse_result;
+    send("coarse", branches, origin, start_time);
 
-    let (rested, look) = (Instant::now(), Duration::from_millis(5));
-    while rested.elapsed() < SLIDER_REST && !cancellation.is_stopped() {
-        std::thread::sleep(look);
+    let (rest_start, poll_interval) = (Instant::now(), Duration::from_millis(5));
+    while rest_start.elapsed() < SLIDER_REST && !cancellation.is_stopped() {
+        std::thread::sleep(poll_interval);
     }
     if cancellation.is_stopped() {
         return Ok(());
     }
-    let began = Instant::now();
+    let start_time = Instant::now();
     let (method, seeds, longest_period) =
         (OrbitMethodKind::Shooting, START_VALUES, MAX_PERIOD_CYCLES);
     let search = BranchSearch {
@@ -113,7 +113,7 @@ pub fn respond(
         longest_period,
     };
     let branches = search.run()?;
-    send("fine", branches.clone(), None, began);
+    send("fine", branches.clone(), None, start_time);
     if !cancellation.is_stopped() && !branches.is_empty() {
         let width = BandwidthSearch {
             base: &base,
@@ -137,7 +137,7 @@ pub fn respond(
 /// Returns the branches near those of the previous design. They are updated point by point, or
 /// continued again if that loses points or the range has changed. Without known branches,
 /// continuation starts from settled orbits.
-fn coarse(
+fn coarse_branches(
     session: &Session,
     design: &Design,
     base: &Model,
@@ -145,11 +145,11 @@ fn coarse(
     range: (f64, f64),
 ) -> (Vec<Branch>, Option<Origin>) {
     let kernel = &base.kernel;
-    let last = session.answers.last(parameter.key().path());
+    let last = session.responses.last(parameter.key().path());
     if let Some(last) = last.as_ref().filter(|last| last.range == range) {
         // A fine response has more points than a curve needs; an updated one retains its points, so
         // that their changes can be extrapolated.
-        let known = match last.origin {
+        let stored_branches = match last.origin {
             Some(_) => Arc::clone(&last.branches),
             None => Arc::new(
                 last.branches
@@ -161,10 +161,10 @@ fn coarse(
         let trend = last.origin.as_ref().and_then(|(spec, branches)| {
             Some(Extrapolation {
                 before: branches,
-                reach: design.reach(spec, &last.spec)?,
+                reach: design.change_ratio(spec, &last.spec)?,
             })
         });
-        let carry = BranchUpdate {
+        let update = BranchUpdate {
             harvester: parameter,
             kernel,
             range,
@@ -173,13 +173,16 @@ fn coarse(
             resolution: MAX_LAST_MOVE,
             trend,
         };
-        let carried = carry.run(&known);
-        let points: usize = known.iter().map(|branch| branch.points.len()).sum();
-        if (carried.lost as f64) <= MAX_LOST_SHARE * points as f64 {
-            return (carried.branches, Some((last.spec.clone(), known)));
+        let updated = update.run(&stored_branches);
+        let points: usize = stored_branches
+            .iter()
+            .map(|branch| branch.points.len())
+            .sum();
+        if (updated.lost as f64) <= MAX_LOST_SHARE * points as f64 {
+            return (updated.branches, Some((last.spec.clone(), stored_branches)));
         }
     }
-    let chase = WarmStart {
+    let warm_start = WarmStart {
         harvester: parameter,
         kernel,
         range,
@@ -187,15 +190,15 @@ fn coarse(
         control: LONG_STEPS,
         resolution: MAX_LAST_MOVE,
     };
-    let found = last
-        .map(|last| chase.run(&last.orbits()).unwrap_or_default())
+    let branches = last
+        .map(|last| warm_start.run(&last.orbits()).unwrap_or_default())
         .unwrap_or_default();
-    if !found.is_empty() || kernel.control.is_stopped() {
-        return (found, None);
+    if !branches.is_empty() || kernel.control.is_stopped() {
+        return (branches, None);
     }
     (
-        chase
-            .run(&settled(parameter, base, range))
+        warm_start
+            .run(&settled_orbits(parameter, base, range))
             .unwrap_or_default(),
         None,
     )
@@ -203,14 +206,14 @@ fn coarse(
 
 /// Returns the orbits on which an integration from rest and from the steady state settles at both
 /// ends of the range.
-fn settled(family: &Parameter, base: &Model, range: (f64, f64)) -> Vec<KnownOrbit> {
+fn settled_orbits(harvester: &Parameter, base: &Model, range: (f64, f64)) -> Vec<KnownOrbit> {
     let plant = &base.kernel.plant;
     let rest = vec![0.0; plant.len()];
     let steady = plant.to_physical(&rest, 0.0);
     let (low, high) = range;
     let jobs = [(low, &steady), (high, &steady), (low, &rest), (high, &rest)];
-    let known = |(parameter, start): (f64, &Vec<f64>)| {
-        let orbit = settled_orbit(family, parameter, start, COARSE_TOLERANCE, 1e-6)?;
+    let settle = |(parameter, start): (f64, &Vec<f64>)| {
+        let orbit = settled_orbit(harvester, parameter, start, COARSE_TOLERANCE, 1e-6)?;
         Some(KnownOrbit {
             period_cycles: orbit.period_cycles,
             state: orbit.start().to_vec(),
@@ -218,7 +221,7 @@ fn settled(family: &Parameter, base: &Model, range: (f64, f64)) -> Vec<KnownOrbi
         })
     };
     let ([a, b], [c, d]) = ([jobs[0], jobs[1]], [jobs[2], jobs[3]]);
-    let pair = |one, two| rayon::join(|| known(one), || known(two));
+    let pair = |one, two| rayon::join(|| settle(one), || settle(two));
     let (first, second) = (pair(a, b), pair(c, d));
     [first.0, first.1, second.0, second.1]
         .into_iter()
@@ -227,9 +230,9 @@ fn settled(family: &Parameter, base: &Model, range: (f64, f64)) -> Vec<KnownOrbi
 }
 
 fn put_branches(frame: &mut Frame, branches: &[Branch]) {
-    let (mut listed, mut marks) = (Vec::new(), Vec::new());
+    let (mut branch_entries, mut bifurcation_entries) = (Vec::new(), Vec::new());
     for (index, branch) in branches.iter().enumerate() {
-        listed.push(json!({ "period": branch.period_cycles, "endings": branch.endings }));
+        branch_entries.push(json!({ "period": branch.period_cycles, "endings": branch.endings }));
         let mut array = |name: &str, value: fn(&BranchPoint) -> f64| {
             frame.array(&format!("{index}.{name}"), branch.points.iter().map(value));
         };
@@ -239,15 +242,22 @@ fn put_branches(frame: &mut Frame, branches: &[Branch]) {
         array("penetration", |point| point.orbit.max_penetration_m);
         array("floquet", |point| point.orbit.floquet_max_abs());
         array("contacts", |point| point.orbit.contacts as f64);
-        marks.extend(branch.bifurcations.iter().map(|found| mark(index, found)));
+        bifurcation_entries.extend(
+            branch
+                .bifurcations
+                .iter()
+                .map(|bifurcation| bifurcation_entry(index, bifurcation)),
+        );
     }
-    frame.put("branches", listed).put("bifurcations", marks);
+    frame
+        .put("branches", branch_entries)
+        .put("bifurcations", bifurcation_entries);
 }
 
-fn mark(branch: usize, found: &Bifurcation) -> Value {
-    let orbit = &found.at.orbit;
+fn bifurcation_entry(branch: usize, bifurcation: &Bifurcation) -> Value {
+    let orbit = &bifurcation.at.orbit;
     json!({
-        "branch": branch, "kind": found.kind.name(), "x": found.at.parameter, "power": orbit.mean_power_w,
+        "branch": branch, "kind": bifurcation.kind.name(), "x": bifurcation.at.parameter, "power": orbit.mean_power_w,
         "voltage": orbit.voltage_rms_v, "penetration": orbit.max_penetration_m, "floquet": orbit.floquet_max_abs(),
         "contacts": orbit.contacts,
     })

@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 #[derive(Debug, Clone, Default)]
 pub struct Cancellation {
     control: Control,
-    late: Arc<AtomicBool>,
+    timed_out: Arc<AtomicBool>,
 }
 
 impl Cancellation {
@@ -19,16 +19,16 @@ impl Cancellation {
     }
 
     /// Cancels the computation because it reached the time limit.
-    pub fn stop_late(&self) {
+    pub fn stop_on_timeout(&self) {
         if !self.is_stopped() {
-            self.late.store(true, Ordering::Relaxed);
+            self.timed_out.store(true, Ordering::Relaxed);
             self.stop();
         }
     }
 
     /// True where the time limit cancelled it.
-    pub fn is_late(&self) -> bool {
-        self.late.load(Ordering::Relaxed)
+    pub fn is_timed_out(&self) -> bool {
+        self.timed_out.load(Ordering::Relaxed)
     }
 
     /// True once it is cancelled.
@@ -47,12 +47,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_computation_that_was_stopped_is_not_late() {
-        let (stopped, late) = (Cancellation::default(), Cancellation::default());
+    fn a_computation_stopped_by_its_user_has_not_timed_out() {
+        let (stopped, timed_out) = (Cancellation::default(), Cancellation::default());
         stopped.stop();
-        stopped.clone().stop_late();
-        late.clone().stop_late();
-        assert!(stopped.is_stopped() && stopped.control().is_stopped() && !stopped.is_late());
-        assert!(late.is_stopped() && late.control().is_stopped() && late.is_late());
+        stopped.clone().stop_on_timeout();
+        timed_out.clone().stop_on_timeout();
+        assert!(stopped.is_stopped() && stopped.control().is_stopped() && !stopped.is_timed_out());
+        assert!(
+            timed_out.is_stopped() && timed_out.control().is_stopped() && timed_out.is_timed_out()
+        );
     }
 }

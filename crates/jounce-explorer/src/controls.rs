@@ -6,71 +6,71 @@ use serde_json::{Value, json};
 use toml_edit::{DocumentMut, Item};
 
 /// Ratio of the ends of a logarithmic slider to the value.
-const DECADE: f64 = 10.0;
+const LOG_RATIO: f64 = 10.0;
 /// Ratio of the upper end of a linear slider to the value.
-const LINEAR: f64 = 3.0;
+const LINEAR_RATIO: f64 = 3.0;
 
 /// Returns all controls: first the keys of the file in its order, then the keys with defaults.
 pub fn controls(design: &Design) -> Vec<Value> {
-    let written = leaves(&design.file.text());
-    let mut all: Vec<(String, Option<String>)> = written
+    let file_leaves = leaves(&design.file.text());
+    let mut keys: Vec<(String, Option<String>)> = file_leaves
         .into_iter()
         .map(|(path, text)| (path, Some(text)))
         .collect();
     for (path, _) in leaves(&design.spec.to_toml()) {
         let is_spring = path.starts_with("mass.") && path.ends_with(".stiffness");
-        if !all.iter().any(|(known, _)| *known == path) && !is_spring {
-            all.push((path, None));
+        if !keys.iter().any(|(key, _)| *key == path) && !is_spring {
+            keys.push((path, None));
         }
     }
-    let find = |(path, text): &(String, Option<String>)| {
+    let find_control = |(path, text): &(String, Option<String>)| {
         control(
             design,
             &NumericKey::find(&design.spec, path).ok()?,
             text.as_deref(),
         )
     };
-    all.iter().filter_map(find).collect()
+    keys.iter().filter_map(find_control).collect()
 }
 
 /// Returns the dotted paths of all leaves of a document with their texts.
 fn leaves(text: &str) -> Vec<(String, String)> {
-    let mut found = Vec::new();
+    let mut leaves = Vec::new();
     if let Ok(document) = text.parse::<DocumentMut>() {
         for (name, item) in document.iter() {
-            gather(name.to_owned(), item, &mut found);
+            collect_leaves(name.to_owned(), item, &mut leaves);
         }
     }
-    found
+    leaves
 }
 
-fn gather(path: String, item: &Item, found: &mut Vec<(String, String)>) {
+fn collect_leaves(path: String, item: &Item, leaves: &mut Vec<(String, String)>) {
     match item.as_table_like() {
         Some(table) => table
             .iter()
-            .for_each(|(name, item)| gather(format!("{path}.{name}"), item, found)),
-        None => found.push((path, item.as_str().unwrap_or_default().to_owned())),
+            .for_each(|(name, item)| collect_leaves(format!("{path}.{name}"), item, leaves)),
+        None => leaves.push((path, item.as_str().unwrap_or_default().to_owned())),
     }
 }
 
 /// Creates one control. Numbers are shown in the unit of the file; `factor` is the size of this
 /// unit in SI.
-fn control(design: &Design, key: &NumericKey, written: Option<&str>) -> Option<Value> {
+fn control(design: &Design, key: &NumericKey, file_text: Option<&str>) -> Option<Value> {
     let value = key.get(&design.spec).ok()?;
-    let shown = key.show(value);
-    let own = [written.unwrap_or_default(), &shown]
+    let value_text = key.show(value);
+    let number_and_unit = [file_text.unwrap_or_default(), &value_text]
         .into_iter()
         .find_map(split);
-    let (unit, factor) = match own {
+    let (unit, factor) = match number_and_unit {
         Some((number, unit)) if number != 0.0 => (unit, value / number),
         _ => (key.unit(), 1.0),
     };
     let (low, high) = key.limits();
-    let scale = scale(key, value, low);
-    let (from, to) = ends(&scale, value, (low, high));
+    let scale = slider_scale(key, value, low);
+    let (from, to) = slider_ends(&scale, value, (low, high));
     Some(json!({
-        "key": key.path(), "value": value, "shown": shown, "unit": unit, "factor": factor, "about": key.about(),
-        "scale": scale, "from": from, "to": to, "count": key.is_count(), "written": written.is_some(),
+        "key": key.path(), "value": value, "shown": value_text, "unit": unit, "factor": factor, "about": key.about(),
+        "scale": scale, "from": from, "to": to, "count": key.is_count(), "written": file_text.is_some(),
     }))
 }
 
@@ -84,7 +84,7 @@ fn split(text: &str) -> Option<(f64, String)> {
 
 /// Lengths, frequencies, angles and plain numbers have a linear scale; quantities over decades have
 /// a logarithmic one.
-fn scale(key: &NumericKey, value: f64, low: f64) -> String {
+fn slider_scale(key: &NumericKey, value: f64, low: f64) -> String {
     let linear = matches!(key.unit().as_str(), "m" | "Hz" | "s" | "rad" | "") || key.is_count();
     if linear || value <= 0.0 || low < 0.0 && key.path().ends_with(".d31") {
         "linear"
@@ -94,12 +94,12 @@ fn scale(key: &NumericKey, value: f64, low: f64) -> String {
     .to_owned()
 }
 
-fn ends(scale: &str, value: f64, (low, high): (f64, f64)) -> (f64, f64) {
+fn slider_ends(scale: &str, value: f64, (low, high): (f64, f64)) -> (f64, f64) {
     let (from, to) = match scale {
-        "log" => (value / DECADE, value * DECADE),
+        "log" => (value / LOG_RATIO, value * LOG_RATIO),
         _ if value == 0.0 => (if low < 0.0 { -1.0 } else { 0.0 }, 1.0),
-        _ if value < 0.0 => (LINEAR * value, 0.0),
-        _ => (0.02 * value, LINEAR * value),
+        _ if value < 0.0 => (LINEAR_RATIO * value, 0.0),
+        _ => (0.02 * value, LINEAR_RATIO * value),
     };
     (from.max(low), to.min(high))
 }
@@ -117,9 +117,9 @@ mod tests {
             "/../../examples/impact-harvester-2019/harvester.toml"
         );
         let design = Design::read(&Source::File(path.into()), &[]).unwrap();
-        let all = controls(&design);
+        let keys = controls(&design);
         let find = |key: &str| {
-            all.iter()
+            keys.iter()
                 .find(|control| control["key"] == key)
                 .cloned()
                 .unwrap_or_default()

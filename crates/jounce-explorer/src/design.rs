@@ -15,7 +15,7 @@ pub struct Design {
     /// Spec of the file with the overrides.
     pub spec: Spec,
     /// Overridden keys.
-    pub overridden: Vec<String>,
+    pub overridden_keys: Vec<String>,
 }
 
 /// Fault of a design.
@@ -35,8 +35,8 @@ impl<E: std::error::Error> From<E> for DesignFault {
 
 impl DesignFault {
     /// Returns the faults for the page: key, line, message.
-    pub fn listed(&self, path: &Path) -> Value {
-        let words = |fault: &Fault| match fault.set {
+    pub fn fault_list(&self, path: &Path) -> Value {
+        let message = |fault: &Fault| match fault.set {
             Some(_) => fault.to_string(),
             None if fault.line == 0 => fault.message.clone(),
             None => format!("{}:{fault}", path.display()),
@@ -44,15 +44,15 @@ impl DesignFault {
         match self {
             DesignFault::Text(text) => json!([{ "key": "", "line": 0, "message": text }]),
             DesignFault::Faults(faults) => {
-                let listed = |fault: &Fault| {
+                let entry = |fault: &Fault| {
                     let set = fault
                         .set
                         .as_ref()
                         .and_then(|set| set.strip_prefix("--set ")?.split_once('='));
                     let key = set.map_or(fault.key.as_str(), |(key, _)| key);
-                    json!({ "key": key, "line": fault.line, "message": words(fault) })
+                    json!({ "key": key, "line": fault.line, "message": message(fault) })
                 };
-                faults.iter().map(listed).collect()
+                faults.iter().map(entry).collect()
             }
         }
     }
@@ -73,8 +73,8 @@ impl Design {
                 .map_err(|faults| DesignFault::Faults(faults.as_slice().to_vec()))?;
             let mut faults = Vec::new();
             for (key, value) in set {
-                let put = NumericKey::find(&base, key).and_then(|_| file.set(key, value));
-                faults.extend(put.err());
+                let result = NumericKey::find(&base, key).and_then(|_| file.set(key, value));
+                faults.extend(result.err());
             }
             if !faults.is_empty() {
                 return Err(DesignFault::Faults(faults));
@@ -86,7 +86,7 @@ impl Design {
         Ok(Self {
             file,
             spec,
-            overridden: set.iter().map(|(key, _)| key.clone()).collect(),
+            overridden_keys: set.iter().map(|(key, _)| key.clone()).collect(),
         })
     }
 
@@ -102,24 +102,24 @@ impl Design {
 
     /// Returns the change from the last spec to this design, as a multiple of the change before;
     /// `None` where the two have different directions.
-    pub fn reach(&self, before: &Spec, last: &Spec) -> Option<f64> {
-        let (mut along, mut square, mut all) = (0.0, 0.0, 0.0);
-        for path in &self.overridden {
+    pub fn change_ratio(&self, previous: &Spec, last: &Spec) -> Option<f64> {
+        let (mut dot, mut first_norm2, mut second_norm2) = (0.0, 0.0, 0.0);
+        for path in &self.overridden_keys {
             let key = NumericKey::find(&self.spec, path).ok()?;
-            let [a, b, c] = [before, last, &self.spec].map(|spec| key.get(spec));
+            let [a, b, c] = [previous, last, &self.spec].map(|spec| key.get(spec));
             let (a, b, c) = (a.ok()?, b.ok()?, c.ok()?);
             let size = b.abs().max(f64::MIN_POSITIVE);
             let (first, second) = ((b - a) / size, (c - b) / size);
-            (along, square, all) = (
-                along + first * second,
-                square + first * first,
-                all + second * second,
+            (dot, first_norm2, second_norm2) = (
+                dot + first * second,
+                first_norm2 + first * first,
+                second_norm2 + second * second,
             );
         }
-        let reach = along / square;
+        let ratio = dot / first_norm2;
         // Where two keys change, each must change in proportion.
-        let strays = all - reach * along > 0.01 * all;
-        (square > 0.0 && reach.abs() < MAX_CHANGE_RATIO && !strays).then_some(reach)
+        let off_direction = second_norm2 - ratio * dot > 0.01 * second_norm2;
+        (first_norm2 > 0.0 && ratio.abs() < MAX_CHANGE_RATIO && !off_direction).then_some(ratio)
     }
 
     /// Returns a key after a check that both ends of its range are allowed.

@@ -27,9 +27,9 @@ const RATE_HZ: f64 = 1000.0;
 /// Largest number of samples.
 const MAX_SAMPLES: f64 = 120_000.0;
 /// Pairs of the smallest and the largest value in a history.
-const PAIRS: usize = 900;
+const HISTORY_PAIRS: usize = 900;
 /// Frequency bands of a density.
-const BANDS: usize = 300;
+const DENSITY_BANDS: usize = 300;
 
 /// Integrates and sends powers, histories and the spectral density of the voltage.
 ///
@@ -40,12 +40,12 @@ pub fn respond(
     session: &Session,
     id: u64,
     design: &Design,
-    by: &ExcitationRequest,
+    request: &ExcitationRequest,
     folder: &Path,
     cancellation: &Cancellation,
 ) -> Result<(), DesignFault> {
     let temporary = tempfile::tempdir()?;
-    let record = match by {
+    let record = match request {
         ExcitationRequest::Recording {
             name,
             bytes,
@@ -59,28 +59,28 @@ pub fn respond(
         )?),
         ExcitationRequest::Noise { .. } => None,
     };
-    let mut spec = shaken(design, by, record.as_ref(), folder)?;
-    let recorded_s = spec.drive.values().find_map(|drive| match &drive.signal {
+    let mut spec = with_excitation(design, request, record.as_ref(), folder)?;
+    let recording_duration_s = spec.drive.values().find_map(|drive| match &drive.signal {
         DriveSignal::Recording {
             record: Some(record),
             ..
         } => Some(record.duration_s()),
         _ => None,
     });
-    let duration_s = recorded_s.unwrap_or(NOISE_S);
+    let duration_s = recording_duration_s.unwrap_or(NOISE_S);
     if duration_s > MAX_DURATION_S {
         return Err(DesignFault::Text(format!(
             "the recording is {duration_s:.0} s long; drop one of at most {MAX_DURATION_S:.0} s"
         )));
     }
-    let average_over_s = if recorded_s.is_some() {
+    let average_over_s = if recording_duration_s.is_some() {
         duration_s
     } else {
         AVERAGED_SHARE * duration_s
     };
     // The realisation of noise has the length of the run.
     (spec.run.duration_s, spec.run.average_over_s) = (duration_s, average_over_s);
-    let base = session.prepared(&spec, cancellation)?;
+    let base = session.model(&spec, cancellation)?;
     let start = base.start(folder)?;
     let kernel = base.from_state(&start)?;
     let plan = RunPlan {
@@ -89,37 +89,37 @@ pub fn respond(
         tolerance: TOLERANCE,
         record_s: duration_s,
     };
-    let answer = simulate(&kernel, &start, &plan).map_err(AnalysisError::from)?;
+    let result = simulate(&kernel, &start, &plan).map_err(AnalysisError::from)?;
     let mut frame = Frame::new(id, "shake", "done");
     frame
-        .put("mean_power_w", answer.mean_power_w)
-        .put("contacts", answer.contacts)
+        .put("mean_power_w", result.mean_power_w)
+        .put("contacts", result.contacts)
         .put("average_over_s", average_over_s);
     frame
-        .put("max_penetration_m", answer.max_penetration_m)
+        .put("max_penetration_m", result.max_penetration_m)
         .put("duration_s", duration_s);
     if let Some(record) = record {
         frame
             .put("channel", record.channel)
-            .put("findings", record.findings);
+            .put("findings", record.issues);
     }
-    if matches!(by, ExcitationRequest::Noise { .. }) {
+    if matches!(request, ExcitationRequest::Noise { .. }) {
         let linear = Random::new(&spec).and_then(|random| random.answer());
         frame.put(
             "linear_power_w",
-            linear.map_or(f64::NAN, |answer| answer.mean_power_w),
+            linear.map_or(f64::NAN, |result| result.mean_power_w),
         );
     }
-    put_histories(&mut frame, &kernel, &answer, duration_s)?;
+    put_histories(&mut frame, &kernel, &result, duration_s)?;
     session.send(cancellation, frame);
     Ok(())
 }
 
 /// Returns the spec with noise or the recording in place of its first drive, after the same checks
 /// as any spec.
-fn shaken(
+fn with_excitation(
     design: &Design,
-    by: &ExcitationRequest,
+    request: &ExcitationRequest,
     record: Option<&Upload>,
     folder: &Path,
 ) -> Result<Spec, DesignFault> {
@@ -135,7 +135,7 @@ fn shaken(
             "this design has no drive; add [drive.NAME] to the spec".to_owned(),
         ));
     };
-    drive.signal = match *by {
+    drive.signal = match *request {
         ExcitationRequest::Noise {
             density,
             low_hz,
@@ -160,14 +160,14 @@ fn shaken(
             signal
         }
     };
-    let found = SpecFile::from_text(spec.to_toml()).spec();
-    found.map_err(|faults| {
+    let checked_spec = SpecFile::from_text(spec.to_toml()).spec();
+    checked_spec.map_err(|faults| {
         // The page knows the recording by its own name, and not the text that was checked here.
-        let told = faults.as_slice().iter().map(|fault| match by {
+        let messages = faults.as_slice().iter().map(|fault| match request {
             ExcitationRequest::Recording { name, .. } => fault.message.replace(&recording, name),
             ExcitationRequest::Noise { .. } => fault.message.clone(),
         });
-        DesignFault::Text(told.collect::<Vec<_>>().join("; "))
+        DesignFault::Text(messages.collect::<Vec<_>>().join("; "))
     })
 }
 
@@ -176,17 +176,17 @@ fn shaken(
 fn put_histories(
     frame: &mut Frame,
     kernel: &Kernel,
-    answer: &RunResult,
+    result: &RunResult,
     duration_s: f64,
 ) -> Result<(), DesignFault> {
     let plant = &kernel.plant;
     let rate_hz = RATE_HZ.min(MAX_SAMPLES / duration_s);
     let count = (duration_s * rate_hz) as usize;
     let time_s: Vec<f64> = (0..count).map(|k| k as f64 / rate_hz).collect();
-    let instants = answer.trajectory.at(kernel, &time_s);
+    let instants = result.trajectory.at(kernel, &time_s);
     let states: Vec<Vec<f64>> = instants
         .iter()
-        .map(|at| plant.to_physical(&at.state, at.time_s))
+        .map(|instant| plant.to_physical(&instant.state, instant.time_s))
         .collect();
     let voltage: Vec<f64> = states
         .iter()
@@ -200,45 +200,49 @@ fn put_histories(
         .collect();
     put_history(frame, "voltage", &time_s, &voltage);
     if let Some(stop) = plant.system.stops.first() {
-        let along: Vec<f64> = states
+        let displacement: Vec<f64> = states
             .iter()
             .map(|state| stop.shape.iter().zip(state).map(|(s, x)| s * x).sum())
             .collect();
-        put_history(frame, "displacement", &time_s, &along);
+        put_history(frame, "displacement", &time_s, &displacement);
         frame.put("gap_m", stop.gap_m);
     }
-    if count > 2 * BANDS {
+    if count > 2 * DENSITY_BANDS {
         let density = Samples::new(&voltage, rate_hz)?.density(Window::Hann);
-        let wide = density.len() / BANDS;
+        let chunk_length = density.len() / DENSITY_BANDS;
         let bands = density
-            .chunks_exact(wide)
-            .map(|band| band.iter().sum::<f64>() / wide as f64);
+            .chunks_exact(chunk_length)
+            .map(|band| band.iter().sum::<f64>() / chunk_length as f64);
         frame.array("density.value", bands);
         frame.array(
             "density.frequency",
-            (0..density.len() / wide).map(|k| (k as f64 + 0.5) * wide as f64 / duration_s),
+            (0..density.len() / chunk_length)
+                .map(|k| (k as f64 + 0.5) * chunk_length as f64 / duration_s),
         );
     }
     Ok(())
 }
 
 fn put_history(frame: &mut Frame, name: &str, time_s: &[f64], values: &[f64]) {
-    let wide = values.len().div_ceil(PAIRS).max(1);
-    let ends = |part: &[f64]| {
-        part.iter()
+    let chunk_length = values.len().div_ceil(HISTORY_PAIRS).max(1);
+    let extremes = |chunk: &[f64]| {
+        chunk
+            .iter()
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
                 (low.min(*v), high.max(*v))
             })
     };
     frame.array(
         &format!("{name}.time"),
-        time_s.chunks(wide).flat_map(|part| [part[0], part[0]]),
+        time_s
+            .chunks(chunk_length)
+            .flat_map(|chunk| [chunk[0], chunk[0]]),
     );
     frame.array(
         &format!("{name}.value"),
         values
-            .chunks(wide)
-            .map(ends)
+            .chunks(chunk_length)
+            .map(extremes)
             .flat_map(|(low, high)| [low, high]),
     );
 }

@@ -11,39 +11,39 @@ const CHECK_INTERVAL: Duration = Duration::from_millis(250);
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct FileState {
     length: u64,
-    changed: SystemTime,
+    modified: SystemTime,
 }
 
 fn file_state(path: &Path) -> Option<FileState> {
-    let about = std::fs::metadata(path).ok()?;
+    let metadata = std::fs::metadata(path).ok()?;
     Some(FileState {
-        length: about.len(),
-        changed: about.modified().ok()?,
+        length: metadata.len(),
+        modified: metadata.modified().ok()?,
     })
 }
 
 /// Watches a file permanently and returns the count of its states. Without a file there is one
 /// state.
-pub fn follow(path: Option<PathBuf>) -> watch::Receiver<u64> {
-    let (told, hears) = watch::channel(0);
+pub fn start(path: Option<PathBuf>) -> watch::Receiver<u64> {
+    let (sender, receiver) = watch::channel(0);
     tokio::spawn(async move {
         let Some(path) = path else {
-            return told.closed().await;
+            return sender.closed().await;
         };
-        let mut before = file_state(&path);
-        let mut pace = tokio::time::interval(CHECK_INTERVAL);
+        let mut previous = file_state(&path);
+        let mut interval = tokio::time::interval(CHECK_INTERVAL);
         loop {
             tokio::select! {
-                () = told.closed() => return,
-                _ = pace.tick() => {
-                    let now = file_state(&path);
-                    if now != before {
-                        before = now;
-                        told.send_modify(|version| *version += 1);
+                () = sender.closed() => return,
+                _ = interval.tick() => {
+                    let current = file_state(&path);
+                    if current != previous {
+                        previous = current;
+                        sender.send_modify(|version| *version += 1);
                     }
                 }
             }
         }
     });
-    hears
+    receiver
 }

@@ -6,15 +6,15 @@ use serde_json::{Map, Value, json};
 #[derive(Debug, Clone, Default)]
 pub struct Frame {
     head: Map<String, Value>,
-    places: Vec<Value>,
+    array_entries: Vec<Value>,
     numbers: Vec<f64>,
 }
 
 impl Frame {
     /// Creates a response to request number `id` of a kind.
-    pub fn new(id: u64, ask: &str, stage: &str) -> Self {
+    pub fn new(id: u64, kind: &str, stage: &str) -> Self {
         let mut frame = Self::default();
-        frame.put("id", id).put("ask", ask).put("stage", stage);
+        frame.put("id", id).put("ask", kind).put("stage", stage);
         frame
     }
 
@@ -28,7 +28,7 @@ impl Frame {
     pub fn array(&mut self, name: &str, values: impl IntoIterator<Item = f64>) -> &mut Self {
         let first = self.numbers.len();
         self.numbers.extend(values);
-        self.places
+        self.array_entries
             .push(json!([name, first, self.numbers.len() - first]));
         self
     }
@@ -36,10 +36,10 @@ impl Frame {
     /// Returns the bytes of the message.
     pub fn encode(mut self) -> Vec<u8> {
         self.head
-            .insert("arrays".to_owned(), Value::Array(self.places));
+            .insert("arrays".to_owned(), Value::Array(self.array_entries));
         let mut head = Value::Object(self.head).to_string().into_bytes();
-        let padded = (head.len() + 4).next_multiple_of(8) - 4;
-        head.resize(padded, b' ');
+        let padded_length = (head.len() + 4).next_multiple_of(8) - 4;
+        head.resize(padded_length, b' ');
         let mut bytes = Vec::with_capacity(4 + head.len() + 8 * self.numbers.len());
         // The head is far below 4 GiB: a spec has at most 16 MiB.
         bytes.extend_from_slice(&(head.len() as u32).to_le_bytes());

@@ -9,30 +9,30 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 pub struct LatestRequests(Mutex<HashMap<String, Cancellation>>);
 
 impl LatestRequests {
-    fn open(&self) -> MutexGuard<'_, HashMap<String, Cancellation>> {
+    fn lock(&self) -> MutexGuard<'_, HashMap<String, Cancellation>> {
         // The map of flags is valid even after a panic of the thread that held it.
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Cancels the computation of a kind and registers a new one.
-    pub fn enter(&self, name: &str) -> Cancellation {
+    pub fn register(&self, name: &str) -> Cancellation {
         let cancellation = Cancellation::default();
-        if let Some(before) = self.open().insert(name.to_owned(), cancellation.clone()) {
-            before.stop();
+        if let Some(previous) = self.lock().insert(name.to_owned(), cancellation.clone()) {
+            previous.stop();
         }
         cancellation
     }
 
     /// Cancels the computation of a kind.
     pub fn stop(&self, name: &str) {
-        if let Some(running) = self.open().remove(name) {
+        if let Some(running) = self.lock().remove(name) {
             running.stop();
         }
     }
 
     /// Cancels all computations.
     pub fn stop_all(&self) {
-        self.open().drain().for_each(|(_, running)| running.stop());
+        self.lock().drain().for_each(|(_, running)| running.stop());
     }
 }
 
@@ -41,14 +41,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_last_one_wins() {
-        let lanes = LatestRequests::default();
-        let (first, other) = (lanes.enter("response"), lanes.enter("orbit"));
-        let second = lanes.enter("response");
+    fn a_new_request_cancels_the_previous_one_of_its_kind() {
+        let requests = LatestRequests::default();
+        let (first, other) = (requests.register("response"), requests.register("orbit"));
+        let second = requests.register("response");
         assert!(first.is_stopped() && !second.is_stopped() && !other.is_stopped());
-        lanes.stop("orbit");
+        requests.stop("orbit");
         assert!(other.is_stopped() && !second.is_stopped());
-        lanes.stop_all();
+        requests.stop_all();
         assert!(second.is_stopped());
     }
 }

@@ -20,7 +20,7 @@
 //! one: its computation ends within the integration of one period, and its response is never sent.
 //! A response is first sent as `coarse` (branches continued from the orbits of the previous
 //! design), then as `fine` (the search of `jounce branch`). Work that takes longer than
-//! [`ServerLimits::longest`] is cancelled with a message.
+//! [`ServerLimits::max_computation_time`] is cancelled with a message.
 //!
 //! *Safety.* By default the server listens on the loopback interface. Every request and every
 //! socket must have the token (128 random bits) in its path and a `Host` that names this server.

@@ -37,29 +37,29 @@ impl LastLinear {
             .lock()
             .unwrap_or_else(PoisonError::into_inner)
             .clone();
-        if let Some(known) =
-            last.filter(|known| known.range == range && known.key == key && known.spec == spec)
+        if let Some(curve) =
+            last.filter(|curve| curve.range == range && curve.key == key && curve.spec == spec)
         {
-            return known;
+            return curve;
         }
         let power = |k: usize| {
             parameter
-                .at(value(range, k))
+                .at(parameter_value(range, k))
                 .map_or(f64::NAN, |setting| steady_power_w(&setting.kernel.plant))
         };
         let power_w = (0..POINTS).into_par_iter().map(power).collect();
-        let found = Arc::new(Linear {
+        let curve = Arc::new(Linear {
             spec,
             key,
             range,
             power_w,
         });
-        *self.0.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::clone(&found));
-        found
+        *self.0.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::clone(&curve));
+        curve
     }
 }
 
-fn value((low, high): (f64, f64), k: usize) -> f64 {
+fn parameter_value((low, high): (f64, f64), k: usize) -> f64 {
     low + (high - low) * k as f64 / (POINTS - 1) as f64
 }
 
@@ -67,7 +67,10 @@ impl Linear {
     /// Adds the curve to a frame.
     pub fn put(&self, frame: &mut Frame) {
         frame
-            .array("linear.x", (0..POINTS).map(|k| value(self.range, k)))
+            .array(
+                "linear.x",
+                (0..POINTS).map(|k| parameter_value(self.range, k)),
+            )
             .array("linear.power", self.power_w.iter().copied());
     }
 }

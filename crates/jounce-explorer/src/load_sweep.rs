@@ -42,21 +42,21 @@ pub fn respond(
     );
     let range =
         KeyRange::parse(key.clone(), &text).map_err(|fault| DesignFault::Faults(vec![fault]))?;
-    let base = session.prepared(&design.spec, cancellation)?;
+    let base = session.model(&design.spec, cancellation)?;
     let parameter = Parameter::new(&base, &key, to - from);
-    let at = |k: usize| from * (to / from).powf(k as f64 / (LINEAR_POINTS - 1) as f64);
+    let load_at = |k: usize| from * (to / from).powf(k as f64 / (LINEAR_POINTS - 1) as f64);
     let power = |k: usize| {
         parameter
-            .at(at(k))
+            .at(load_at(k))
             .map_or(f64::NAN, |setting| steady_power_w(&setting.kernel.plant))
     };
     let mut frame = Frame::new(id, "load", "linear");
     frame.put("over", key.path()).put("unit", key.unit());
     frame
-        .array("linear.x", (0..LINEAR_POINTS).map(at))
+        .array("linear.x", (0..LINEAR_POINTS).map(load_at))
         .array("linear.power", (0..LINEAR_POINTS).map(power));
     session.send(cancellation, frame);
-    sweep::march(
+    sweep::run_sweep(
         session,
         id,
         "load",

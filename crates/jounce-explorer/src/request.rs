@@ -15,7 +15,7 @@ pub struct Request {
     pub set: Vec<(String, String)>,
     /// Kind of the request.
     #[serde(flatten)]
-    pub ask: RequestKind,
+    pub kind: RequestKind,
 }
 
 /// Range of a key, SI.
@@ -66,7 +66,8 @@ pub enum RequestKind {
     /// Orbit of a point of a response.
     Orbit {
         /// Number of the response.
-        answer: u64,
+        #[serde(rename = "answer")]
+        response: u64,
         /// Index of the branch in the response.
         branch: usize,
         /// Index of the point on the branch.
@@ -133,14 +134,16 @@ mod tests {
         let text = r#"{"id": 7, "ask": "response", "set": [["stop.tip.gap", "0.9 mm"]], "over": "drive.shaker.frequency", "from": 12, "to": 14}"#;
         let request: Request = serde_json::from_str(text).unwrap();
         assert_eq!(
-            (request.id, request.ask.name(), request.set.len()),
+            (request.id, request.kind.name(), request.set.len()),
             (7, "response", 1)
         );
-        assert!(matches!(request.ask, RequestKind::Response(KeySpan { from, .. }) if from == 12.0));
+        assert!(
+            matches!(request.kind, RequestKind::Response(KeySpan { from, .. }) if from == 12.0)
+        );
         let request: Request = serde_json::from_str(
             r#"{"id": 8, "ask": "sweep", "over": "a.b", "from": 1, "to": 2, "points": 9}"#,
         )
         .unwrap();
-        assert!(matches!(request.ask, RequestKind::Sweep { points: 9, .. }));
+        assert!(matches!(request.kind, RequestKind::Sweep { points: 9, .. }));
     }
 }

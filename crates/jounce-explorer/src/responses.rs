@@ -33,31 +33,31 @@ pub type Origin = (Spec, Arc<Vec<Branch>>);
 pub struct Responses(Mutex<VecDeque<Arc<StoredResponse>>>);
 
 impl Responses {
-    fn open(&self) -> MutexGuard<'_, VecDeque<Arc<StoredResponse>>> {
+    fn lock(&self) -> MutexGuard<'_, VecDeque<Arc<StoredResponse>>> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Stores a response; the fine response to a request replaces the coarse one.
-    pub fn keep(&self, answered: StoredResponse) {
-        let mut kept = self.open();
-        kept.retain(|known| known.id != answered.id);
-        kept.push_back(Arc::new(answered));
-        if kept.len() > MAX_STORED_RESPONSES {
-            kept.pop_front();
+    pub fn store(&self, response: StoredResponse) {
+        let mut responses = self.lock();
+        responses.retain(|stored| stored.id != response.id);
+        responses.push_back(Arc::new(response));
+        if responses.len() > MAX_STORED_RESPONSES {
+            responses.pop_front();
         }
     }
 
     /// Returns the response to a request.
     pub fn find(&self, id: u64) -> Option<Arc<StoredResponse>> {
-        self.open().iter().find(|known| known.id == id).cloned()
+        self.lock().iter().find(|stored| stored.id == id).cloned()
     }
 
     /// Returns the last response over a key.
     pub fn last(&self, key: &str) -> Option<Arc<StoredResponse>> {
-        self.open()
+        self.lock()
             .iter()
             .rev()
-            .find(|known| known.key.path() == key && !known.branches.is_empty())
+            .find(|stored| stored.key.path() == key && !stored.branches.is_empty())
             .cloned()
     }
 }
@@ -65,20 +65,20 @@ impl Responses {
 impl StoredResponse {
     /// Returns the orbits at both ends and in the middle of each branch.
     pub fn orbits(&self) -> Vec<KnownOrbit> {
-        let known = |branch: &Branch| {
+        let branch_orbits = |branch: &Branch| {
             let count = branch.points.len();
-            let mut places = vec![0, count.saturating_sub(1), count / 2];
-            places.dedup();
-            let orbit = |place: usize| {
-                let point = branch.points.get(place)?;
+            let mut indices = vec![0, count.saturating_sub(1), count / 2];
+            indices.dedup();
+            let orbit = |index: usize| {
+                let point = branch.points.get(index)?;
                 Some(KnownOrbit {
                     period_cycles: branch.period_cycles,
                     state: point.orbit.start().to_vec(),
                     parameter: point.parameter,
                 })
             };
-            places.into_iter().filter_map(orbit).collect::<Vec<_>>()
+            indices.into_iter().filter_map(orbit).collect::<Vec<_>>()
         };
-        self.branches.iter().flat_map(known).collect()
+        self.branches.iter().flat_map(branch_orbits).collect()
     }
 }

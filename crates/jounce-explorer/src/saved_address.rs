@@ -19,19 +19,24 @@ pub struct SavedAddress {
 /// Returns the folder of this system for the state of programs; `None` where the system specifies
 /// no folder.
 pub fn state_folder() -> Option<PathBuf> {
-    let named = |name: &str| {
+    let absolute_path = |name: &str| {
         std::env::var_os(name)
             .map(PathBuf::from)
             .filter(|path| path.is_absolute())
     };
-    let state = named("XDG_STATE_HOME").or_else(|| Some(named("HOME")?.join(".local/state")));
-    Some(state.or_else(|| named("LOCALAPPDATA"))?.join("jounce"))
+    let state = absolute_path("XDG_STATE_HOME")
+        .or_else(|| Some(absolute_path("HOME")?.join(".local/state")));
+    Some(
+        state
+            .or_else(|| absolute_path("LOCALAPPDATA"))?
+            .join("jounce"),
+    )
 }
 
 /// Returns the file of a spec.
-fn file(folder: &Path, spec: &Path) -> PathBuf {
-    let whole = spec.canonicalize().unwrap_or_else(|_| spec.to_path_buf());
-    let digest = Sha256::digest(whole.as_os_str().as_encoded_bytes());
+fn address_file(folder: &Path, spec: &Path) -> PathBuf {
+    let canonical_path = spec.canonicalize().unwrap_or_else(|_| spec.to_path_buf());
+    let digest = Sha256::digest(canonical_path.as_os_str().as_encoded_bytes());
     let name = digest
         .iter()
         .take(8)
@@ -45,12 +50,12 @@ fn file(folder: &Path, spec: &Path) -> PathBuf {
 impl SavedAddress {
     /// Reads the saved address of a spec. A file that others may read or write is ignored.
     pub fn read(folder: &Path, spec: &Path) -> Option<Self> {
-        let path = file(folder, spec);
+        let path = address_file(folder, spec);
         #[cfg(unix)]
         {
             use std::os::unix::fs::PermissionsExt;
-            let about = std::fs::symlink_metadata(&path).ok()?;
-            if !about.is_file() || about.permissions().mode() & 0o077 != 0 {
+            let metadata = std::fs::symlink_metadata(&path).ok()?;
+            if !metadata.is_file() || metadata.permissions().mode() & 0o077 != 0 {
                 return None;
             }
         }
@@ -74,7 +79,7 @@ impl SavedAddress {
         let mut temporary = tempfile::NamedTempFile::new_in(folder)?;
         writeln!(temporary, "{} {}", self.port, self.token)?;
         temporary
-            .persist(file(folder, spec))
+            .persist(address_file(folder, spec))
             .map_err(|error| error.error)?;
         Ok(())
     }
@@ -86,30 +91,30 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_was_kept_comes_back_unless_others_could_read_it() {
+    fn an_address_is_read_back_unless_others_can_read_its_file() {
         let folder = tempfile::tempdir().unwrap();
         let (one, other) = (folder.path().join("a.toml"), folder.path().join("b.toml"));
-        let kept = SavedAddress {
+        let address = SavedAddress {
             port: 4321,
             token: "0123456789abcdef0123456789abcdef".into(),
         };
         assert_eq!(SavedAddress::read(folder.path(), &one), None);
-        kept.write(folder.path(), &one).unwrap();
+        address.write(folder.path(), &one).unwrap();
         assert_eq!(
             (
                 SavedAddress::read(folder.path(), &one),
                 SavedAddress::read(folder.path(), &other)
             ),
-            (Some(kept.clone()), None)
+            (Some(address.clone()), None)
         );
         #[cfg(unix)]
         {
             use std::os::unix::fs::PermissionsExt;
-            let path = file(folder.path(), &one);
+            let path = address_file(folder.path(), &one);
             std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0o640)).unwrap();
             assert_eq!(SavedAddress::read(folder.path(), &one), None);
         }
-        std::fs::write(file(folder.path(), &other), "80 short").unwrap();
+        std::fs::write(address_file(folder.path(), &other), "80 short").unwrap();
         assert_eq!(SavedAddress::read(folder.path(), &other), None);
     }
 }

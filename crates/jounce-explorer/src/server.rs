@@ -1,6 +1,6 @@
 //! Server of one spec at one address.
 
-use crate::assets::{refused, serve};
+use crate::assets::{refusal, serve};
 use crate::authenticator::{Authenticator, RequestRefusal};
 use crate::saved_address::SavedAddress;
 use crate::source::Source;
@@ -32,7 +32,7 @@ pub struct ServerOptions {
     pub listen: Option<SocketAddr>,
     /// Folder in which the address is saved for the next server of this file. Without it, or for a
     /// spec without a file, nothing is saved.
-    pub keep: Option<PathBuf>,
+    pub state_folder: Option<PathBuf>,
     /// Limits.
     pub limits: ServerLimits,
 }
@@ -45,7 +45,7 @@ pub struct ServerLimits {
     /// Largest message from a page, bytes.
     pub message_bytes: usize,
     /// Longest time of one computation.
-    pub longest: Duration,
+    pub max_computation_time: Duration,
 }
 
 impl Default for ServerLimits {
@@ -53,7 +53,7 @@ impl Default for ServerLimits {
         Self {
             sockets: 64,
             message_bytes: 16 << 20,
-            longest: Duration::from_secs(120),
+            max_computation_time: Duration::from_secs(120),
         }
     }
 }
@@ -66,13 +66,13 @@ pub enum ExploreError {
     Spec(#[from] jounce_core::spec::ReadError),
     /// The server cannot listen on the address.
     #[error(
-        "cannot listen on {address}: {why}; give another --listen ADDRESS:PORT, or omit --listen for a free port of this machine"
+        "cannot listen on {address}: {cause}; give another --listen ADDRESS:PORT, or omit --listen for a free port of this machine"
     )]
     Address {
         /// The address.
         address: SocketAddr,
         /// Reason of the failure.
-        why: std::io::Error,
+        cause: std::io::Error,
     },
     /// The system provides no random numbers or no threads.
     #[error("the server cannot be started: {0}")]
@@ -84,7 +84,7 @@ pub enum ExploreError {
 pub struct Explorer {
     listener: std::net::TcpListener,
     address: SocketAddr,
-    guard: Authenticator,
+    authenticator: Authenticator,
     options: ServerOptions,
     stop: watch::Sender<bool>,
 }
@@ -104,19 +104,19 @@ impl Stopper {
 #[derive(Debug)]
 pub struct Host {
     /// Authentication of requests.
-    pub guard: Authenticator,
+    pub authenticator: Authenticator,
     /// Options of the server.
     pub options: ServerOptions,
     /// One permit for each further page.
     pub sockets: Arc<Semaphore>,
     /// One permit for each further computation that a page waits for.
-    pub quick: Arc<Semaphore>,
+    pub quick_permits: Arc<Semaphore>,
     /// One permit for each further computation of many integrations, which take all cores.
-    pub long: Arc<Semaphore>,
+    pub long_permits: Arc<Semaphore>,
     /// Count of the states of the file.
     pub versions: watch::Receiver<u64>,
     /// True when the server must stop.
-    pub stopped: watch::Receiver<bool>,
+    pub stop_signal: watch::Receiver<bool>,
 }
 
 impl Explorer {
@@ -126,29 +126,32 @@ impl Explorer {
     /// [`ExploreError`].
     pub fn bind(options: ServerOptions) -> Result<Self, ExploreError> {
         options.spec.read()?;
-        let keep = options.keep.as_deref().zip(options.spec.file());
-        let kept = keep.and_then(|(folder, spec)| SavedAddress::read(folder, spec));
-        let listener = listen(&options, kept.as_ref().map(|kept| kept.port))?;
+        let location = options.state_folder.as_deref().zip(options.spec.file());
+        let last_address = location.and_then(|(folder, spec)| SavedAddress::read(folder, spec));
+        let listener = listen(
+            &options,
+            last_address.as_ref().map(|last_address| last_address.port),
+        )?;
         let address = listener
             .local_addr()
             .map_err(|error| ExploreError::System(error.to_string()))?;
-        let before = kept
-            .filter(|kept| kept.port == address.port())
-            .map(|kept| kept.token);
-        let guard = Authenticator::new(address, before)
+        let previous_token = last_address
+            .filter(|last_address| last_address.port == address.port())
+            .map(|last_address| last_address.token);
+        let authenticator = Authenticator::new(address, previous_token)
             .map_err(|error| ExploreError::System(error.to_string()))?;
-        if let Some((folder, spec)) = keep {
+        if let Some((folder, spec)) = location {
             // If this fails the page still works until the server stops.
             let _ = SavedAddress {
                 port: address.port(),
-                token: guard.token().to_owned(),
+                token: authenticator.token().to_owned(),
             }
             .write(folder, spec);
         }
         Ok(Self {
             listener,
             address,
-            guard,
+            authenticator,
             options,
             stop: watch::Sender::new(false),
         })
@@ -156,12 +159,12 @@ impl Explorer {
 
     /// Returns the address of the page, with its token.
     pub fn page(&self) -> String {
-        let shown = if self.address.ip().is_unspecified() {
+        let address = if self.address.ip().is_unspecified() {
             SocketAddr::from((Ipv4Addr::LOCALHOST, self.address.port()))
         } else {
             self.address
         };
-        format!("http://{shown}/{}/", self.guard.token())
+        format!("http://{address}/{}/", self.authenticator.token())
     }
 
     /// Returns a handle that stops the server.
@@ -179,34 +182,36 @@ impl Explorer {
             .enable_all()
             .build()
             .map_err(system)?;
-        let served = runtime.block_on(self.serve()).map_err(system);
+        let result = runtime.block_on(self.serve()).map_err(system);
         runtime.shutdown_timeout(Duration::from_secs(2));
-        served
+        result
     }
 
     async fn serve(self) -> std::io::Result<()> {
         let cores = std::thread::available_parallelism().map_or(2, usize::from);
-        let mut stopped = self.stop.subscribe();
+        let mut stop_signal = self.stop.subscribe();
         let host = Host {
-            guard: self.guard,
+            authenticator: self.authenticator,
             sockets: Arc::new(Semaphore::new(self.options.limits.sockets)),
-            quick: Arc::new(Semaphore::new(QUICK_PER_CORE * cores.max(2))),
-            long: Arc::new(Semaphore::new(1)),
-            versions: file_watch::follow(self.options.spec.file().map(Path::to_path_buf)),
-            stopped: self.stop.subscribe(),
+            quick_permits: Arc::new(Semaphore::new(QUICK_PER_CORE * cores.max(2))),
+            long_permits: Arc::new(Semaphore::new(1)),
+            versions: file_watch::start(self.options.spec.file().map(Path::to_path_buf)),
+            stop_signal: self.stop.subscribe(),
             options: self.options,
         };
-        let router = Router::new().fallback(answer).with_state(Arc::new(host));
+        let router = Router::new()
+            .fallback(handle_request)
+            .with_state(Arc::new(host));
         // Without this option a response waits about 40 ms for the receipt of the previous one.
-        let at_once = |stream: &mut tokio::net::TcpStream| {
+        let disable_delay = |stream: &mut tokio::net::TcpStream| {
             let _ = stream.set_nodelay(true);
         };
-        let listener = tokio::net::TcpListener::from_std(self.listener)?.tap_io(at_once);
-        let serving = axum::serve(listener, router);
+        let listener = tokio::net::TcpListener::from_std(self.listener)?.tap_io(disable_delay);
+        let server = axum::serve(listener, router);
         // Connections that a browser leaves open would delay a graceful shutdown.
         tokio::select! {
-            result = serving.into_future() => result,
-            _ = stopped.wait_for(|stopped| *stopped) => {
+            result = server.into_future() => result,
+            _ = stop_signal.wait_for(|stop_signal| *stop_signal) => {
                 tokio::time::sleep(Duration::from_millis(100)).await;
                 Ok(())
             }
@@ -217,23 +222,24 @@ impl Explorer {
 /// Binds the requested address; by default the port of the previous server, or a free one.
 fn listen(
     options: &ServerOptions,
-    before: Option<u16>,
+    previous_port: Option<u16>,
 ) -> Result<std::net::TcpListener, ExploreError> {
-    let local = |port| SocketAddr::from((Ipv4Addr::LOCALHOST, port));
-    let wanted = options.listen.unwrap_or_else(|| local(0));
-    let again = before
+    let loopback = |port| SocketAddr::from((Ipv4Addr::LOCALHOST, port));
+    let requested_address = options.listen.unwrap_or_else(|| loopback(0));
+    let previous_listener = previous_port
         .filter(|_| options.listen.is_none())
-        .and_then(|port| std::net::TcpListener::bind(local(port)).ok());
-    let listener = again.map_or_else(|| std::net::TcpListener::bind(wanted), Ok);
-    let ready = listener.and_then(|listener| listener.set_nonblocking(true).map(|()| listener));
-    ready.map_err(|why| ExploreError::Address {
-        address: wanted,
-        why,
+        .and_then(|port| std::net::TcpListener::bind(loopback(port)).ok());
+    let listener =
+        previous_listener.map_or_else(|| std::net::TcpListener::bind(requested_address), Ok);
+    let listener = listener.and_then(|listener| listener.set_nonblocking(true).map(|()| listener));
+    listener.map_err(|cause| ExploreError::Address {
+        address: requested_address,
+        cause,
     })
 }
 
 /// Handles every request; the path is compared with known names and opens no file.
-async fn answer(
+async fn handle_request(
     State(host): State<Arc<Host>>,
     method: Method,
     uri: Uri,
@@ -242,21 +248,21 @@ async fn answer(
 ) -> Response {
     let path = uri.path().strip_prefix('/').unwrap_or_default();
     let (token, name) = path.split_once('/').unwrap_or((path, "socket"));
-    match host.guard.check(token, &headers, name == "socket") {
+    match host.authenticator.check(token, &headers, name == "socket") {
         Err(RequestRefusal::Host) => {
-            return refused(
+            return refusal(
                 StatusCode::MISDIRECTED_REQUEST,
                 "the request names another host; use the address that `jounce explore` printed",
             );
         }
         Err(RequestRefusal::Origin) => {
-            return refused(
+            return refusal(
                 StatusCode::FORBIDDEN,
                 "this server accepts requests of its own page only",
             );
         }
         Err(RequestRefusal::Token) => {
-            return refused(
+            return refusal(
                 StatusCode::FORBIDDEN,
                 "use the address that `jounce explore` printed, with its token",
             );
@@ -264,26 +270,26 @@ async fn answer(
         Ok(()) => {}
     }
     if method != Method::GET {
-        return refused(StatusCode::METHOD_NOT_ALLOWED, "only GET is allowed");
+        return refusal(StatusCode::METHOD_NOT_ALLOWED, "only GET is allowed");
     }
     if name != "socket" {
         return serve(name);
     }
     let Ok(upgrade) = upgrade else {
-        return refused(StatusCode::BAD_REQUEST, "this path needs a websocket");
+        return refusal(StatusCode::BAD_REQUEST, "this path needs a websocket");
     };
     let Ok(permit) = Arc::clone(&host.sockets).try_acquire_owned() else {
-        return refused(
+        return refusal(
             StatusCode::SERVICE_UNAVAILABLE,
             "too many pages are open; close one",
         );
     };
-    let most = host.options.limits.message_bytes;
+    let max_bytes = host.options.limits.message_bytes;
     upgrade
-        .max_message_size(most)
-        .max_frame_size(most)
+        .max_message_size(max_bytes)
+        .max_frame_size(max_bytes)
         .on_upgrade(move |socket| async move {
-            socket::converse(socket, host).await;
+            socket::serve_page(socket, host).await;
             drop(permit);
         })
 }

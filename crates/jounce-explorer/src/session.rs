@@ -20,7 +20,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use tokio::sync::mpsc;
 
 /// Number of positions along a beam at which its motion is drawn.
-const PLACES: usize = 49;
+const BEAM_POSITIONS: usize = 49;
 
 /// Shapes of the modes along each beam.
 pub type Shapes = Arc<BTreeMap<String, BeamShape>>;
@@ -28,85 +28,85 @@ pub type Shapes = Arc<BTreeMap<String, BeamShape>>;
 /// Session of a page.
 pub struct Session {
     host: Arc<Host>,
-    out: mpsc::Sender<Vec<u8>>,
-    lanes: LatestRequests,
-    base: Mutex<Option<Arc<Model>>>,
+    sender: mpsc::Sender<Vec<u8>>,
+    latest_requests: LatestRequests,
+    last_model: Mutex<Option<Arc<Model>>>,
     shapes: Mutex<Option<(Spec, Shapes)>>,
     /// Responses sent so far.
-    pub answers: Responses,
+    pub responses: Responses,
     /// Last curve of the harvester without contact.
     pub linear: LastLinear,
 }
 
 impl Session {
     /// Creates the session of a new page.
-    pub fn new(host: Arc<Host>, out: mpsc::Sender<Vec<u8>>) -> Self {
-        let (base, shapes) = (Mutex::new(None), Mutex::new(None));
+    pub fn new(host: Arc<Host>, sender: mpsc::Sender<Vec<u8>>) -> Self {
+        let (last_model, shapes) = (Mutex::new(None), Mutex::new(None));
         Self {
             host,
-            out,
-            lanes: LatestRequests::default(),
-            base,
+            sender,
+            latest_requests: LatestRequests::default(),
+            last_model,
             shapes,
-            answers: Responses::default(),
+            responses: Responses::default(),
             linear: LastLinear::default(),
         }
     }
 
     /// Sends a frame.
-    pub async fn tell(&self, frame: Frame) {
-        let _ = self.out.send(frame.encode()).await;
+    pub async fn send_async(&self, frame: Frame) {
+        let _ = self.sender.send(frame.encode()).await;
     }
 
     /// Sends a frame from a computing thread, unless it is cancelled.
     pub fn send(&self, cancellation: &Cancellation, frame: Frame) {
         if !cancellation.is_stopped() {
-            let _ = self.out.blocking_send(frame.encode());
+            let _ = self.sender.blocking_send(frame.encode());
         }
     }
 
     /// Sends a frame that may be lost, such as progress.
-    pub fn hint(&self, cancellation: &Cancellation, frame: Frame) {
+    pub fn try_send(&self, cancellation: &Cancellation, frame: Frame) {
         if !cancellation.is_stopped() {
-            let _ = self.out.try_send(frame.encode());
+            let _ = self.sender.try_send(frame.encode());
         }
     }
 
     /// Sends the description of this server.
-    pub async fn greet(&self) {
+    pub async fn send_hello(&self) {
         let mut frame = Frame::new(0, "hello", "done");
         let options = &self.host.options;
         frame
             .put("file", options.spec.name().display().to_string())
             .put("set", json!(options.set))
             .put("jounce", env!("CARGO_PKG_VERSION"));
-        self.tell(frame).await;
+        self.send_async(frame).await;
     }
 
     /// Cancels all requests of the page.
-    pub fn end(&self) {
-        self.lanes.stop_all();
+    pub fn cancel_all(&self) {
+        self.latest_requests.stop_all();
     }
 
     /// Handles a request.
-    pub fn ask(self: &Arc<Self>, request: Request) {
-        if let RequestKind::Stop { what } = &request.ask {
-            return self.lanes.stop(what);
+    pub fn handle_request(self: &Arc<Self>, request: Request) {
+        if let RequestKind::Stop { what } = &request.kind {
+            return self.latest_requests.stop(what);
         }
-        let cancellation = self.lanes.enter(request.ask.name());
+        let cancellation = self.latest_requests.register(request.kind.name());
         let session = Arc::clone(self);
         tokio::spawn(async move {
             let is_long = matches!(
-                request.ask,
+                request.kind,
                 RequestKind::Sweep { .. }
                     | RequestKind::Load { .. }
                     | RequestKind::Basins { .. }
                     | RequestKind::Shake { .. }
             );
             let permits = if is_long {
-                &session.host.long
+                &session.host.long_permits
             } else {
-                &session.host.quick
+                &session.host.quick_permits
             };
             let Ok(_permit) = Arc::clone(permits).acquire_owned().await else {
                 return;
@@ -114,42 +114,44 @@ impl Session {
             if cancellation.is_stopped() {
                 return;
             }
-            let longest = session.host.options.limits.longest;
-            let late = cancellation.clone();
+            let max_time = session.host.options.limits.max_computation_time;
+            let timeout_cancellation = cancellation.clone();
             let timer = tokio::spawn(async move {
-                tokio::time::sleep(longest).await;
-                late.stop_late();
+                tokio::time::sleep(max_time).await;
+                timeout_cancellation.stop_on_timeout();
             });
-            let (id, name) = (request.id, request.ask.name());
-            let (worker, wish) = (Arc::clone(&session), cancellation.clone());
-            let done = tokio::task::spawn_blocking(move || worker.work(&request, &wish)).await;
+            let (id, name) = (request.id, request.kind.name());
+            let (worker, worker_cancellation) = (Arc::clone(&session), cancellation.clone());
+            let outcome =
+                tokio::task::spawn_blocking(move || worker.compute(&request, &worker_cancellation))
+                    .await;
             timer.abort();
-            let wrong = match done {
-                _ if cancellation.is_late() => Some(DesignFault::Text(format!(
+            let fault = match outcome {
+                _ if cancellation.is_timed_out() => Some(DesignFault::Text(format!(
                     "this took longer than {} s and was stopped; request less",
-                    longest.as_secs()
+                    max_time.as_secs()
                 ))),
                 Ok(Ok(())) => None,
-                Ok(Err(wrong)) => Some(wrong),
+                Ok(Err(fault)) => Some(fault),
                 Err(_) => Some(DesignFault::Text(
                     "the computation failed unexpectedly; please report the spec that caused it"
                         .to_owned(),
                 )),
             };
-            if let Some(wrong) =
-                wrong.filter(|_| !cancellation.is_stopped() || cancellation.is_late())
+            if let Some(fault) =
+                fault.filter(|_| !cancellation.is_stopped() || cancellation.is_timed_out())
             {
                 let mut frame = Frame::new(id, name, "fault");
-                frame.put("faults", wrong.listed(session.host.options.spec.name()));
-                session.tell(frame).await;
+                frame.put("faults", fault.fault_list(session.host.options.spec.name()));
+                session.send_async(frame).await;
             }
         });
     }
 
-    fn work(&self, request: &Request, cancellation: &Cancellation) -> Result<(), DesignFault> {
+    fn compute(&self, request: &Request, cancellation: &Cancellation) -> Result<(), DesignFault> {
         let design = Design::read(&self.host.options.spec, &request.set)?;
         let id = request.id;
-        match &request.ask {
+        match &request.kind {
             RequestKind::Design => {
                 let mut frame = Frame::new(id, "design", "done");
                 let title = self
@@ -171,12 +173,12 @@ impl Session {
                 self.send(cancellation, frame);
                 Ok(())
             }
-            RequestKind::Response(over) => branches::respond(self, id, design, over, cancellation),
+            RequestKind::Response(span) => branches::respond(self, id, design, span, cancellation),
             RequestKind::Orbit {
-                answer,
+                response,
                 branch,
                 point,
-            } => orbit::respond(self, id, (*answer, *branch, *point), cancellation),
+            } => orbit::respond(self, id, (*response, *branch, *point), cancellation),
             RequestKind::Sweep { range, points } => {
                 sweep::respond(self, id, &design, range, *points, cancellation)
             }
@@ -192,8 +194,8 @@ impl Session {
                 self.host.options.spec.folder(),
                 cancellation,
             ),
-            RequestKind::Export(over) => {
-                self.send(cancellation, self.export(id, &design, over, &request.set)?);
+            RequestKind::Export(span) => {
+                self.send(cancellation, self.export(id, &design, span, &request.set)?);
                 Ok(())
             }
             RequestKind::Stop { .. } => Ok(()),
@@ -205,20 +207,20 @@ impl Session {
         &self,
         id: u64,
         design: &Design,
-        over: &KeySpan,
+        span: &KeySpan,
         set: &[(String, String)],
     ) -> Result<Frame, DesignFault> {
-        let key = design.range(&over.over, over.from, over.to)?;
+        let key = design.range(&span.over, span.from, span.to)?;
         let path = self.host.options.spec.name().display().to_string();
-        let range = format!("{}:{}", key.show(over.from), key.show(over.to));
-        let sets: String = set
+        let range = format!("{}:{}", key.show(span.from), key.show(span.to));
+        let set_options: String = set
             .iter()
-            .map(|(key, value)| format!(" --set {}", quoted(&format!("{key}={value}"))))
+            .map(|(key, value)| format!(" --set {}", shell_quoted(&format!("{key}={value}"))))
             .collect();
         let shell = format!(
-            "jounce branch {} --over {}{sets}",
-            quoted(&path),
-            quoted(&format!("{}={range}", key.path()))
+            "jounce branch {} --over {}{set_options}",
+            shell_quoted(&path),
+            shell_quoted(&format!("{}={range}", key.path()))
         );
         let changes: String = set
             .iter()
@@ -241,29 +243,27 @@ impl Session {
     ///
     /// # Errors
     /// [`AnalysisError`].
-    pub fn prepared(
-        &self,
-        spec: &Spec,
-        cancellation: &Cancellation,
-    ) -> Result<Model, AnalysisError> {
-        let before = self
-            .base
+    pub fn model(&self, spec: &Spec, cancellation: &Cancellation) -> Result<Model, AnalysisError> {
+        let previous = self
+            .last_model
             .lock()
             .unwrap_or_else(PoisonError::into_inner)
             .clone();
-        let prepared = match before {
-            Some(before) if before.spec == *spec => before,
-            before => {
-                let prepared = Arc::new(match before {
-                    Some(before) => before.changed(spec.clone())?,
+        let model = match previous {
+            Some(previous) if previous.spec == *spec => previous,
+            previous => {
+                let model = Arc::new(match previous {
+                    Some(previous) => previous.changed(spec.clone())?,
                     None => Model::new(spec.clone())?,
                 });
-                *self.base.lock().unwrap_or_else(PoisonError::into_inner) =
-                    Some(Arc::clone(&prepared));
-                prepared
+                *self
+                    .last_model
+                    .lock()
+                    .unwrap_or_else(PoisonError::into_inner) = Some(Arc::clone(&model));
+                model
             }
         };
-        prepared.with_control(cancellation.control())
+        model.with_control(cancellation.control())
     }
 
     /// Returns the shapes of the modes along the beams of a design.
@@ -271,17 +271,24 @@ impl Session {
     /// # Errors
     /// [`AnalysisError`].
     pub fn shapes(&self, spec: &Spec) -> Result<Shapes, AnalysisError> {
-        let same = |known: &Spec| {
-            (&known.beam, &known.patch, &known.mass, &known.modal)
-                == (&spec.beam, &spec.patch, &spec.mass, &spec.modal)
-                && known.reduction == spec.reduction
+        let has_same_shapes = |cached_spec: &Spec| {
+            (
+                &cached_spec.beam,
+                &cached_spec.patch,
+                &cached_spec.mass,
+                &cached_spec.modal,
+            ) == (&spec.beam, &spec.patch, &spec.mass, &spec.modal)
+                && cached_spec.reduction == spec.reduction
         };
-        let mut kept = self.shapes.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some((_, shapes)) = kept.as_ref().filter(|(known, _)| same(known)) {
+        let mut cached = self.shapes.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, shapes)) = cached
+            .as_ref()
+            .filter(|(cached_spec, _)| has_same_shapes(cached_spec))
+        {
             return Ok(Arc::clone(shapes));
         }
-        let shapes = Arc::new(shapes_along_beams(spec, &[], PLACES)?);
-        *kept = Some((spec.clone(), Arc::clone(&shapes)));
+        let shapes = Arc::new(shapes_along_beams(spec, &[], BEAM_POSITIONS)?);
+        *cached = Some((spec.clone(), Arc::clone(&shapes)));
         Ok(shapes)
     }
 
@@ -289,8 +296,8 @@ impl Session {
     ///
     /// # Errors
     /// [`DesignFault::Text`] where it is too old.
-    pub fn answered(&self, id: u64) -> Result<Arc<StoredResponse>, DesignFault> {
-        self.answers.find(id).ok_or_else(|| {
+    pub fn stored_response(&self, id: u64) -> Result<Arc<StoredResponse>, DesignFault> {
+        self.responses.find(id).ok_or_else(|| {
             DesignFault::Text(
                 "this response is no longer stored; move a slider to compute it again".to_owned(),
             )
@@ -299,9 +306,9 @@ impl Session {
 }
 
 /// Quotes one word of a shell line.
-fn quoted(word: &str) -> String {
-    let plain = |letter: char| letter.is_ascii_alphanumeric() || "=./:_-".contains(letter);
-    if word.chars().all(plain) {
+fn shell_quoted(word: &str) -> String {
+    let is_plain = |letter: char| letter.is_ascii_alphanumeric() || "=./:_-".contains(letter);
+    if word.chars().all(is_plain) {
         word.to_owned()
     } else {
         format!("'{}'", word.replace('\'', "'\\''"))
@@ -314,8 +321,8 @@ mod tests {
 
     #[test]
     fn words_of_a_shell_line_are_quoted() {
-        assert_eq!(quoted("examples/a.toml"), "examples/a.toml");
-        assert_eq!(quoted("stop.tip.gap=0.5 mm"), "'stop.tip.gap=0.5 mm'");
-        assert_eq!(quoted("a'; rm"), "'a'\\''; rm'");
+        assert_eq!(shell_quoted("examples/a.toml"), "examples/a.toml");
+        assert_eq!(shell_quoted("stop.tip.gap=0.5 mm"), "'stop.tip.gap=0.5 mm'");
+        assert_eq!(shell_quoted("a'; rm"), "'a'\\''; rm'");
     }
 }

@@ -20,19 +20,19 @@ pub fn respond(
     session: &Session,
     id: u64,
     design: &Design,
-    over: &KeySpan,
+    span: &KeySpan,
     points: usize,
     cancellation: &Cancellation,
 ) -> Result<(), DesignFault> {
-    let key = design.range(&over.over, over.from, over.to)?;
+    let key = design.range(&span.over, span.from, span.to)?;
     let text = format!(
         "{}:{}:{}x",
-        key.show(over.from),
-        key.show(over.to),
+        key.show(span.from),
+        key.show(span.to),
         points.clamp(2, MAX_POINTS)
     );
     let range = KeyRange::parse(key, &text).map_err(|fault| DesignFault::Faults(vec![fault]))?;
-    march(
+    run_sweep(
         session,
         id,
         "sweep",
@@ -44,10 +44,10 @@ pub fn respond(
 }
 
 /// Runs a sweep over a range; each point has the name of its request.
-pub fn march(
+pub fn run_sweep(
     session: &Session,
     id: u64,
-    ask: &str,
+    kind: &str,
     design: &Design,
     range: &KeyRange,
     direction: SweepOrder,
@@ -60,12 +60,12 @@ pub fn march(
         fixed_duration: false,
         folder: PathBuf::new(),
     };
-    let of = sweep.len();
-    let done = |point: &SweepPoint| {
-        let mut frame = Frame::new(id, ask, "point");
+    let total = sweep.len();
+    let send_point = |point: &SweepPoint| {
+        let mut frame = Frame::new(id, kind, "point");
         frame
             .put("over", range.key().path())
-            .put("of", of)
+            .put("of", total)
             .put("index", point.index)
             .put("x", point.parameter);
         frame
@@ -77,9 +77,9 @@ pub fn march(
             .put("up", point.direction != SweepDirection::Down);
         session.send(cancellation, frame);
     };
-    sweep.run(None, cancellation.control(), &done)?;
-    let mut frame = Frame::new(id, ask, "done");
-    frame.put("of", of);
+    sweep.run(None, cancellation.control(), &send_point)?;
+    let mut frame = Frame::new(id, kind, "done");
+    frame.put("of", total);
     session.send(cancellation, frame);
     Ok(())
 }

@@ -15,7 +15,7 @@ pub struct Upload {
     /// Name and unit of the channel.
     pub channel: String,
     /// Data-quality issues of the recording and this channel.
-    pub findings: Vec<String>,
+    pub issues: Vec<String>,
 }
 
 /// Reads a file from its bytes and writes one of its channels into a folder.
@@ -25,38 +25,38 @@ pub struct Upload {
 pub fn read_upload(
     name: &str,
     bytes: &str,
-    wanted: Option<&str>,
+    channel_name: Option<&str>,
     folder: &Path,
 ) -> Result<Upload, DesignFault> {
     // Stored under its own name, which faults then show; a name from a page is never a path.
-    let own = Path::new(name)
+    let file_name = Path::new(name)
         .file_name()
         .ok_or_else(|| DesignFault::Text(format!("{name:?} is not the name of a file")))?;
-    let (received, file) = (folder.join("dropped"), folder.join("recording.csv"));
-    std::fs::create_dir(&received)?;
-    std::fs::write(received.join(own), STANDARD.decode(bytes)?)?;
-    let here = received.join("").display().to_string();
-    let recording = read::record(&received.join(own))
-        .map_err(|error| DesignFault::Text(error.to_string().replace(&here, "")))?
+    let (upload_folder, file) = (folder.join("dropped"), folder.join("recording.csv"));
+    std::fs::create_dir(&upload_folder)?;
+    std::fs::write(upload_folder.join(file_name), STANDARD.decode(bytes)?)?;
+    let folder_prefix = upload_folder.join("").display().to_string();
+    let recording = read::record(&upload_folder.join(file_name))
+        .map_err(|error| DesignFault::Text(error.to_string().replace(&folder_prefix, "")))?
         .into_even()?;
-    let channel = chosen(&recording, wanted)
+    let channel = select_channel(&recording, channel_name)
         .map_err(|error| DesignFault::Text(format!("{name}: {error}")))?;
     let mut text = "time (s),value\n".to_owned();
-    for (place, value) in recording.grid.places().iter().zip(&channel.values) {
-        let _ = writeln!(text, "{place:?},{value:?}");
+    for (position, value) in recording.grid.places().iter().zip(&channel.values) {
+        let _ = writeln!(text, "{position:?},{value:?}");
     }
     std::fs::write(&file, text)?;
-    let of_this = |finding: &&Issue| {
-        finding
+    let concerns_channel = |issue: &&Issue| {
+        issue
             .channel
             .as_ref()
-            .is_none_or(|own| *own == channel.name)
+            .is_none_or(|issue_channel| *issue_channel == channel.name)
     };
-    let findings = recording
+    let issues = recording
         .findings
         .iter()
-        .filter(of_this)
-        .map(|finding| finding.about.clone())
+        .filter(concerns_channel)
+        .map(|issue| issue.about.clone())
         .collect();
     let unit = if channel.unit.is_empty() {
         String::new()
@@ -66,15 +66,18 @@ pub fn read_upload(
     Ok(Upload {
         file,
         channel: format!("{}{unit}", channel.name),
-        findings,
+        issues,
     })
 }
 
 /// Returns the requested channel, or the only one; any quantity is allowed, since the scale
 /// converts it.
-fn chosen<'r>(recording: &'r Recording, wanted: Option<&str>) -> Result<&'r Channel, ChannelError> {
-    match (wanted, &recording.channels[..]) {
-        (Some(wanted), _) => Ok(recording.channel(wanted)?),
+fn select_channel<'r>(
+    recording: &'r Recording,
+    channel_name: Option<&str>,
+) -> Result<&'r Channel, ChannelError> {
+    match (channel_name, &recording.channels[..]) {
+        (Some(channel_name), _) => Ok(recording.channel(channel_name)?),
         (None, [only]) => Ok(only),
         (None, _) => Err(recording.unnamed()),
     }
@@ -85,31 +88,41 @@ fn chosen<'r>(recording: &'r Recording, wanted: Option<&str>) -> Result<&'r Chan
 mod tests {
     use super::*;
 
-    fn drop(text: &str, wanted: Option<&str>) -> Result<(String, String), String> {
+    fn upload(text: &str, channel_name: Option<&str>) -> Result<(String, String), String> {
         let folder = tempfile::tempdir().unwrap();
-        let found = read_upload("bridge.csv", &STANDARD.encode(text), wanted, folder.path());
-        let told = found.map(|found| (std::fs::read_to_string(found.file).unwrap(), found.channel));
-        told.map_err(|wrong| {
-            if let DesignFault::Text(words) = wrong {
-                words
+        let result = read_upload(
+            "bridge.csv",
+            &STANDARD.encode(text),
+            channel_name,
+            folder.path(),
+        );
+        let text_and_channel = result.map(|result| {
+            (
+                std::fs::read_to_string(result.file).unwrap(),
+                result.channel,
+            )
+        });
+        text_and_channel.map_err(|fault| {
+            if let DesignFault::Text(message) = fault {
+                message
             } else {
-                panic!("{wrong:?}")
+                panic!("{fault:?}")
             }
         })
     }
 
     #[test]
-    fn one_channel_is_taken_and_one_of_several_is_named() {
+    fn one_channel_is_selected_and_one_of_several_must_be_named() {
         let one: String = (0..50)
             .map(|k| format!("{},{}\n", 0.01 * f64::from(k), k % 7))
             .collect();
-        let (text, _) = drop(&format!("time (s),x\n{one}"), None).unwrap();
+        let (text, _) = upload(&format!("time (s),x\n{one}"), None).unwrap();
         assert_eq!(
             (text.lines().count(), text.lines().nth(9)),
             (51, Some("0.08,1.0"))
         );
         assert!(
-            drop(&one, None)
+            upload(&one, None)
                 .unwrap_err()
                 .contains("no column has a unit of time")
         );
@@ -117,26 +130,26 @@ mod tests {
             .map(|k| format!("{},{},{}\n", 0.01 * f64::from(k), k % 7, k % 5))
             .collect();
         let two = format!("time (s),left (g),right (m/s^2)\n{two}");
-        let words = drop(&two, None).unwrap_err();
+        let message = upload(&two, None).unwrap_err();
         assert!(
-            words.starts_with("bridge.csv: name the channel; bridge has left, right"),
-            "{words}"
+            message.starts_with("bridge.csv: name the channel; bridge has left, right"),
+            "{message}"
         );
-        let (text, channel) = drop(&two, Some("2")).unwrap();
+        let (text, channel) = upload(&two, Some("2")).unwrap();
         assert!(
             text.lines().nth(10).unwrap().ends_with(",4.0") && channel == "right in m/s^2",
             "{text} {channel}"
         );
         assert!(
-            drop(&two, Some("middle"))
+            upload(&two, Some("middle"))
                 .unwrap_err()
                 .contains("no channel \"middle\"")
         );
     }
 
     #[test]
-    fn what_is_no_recording_is_refused_by_its_own_name() {
-        let words = drop("\u{89}PNG\r\n\u{1a}\n", None).unwrap_err();
-        assert!(words.starts_with("bridge.csv: "), "{words}");
+    fn a_file_that_is_no_recording_is_refused_with_its_name() {
+        let message = upload("\u{89}PNG\r\n\u{1a}\n", None).unwrap_err();
+        assert!(message.starts_with("bridge.csv: "), "{message}");
     }
 }

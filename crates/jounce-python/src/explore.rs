@@ -61,7 +61,7 @@ impl Explorer {
             spec: source,
             set: Vec::new(),
             listen,
-            keep: state_folder(),
+            state_folder: state_folder(),
             limits: ServerLimits::default(),
         })?;
         let (address, stopper) = (server.page(), server.stopper());

@@ -22,25 +22,25 @@ def plot_branch(result: BranchResult, ax: Any = None) -> Any:
     """
     harvests = any(one.mean_power_w.any() for one in result)
     periods = sorted({one.period_cycles for one in result})
-    named: set[str] = set()
+    used_labels: set[str] = set()
 
-    def once(text: str) -> str | None:
-        fresh = text not in named
-        named.add(text)
-        return text if fresh else None
+    def label_once(text: str) -> str | None:
+        is_new = text not in used_labels
+        used_labels.add(text)
+        return text if is_new else None
 
     with axes(ax) as ax:
         for one in result:
             colour = COLOURS[periods.index(one.period_cycles) % len(COLOURS)]
             for stable in (True, False):
                 values = one.mean_power_w if harvests else one.displacement_peak_m
-                shown = np.where(_stretch(one.stable, stable), values, np.nan)
-                text = once(f"period {one.period_cycles}{'' if stable else ', unstable'}") if (one.stable == stable).any() else None
-                ax.plot(one.parameter, shown, "-" if stable else "--", color=colour, label=text)
+                segment_values = np.where(_stability_mask(one.stable, stable), values, np.nan)
+                text = label_once(f"period {one.period_cycles}{'' if stable else ', unstable'}") if (one.stable == stable).any() else None
+                ax.plot(one.parameter, segment_values, "-" if stable else "--", color=colour, label=text)
         for one in result:
-            marked = one.bifurcation_power_w if harvests else one.bifurcation_displacement_peak_m
-            for kind, at, value in zip(one.bifurcation_kind, one.bifurcation_parameter, marked):
-                ax.plot([at], [value], MARKS.get(kind, "x"), color="black", markerfacecolor="white", label=once(kind), zorder=3)
+            bifurcation_values = one.bifurcation_power_w if harvests else one.bifurcation_displacement_peak_m
+            for kind, at, value in zip(one.bifurcation_kind, one.bifurcation_parameter, bifurcation_values):
+                ax.plot([at], [value], MARKS.get(kind, "x"), color="black", markerfacecolor="white", label=label_once(kind), zorder=3)
         label(ax.xaxis, result.key, result.unit)
         if harvests:
             label(ax.yaxis, "Mean power", "W", log=True)
@@ -50,12 +50,12 @@ def plot_branch(result: BranchResult, ax: Any = None) -> Any:
     return ax
 
 
-def _stretch(stable: Any, wanted: bool) -> Any:
+def _stability_mask(stable: Any, stability: bool) -> Any:
     """Returns the points of one stability; the unstable ones include their neighbours, which avoids gaps at changes of stability."""
-    inside = stable == wanted
-    if wanted:
-        return inside
-    joined = inside.copy()
-    joined[1:] |= inside[:-1]
-    joined[:-1] |= inside[1:]
-    return joined
+    mask = stable == stability
+    if stability:
+        return mask
+    widened_mask = mask.copy()
+    widened_mask[1:] |= mask[:-1]
+    widened_mask[:-1] |= mask[1:]
+    return widened_mask

@@ -27,8 +27,8 @@ def plot_energy(result: RunResult, ax: Any = None) -> Any:
     if input_j <= 0.0:
         raise ArgumentError(f"the input energy is {input_j:g} J, so there are no shares to draw")
     # Outputs that the harvester does not have are omitted.
-    there = {"rectified_j": result.rectified, "rectified_loss_j": result.rectified, "leaks_j": result.leak}
-    names = {key: name for key, name in _NAMES.items() if there.get(key, True)}
+    required_elements = {"rectified_j": result.rectified, "rectified_loss_j": result.rectified, "leaks_j": result.leak}
+    names = {key: name for key, name in _NAMES.items() if required_elements.get(key, True)}
     shares = [100.0 * result.energies_j[key] / input_j for key in names]
     with axes(ax) as ax:
         bars = ax.barh(list(names.values()), shares, color=COLOURS[: len(shares)])

@@ -25,12 +25,12 @@ def plot_time_history(history: History, ax: Any, channel: str | None) -> Any:
     return ax
 
 
-def plot_spectrum(found: Spectrum, ax: Any) -> Any:
+def plot_spectrum(spectrum: Spectrum, ax: Any) -> Any:
     """Draws a spectrum without its line at 0 Hz."""
     with axes(ax) as ax:
-        ax.plot(found.frequency_hz[1:], found.amplitude_peak[1:], label=found.name)
+        ax.plot(spectrum.frequency_hz[1:], spectrum.amplitude_peak[1:], label=spectrum.name)
         label(ax.xaxis, "Frequency", "Hz", log=True)
-        label(ax.yaxis, f"{found.name}, amplitude (zero to peak)", found.unit, log=True)
+        label(ax.yaxis, f"{spectrum.name}, amplitude (zero to peak)", spectrum.unit, log=True)
     return ax
 
 
@@ -38,8 +38,8 @@ def plot_poincare(history: History, ax: Any, point: str | None) -> Any:
     """Draws velocity over displacement once per drive cycle."""
     if len(history.poincare_time_s) == 0:
         raise ArgumentError("this harvester has no drive, so there is no drive cycle for a Poincaré section")
-    struck = next((name for name in history.point if name.endswith(".tip")), history.point[-1])
-    point = struck if point is None else point
+    default_point = next((name for name in history.point if name.endswith(".tip")), history.point[-1])
+    point = default_point if point is None else point
     if point not in history.point:
         raise ArgumentError(f"{point}: no such point; use one of {', '.join(history.point)}")
     row = history.point.index(point)
@@ -56,6 +56,6 @@ def plot_poincare(history: History, ax: Any, point: str | None) -> Any:
 def _widen(axis: Any, motion: Floats) -> None:
     """Sets a minimum width of an axis, a hundredth of the motion, so that a settled orbit shows a point and not its roundoff."""
     low, high = axis.get_view_interval()
-    lacking = 0.01 * float(np.ptp(motion)) - (high - low)
-    if lacking > 0.0:
-        axis.axes.set(**{f"{axis.axis_name}lim": (low - 0.5 * lacking, high + 0.5 * lacking)})
+    deficit = 0.01 * float(np.ptp(motion)) - (high - low)
+    if deficit > 0.0:
+        axis.axes.set(**{f"{axis.axis_name}lim": (low - 0.5 * deficit, high + 0.5 * deficit)})

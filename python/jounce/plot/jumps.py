@@ -13,12 +13,12 @@ if TYPE_CHECKING:
 def plot_jumps(result: JumpsResult, ax: Any = None) -> Any:
     """Draws the curves over the plane of the two keys, a colour for each kind."""
     kinds = sorted({(one.kind, one.period_cycles) for one in result})
-    named: set[tuple[str, int]] = set()
+    labelled_kinds: set[tuple[str, int]] = set()
     with axes(ax) as ax:
         for one in result:
             kind = (one.kind, one.period_cycles)
-            text = None if kind in named else f"{one.kind}, period {one.period_cycles}"
-            named.add(kind)
+            text = None if kind in labelled_kinds else f"{one.kind}, period {one.period_cycles}"
+            labelled_kinds.add(kind)
             ax.plot(one.parameter, one.parameter_2, color=COLOURS[kinds.index(kind) % len(COLOURS)], label=text)
         label(ax.xaxis, result.keys[0], result.units[0])
         label(ax.yaxis, result.keys[1], result.units[1])

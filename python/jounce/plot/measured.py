@@ -50,9 +50,9 @@ def plot_stabilisation(result: MeasuredModes, ax: Any = None) -> Any:
         for hz in result.frequency_hz:
             ax.axvline(hz, color="#888888", linewidth=0.6)
         for kind, (marker, colour, fill, text) in _POLES.items():
-            own = inside & (kinds == kind)
-            look = {"linestyle": "none", "marker": marker, "fillstyle": fill, "markersize": 3 if kind != "new" else 1.5}
-            ax.plot(result.pole_frequency_hz[own], result.pole_order[own], color=colour, label=text, **look)
+            selected = inside & (kinds == kind)
+            style = {"linestyle": "none", "marker": marker, "fillstyle": fill, "markersize": 3 if kind != "new" else 1.5}
+            ax.plot(result.pole_frequency_hz[selected], result.pole_order[selected], color=colour, label=text, **style)
         label(ax.xaxis, "Frequency", "Hz")
         label(ax.yaxis, "Order", "")
         ax.legend()
@@ -62,12 +62,12 @@ def plot_stabilisation(result: MeasuredModes, ax: Any = None) -> Any:
 def plot_modal_fit(result: MeasuredModes, ax: Any, row: int) -> Any:
     """Draws a function of the band, measured and reconstructed from the modes: motion as displacement, voltage unchanged."""
     unit = "" if result.frf is None else result.frf.units[result.function[row]]
-    moves = unit.startswith("m/s") or unit == "m/N"
-    about = "Spectrum of the decay" if result.frf is None else "Displacement per force" if moves else "Response"
+    is_motion = unit.startswith("m/s") or unit == "m/N"
+    description = "Spectrum of the decay" if result.frf is None else "Displacement per force" if is_motion else "Response"
     with axes(ax) as ax:
         ax.plot(result.line_hz, np.abs(result.measured[row]), label=f"{result.function[row]}, measured")
         ax.plot(result.line_hz, np.abs(result.model[row]), "--", label="modes")
         label(ax.xaxis, "Frequency", "Hz")
-        label(ax.yaxis, about, "m/N" if moves else unit, log=True)
+        label(ax.yaxis, description, "m/N" if is_motion else unit, log=True)
         ax.legend()
     return ax

@@ -23,9 +23,9 @@ def plot_modes(result: ModesResult, ax: Any = None, modes: int = 4) -> Any:
         for mode in range(min(modes, len(result))):
             scale = max(np.abs(shape[mode]).max() for _, shape in result.beams.values()) or 1.0
             colour = None
-            for place_m, shape in result.beams.values():
+            for position_m, shape in result.beams.values():
                 text = f"{result.frequency_hz[mode]:.4g} Hz" if colour is None else None
-                (line,) = ax.plot(place_m, shape[mode] / scale, label=text, color=colour)
+                (line,) = ax.plot(position_m, shape[mode] / scale, label=text, color=colour)
                 colour = line.get_color()
         ax.axhline(0.0, color="#888888", linewidth=0.6)
         label(ax.xaxis, "Distance from the root", "m")

@@ -16,13 +16,13 @@ def plot_power(result: PowerResult, ax: Any = None) -> Any:
     """Draws mean power over the load with its 95 % intervals."""
     order = np.argsort(result.resistance_ohm, kind="stable")
     square = result.mean_square_base_acceleration_m2_s4
-    known = bool(np.isfinite(square).all())
-    per = square if known else np.ones(len(result))
-    power, half = (result.mean_power_w / per)[order], (result.half_width_w / per)[order]
+    has_acceleration = bool(np.isfinite(square).all())
+    divisor = square if has_acceleration else np.ones(len(result))
+    power, half = (result.mean_power_w / divisor)[order], (result.half_width_w / divisor)[order]
     with axes(ax) as ax:
         ax.errorbar(result.resistance_ohm[order], power, yerr=half, marker="o", capsize=3, label="mean of a record, 95 % interval")
         label(ax.xaxis, "Load resistance", "ohm", log=True)
-        label(ax.yaxis, "Mean power", "W/(m/s²)²" if known else "W")
+        label(ax.yaxis, "Mean power", "W/(m/s²)²" if has_acceleration else "W")
         ax.legend()
     return ax
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..errors import ArgumentError
-from ..optional import needed
+from ..optional import require
 from .style import axes, label
 
 if TYPE_CHECKING:
@@ -49,20 +49,20 @@ _DECADES = 4.0
 
 def plot_spectrogram(result: SpectraResult, ax: Any = None) -> Any:
     """Draws the amplitudes of each segment over time and frequency without their line at 0 Hz, with a colour bar."""
-    colours = needed("matplotlib.colors", "plot")
+    colours = require("matplotlib.colors", "plot")
     highest_hz = 2.0 * result.order_frequency_hz.max() if len(result.order) else result.frequency_hz[-1]
-    shown = (result.frequency_hz > 0.0) & (result.frequency_hz <= highest_hz)
-    values = result.amplitude_peak[:, shown].T
-    most = float(values.max())
-    if not most > 0.0:
+    visible = (result.frequency_hz > 0.0) & (result.frequency_hz <= highest_hz)
+    values = result.amplitude_peak[:, visible].T
+    max_amplitude = float(values.max())
+    if not max_amplitude > 0.0:
         raise ArgumentError(f"{result.channel} has no amplitude above 0 Hz, so there is nothing to draw")
-    least = most / 10.0**_DECADES
+    min_amplitude = max_amplitude / 10.0**_DECADES
     with axes(ax) as ax:
-        scale = colours.LogNorm(least, most)
-        drawn = ax.pcolormesh(
+        scale = colours.LogNorm(min_amplitude, max_amplitude)
+        mesh = ax.pcolormesh(
             result.time_s,
-            result.frequency_hz[shown],
-            np.maximum(values, least),
+            result.frequency_hz[visible],
+            np.maximum(values, min_amplitude),
             norm=scale,
             shading="nearest",
             cmap="viridis",
@@ -70,7 +70,7 @@ def plot_spectrogram(result: SpectraResult, ax: Any = None) -> Any:
         )
         ax.grid(False)
         unit = f" [{result.unit}]" if result.unit else ""
-        ax.figure.colorbar(drawn, ax=ax, label=f"{result.channel}, amplitude (zero to peak){unit}")
+        ax.figure.colorbar(mesh, ax=ax, label=f"{result.channel}, amplitude (zero to peak){unit}")
         label(ax.xaxis, "Time", "s")
         label(ax.yaxis, "Frequency", "Hz")
     return ax

@@ -6,12 +6,12 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
-from ..optional import needed
+from ..optional import require
 
 #: Colours that colour-blind readers can distinguish (Okabe and Ito, 2008); black, their first, is omitted.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"]
 
-_LOOK: dict[str, Any] = {
+_STYLE: dict[str, Any] = {
     "figure.figsize": (4.8, 3.2),
     "figure.dpi": 150,
     "figure.constrained_layout.use": True,
@@ -41,14 +41,14 @@ _LOOK: dict[str, Any] = {
 @contextmanager
 def axes(ax: Any, **figure: Any) -> Iterator[Any]:
     """Yields the axes to draw into, with the style of jounce."""
-    matplotlib = needed("matplotlib", "plot")
-    with matplotlib.rc_context({**_LOOK, "axes.prop_cycle": matplotlib.cycler(color=COLOURS)}):
-        yield needed("matplotlib.pyplot", "plot").subplots(**figure)[1] if ax is None else ax
+    matplotlib = require("matplotlib", "plot")
+    with matplotlib.rc_context({**_STYLE, "axes.prop_cycle": matplotlib.cycler(color=COLOURS)}):
+        yield require("matplotlib.pyplot", "plot").subplots(**figure)[1] if ax is None else ax
 
 
 def label(axis: Any, what: str, unit: str, log: bool = False) -> None:
     """Labels an axis with its unit. Ticks of a linear axis carry the unit with a prefix, ``2 mW``; the data remain in SI."""
-    ticker = needed("matplotlib.ticker", "plot")
+    ticker = require("matplotlib.ticker", "plot")
     if log:
         axis.axes.set(**{f"{axis.axis_name}scale": "log"})
     elif unit and unit not in ("Hz", "s"):

@@ -9,7 +9,7 @@ from .style import axes, label
 if TYPE_CHECKING:
     from ..sweep import SweepResult
 
-_WAYS = {
+_DIRECTION_STYLES = {
     "up": {"linestyle": "-", "marker": ">"},
     "down": {"linestyle": "--", "marker": "<", "markerfacecolor": "none"},
     "independent": {"linestyle": "none", "marker": "o"},
@@ -20,14 +20,16 @@ def plot_sweep(result: SweepResult, ax: Any = None, text: str | None = None) -> 
     """Draws mean power over the key, with separate directions; unsettled points have a ring."""
     with axes(ax) as ax:
         colour = None
-        for way, look in _WAYS.items():
-            one = result.going(way)
-            if len(one) == 0:
+        for direction, style in _DIRECTION_STYLES.items():
+            points = result.going(direction)
+            if len(points) == 0:
                 continue
-            (line,) = ax.plot(one.parameter, one.mean_power_w, label=f"{text}, {way}" if text else way, color=colour, **look)
+            (line,) = ax.plot(
+                points.parameter, points.mean_power_w, label=f"{text}, {direction}" if text else direction, color=colour, **style
+            )
             colour = line.get_color()
-            open_ = ~one.settled
-            ax.plot(one.parameter[open_], one.mean_power_w[open_], "o", markersize=9, markerfacecolor="none", color=colour)
+            unsettled = ~points.settled
+            ax.plot(points.parameter[unsettled], points.mean_power_w[unsettled], "o", markersize=9, markerfacecolor="none", color=colour)
         label(ax.xaxis, result.key, result.unit)
         label(ax.yaxis, "Mean power", "W", log=True)
         ax.legend()

@@ -40,7 +40,7 @@ impl Explore {
             spec: Source::File(self.spec.spec.clone()),
             set,
             listen: self.listen,
-            keep: state_folder(),
+            state_folder: state_folder(),
             limits: ServerLimits::default(),
         };
         let explorer = Explorer::bind(options)?;

@@ -159,7 +159,8 @@ fn incompatible_settings_are_refused() {
         ("circuit.rectifier.diode_drop", "-1 V", "must be at least 0"),
     ] {
         let mut file =
-            jounce_core::spec::SpecFile::read(rows::folder(EXAMPLE).join("harvester.toml")).unwrap();
+            jounce_core::spec::SpecFile::read(rows::folder(EXAMPLE).join("harvester.toml"))
+                .unwrap();
         let fault = file.set(key, value).map_or_else(
             |fault| fault.to_string(),
             |_| file.spec().unwrap_err().to_string(),

@@ -181,7 +181,12 @@ fn a_heavy_beam_is_the_fixed_body_of_hertz() {
 }
 
 /// Largest power of all loads between two times of a run with a record, W.
-fn peak_power_w(kernel: &Kernel, result: &jounce_core::run::RunResult, from_s: f64, to_s: f64) -> f64 {
+fn peak_power_w(
+    kernel: &Kernel,
+    result: &jounce_core::run::RunResult,
+    from_s: f64,
+    to_s: f64,
+) -> f64 {
     let plant = &kernel.plant;
     let times: Vec<f64> = (0..20_000)
         .map(|k| from_s + (to_s - from_s) * f64::from(k) / 2e4)

@@ -2,7 +2,9 @@
 
 use crate::plants::{integrate, kernel, physical, relative};
 use jounce_core::plant::System;
-use jounce_core::reference::{HertzCollision, HuntCrossleyCollision, KelvinVoigtCollision, Reference};
+use jounce_core::reference::{
+    HertzCollision, HuntCrossleyCollision, KelvinVoigtCollision, Reference,
+};
 
 /// Result of a collision.
 #[derive(Debug)]

@@ -3,7 +3,9 @@
 use crate::plants::{from_rest, kernel, relative};
 use jounce_core::contact::{Hertz, Law};
 use jounce_core::integrate::Integrator;
-use jounce_core::plant::{Bridge, BridgeState, Connection, Drive, Load, Scheme, Stop, Storage, System};
+use jounce_core::plant::{
+    Bridge, BridgeState, Connection, Drive, Load, Scheme, Stop, Storage, System,
+};
 use jounce_core::run::StartState;
 use jounce_core::spec::Wiring;
 use jounce_core::structure::{Modes, PatchModes};

@@ -451,7 +451,8 @@ fn diodes_far_faster_than_the_motion_change_during_a_contact() {
         file.set(key, value).unwrap();
     }
     let spec = file.spec().unwrap();
-    let kernel = kernel(System::assemble(&spec, jounce_core::structure::modes(&spec).unwrap()).unwrap());
+    let kernel =
+        kernel(System::assemble(&spec, jounce_core::structure::modes(&spec).unwrap()).unwrap());
     let fine = from_rest(&kernel, 1.0, 1e-10);
     assert!(fine.contacts > 3);
     for tolerance in [1e-6, 1e-7, 1e-8, 1e-9] {

@@ -147,7 +147,8 @@ fn foils_that_do_not_fit_are_refused() {
         ("patch.mfc.foil_thickness", "0 um", "must be"),
     ] {
         let mut file =
-            jounce_core::spec::SpecFile::read(rows::folder(EXAMPLE).join("harvester.toml")).unwrap();
+            jounce_core::spec::SpecFile::read(rows::folder(EXAMPLE).join("harvester.toml"))
+                .unwrap();
         let fault = file.set(key, value).map_or_else(
             |fault| fault.to_string(),
             |()| file.spec().unwrap_err().to_string(),

@@ -21,7 +21,8 @@ fn norm(values: &mut dyn Iterator<Item = f64>) -> f64 {
 
 fn system(frequency_hz: f64, law: Law) -> System {
     let spec = bench().spec().unwrap();
-    let mut system = System::assemble(&spec, jounce_core::structure::modes(&spec).unwrap()).unwrap();
+    let mut system =
+        System::assemble(&spec, jounce_core::structure::modes(&spec).unwrap()).unwrap();
     system.drives[0].frequency_hz = frequency_hz;
     system.stops[0].law = law;
     system

@@ -126,7 +126,8 @@ fn unsupported_analyses_of_several_frequencies_are_refused() {
     let parameter = Parameter::new(&base, &key, GAP_M);
     let shooting = Shooting::new(&parameter, &base.kernel, 1, 1e-9);
     let method = HarmonicBalance::new(shooting, &base.kernel, 64, 1e-7).unwrap();
-    let refused = jounce_core::continuation::Problem::at(&method, &vec![0.0; 129], GAP_M).unwrap_err();
+    let refused =
+        jounce_core::continuation::Problem::at(&method, &vec![0.0; 129], GAP_M).unwrap_err();
     assert!(
         matches!(refused, OrbitError::Summed { frequencies: 2 })
             && refused.to_string().contains("shooting"),

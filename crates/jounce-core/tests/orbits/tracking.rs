@@ -6,7 +6,9 @@ use jounce_core::analysis::{
 };
 use jounce_core::continuation::{Corrector, Metric, Position, correct_at};
 use jounce_core::integrate::Integrator;
-use jounce_core::orbit::{Condition, ExtendedProblem, ParametricModel, Shooting, TwoParameterProblem};
+use jounce_core::orbit::{
+    Condition, ExtendedProblem, ParametricModel, Shooting, TwoParameterProblem,
+};
 use jounce_core::plant::{PlantError, System};
 use jounce_core::reference::ImpactOscillator;
 use std::f64::consts::TAU;

@@ -5,7 +5,8 @@ use std::path::Path;
 /// Draws a spec as SVG, and as PNG for inspection; returns the positions of labels that begin with
 /// the given words, px.
 fn label_positions(name: &str, text: &str, words: &[&str]) -> Vec<(f64, f64)> {
-    let drawing = jounce_core::show::drawing(name, &jounce_core::spec::Spec::from_toml(text).unwrap());
+    let drawing =
+        jounce_core::show::drawing(name, &jounce_core::spec::Spec::from_toml(text).unwrap());
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("pictures");
     std::fs::create_dir_all(&folder).unwrap();
     drawing.write(&folder.join(format!("{name}.png"))).unwrap();

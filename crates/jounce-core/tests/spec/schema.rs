@@ -35,11 +35,15 @@ fn valid(text: &str) -> bool {
 
 #[test]
 fn the_schema_is_draft_07_and_holds_for_the_examples() {
-    assert!(jsonschema::draft7::meta::is_valid(&jounce_core::spec::schema()));
+    assert!(jsonschema::draft7::meta::is_valid(
+        &jounce_core::spec::schema()
+    ));
     assert!(valid(&paper()));
     assert!(valid(MODAL));
     assert!(valid(
-        &jounce_core::spec::Spec::from_toml(&paper()).unwrap().to_toml()
+        &jounce_core::spec::Spec::from_toml(&paper())
+            .unwrap()
+            .to_toml()
     ));
     let plant = root().join("../shared/plant/paper-plant.toml");
     match std::fs::read_to_string(&plant) {

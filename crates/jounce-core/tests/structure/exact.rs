@@ -5,7 +5,9 @@ use crate::paper::{
     table,
 };
 use jounce_core::spec::Section;
-use jounce_core::structure::{Modes, modes, modes_holding, modes_on_cubic_mesh, shapes_along_beams};
+use jounce_core::structure::{
+    Modes, modes, modes_holding, modes_on_cubic_mesh, shapes_along_beams,
+};
 use std::f64::consts::PI;
 
 /// A second method without elements; measured: 4e-15.

@@ -16,30 +16,34 @@ pub fn paper() -> PathBuf {
 }
 
 /// A running server; it ends with its value.
-pub struct Served {
+pub struct TestServer {
     pub host: String,
     pub token: String,
     stop: Option<Box<dyn FnOnce()>>,
 }
 
-impl Served {
+impl TestServer {
     /// Serves a spec with some limits.
     pub fn new(spec: &Path, limits: ServerLimits) -> Self {
-        Self::kept(spec, limits, None)
+        Self::with_state_folder(spec, limits, None)
     }
 
-    /// The same, its address kept in a folder.
-    pub fn kept(spec: &Path, limits: ServerLimits, keep: Option<PathBuf>) -> Self {
-        Self::of(Source::File(spec.to_path_buf()), limits, keep)
+    /// Serves a spec and saves its address in a folder.
+    pub fn with_state_folder(
+        spec: &Path,
+        limits: ServerLimits,
+        state_folder: Option<PathBuf>,
+    ) -> Self {
+        Self::from_source(Source::File(spec.to_path_buf()), limits, state_folder)
     }
 
-    /// Serves a spec, wherever it comes from.
-    pub fn of(spec: Source, limits: ServerLimits, keep: Option<PathBuf>) -> Self {
+    /// Serves a spec from any source.
+    pub fn from_source(spec: Source, limits: ServerLimits, state_folder: Option<PathBuf>) -> Self {
         let explorer = Explorer::bind(ServerOptions {
             spec,
             set: Vec::new(),
             listen: None,
-            keep,
+            state_folder,
             limits,
         })
         .unwrap();
@@ -64,7 +68,7 @@ impl Served {
         }
     }
 
-    /// Sends bytes as they are; the first line of the answer and the rest.
+    /// Sends raw bytes; returns the first line of the response and the rest.
     pub fn raw(&self, request: &str) -> (String, String) {
         let mut stream = TcpStream::connect(&self.host).unwrap();
         stream
@@ -74,22 +78,22 @@ impl Served {
         let mut bytes = Vec::new();
         let _ = stream.read_to_end(&mut bytes);
         let text = String::from_utf8_lossy(&bytes).into_owned();
-        let (first, rest) = text.split_once("\r\n").unwrap_or((&text, ""));
-        (first.to_owned(), rest.to_owned())
+        let (status_line, rest) = text.split_once("\r\n").unwrap_or((&text, ""));
+        (status_line.to_owned(), rest.to_owned())
     }
 
-    /// Asks for a path; the status and the rest of the answer.
+    /// Requests a path; returns the status and the rest of the response.
     pub fn get(&self, path: &str, headers: &str) -> (u16, String) {
         let host = if headers.to_lowercase().contains("host:") {
             String::new()
         } else {
             format!("Host: {}\r\n", self.host)
         };
-        let (first, rest) = self.raw(&format!(
+        let (status_line, rest) = self.raw(&format!(
             "GET {path} HTTP/1.1\r\n{host}{headers}Connection: close\r\n\r\n"
         ));
         (
-            first
+            status_line
                 .split(' ')
                 .nth(1)
                 .and_then(|code| code.parse().ok())
@@ -111,8 +115,8 @@ impl Served {
             )
         });
         match tokio_tungstenite::connect_async(request).await {
-            Ok((socket, _)) => Ok(Page { socket, next: 0 }),
-            Err(Error::Http(answer)) => Err(answer.status().as_u16()),
+            Ok((socket, _)) => Ok(Page { socket, last_id: 0 }),
+            Err(Error::Http(response)) => Err(response.status().as_u16()),
             Err(error) => panic!("{error}"),
         }
     }
@@ -123,12 +127,12 @@ impl Served {
             .open(&self.token, Some(&format!("http://{}", self.host)))
             .await
             .unwrap();
-        assert_eq!(page.hear().await.unwrap().head["ask"], "hello");
+        assert_eq!(page.receive().await.unwrap().head["ask"], "hello");
         page
     }
 }
 
-impl Drop for Served {
+impl Drop for TestServer {
     fn drop(&mut self) {
         self.stop.take().map(|stop| stop()).unwrap_or_default();
     }
@@ -139,61 +143,61 @@ pub struct Page {
     pub socket: tokio_tungstenite::WebSocketStream<
         tokio_tungstenite::MaybeTlsStream<tokio::net::TcpStream>,
     >,
-    next: u64,
+    last_id: u64,
 }
 
-/// One answer.
+/// Decoded response.
 #[derive(Debug)]
-pub struct Heard {
+pub struct Response {
     pub head: Value,
     numbers: Vec<f64>,
 }
 
-impl Heard {
-    /// An array of the answer.
+impl Response {
+    /// Returns an array of the response.
     pub fn array(&self, name: &str) -> &[f64] {
-        let places = self.head["arrays"].as_array().unwrap();
-        let place = places
+        let arrays = self.head["arrays"].as_array().unwrap();
+        let array = arrays
             .iter()
-            .find(|place| place[0] == name)
+            .find(|array| array[0] == name)
             .unwrap_or_else(|| panic!("no array {name}"));
         let (first, count) = (
-            place[1].as_u64().unwrap() as usize,
-            place[2].as_u64().unwrap() as usize,
+            array[1].as_u64().unwrap() as usize,
+            array[2].as_u64().unwrap() as usize,
         );
         &self.numbers[first..first + count]
     }
 }
 
 impl Page {
-    /// Asks; the number of the request.
-    pub async fn ask(&mut self, ask: &str, mut body: Value) -> u64 {
-        self.next += 1;
-        body["id"] = self.next.into();
-        body["ask"] = ask.into();
+    /// Sends a request and returns its number.
+    pub async fn send_request(&mut self, kind: &str, mut body: Value) -> u64 {
+        self.last_id += 1;
+        body["id"] = self.last_id.into();
+        body["ask"] = kind.into();
         self.socket
             .send(Message::Text(body.to_string().into()))
             .await
             .unwrap();
-        self.next
+        self.last_id
     }
 
-    /// The next answer; nothing when the socket has been closed.
-    pub async fn hear(&mut self) -> Option<Heard> {
-        let wait = Duration::from_secs(300);
+    /// Returns the next response; `None` if the socket is closed.
+    pub async fn receive(&mut self) -> Option<Response> {
+        let limit = Duration::from_secs(300);
         loop {
-            match tokio::time::timeout(wait, self.socket.next())
+            match tokio::time::timeout(limit, self.socket.next())
                 .await
-                .expect("an answer within five minutes")?
+                .expect("a response within five minutes")?
             {
                 Ok(Message::Binary(bytes)) => {
                     let length = u32::from_le_bytes(bytes[..4].try_into().unwrap()) as usize;
                     let head = serde_json::from_slice(&bytes[4..4 + length]).unwrap();
                     let numbers = bytes[4 + length..]
                         .chunks_exact(8)
-                        .map(|eight| f64::from_le_bytes(eight.try_into().unwrap()))
+                        .map(|chunk| f64::from_le_bytes(chunk.try_into().unwrap()))
                         .collect();
-                    return Some(Heard { head, numbers });
+                    return Some(Response { head, numbers });
                 }
                 Ok(Message::Close(_)) | Err(_) => return None,
                 Ok(_) => {}
@@ -201,17 +205,17 @@ impl Page {
         }
     }
 
-    /// The next answer of a kind and a stage.
-    pub async fn until(&mut self, ask: &str, stage: &str) -> Heard {
+    /// Returns the next response of a kind and a stage.
+    pub async fn receive_until(&mut self, kind: &str, stage: &str) -> Response {
         loop {
-            let heard = self.hear().await.expect("the socket is open");
-            if heard.head["ask"] == ask && heard.head["stage"] == stage {
-                return heard;
+            let response = self.receive().await.expect("the socket is open");
+            if response.head["ask"] == kind && response.head["stage"] == stage {
+                return response;
             }
             assert!(
-                heard.head["stage"] != "fault" || stage == "fault",
+                response.head["stage"] != "fault" || stage == "fault",
                 "{}",
-                heard.head
+                response.head
             );
         }
     }

@@ -1,7 +1,7 @@
 //! The server over real sockets.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-mod answers;
 mod attacks;
 mod client;
-mod shaken;
+mod excitation;
+mod responses;

@@ -379,7 +379,8 @@ fn trial(truth: &Spec, responses: &[Vec<Complex<f64>>], seed: u64) -> Inside {
     holds("coupling", &coupling_squared);
     holds("optimal load", &optimum);
     let fifth = record(&responses[LOADS_OHM.len()], &mut stream);
-    let volts = jounce_core::signal::Samples::new(&fifth.channels[1].values, RATE_HZ).expect("samples");
+    let volts =
+        jounce_core::signal::Samples::new(&fifth.channels[1].values, RATE_HZ).expect("samples");
     let measured = mean_power(&volts, FIFTH_OHM, false)
         .expect("a power")
         .mean_power_w;
