@@ -105,7 +105,7 @@ impl HammerArguments {
                 .iter()
                 .all(|recording| recording.over == Over::Frequency)
             {
-                let found = MeasuredResponses::given(&recordings)?;
+                let found = MeasuredResponses::from_functions(&recordings)?;
                 print_issues(&found.findings, None);
                 return Ok(found);
             }

@@ -7,7 +7,7 @@ use jounce_core::spec::Quantity as Unit;
 use jounce_core::table::Manifest;
 use jounce_measure::read::{self, ChannelSummary, RecordingSummary};
 use jounce_measure::recording::{
-    ChannelError, Issue, IssueKind, Quantity, Recording, chosen, named,
+    ChannelError, Issue, IssueKind, Quantity, Recording, choose_channel, find_channel,
 };
 use sha2::{Digest, Sha256};
 use std::io::Read;
@@ -84,7 +84,7 @@ pub fn channel(
     quantity: Quantity,
     option: &str,
 ) -> Result<usize, Failure> {
-    let found = chosen(&recording.name, &recording.heads(), wanted, quantity);
+    let found = choose_channel(&recording.name, &recording.heads(), wanted, quantity);
     if found.is_err() {
         // The message names the recording, which may be the wrong one.
         print_issues(&recording.findings, Some(&[]));
@@ -94,14 +94,16 @@ pub fn channel(
         error @ ChannelError::Unnamed { .. } => Failure::usage(format!("{option}: {error}")),
         error @ ChannelError::Unit { .. } => Failure::Input(format!("{option}: {error}")),
     })?;
-    let assumed = recording.channels[number].head().assumed(quantity);
+    let assumed = recording.channels[number]
+        .head()
+        .assumed_unit_issue(quantity);
     recording.findings.extend(assumed);
     Ok(number)
 }
 
 /// Returns the number of the channel of a name or number, of any quantity.
 pub fn any_channel(recording: &RecordingSummary, wanted: &str) -> Result<usize, Failure> {
-    Ok(named(&recording.name, &recording.heads(), wanted)?)
+    Ok(find_channel(&recording.name, &recording.heads(), wanted)?)
 }
 
 /// Returns the first varying channel of a quantity, else the first varying channel, else the first
@@ -129,7 +131,7 @@ pub fn first_live(recording: &RecordingSummary, quantity: Quantity) -> Option<us
 
 /// Reads the first recording over time in a file, without its samples in memory.
 pub fn summary(file: &Path) -> Result<RecordingSummary, Failure> {
-    Ok(read::survey_record(file)?)
+    Ok(read::record_summary(file)?)
 }
 
 /// Loads channels of a recording at even times and without missing samples; the others are not

@@ -13,7 +13,7 @@ use jounce_core::spec::{Gravity, driving_channel};
 use jounce_core::structure::modes_holding;
 use jounce_measure::recording::{Quantity, Recording};
 use jounce_measure::rig::{
-    Cable, Disturbance, HammerTest, RigError, Sensor, ShakerTest, carry, hammer_test,
+    Cable, Disturbance, HammerTest, RigError, Sensor, ShakerTest, add_accelerometers, hammer_test,
     on_recorded_base, shaker_test, start_of_run,
 };
 use jounce_measure::solution::{SolutionSearch, solutions, start_of};
@@ -83,7 +83,7 @@ impl Sensors {
             .wire(spec)?;
         }
         if let Some(mass_kg) = self.sensor_mass_kg {
-            carry(spec, &self.at, mass_kg)?;
+            add_accelerometers(spec, &self.at, mass_kg)?;
         }
         Ok(())
     }
@@ -183,7 +183,7 @@ fn shaken(
         duration_s: run.average_over_s,
         before_s,
         starts,
-        wander: shaker.wander(),
+        disturbance: shaker.wander(),
         accelerometers: sensors.at.clone(),
         sensor: sensors.sensor(),
         seed: sensors.seed,

@@ -260,7 +260,7 @@ fn print_hit(hit: &Hit, fitted: &Result<ContactFit, String>, rate_hz: f64) {
         "hit at {at:.6} s: peak {:.4} N, {:.4e} s above a tenth of it ({:.4} N), impulse {:.4e} N s",
         hit.peak_force_n,
         hit.contact_time_s,
-        HitSearch::default().edge * hit.peak_force_n,
+        HitSearch::default().edge_ratio * hit.peak_force_n,
         hit.impulse_n_s
     ));
     hit.warnings

@@ -8,7 +8,7 @@ use jounce_core::picture::{Axis, Figure, Line, Panel, Series, Trace, time_histor
 use jounce_core::spec::Quantity as Unit;
 use jounce_core::table::{Column, Table};
 use jounce_measure::read::{
-    ChannelSummary, FileSummary, ModeShape, Notes, RecordingSummary, survey_noted,
+    ChannelSummary, FileSummary, ModeShape, Notes, RecordingSummary, summary_with_notes,
 };
 use jounce_measure::recording::{Issue, Over, Series as _, Sizes};
 use jounce_measure::write::write_surveyed;
@@ -48,11 +48,11 @@ pub struct Read {
 impl Read {
     /// Reads and reports.
     pub fn run(&self) -> Result<(), Failure> {
-        let mut notes = Notes::beside(&self.file.file)?;
+        let mut notes = Notes::for_file(&self.file.file)?;
         if let Some(rate) = &self.rate {
             notes.rate_hz = Some(positive("--rate", rate, Unit::Frequency)?);
         }
-        let contents = survey_noted(&self.file.file, &notes)?;
+        let contents = summary_with_notes(&self.file.file, &notes)?;
         if let Some(path) = &self.to {
             self.write_first(path, &contents)?;
         }
@@ -158,7 +158,7 @@ impl Read {
             ))
         };
         let part = recording
-            .part(span, &channels)
+            .slice(span, &channels)
             .map_err(lost)?
             .ok_or_else(nothing)?;
         if !self.even {
@@ -304,7 +304,7 @@ fn span_of(recording: &RecordingSummary, span: &str) -> Result<(f64, f64), Failu
 /// Draws the first channels over time, or their magnitudes over frequency.
 fn figure(recording: &RecordingSummary) -> Result<Figure, Failure> {
     let outline = recording
-        .outline(MAX_SHOWN_CHANNELS, MAX_DRAWN_POINTS)
+        .decimate(MAX_SHOWN_CHANNELS, MAX_DRAWN_POINTS)
         .map_err(|fault| Failure::Input(format!("the scratch file cannot be read: {fault}")))?;
     let shown = recording.channels.iter().zip(outline.channels);
     if recording.over == Over::Time {

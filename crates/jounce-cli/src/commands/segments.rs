@@ -8,7 +8,7 @@ use clap::Args;
 use jounce_core::signal::Samples;
 use jounce_core::spec::Quantity as Unit;
 use jounce_core::table::{Column, Table};
-use jounce_measure::draw::{segments, stretch_section, stretch_spectra};
+use jounce_measure::draw::{segment_section, segment_spectra, segments};
 use jounce_measure::recording::{Channel, Quantity};
 use jounce_measure::segmentation::{
     MAX_PERIOD_CYCLES, MergeReason, RecordSegment, SegmentMatches, Segmentation, regimes,
@@ -195,7 +195,7 @@ impl Segments {
             found,
         );
         output::figure(folder, "regimes-time", &figure)?;
-        let figure = stretch_section(
+        let figure = segment_section(
             "One value per drive cycle",
             &channel.name,
             &channel.unit,
@@ -205,7 +205,7 @@ impl Segments {
         );
         output::figure(folder, "regimes-section", &figure)?;
         let title = "Spectrum of each segment, Hann window";
-        let figure = stretch_spectra(
+        let figure = segment_spectra(
             title,
             &channel.name,
             &channel.unit,

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use jounce_data::read::{self, Notes, ReadError, RecordingSummary};
 use jounce_data::recording::{
     Channel, ChannelHead, Grid, Issue, IssueKind, NoChannel, Over, Quantity, Recording as Measured,
-    Unit, named,
+    Unit, find_channel,
 };
 
 use super::{Drive, DriveKind, DriveSignal};
@@ -134,7 +134,7 @@ pub fn driving_channel(
     quantity: Quantity,
 ) -> Result<usize, RecordingError> {
     if let Some(channel) = channel {
-        return Ok(named(recording, heads, channel)?);
+        return Ok(find_channel(recording, heads, channel)?);
     }
     let is_constant = |name: &str| {
         findings
@@ -158,7 +158,7 @@ pub fn driving_channel(
         measuring
     };
     let name = |head: &ChannelHead<'_>| {
-        if head.tells_unit() {
+        if head.has_unit() {
             format!("{} ({})", head.name, head.unit)
         } else {
             head.name.to_owned()
@@ -292,7 +292,7 @@ impl Recording {
         }
         let head = survey.channels[number].head();
         let assumed = if unit.is_none() {
-            head.assumed(quantity)
+            head.assumed_unit_issue(quantity)
         } else {
             None
         };
@@ -325,15 +325,15 @@ impl Recording {
 /// Reads the first time-domain recording of a file, at the given rate if neither the file nor its
 /// notes contain usable times.
 fn survey(path: &Path, sample_rate_hz: Option<f64>) -> Result<RecordingSummary, ReadError> {
-    match (read::survey_record(path), sample_rate_hz) {
+    match (read::record_summary(path), sample_rate_hz) {
         (
             Err(ReadError::NoTime { .. } | ReadError::StampUnit { .. } | ReadError::Grid { .. }),
             Some(rate_hz),
-        ) => read::survey_record_noted(
+        ) => read::record_summary_with_notes(
             path,
             &Notes {
                 rate_hz: Some(rate_hz),
-                ..Notes::beside(path)?
+                ..Notes::for_file(path)?
             },
         ),
         (found, _) => found,

@@ -10,8 +10,8 @@ use super::summary::{ChannelSummary, RecordingSummary, SamplePlaces};
 use super::time::{self, MissingUnit, is_counter, is_time_column, time_column};
 use super::{ChannelNotes, Notes, ReadError};
 use crate::recording::{
-    Grid, Issue, IssueKind, Over, Quantity, Series, Sizes, Stamped, Unit, inspected, may_be_counts,
-    sizes_with, usual_step,
+    Grid, Issue, IssueKind, Over, Quantity, Series, Sizes, Stamped, Unit, inspect_samples,
+    may_be_counts, sizes_with, typical_step,
 };
 
 /// Builds the recording of a data set.
@@ -21,64 +21,72 @@ pub(super) fn recording(
     mut raw: Raw,
     notes: &Notes,
 ) -> Result<RecordingSummary, ReadError> {
-    raw.columns = paired(raw.columns);
+    raw.columns = pair_columns(raw.columns);
     let columns: Vec<String> = raw
         .columns
         .iter()
         .map(|column| column.name.clone())
         .collect();
-    let said: Vec<ChannelNotes> = columns
+    let column_notes: Vec<ChannelNotes> = columns
         .iter()
         .enumerate()
-        .map(|(k, name)| notes.of(name, k + 1))
+        .map(|(k, name)| notes.for_channel(name, k + 1))
         .collect();
     check_notes(path, notes, &columns)?;
-    let lost = |reason| ReadError::Scratch {
+    let scratch_error = |reason| ReadError::Scratch {
         path: path.to_owned(),
         reason,
     };
     let mut findings = std::mem::take(&mut raw.findings);
     // A property of a channel given in the notes is not an assumption.
-    let is_told = |name: &String| {
+    let has_notes = |name: &String| {
         columns
             .iter()
-            .zip(&said)
-            .any(|(column, said)| column == name && (said.unit.is_some() || said.name.is_some()))
+            .zip(&column_notes)
+            .any(|(column, column_notes)| {
+                column == name && (column_notes.unit.is_some() || column_notes.name.is_some())
+            })
     };
-    findings.retain(|finding| {
-        finding.kind != IssueKind::Assumed || !finding.channel.as_ref().is_some_and(is_told)
+    findings.retain(|issue| {
+        issue.kind != IssueKind::Assumed || !issue.channel.as_ref().is_some_and(has_notes)
     });
     if notes.over_frequency {
         raw.over = Over::Frequency;
     }
     let by_column = match &raw.stamps {
-        TimeStamps::Column | TimeStamps::Named | TimeStamps::Rate(_) | TimeStamps::Of { .. } => {
-            true
-        }
+        TimeStamps::Column
+        | TimeStamps::Named
+        | TimeStamps::Rate(_)
+        | TimeStamps::FromColumn { .. } => true,
         TimeStamps::Header(header) => header.stamps.is_none(),
-        TimeStamps::Even { .. } | TimeStamps::Given(_) => false,
+        TimeStamps::Even { .. } | TimeStamps::Explicit(_) => false,
     };
     let time = if by_column {
-        time_column(&mut raw, &said, notes).map_err(lost)?
+        time_column(&mut raw, &column_notes, notes).map_err(scratch_error)?
     } else {
         None
     };
-    let time_said = time.and_then(|k| said.get(k)).cloned().unwrap_or_default();
-    let places = places(
+    let time_notes = time
+        .and_then(|k| column_notes.get(k))
+        .cloned()
+        .unwrap_or_default();
+    let sample_places = sample_places(
         path,
         &mut raw,
-        time.map(|k| (k, &time_said)),
+        time.map(|k| (k, &time_notes)),
         notes,
         &mut findings,
     )?;
-    let left_out = said.iter().any(|said| said.left_out);
+    let left_out = column_notes
+        .iter()
+        .any(|column_notes| column_notes.left_out);
     let mut channels = Vec::new();
-    for (k, (column, said)) in raw.columns.into_iter().zip(said).enumerate() {
-        if Some(k) == time || said.left_out {
+    for (k, (column, column_notes)) in raw.columns.into_iter().zip(column_notes).enumerate() {
+        if Some(k) == time || column_notes.left_out {
             continue;
         }
-        match no_channel(&column, &said, by_column).map_err(lost)? {
-            None => channels.push(settled(column, said, &mut findings)),
+        match no_channel(&column, &column_notes, by_column).map_err(scratch_error)? {
+            None => channels.push(channel_summary(column, column_notes, &mut findings)),
             Some(why) if why.is_empty() => {}
             Some(why) => findings.push(
                 Issue::new(
@@ -99,23 +107,24 @@ pub(super) fn recording(
     }
     for channel in &mut channels {
         let counts = may_be_counts(channel.quantity, channel.imaginary.is_some());
-        let (found, sizes) = inspected(&channel.values, counts).map_err(lost)?;
-        findings.extend(found.into_iter().map(|finding| finding.of(&channel.name)));
+        let (result, sizes) = inspect_samples(&channel.values, counts).map_err(scratch_error)?;
+        findings.extend(result.into_iter().map(|issue| issue.of(&channel.name)));
         let equal = if sizes.peak > 0.0 {
-            time::equals(&channel.values, &places).map_err(lost)?
+            time::describe_equal(&channel.values, &sample_places).map_err(scratch_error)?
         } else {
             None
         };
-        findings.extend(equal.map(|about| {
-            Issue::new(IssueKind::EqualsTime, channel.values.count(), None, about).of(&channel.name)
+        findings.extend(equal.map(|message| {
+            Issue::new(IssueKind::EqualsTime, channel.values.count(), None, message)
+                .of(&channel.name)
         }));
-        channel.sizes =
-            sizes_with(sizes, &channel.values, channel.imaginary.as_ref()).map_err(lost)?;
+        channel.sizes = sizes_with(sizes, &channel.values, channel.imaginary.as_ref())
+            .map_err(scratch_error)?;
     }
     Ok(RecordingSummary {
         name,
         over: raw.over,
-        places,
+        places: sample_places,
         channels,
         findings,
     })
@@ -123,44 +132,44 @@ pub(super) fn recording(
 
 /// Joins a column `NAME.im` that follows `NAME.re` in the same unit to it, as the imaginary part of
 /// a complex channel.
-fn paired(columns: Vec<RawColumn>) -> Vec<RawColumn> {
-    let mut paired: Vec<RawColumn> = Vec::new();
+fn pair_columns(columns: Vec<RawColumn>) -> Vec<RawColumn> {
+    let mut columns_out: Vec<RawColumn> = Vec::new();
     for column in columns {
-        let is_real = |before: &&mut RawColumn| {
-            let stems = before
+        let is_real = |previous: &&mut RawColumn| {
+            let stems = previous
                 .name
                 .strip_suffix(".re")
                 .zip(column.name.strip_suffix(".im"));
             stems.is_some_and(|(re, im)| re == im)
-                && before.unit == column.unit
-                && before.imaginary.is_none()
+                && previous.unit == column.unit
+                && previous.imaginary.is_none()
                 && column.imaginary.is_none()
         };
-        match paired.last_mut().filter(is_real) {
+        match columns_out.last_mut().filter(is_real) {
             Some(real) => {
                 real.name.truncate(real.name.len() - ".re".len());
                 real.imaginary = Some(column.values);
             }
-            None => paired.push(column),
+            None => columns_out.push(column),
         }
     }
-    paired
+    columns_out
 }
 
 /// Refuses notes that name a column which does not exist.
 fn check_notes(path: &Path, notes: &Notes, columns: &[String]) -> Result<(), ReadError> {
-    let there = |key: &String| {
+    let exists = |key: &String| {
         columns.contains(key)
             || key
                 .parse::<usize>()
                 .is_ok_and(|number| (1..=columns.len()).contains(&number))
     };
-    let named = notes
+    let missing_keys = notes
         .channels
         .keys()
         .chain(&notes.time)
-        .filter(|key| !there(key));
-    let faults: Vec<String> = named
+        .filter(|key| !exists(key));
+    let faults: Vec<String> = missing_keys
         .map(|key| {
             format!(
                 "there is no column {key:?}; the columns are {}",
@@ -182,10 +191,10 @@ fn check_notes(path: &Path, notes: &Notes, columns: &[String]) -> Result<(), Rea
 /// samples, or an unused time. A column named in the notes is always a channel.
 fn no_channel(
     column: &RawColumn,
-    said: &ChannelNotes,
+    column_notes: &ChannelNotes,
     by_column: bool,
 ) -> io::Result<Option<String>> {
-    if column.left_out.is_some() || *said != ChannelNotes::default() || !by_column {
+    if column.left_out.is_some() || *column_notes != ChannelNotes::default() || !by_column {
         return Ok(column.left_out.clone());
     }
     if is_counter(column)? {
@@ -197,14 +206,14 @@ fn no_channel(
 }
 
 /// Sample positions: from stamps, or from the first rate given by the notes or the file.
-fn places(
+fn sample_places(
     path: &Path,
     raw: &mut Raw,
     time: Option<(usize, &ChannelNotes)>,
     notes: &Notes,
     findings: &mut Vec<Issue>,
 ) -> Result<SamplePlaces, ReadError> {
-    let lost = |reason| ReadError::Scratch {
+    let scratch_error = |reason| ReadError::Scratch {
         path: path.to_owned(),
         reason,
     };
@@ -212,25 +221,27 @@ fn places(
         .columns
         .first()
         .map_or(0, |column| column.values.count());
-    let (rate, start, given) = match std::mem::replace(&mut raw.stamps, TimeStamps::Column) {
-        TimeStamps::Even { start, step } => return even(path, start, step, count),
-        TimeStamps::Given(stamps) => (None, 0.0, Some(stamps)),
-        TimeStamps::Column | TimeStamps::Named => (None, 0.0, None),
-        TimeStamps::Rate(rate) => (Some(rate), 0.0, None),
-        TimeStamps::Of { rate, .. } => (rate, 0.0, None),
-        TimeStamps::Header(Header {
-            rate,
-            start,
-            stamps,
-        }) => (Some(rate), start, stamps),
-    };
-    let stamps = match (given, time) {
+    let (rate, start, explicit_stamps) =
+        match std::mem::replace(&mut raw.stamps, TimeStamps::Column) {
+            TimeStamps::Even { start, step } => return even_places(path, start, step, count),
+            TimeStamps::Explicit(stamps) => (None, 0.0, Some(stamps)),
+            TimeStamps::Column | TimeStamps::Named => (None, 0.0, None),
+            TimeStamps::Rate(rate) => (Some(rate), 0.0, None),
+            TimeStamps::FromColumn { rate, .. } => (rate, 0.0, None),
+            TimeStamps::Header(Header {
+                rate,
+                start,
+                stamps,
+            }) => (Some(rate), start, stamps),
+        };
+    let stamps = match (explicit_stamps, time) {
         (Some(stamps), _) => stamps,
         // A time column is not a channel, so its numbers may be moved out.
-        (None, Some((k, said))) => {
-            let named = (raw.over, rate.as_ref(), notes.time.is_some());
-            let found = time::seconds(&mut raw.columns[k], said, named, findings).map_err(lost)?;
-            found.map_err(|MissingUnit { column, step }| ReadError::StampUnit {
+        (None, Some((k, column_notes))) => {
+            let time_context = (raw.over, rate.as_ref(), notes.time.is_some());
+            let result = time::seconds(&mut raw.columns[k], column_notes, time_context, findings)
+                .map_err(scratch_error)?;
+            result.map_err(|MissingUnit { column, step }| ReadError::StampUnit {
                 path: path.to_owned(),
                 column,
                 step,
@@ -238,14 +249,14 @@ fn places(
             })?
         }
         (None, None) => {
-            let Some((step, about)) = told_step(rate.as_ref(), start, notes) else {
+            let Some((step, assumption)) = stated_step(rate.as_ref(), start, notes) else {
                 let columns = raw
                     .columns
                     .iter()
                     .filter(|column| column.left_out.is_none())
                     .map(|column| column.name.clone())
                     .collect();
-                let about = time::told(&raw.columns).map_err(lost)?;
+                let about = time::describe_time_candidates(&raw.columns).map_err(scratch_error)?;
                 return Err(ReadError::NoTime {
                     path: path.to_owned(),
                     columns,
@@ -253,49 +264,54 @@ fn places(
                     notes: Notes::path_of(path),
                 });
             };
-            findings.extend(about);
-            return even(path, start, step, count);
+            findings.extend(assumption);
+            return even_places(path, start, step, count);
         }
     };
     by_stamps(path, stamps, raw.over, (rate.as_ref(), notes), findings)
 }
 
-fn even(path: &Path, start: f64, step: f64, count: usize) -> Result<SamplePlaces, ReadError> {
-    let fault = |fault| ReadError::Grid {
+fn even_places(
+    path: &Path,
+    start: f64,
+    step: f64,
+    count: usize,
+) -> Result<SamplePlaces, ReadError> {
+    let grid_error = |grid_error| ReadError::Grid {
         path: path.to_owned(),
-        fault,
+        fault: grid_error,
     };
     Grid::even(start, step, count)
         .map(|_| SamplePlaces::Even { start, step, count })
-        .map_err(fault)
+        .map_err(grid_error)
 }
 
 /// Reports a rate of the file that differs from another one.
-fn differs(rate: Option<&Rate>, rate_hz: f64, what: &str, used: &str) -> Option<Issue> {
+fn differs(rate: Option<&Rate>, rate_hz: f64, description: &str, used: &str) -> Option<Issue> {
     let rate = rate.filter(|rate| rate.differs_from(rate_hz))?;
-    let about = format!(
-        "{} in the file is {} Hz, {what} {rate_hz:.6} Hz; {used} used",
-        rate.told, rate.rate_hz
+    let message = format!(
+        "{} in the file is {} Hz, {description} {rate_hz:.6} Hz; {used} used",
+        rate.source, rate.rate_hz
     );
-    Some(Issue::new(IssueKind::HeaderDisagrees, 1, None, about))
+    Some(Issue::new(IssueKind::HeaderDisagrees, 1, None, message))
 }
 
 /// Step given by the notes, else by the file, where no column is a time; with the issue to report.
-fn told_step(rate: Option<&Rate>, start: f64, notes: &Notes) -> Option<(f64, Option<Issue>)> {
+fn stated_step(rate: Option<&Rate>, start: f64, notes: &Notes) -> Option<(f64, Option<Issue>)> {
     if let Some(rate_hz) = notes.rate_hz {
         return Some((
             1.0 / rate_hz,
             differs(rate, rate_hz, "the notes specify", "the notes are"),
         ));
     }
-    let Rate { told, rate_hz } = rate?;
-    let about = format!(
+    let Rate { source, rate_hz } = rate?;
+    let message = format!(
         "no column is a time; the samples are placed at {rate_hz} Hz, starting at {start} s, from \
-        {told} in the file"
+        {source} in the file"
     );
     Some((
         1.0 / rate_hz,
-        Some(Issue::new(IssueKind::Assumed, 1, None, about)),
+        Some(Issue::new(IssueKind::Assumed, 1, None, message)),
     ))
 }
 
@@ -307,88 +323,92 @@ fn by_stamps(
     (rate, notes): (Option<&Rate>, &Notes),
     findings: &mut Vec<Issue>,
 ) -> Result<SamplePlaces, ReadError> {
-    let lost = |reason| ReadError::Scratch {
+    let scratch_error = |reason| ReadError::Scratch {
         path: path.to_owned(),
         reason,
     };
-    let fault = |fault| ReadError::Grid {
+    let grid_error = |grid_error| ReadError::Grid {
         path: path.to_owned(),
-        fault,
+        fault: grid_error,
     };
     let unit = if over == Over::Time { "s" } else { "Hz" };
-    let told = notes
+    let stated_step = notes
         .rate_hz
         .or(rate.map(|rate| rate.rate_hz))
         .map(|rate_hz| 1.0 / rate_hz);
-    let (found, places) = match Stamped::of(&stamps, told, unit)
-        .map_err(lost)?
-        .map_err(fault)?
+    let (result, sample_places) = match Stamped::of(&stamps, stated_step, unit)
+        .map_err(scratch_error)?
+        .map_err(grid_error)?
     {
         Stamped::Even {
             start,
             step,
-            noticed,
+            issues,
         } => {
-            findings.extend(noticed);
-            (1.0 / step, even(path, start, step, stamps.count())?)
+            findings.extend(issues);
+            (1.0 / step, even_places(path, start, step, stamps.count())?)
         }
-        Stamped::Uneven(odd) => {
-            findings.extend(odd);
-            let rate = 1.0 / usual_step(&stamps).map_err(lost)?;
+        Stamped::Uneven(issues) => {
+            findings.extend(issues);
+            let rate = 1.0 / typical_step(&stamps).map_err(scratch_error)?;
             (rate, SamplePlaces::Stamped { stamps, rate })
         }
     };
-    findings.extend(differs(rate, found, "the stamps give", "the stamps are"));
+    findings.extend(differs(rate, result, "the stamps give", "the stamps are"));
     if let Some(rate_hz) = notes
         .rate_hz
-        .filter(|rate_hz| (rate_hz / found - 1.0).abs() > SAME_RATE)
+        .filter(|rate_hz| (rate_hz / result - 1.0).abs() > SAME_RATE)
     {
-        let about = format!(
-            "the notes specify {rate_hz} Hz, the stamps give {found:.6} Hz; the stamps \
+        let message = format!(
+            "the notes specify {rate_hz} Hz, the stamps give {result:.6} Hz; the stamps \
                 are used"
         );
-        findings.push(Issue::new(IssueKind::HeaderDisagrees, 1, None, about));
+        findings.push(Issue::new(IssueKind::HeaderDisagrees, 1, None, message));
     }
-    Ok(places)
+    Ok(sample_places)
 }
 
 /// Column in SI units, before inspection of its samples.
-pub(super) fn settled(
+pub(super) fn channel_summary(
     mut column: RawColumn,
-    said: ChannelNotes,
+    column_notes: ChannelNotes,
     findings: &mut Vec<Issue>,
 ) -> ChannelSummary {
     if let Some(levels) = Decibels::read(&column.unit) {
-        findings.push(column.made_linear(levels));
+        findings.push(column.convert_levels(levels));
     }
-    let name = said.name.unwrap_or(column.name);
-    let told = said.unit.unwrap_or(column.unit);
-    let scale = said.scale.unwrap_or(1.0);
-    let noticed = |kind, count, about: String| Issue::new(kind, count, None, about).of(&name);
-    if !told.is_ascii() {
-        findings.push(noticed(
+    let name = column_notes.name.unwrap_or(column.name);
+    let unit_text = column_notes.unit.unwrap_or(column.unit);
+    let scale = column_notes.scale.unwrap_or(1.0);
+    let new_issue = |kind, count, message: String| Issue::new(kind, count, None, message).of(&name);
+    if !unit_text.is_ascii() {
+        findings.push(new_issue(
             IssueKind::NonAsciiUnit,
             1,
-            format!("the unit {told:?} contains characters outside ASCII"),
+            format!("the unit {unit_text:?} contains characters outside ASCII"),
         ));
     }
-    let unit = Unit::read(&told);
+    let unit = Unit::read(&unit_text);
     let factor = scale * unit.as_ref().map_or(1.0, |unit| unit.factor);
     if let Some(unit) = unit.as_ref().filter(|unit| unit.converts()) {
-        let about = format!(
-            "values in {told} are multiplied by {} to give {}",
+        let message = format!(
+            "values in {unit_text} are multiplied by {} to give {}",
             unit.factor, unit.si
         );
-        findings.push(noticed(IssueKind::Converted, column.values.count(), about));
-    }
-    if unit.is_none() && !told.trim().is_empty() && told.trim() != "NONE" {
-        findings.push(noticed(
-            IssueKind::UnknownUnit,
-            1,
-            format!("the unit {told:?} is not known; values are unchanged"),
+        findings.push(new_issue(
+            IssueKind::Converted,
+            column.values.count(),
+            message,
         ));
     }
-    let (quantity, unit) = unit.map_or((Quantity::Unknown, told.clone()), |unit| {
+    if unit.is_none() && !unit_text.trim().is_empty() && unit_text.trim() != "NONE" {
+        findings.push(new_issue(
+            IssueKind::UnknownUnit,
+            1,
+            format!("the unit {unit_text:?} is not known; values are unchanged"),
+        ));
+    }
+    let (quantity, unit) = unit.map_or((Quantity::Unknown, unit_text.clone()), |unit| {
         (unit.quantity, unit.si.into_owned())
     });
     let RawColumn {
@@ -401,10 +421,10 @@ pub(super) fn settled(
         .iter_mut()
         .for_each(|numbers| numbers.scale(factor));
     let (place, direction) = (
-        said.place.unwrap_or(column.place),
-        said.direction.unwrap_or(column.direction),
+        column_notes.place.unwrap_or(column.place),
+        column_notes.direction.unwrap_or(column.direction),
     );
-    let reference = said.reference.unwrap_or(column.reference);
+    let reference = column_notes.reference.unwrap_or(column.reference);
     let sizes = Sizes {
         rms: f64::NAN,
         peak: f64::NAN,

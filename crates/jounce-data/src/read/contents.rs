@@ -63,7 +63,7 @@ type Reader = fn(&Path, &SampleStore) -> Result<FormatContents, Damage>;
 /// A file that cannot be opened, is damaged, has an unknown format or contains no time, or whose
 /// notes are wrong.
 pub fn file(path: &Path) -> Result<Contents, ReadError> {
-    read(path, &SampleStore::Memory, &Notes::beside(path)?)?.into_contents(path)
+    read(path, &SampleStore::Memory, &Notes::for_file(path)?)?.into_contents(path)
 }
 
 /// Reads a file as [`file()`] does, but stores its numbers in a scratch file, so memory does not
@@ -72,20 +72,20 @@ pub fn file(path: &Path) -> Result<Contents, ReadError> {
 /// # Errors
 /// Those of [`file()`], and a scratch file that cannot be written.
 pub fn summary(path: &Path) -> Result<FileSummary, ReadError> {
-    survey_noted(path, &Notes::beside(path)?)
+    summary_with_notes(path, &Notes::for_file(path)?)
 }
 
 /// Reads a file as [`summary()`] does, with these notes instead of those of the file.
 ///
 /// # Errors
 /// Those of [`summary()`].
-pub fn survey_noted(path: &Path, notes: &Notes) -> Result<FileSummary, ReadError> {
+pub fn summary_with_notes(path: &Path, notes: &Notes) -> Result<FileSummary, ReadError> {
     read(path, &SampleStore::scratch(), notes)
 }
 
 fn read(path: &Path, store: &SampleStore, notes: &Notes) -> Result<FileSummary, ReadError> {
     let (format, reader) = format_of(path)?;
-    let found = reader(path, store).map_err(|Damage { place, why }| ReadError::Damaged {
+    let contents = reader(path, store).map_err(|Damage { place, why }| ReadError::Damaged {
         path: path.to_owned(),
         format,
         place,
@@ -94,23 +94,23 @@ fn read(path: &Path, store: &SampleStore, notes: &Notes) -> Result<FileSummary, 
     let stem = path
         .file_stem()
         .map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
-    let several = found.sets.len() > 1;
-    let mut survey = FileSummary {
+    let has_several_sets = contents.sets.len() > 1;
+    let mut summary = FileSummary {
         recordings: Vec::new(),
-        shapes: found.shapes,
-        findings: found.findings,
+        shapes: contents.shapes,
+        findings: contents.findings,
     };
-    for (k, set) in found.sets.into_iter().enumerate() {
-        let name = match (several, set.title.is_empty()) {
+    for (k, set) in contents.sets.into_iter().enumerate() {
+        let name = match (has_several_sets, set.title.is_empty()) {
             (false, _) => stem.clone(),
             (true, true) => format!("{stem} {}", k + 1),
             (true, false) => format!("{stem} {}: {}", k + 1, set.title),
         };
-        survey
+        summary
             .recordings
             .push(assemble::recording(path, name, set, notes)?);
     }
-    Ok(survey)
+    Ok(summary)
 }
 
 /// Reads the first time-domain recording of a file.
@@ -118,16 +118,16 @@ fn read(path: &Path, store: &SampleStore, notes: &Notes) -> Result<FileSummary, 
 /// # Errors
 /// Those of [`file()`], and a file without such a recording.
 pub fn record(path: &Path) -> Result<Recording, ReadError> {
-    let lost = |reason| ReadError::Scratch {
+    let scratch_error = |reason| ReadError::Scratch {
         path: path.to_owned(),
         reason,
     };
-    first_over_time(
+    first_time_recording(
         path,
-        read(path, &SampleStore::Memory, &Notes::beside(path)?)?,
+        read(path, &SampleStore::Memory, &Notes::for_file(path)?)?,
     )?
     .into_recording()
-    .map_err(lost)
+    .map_err(scratch_error)
 }
 
 /// Reads the first time-domain recording with its numbers in a scratch file, so that only the
@@ -135,25 +135,28 @@ pub fn record(path: &Path) -> Result<Recording, ReadError> {
 ///
 /// # Errors
 /// Those of [`summary()`], and a file without such a recording.
-pub fn survey_record(path: &Path) -> Result<RecordingSummary, ReadError> {
-    survey_record_noted(path, &Notes::beside(path)?)
+pub fn record_summary(path: &Path) -> Result<RecordingSummary, ReadError> {
+    record_summary_with_notes(path, &Notes::for_file(path)?)
 }
 
-/// Reads a recording as [`survey_record()`] does, with these notes instead of those of the file.
+/// Reads a recording as [`record_summary()`] does, with these notes instead of those of the file.
 ///
 /// # Errors
-/// Those of [`survey_record()`].
-pub fn survey_record_noted(path: &Path, notes: &Notes) -> Result<RecordingSummary, ReadError> {
-    first_over_time(path, survey_noted(path, notes)?)
+/// Those of [`record_summary()`].
+pub fn record_summary_with_notes(
+    path: &Path,
+    notes: &Notes,
+) -> Result<RecordingSummary, ReadError> {
+    first_time_recording(path, summary_with_notes(path, notes)?)
 }
 
 /// Returns the first time-domain recording and reports those left out.
-fn first_over_time(path: &Path, survey: FileSummary) -> Result<RecordingSummary, ReadError> {
-    let mut others = survey.recordings;
+fn first_time_recording(path: &Path, summary: FileSummary) -> Result<RecordingSummary, ReadError> {
+    let mut others = summary.recordings;
     let first = others
         .iter()
         .position(|recording| recording.over == Over::Time);
-    let mut taken = others.remove(first.ok_or_else(|| ReadError::NoRecord {
+    let mut selected = others.remove(first.ok_or_else(|| ReadError::NoRecord {
         path: path.to_owned(),
     })?);
     if !others.is_empty() {
@@ -161,34 +164,34 @@ fn first_over_time(path: &Path, survey: FileSummary) -> Result<RecordingSummary,
             .iter()
             .map(|recording| recording.name.as_str())
             .collect();
-        let about = format!(
+        let message = format!(
             "{} is used, the first recording over time in the file; left out: {}",
-            taken.name,
+            selected.name,
             names.join(", ")
         );
-        taken
+        selected
             .findings
-            .push(Issue::new(IssueKind::Skipped, others.len(), None, about));
+            .push(Issue::new(IssueKind::Skipped, others.len(), None, message));
     }
-    Ok(taken)
+    Ok(selected)
 }
 
 /// Identifies the format by the first bytes of a file.
 fn format_of(path: &Path) -> Result<(&'static str, Reader), ReadError> {
-    let open = |reason| ReadError::Open {
+    let open_error = |reason| ReadError::Open {
         path: path.to_owned(),
         reason,
     };
     let mut head = Vec::new();
-    let file = std::fs::File::open(path).map_err(open)?;
-    if !file.metadata().map_err(open)?.is_file() {
+    let file = std::fs::File::open(path).map_err(open_error)?;
+    if !file.metadata().map_err(open_error)?.is_file() {
         return Err(ReadError::Format {
             path: path.to_owned(),
             why: "it is not a file".to_owned(),
         });
     }
-    file.take(4096).read_to_end(&mut head).map_err(open)?;
-    let refused = |why: &str| {
+    file.take(4096).read_to_end(&mut head).map_err(open_error)?;
+    let format_error = |why: &str| {
         Err(ReadError::Format {
             path: path.to_owned(),
             why: why.to_owned(),
@@ -200,24 +203,24 @@ fn format_of(path: &Path) -> Result<(&'static str, Reader), ReadError> {
         .find(|line| !line.is_empty())
         .unwrap_or_default();
     match () {
-        () if head.trim_ascii().is_empty() => refused("it is empty"),
+        () if head.trim_ascii().is_empty() => format_error("it is empty"),
         () if head.starts_with(b"PAR1") => Ok(("Parquet", parquet::read as Reader)),
         () if head.starts_with(npy::BEGIN) => Ok(("NPY", npy::read)),
         () if head.starts_with(b"PK\x03\x04") || head.starts_with(b"PK\x05\x06") => {
             Ok(("NPZ", npz::read))
         }
-        () if hdf5::begins(&head) => Ok(("HDF5", hdf5::read)),
+        () if hdf5::is_hdf5(&head) => Ok(("HDF5", hdf5::read)),
         () if head.starts_with(b"MATLAB 5.0") => Ok(("MAT v5", mat::read)),
         () if head.starts_with(tdms::BEGIN) => Ok(("TDMS", tdms::read)),
-        () if wav::begins(&head) => Ok(("WAV", wav::read)),
+        () if wav::is_wav(&head) => Ok(("WAV", wav::read)),
         () if first_line == b"-1" => Ok(("UFF", uff::read)),
         () if head.starts_with(b"LabVIEW Measurement") => Ok(("LVM", lvm::read)),
         () if head.starts_with(b"\xff\xfe") || head.starts_with(b"\xfe\xff") => {
-            refused("it is UTF-16 text: save it as UTF-8")
+            format_error("it is UTF-16 text: save it as UTF-8")
         }
-        () if head.contains(&0) => match magic::named(path, &head) {
-            Some(what) => refused(&format!("it is {what}")),
-            None => refused("it is a binary file of unknown format"),
+        () if head.contains(&0) => match magic::describe(path, &head) {
+            Some(description) => format_error(&format!("it is {description}")),
+            None => format_error("it is a binary file of unknown format"),
         },
         () => Ok(("text", text::read)),
     }

@@ -18,7 +18,7 @@ pub(super) struct Decibels {
 
 impl Decibels {
     /// True for a unit that begins with `dB`, even if the remainder is invalid.
-    pub(super) fn begin(unit: &str) -> bool {
+    pub(super) fn is_level(unit: &str) -> bool {
         unbracketed(unit)
             .get(..2)
             .is_some_and(|start| start.eq_ignore_ascii_case("dB"))
@@ -27,28 +27,32 @@ impl Decibels {
     /// Parses `dB [re | rel | ref] [number] [unit]`. Returns `None` for anything else, such as
     /// `dBm` (not a level in metres), and for an unknown unit.
     pub(super) fn read(unit: &str) -> Option<Self> {
-        let rest = unbracketed(unit).get(2..).filter(|_| Self::begin(unit))?;
-        let apart = rest.is_empty()
-            || rest.starts_with(|c: char| c.is_whitespace() || matches!(c, '(' | '['));
-        let told = unbracketed(rest);
-        let behind = |word: &&str| {
-            told.get(..word.len())
+        let suffix = unbracketed(unit)
+            .get(2..)
+            .filter(|_| Self::is_level(unit))?;
+        let is_separate = suffix.is_empty()
+            || suffix.starts_with(|c: char| c.is_whitespace() || matches!(c, '(' | '['));
+        let remainder = unbracketed(suffix);
+        let after_word = |word: &&str| {
+            remainder
+                .get(..word.len())
                 .filter(|start| start.eq_ignore_ascii_case(word))
-                .map(|_| &told[word.len()..])
+                .map(|_| &remainder[word.len()..])
         };
         let reference = WORDS
             .iter()
-            .find_map(behind)
-            .filter(|rest| !rest.starts_with(char::is_alphabetic));
-        let (reference, unit) = leading_number(reference.or(apart.then_some(told))?.trim());
+            .find_map(after_word)
+            .filter(|suffix| !suffix.starts_with(char::is_alphabetic));
+        let (reference, unit) =
+            leading_number(reference.or(is_separate.then_some(remainder))?.trim());
         Self::of(reference, unit)
             .filter(|levels| levels.reference > 0.0 && levels.reference.is_finite())
     }
 
     /// Levels of a column known to be in decibels; the unit may give either the level or its
     /// reference.
-    pub(super) fn meant(unit: &str) -> Option<Self> {
-        if Self::begin(unit) {
+    pub(super) fn read_or_linear(unit: &str) -> Option<Self> {
+        if Self::is_level(unit) {
             Self::read(unit)
         } else {
             Some(Self {
@@ -83,19 +87,19 @@ impl Decibels {
 /// Splits off the number at the beginning of a text, 1 if absent: `20`, `1e-6`, `10^-6`.
 fn leading_number(text: &str) -> (f64, &str) {
     let number = |c: char| c.is_ascii_digit() || matches!(c, '.' | 'e' | 'E' | '-' | '+');
-    let most = text.find(|c| !number(c)).unwrap_or(text.len());
-    let longest = (1..=most)
+    let max_length = text.find(|c| !number(c)).unwrap_or(text.len());
+    let number_text = (1..=max_length)
         .rev()
         .find_map(|end| Some((text[..end].parse::<f64>().ok()?, &text[end..])));
-    let (base, behind) = longest.unwrap_or((1.0, text));
-    let (base, behind) = match behind.strip_prefix('^') {
+    let (base, rest) = number_text.unwrap_or((1.0, text));
+    let (base, rest) = match rest.strip_prefix('^') {
         Some(power) => {
-            let (power, behind) = leading_number(power);
-            (base.powf(power), behind)
+            let (power, rest) = leading_number(power);
+            (base.powf(power), rest)
         }
-        None => (base, behind),
+        None => (base, rest),
     };
-    (base, behind.trim_start())
+    (base, rest.trim_start())
 }
 
 #[cfg(test)]
@@ -120,16 +124,16 @@ mod tests {
             ("dB re 1 g/N", 1.0, "g/N", 20.0),
         ];
         for (text, reference, unit, decade) in cases {
-            let found = Decibels::read(text).unwrap_or_else(|| panic!("{text} is not understood"));
+            let result = Decibels::read(text).unwrap_or_else(|| panic!("{text} is not understood"));
             assert_eq!(
-                (found.unit.as_str(), found.decade),
+                (result.unit.as_str(), result.decade),
                 (unit, decade),
                 "{text}"
             );
             assert!(
-                (found.reference / reference - 1.0).abs() < 1e-14,
+                (result.reference / reference - 1.0).abs() < 1e-14,
                 "{text}: {}",
-                found.reference
+                result.reference
             );
         }
         for text in [
@@ -146,7 +150,7 @@ mod tests {
         ] {
             assert_eq!(Decibels::read(text), None, "{text}");
             assert!(
-                !Decibels::begin(text) || Unit::read(text).is_none(),
+                !Decibels::is_level(text) || Unit::read(text).is_none(),
                 "{text}"
             );
         }

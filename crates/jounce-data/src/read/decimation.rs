@@ -20,26 +20,26 @@ impl RecordingSummary {
     ///
     /// # Errors
     /// The scratch file cannot be read.
-    pub fn outline(&self, channels: usize, most: usize) -> io::Result<DecimatedRecording> {
+    pub fn decimate(&self, channels: usize, most: usize) -> io::Result<DecimatedRecording> {
         let count = self.places.count();
-        let stretch = if count <= most {
+        let interval = if count <= most {
             1
         } else {
             count.div_ceil((most / 2).max(1))
         };
         let (mut places, mut number) = (Vec::new(), 0);
         self.places.each(|place| {
-            let inside = number % stretch;
-            if inside == 0 || inside == stretch / 2 {
+            let index_in_interval = number % interval;
+            if index_in_interval == 0 || index_in_interval == interval / 2 {
                 places.push(place);
             }
             number += 1;
         })?;
-        let mut drawn = Vec::new();
+        let mut decimated = Vec::new();
         for channel in self.channels.iter().take(channels) {
             let mut points = DecimatedPoints {
-                stretch,
-                inside: 0,
+                interval,
+                index_in_interval: 0,
                 lowest: (f64::NAN, 0),
                 highest: (f64::NAN, 0),
                 found: Vec::new(),
@@ -54,61 +54,61 @@ impl RecordingSummary {
                     .map(|imaginary| imaginary.piece(index))
                     .transpose()?;
                 for (k, x) in real.iter().enumerate() {
-                    let beside = imaginary.as_ref().and_then(|imaginary| imaginary.get(k));
-                    points.take(if self.over == Over::Time {
+                    let imaginary_value = imaginary.as_ref().and_then(|imaginary| imaginary.get(k));
+                    points.add(if self.over == Over::Time {
                         *x
                     } else {
-                        x.hypot(beside.copied().unwrap_or(0.0))
+                        x.hypot(imaginary_value.copied().unwrap_or(0.0))
                     });
                 }
             }
             points.close();
             points.found.truncate(places.len());
-            drawn.push(points.found);
+            decimated.push(points.found);
         }
         Ok(DecimatedRecording {
             places,
-            channels: drawn,
+            channels: decimated,
         })
     }
 }
 
 /// Points of a channel so far.
 struct DecimatedPoints {
-    stretch: usize,
+    interval: usize,
     /// Samples of the current segment, and its minimum and maximum with their indices.
-    inside: usize,
+    index_in_interval: usize,
     lowest: (f64, usize),
     highest: (f64, usize),
     found: Vec<f64>,
 }
 
 impl DecimatedPoints {
-    fn take(&mut self, x: f64) {
+    fn add(&mut self, x: f64) {
         // Any number replaces NaN.
-        if self.inside == 0 || x < self.lowest.0 || self.lowest.0.is_nan() {
-            self.lowest = (x, self.inside);
+        if self.index_in_interval == 0 || x < self.lowest.0 || self.lowest.0.is_nan() {
+            self.lowest = (x, self.index_in_interval);
         }
-        if self.inside == 0 || x > self.highest.0 || self.highest.0.is_nan() {
-            self.highest = (x, self.inside);
+        if self.index_in_interval == 0 || x > self.highest.0 || self.highest.0.is_nan() {
+            self.highest = (x, self.index_in_interval);
         }
-        self.inside += 1;
-        if self.inside == self.stretch {
+        self.index_in_interval += 1;
+        if self.index_in_interval == self.interval {
             self.close();
         }
     }
 
     fn close(&mut self) {
-        if self.inside == 0 {
+        if self.index_in_interval == 0 {
             return;
         }
         let (lowest, highest) = (self.lowest, self.highest);
-        match self.stretch {
+        match self.interval {
             1 => self.found.push(lowest.0),
             _ if lowest.1 < highest.1 => self.found.extend([lowest.0, highest.0]),
             _ => self.found.extend([highest.0, lowest.0]),
         }
-        self.inside = 0;
+        self.index_in_interval = 0;
     }
 }
 
@@ -118,7 +118,7 @@ mod tests {
     use super::*;
     use crate::recording::{Channel, Grid, Quantity, Recording};
 
-    fn outline(values: Vec<f64>, most: usize) -> DecimatedRecording {
+    fn decimate(values: Vec<f64>, most: usize) -> DecimatedRecording {
         let grid = Grid::even(0.0, 1.0, values.len()).unwrap();
         let channels = vec![Channel::new("a", Quantity::Voltage, "V", values)];
         let recording = Recording {
@@ -128,29 +128,29 @@ mod tests {
             channels,
             findings: Vec::new(),
         };
-        RecordingSummary::from(recording).outline(8, most).unwrap()
+        RecordingSummary::from(recording).decimate(8, most).unwrap()
     }
 
     #[test]
-    fn a_short_record_is_whole_and_a_long_one_keeps_its_extremes() {
+    fn short_records_are_complete_and_long_ones_retain_their_extremes() {
         let values: Vec<f64> = (0..10_007).map(|k| f64::from(k * 7919 % 10_007)).collect();
-        assert_eq!(outline(values.clone(), 20_000).channels[0], values);
-        let thin = outline(values.clone(), 1000);
+        assert_eq!(decimate(values.clone(), 20_000).channels[0], values);
+        let decimated = decimate(values.clone(), 1000);
         assert!(
-            thin.places.len() <= 1000 && thin.places.len() == thin.channels[0].len(),
+            decimated.places.len() <= 1000 && decimated.places.len() == decimated.channels[0].len(),
             "{}",
-            thin.places.len()
+            decimated.places.len()
         );
-        for (k, stretch) in values.chunks(21).take(400).enumerate() {
-            let pair = &thin.channels[0][2 * k..2 * k + 2];
-            let extreme =
-                |pick: fn(f64, f64) -> f64| stretch.iter().copied().fold(stretch[0], pick);
+        for (k, interval) in values.chunks(21).take(400).enumerate() {
+            let pair = &decimated.channels[0][2 * k..2 * k + 2];
+            let extreme_value =
+                |choose: fn(f64, f64) -> f64| interval.iter().copied().fold(interval[0], choose);
             assert_eq!(
                 (pair[0].min(pair[1]), pair[0].max(pair[1])),
-                (extreme(f64::min), extreme(f64::max)),
+                (extreme_value(f64::min), extreme_value(f64::max)),
                 "{k}"
             );
-            assert_eq!(thin.places[2 * k], 21.0 * k as f64);
+            assert_eq!(decimated.places[2 * k], 21.0 * k as f64);
         }
     }
 }

@@ -41,7 +41,7 @@ pub enum ReadError {
         "{}: no sampling times found: no column has a unit of time or the name of one, and no \
         rate is given (columns: {}{}); write `rate = \"... Hz\"`, or `time = \"COLUMN\"` and \
         under `[channel.\"COLUMN\"]` its `unit = \"s\"`, in {}",
-        path.display(), columns.join(", "), noted(about), notes.display()
+        path.display(), columns.join(", "), note_text(about), notes.display()
     )]
     NoTime {
         /// The file.
@@ -70,7 +70,7 @@ pub enum ReadError {
         notes: PathBuf,
     },
     /// The file contains times and no channel.
-    #[error("{}: no channel remains apart from the time{}", path.display(), noticed(findings))]
+    #[error("{}: no channel remains apart from the time{}", path.display(), issue_text(findings))]
     NoChannel {
         /// The file.
         path: PathBuf,
@@ -92,7 +92,7 @@ pub enum ReadError {
         fault: GridError,
     },
     /// The scratch file cannot be written or read.
-    #[error("{}: {}", path.display(), kept(reason))]
+    #[error("{}: {}", path.display(), reason_text(reason))]
     Scratch {
         /// The file.
         path: PathBuf,
@@ -109,22 +109,22 @@ pub enum ReadError {
     },
 }
 
-fn noted(about: &[String]) -> String {
-    if about.is_empty() {
+fn note_text(notes: &[String]) -> String {
+    if notes.is_empty() {
         String::new()
     } else {
-        format!("; {}", about.join(", "))
+        format!("; {}", notes.join(", "))
     }
 }
 
-fn noticed(findings: &[Issue]) -> String {
-    let told: Vec<String> = findings.iter().map(ToString::to_string).collect();
-    if told.is_empty() {
+fn issue_text(findings: &[Issue]) -> String {
+    let texts: Vec<String> = findings.iter().map(ToString::to_string).collect();
+    if texts.is_empty() {
         String::new()
     } else {
         format!(
             " ({}); save channels and time with equal lengths",
-            told.join("; ")
+            texts.join("; ")
         )
     }
 }
@@ -133,7 +133,7 @@ fn at(place: Option<IssuePlace>) -> String {
     place.map(|place| format!("{place}: ")).unwrap_or_default()
 }
 
-fn kept(reason: &std::io::Error) -> String {
+fn reason_text(reason: &std::io::Error) -> String {
     let folder = super::samples::folder();
     format!(
         "its numbers cannot be stored in {}: {reason}; set TMPDIR to a folder with room for 8 \
@@ -151,7 +151,7 @@ pub(super) struct Damage {
 
 impl From<std::io::Error> for Damage {
     fn from(reason: std::io::Error) -> Self {
-        Self::new(kept(&reason))
+        Self::new(reason_text(&reason))
     }
 }
 

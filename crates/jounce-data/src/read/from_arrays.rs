@@ -37,7 +37,7 @@ pub enum ArraysError {
 ///
 /// # Errors
 /// No channel, or a channel whose length differs from the grid.
-pub fn given(
+pub fn recording_from_arrays(
     name: &str,
     over: Over,
     grid: Grid,
@@ -66,12 +66,12 @@ pub fn given(
         }
     }
     let mut findings = Vec::new();
-    let settled = |channel: RawChannel| {
-        assemble::settled(channel.into(), Default::default(), &mut findings).into_channel()
+    let channel_summary = |channel: RawChannel| {
+        assemble::channel_summary(channel.into(), Default::default(), &mut findings).into_channel()
     };
     let channels = channels
         .into_iter()
-        .map(settled)
+        .map(channel_summary)
         .collect::<std::io::Result<Vec<_>>>()
         .map_err(|fault| ArraysError::Kept {
             reason: fault.to_string(),
@@ -97,9 +97,9 @@ mod tests {
     }
 
     #[test]
-    fn samples_become_si_and_are_looked_at() {
+    fn samples_are_converted_to_si_and_checked() {
         let grid = Grid::even(0.0, 0.5, 3).unwrap();
-        let made = given(
+        let recording = recording_from_arrays(
             "x",
             Over::Time,
             grid.clone(),
@@ -107,23 +107,26 @@ mod tests {
         )
         .unwrap();
         assert_eq!(
-            (made.channels[0].quantity, made.channels[0].values[0]),
+            (
+                recording.channels[0].quantity,
+                recording.channels[0].values[0]
+            ),
             (Quantity::Acceleration, 9.806_65)
         );
-        let kinds: Vec<IssueKind> = made.findings.iter().map(|finding| finding.kind).collect();
+        let kinds: Vec<IssueKind> = recording.findings.iter().map(|issue| issue.kind).collect();
         assert_eq!(kinds, [IssueKind::Converted, IssueKind::NotANumber]);
         assert_eq!(
-            given("x", Over::Time, grid.clone(), Vec::new()),
+            recording_from_arrays("x", Over::Time, grid.clone(), Vec::new()),
             Err(ArraysError::NoChannel)
         );
-        let wrong = ArraysError::Length {
+        let length_error = ArraysError::Length {
             channel: "a".into(),
             samples: 2,
             places: 3,
         };
         assert_eq!(
-            given("x", Over::Time, grid, one("g", vec![1.0, 2.0])),
-            Err(wrong)
+            recording_from_arrays("x", Over::Time, grid, one("g", vec![1.0, 2.0])),
+            Err(length_error)
         );
     }
 }

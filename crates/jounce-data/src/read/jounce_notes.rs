@@ -43,15 +43,15 @@ impl WrittenNotes {
     }
 
     /// Notes for a text file of columns; `None` if absent or about other columns.
-    pub(super) fn beside(path: &Path, columns: &[RawColumn]) -> Option<Self> {
-        let found =
+    pub(super) fn for_file(path: &Path, columns: &[RawColumn]) -> Option<Self> {
+        let result =
             Self::from_json(&std::fs::read_to_string(path.with_extension("manifest.json")).ok()?)?;
-        let of_these = found
+        let of_these = result
             .columns
             .iter()
-            .map(|noted| name::split(&noted.name).0)
+            .map(|channel| name::split(&channel.name).0)
             .eq(columns.iter().map(|column| column.name.clone()));
-        of_these.then_some(found)
+        of_these.then_some(result)
     }
 
     /// Returns the unit of a column.
@@ -63,10 +63,10 @@ impl WrittenNotes {
     }
 
     /// Sets node, direction and reference of a column.
-    pub(super) fn tell(&self, column: &mut RawColumn) {
+    pub(super) fn apply_to(&self, column: &mut RawColumn) {
         // Both parts of a complex channel have the same location.
         let name = column.name.strip_suffix(".re").unwrap_or(&column.name);
-        let told = |key: &str| {
+        let attribute = |key: &str| {
             self.manifest
                 .options
                 .get(&format!("{key}{name}"))
@@ -74,6 +74,6 @@ impl WrittenNotes {
                 .unwrap_or_default()
         };
         (column.place, column.direction, column.reference) =
-            (told(PLACE), told(DIRECTION), told(REFERENCE));
+            (attribute(PLACE), attribute(DIRECTION), attribute(REFERENCE));
     }
 }

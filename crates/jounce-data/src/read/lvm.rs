@@ -18,7 +18,7 @@ use super::numbers::ColumnNumbers;
 use super::raw::{Header as HeaderTime, Rate, Raw, RawColumn, TimeStamps};
 use super::samples::SampleStore;
 use super::text::{
-    ColumnHead, Delimiter, Preamble, Rows, TextLayout, columns, decoded, line_end, whole_lines,
+    ColumnHead, Delimiter, Preamble, Rows, TextLayout, columns, complete_lines, decoded, line_end,
 };
 use crate::recording::{Issue, IssueKind, IssuePlace, Over, Series};
 
@@ -30,18 +30,18 @@ const COMMENT: &str = "Comment";
 const SAME_STEP: f64 = 1e-3;
 
 pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, Damage> {
-    let told = |fault: std::io::Error| Damage::new(fault.to_string());
+    let io_error = |fault: std::io::Error| Damage::new(fault.to_string());
     let mut head = Vec::new();
     File::open(path)
-        .map_err(told)?
+        .map_err(io_error)?
         .take(HEAD_BYTES)
         .read_to_end(&mut head)
-        .map_err(told)?;
+        .map_err(io_error)?;
     let end = line_end(&head);
     let (head, _) = decoded(&head);
     let header = Header::read(&head, end)?;
-    let file = File::open(path).map_err(told)?;
-    let size = file.metadata().map_err(told)?.len();
+    let file = File::open(path).map_err(io_error)?;
+    let size = file.metadata().map_err(io_error)?.len();
     let Rows { columns, findings } = columns(
         BufReader::with_capacity(1 << 20, file),
         size,
@@ -69,7 +69,7 @@ struct Header {
 
 impl Header {
     fn read(head: &str, end: u8) -> Result<Self, Damage> {
-        let lines = whole_lines(head, end, true);
+        let lines = complete_lines(head, end, true);
         let heads = lines.iter().position(|line| line.starts_with(X_VALUE));
         let heads = heads.ok_or_else(|| {
             Damage::at(
@@ -92,7 +92,7 @@ impl Header {
         while names.len() > 1 && names.last().is_some_and(String::is_empty) {
             names.pop();
         }
-        let least = names
+        let min_fields = names
             .iter()
             .rposition(|name| name != COMMENT && !name.is_empty())
             .map_or(1, |last| last + 1);
@@ -119,10 +119,10 @@ impl Header {
                 decimal_comma,
                 line_end: end,
                 skip: heads + 1,
-                least,
+                min_fields,
                 heads: names.into_iter().map(head).collect(),
                 preamble: Preamble::default(),
-                doubts: Vec::new(),
+                issues: Vec::new(),
             },
         })
     }
@@ -200,28 +200,28 @@ impl Header {
             .into_iter()
             .filter(|(_, members)| !members.is_empty())
         {
-            let mut same = None;
+            let mut matching = None;
             for (at, (other, _)) in sets.iter().enumerate() {
                 let equal = match (&x, other) {
-                    (Some(a), Some(b)) => a.same(b)?,
+                    (Some(a), Some(b)) => a.equals(b)?,
                     (a, b) => a.is_none() && b.is_none(),
                 };
-                same = same.or(equal.then_some(at));
+                matching = matching.or(equal.then_some(at));
             }
-            match same.and_then(|at| sets.get_mut(at)) {
+            match matching.and_then(|at| sets.get_mut(at)) {
                 Some((_, all)) => all.extend(members),
                 None => sets.push((x, members)),
             }
         }
-        let (one, mut findings) = (sets.len() == 1, findings);
+        let (is_single_set, mut findings) = (sets.len() == 1, findings);
         let mut found = Vec::new();
         for (x, members) in sets {
-            let about = if one {
+            let set_issues = if is_single_set {
                 std::mem::take(&mut findings)
             } else {
                 Vec::new()
             };
-            found.push(self.set(x, members, about, store)?);
+            found.push(self.set(x, members, set_issues, store)?);
         }
         Ok((found, findings))
     }
@@ -235,7 +235,7 @@ impl Header {
         store: &SampleStore,
     ) -> Result<Raw, Damage> {
         let first = members.first().map_or(1, |(k, _)| *k);
-        let (x, members) = ended(x, members, store)?;
+        let (x, members) = trim_padding(x, members, store)?;
         let rows = members
             .first()
             .map_or(0, |(_, column)| column.values.count());
@@ -254,30 +254,30 @@ impl Header {
             .and_then(|text| text.parse::<usize>().ok())
             .filter(|samples| *samples != rows)
         {
-            let about = format!("the header specifies {samples} samples, but {rows} follow");
+            let message = format!("the header specifies {samples} samples, but {rows} follow");
             findings.push(Issue::new(
                 IssueKind::HeaderDisagrees,
                 samples.abs_diff(rows),
                 None,
-                about,
+                message,
             ));
         }
         let step = self.number("Delta_X", first).filter(|step| *step > 0.0);
         let start = self.number("X0", first).unwrap_or(0.0);
-        let whole = x.as_ref().map(is_whole).transpose()?.unwrap_or(false);
-        let stamps = match (x.filter(|_| self.x_columns != "No" && whole), step) {
+        let is_complete = x.as_ref().map(is_finite).transpose()?.unwrap_or(false);
+        let stamps = match (x.filter(|_| self.x_columns != "No" && is_complete), step) {
             (Some(x), Some(step)) => {
-                findings.extend(self.rescaled(step, x.count(), x.ends()?));
+                findings.extend(self.rescaling_issue(step, x.count(), x.first_and_last()?));
                 // Of two steps that agree with the stamps, use the one set in the header.
                 let rate = Rate {
-                    told: format!("Delta_X = {step}"),
+                    source: format!("Delta_X = {step}"),
                     rate_hz: 1.0 / step,
                 };
                 if findings
                     .iter()
                     .any(|finding| finding.kind == IssueKind::RescaledStamps)
                 {
-                    TimeStamps::Given(x)
+                    TimeStamps::Explicit(x)
                 } else {
                     TimeStamps::Header(HeaderTime {
                         rate,
@@ -286,7 +286,7 @@ impl Header {
                     })
                 }
             }
-            (Some(x), None) => TimeStamps::Given(x),
+            (Some(x), None) => TimeStamps::Explicit(x),
             (None, Some(step)) => TimeStamps::Even { start, step },
             (None, None) => {
                 return Err(Damage::new(
@@ -300,7 +300,7 @@ impl Header {
             Over::Time
         };
         if over == Over::Frequency {
-            findings.extend(linear(&mut columns)?);
+            findings.extend(convert_levels(&mut columns)?);
         }
         Ok(Raw {
             title: String::new(),
@@ -312,52 +312,58 @@ impl Header {
     }
 
     /// Reports a step of the header that differs from the step of the stamps.
-    fn rescaled(&self, told: f64, count: usize, ends: Option<(f64, f64)>) -> Option<Issue> {
+    fn rescaling_issue(
+        &self,
+        stated_step: f64,
+        count: usize,
+        ends: Option<(f64, f64)>,
+    ) -> Option<Issue> {
         let (first, last) = ends?;
         let step = (last - first) / (count - 1) as f64;
-        let told = Some(told).filter(|told| (told / step - 1.0).abs() > SAME_STEP)?;
-        let about = format!(
-            "the header specifies Delta_X = {told:.6e}, but the stamps are {step:.6e} apart \
+        let stated_step =
+            Some(stated_step).filter(|stated_step| (stated_step / step - 1.0).abs() > SAME_STEP)?;
+        let message = format!(
+            "the header specifies Delta_X = {stated_step:.6e}, but the stamps are {step:.6e} apart \
             ({:.4} times as much); the stamps are used",
-            step / told
+            step / stated_step
         );
         Some(Issue::new(
             IssueKind::RescaledStamps,
             count,
             Some(IssuePlace::Line(self.layout.skip + 1)),
-            about,
+            message,
         ))
     }
 }
 
 /// Converts spectra in levels to linear values, and reports spectra.
-fn linear(columns: &mut [RawColumn]) -> Result<Vec<Issue>, Damage> {
-    let about = "the channels are spectra by their names; the first column is used as frequency \
+fn convert_levels(columns: &mut [RawColumn]) -> Result<Vec<Issue>, Damage> {
+    let message = "the channels are spectra by their names; the first column is used as frequency \
         in Hz, whatever X_Dimension specifies";
     let mut findings = vec![Issue::new(
         IssueKind::HeaderDisagrees,
         1,
         None,
-        about.to_owned(),
+        message.to_owned(),
     )];
     // Amplitudes are never negative, so a spectrum with negative values contains levels.
     for column in columns {
         let mut negative = false;
         column.values.each(|x| negative |= x < 0.0)?;
-        let levels = Decibels::meant(&column.unit).filter(|_| negative);
-        findings.extend(levels.map(|levels| column.made_linear(levels)));
+        let levels = Decibels::read_or_linear(&column.unit).filter(|_| negative);
+        findings.extend(levels.map(|levels| column.convert_levels(levels)));
     }
     Ok(findings)
 }
 
-fn is_whole(x: &ColumnNumbers) -> Result<bool, Damage> {
-    let mut whole = true;
-    x.each(|x| whole &= x.is_finite())?;
-    Ok(whole)
+fn is_finite(x: &ColumnNumbers) -> Result<bool, Damage> {
+    let mut is_finite = true;
+    x.each(|x| is_finite &= x.is_finite())?;
+    Ok(is_finite)
 }
 
 /// Cuts channels at the row where their time column ends; lengths of channels may differ.
-fn ended(
+fn trim_padding(
     x: Option<ColumnNumbers>,
     members: Members,
     store: &SampleStore,
@@ -374,33 +380,33 @@ fn ended(
     if last == number || last == 0 {
         return Ok((Some(times), members));
     }
-    let cut = |numbers: ColumnNumbers| -> Result<ColumnNumbers, Damage> {
-        let (mut kept, mut left, mut fault) = (store.column(), last, Ok(()));
+    let truncate = |numbers: ColumnNumbers| -> Result<ColumnNumbers, Damage> {
+        let (mut truncated, mut remaining, mut result) = (store.column(), last, Ok(()));
         numbers.each(|x| {
-            if left > 0 && fault.is_ok() {
-                fault = kept.push(x);
-                left -= 1;
+            if remaining > 0 && result.is_ok() {
+                result = truncated.push(x);
+                remaining -= 1;
             }
         })?;
-        fault?;
-        Ok(kept)
+        result?;
+        Ok(truncated)
     };
-    let short = |(k, column): (usize, RawColumn)| {
-        let imaginary = column.imaginary.map(cut).transpose()?;
+    let truncate_column = |(k, column): (usize, RawColumn)| {
+        let imaginary = column.imaginary.map(truncate).transpose()?;
         Ok((
             k,
             RawColumn {
-                values: cut(column.values)?,
+                values: truncate(column.values)?,
                 imaginary,
                 ..RawColumn::new(&column.name, &column.unit, Vec::new().into())
             },
         ))
     };
     Ok((
-        Some(cut(times)?),
+        Some(truncate(times)?),
         members
             .into_iter()
-            .map(short)
+            .map(truncate_column)
             .collect::<Result<_, Damage>>()?,
     ))
 }

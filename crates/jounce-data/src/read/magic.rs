@@ -4,7 +4,7 @@ use std::path::Path;
 
 /// Offset of the magic number, the bytes, and a description. Longer magic numbers precede shorter
 /// ones.
-const BEGINNINGS: [(usize, &[u8], &str); 27] = [
+const SIGNATURES: [(usize, &[u8], &str); 27] = [
     (0, b"\x1aE\xdf\xa3", IDE),
     (
         0,
@@ -92,7 +92,7 @@ const NETCDF: &str = "NetCDF 3: convert it in Python: import xarray; xarray.open
 const PICKLE: &str = "a pickle of Python: save the arrays in it with numpy.savez";
 
 /// File extensions in lower case, with the usual kind of file.
-const ENDINGS: [(&str, &str); 14] = [
+const EXTENSIONS: [(&str, &str); 14] = [
     ("ide", IDE),
     ("dxd", DEWESOFT),
     ("d7d", DEWESOFT),
@@ -133,14 +133,14 @@ const DEWESOFT: &str = "a recording of DewesoftX: export it as MAT, CSV or UFF i
 const TESTLAB: &str = "a recording of Simcenter Testlab: export it as UFF or MAT in Testlab";
 
 /// Describes a binary file by its first bytes, else by its extension.
-pub(super) fn named(path: &Path, head: &[u8]) -> Option<String> {
-    let begins = |(at, bytes, _): &&(usize, &[u8], &str)| {
+pub(super) fn describe(path: &Path, head: &[u8]) -> Option<String> {
+    let has_signature = |(at, bytes, _): &&(usize, &[u8], &str)| {
         head.get(*at..).is_some_and(|head| head.starts_with(bytes))
     };
-    if let Some((_, _, what)) = BEGINNINGS.iter().find(begins) {
-        return Some((*what).to_owned());
+    if let Some((_, _, description)) = SIGNATURES.iter().find(has_signature) {
+        return Some((*description).to_owned());
     }
-    let ending = path.extension()?.to_str()?.to_lowercase();
-    let (_, what) = ENDINGS.iter().find(|(known, _)| *known == ending)?;
-    Some(format!("by its extension it is {what}"))
+    let extension = path.extension()?.to_str()?.to_lowercase();
+    let (_, description) = EXTENSIONS.iter().find(|(known, _)| *known == extension)?;
+    Some(format!("by its extension it is {description}"))
 }

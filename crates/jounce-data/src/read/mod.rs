@@ -46,11 +46,12 @@ mod verdict;
 mod wav;
 
 pub use contents::{
-    Contents, ModeShape, file, record, summary, survey_noted, survey_record, survey_record_noted,
+    Contents, ModeShape, file, record, record_summary, record_summary_with_notes, summary,
+    summary_with_notes,
 };
 pub use decimation::DecimatedRecording;
 pub use error::ReadError;
-pub use from_arrays::{ArraysError, given};
+pub use from_arrays::{ArraysError, recording_from_arrays};
 pub use jounce_notes::{DIRECTION, PLACE, REFERENCE};
 pub use notes::{ChannelNotes, Notes};
 pub use numbers::ColumnNumbers;

@@ -29,7 +29,7 @@ pub(super) struct Moment {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Clock {
     first: i64,
-    before: i64,
+    previous: i64,
     days: i64,
 }
 
@@ -38,7 +38,7 @@ impl Clock {
     pub(super) fn from(first: Moment) -> Self {
         Self {
             first: first.nanoseconds,
-            before: first.nanoseconds,
+            previous: first.nanoseconds,
             days: 0,
         }
     }
@@ -46,16 +46,16 @@ impl Clock {
     /// Returns the seconds since the first moment. A time of day that drops by more than half a day
     /// belongs to the next day.
     pub(super) fn seconds(&mut self, moment: Moment) -> f64 {
-        if !moment.dated && self.before.saturating_sub(moment.nanoseconds) > DAY / 2 {
+        if !moment.dated && self.previous.saturating_sub(moment.nanoseconds) > DAY / 2 {
             self.days += 1;
         }
-        self.before = moment.nanoseconds;
-        let passed = moment
+        self.previous = moment.nanoseconds;
+        let elapsed = moment
             .nanoseconds
             .saturating_sub(self.first)
             .saturating_add(self.days.saturating_mul(DAY));
         // Separate whole seconds from the remainder to preserve the digits of long records.
-        (passed / SECOND) as f64 + (passed % SECOND) as f64 / SECOND as f64
+        (elapsed / SECOND) as f64 + (elapsed % SECOND) as f64 / SECOND as f64
     }
 }
 
@@ -78,8 +78,9 @@ impl Moment {
                 dated: false,
             }),
             (Some(_), Some(at)) => {
-                let (day, inside) = (date(text[..at].trim())?, time(text[at + 1..].trim())?);
-                let nanoseconds = day.map_or(Some(inside), |day| day.checked_add(inside))?;
+                let (day, time_of_day) = (date(text[..at].trim())?, time(text[at + 1..].trim())?);
+                let nanoseconds =
+                    day.map_or(Some(time_of_day), |day| day.checked_add(time_of_day))?;
                 Some(Self {
                     nanoseconds,
                     dated: day.is_some(),
@@ -91,7 +92,7 @@ impl Moment {
 
 impl std::fmt::Display for Moment {
     fn fmt(&self, to: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let (day, inside) = (
+        let (day, time_of_day) = (
             self.nanoseconds.div_euclid(DAY),
             self.nanoseconds.rem_euclid(DAY),
         );
@@ -102,7 +103,7 @@ impl std::fmt::Display for Moment {
         if let Some(date) = date {
             write!(to, "{date} ")?;
         }
-        let (seconds, rest) = (inside / SECOND, inside % SECOND);
+        let (seconds, fraction_ns) = (time_of_day / SECOND, time_of_day % SECOND);
         write!(
             to,
             "{:02}:{:02}:{:02}",
@@ -110,7 +111,7 @@ impl std::fmt::Display for Moment {
             seconds / 60 % 60,
             seconds % 60
         )?;
-        let fraction = format!("{rest:09}");
+        let fraction = format!("{fraction_ns:09}");
         let fraction = fraction.trim_end_matches('0');
         if fraction.is_empty() {
             Ok(())
@@ -123,11 +124,11 @@ impl std::fmt::Display for Moment {
 /// Beginning of a day since 1970, ns; the inner value is `None` where the order of day and month is
 /// ambiguous.
 fn date(text: &str) -> Option<Option<i64>> {
-    let parts: Vec<&str> = text.split(['-', '/', '.']).collect();
-    let [a, b, c] = parts[..] else { return None };
+    let fields: Vec<&str> = text.split(['-', '/', '.']).collect();
+    let [a, b, c] = fields[..] else { return None };
     let separator = text.as_bytes().get(a.len()).copied()?;
-    let number = |part: &str| part.parse::<u32>().ok().filter(|_| part.len() <= 4);
-    let is_month = |part: &str| part.len() == 3 && part.bytes().all(|b| b.is_ascii_alphabetic());
+    let number = |field: &str| field.parse::<u32>().ok().filter(|_| field.len() <= 4);
+    let is_month = |field: &str| field.len() == 3 && field.bytes().all(|b| b.is_ascii_alphabetic());
     if is_month(b) {
         return (number(a).is_some() && number(c).is_some()).then_some(None);
     }
@@ -135,8 +136,8 @@ fn date(text: &str) -> Option<Option<i64>> {
         (4, ..) => (number(a)?, number(b)?, number(c)?),
         (1 | 2, b'.', 4) => (number(c)?, number(b)?, number(a)?),
         (1 | 2, b'/' | b'-', 2 | 4) => {
-            let fits = number(a)?.max(number(b)?) <= 31 && number(c).is_some();
-            return fits.then_some(None);
+            let is_ambiguous = number(a)?.max(number(b)?) <= 31 && number(c).is_some();
+            return is_ambiguous.then_some(None);
         }
         _ => return None,
     };
@@ -158,22 +159,23 @@ fn time(text: &str) -> Option<i64> {
         _ => (text, None),
     };
     let (text, offset) = zone(text)?;
-    let parts: Vec<&str> = text.split(':').collect();
-    let whole = |part: &str| {
-        part.parse::<i64>()
+    let fields: Vec<&str> = text.split(':').collect();
+    let integer = |field: &str| {
+        field
+            .parse::<i64>()
             .ok()
-            .filter(|_| (1..=4).contains(&part.len()) && part.bytes().all(|b| b.is_ascii_digit()))
+            .filter(|_| (1..=4).contains(&field.len()) && field.bytes().all(|b| b.is_ascii_digit()))
     };
-    let (hours, minutes, seconds) = match parts[..] {
-        [hours, minutes, seconds] => (whole(hours)?, whole(minutes)?, fraction(seconds)?),
+    let (hours, minutes, seconds) = match fields[..] {
+        [hours, minutes, seconds] => (integer(hours)?, integer(minutes)?, fraction(seconds)?),
         [hours, minutes, seconds, thousandths] if thousandths.len() == 3 => (
-            whole(hours)?,
-            whole(minutes)?,
+            integer(hours)?,
+            integer(minutes)?,
             fraction(&format!("{seconds}.{thousandths}"))?,
         ),
         // Without a fraction `14:07` may be hours and minutes.
         [minutes, seconds] if seconds.contains(['.', ',']) => {
-            (0, whole(minutes)?, fraction(seconds)?)
+            (0, integer(minutes)?, fraction(seconds)?)
         }
         _ => return None,
     };
@@ -183,8 +185,8 @@ fn time(text: &str) -> Option<i64> {
 
 /// Text before a time zone, and the offset of the zone from UTC, ns.
 fn zone(text: &str) -> Option<(&str, i64)> {
-    if let Some(bare) = text.strip_suffix(['Z', 'z']) {
-        return Some((bare, 0));
+    if let Some(without_zone) = text.strip_suffix(['Z', 'z']) {
+        return Some((without_zone, 0));
     }
     let Some(at) = text.find(['+', '-']) else {
         return Some((text, 0));
@@ -192,7 +194,7 @@ fn zone(text: &str) -> Option<(&str, i64)> {
     let digits: String = text[at + 1..].chars().filter(|c| *c != ':').collect();
     let all = digits.len() == 4 && digits.bytes().all(|b| b.is_ascii_digit());
     let [hours, minutes] =
-        [digits.get(..2)?, digits.get(2..)?].map(|part| part.parse::<i64>().ok());
+        [digits.get(..2)?, digits.get(2..)?].map(|field| field.parse::<i64>().ok());
     let offset = (hours.filter(|_| all)? * 3600 + minutes? * 60) * SECOND;
     Some((
         text[..at].trim_end(),
@@ -206,13 +208,19 @@ fn zone(text: &str) -> Option<(&str, i64)> {
 
 /// Parses seconds below 61 with a fraction of any length; returns ns.
 fn fraction(text: &str) -> Option<i64> {
-    let (whole, rest) = text.split_once(['.', ',']).unwrap_or((text, ""));
-    let digits = |part: &str| part.bytes().all(|b| b.is_ascii_digit());
-    if !(1..=2).contains(&whole.len()) || !digits(whole) || !digits(rest) {
+    let (integer_digits, fraction_digits) = text.split_once(['.', ',']).unwrap_or((text, ""));
+    let is_digits = |field: &str| field.bytes().all(|b| b.is_ascii_digit());
+    if !(1..=2).contains(&integer_digits.len())
+        || !is_digits(integer_digits)
+        || !is_digits(fraction_digits)
+    {
         return None;
     }
-    let padded = format!("{rest:0<9}");
-    let seconds = whole.parse::<i64>().ok().filter(|seconds| *seconds < 61)?;
+    let padded = format!("{fraction_digits:0<9}");
+    let seconds = integer_digits
+        .parse::<i64>()
+        .ok()
+        .filter(|seconds| *seconds < 61)?;
     Some(seconds * SECOND + padded.get(..9)?.parse::<i64>().ok()?)
 }
 

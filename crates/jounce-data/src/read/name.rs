@@ -4,7 +4,7 @@ use super::decibels::Decibels;
 use crate::recording::{Issue, IssueKind, Quantity, Unit};
 
 /// Name suffixes that give a unit: `accel_m_s2`, `timestamp_ms`.
-const ENDINGS: [(&str, &str); 21] = [
+const UNIT_SUFFIXES: [(&str, &str); 21] = [
     ("_m_s2", "m/s^2"),
     ("_m_s^2", "m/s^2"),
     ("_m_per_s2", "m/s^2"),
@@ -30,7 +30,7 @@ const ENDINGS: [(&str, &str); 21] = [
 
 /// Words for a location, direction, channel or processing, in lower case. In round brackets they
 /// are part of the name.
-const REMARKS: [&str; 62] = [
+const REMARK_WORDS: [&str; 62] = [
     "x",
     "y",
     "z",
@@ -96,14 +96,14 @@ const REMARKS: [&str; 62] = [
 ];
 
 /// Items labelled by a letter, in lower case: `sensor (A)`, `channel 2 (B)`.
-const LABELLED: [&str; 22] = [
+const LABELLED_WORDS: [&str; 22] = [
     "sensor", "channel", "chan", "ch", "probe", "point", "position", "pos", "place", "location",
     "node", "input", "output", "signal", "gauge", "side", "line", "port", "module", "station",
     "site", "dof",
 ];
 
 /// Functions that take an argument in round brackets, in lower case.
-const FUNCTIONS: [&str; 14] = [
+const FUNCTION_NAMES: [&str; 14] = [
     "re",
     "im",
     "real",
@@ -121,12 +121,12 @@ const FUNCTIONS: [&str; 14] = [
 ];
 
 /// Single letters that are units of quantities not found in recordings.
-const LETTERS: [char; 11] = [
+const AMBIGUOUS_LETTERS: [char; 11] = [
     'A', 'C', 'F', 'H', 'J', 'K', 'S', 'T', 'W', '\u{3a9}', '\u{2126}',
 ];
 
 /// Units of quantities not found in recordings; a quotient of them is not a name and a unit.
-const ABOVE: [&str; 19] = [
+const NUMERATOR_UNITS: [&str; 19] = [
     "pC", "nC", "C", "A", "mA", "uA", "count", "counts", "LSB", "rad", "deg", "rpm", "kg", "W",
     "mW", "J", "ohm", "strain", "ue",
 ];
@@ -169,7 +169,7 @@ pub(super) fn split(head: &str) -> (String, String) {
     {
         return (name.trim().to_owned(), unit.to_owned());
     }
-    if let Some((name, unit)) = divided(head) {
+    if let Some((name, unit)) = split_quotient(head) {
         return (name.to_owned(), unit.to_owned());
     }
     // `CH1V` of Rigol.
@@ -179,69 +179,71 @@ pub(super) fn split(head: &str) -> (String, String) {
     if let Some(name) = numbered {
         return (name.to_owned(), "V".to_owned());
     }
-    let small = head.to_ascii_lowercase();
-    let ending = ENDINGS
+    let lowercase = head.to_ascii_lowercase();
+    let suffix = UNIT_SUFFIXES
         .iter()
-        .find(|(ending, _)| small.ends_with(ending) && small.len() > ending.len());
+        .find(|(suffix, _)| lowercase.ends_with(suffix) && lowercase.len() > suffix.len());
     (
         head.to_owned(),
-        ending.map_or(String::new(), |(_, unit)| (*unit).to_owned()),
+        suffix.map_or(String::new(), |(_, unit)| (*unit).to_owned()),
     )
 }
 
 /// True for known units, and for all decibels.
 pub(super) fn is_known(unit: &str) -> bool {
-    Decibels::begin(unit) || Unit::read(unit).is_some()
+    Decibels::is_level(unit) || Unit::read(unit).is_some()
 }
 
 /// True where round brackets after a name contain an unknown unit: a formula of units, or one word
 /// that is not a location, direction, channel or argument. Numbers, words that end in one (`ch1`),
 /// phrases, and single letters that are not units are names.
-fn may_be_unit(name: &str, inside: &str) -> bool {
+fn may_be_unit(name: &str, unit_text: &str) -> bool {
     let function = name
         .rsplit(|c: char| !c.is_alphanumeric())
         .next()
         .unwrap_or_default()
         .to_lowercase();
-    let is_remark = |word: &str| REMARKS.contains(&word.to_lowercase().as_str());
-    let is_number = inside
+    let is_remark = |word: &str| REMARK_WORDS.contains(&word.to_lowercase().as_str());
+    let is_number = unit_text
         .chars()
         .all(|c| c.is_ascii_digit() || c.is_whitespace() || "+-.,:/*".contains(c));
     if is_number
-        || FUNCTIONS.contains(&function.as_str())
-        || inside.split(|c: char| !c.is_alphanumeric()).any(is_remark)
+        || FUNCTION_NAMES.contains(&function.as_str())
+        || unit_text
+            .split(|c: char| !c.is_alphanumeric())
+            .any(is_remark)
     {
         return false;
     }
-    if inside.contains([
+    if unit_text.contains([
         '/', '^', '%', '\u{b0}', '\u{b7}', '\u{22c5}', '\u{207b}', '\u{b2}', '\u{b3}',
     ]) {
         return true;
     }
-    let single = inside.chars().count() == 1;
-    let word = inside.chars().all(char::is_alphabetic);
-    word && (!single || !is_labelled(name) && inside.contains(LETTERS))
+    let is_single = unit_text.chars().count() == 1;
+    let word = unit_text.chars().all(char::is_alphabetic);
+    word && (!is_single || !is_labelled(name) && unit_text.contains(AMBIGUOUS_LETTERS))
 }
 
 fn is_labelled(name: &str) -> bool {
     name.split(|c: char| !c.is_alphabetic())
-        .any(|word| LABELLED.contains(&word.to_lowercase().as_str()))
+        .any(|word| LABELLED_WORDS.contains(&word.to_lowercase().as_str()))
 }
 
 /// Reports how a single letter in round brackets was read if it may be a unit or a label: `sensor
 /// (V)`, `channel (A)`. `None` for other headings.
-pub(super) fn doubt(head: &str) -> Option<Issue> {
+pub(super) fn ambiguity_issue(head: &str) -> Option<Issue> {
     let head = head.trim().trim_matches('"').trim();
     let (_, letter) = bracketed(head, '(', ')')
         .filter(|(name, letter)| letter.chars().count() == 1 && is_labelled(name))?;
-    let about = match Unit::read(letter) {
+    let message = match Unit::read(letter) {
         Some(_) => {
             format!(
                 "({letter}) in {head:?} is read as the unit {letter}, not as a label; if it is a \
                 label, specify the unit of the column in the notes of the file"
             )
         }
-        None if letter.contains(LETTERS) => {
+        None if letter.contains(AMBIGUOUS_LETTERS) => {
             format!(
                 "({letter}) in {head:?} is read as a label, not as a unit; if it is a unit, \
                 specify the name of the column in the notes of the file"
@@ -249,41 +251,44 @@ pub(super) fn doubt(head: &str) -> Option<Issue> {
         }
         None => return None,
     };
-    Some(Issue::new(IssueKind::Assumed, 1, None, about).of(&split(head).0))
+    Some(Issue::new(IssueKind::Assumed, 1, None, message).of(&split(head).0))
 }
 
 /// Splits `U/V` and `t/s`, a name over its unit, as on axes of figures. A quotient of two units is
 /// not split.
-fn divided(head: &str) -> Option<(&str, &str)> {
+fn split_quotient(head: &str) -> Option<(&str, &str)> {
     let (name, unit) = head.split_once('/').filter(|_| !is_known(head))?;
     let (name, unit) = (name.trim(), unit.trim());
     let is_name = name.starts_with(char::is_alphabetic)
-        && !ABOVE.contains(&name)
+        && !NUMERATOR_UNITS.contains(&name)
         && !unit.eq_ignore_ascii_case("in");
-    let fits = match Unit::read(unit)?.quantity {
+    let has_matching_quantity = match Unit::read(unit)?.quantity {
         Quantity::Time => is_time(name),
         Quantity::Frequency => is_frequency(name),
         _ => true,
     };
-    (is_name && fits).then_some((name, unit))
+    (is_name && has_matching_quantity).then_some((name, unit))
 }
 
 /// Text before a bracket that closes at the end, and its contents, including nested brackets.
 fn bracketed(head: &str, open: char, close: char) -> Option<(&str, &str)> {
-    let inside = head.strip_suffix(close)?;
+    let unit_text = head.strip_suffix(close)?;
     let mut depth = 0;
-    let opens = |(_, c): &(usize, char)| {
+    let is_open = |(_, c): &(usize, char)| {
         depth += i32::from(*c == close) - i32::from(*c == open);
         depth < 0
     };
-    let (at, _) = inside.char_indices().rev().find(opens)?;
-    Some((inside[..at].trim(), inside[at + open.len_utf8()..].trim()))
+    let (at, _) = unit_text.char_indices().rev().find(is_open)?;
+    Some((
+        unit_text[..at].trim(),
+        unit_text[at + open.len_utf8()..].trim(),
+    ))
 }
 
 /// True for names of a time.
 pub(super) fn is_time(name: &str) -> bool {
-    let small = name.trim().to_lowercase();
-    let whole = [
+    let lowercase = name.trim().to_lowercase();
+    let full_names = [
         "t",
         "time",
         "zeit",
@@ -297,10 +302,10 @@ pub(super) fn is_time(name: &str) -> bool {
         "date/time",
     ];
     time_unit(name).is_some()
-        || whole.contains(&small.as_str())
+        || full_names.contains(&lowercase.as_str())
         || ["time", "timestamp", "t_", "t ["]
             .iter()
-            .any(|start| small.starts_with(start))
+            .any(|start| lowercase.starts_with(start))
 }
 
 /// Unit implied by a name: `seconds`, `millis`.
@@ -316,12 +321,12 @@ pub(super) fn time_unit(name: &str) -> Option<&'static str> {
 
 /// True for names of a frequency.
 pub(super) fn is_frequency(name: &str) -> bool {
-    let small = name.trim().to_lowercase();
-    small == "f"
-        || small == "hz"
-        || small.starts_with("freq")
-        || small.starts_with("f_hz")
-        || small.starts_with("f [")
+    let lowercase = name.trim().to_lowercase();
+    lowercase == "f"
+        || lowercase == "hz"
+        || lowercase.starts_with("freq")
+        || lowercase.starts_with("f_hz")
+        || lowercase.starts_with("f [")
 }
 
 #[cfg(test)]
@@ -329,7 +334,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn heads_tell_their_units() {
+    fn headings_give_their_units() {
         let cases = [
             ("a [m/s^2]", "a", "m/s^2"),
             ("Force (lbf)", "Force", "lbf"),
@@ -388,7 +393,9 @@ mod tests {
         ] {
             assert_eq!(split(head), (name.to_owned(), unit.to_owned()), "{head}");
             assert_eq!(
-                doubt(head).and_then(|told| told.channel).as_deref(),
+                ambiguity_issue(head)
+                    .and_then(|issue| issue.channel)
+                    .as_deref(),
                 Some(name),
                 "{head}"
             );
@@ -400,13 +407,16 @@ mod tests {
             ("sensor (mV)", "sensor", "mV"),
         ] {
             assert_eq!(
-                (split(head), doubt(head)),
+                (split(head), ambiguity_issue(head)),
                 ((name.to_owned(), unit.to_owned()), None),
                 "{head}"
             );
         }
         assert_eq!(
-            (split("channel (B)").0.as_str(), doubt("channel (B)")),
+            (
+                split("channel (B)").0.as_str(),
+                ambiguity_issue("channel (B)")
+            ),
             ("channel (B)", None)
         );
         assert!(is_time("Time") && is_time("timestamp_ms") && is_time("t") && !is_time("tip"));

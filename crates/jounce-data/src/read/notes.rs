@@ -82,7 +82,7 @@ impl Notes {
     ///
     /// # Errors
     /// Notes that cannot be read or contain faults; all faults at once.
-    pub fn beside(file: &Path) -> Result<Self, ReadError> {
+    pub fn for_file(file: &Path) -> Result<Self, ReadError> {
         let path = Self::path_of(file);
         match std::fs::read_to_string(&path) {
             Ok(text) => Self::from_toml(&text).map_err(|faults| ReadError::Notes { path, faults }),
@@ -141,7 +141,7 @@ impl Notes {
     }
 
     /// Returns the notes on a channel by its name or number from 1.
-    pub(super) fn of(&self, name: &str, number: usize) -> ChannelNotes {
+    pub(super) fn for_channel(&self, name: &str, number: usize) -> ChannelNotes {
         self.channels
             .get(name)
             .or_else(|| self.channels.get(&number.to_string()))
@@ -151,59 +151,59 @@ impl Notes {
 }
 
 fn channel(name: &str, table: &Table, faults: &mut Vec<String>) -> ChannelNotes {
-    let place = format!("channel.{name}.");
-    faults.extend(unknown(table, &CHANNEL_KEYS, &place));
-    let unit = text_of(table, "unit", &place, faults);
+    let prefix = format!("channel.{name}.");
+    faults.extend(unknown(table, &CHANNEL_KEYS, &prefix));
+    let unit = text_of(table, "unit", &prefix, faults);
     if let Some(unit) = unit.as_ref().filter(|unit| Unit::read(unit).is_none()) {
         faults.push(format!(
-            "{place}unit = {unit:?} is not a known unit; expected one such as \
+            "{prefix}unit = {unit:?} is not a known unit; expected one such as \
             m/s^2, g, N, lbf, V, m, Pa, s or Hz"
         ));
     }
     let scale = table.get("scale").and_then(|item| {
         item.as_float()
-            .or_else(|| item.as_integer().map(|whole| whole as f64))
+            .or_else(|| item.as_integer().map(|integer| integer as f64))
     });
     if table.contains_key("scale") && !scale.is_some_and(|scale| scale.is_finite() && scale != 0.0)
     {
-        faults.push(format!("{place}scale must be a number other than 0"));
+        faults.push(format!("{prefix}scale must be a number other than 0"));
     }
     let left_out = match table.get("use").map(Item::as_bool) {
         Some(None) => {
-            faults.push(format!("{place}use must be true or false"));
+            faults.push(format!("{prefix}use must be true or false"));
             false
         }
-        Some(Some(used)) => !used,
+        Some(Some(is_used)) => !is_used,
         None => false,
     };
     ChannelNotes {
-        name: text_of(table, "name", &place, faults),
+        name: text_of(table, "name", &prefix, faults),
         unit,
         scale,
-        place: text_of(table, "place", &place, faults),
-        direction: text_of(table, "direction", &place, faults),
-        reference: text_of(table, "reference", &place, faults),
+        place: text_of(table, "place", &prefix, faults),
+        direction: text_of(table, "direction", &prefix, faults),
+        reference: text_of(table, "reference", &prefix, faults),
         left_out,
     }
 }
 
-fn text_of(table: &Table, key: &str, place: &str, faults: &mut Vec<String>) -> Option<String> {
+fn text_of(table: &Table, key: &str, prefix: &str, faults: &mut Vec<String>) -> Option<String> {
     let item = table.get(key)?;
     if item.as_str().is_none() {
-        faults.push(format!("{place}{key} must be a text in quotes"));
+        faults.push(format!("{prefix}{key} must be a text in quotes"));
     }
     item.as_str().map(str::to_owned)
 }
 
-fn unknown(table: &Table, keys: &[&str], place: &str) -> Vec<String> {
-    let strange = table
+fn unknown(table: &Table, keys: &[&str], prefix: &str) -> Vec<String> {
+    let unknown_keys = table
         .iter()
         .map(|(key, _)| key)
         .filter(|key| !keys.contains(key));
-    strange
+    unknown_keys
         .map(|key| {
             format!(
-                "{place}{key} is not a key of notes; the keys are {}",
+                "{prefix}{key} is not a key of notes; the keys are {}",
                 keys.join(", ")
             )
         })
@@ -216,16 +216,16 @@ mod tests {
     use super::*;
 
     #[test]
-    fn notes_are_read_and_all_faults_told_at_once() {
+    fn notes_are_read_and_all_faults_are_listed() {
         let notes = Notes::from_toml(
             "rate = \"25.6 kHz\"\n[channel.2]\nunit = \"N\"\nscale = 2\n[channel.b]\nuse = false\n",
         )
         .unwrap();
         assert_eq!(notes.rate_hz, Some(25_600.0));
-        assert_eq!(notes.of("x", 2).scale, Some(2.0));
-        assert!(notes.of("b", 3).left_out);
-        let wrong = "rate = 5\nspeed = 1\n[channel.a]\nunit = \"furlong\"\nscale = 0\nuse = 1\ncolour = \"red\"\n";
-        let faults = Notes::from_toml(wrong).unwrap_err();
+        assert_eq!(notes.for_channel("x", 2).scale, Some(2.0));
+        assert!(notes.for_channel("b", 3).left_out);
+        let invalid = "rate = 5\nspeed = 1\n[channel.a]\nunit = \"furlong\"\nscale = 0\nuse = 1\ncolour = \"red\"\n";
+        let faults = Notes::from_toml(invalid).unwrap_err();
         assert_eq!(faults.len(), 6, "{faults:?}");
         assert!(Notes::from_toml("[channel").is_err());
     }

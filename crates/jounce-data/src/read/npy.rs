@@ -69,18 +69,22 @@ pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, D
         .enumerate()
         .map(|(k, values)| RawColumn::new(&name(k), "", values))
         .collect();
-    let about =
+    let message =
         format!("an array of {rows} x {columns} without names: its longer side is used as time");
-    Ok(Raw::columns(series, vec![Issue::new(IssueKind::Assumed, 1, None, about)]).into())
+    Ok(Raw::columns(
+        series,
+        vec![Issue::new(IssueKind::Assumed, 1, None, message)],
+    )
+    .into())
 }
 
 impl Header {
     /// Reads `{'descr': '<f8', 'fortran_order': False, 'shape': (3, 2), }` and the bytes before it.
     pub fn read(source: &mut dyn Read) -> Result<Self, Damage> {
-        let mut begin = [0; 8];
-        source.read_exact(&mut begin).map_err(Damage::cut)?;
-        let version = begin[BEGIN.len()];
-        if !begin.starts_with(BEGIN) || !(1..=3).contains(&version) {
+        let mut signature = [0; 8];
+        source.read_exact(&mut signature).map_err(Damage::cut)?;
+        let version = signature[BEGIN.len()];
+        if !signature.starts_with(BEGIN) || !(1..=3).contains(&version) {
             return Err(Damage::new(format!(
                 "version {version} of the format is not known; expected 1 to 3"
             )));
@@ -108,11 +112,11 @@ impl Header {
 
     fn parse(text: &str) -> Option<Self> {
         let value = |key: &str| {
-            let behind = text
+            let after_key = text
                 .split_once(&format!("'{key}'"))
                 .or_else(|| text.split_once(&format!("\"{key}\"")))?
                 .1;
-            Some(behind.trim_start().strip_prefix(':')?.trim_start())
+            Some(after_key.trim_start().strip_prefix(':')?.trim_start())
         };
         let descr = value("descr")?;
         let dtype = match descr.chars().next()? {
@@ -125,13 +129,13 @@ impl Header {
         };
         let order = value("fortran_order")?;
         let fortran = order.starts_with("True");
-        let inside = value("shape")?.strip_prefix('(')?.split(')').next()?;
-        let sizes = inside
+        let shape_text = value("shape")?.strip_prefix('(')?.split(')').next()?;
+        let lengths = shape_text
             .split(',')
             .map(str::trim)
-            .filter(|size| !size.is_empty());
-        let shape = sizes
-            .map(|size| size.trim_end_matches('L').parse().ok())
+            .filter(|length| !length.is_empty());
+        let shape = lengths
+            .map(|length| length.trim_end_matches('L').parse().ok())
             .collect::<Option<Vec<u64>>>()?;
         (fortran || order.starts_with("False")).then_some(Self {
             dtype,
@@ -187,7 +191,7 @@ impl Header {
         store: &SampleStore,
     ) -> Result<SeriesOf, Damage> {
         let (scalar, complex) = self.scalar()?;
-        let sizes = self
+        let shape_text = self
             .shape
             .iter()
             .map(u64::to_string)
@@ -196,17 +200,17 @@ impl Header {
         let layout = ArrayLayout::new(&self.shape, !self.fortran);
         let layout = layout.ok_or_else(|| {
             Damage::new(format!(
-                "an array of {sizes} numbers is not a series of numbers"
+                "an array of {shape_text} numbers is not a series of numbers"
             ))
         })?;
-        let parts = if complex { 2 } else { 1 };
-        let total = layout.total() * parts;
+        let part_count = if complex { 2 } else { 1 };
+        let total = layout.total() * part_count;
         if total
             .checked_mul(scalar.size as u64)
-            .is_none_or(|due| due > bytes)
+            .is_none_or(|needed_bytes| needed_bytes > bytes)
         {
             return Err(Damage::new(format!(
-                "an array of {sizes} numbers is longer than the {bytes} bytes of the file; is the \
+                "an array of {shape_text} numbers is longer than the {bytes} bytes of the file; is the \
                 file truncated?"
             )));
         }
@@ -218,14 +222,14 @@ impl Header {
         };
         let mut number = 0;
         scalar.each(source, total, |x| {
-            let place = number / parts;
-            let part = if number % parts == 0 {
+            let index = number / part_count;
+            let target = if number % part_count == 0 {
                 Some(&mut series)
             } else {
                 imaginary.as_mut()
             };
             number += 1;
-            part.map_or(Ok(()), |part| layout.push(part, place, x))
+            target.map_or(Ok(()), |target| layout.push(target, index, x))
         })?;
         Ok(SeriesOf {
             series,
@@ -243,21 +247,21 @@ mod tests {
     #[test]
     fn headers_are_read_in_every_form() {
         let header = |text| Header::parse(text);
-        let found =
+        let result =
             header("{'descr': '<f8', 'fortran_order': False, 'shape': (3, 2), }   \n").unwrap();
         assert_eq!(
-            (found.dtype.as_str(), found.fortran, &found.shape[..]),
+            (result.dtype.as_str(), result.fortran, &result.shape[..]),
             ("<f8", false, &[3, 2][..])
         );
-        let found = header(
+        let result = header(
             "{'descr': [('a', '<f8'), ('b', '<i4')], 'fortran_order': True, 'shape': (7L,), }",
         )
         .unwrap();
         assert_eq!(
-            (found.dtype.as_str(), found.fortran, &found.shape[..]),
+            (result.dtype.as_str(), result.fortran, &result.shape[..]),
             ("[('a', '<f8'), ('b', '<i4')]", true, &[7][..])
         );
-        assert!(found.scalar().is_err());
+        assert!(result.scalar().is_err());
         assert_eq!(
             header("{'shape': (), 'fortran_order': False, 'descr': '|b1'}")
                 .unwrap()
@@ -267,13 +271,13 @@ mod tests {
                 .size,
             1
         );
-        for wrong in [
+        for invalid_header in [
             "",
             "{'descr': '<f8'}",
             "{'descr': '<f8', 'fortran_order': 1, 'shape': (3,)}",
             "{'descr': '<f8', 'fortran_order': True, 'shape': (-3,)}",
         ] {
-            assert_eq!(header(wrong), None, "{wrong}");
+            assert_eq!(header(invalid_header), None, "{invalid_header}");
         }
         let complex = Header {
             dtype: ">c16".into(),

@@ -21,11 +21,15 @@ const MAX_CHARACTERS: u64 = 1 << 20;
 pub(super) fn read(path: &FilePath, store: &SampleStore) -> Result<FormatContents, Damage> {
     let file = File::open(path).map_err(Damage::cut)?;
     let mut buffer = vec![0; RECOMMENDED_BUFFER_SIZE];
-    let archive = ZipArchive::from_file(file, &mut buffer).map_err(|fault| wrong(&fault))?;
+    let archive =
+        ZipArchive::from_file(file, &mut buffer).map_err(|fault| archive_error(&fault))?;
     let mut tree = Tree::default();
     let mut entries = archive.entries(&mut buffer);
-    let mut found = 0;
-    while let Some(entry) = entries.next_entry().map_err(|fault| wrong(&fault))? {
+    let mut result = 0;
+    while let Some(entry) = entries
+        .next_entry()
+        .map_err(|fault| archive_error(&fault))?
+    {
         let file_name = String::from_utf8_lossy(entry.file_path().as_ref()).into_owned();
         let Some(name) = file_name.strip_suffix(".npy") else {
             tree.skip(format!(
@@ -33,13 +37,13 @@ pub(super) fn read(path: &FilePath, store: &SampleStore) -> Result<FormatContent
             ));
             continue;
         };
-        found += 1;
-        if found > MAX_ARRAYS {
+        result += 1;
+        if result > MAX_ARRAYS {
             return Err(Damage::new(format!(
                 "it contains more than {MAX_ARRAYS} arrays"
             )));
         }
-        let of_array = |damage: Damage| Damage {
+        let with_name = |damage: Damage| Damage {
             why: format!("{name}: {}", damage.why),
             ..damage
         };
@@ -47,20 +51,20 @@ pub(super) fn read(path: &FilePath, store: &SampleStore) -> Result<FormatContent
         let bytes = entry
             .uncompressed_size_hint()
             .min(entry.compressed_size_hint().saturating_mul(MAX_RATIO));
-        let place = archive
+        let position = archive
             .get_entry(entry.wayfinder())
-            .map_err(|fault| wrong(&fault))?;
-        let stored = place.reader();
+            .map_err(|fault| archive_error(&fault))?;
+        let stored = position.reader();
         let content: Box<dyn Read + '_> = match method {
             CompressionMethod::STORE => Box::new(stored),
             CompressionMethod::DEFLATE => Box::new(DeflateDecoder::new(stored)),
             other => {
-                return Err(of_array(Damage::new(format!(
+                return Err(with_name(Damage::new(format!(
                     "it is compressed by {other:?}; save it with numpy.savez_compressed"
                 ))));
             }
         };
-        let mut checked = place.verifying_reader(content);
+        let mut checked = position.verifying_reader(content);
         array(
             &mut checked,
             &Path::default().to(name),
@@ -68,12 +72,12 @@ pub(super) fn read(path: &FilePath, store: &SampleStore) -> Result<FormatContent
             store,
             &mut tree,
         )
-        .map_err(of_array)?;
+        .map_err(with_name)?;
         // Reading past the last byte verifies the checksum.
         io::copy(&mut checked.take(bytes), &mut io::sink())
-            .map_err(|fault| of_array(Damage::cut(fault)))?;
+            .map_err(|fault| with_name(Damage::cut(fault)))?;
     }
-    if found == 0 {
+    if result == 0 {
         return Err(Damage::new(
             "it is a ZIP archive without NumPy arrays: unpack it and read the files in it; save \
             an Excel workbook (.xlsx) as CSV; save a PicoScope recording (.psdata) as CSV in \
@@ -83,7 +87,7 @@ pub(super) fn read(path: &FilePath, store: &SampleStore) -> Result<FormatContent
     into_found(tree)
 }
 
-fn wrong(fault: &rawzip::Error) -> Damage {
+fn archive_error(fault: &rawzip::Error) -> Damage {
     Damage::new(format!("{fault}; is the file truncated?"))
 }
 
@@ -105,13 +109,13 @@ fn array(
     }
     match header.scalar() {
         Ok(_) => {
-            let found = header.numbers(source, bytes, store)?;
+            let result = header.numbers(source, bytes, store)?;
             tree.arrays.push(Array {
                 path: path.clone(),
                 unit: String::new(),
-                series: found.series,
-                imaginary: found.imaginary,
-                labels: found.labels,
+                series: result.series,
+                imaginary: result.imaginary,
+                labels: result.labels,
             });
         }
         Err(damage) => tree.skip(format!("{path} was left out: {}", damage.why)),
@@ -125,15 +129,15 @@ fn texts(source: &mut dyn Read, header: &Header, length: u64) -> Result<Vec<Stri
         .shape
         .iter()
         .try_fold(1_u64, |product, size| product.checked_mul(*size));
-    let fits = count.filter(|count| {
+    let plausible_count = count.filter(|count| {
         count
             .checked_mul(length)
             .is_some_and(|characters| characters <= MAX_CHARACTERS)
     });
-    let Some(count) = fits.filter(|_| length > 0) else {
+    let Some(count) = plausible_count.filter(|_| length > 0) else {
         return Ok(Vec::new());
     };
-    let mut found = Vec::new();
+    let mut result = Vec::new();
     let mut bytes = vec![0; 4 * length as usize];
     for _ in 0..count {
         source.read_exact(&mut bytes).map_err(Damage::cut)?;
@@ -143,11 +147,11 @@ fn texts(source: &mut dyn Read, header: &Header, length: u64) -> Result<Vec<Stri
             .iter()
             .map(|four| u32::from_le_bytes(*four))
             .take_while(|c| *c > 0);
-        found.push(
+        result.push(
             characters
                 .map(|c| char::from_u32(c).unwrap_or('\u{fffd}'))
                 .collect(),
         );
     }
-    Ok(found)
+    Ok(result)
 }

@@ -18,7 +18,7 @@ pub(super) enum TextField {
 }
 
 /// Words for a missing sample, in lower case.
-const MISSING: [&str; 11] = [
+const MISSING_VALUE_TEXTS: [&str; 11] = [
     "",
     "nan",
     "na",
@@ -45,7 +45,7 @@ impl TextField {
                 Self::Missing
             };
         }
-        if MISSING.contains(&text.to_ascii_lowercase().as_str()) {
+        if MISSING_VALUE_TEXTS.contains(&text.to_ascii_lowercase().as_str()) {
             return Self::Missing;
         }
         let begins = text
@@ -86,8 +86,8 @@ fn hexadecimal(text: &str) -> Option<f64> {
 }
 
 fn fortran(text: &str) -> Option<f64> {
-    let marked = text.bytes().filter(|b| matches!(b, b'D' | b'd')).count() == 1;
-    if marked {
+    let has_fortran_exponent = text.bytes().filter(|b| matches!(b, b'D' | b'd')).count() == 1;
+    if has_fortran_exponent {
         text.replace(['D', 'd'], "E").parse().ok()
     } else {
         None
@@ -96,15 +96,15 @@ fn fortran(text: &str) -> Option<f64> {
 
 /// Parses `(re+imj)` as Python writes it, with or without brackets, `i` or `j`.
 fn complex(text: &str) -> Option<(f64, f64)> {
-    let bare = text.trim_start_matches('(').trim_end_matches(')');
-    let bare = bare.strip_suffix(['j', 'i'])?;
-    let bytes = bare.as_bytes();
+    let without_brackets = text.trim_start_matches('(').trim_end_matches(')');
+    let without_brackets = without_brackets.strip_suffix(['j', 'i'])?;
+    let bytes = without_brackets.as_bytes();
     let sign =
         |k: &usize| matches!(bytes[*k], b'+' | b'-') && !matches!(bytes[*k - 1], b'e' | b'E');
     let split = (1..bytes.len()).rev().find(sign)?;
     Some((
-        bare.get(..split)?.parse().ok()?,
-        bare.get(split..)?.parse().ok()?,
+        without_brackets.get(..split)?.parse().ok()?,
+        without_brackets.get(split..)?.parse().ok()?,
     ))
 }
 

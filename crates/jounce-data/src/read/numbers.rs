@@ -11,7 +11,7 @@ use crate::recording::{PIECE, Series};
 /// Numbers of a column.
 #[derive(Debug)]
 pub struct ColumnNumbers {
-    kept: NumberStore,
+    store: NumberStore,
     /// For levels in decibels to be returned as linear values: decibels per factor of ten.
     levels: Option<f64>,
     /// Factor applied to stored numbers on reading.
@@ -21,7 +21,7 @@ pub struct ColumnNumbers {
 #[derive(Debug)]
 enum NumberStore {
     Memory(Vec<f64>),
-    Shelf {
+    Scratch {
         scratch: Rc<RefCell<Scratch>>,
         pieces: Vec<StoredPiece>,
         last: Vec<f64>,
@@ -29,17 +29,17 @@ enum NumberStore {
 }
 
 impl ColumnNumbers {
-    pub(super) fn on(store: &SampleStore) -> Self {
-        let kept = match store {
+    pub(super) fn new(store: &SampleStore) -> Self {
+        let number_store = match store {
             SampleStore::Memory => NumberStore::Memory(Vec::new()),
-            SampleStore::Scratch(scratch) => NumberStore::Shelf {
+            SampleStore::Scratch(scratch) => NumberStore::Scratch {
                 scratch: Rc::clone(scratch),
                 pieces: Vec::new(),
                 last: Vec::new(),
             },
         };
         Self {
-            kept,
+            store: number_store,
             levels: None,
             factor: 1.0,
         }
@@ -47,16 +47,16 @@ impl ColumnNumbers {
 
     /// Appends a number; fails where the scratch file cannot be written.
     pub(super) fn push(&mut self, x: f64) -> io::Result<()> {
-        match &mut self.kept {
+        match &mut self.store {
             NumberStore::Memory(numbers) => numbers.push(x),
-            NumberStore::Shelf {
+            NumberStore::Scratch {
                 scratch,
                 pieces,
                 last,
             } => {
                 last.push(x);
                 if last.len() == PIECE {
-                    pieces.push(scratch.borrow_mut().put(last)?);
+                    pieces.push(scratch.borrow_mut().store(last)?);
                 }
             }
         }
@@ -65,36 +65,36 @@ impl ColumnNumbers {
 
     /// Reserves memory for more numbers, if they are stored in memory; false if there is not
     /// enough.
-    pub(super) fn expect(&mut self, more: usize) -> bool {
-        match &mut self.kept {
-            NumberStore::Memory(numbers) => numbers.try_reserve_exact(more).is_ok(),
-            NumberStore::Shelf { .. } => true,
+    pub(super) fn expect(&mut self, count: usize) -> bool {
+        match &mut self.store {
+            NumberStore::Memory(numbers) => numbers.try_reserve_exact(count).is_ok(),
+            NumberStore::Scratch { .. } => true,
         }
     }
 
     /// Multiplies all returned numbers by a factor.
     pub(super) fn scale(&mut self, factor: f64) {
-        match &mut self.kept {
+        match &mut self.store {
             NumberStore::Memory(numbers) if factor != 1.0 => {
                 numbers.iter_mut().for_each(|x| *x *= factor)
             }
             NumberStore::Memory(_) => {}
-            NumberStore::Shelf { .. } => self.factor *= factor,
+            NumberStore::Scratch { .. } => self.factor *= factor,
         }
     }
 
     /// Returns the stored levels `L` as linear values `10^(L/decade)` in subsequent reads.
-    pub(super) fn made_linear(&mut self, decade: f64) {
-        match &mut self.kept {
+    pub(super) fn convert_levels(&mut self, decade: f64) {
+        match &mut self.store {
             NumberStore::Memory(numbers) => numbers
                 .iter_mut()
-                .for_each(|level| *level = size(*level, decade)),
-            NumberStore::Shelf { .. } => self.levels = Some(decade),
+                .for_each(|level| *level = from_level(*level, decade)),
+            NumberStore::Scratch { .. } => self.levels = Some(decade),
         }
     }
 
     /// First and last number.
-    pub(super) fn ends(&self) -> io::Result<Option<(f64, f64)>> {
+    pub(super) fn first_and_last(&self) -> io::Result<Option<(f64, f64)>> {
         let Some(last) = self.count().checked_sub(1) else {
             return Ok(None);
         };
@@ -103,7 +103,7 @@ impl ColumnNumbers {
     }
 
     /// True where both columns contain equal numbers.
-    pub(super) fn same(&self, other: &Self) -> io::Result<bool> {
+    pub(super) fn equals(&self, other: &Self) -> io::Result<bool> {
         if self.count() != other.count() {
             return Ok(false);
         }
@@ -117,7 +117,7 @@ impl ColumnNumbers {
 
     /// Loads all numbers into memory.
     pub(super) fn into_vec(self) -> io::Result<Vec<f64>> {
-        if let NumberStore::Memory(numbers) = self.kept {
+        if let NumberStore::Memory(numbers) = self.store {
             return Ok(numbers);
         }
         let mut numbers = Vec::with_capacity(self.count());
@@ -129,7 +129,7 @@ impl ColumnNumbers {
 impl From<Vec<f64>> for ColumnNumbers {
     fn from(numbers: Vec<f64>) -> Self {
         Self {
-            kept: NumberStore::Memory(numbers),
+            store: NumberStore::Memory(numbers),
             levels: None,
             factor: 1.0,
         }
@@ -140,21 +140,21 @@ impl Series for ColumnNumbers {
     type Fault = io::Error;
 
     fn count(&self) -> usize {
-        match &self.kept {
+        match &self.store {
             NumberStore::Memory(numbers) => numbers.len(),
-            NumberStore::Shelf { pieces, last, .. } => pieces.len() * PIECE + last.len(),
+            NumberStore::Scratch { pieces, last, .. } => pieces.len() * PIECE + last.len(),
         }
     }
 
     fn piece(&self, index: usize) -> io::Result<Cow<'_, [f64]>> {
-        let (scratch, pieces, last) = match &self.kept {
+        let (scratch, pieces, last) = match &self.store {
             NumberStore::Memory(numbers) => {
                 let from = (index * PIECE).min(numbers.len());
                 return Ok(Cow::Borrowed(
                     &numbers[from..(from + PIECE).min(numbers.len())],
                 ));
             }
-            NumberStore::Shelf {
+            NumberStore::Scratch {
                 scratch,
                 pieces,
                 last,
@@ -162,14 +162,14 @@ impl Series for ColumnNumbers {
         };
         let mut numbers = match pieces.get(index) {
             Some(StoredPiece::Memory(numbers)) => Cow::Borrowed(numbers.as_slice()),
-            Some(StoredPiece::Scratch(begin)) => Cow::Owned(scratch.borrow_mut().get(*begin)?),
+            Some(StoredPiece::Scratch(offset)) => Cow::Owned(scratch.borrow_mut().load(*offset)?),
             None => Cow::Borrowed(last.as_slice()),
         };
         if let Some(decade) = self.levels {
             numbers
                 .to_mut()
                 .iter_mut()
-                .for_each(|level| *level = size(*level, decade));
+                .for_each(|level| *level = from_level(*level, decade));
         }
         if self.factor != 1.0 {
             numbers.to_mut().iter_mut().for_each(|x| *x *= self.factor);
@@ -178,7 +178,7 @@ impl Series for ColumnNumbers {
     }
 }
 
-fn size(level: f64, decade: f64) -> f64 {
+fn from_level(level: f64, decade: f64) -> f64 {
     10f64.powf(level / decade)
 }
 
@@ -189,7 +189,7 @@ mod tests {
 
     /// Uses more numbers than fit in memory, written to two columns alternately.
     #[test]
-    fn a_shelf_gives_back_what_was_put_on_it() {
+    fn scratch_file_returns_the_stored_numbers() {
         let store = SampleStore::scratch();
         let (mut a, mut b) = (store.column(), store.column());
         let count = (3 << 20) + 77;
@@ -199,17 +199,17 @@ mod tests {
         }
         b.scale(0.5);
         assert_eq!(
-            (a.count(), a.ends().unwrap()),
+            (a.count(), a.first_and_last().unwrap()),
             (count as usize, Some((0.0, f64::from(count - 1))))
         );
-        let (mut next, mut wrong) = (0.0, 0);
+        let (mut next, mut mismatches) = (0.0, 0);
         b.each(|x| {
-            wrong += usize::from(x != next);
+            mismatches += usize::from(x != next);
             next -= 0.5;
         })
         .unwrap();
-        assert_eq!(wrong, 0);
-        assert!(!a.same(&b).unwrap());
+        assert_eq!(mismatches, 0);
+        assert!(!a.equals(&b).unwrap());
         assert!(
             a.into_vec()
                 .unwrap()

@@ -28,15 +28,18 @@ const NOTES: &str = "jounce";
 const BATCH: usize = 1 << 16;
 
 pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, Damage> {
-    let told = |fault: &dyn std::fmt::Display| {
+    let parquet_error = |fault: &dyn std::fmt::Display| {
         Damage::new(format!(
             "{fault}; is the file \
         truncated?"
         ))
     };
-    let file = File::open(path).map_err(|fault| told(&fault))?;
-    let size = file.metadata().map_err(|fault| told(&fault))?.len();
-    let reader = SerializedFileReader::new(file).map_err(|fault| told(&fault))?;
+    let file = File::open(path).map_err(|fault| parquet_error(&fault))?;
+    let size = file
+        .metadata()
+        .map_err(|fault| parquet_error(&fault))?
+        .len();
+    let reader = SerializedFileReader::new(file).map_err(|fault| parquet_error(&fault))?;
     check_places(&reader, size)?;
     let notes = notes(&reader);
     let (mut columns, mut findings) = (Vec::new(), Vec::new());
@@ -49,16 +52,16 @@ pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, D
             Some(values) => {
                 // The notes of jounce give the unit; the heading is the name, including any
                 // brackets.
-                let noted = notes
+                let notes_text = notes
                     .as_ref()
                     .and_then(|notes| notes.unit(&head))
                     .map(|unit| (head.clone(), unit));
-                let (name, unit) = noted.unwrap_or_else(|| {
-                    findings.extend(name::doubt(&head));
+                let (name, unit) = notes_text.unwrap_or_else(|| {
+                    findings.extend(name::ambiguity_issue(&head));
                     name::split(&head)
                 });
                 let mut column = RawColumn::new(&name, &unit, values);
-                notes.iter().for_each(|notes| notes.tell(&mut column));
+                notes.iter().for_each(|notes| notes.apply_to(&mut column));
                 columns.push(column);
             }
             None => findings.push(Issue::new(
@@ -134,10 +137,9 @@ fn check_places(reader: &SerializedFileReader<File>, size: u64) -> Result<(), Da
 
 /// Reads the notes of jounce; `None` for a file of another program.
 fn notes(reader: &SerializedFileReader<File>) -> Option<WrittenNotes> {
-    let noted = reader.metadata().file_metadata().key_value_metadata()?;
+    let text = reader.metadata().file_metadata().key_value_metadata()?;
     WrittenNotes::from_json(
-        noted
-            .iter()
+        text.iter()
             .find(|pair| pair.key == NOTES)?
             .value
             .as_deref()?,

@@ -21,7 +21,7 @@ pub(super) enum TimeStamps {
     /// Start and step, in SI units.
     Even { start: f64, step: f64 },
     /// Stamps in SI units.
-    Given(ColumnNumbers),
+    Explicit(ColumnNumbers),
     /// One of the columns, if any. Columns have no names, so the first one may be the time if it
     /// rises uniformly.
     Column,
@@ -30,7 +30,7 @@ pub(super) enum TimeStamps {
     /// One of the columns, else a number that gives the rate.
     Rate(Rate),
     /// A given column, counted from 0, with a number that may give the rate.
-    Of { column: usize, rate: Option<Rate> },
+    FromColumn { column: usize, rate: Option<Rate> },
     /// A header with rate and start, and stamps or one of the columns if present.
     Header(Header),
 }
@@ -52,7 +52,7 @@ pub(super) const SAME_RATE: f64 = 1e-3;
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Rate {
     /// Name and value as stored, `fs = 2048`.
-    pub told: String,
+    pub source: String,
     /// Sampling rate, Hz.
     pub rate_hz: f64,
 }
@@ -155,39 +155,39 @@ impl RawColumn {
 
     /// Converts levels `L` in decibels to amplitudes `10^(L/20)`, or densities `10^(L/10)`, times
     /// their reference, in the unit of the reference.
-    pub(super) fn made_linear(&mut self, levels: Decibels) -> Issue {
+    pub(super) fn convert_levels(&mut self, levels: Decibels) -> Issue {
         let Decibels {
             reference,
             unit,
             decade,
         } = levels;
-        self.values.made_linear(decade);
+        self.values.convert_levels(decade);
         self.values.scale(reference);
-        let sizes = if decade == 20.0 {
+        let quantity_text = if decade == 20.0 {
             "amplitudes"
         } else {
             "densities"
         };
-        let times = if reference == 1.0 {
+        let reference_text = if reference == 1.0 {
             String::new()
         } else {
             format!("{reference:e} times ")
         };
-        let of = if unit.is_empty() {
+        let unit_text = if unit.is_empty() {
             "an unknown unit"
         } else {
             &unit
         };
-        let about = format!(
-            "levels in decibels were converted to {sizes} {times}10^(L/{decade}) \
-            in {of}"
+        let message = format!(
+            "levels in decibels were converted to {quantity_text} {reference_text}10^(L/{decade}) \
+            in {unit_text}"
         );
         self.unit = unit;
         Issue::new(
             IssueKind::Decibels,
             self.values.count(),
             Some(IssuePlace::Sample(0)),
-            about,
+            message,
         )
         .of(&self.name)
     }

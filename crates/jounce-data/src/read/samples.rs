@@ -30,7 +30,7 @@ pub(super) enum SampleStore {
 #[derive(Debug)]
 pub(super) struct Scratch {
     /// Pieces that may still be kept in memory.
-    left: usize,
+    pieces_left: usize,
     file: Option<File>,
     end: u64,
     bytes: Vec<u8>,
@@ -48,7 +48,7 @@ impl SampleStore {
     /// Returns a store with a scratch file.
     pub(super) fn scratch() -> Self {
         Self::Scratch(Rc::new(RefCell::new(Scratch {
-            left: MAX_PIECES_IN_MEMORY,
+            pieces_left: MAX_PIECES_IN_MEMORY,
             file: None,
             end: 0,
             bytes: Vec::new(),
@@ -57,15 +57,15 @@ impl SampleStore {
 
     /// Returns an empty column.
     pub(super) fn column(&self) -> ColumnNumbers {
-        ColumnNumbers::on(self)
+        ColumnNumbers::new(self)
     }
 }
 
 impl Scratch {
     /// Stores a full piece and empties `numbers`.
-    pub(super) fn put(&mut self, numbers: &mut Vec<f64>) -> io::Result<StoredPiece> {
-        if self.left > 0 {
-            self.left -= 1;
+    pub(super) fn store(&mut self, numbers: &mut Vec<f64>) -> io::Result<StoredPiece> {
+        if self.pieces_left > 0 {
+            self.pieces_left -= 1;
             return Ok(StoredPiece::Memory(std::mem::take(numbers)));
         }
         let file = match &mut self.file {
@@ -77,19 +77,19 @@ impl Scratch {
             .extend(numbers.iter().flat_map(|x| x.to_le_bytes()));
         file.seek(SeekFrom::Start(self.end))?;
         file.write_all(&self.bytes)?;
-        let begin = self.end;
+        let offset = self.end;
         self.end += self.bytes.len() as u64;
         numbers.clear();
-        Ok(StoredPiece::Scratch(begin))
+        Ok(StoredPiece::Scratch(offset))
     }
 
     /// Reads the piece of [`PIECE`] numbers at an offset.
-    pub(super) fn get(&mut self, begin: u64) -> io::Result<Vec<f64>> {
+    pub(super) fn load(&mut self, offset: u64) -> io::Result<Vec<f64>> {
         let file = self
             .file
             .as_mut()
             .ok_or_else(|| io::Error::other("the scratch file was never created"))?;
-        file.seek(SeekFrom::Start(begin))?;
+        file.seek(SeekFrom::Start(offset))?;
         self.bytes.resize(8 * PIECE, 0);
         file.read_exact(&mut self.bytes)?;
         Ok(self
@@ -104,7 +104,7 @@ impl Scratch {
 
 /// Folder of scratch files. On many systems `/tmp` is in memory.
 pub(super) fn folder() -> PathBuf {
-    let wanted = std::env::var_os("TMPDIR").map(PathBuf::from);
-    let large = Some(PathBuf::from("/var/tmp")).filter(|folder| folder.is_dir());
-    wanted.or(large).unwrap_or_else(std::env::temp_dir)
+    let configured = std::env::var_os("TMPDIR").map(PathBuf::from);
+    let var_tmp = Some(PathBuf::from("/var/tmp")).filter(|folder| folder.is_dir());
+    configured.or(var_tmp).unwrap_or_else(std::env::temp_dir)
 }

@@ -32,11 +32,11 @@ pub(super) enum Kind {
 impl Scalar {
     /// Returns the type of that kind and size; `None` if it does not exist.
     pub fn new(kind: Kind, size: usize, little_endian: bool) -> Option<Self> {
-        let there = matches!(
+        let is_supported = matches!(
             (kind, size),
             (Kind::Float, 2 | 4 | 8) | (Kind::Signed | Kind::Unsigned, 1 | 2 | 3 | 4 | 8)
         );
-        there.then_some(Self {
+        is_supported.then_some(Self {
             kind,
             size,
             little_endian,
@@ -65,27 +65,30 @@ impl Scalar {
         }
     }
 
-    /// Passes each of `count` numbers of a source to `take`, in order.
+    /// Passes each of `count` numbers of a source to `callback`, in order.
     ///
     /// # Errors
-    /// The source ends early, or `take` fails.
+    /// The source ends early, or `callback` fails.
     pub fn each(
         self,
         source: &mut dyn Read,
         count: u64,
-        mut take: impl FnMut(f64) -> io::Result<()>,
+        mut callback: impl FnMut(f64) -> io::Result<()>,
     ) -> Result<(), Damage> {
-        let mut left = count.saturating_mul(self.size as u64);
-        let mut bytes = vec![0; BYTES_AT_ONCE.min(usize::try_from(left).unwrap_or(BYTES_AT_ONCE))];
-        while left > 0 {
-            let due = bytes
+        let mut remaining = count.saturating_mul(self.size as u64);
+        let mut bytes =
+            vec![0; BYTES_AT_ONCE.min(usize::try_from(remaining).unwrap_or(BYTES_AT_ONCE))];
+        while remaining > 0 {
+            let expected = bytes
                 .len()
-                .min(usize::try_from(left).unwrap_or(BYTES_AT_ONCE));
-            source.read_exact(&mut bytes[..due]).map_err(Damage::cut)?;
-            bytes[..due]
+                .min(usize::try_from(remaining).unwrap_or(BYTES_AT_ONCE));
+            source
+                .read_exact(&mut bytes[..expected])
+                .map_err(Damage::cut)?;
+            bytes[..expected]
                 .chunks_exact(self.size)
-                .try_for_each(|number| take(self.number(number)))?;
-            left -= due as u64;
+                .try_for_each(|number| callback(self.number(number)))?;
+            remaining -= expected as u64;
         }
         Ok(())
     }
@@ -117,18 +120,18 @@ mod tests {
                 9_223_372_036_854_775_808.0,
             ),
         ];
-        for (kind, bytes, due) in cases {
-            let turned: Vec<u8> = bytes.iter().rev().copied().collect();
+        for (kind, bytes, expected) in cases {
+            let reversed: Vec<u8> = bytes.iter().rev().copied().collect();
             assert_eq!(
                 Scalar::new(kind, bytes.len(), true).unwrap().number(bytes),
-                due,
+                expected,
                 "{kind:?}"
             );
             assert_eq!(
                 Scalar::new(kind, bytes.len(), false)
                     .unwrap()
-                    .number(&turned),
-                due,
+                    .number(&reversed),
+                expected,
                 "{kind:?}"
             );
         }
@@ -138,14 +141,17 @@ mod tests {
     #[test]
     fn a_source_that_ends_early_is_an_error() {
         let four = Scalar::new(Kind::Signed, 2, true).unwrap();
-        let mut found = Vec::new();
-        let mut take = |x| {
-            found.push(x);
+        let mut result = Vec::new();
+        let mut callback = |x| {
+            result.push(x);
             Ok(())
         };
-        four.each(&mut [1, 0, 2, 0].as_slice(), 2, &mut take)
+        four.each(&mut [1, 0, 2, 0].as_slice(), 2, &mut callback)
             .unwrap();
-        assert!(four.each(&mut [1, 0, 2].as_slice(), 2, &mut take).is_err());
-        assert_eq!(found, [1.0, 2.0]);
+        assert!(
+            four.each(&mut [1, 0, 2].as_slice(), 2, &mut callback)
+                .is_err()
+        );
+        assert_eq!(result, [1.0, 2.0]);
     }
 }

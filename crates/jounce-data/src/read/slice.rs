@@ -5,7 +5,9 @@ use std::io;
 use super::numbers::ColumnNumbers;
 use super::samples::SampleStore;
 use super::summary::{ChannelSummary, RecordingSummary, SamplePlaces};
-use crate::recording::{Issue, IssueKind, IssuePlace, Over, PIECE, Series, inspected, sizes_with};
+use crate::recording::{
+    Issue, IssueKind, IssuePlace, Over, PIECE, Series, inspect_samples, sizes_with,
+};
 
 /// Tolerance at the ends of a part, relative to the step: roundoff of numbers such as `0.1`.
 const END_ROUNDOFF: f64 = 1e-6;
@@ -17,19 +19,19 @@ impl RecordingSummary {
     ///
     /// # Errors
     /// The scratch file cannot be read or written.
-    pub fn part(&self, (from, to): (f64, f64), channels: &[usize]) -> io::Result<Option<Self>> {
-        let slack = END_ROUNDOFF / self.rate();
+    pub fn slice(&self, (from, to): (f64, f64), channels: &[usize]) -> io::Result<Option<Self>> {
+        let tolerance = END_ROUNDOFF / self.rate();
         let (mut first, mut count, mut number) = (0, 0, 0);
-        self.places.each(|place| {
-            first += usize::from(place < from - slack);
-            count += usize::from((from - slack..=to + slack).contains(&place));
+        self.places.each(|position| {
+            first += usize::from(position < from - tolerance);
+            count += usize::from((from - tolerance..=to + tolerance).contains(&position));
             number += 1;
         })?;
         if count == 0 {
             return Ok(None);
         }
         let store = SampleStore::scratch();
-        let cut = |numbers: &ColumnNumbers| cut(numbers, first, count, &store);
+        let range = |numbers: &ColumnNumbers| copy_range(numbers, first, count, &store);
         let places = match &self.places {
             SamplePlaces::Even { start, step, .. } => SamplePlaces::Even {
                 start: start + first as f64 * step,
@@ -37,14 +39,14 @@ impl RecordingSummary {
                 count,
             },
             SamplePlaces::Stamped { stamps, rate } => SamplePlaces::Stamped {
-                stamps: cut(stamps)?,
+                stamps: range(stamps)?,
                 rate: *rate,
             },
         };
         let channel = |channel: &ChannelSummary| -> io::Result<ChannelSummary> {
             let (values, imaginary) = (
-                cut(&channel.values)?,
-                channel.imaginary.as_ref().map(cut).transpose()?,
+                range(&channel.values)?,
+                channel.imaginary.as_ref().map(range).transpose()?,
             );
             Ok(ChannelSummary {
                 name: channel.name.clone(),
@@ -53,7 +55,11 @@ impl RecordingSummary {
                 place: channel.place.clone(),
                 reference: channel.reference.clone(),
                 direction: channel.direction.clone(),
-                sizes: sizes_with(inspected(&values, false)?.1, &values, imaginary.as_ref())?,
+                sizes: sizes_with(
+                    inspect_samples(&values, false)?.1,
+                    &values,
+                    imaginary.as_ref(),
+                )?,
                 values,
                 imaginary,
             })
@@ -64,13 +70,15 @@ impl RecordingSummary {
             .map(channel)
             .collect::<io::Result<Vec<_>>>()?;
         let left_out = |name: &String| {
-            self.channels.iter().any(|own| own.name == *name)
-                && channels.iter().all(|own| own.name != *name)
+            self.channels
+                .iter()
+                .any(|candidate| candidate.name == *name)
+                && channels.iter().all(|candidate| candidate.name != *name)
         };
-        let is_kept = |finding: &&Issue| !finding.channel.as_ref().is_some_and(left_out);
-        let mut findings: Vec<Issue> = self.findings.iter().filter(is_kept).cloned().collect();
+        let is_relevant = |issue: &&Issue| !issue.channel.as_ref().is_some_and(left_out);
+        let mut findings: Vec<Issue> = self.findings.iter().filter(is_relevant).cloned().collect();
         let unit = if self.over == Over::Time { "s" } else { "Hz" };
-        let about = format!(
+        let message = format!(
             "{count} of {number} samples, from {from} {unit} to {to} {unit}; the other issues are \
             those of the complete recording"
         );
@@ -79,7 +87,7 @@ impl RecordingSummary {
                 IssueKind::Cut,
                 count,
                 Some(IssuePlace::Sample(first)),
-                about,
+                message,
             ));
         }
         Ok(Some(Self {
@@ -93,21 +101,24 @@ impl RecordingSummary {
 }
 
 /// Copies `count` numbers from an index to a store.
-fn cut(
+fn copy_range(
     numbers: &ColumnNumbers,
     first: usize,
     count: usize,
     store: &SampleStore,
 ) -> io::Result<ColumnNumbers> {
-    let mut kept = store.column();
+    let mut copied = store.column();
     let end = first + count;
     for index in first / PIECE..end.div_ceil(PIECE) {
         let piece = numbers.piece(index)?;
-        let begin = index * PIECE;
-        let inside = first.saturating_sub(begin)..(end - begin).min(piece.len());
-        piece[inside].iter().try_for_each(|x| kept.push(*x))?;
+        let piece_start = index * PIECE;
+        let range_in_piece =
+            first.saturating_sub(piece_start)..(end - piece_start).min(piece.len());
+        piece[range_in_piece]
+            .iter()
+            .try_for_each(|x| copied.push(*x))?;
     }
-    Ok(kept)
+    Ok(copied)
 }
 
 #[cfg(test)]
@@ -132,7 +143,7 @@ mod tests {
     /// Covers several pieces, with uniform and stamped positions; both ends are included despite
     /// roundoff.
     #[test]
-    fn a_part_holds_the_samples_between_its_ends() {
+    fn slice_contains_the_samples_between_its_ends() {
         let count = 3 * PIECE + 11;
         let even = ramp(Grid::Even {
             start: 0.5,
@@ -142,28 +153,30 @@ mod tests {
         let stamped = ramp(Grid::Stamped(
             (0..count).map(|k| 0.5 + 0.1 * k as f64).collect(),
         ));
-        for whole in [even, stamped] {
+        for full in [even, stamped] {
             for (first, last) in [(0, 0), (3, 7), (PIECE - 1, PIECE), (PIECE, 3 * PIECE + 10)] {
-                let place = |k: usize| 0.1 * (k as f64 + 5.0);
-                let part = whole
-                    .part((place(first), place(last)), &[0])
+                let position = |k: usize| 0.1 * (k as f64 + 5.0);
+                let slice = full
+                    .slice((position(first), position(last)), &[0])
                     .unwrap()
                     .unwrap()
                     .into_recording()
                     .unwrap();
                 assert!(
-                    part.channels[0]
+                    slice.channels[0]
                         .values
                         .iter()
                         .copied()
                         .eq((first..=last).map(|k| k as f64)),
                     "{first} to {last}"
                 );
-                assert!((part.grid.at(0) - place(first)).abs() < 1e-9 && part.findings.len() == 1);
+                assert!(
+                    (slice.grid.at(0) - position(first)).abs() < 1e-9 && slice.findings.len() == 1
+                );
             }
             assert!(
-                whole.part((0.51, 0.59), &[0]).unwrap().is_none()
-                    && whole.part((-3.0, 0.4), &[0]).unwrap().is_none()
+                full.slice((0.51, 0.59), &[0]).unwrap().is_none()
+                    && full.slice((-3.0, 0.4), &[0]).unwrap().is_none()
             );
         }
     }

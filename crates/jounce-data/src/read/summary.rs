@@ -85,7 +85,7 @@ pub struct ChannelSummary {
 impl FileSummary {
     /// Loads everything into memory.
     pub(super) fn into_contents(self, path: &Path) -> Result<Contents, ReadError> {
-        let lost = |reason| ReadError::Scratch {
+        let scratch_error = |reason| ReadError::Scratch {
             path: path.to_owned(),
             reason,
         };
@@ -94,7 +94,7 @@ impl FileSummary {
             .into_iter()
             .map(RecordingSummary::into_recording)
             .collect::<Result<_, _>>()
-            .map_err(lost)?;
+            .map_err(scratch_error)?;
         Ok(Contents {
             recordings,
             shapes: self.shapes,
@@ -121,37 +121,39 @@ impl RecordingSummary {
     /// # Errors
     /// The scratch file cannot be read, or the channel does not exist.
     pub fn into_recording_of(mut self, channels: &[usize]) -> io::Result<Recording> {
-        let mut left: Vec<Option<ChannelSummary>> = self.channels.into_iter().map(Some).collect();
-        let mut found: Vec<Channel> = Vec::new();
+        let mut remaining: Vec<Option<ChannelSummary>> =
+            self.channels.into_iter().map(Some).collect();
+        let mut result: Vec<Channel> = Vec::new();
         for (k, number) in channels.iter().enumerate() {
-            let again = channels[..k]
+            let duplicate = channels[..k]
                 .iter()
-                .position(|before| before == number)
-                .map(|at| found[at].clone());
-            let missing = || io::Error::other(format!("there is no channel {}", number + 1));
-            found.push(match again {
-                Some(again) => again,
-                None => left
+                .position(|previous| previous == number)
+                .map(|at| result[at].clone());
+            let missing_channel =
+                || io::Error::other(format!("there is no channel {}", number + 1));
+            result.push(match duplicate {
+                Some(duplicate) => duplicate,
+                None => remaining
                     .get_mut(*number)
                     .and_then(Option::take)
-                    .ok_or_else(missing)?
+                    .ok_or_else(missing_channel)?
                     .into_channel()?,
             });
         }
-        let names: Vec<String> = left
+        let names: Vec<String> = remaining
             .into_iter()
             .flatten()
             .map(|channel| channel.name)
             .collect();
-        self.findings.retain(|finding| {
-            !finding
+        self.findings.retain(|issue| {
+            !issue
                 .channel
                 .as_ref()
-                .is_some_and(|of| names.contains(of))
+                .is_some_and(|issue_channel| names.contains(issue_channel))
         });
         self.channels = Vec::new();
         Ok(Recording {
-            channels: found,
+            channels: result,
             ..self.into_recording()?
         })
     }

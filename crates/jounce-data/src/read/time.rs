@@ -15,7 +15,7 @@ use super::{ChannelNotes, Notes, SamplePlaces};
 use crate::recording::{Issue, IssueKind, Over, PIECE, Quantity, Series, Unit};
 
 /// Names of index columns, in lower case without spaces and dots.
-const COUNTERS: [&str; 29] = [
+const COUNTER_NAMES: [&str; 29] = [
     "#",
     "n",
     "no",
@@ -47,7 +47,7 @@ const COUNTERS: [&str; 29] = [
     "number",
 ];
 /// Units tried for stamps without a unit where a rate is given: seconds in each.
-const UNITS: [(&str, f64); 4] = [("s", 1.0), ("ms", 1e-3), ("us", 1e-6), ("ns", 1e-9)];
+const TIME_UNITS: [(&str, f64); 4] = [("s", 1.0), ("ms", 1e-3), ("us", 1e-6), ("ns", 1e-9)];
 
 /// Maximum deviation of a number from the time of its sample, relative to the step.
 const MAX_STAMP_DEVIATION: f64 = 0.02;
@@ -61,47 +61,51 @@ pub(super) struct MissingUnit {
 }
 
 /// Name and unit of a column after the notes are applied.
-fn head<'a>(column: &'a RawColumn, said: Option<&'a ChannelNotes>) -> (&'a str, &'a str) {
-    let name = said
-        .and_then(|said| said.name.as_deref())
+fn column_head<'a>(
+    column: &'a RawColumn,
+    notes_of: Option<&'a ChannelNotes>,
+) -> (&'a str, &'a str) {
+    let name = notes_of
+        .and_then(|notes_of| notes_of.name.as_deref())
         .unwrap_or(&column.name);
     (
         name,
-        said.and_then(|said| said.unit.as_deref())
+        notes_of
+            .and_then(|notes_of| notes_of.unit.as_deref())
             .unwrap_or(&column.unit),
     )
 }
 
-fn measures(unit: &str) -> Option<Quantity> {
+fn unit_quantity(unit: &str) -> Option<Quantity> {
     Unit::read(unit).map(|unit| unit.quantity)
 }
 
 /// True for a column that is the time by its name or unit.
 pub(super) fn is_time_column(column: &RawColumn) -> bool {
-    says_time(head(column, None))
+    is_time_head(column_head(column, None))
 }
 
-fn says_time((name, unit): (&str, &str)) -> bool {
+fn is_time_head((name, unit): (&str, &str)) -> bool {
     // A time constant in V is not a time.
-    let silent = matches!(unit.trim(), "" | "NONE");
-    measures(unit) == Some(Quantity::Time) || silent && is_time(name)
+    let has_no_unit = matches!(unit.trim(), "" | "NONE");
+    unit_quantity(unit) == Some(Quantity::Time) || has_no_unit && is_time(name)
 }
 
-fn says_frequency((name, unit): (&str, &str)) -> bool {
-    let silent = matches!(unit.trim(), "" | "NONE");
-    is_frequency(name) && (silent || measures(unit) == Some(Quantity::Frequency))
+fn is_frequency_head((name, unit): (&str, &str)) -> bool {
+    let has_no_unit = matches!(unit.trim(), "" | "NONE");
+    is_frequency(name) && (has_no_unit || unit_quantity(unit) == Some(Quantity::Frequency))
 }
 
 /// Finds the time (or frequency) column: the one named in the notes, identified by name or unit, or
 /// the first one whose step equals a given rate.
 pub(super) fn time_column(
     raw: &mut Raw,
-    said: &[ChannelNotes],
+    column_notes: &[ChannelNotes],
     notes: &Notes,
 ) -> io::Result<Option<usize>> {
-    if let Some(wanted) = &notes.time {
-        let numbered = || {
-            wanted
+    if let Some(requested) = &notes.time {
+        let by_number = || {
+            requested
                 .parse::<usize>()
                 .ok()
                 .and_then(|number| number.checked_sub(1))
@@ -109,37 +113,37 @@ pub(super) fn time_column(
         return Ok(raw
             .columns
             .iter()
-            .position(|column| column.name == *wanted)
-            .or_else(numbered));
+            .position(|column| column.name == *requested)
+            .or_else(by_number));
     }
     if notes.rate_hz.is_some() {
         return Ok(None);
     }
-    if let TimeStamps::Of { column, .. } = raw.stamps {
+    if let TimeStamps::FromColumn { column, .. } = raw.stamps {
         return Ok(Some(column));
     }
-    let may_be = |k: &usize| raw.columns[*k].left_out.is_none();
+    let is_candidate = |k: &usize| raw.columns[*k].left_out.is_none();
     let heads: Vec<(String, String)> = (0..raw.columns.len())
         .map(|k| {
-            let (name, unit) = head(&raw.columns[k], said.get(k));
+            let (name, unit) = column_head(&raw.columns[k], column_notes.get(k));
             (name.to_owned(), unit.to_owned())
         })
         .collect();
-    let of = |k: usize| (heads[k].0.as_str(), heads[k].1.as_str());
-    let all = || (0..heads.len()).filter(may_be);
-    if let Some(k) = all().find(|k| says_time(of(*k)) && is_time(of(*k).0)) {
+    let head_of = |k: usize| (heads[k].0.as_str(), heads[k].1.as_str());
+    let all = || (0..heads.len()).filter(is_candidate);
+    if let Some(k) = all().find(|k| is_time_head(head_of(*k)) && is_time(head_of(*k).0)) {
         return Ok(Some(k));
     }
-    if let Some(k) = all().find(|k| says_frequency(of(*k))) {
+    if let Some(k) = all().find(|k| is_frequency_head(head_of(*k))) {
         raw.over = Over::Frequency;
         return Ok(Some(k));
     }
     for k in all() {
-        if says_time(of(k)) && ascends(&raw.columns[k].values)? {
+        if is_time_head(head_of(k)) && ascends(&raw.columns[k].values)? {
             return Ok(Some(k));
         }
     }
-    let told = match &raw.stamps {
+    let stated_rate = match &raw.stamps {
         TimeStamps::Rate(rate) => Some(rate),
         TimeStamps::Header(header) => Some(&header.rate),
         TimeStamps::Column => None,
@@ -149,37 +153,40 @@ pub(super) fn time_column(
         return Ok(None);
     };
     let values = &raw.columns[first].values;
-    let Some(step) = even_step(values)? else {
+    let Some(step) = uniform_step(values)? else {
         return Ok(None);
     };
     // Arrays cannot name their time: one that rises uniformly by a fraction is neither a count nor
     // whole milliseconds.
-    let may_be = match told {
+    let is_time_axis = match stated_rate {
         Some(rate) => !rate.differs_from(1.0 / step),
-        None => !is_whole(values)?,
+        None => !is_integer(values)?,
     };
-    Ok(may_be.then_some(first))
+    Ok(is_time_axis.then_some(first))
 }
 
 /// Returns the step of a column that ascends uniformly.
-pub(super) fn even_step(values: &ColumnNumbers) -> io::Result<Option<f64>> {
-    let Some((first, last)) = values.ends()? else {
+pub(super) fn uniform_step(values: &ColumnNumbers) -> io::Result<Option<f64>> {
+    let Some((first, last)) = values.first_and_last()? else {
         return Ok(None);
     };
     let step = (last - first) / (values.count().max(2) - 1) as f64;
-    let (mut even, mut k) = (step > 0.0 && values.count() > 2, 0.0);
-    if even {
+    let (mut is_uniform, mut k) = (step > 0.0 && values.count() > 2, 0.0);
+    if is_uniform {
         values.each(|t| {
-            even &= ((t - first) / step - k).abs() < 0.5;
+            is_uniform &= ((t - first) / step - k).abs() < 0.5;
             k += 1.0;
         })?;
     }
-    Ok(even.then_some(step))
+    Ok(is_uniform.then_some(step))
 }
 
 /// Describes a channel that equals the time of its samples, or counts them; `None` for any other.
-pub(super) fn equals(values: &ColumnNumbers, places: &SamplePlaces) -> io::Result<Option<String>> {
-    if counts(values)? == Some(1.0) {
+pub(super) fn describe_equal(
+    values: &ColumnNumbers,
+    places: &SamplePlaces,
+) -> io::Result<Option<String>> {
+    if counting_step(values)? == Some(1.0) {
         return Ok(Some("it counts the samples".to_owned()));
     }
     let (step, mut equal, mut k) = (1.0 / places.rate(), values.count() > 2, 0);
@@ -203,12 +210,15 @@ pub(super) fn equals(values: &ColumnNumbers, places: &SamplePlaces) -> io::Resul
 
 /// True for numbers that never decrease and end above their first value.
 pub(super) fn ascends(values: &ColumnNumbers) -> io::Result<bool> {
-    let (mut rises, mut before) = (true, f64::NEG_INFINITY);
+    let (mut is_ascending, mut previous) = (true, f64::NEG_INFINITY);
     values.each(|x| {
-        rises &= x >= before;
-        before = x;
+        is_ascending &= x >= previous;
+        previous = x;
     })?;
-    Ok(rises && values.ends()?.is_some_and(|(first, last)| last > first))
+    Ok(is_ascending
+        && values
+            .first_and_last()?
+            .is_some_and(|(first, last)| last > first))
 }
 
 /// True for a column with the name of a counter whose integers rise by a constant integer, and for
@@ -220,55 +230,55 @@ pub(super) fn is_counter(column: &RawColumn) -> io::Result<bool> {
         .chars()
         .filter(|c| !c.is_whitespace() && !"._".contains(*c))
         .collect();
-    let unnamed =
+    let has_no_name =
         name.starts_with("column") && name["column".len()..].bytes().all(|b| b.is_ascii_digit());
     if !column.unit.is_empty()
         || column.imaginary.is_some()
-        || !(unnamed || COUNTERS.contains(&name.as_str()))
+        || !(has_no_name || COUNTER_NAMES.contains(&name.as_str()))
     {
         return Ok(false);
     }
-    Ok(counts(&column.values)?.is_some_and(|step| !unnamed || step == 1.0))
+    Ok(counting_step(&column.values)?.is_some_and(|step| !has_no_name || step == 1.0))
 }
 
 /// Returns the constant step of integers.
-fn counts(values: &ColumnNumbers) -> io::Result<Option<f64>> {
-    let Some((first, last)) = values.ends()? else {
+fn counting_step(values: &ColumnNumbers) -> io::Result<Option<f64>> {
+    let Some((first, last)) = values.first_and_last()? else {
         return Ok(None);
     };
     let step = (last - first) / (values.count().max(2) - 1) as f64;
-    let (mut counts, mut k) = (
+    let (mut is_counting, mut k) = (
         step >= 1.0 && step.fract() == 0.0 && first.fract() == 0.0 && values.count() > 2,
         0.0,
     );
-    if counts {
+    if is_counting {
         values.each(|x| {
-            counts &= x == first + k * step;
+            is_counting &= x == first + k * step;
             k += 1.0;
         })?;
     }
-    Ok(counts.then_some(step))
+    Ok(is_counting.then_some(step))
 }
 
 /// Describes columns that are not read as channels, for an error: `a counts the samples`.
-pub(super) fn told(columns: &[RawColumn]) -> io::Result<Vec<String>> {
-    let mut told = Vec::new();
+pub(super) fn describe_time_candidates(columns: &[RawColumn]) -> io::Result<Vec<String>> {
+    let mut descriptions = Vec::new();
     for column in columns.iter().filter(|column| column.left_out.is_none()) {
         if is_counter(column)? {
-            told.push(format!("{:?} counts", column.name));
-        } else if let Some(step) = even_step(&column.values)? {
-            told.push(format!(
+            descriptions.push(format!("{:?} counts", column.name));
+        } else if let Some(step) = uniform_step(&column.values)? {
+            descriptions.push(format!(
                 "{:?} rises by {} and has no unit of time",
                 column.name,
-                short(step)
+                rounded(step)
             ));
         }
     }
-    Ok(told)
+    Ok(descriptions)
 }
 
 /// Rounds a number to nine digits.
-fn short(step: f64) -> f64 {
+fn rounded(step: f64) -> f64 {
     format!("{step:.8e}").parse().unwrap_or(step)
 }
 
@@ -277,76 +287,82 @@ fn short(step: f64) -> f64 {
 /// ambiguous.
 pub(super) fn seconds(
     column: &mut RawColumn,
-    said: &ChannelNotes,
-    (over, rate, named): (Over, Option<&Rate>, bool),
+    column_notes: &ChannelNotes,
+    (over, rate, is_named): (Over, Option<&Rate>, bool),
     findings: &mut Vec<Issue>,
 ) -> io::Result<Result<ColumnNumbers, MissingUnit>> {
-    let (due, si) = if over == Over::Time {
+    let (expected, si) = if over == Over::Time {
         (Quantity::Time, "s")
     } else {
         (Quantity::Frequency, "Hz")
     };
-    let name = said.name.clone().unwrap_or_else(|| column.name.clone());
-    let told = said.unit.clone().unwrap_or_else(|| column.unit.clone());
-    let noticed = |kind, about: String| Issue::new(kind, 1, None, about).of(&name);
-    let known = |unit: &str| {
+    let name = column_notes
+        .name
+        .clone()
+        .unwrap_or_else(|| column.name.clone());
+    let unit_text = column_notes
+        .unit
+        .clone()
+        .unwrap_or_else(|| column.unit.clone());
+    let new_issue = |kind, message: String| Issue::new(kind, 1, None, message).of(&name);
+    let factor_of = |unit: &str| {
         Unit::read(unit)
-            .filter(|unit| unit.quantity == due)
+            .filter(|unit| unit.quantity == expected)
             .map(|unit| unit.factor)
     };
     let by_name = || time_unit(&name).filter(|_| over == Over::Time);
-    let (unit, factor) = match known(&told)
-        .map(|factor| (told, factor))
-        .or_else(|| by_name().and_then(|unit| Some((unit.to_owned(), known(unit)?))))
+    let (unit, factor) = match factor_of(&unit_text)
+        .map(|factor| (unit_text, factor))
+        .or_else(|| by_name().and_then(|unit| Some((unit.to_owned(), factor_of(unit)?))))
     {
-        Some(found) => found,
-        None if over == Over::Time && !named => {
-            let step = even_step(&column.values)?;
-            let fits = |(_, factor): &&(&str, f64)| {
+        Some(result) => result,
+        None if over == Over::Time && !is_named => {
+            let step = uniform_step(&column.values)?;
+            let matches_rate = |(_, factor): &&(&str, f64)| {
                 rate.zip(step)
                     .is_some_and(|(rate, step)| !rate.differs_from(1.0 / (step * factor)))
             };
-            if let Some((unit, factor)) = UNITS.iter().find(fits) {
-                let by = rate.map_or("", |rate| &rate.told);
-                findings.push(noticed(
+            if let Some((unit, factor)) = TIME_UNITS.iter().find(matches_rate) {
+                let by = rate.map_or("", |rate| &rate.source);
+                findings.push(new_issue(
                     IssueKind::Assumed,
                     format!("the stamps have no unit; they are in {unit} by {by}"),
                 ));
                 ((*unit).to_owned(), *factor)
-            } else if said.scale.is_none() && is_whole(&column.values)? {
+            } else if column_notes.scale.is_none() && is_integer(&column.values)? {
                 let steps = column
                     .values
-                    .ends()?
+                    .first_and_last()?
                     .map_or(f64::NAN, |(first, last)| last - first);
                 let step = step.unwrap_or(steps / (column.values.count().max(2) - 1) as f64);
                 return Ok(Err(MissingUnit {
                     column: column.name.clone(),
-                    step: short(step),
+                    step: rounded(step),
                 }));
             } else {
-                let what = if is_time(&name) {
+                let description = if is_time(&name) {
                     "the stamps have no known unit"
                 } else {
                     "no name or unit identifies this column as the time"
                 };
-                findings.push(noticed(
+                findings.push(new_issue(
                     IssueKind::Assumed,
-                    format!("{what}; {si} is assumed"),
+                    format!("{description}; {si} is assumed"),
                 ));
                 (si.to_owned(), 1.0)
             }
         }
         None => {
-            findings.push(noticed(
+            findings.push(new_issue(
                 IssueKind::Assumed,
                 format!("the stamps have no known unit; {si} is assumed"),
             ));
             (si.to_owned(), 1.0)
         }
     };
-    let scale = said.scale.unwrap_or(1.0);
+    let scale = column_notes.scale.unwrap_or(1.0);
     if factor * scale != 1.0 {
-        findings.push(noticed(
+        findings.push(new_issue(
             IssueKind::Converted,
             format!(
                 "stamps in {unit} are multiplied by {} to give {si}",
@@ -358,8 +374,8 @@ pub(super) fn seconds(
     Ok(Ok(std::mem::replace(&mut column.values, Vec::new().into())))
 }
 
-fn is_whole(values: &ColumnNumbers) -> io::Result<bool> {
-    let mut whole = true;
-    values.each(|x| whole &= x.fract() == 0.0)?;
-    Ok(whole)
+fn is_integer(values: &ColumnNumbers) -> io::Result<bool> {
+    let mut is_integer = true;
+    values.each(|x| is_integer &= x.fract() == 0.0)?;
+    Ok(is_integer)
 }

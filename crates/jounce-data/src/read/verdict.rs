@@ -7,18 +7,23 @@ impl RecordingSummary {
     /// Returns one line: the contents of the recording and the commands that accept it, or what its
     /// notes must specify first.
     pub fn verdict(&self) -> String {
-        let live: Vec<&ChannelSummary> = self
+        let live_channels: Vec<&ChannelSummary> = self
             .channels
             .iter()
             .filter(|channel| !self.is_dead(channel))
             .collect();
-        let has = |quantity: Quantity| live.iter().any(|channel| channel.quantity == quantity);
+        let has = |quantity: Quantity| {
+            live_channels
+                .iter()
+                .any(|channel| channel.quantity == quantity)
+        };
         let count = |quantity: Quantity| {
-            live.iter()
+            live_channels
+                .iter()
                 .filter(|channel| channel.quantity == quantity)
                 .count()
         };
-        let named = [
+        let quantities = [
             (Quantity::Voltage, "voltage"),
             (Quantity::Acceleration, "acceleration"),
             (Quantity::Velocity, "velocity"),
@@ -28,22 +33,22 @@ impl RecordingSummary {
             (Quantity::Response, "response"),
             (Quantity::Unknown, "channel of an unknown unit"),
         ];
-        let counted: Vec<String> = named
+        let counts: Vec<String> = quantities
             .iter()
             .map(|(quantity, name)| (count(*quantity), name))
             .filter(|(count, _)| *count > 0)
             .map(|(count, name)| format!("{count} {name}"))
             .collect();
-        let holds = if counted.is_empty() {
+        let content = if counts.is_empty() {
             "no live channel".to_owned()
         } else {
-            counted.join(", ")
+            counts.join(", ")
         };
         let motion =
             has(Quantity::Acceleration) || has(Quantity::Velocity) || has(Quantity::Displacement);
-        let next = match self.over {
-            _ if live.is_empty() => "nothing can be computed from it",
-            _ if live
+        let next_commands = match self.over {
+            _ if live_channels.is_empty() => "nothing can be computed from it",
+            _ if live_channels
                 .iter()
                 .all(|channel| channel.quantity == Quantity::Unknown) =>
             {
@@ -64,7 +69,7 @@ impl RecordingSummary {
             }
             Over::Time => "spectra",
         };
-        let even = if matches!(self.places, SamplePlaces::Even { .. }) {
+        let spacing = if matches!(self.places, SamplePlaces::Even { .. }) {
             "even"
         } else {
             "uneven, resampled where used"
@@ -75,7 +80,7 @@ impl RecordingSummary {
             "lines per Hz"
         };
         format!(
-            "{holds}; {} samples, {:.6} {unit}, {even}; next: {next}",
+            "{content}; {} samples, {:.6} {unit}, {spacing}; next: {next_commands}",
             self.places.count(),
             self.rate()
         )
@@ -83,11 +88,12 @@ impl RecordingSummary {
 
     /// True for a channel without a signal.
     fn is_dead(&self, channel: &ChannelSummary) -> bool {
-        let dead = |kind: IssueKind| matches!(kind, IssueKind::Constant | IssueKind::EqualsTime);
+        let is_dead_kind =
+            |kind: IssueKind| matches!(kind, IssueKind::Constant | IssueKind::EqualsTime);
         let number = channel.sizes.peak == 0.0;
         number
-            || self.findings.iter().any(|finding| {
-                dead(finding.kind) && finding.channel.as_ref() == Some(&channel.name)
+            || self.findings.iter().any(|issue| {
+                is_dead_kind(issue.kind) && issue.channel.as_ref() == Some(&channel.name)
             })
     }
 }

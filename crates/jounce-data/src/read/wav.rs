@@ -17,11 +17,11 @@ use super::scalar::{Kind, Scalar};
 use crate::recording::{Issue, IssueKind, IssuePlace, Over};
 
 /// Format codes: integers, floating point, and an extension with the code further on.
-const WHOLE: u16 = 1;
-const FLOAT: u16 = 3;
-const EXTENDED: u16 = 0xfffe;
+const INTEGER_FORMAT: u16 = 1;
+const FLOAT_FORMAT: u16 = 3;
+const EXTENDED_FORMAT: u16 = 0xfffe;
 /// Maximum length of a format chunk, bytes.
-const FORMAT: usize = 40;
+const MAX_FORMAT_BYTES: usize = 40;
 
 /// Format of the samples.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,7 +33,7 @@ struct Format {
     zero: f64,
 }
 
-pub(super) fn begins(head: &[u8]) -> bool {
+pub(super) fn is_wav(head: &[u8]) -> bool {
     (head.starts_with(b"RIFF") || head.starts_with(b"RF64")) && head.get(8..12) == Some(b"WAVE")
 }
 
@@ -92,7 +92,7 @@ impl Format {
     fn read(source: &mut impl Read, length: u64) -> Result<Self, Damage> {
         let mut bytes = Vec::new();
         source
-            .take(length.min(FORMAT as u64))
+            .take(length.min(MAX_FORMAT_BYTES as u64))
             .read_to_end(&mut bytes)
             .map_err(Damage::cut)?;
         if bytes.len() < 16 {
@@ -101,7 +101,7 @@ impl Format {
             ));
         }
         let half = |at: usize| u16::from_le_bytes([bytes[at], bytes[at + 1]]);
-        let code = if half(0) == EXTENDED && bytes.len() >= 26 {
+        let code = if half(0) == EXTENDED_FORMAT && bytes.len() >= 26 {
             half(24)
         } else {
             half(0)
@@ -115,9 +115,9 @@ impl Format {
             .checked_div(usize::from(channels))
             .unwrap_or_default();
         let kind = match code {
-            WHOLE if size == 1 => Some(Kind::Unsigned),
-            WHOLE => Some(Kind::Signed),
-            FLOAT => Some(Kind::Float),
+            INTEGER_FORMAT if size == 1 => Some(Kind::Unsigned),
+            INTEGER_FORMAT => Some(Kind::Signed),
+            FLOAT_FORMAT => Some(Kind::Float),
             _ => None,
         };
         let scalar = kind.and_then(|kind| Scalar::new(kind, size, true));
@@ -147,48 +147,51 @@ fn samples(
     source: &mut impl Read,
     format: Format,
     length: u64,
-    left: u64,
+    remaining: u64,
     at: u64,
     store: &SampleStore,
 ) -> Result<FormatContents, Damage> {
     let channels = u64::from(format.channels);
     let block = format.scalar.size as u64 * channels;
     let mut findings = Vec::new();
-    let there = length.min(left) / block;
+    let stored_count = length.min(remaining) / block;
     // Recorders that lose power leave a length of 0 or the maximum.
-    if length > left && length < u64::from(u32::MAX) - 1024 {
+    if length > remaining && length < u64::from(u32::MAX) - 1024 {
         let why = format!(
-            "expected {length} bytes of samples, but {left} follow: is the file \
+            "expected {length} bytes of samples, but {remaining} follow: is the file \
             truncated?"
         );
         return Err(Damage::new(why).at_byte(at));
     }
-    let there = if length == 0 { left / block } else { there };
-    if length == 0 || length > left {
-        let about = format!(
-            "the header gives no length; all {there} samples up to the end of the file are read"
+    let stored_count = if length == 0 {
+        remaining / block
+    } else {
+        stored_count
+    };
+    if length == 0 || length > remaining {
+        let message = format!(
+            "the header gives no length; all {stored_count} samples up to the end of the file are read"
         );
-        let place = IssuePlace::Byte(usize::try_from(at).unwrap_or(usize::MAX));
+        let position = IssuePlace::Byte(usize::try_from(at).unwrap_or(usize::MAX));
         findings.push(Issue::new(
             IssueKind::HeaderDisagrees,
             1,
-            Some(place),
-            about,
+            Some(position),
+            message,
         ));
     }
     let mut series: Vec<_> = (0..channels).map(|_| store.column()).collect();
-    if !series
-        .iter_mut()
-        .all(|numbers| usize::try_from(there).is_ok_and(|there| numbers.expect(there)))
-    {
+    if !series.iter_mut().all(|numbers| {
+        usize::try_from(stored_count).is_ok_and(|stored_count| numbers.expect(stored_count))
+    }) {
         return Err(Damage::new(format!(
-            "{there} samples of {channels} channels do not fit into memory"
+            "{stored_count} samples of {channels} channels do not fit into memory"
         )));
     }
     let mut channel = 0;
     format
         .scalar
-        .each(source as &mut dyn Read, there * channels, |x| {
+        .each(source as &mut dyn Read, stored_count * channels, |x| {
             let numbers: io::Result<()> = series[channel].push(x - format.zero);
             channel = (channel + 1) % series.len();
             numbers

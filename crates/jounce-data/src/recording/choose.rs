@@ -44,20 +44,20 @@ pub struct ChannelHead<'a> {
 
 impl ChannelHead<'_> {
     /// True where the channel has a unit, known or not.
-    pub fn tells_unit(&self) -> bool {
+    pub fn has_unit(&self) -> bool {
         !matches!(self.unit.trim(), "" | "NONE")
     }
 
     /// True where the channel measures a quantity, or may do so because it has no unit.
     pub fn may_be(&self, quantity: Quantity) -> bool {
-        self.quantity == quantity || self.quantity == Quantity::Unknown && !self.tells_unit()
+        self.quantity == quantity || self.quantity == Quantity::Unknown && !self.has_unit()
     }
 
     /// Issue to report if a channel without a unit is used for a quantity.
-    pub fn assumed(&self, quantity: Quantity) -> Option<Issue> {
-        let about = || format!("no unit is given; {} is assumed", quantity.si_unit());
-        let silent = self.quantity == Quantity::Unknown && !self.tells_unit();
-        silent.then(|| Issue::new(IssueKind::Assumed, 1, None, about()).of(self.name))
+    pub fn assumed_unit_issue(&self, quantity: Quantity) -> Option<Issue> {
+        let message = || format!("no unit is given; {} is assumed", quantity.si_unit());
+        let has_no_unit = self.quantity == Quantity::Unknown && !self.has_unit();
+        has_no_unit.then(|| Issue::new(IssueKind::Assumed, 1, None, message()).of(self.name))
     }
 }
 
@@ -65,9 +65,13 @@ impl ChannelHead<'_> {
 ///
 /// # Errors
 /// No such channel; the error lists the existing ones.
-pub fn named(recording: &str, heads: &[ChannelHead<'_>], wanted: &str) -> Result<usize, NoChannel> {
-    let numbered = || {
-        wanted
+pub fn find_channel(
+    recording: &str,
+    heads: &[ChannelHead<'_>],
+    requested: &str,
+) -> Result<usize, NoChannel> {
+    let by_number = || {
+        requested
             .parse::<usize>()
             .ok()
             .and_then(|number| number.checked_sub(1))
@@ -75,10 +79,10 @@ pub fn named(recording: &str, heads: &[ChannelHead<'_>], wanted: &str) -> Result
     };
     heads
         .iter()
-        .position(|head| head.name == wanted)
-        .or_else(numbered)
+        .position(|head| head.name == requested)
+        .or_else(by_number)
         .ok_or_else(|| NoChannel {
-            wanted: wanted.to_owned(),
+            wanted: requested.to_owned(),
             recording: recording.to_owned(),
             channels: names(heads),
         })
@@ -90,21 +94,21 @@ pub fn named(recording: &str, heads: &[ChannelHead<'_>], wanted: &str) -> Result
 ///
 /// # Errors
 /// [`ChannelError`].
-pub fn chosen(
+pub fn choose_channel(
     recording: &str,
     heads: &[ChannelHead<'_>],
-    wanted: Option<&str>,
+    requested: Option<&str>,
     quantity: Quantity,
 ) -> Result<usize, ChannelError> {
     let of_quantity = || heads.iter().position(|head| head.quantity == quantity);
-    let only = || (heads.len() == 1).then_some(0);
+    let single_channel = || (heads.len() == 1).then_some(0);
     let unnamed = || ChannelError::Unnamed {
         recording: recording.to_owned(),
         channels: names(heads),
     };
-    let number = match wanted {
-        Some(wanted) => named(recording, heads, wanted)?,
-        None => of_quantity().or_else(only).ok_or_else(unnamed)?,
+    let number = match requested {
+        Some(requested) => find_channel(recording, heads, requested)?,
+        None => of_quantity().or_else(single_channel).ok_or_else(unnamed)?,
     };
     let head = heads[number];
     if head.may_be(quantity) {
@@ -130,10 +134,10 @@ impl Recording {
     /// [`ChannelError`].
     pub fn choose(
         &self,
-        wanted: Option<&str>,
+        requested: Option<&str>,
         quantity: Quantity,
     ) -> Result<&Channel, ChannelError> {
-        Ok(&self.channels[chosen(&self.name, &self.heads(), wanted, quantity)?])
+        Ok(&self.channels[choose_channel(&self.name, &self.heads(), requested, quantity)?])
     }
 
     /// Properties by which each channel is selected.
@@ -172,7 +176,7 @@ mod tests {
     }
 
     #[test]
-    fn a_channel_is_chosen_by_name_quantity_or_because_it_is_alone() {
+    fn channel_is_chosen_by_name_by_quantity_or_if_it_is_the_only_one() {
         let two = recording(&[
             ("a", Quantity::Acceleration, "m/s^2"),
             ("v", Quantity::Voltage, "V"),
@@ -190,19 +194,26 @@ mod tests {
             two.choose(Some("b"), Quantity::Voltage),
             Err(ChannelError::Missing(_))
         ));
-        let told = two.choose(None, Quantity::Force).unwrap_err().to_string();
-        assert_eq!(told, "name the channel; r has a, v");
-        let untold = recording(&[("x", Quantity::Unknown, "")]);
-        let chosen = untold.choose(None, Quantity::Force).unwrap();
+        let message = two.choose(None, Quantity::Force).unwrap_err().to_string();
+        assert_eq!(message, "name the channel; r has a, v");
+        let without_unit = recording(&[("x", Quantity::Unknown, "")]);
+        let channel = without_unit.choose(None, Quantity::Force).unwrap();
         assert_eq!(
-            chosen.head().assumed(Quantity::Force).unwrap().to_string(),
+            channel
+                .head()
+                .assumed_unit_issue(Quantity::Force)
+                .unwrap()
+                .to_string(),
             "x: no unit is given; N is assumed"
         );
-        let odd = recording(&[("x", Quantity::Unknown, "furlong")]);
+        let unknown_unit = recording(&[("x", Quantity::Unknown, "furlong")]);
         assert!(matches!(
-            odd.choose(None, Quantity::Force),
+            unknown_unit.choose(None, Quantity::Force),
             Err(ChannelError::Unit { .. })
         ));
-        assert_eq!(two.channels[1].head().assumed(Quantity::Voltage), None);
+        assert_eq!(
+            two.channels[1].head().assumed_unit_issue(Quantity::Voltage),
+            None
+        );
     }
 }

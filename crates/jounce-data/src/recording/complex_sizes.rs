@@ -12,7 +12,7 @@ pub(crate) fn sizes_with<S: Series>(
     let Some(imaginary) = imaginary else {
         return Ok(real);
     };
-    let (mut squares, mut count, mut peak, mut sum) = (0.0, 0.0, 0.0_f64, [0.0_f64; 2]);
+    let (mut square_sum, mut count, mut peak, mut sum) = (0.0, 0.0, 0.0_f64, [0.0_f64; 2]);
     for index in 0..values.count().div_ceil(PIECE) {
         for (re, im) in values
             .piece(index)?
@@ -20,7 +20,7 @@ pub(crate) fn sizes_with<S: Series>(
             .zip(imaginary.piece(index)?.iter())
         {
             if re.is_finite() && im.is_finite() {
-                squares += re * re + im * im;
+                square_sum += re * re + im * im;
                 count += 1.0;
                 sum = [sum[0] + re, sum[1] + im];
                 peak = peak.max(re.hypot(*im));
@@ -29,7 +29,7 @@ pub(crate) fn sizes_with<S: Series>(
     }
     let numbers = f64::max(count, 1.0);
     Ok(Sizes {
-        rms: f64::sqrt(squares / numbers),
+        rms: f64::sqrt(square_sum / numbers),
         peak,
         mean: sum[0].hypot(sum[1]) / numbers,
     })

@@ -51,15 +51,19 @@ struct Chain {
 }
 
 impl Chain {
-    /// Returns the line from a point of the chain to a later one that `better` prefers over its
+    /// Returns the line from a point of the chain to a later one that `is_better` prefers over its
     /// neighbours; deactivates the points before it.
-    fn tangent(&mut self, to: CorridorPoint, better: fn(f64, f64) -> bool) -> Option<CorridorLine> {
+    fn tangent(
+        &mut self,
+        to: CorridorPoint,
+        is_better: fn(f64, f64) -> bool,
+    ) -> Option<CorridorLine> {
         let mut best = slope(*self.points.get(self.first)?, to);
         while let Some(next) = self
             .points
             .get(self.first + 1)
             .map(|point| slope(*point, to))
-            .filter(|next| better(*next, best))
+            .filter(|next| is_better(*next, best))
         {
             best = next;
             self.first += 1;
@@ -70,11 +74,11 @@ impl Chain {
         })
     }
 
-    /// Appends a point; `bends` decides from the slopes before and after a point if it stays in the
-    /// chain.
-    fn push(&mut self, point: CorridorPoint, bends: fn(f64, f64) -> bool) {
+    /// Appends a point; `is_convex` decides from the slopes before and after a point if it stays in
+    /// the chain.
+    fn push(&mut self, point: CorridorPoint, is_convex: fn(f64, f64) -> bool) {
         while let [.., a, b] = self.points[self.first..] {
-            if bends(slope(a, b), slope(b, point)) {
+            if is_convex(slope(a, b), slope(b, point)) {
                 break;
             }
             self.points.pop();
@@ -85,7 +89,7 @@ impl Chain {
 
 impl Corridor {
     /// Adds the interval of the next position; positions ascend.
-    pub(super) fn take(&mut self, x: f64, low: f64, high: f64) {
+    pub(super) fn add(&mut self, x: f64, low: f64, high: f64) {
         if self.closed {
             return;
         }
@@ -113,8 +117,8 @@ impl Corridor {
                     .map(|first| CorridorLine::between(*first, low));
             }
         }
-        self.lower.push(low, |before, behind| before > behind);
-        self.upper.push(high, |before, behind| before < behind);
+        self.lower.push(low, |previous, next| previous > next);
+        self.upper.push(high, |previous, next| previous < next);
     }
 
     /// Flattest and steepest slope of the lines through all intervals; `None` if there is no such
@@ -148,7 +152,7 @@ mod tests {
             let mut corridor = Corridor::default();
             points
                 .iter()
-                .for_each(|(x, y)| corridor.take(*x, y - 0.5, y + 0.5));
+                .for_each(|(x, y)| corridor.add(*x, y - 0.5, y + 0.5));
             let (mut flattest, mut steepest) = (f64::NEG_INFINITY, f64::INFINITY);
             for (k, (xa, ya)) in points.iter().enumerate() {
                 for (xb, yb) in &points[k + 1..] {
@@ -164,11 +168,11 @@ mod tests {
                 None => assert!(flattest > steepest, "{trial}"),
             }
         }
-        let mut missed = Corridor::default();
+        let mut inconsistent = Corridor::default();
         [0.0, 1.0, 5.0]
             .iter()
             .enumerate()
-            .for_each(|(k, y)| missed.take(k as f64, y - 0.1, y + 0.1));
-        assert_eq!(missed.slopes(), None);
+            .for_each(|(k, y)| inconsistent.add(k as f64, y - 0.1, y + 0.1));
+        assert_eq!(inconsistent.slopes(), None);
     }
 }

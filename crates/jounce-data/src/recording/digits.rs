@@ -9,7 +9,7 @@ const DIGIT_ROUNDOFF: f64 = 8.0 * f64::EPSILON;
 /// Digits of a double that survive a roundoff of a few units in its last place.
 const MIN_SURE_DIGITS: usize = 15;
 /// A number with at most so many digits was printed with them; further digits are roundoff.
-const PRINTED: usize = 13;
+const MAX_PRINTED_DIGITS: usize = 13;
 
 /// Digits with which numbers were printed: decimal places or significant digits, whichever is
 /// coarser for a number. They are found from the shortest decimal that reads back as the same
@@ -39,14 +39,14 @@ impl Digits {
 
     /// Maximum rounding error of a stamp: half a unit of its last digit.
     pub(crate) fn rounding(&self, stamp: f64) -> f64 {
-        let size = stamp.abs();
-        let power = if size > 0.0 {
-            size.log10().floor() as i32
+        let magnitude = stamp.abs();
+        let power = if magnitude > 0.0 {
+            magnitude.log10().floor() as i32
         } else {
             -self.decimals
         };
         let last = (-self.decimals).max(power - self.significant + 1);
-        0.5 * 10f64.powi(last) + DIGIT_ROUNDOFF * size
+        0.5 * 10f64.powi(last) + DIGIT_ROUNDOFF * magnitude
     }
 }
 
@@ -57,19 +57,19 @@ fn printed(x: f64, text: &mut String) -> Option<(i32, i32)> {
     }
     text.clear();
     write!(text, "{x:e}").ok()?;
-    let mut found = counted(text)?;
-    if found.0 > MIN_SURE_DIGITS {
+    let mut result = significant_digits(text)?;
+    if result.0 > MIN_SURE_DIGITS {
         text.clear();
         write!(text, "{x:.*e}", MIN_SURE_DIGITS - 1).ok()?;
-        found = counted(text)
-            .filter(|(count, _)| *count <= PRINTED)
-            .unwrap_or(found);
+        result = significant_digits(text)
+            .filter(|(count, _)| *count <= MAX_PRINTED_DIGITS)
+            .unwrap_or(result);
     }
-    Some((found.0 as i32, found.1))
+    Some((result.0 as i32, result.1))
 }
 
 /// Digits before trailing zeros, and the exponent.
-fn counted(text: &str) -> Option<(usize, i32)> {
+fn significant_digits(text: &str) -> Option<(usize, i32)> {
     let (mantissa, power) = text.split_once('e')?;
     let count = mantissa
         .trim_end_matches('0')
@@ -85,8 +85,12 @@ mod tests {
 
     #[test]
     fn printed_digits_are_found_in_either_notation() {
-        let near =
-            |found: f64, due: f64| assert!((found / due - 1.0).abs() < 1e-6, "{found} {due}");
+        let near = |result: f64, expected: f64| {
+            assert!(
+                (result / expected - 1.0).abs() < 1e-6,
+                "{result} {expected}"
+            )
+        };
         let fixed: Vec<f64> = (0..2000)
             .map(|k| (f64::from(k) * 1e6 / 1536.0).round() / 1e6)
             .collect();

@@ -22,114 +22,118 @@ impl Recording {
     /// # Errors
     /// Those of [`Recording::even`].
     pub fn into_even(mut self) -> Result<Self, GridError> {
-        let even = &mut self;
-        for channel in &mut even.channels {
-            let finding = bridged(channel);
-            even.findings.extend(finding);
+        let recording = &mut self;
+        for channel in &mut recording.channels {
+            let issue = interpolate_missing(channel);
+            recording.findings.extend(issue);
         }
-        if matches!(even.grid, Grid::Even { .. }) {
+        if matches!(recording.grid, Grid::Even { .. }) {
             return Ok(self);
         }
-        if let Grid::Stamped(stamps) = &even.grid {
-            let Ok(holed) = StampsWithGaps::of(&stamps.as_slice());
-            if let Some(holed) = holed {
-                return self.filled(&holed);
+        if let Grid::Stamped(stamps) = &recording.grid {
+            let Ok(stamps_with_gaps) = StampsWithGaps::of(&stamps.as_slice());
+            if let Some(stamps_with_gaps) = stamps_with_gaps {
+                return self.fill_gaps(&stamps_with_gaps);
             }
         }
         let (start, end, rate) = (
-            even.grid.at(0),
-            even.grid.at(even.grid.len().saturating_sub(1)),
-            even.grid.rate(),
+            recording.grid.at(0),
+            recording.grid.at(recording.grid.len().saturating_sub(1)),
+            recording.grid.rate(),
         );
         let step = 1.0 / rate;
         let count = ((end - start) / step + 1.0 + 1e-9).floor();
-        let places = Grid::even(start, step, count as usize)?;
-        let Grid::Stamped(stamps) = std::mem::replace(&mut even.grid, places) else {
+        let grid = Grid::even(start, step, count as usize)?;
+        let Grid::Stamped(stamps) = std::mem::replace(&mut recording.grid, grid) else {
             return Ok(self);
         };
-        for channel in &mut even.channels {
-            channel.values = interpolated(&stamps, &channel.values, &even.grid);
+        for channel in &mut recording.channels {
+            channel.values = interpolated(&stamps, &channel.values, &recording.grid);
             channel.imaginary = channel
                 .imaginary
                 .as_ref()
-                .map(|imaginary| interpolated(&stamps, imaginary, &even.grid));
+                .map(|imaginary| interpolated(&stamps, imaginary, &recording.grid));
         }
-        let about = format!(
+        let message = format!(
             "{} stamped samples were interpolated linearly at {} uniform positions, {:.6} Hz",
             stamps.len(),
             count,
             1.0 / step
         );
-        even.findings.push(Issue::new(
+        recording.findings.push(Issue::new(
             IssueKind::Resampled,
             count as usize,
             None,
-            about,
+            message,
         ));
         Ok(self)
     }
 
     /// Puts every sample at its grid position and interpolates the empty ones linearly.
-    fn filled(mut self, holed: &StampsWithGaps) -> Result<Self, GridError> {
+    fn fill_gaps(mut self, stamps_with_gaps: &StampsWithGaps) -> Result<Self, GridError> {
         let start = self.grid.at(0);
-        let count = self.grid.len() + holed.missing;
-        let grid = Grid::even(start, holed.step, count)?;
-        let places: Vec<usize> = self
+        let count = self.grid.len() + stamps_with_gaps.missing;
+        let grid = Grid::even(start, stamps_with_gaps.step, count)?;
+        let indices: Vec<usize> = self
             .grid
             .places()
             .iter()
-            .map(|stamp| ((stamp - start) / holed.step).round() as usize)
+            .map(|stamp| ((stamp - start) / stamps_with_gaps.step).round() as usize)
             .collect();
         for channel in &mut self.channels {
-            channel.values = spread(&places, &channel.values, count);
+            channel.values = interpolate_gaps(&indices, &channel.values, count);
             channel.imaginary = channel
                 .imaginary
                 .as_ref()
-                .map(|imaginary| spread(&places, imaginary, count));
+                .map(|imaginary| interpolate_gaps(&indices, imaginary, count));
         }
         self.grid = grid;
-        let first = places
+        let first = indices
             .iter()
             .enumerate()
-            .find(|(k, place)| k < *place)
+            .find(|(k, index)| k < *index)
             .map(|(k, _)| IssuePlace::Sample(k));
-        let about = format!(
+        let message = format!(
             "missing samples were interpolated linearly at {:.6} Hz; all others are unchanged",
-            1.0 / holed.step
+            1.0 / stamps_with_gaps.step
         );
-        self.findings
-            .push(Issue::new(IssueKind::Bridged, holed.missing, first, about));
+        self.findings.push(Issue::new(
+            IssueKind::Bridged,
+            stamps_with_gaps.missing,
+            first,
+            message,
+        ));
         Ok(self)
     }
 }
 
 /// Values at ascending positions, with linear interpolation in between.
-fn spread(places: &[usize], values: &[f64], count: usize) -> Vec<f64> {
-    let mut spread: Vec<f64> = Vec::with_capacity(count);
-    for (place, value) in places.iter().zip(values) {
-        if let Some(before) = spread.last().copied() {
-            let (from, length) = (spread.len(), place + 1 - spread.len());
-            spread.extend(
-                (from..*place)
-                    .map(|k| before + (value - before) * (k + 1 - from) as f64 / length as f64),
-            );
+fn interpolate_gaps(indices: &[usize], values: &[f64], count: usize) -> Vec<f64> {
+    let mut values_on_grid: Vec<f64> = Vec::with_capacity(count);
+    for (index, value) in indices.iter().zip(values) {
+        if let Some(previous) = values_on_grid.last().copied() {
+            let (from, length) = (values_on_grid.len(), index + 1 - values_on_grid.len());
+            values_on_grid
+                .extend((from..*index).map(|k| {
+                    previous + (value - previous) * (k + 1 - from) as f64 / length as f64
+                }));
         }
-        spread.push(*value);
+        values_on_grid.push(*value);
     }
-    spread
+    values_on_grid
 }
 
 /// Replaces runs of NaN by linear interpolation, at the ends by the nearest number.
-fn bridged(channel: &mut Channel) -> Option<Issue> {
+fn interpolate_missing(channel: &mut Channel) -> Option<Issue> {
     let values = &mut channel.values;
     let first = values.iter().position(|x| !x.is_finite())?;
     let known: Vec<usize> = (0..values.len())
         .filter(|k| values[*k].is_finite())
         .collect();
-    let (&head, &tail) = (known.first()?, known.last()?);
-    let (before, after) = (values[head], values[tail]);
-    values[..head].fill(before);
-    values[tail + 1..].fill(after);
+    let (&first_known, &last_known) = (known.first()?, known.last()?);
+    let (first_value, last_value) = (values[first_known], values[last_known]);
+    values[..first_known].fill(first_value);
+    values[last_known + 1..].fill(last_value);
     for pair in known.windows(2).filter(|pair| pair[1] > pair[0] + 1) {
         let (a, b) = (values[pair[0]], values[pair[1]]);
         let step = (b - a) / (pair[1] - pair[0]) as f64;
@@ -138,32 +142,32 @@ fn bridged(channel: &mut Channel) -> Option<Issue> {
             .enumerate()
             .for_each(|(k, value)| *value = a + (k + 1) as f64 * step);
     }
-    let about = "samples that are not numbers were interpolated linearly".to_owned();
+    let message = "samples that are not numbers were interpolated linearly".to_owned();
     Some(
         Issue::new(
             IssueKind::Bridged,
             values.len() - known.len(),
             Some(IssuePlace::Sample(first)),
-            about,
+            message,
         )
         .of(&channel.name),
     )
 }
 
 fn interpolated(stamps: &[f64], values: &[f64], grid: &Grid) -> Vec<f64> {
-    let mut right = 1;
+    let mut next = 1;
     let value = |k: usize| {
-        let place = grid.at(k);
-        while right + 1 < stamps.len() && stamps[right] < place {
-            right += 1;
+        let position = grid.at(k);
+        while next + 1 < stamps.len() && stamps[next] < position {
+            next += 1;
         }
-        let (a, b) = (stamps[right - 1], stamps[right]);
-        let share = if b > a {
-            ((place - a) / (b - a)).clamp(0.0, 1.0)
+        let (a, b) = (stamps[next - 1], stamps[next]);
+        let fraction = if b > a {
+            ((position - a) / (b - a)).clamp(0.0, 1.0)
         } else {
             1.0
         };
-        values[right - 1] + share * (values[right] - values[right - 1])
+        values[next - 1] + fraction * (values[next] - values[next - 1])
     };
     (0..grid.len()).map(value).collect()
 }
@@ -201,11 +205,11 @@ mod tests {
         };
         for (k, value) in even.channels[0].values.iter().enumerate() {
             // Sample 20 is interpolated as if its stamp were uniform: the error is its jitter.
-            let place = start + k as f64 * step;
-            let error = (value - (2.0 * place - 3.0)).abs();
+            let position = start + k as f64 * step;
+            let error = (value - (2.0 * position - 3.0)).abs();
             assert!(
                 error
-                    < if (18.0..22.0).contains(&place) {
+                    < if (18.0..22.0).contains(&position) {
                         1.3
                     } else {
                         1e-9
@@ -213,7 +217,7 @@ mod tests {
                 "{k}: {error}"
             );
         }
-        let kinds: Vec<_> = even.findings.iter().map(|finding| finding.kind).collect();
+        let kinds: Vec<_> = even.findings.iter().map(|issue| issue.kind).collect();
         for kind in [
             IssueKind::Jitter,
             IssueKind::Gap,
@@ -228,41 +232,39 @@ mod tests {
     /// The rate equals the grid rate, recorded samples are unchanged, and the error of the mean
     /// power is within the bound of the interpolation.
     #[test]
-    fn samples_that_are_lost_do_not_touch_the_others() {
-        for lost in [vec![1234], vec![7, 8, 9, 10, 11, 12, 13, 2000, 2002]] {
+    fn missing_samples_do_not_change_the_others() {
+        for missing in [vec![1234], vec![7, 8, 9, 10, 11, 12, 13, 2000, 2002]] {
             let sine = |k: u32| {
                 std::f64::consts::SQRT_2 * (std::f64::consts::TAU * 0.2 * f64::from(k) + 0.1).sin()
             };
-            let kept: Vec<u32> = (0..4000).filter(|k| !lost.contains(k)).collect();
-            let stamps: Vec<f64> = kept
+            let retained: Vec<u32> = (0..4000).filter(|k| !missing.contains(k)).collect();
+            let stamps: Vec<f64> = retained
                 .iter()
                 .map(|k| (f64::from(*k) * 1e4 + f64::from(k % 3) - 1.0).round() * 1e-7)
                 .collect();
-            let found = recording(stamps, kept.iter().map(|k| sine(*k)).collect());
-            let kinds: Vec<_> = found.findings.iter().map(|finding| finding.kind).collect();
+            let result = recording(stamps, retained.iter().map(|k| sine(*k)).collect());
+            let kinds: Vec<_> = result.findings.iter().map(|issue| issue.kind).collect();
             assert_eq!(kinds, [IssueKind::Gap]);
             assert!(
-                (found.rate() / 1000.0 - 1.0).abs() < 1e-7,
+                (result.rate() / 1000.0 - 1.0).abs() < 1e-7,
                 "{}",
-                found.rate()
+                result.rate()
             );
-            let even = found.even().unwrap();
+            let even = result.even().unwrap();
             let Grid::Even { step, count, .. } = even.grid else {
                 panic!("even places")
             };
             assert!((step / 1e-3 - 1.0).abs() < 1e-7 && count == 4000);
             let values = &even.channels[0].values;
-            assert!(kept.iter().all(|k| values[*k as usize] == sine(*k)));
+            assert!(retained.iter().all(|k| values[*k as usize] == sine(*k)));
             let power = values.iter().map(|x| x * x).sum::<f64>() / 4000.0;
             assert!(
-                (power - 1.0).abs() < 2.0 * lost.len() as f64 / 4000.0,
+                (power - 1.0).abs() < 2.0 * missing.len() as f64 / 4000.0,
                 "{power}"
             );
             assert_eq!(
-                even.findings
-                    .last()
-                    .map(|finding| (finding.kind, finding.count)),
-                Some((IssueKind::Bridged, lost.len()))
+                even.findings.last().map(|issue| (issue.kind, issue.count)),
+                Some((IssueKind::Bridged, missing.len()))
             );
         }
     }
@@ -270,13 +272,13 @@ mod tests {
     /// Stamps in steps of their last digit: a missing one is lost; where the rate is lower than the
     /// digits, every 19th step is long.
     #[test]
-    fn a_lost_sample_is_no_rounded_stamp() {
+    fn missing_sample_is_not_a_rounded_stamp() {
         let kinds = |stamps: Vec<f64>| -> Vec<IssueKind> {
             Grid::from_stamps(stamps)
                 .unwrap()
                 .1
                 .iter()
-                .map(|found| found.kind)
+                .map(|result| result.kind)
                 .collect()
         };
         assert_eq!(

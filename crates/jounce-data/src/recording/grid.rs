@@ -87,19 +87,19 @@ impl Grid {
     /// # Errors
     /// Fewer than two stamps, one that is not a number, one earlier than its predecessor.
     pub fn from_stamps(stamps: Vec<f64>) -> Result<(Self, Vec<Issue>), GridError> {
-        let Ok(found) = Stamped::of(&stamps.as_slice(), None, "s");
-        Ok(match found? {
+        let Ok(result) = Stamped::of(&stamps.as_slice(), None, "s");
+        Ok(match result? {
             Stamped::Even {
                 start,
                 step,
-                noticed,
+                issues,
             } => (
                 Self::Even {
                     start,
                     step,
                     count: stamps.len(),
                 },
-                noticed,
+                issues,
             ),
             Stamped::Uneven(findings) => (Self::Stamped(stamps), findings),
         })
@@ -137,7 +137,7 @@ impl Grid {
         match self {
             Self::Even { step, .. } => 1.0 / step,
             Self::Stamped(stamps) => {
-                let Ok(step) = stamps::usual_step(&stamps.as_slice());
+                let Ok(step) = stamps::typical_step(&stamps.as_slice());
                 1.0 / step
             }
         }

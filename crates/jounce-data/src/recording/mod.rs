@@ -19,15 +19,15 @@ mod stamps;
 mod unit;
 
 pub use channel::Channel;
-pub use choose::{ChannelError, ChannelHead, chosen, named};
+pub use choose::{ChannelError, ChannelHead, choose_channel, find_channel};
 pub(crate) use complex_sizes::sizes_with;
 pub use grid::{Grid, GridError, Over};
 pub use inspect::{Sizes, inspect};
-pub(crate) use inspect::{inspected, may_be_counts};
+pub(crate) use inspect::{inspect_samples, may_be_counts};
 pub use issue::{Issue, IssueKind, IssuePlace};
 pub use quantity::Quantity;
 pub use recorded::{NoChannel, Recording};
 pub use series::{PIECE, Series};
-pub(crate) use stamps::{Stamped, StampsWithGaps, usual_step};
+pub(crate) use stamps::{Stamped, StampsWithGaps, typical_step};
 pub use unit::Unit;
 pub(crate) use unit::unbracketed;

@@ -1,6 +1,6 @@
 //! Recording: channels over one grid.
 
-use super::choose::named;
+use super::choose::find_channel;
 use super::{Channel, Grid, Issue, Over};
 
 /// Channels of equal length over one grid of time or frequency.
@@ -36,8 +36,8 @@ impl Recording {
     ///
     /// # Errors
     /// No such channel; the error lists the existing ones.
-    pub fn channel(&self, wanted: &str) -> Result<&Channel, NoChannel> {
-        Ok(&self.channels[named(&self.name, &self.heads(), wanted)?])
+    pub fn channel(&self, requested: &str) -> Result<&Channel, NoChannel> {
+        Ok(&self.channels[find_channel(&self.name, &self.heads(), requested)?])
     }
 
     /// Samples per second (over time) or per hertz (over frequency).

@@ -22,16 +22,16 @@ pub trait Series {
     /// The numbers cannot be read.
     fn piece(&self, index: usize) -> Result<Cow<'_, [f64]>, Self::Fault>;
 
-    /// Passes every number to `take` in order.
+    /// Passes every number to `callback` in order.
     ///
     /// # Errors
     /// Those of [`Series::piece`].
-    fn each(&self, mut take: impl FnMut(f64)) -> Result<(), Self::Fault>
+    fn each(&self, mut callback: impl FnMut(f64)) -> Result<(), Self::Fault>
     where
         Self: Sized,
     {
         for index in 0..self.count().div_ceil(PIECE) {
-            self.piece(index)?.iter().for_each(|x| take(*x));
+            self.piece(index)?.iter().for_each(|x| callback(*x));
         }
         Ok(())
     }

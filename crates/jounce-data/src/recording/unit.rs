@@ -21,7 +21,7 @@ pub struct Unit {
 }
 
 /// Quantities in the order of trial: `g` alone is an acceleration, never a gram.
-const KNOWN: [(Quantity, Spec, &str); 11] = [
+const SI_UNITS: [(Quantity, Spec, &str); 11] = [
     (Quantity::Acceleration, Spec::Acceleration, "m/s^2"),
     (
         Quantity::AccelerationPsd,
@@ -41,7 +41,7 @@ const KNOWN: [(Quantity, Spec, &str); 11] = [
 ];
 
 /// Units outside SI: spelling in lower case, quantity, SI unit, factor (NIST SP 811, appendix B.8).
-const CUSTOMARY: [(&[&str], Quantity, &str, f64); 12] = [
+const CUSTOMARY_UNITS: [(&[&str], Quantity, &str, f64); 12] = [
     (
         &["lbf", "lb", "lbs", "pound", "pounds", "pound-force"],
         Quantity::Force,
@@ -83,7 +83,7 @@ const CUSTOMARY: [(&[&str], Quantity, &str, f64); 12] = [
 ];
 
 /// Words for unit symbols, in lower case.
-const WORDS: [(&str, &str); 15] = [
+const UNIT_SPELLINGS: [(&str, &str); 15] = [
     ("volts", "V"),
     ("volt", "V"),
     ("newton", "N"),
@@ -102,7 +102,7 @@ const WORDS: [(&str, &str); 15] = [
 ];
 
 /// Superscript characters and their meaning.
-const RAISED: [(char, char); 5] = [
+const SUPERSCRIPTS: [(char, char); 5] = [
     ('\u{207b}', '-'),
     ('\u{b9}', '1'),
     ('\u{b2}', '2'),
@@ -111,7 +111,7 @@ const RAISED: [(char, char); 5] = [
 ];
 
 /// Quantities allowed in the numerator and denominator of a response.
-const PARTS: [Quantity; 6] = [
+const QUOTIENT_QUANTITIES: [Quantity; 6] = [
     Quantity::Acceleration,
     Quantity::Velocity,
     Quantity::Displacement,
@@ -124,39 +124,39 @@ impl Unit {
     /// Parses a unit in instrument notation (`m/s2`, `m/s²`, `Pounds`, `[g]`, `cm/s/s`, `g/N`);
     /// `None` if unknown.
     pub fn read(text: &str) -> Option<Self> {
-        Self::plain(text).or_else(|| {
-            let (above, below) = Self::quotient(text)?;
+        Self::read_plain(text).or_else(|| {
+            let (numerator, denominator) = Self::quotient(text)?;
             // A denominator that is a quotient itself gets brackets.
-            let si = if below.si.contains('/') {
-                format!("{}/({})", above.si, below.si)
+            let si = if denominator.si.contains('/') {
+                format!("{}/({})", numerator.si, denominator.si)
             } else {
-                format!("{}/{}", above.si, below.si)
+                format!("{}/{}", numerator.si, denominator.si)
             };
             Some(Self {
                 quantity: Quantity::Response,
                 si: si.into(),
-                factor: above.factor / below.factor,
+                factor: numerator.factor / denominator.factor,
             })
         })
     }
 
     /// Numerator of the unit of a response: an acceleration in `m/s^2/N`.
     pub fn responds(text: &str) -> Option<Quantity> {
-        Self::quotient(text).map(|(above, _)| above.quantity)
+        Self::quotient(text).map(|(numerator, _)| numerator.quantity)
     }
 
     /// Denominator of the unit of a response: a force in `m/s^2/N`.
     pub fn per(text: &str) -> Option<Quantity> {
-        Self::quotient(text).map(|(_, below)| below.quantity)
+        Self::quotient(text).map(|(_, denominator)| denominator.quantity)
     }
 
     /// Parses the unit of one quantity.
-    fn plain(text: &str) -> Option<Self> {
-        let plain = spelled(text);
-        let small = plain.to_lowercase();
-        if let Some((_, quantity, si, factor)) = CUSTOMARY
+    fn read_plain(text: &str) -> Option<Self> {
+        let normalised = normalised_spelling(text);
+        let lowercase = normalised.to_lowercase();
+        if let Some((_, quantity, si, factor)) = CUSTOMARY_UNITS
             .iter()
-            .find(|(names, ..)| names.contains(&small.as_str()))
+            .find(|(names, ..)| names.contains(&lowercase.as_str()))
         {
             return Some(Self {
                 quantity: *quantity,
@@ -165,33 +165,36 @@ impl Unit {
             });
         }
         let known = |(quantity, spec, si): &(Quantity, Spec, &'static str)| {
-            let factor = spec.read(&format!("1 {plain}")).ok()?;
+            let factor = spec.read(&format!("1 {normalised}")).ok()?;
             Some(Self {
                 quantity: *quantity,
                 si: (*si).into(),
                 factor,
             })
         };
-        KNOWN.iter().find_map(known)
+        SI_UNITS.iter().find_map(known)
     }
 
     /// Splits a quotient into numerator and denominator: `A/B` at the last valid slash, or
     /// `(1/B)*(A)`, as some analysers write it.
     fn quotient(text: &str) -> Option<(Self, Self)> {
-        let bare = unbracketed(text);
-        let part = |text: &str| Self::plain(text).filter(|unit| PARTS.contains(&unit.quantity));
-        let inverse = |text: &str| part(unbracketed(text).strip_prefix("1/")?);
+        let trimmed = unbracketed(text);
+        let part_of = |text: &str| {
+            Self::read_plain(text).filter(|unit| QUOTIENT_QUANTITIES.contains(&unit.quantity))
+        };
+        let inverse = |text: &str| part_of(unbracketed(text).strip_prefix("1/")?);
         let product = |(at, sign): (usize, &str)| {
-            let (left, right) = (&bare[..at], &bare[at + sign.len()..]);
-            part(left)
-                .zip(inverse(right))
-                .or_else(|| part(right).zip(inverse(left)))
+            let (left_factor, right_factor) = (&trimmed[..at], &trimmed[at + sign.len()..]);
+            part_of(left_factor)
+                .zip(inverse(right_factor))
+                .or_else(|| part_of(right_factor).zip(inverse(left_factor)))
         };
-        let divided = || {
-            bare.rmatch_indices('/')
-                .find_map(|(at, _)| Some((part(&bare[..at])?, part(&bare[at + 1..])?)))
+        let quotient_of = || {
+            trimmed
+                .rmatch_indices('/')
+                .find_map(|(at, _)| Some((part_of(&trimmed[..at])?, part_of(&trimmed[at + 1..])?)))
         };
-        divided().or_else(|| bare.match_indices(['*', '\u{b7}']).find_map(product))
+        quotient_of().or_else(|| trimmed.match_indices(['*', '\u{b7}']).find_map(product))
     }
 
     /// True where the conversion changes values, or the unit is not SI.
@@ -202,58 +205,61 @@ impl Unit {
 
 /// Removes brackets around the complete text.
 pub(crate) fn unbracketed(text: &str) -> &str {
-    let bare = text.trim();
-    let inside = [('[', ']'), ('(', ')')].iter().find_map(|(open, close)| {
-        let inside = bare.strip_prefix(*open)?.strip_suffix(*close)?;
+    let trimmed = text.trim();
+    let inner = [('[', ']'), ('(', ')')].iter().find_map(|(open, close)| {
+        let inner = trimmed.strip_prefix(*open)?.strip_suffix(*close)?;
         // In `(m/s)/(N)` the first bracket closes before the end.
         let mut depth = 0;
         let closes = |c: char| {
             depth += i32::from(c == *open) - i32::from(c == *close);
             depth < 0
         };
-        (!inside.chars().any(closes)).then_some(inside)
+        (!inner.chars().any(closes)).then_some(inner)
     });
-    inside.map_or(bare, unbracketed)
+    inner.map_or(trimmed, unbracketed)
 }
 
 /// Removes brackets around the text and superscripts.
-fn spelled(text: &str) -> String {
-    let mut plain = plain_powers(unbracketed(text))
+fn normalised_spelling(text: &str) -> String {
+    let mut normalised = plain_powers(unbracketed(text))
         .replace("**", "^")
         .replace(['\u{b7}', '\u{22c5}'], " ");
-    if let Some((_, symbol)) = WORDS.iter().find(|(word, _)| *word == plain.to_lowercase()) {
+    if let Some((_, symbol)) = UNIT_SPELLINGS
+        .iter()
+        .find(|(word, _)| *word == normalised.to_lowercase())
+    {
         return (*symbol).to_owned();
     }
-    for (written, meant) in [
+    for (spelling, replacement) in [
         ("/s/s", "/s^2"),
         ("/sec/sec", "/s^2"),
         ("s2", "s^2"),
         ("s-2", "s^-2"),
     ] {
-        if plain.ends_with(written) {
-            plain.truncate(plain.len() - written.len());
-            plain.push_str(meant);
+        if normalised.ends_with(spelling) {
+            normalised.truncate(normalised.len() - spelling.len());
+            normalised.push_str(replacement);
             break;
         }
     }
-    plain
+    normalised
 }
 
 /// Writes superscripts with `^` and digits: `s^-2` for `s⁻²`.
 fn plain_powers(text: &str) -> String {
-    let (mut plain, mut raised) = (String::new(), false);
+    let (mut normalised, mut is_superscript) = (String::new(), false);
     for c in text.chars() {
-        let digit = RAISED
+        let digit = SUPERSCRIPTS
             .iter()
-            .find(|(written, _)| *written == c)
+            .find(|(spelling, _)| *spelling == c)
             .map(|(_, digit)| *digit);
-        if digit.is_some() && !raised {
-            plain.push('^');
+        if digit.is_some() && !is_superscript {
+            normalised.push('^');
         }
-        raised = digit.is_some();
-        plain.push(digit.unwrap_or(c));
+        is_superscript = digit.is_some();
+        normalised.push(digit.unwrap_or(c));
     }
-    plain
+    normalised
 }
 
 #[cfg(test)]
@@ -347,11 +353,11 @@ mod tests {
             ("g/g", "m/s^2/(m/s^2)", Quantity::Acceleration, 1.0),
             ("Pa/V", "Pa/V", Quantity::Pressure, 1.0),
         ];
-        for (text, si, above, factor) in cases {
+        for (text, si, numerator, factor) in cases {
             let unit = Unit::read(text).unwrap_or_else(|| panic!("{text} is not understood"));
             assert_eq!(
                 (unit.quantity, unit.si.as_ref(), Unit::responds(text)),
-                (Quantity::Response, si, Some(above)),
+                (Quantity::Response, si, Some(numerator)),
                 "{text}"
             );
             assert!(
@@ -367,7 +373,7 @@ mod tests {
                 }),
                 "{text}"
             );
-            assert_eq!(Unit::responds(si), Some(above), "{text}");
+            assert_eq!(Unit::responds(si), Some(numerator), "{text}");
         }
         assert_eq!(Unit::responds("m/s^2"), None);
     }

@@ -105,7 +105,10 @@ impl Stiffness {
 
     /// Confidence interval, 95 %.
     pub fn interval_95(&self) -> (f64, f64) {
-        let reach = QUANTILE_95 * self.relative_deviation;
-        (self.value * (-reach).exp(), self.value * reach.exp())
+        let log_half_width = QUANTILE_95 * self.relative_deviation;
+        (
+            self.value * (-log_half_width).exp(),
+            self.value * log_half_width.exp(),
+        )
     }
 }

@@ -54,12 +54,12 @@ impl PulseProblem<'_> {
 
     pub fn derivatives(&self) -> DMatrix<f64> {
         let column = |k: usize| {
-            let moved = |by: f64| {
+            let errors_at = |by: f64| {
                 let mut unknowns = self.unknowns.clone();
                 unknowns[k] += by;
                 self.errors(&unknowns)
             };
-            (moved(DIFFERENCE_SHARE) - moved(-DIFFERENCE_SHARE)) / (2.0 * DIFFERENCE_SHARE)
+            (errors_at(DIFFERENCE_SHARE) - errors_at(-DIFFERENCE_SHARE)) / (2.0 * DIFFERENCE_SHARE)
         };
         DMatrix::from_columns(&(0..self.unknowns.len()).map(column).collect::<Vec<_>>())
     }

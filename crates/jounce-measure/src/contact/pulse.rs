@@ -113,10 +113,10 @@ pub fn fit(
     if let Some(mass_kg) = hammer_mass_kg.filter(|mass| !(*mass > 0.0 && mass.is_finite())) {
         return Err(ContactError::Mass { mass_kg });
     }
-    let beside = ((hit.end - hit.start) as f64 * MARGIN_SHARE).ceil() as usize;
+    let margin = ((hit.end - hit.start) as f64 * MARGIN_SHARE).ceil() as usize;
     let (first, last) = (
-        hit.start.saturating_sub(beside),
-        (hit.end + beside).min(force.values().len()),
+        hit.start.saturating_sub(margin),
+        (hit.end + margin).min(force.values().len()),
     );
     if hit.end - hit.start < MIN_SAMPLES {
         return Err(ContactError::Coarse {
@@ -131,14 +131,14 @@ pub fn fit(
     let shape = PulseShape::new(exponent, damping);
     let covariance = covariance(&problem, squared)?;
     let deviation = |k: usize| covariance[(k, k)].sqrt() * problem.scale[k];
-    let told = told(exponent, deviation(3));
+    let laws = allowed_laws(exponent, deviation(3));
     let slope = (PulseShape::new(exponent, damping + 0.01).restitution - shape.restitution) / 0.01;
     let stiffness = hammer_mass_kg.map(|mass_kg| Stiffness::of(&problem, &covariance, mass_kg));
-    let held = |allowed: &[AllowedLaws], exponent: f64| {
-        let held = allowed
-            .contains(&told)
+    let fixed_law = |allowed: &[AllowedLaws], exponent: f64| {
+        let law = allowed
+            .contains(&laws)
             .then(|| FixedExponentLaw::of(exponent, (&time_s, force_n), hit, hammer_mass_kg));
-        held.transpose()
+        law.transpose()
     };
     Ok(ContactFit {
         contact_time_s: shape.length * unit_s,
@@ -153,9 +153,9 @@ pub fn fit(
         stiffness_95: stiffness.as_ref().map(Stiffness::interval_95),
         speed_m_s: hammer_mass_kg.map(|mass_kg| speed_m_s(&problem, mass_kg)),
         relative_error: relative_error(squared, &time_s, hit),
-        told,
-        linear: held(&[AllowedLaws::Linear, AllowedLaws::Both], 1.0)?,
-        hertz: held(&[AllowedLaws::Hertz, AllowedLaws::Both], 1.5)?,
+        told: laws,
+        linear: fixed_law(&[AllowedLaws::Linear, AllowedLaws::Both], 1.0)?,
+        hertz: fixed_law(&[AllowedLaws::Hertz, AllowedLaws::Both], 1.5)?,
         units: PulseUnits {
             start_s,
             unit_s,
@@ -165,9 +165,9 @@ pub fn fit(
     })
 }
 
-fn told(exponent: f64, deviation: f64) -> AllowedLaws {
-    let allows = |value: f64| (exponent - value).abs() <= QUANTILE_95 * deviation;
-    match (allows(1.0), allows(1.5)) {
+fn allowed_laws(exponent: f64, deviation: f64) -> AllowedLaws {
+    let is_allowed = |value: f64| (exponent - value).abs() <= QUANTILE_95 * deviation;
+    match (is_allowed(1.0), is_allowed(1.5)) {
         (true, true) => AllowedLaws::Both,
         (true, false) => AllowedLaws::Linear,
         (false, true) => AllowedLaws::Hertz,
@@ -210,8 +210,8 @@ pub(super) fn minimised<'a>(
             .with_patience(60)
             .minimize(problem);
         let squared = 2.0 * report.objective_function;
-        let sound = squared.is_finite() && problem.unknowns.iter().all(|x| x.is_finite());
-        if sound && best.as_ref().is_none_or(|(_, least)| squared < *least) {
+        let is_finite = squared.is_finite() && problem.unknowns.iter().all(|x| x.is_finite());
+        if is_finite && best.as_ref().is_none_or(|(_, least)| squared < *least) {
             best = Some((problem, squared));
         }
     }
@@ -246,8 +246,8 @@ mod tests {
 
     fn fitted(values: &[f64]) -> ContactFit {
         let samples = Samples::new(values, RATE).unwrap();
-        let found = hits(&samples, HitSearch::default()).unwrap();
-        fit(&samples, &found[0], Some(0.1)).unwrap()
+        let result = hits(&samples, HitSearch::default()).unwrap();
+        fit(&samples, &result[0], Some(0.1)).unwrap()
     }
 
     /// With hardly any noise (1e-6 N at a peak of hundreds) the fit recovers the parameters;
@@ -256,21 +256,21 @@ mod tests {
     fn a_pulse_of_a_known_law_gives_the_law_back() {
         for (exponent, damping) in [(1.5, 0.3), (1.0, 0.2), (2.2, 0.5), (1.0, 0.0), (1.5, 0.0)] {
             let (values, stiffness) = record(exponent, damping, 1e-6, 1);
-            let found = fitted(&values);
+            let result = fitted(&values);
             assert!(
-                (found.exponent - exponent).abs() < 1e-7,
-                "{exponent}: {found:?}"
+                (result.exponent - exponent).abs() < 1e-7,
+                "{exponent}: {result:?}"
             );
             assert!(
-                (found.restitution - PulseShape::new(exponent, damping).restitution).abs() < 1e-7,
-                "{found:?}"
+                (result.restitution - PulseShape::new(exponent, damping).restitution).abs() < 1e-7,
+                "{result:?}"
             );
             assert!(
-                (found.stiffness.unwrap() / stiffness - 1.0).abs() < 1e-6,
+                (result.stiffness.unwrap() / stiffness - 1.0).abs() < 1e-6,
                 "{} {stiffness}",
-                found.stiffness.unwrap()
+                result.stiffness.unwrap()
             );
-            assert!((found.speed_m_s.unwrap() / 0.5 - 1.0).abs() < 1e-7);
+            assert!((result.speed_m_s.unwrap() / 0.5 - 1.0).abs() < 1e-7);
         }
     }
 
@@ -281,42 +281,41 @@ mod tests {
     fn every_law_that_a_pulse_allows_has_its_stiffness() {
         for (exponent, is_linear) in [(1.0, true), (1.5, false)] {
             let (values, stiffness) = record(exponent, 0.3, 1e-6, 1);
-            let found = fitted(&values);
+            let result = fitted(&values);
             assert_eq!(
-                (found.linear.is_some(), found.hertz.is_some()),
+                (result.linear.is_some(), result.hertz.is_some()),
                 (is_linear, !is_linear),
-                "{found:?}"
+                "{result:?}"
             );
-            let held = found.linear.or(found.hertz).unwrap();
+            let law = result.linear.or(result.hertz).unwrap();
             assert!(
-                (held.stiffness.unwrap() / stiffness - 1.0).abs() < 1e-8
-                    && held.exponent == exponent,
-                "{held:?} {stiffness}"
+                (law.stiffness.unwrap() / stiffness - 1.0).abs() < 1e-8 && law.exponent == exponent,
+                "{law:?} {stiffness}"
             );
             assert!(
-                (held.speed_m_s.unwrap() / 0.5 - 1.0).abs() < 1e-8 && held.restitution < 1.0,
-                "{held:?}"
+                (law.speed_m_s.unwrap() / 0.5 - 1.0).abs() < 1e-8 && law.restitution < 1.0,
+                "{law:?}"
             );
         }
         let (values, _) = record(1.2, 0.3, 1e-6, 1);
-        let neither = fitted(&values);
+        let no_law = fitted(&values);
         assert_eq!(
-            (neither.told, neither.linear, neither.hertz),
+            (no_law.told, no_law.linear, no_law.hertz),
             (AllowedLaws::Neither, None, None)
         );
         let (values, stiffness) = record(1.5, 0.4, 40.0, 3);
-        let coarse: Vec<f64> = values.into_iter().step_by(5).collect();
-        let samples = Samples::new(&coarse, RATE / 5.0).unwrap();
-        let found = fit(
+        let coarse_values: Vec<f64> = values.into_iter().step_by(5).collect();
+        let samples = Samples::new(&coarse_values, RATE / 5.0).unwrap();
+        let result = fit(
             &samples,
             &hits(&samples, HitSearch::default()).unwrap()[0],
             Some(0.1),
         )
         .unwrap();
         let [free, linear, hertz] = [
-            found.stiffness_95,
-            found.linear.unwrap().stiffness_95,
-            found.hertz.unwrap().stiffness_95,
+            result.stiffness_95,
+            result.linear.unwrap().stiffness_95,
+            result.hertz.unwrap().stiffness_95,
         ]
         .map(Option::unwrap);
         eprintln!(
@@ -329,7 +328,7 @@ mod tests {
         assert!(
             [linear, hertz]
                 .iter()
-                .all(|held| held.1 / held.0 < free.1 / free.0)
+                .all(|law| law.1 / law.0 < free.1 / free.0)
         );
     }
 
@@ -337,73 +336,73 @@ mod tests {
     /// trials; measured 96 %.
     #[test]
     fn stated_deviations_hold_the_truth() {
-        let inside = (0..150).filter(|seed| {
-            let found = fitted(&record(1.5, 0.4, 2.0, *seed).0);
-            (found.exponent - 1.5).abs() <= QUANTILE_95 * found.exponent_deviation
+        let covered_count = (0..150).filter(|seed| {
+            let result = fitted(&record(1.5, 0.4, 2.0, *seed).0);
+            (result.exponent - 1.5).abs() <= QUANTILE_95 * result.exponent_deviation
         });
-        let share = inside.count() as f64 / 150.0;
-        assert!((0.91..=0.99).contains(&share), "{share}");
+        let covered_share = covered_count.count() as f64 / 150.0;
+        assert!((0.91..=0.99).contains(&covered_share), "{covered_share}");
     }
 
     /// Coverage of stiffness, exponent and restitution, and of the stiffness under the true law: 95
     /// +- 4 % of 150 trials each.
     #[test]
     fn intervals_hold_the_truth() {
-        let (mut inside, mut held_inside, mut allowed) = ([0.0; 3], 0.0, 0.0);
+        let (mut covered, mut law_covered, mut allowed) = ([0.0; 3], 0.0, 0.0);
         for seed in 0..150 {
             let (values, stiffness) = record(1.5, 0.4, 2.0, 1000 + seed);
-            let found = fitted(&values);
-            let (low, high) = found.stiffness_95.unwrap();
-            let held = [
+            let result = fitted(&values);
+            let (low, high) = result.stiffness_95.unwrap();
+            let coverage = [
                 (low..=high).contains(&stiffness),
-                (found.exponent - 1.5).abs() <= found.exponent_half_width(),
-                (found.restitution - PulseShape::new(1.5, 0.4).restitution).abs()
-                    <= found.restitution_half_width(),
+                (result.exponent - 1.5).abs() <= result.exponent_half_width(),
+                (result.restitution - PulseShape::new(1.5, 0.4).restitution).abs()
+                    <= result.restitution_half_width(),
             ];
-            inside
+            covered
                 .iter_mut()
-                .zip(held)
-                .for_each(|(share, held)| *share += f64::from(u8::from(held)) / 150.0);
-            if let Some((low, high)) = found.hertz.and_then(|hertz| hertz.stiffness_95) {
-                (allowed, held_inside) = (
+                .zip(coverage)
+                .for_each(|(share, is_covered)| *share += f64::from(u8::from(is_covered)) / 150.0);
+            if let Some((low, high)) = result.hertz.and_then(|hertz| hertz.stiffness_95) {
+                (allowed, law_covered) = (
                     allowed + 1.0,
-                    held_inside + f64::from(u8::from((low..=high).contains(&stiffness))),
+                    law_covered + f64::from(u8::from((low..=high).contains(&stiffness))),
                 );
             }
         }
         eprintln!(
             "Hertz's law is allowed in {allowed} of 150, its stiffness {:.3} inside",
-            held_inside / allowed
+            law_covered / allowed
         );
         assert!(
-            allowed > 135.0 && (0.91..=0.99).contains(&(held_inside / allowed)),
-            "{held_inside} {allowed}"
+            allowed > 135.0 && (0.91..=0.99).contains(&(law_covered / allowed)),
+            "{law_covered} {allowed}"
         );
         eprintln!(
             "stiffness {:.3}, exponent {:.3}, restitution {:.3}",
-            inside[0], inside[1], inside[2]
+            covered[0], covered[1], covered[2]
         );
         assert!(
-            inside.iter().all(|share| (0.91..=0.99).contains(share)),
-            "{inside:?}"
+            covered.iter().all(|share| (0.91..=0.99).contains(share)),
+            "{covered:?}"
         );
     }
 
     #[test]
-    fn much_noise_cannot_tell_laws_apart_and_little_can() {
+    fn laws_are_distinguished_under_little_noise_only() {
         assert_eq!(fitted(&record(1.5, 0.4, 0.5, 3).0).told, AllowedLaws::Hertz);
         let noisy: Vec<f64> = record(1.5, 0.4, 40.0, 3).0.into_iter().step_by(5).collect();
         let samples = Samples::new(&noisy, RATE / 5.0).unwrap();
-        let found = fit(
+        let result = fit(
             &samples,
             &hits(&samples, HitSearch::default()).unwrap()[0],
             None,
         )
         .unwrap();
-        assert_eq!(found.told, AllowedLaws::Both, "{found:?}");
+        assert_eq!(result.told, AllowedLaws::Both, "{result:?}");
         let (values, _) = record(1.5, 0.4, 0.5, 3);
-        let coarse: Vec<f64> = values.into_iter().step_by(20).collect();
-        let samples = Samples::new(&coarse, RATE / 20.0).unwrap();
+        let coarse_values: Vec<f64> = values.into_iter().step_by(20).collect();
+        let samples = Samples::new(&coarse_values, RATE / 20.0).unwrap();
         let hit = &hits(&samples, HitSearch::default()).unwrap()[0];
         assert!(matches!(
             fit(&samples, hit, None),

@@ -37,13 +37,13 @@ impl PulseShape {
                 -law(x + 0.5 * step * k2x, v + 0.5 * step * k2v),
             );
             let (k4x, k4v) = (v + step * k3v, -law(x + step * k3x, v + step * k3v));
-            let (before, speed) = (x, v);
+            let (previous_x, previous_v) = (x, v);
             x += step / 6.0 * (k1x + 2.0 * k2x + 2.0 * k3x + k4x);
             v += step / 6.0 * (k1v + 2.0 * k2v + 2.0 * k3v + k4v);
             if x <= 0.0 {
-                let share = before / (before - x);
-                length = (force.len() as f64 - 1.0 + share) * step;
-                restitution = -(speed + share * (v - speed));
+                let step_share = previous_x / (previous_x - x);
+                length = (force.len() as f64 - 1.0 + step_share) * step;
+                restitution = -(previous_v + step_share * (v - previous_v));
                 break;
             }
             force.push(law(x, v));
@@ -62,18 +62,18 @@ impl PulseShape {
         if !(0.0..self.length).contains(&time) {
             return 0.0;
         }
-        let place = time / self.step;
-        let (k, share) = (place as usize, place.fract());
+        let position = time / self.step;
+        let (k, fraction) = (position as usize, position.fract());
         let value = |k: usize| self.force.get(k).copied().unwrap_or(0.0);
-        value(k) + share * (value(k + 1) - value(k))
+        value(k) + fraction * (value(k + 1) - value(k))
     }
 
     /// Peak force and its time.
     pub fn peak(&self) -> (f64, f64) {
-        let highest = (0..self.force.len())
+        let peak_index = (0..self.force.len())
             .max_by(|a, b| self.force[*a].total_cmp(&self.force[*b]))
             .unwrap_or(0);
-        (self.force[highest], highest as f64 * self.step)
+        (self.force[peak_index], peak_index as f64 * self.step)
     }
 }
 

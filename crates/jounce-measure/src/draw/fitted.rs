@@ -7,32 +7,32 @@ use crate::fit::{FitResult, FittedCurve, FittedFeature};
 /// Plots the relative error of every feature before and after, in percent, with vertical lines for
 /// the 95 % confidence intervals of the measurement. Each measured curve is shown with the model
 /// before and after, and the 95 % prediction interval.
-pub fn fitted(title: &str, answer: &FitResult) -> Figure {
+pub fn fitted(title: &str, result: &FitResult) -> Figure {
     let mut panels = Vec::new();
-    if !answer.features.is_empty() {
-        panels.push(numbers(answer));
+    if !result.features.is_empty() {
+        panels.push(numbers(result));
     }
-    panels.extend(answer.curves.iter().map(curve));
+    panels.extend(result.curves.iter().map(curve));
     Figure {
         panels,
         ..Figure::new(title)
     }
 }
 
-fn numbers(answer: &FitResult) -> Panel {
-    let number: Vec<f64> = (1..=answer.features.len()).map(|k| k as f64).collect();
-    let percent = |of: &dyn Fn(&FittedFeature) -> f64| {
-        answer
+fn numbers(result: &FitResult) -> Panel {
+    let number: Vec<f64> = (1..=result.features.len()).map(|k| k as f64).collect();
+    let percent = |value: &dyn Fn(&FittedFeature) -> f64| {
+        result
             .features
             .iter()
-            .map(|feature| 100.0 * of(feature))
+            .map(|feature| 100.0 * value(feature))
             .collect::<Vec<f64>>()
     };
-    let upright = |(k, feature): (usize, &FittedFeature)| {
-        let half = 100.0 * answer.quantile * feature.deviation;
+    let bar = |(k, feature): (usize, &FittedFeature)| {
+        let half = 100.0 * result.quantile * feature.deviation;
         [-half, half, f64::NAN].map(|error| ((k + 1) as f64, error))
     };
-    let (x, y): (Vec<f64>, Vec<f64>) = answer.features.iter().enumerate().flat_map(upright).unzip();
+    let (x, y): (Vec<f64>, Vec<f64>) = result.features.iter().enumerate().flat_map(bar).unzip();
     let axes = Panel::new(
         Axis::linear("Feature", "").every(1.0),
         Axis::linear("Model over measurement - 1", "%"),
@@ -42,14 +42,14 @@ fn numbers(answer: &FitResult) -> Panel {
         .colour(Colour::Grey)
         .style(Line::Thin)
         .label("95 % interval of the measurement");
-    let before = Series::points(
+    let initial = Series::points(
         number.clone(),
         percent(&|feature| feature.errors().0),
         Marker::Ring,
     )
     .colour(Colour::nth(1))
     .label("before");
-    let after = Series::points(
+    let fitted = Series::points(
         number,
         percent(&|feature| feature.errors().1),
         Marker::Circle,
@@ -57,8 +57,8 @@ fn numbers(answer: &FitResult) -> Panel {
     .label("after");
     axes.reference(Along::Y, 0.0, None)
         .with(interval)
-        .with(before)
-        .with(after)
+        .with(initial)
+        .with(fitted)
 }
 
 fn curve(curve: &FittedCurve) -> Panel {

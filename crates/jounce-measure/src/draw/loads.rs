@@ -21,7 +21,7 @@ pub fn power_over_load(title: &str, unit: &str, points: &[LoadPoint]) -> Figure 
     sorted.sort_by(|a, b| a.resistance_ohm.total_cmp(&b.resistance_ohm));
     let resistance: Vec<f64> = sorted.iter().map(|point| point.resistance_ohm).collect();
     let power: Vec<f64> = sorted.iter().map(|point| point.power).collect();
-    let upright = |point: &LoadPoint| {
+    let bar = |point: &LoadPoint| {
         // A gap after each line separates it from the next one.
         [
             (point.power - point.half_width),
@@ -30,7 +30,7 @@ pub fn power_over_load(title: &str, unit: &str, points: &[LoadPoint]) -> Figure 
         ]
         .map(|power| (point.resistance_ohm, power))
     };
-    let (x, y): (Vec<f64>, Vec<f64>) = sorted.iter().flat_map(upright).unzip();
+    let (x, y): (Vec<f64>, Vec<f64>) = sorted.iter().flat_map(bar).unzip();
     let panel = Panel::new(
         Axis::log("Load resistance", "ohm"),
         Axis::linear("Mean power", unit),

@@ -25,14 +25,14 @@ pub struct PulseFigure {
 impl PulseFigure {
     /// Returns the samples of a hit, extended by half its length on both sides, with the law.
     pub fn of(force: &Samples<'_>, hit: &Hit, law: Option<&ContactFit>) -> Self {
-        let beside = (hit.end - hit.start) / 2 + 1;
+        let margin = (hit.end - hit.start) / 2 + 1;
         let (first, last) = (
-            hit.start.saturating_sub(beside),
-            (hit.end + beside).min(force.values().len()),
+            hit.start.saturating_sub(margin),
+            (hit.end + margin).min(force.values().len()),
         );
         let at = |k: f64| k / force.rate_hz();
         let peak_s = at(hit.peak as f64);
-        let finer: Vec<f64> = (first * POINTS_PER_SAMPLE..=(last - 1) * POINTS_PER_SAMPLE)
+        let fine_time: Vec<f64> = (first * POINTS_PER_SAMPLE..=(last - 1) * POINTS_PER_SAMPLE)
             .map(|k| at(k as f64 / POINTS_PER_SAMPLE as f64))
             .collect();
         Self {
@@ -41,8 +41,8 @@ impl PulseFigure {
             force_n: force.values()[first..last].to_vec(),
             law: law.map_or_else(Default::default, |law| {
                 (
-                    finer.iter().map(|t| t - peak_s).collect(),
-                    law.force_n(&finer),
+                    fine_time.iter().map(|t| t - peak_s).collect(),
+                    law.force_n(&fine_time),
                 )
             }),
         }
@@ -56,7 +56,7 @@ pub fn pulses(title: &str, pulses: &[PulseFigure]) -> Figure {
         Axis::linear("Force", "N"),
     )
     .high(340.0);
-    let drawn = |panel: Panel, (index, pulse): (usize, &PulseFigure)| {
+    let with_pulse = |panel: Panel, (index, pulse): (usize, &PulseFigure)| {
         let colour = Colour::nth(index);
         let samples = Series::points(pulse.time_s.clone(), pulse.force_n.clone(), Marker::Ring)
             .colour(colour)
@@ -65,5 +65,5 @@ pub fn pulses(title: &str, pulses: &[PulseFigure]) -> Figure {
             .with(samples)
             .with(Series::line(pulse.law.0.clone(), pulse.law.1.clone()).colour(colour))
     };
-    Figure::new(title).with(pulses.iter().enumerate().fold(panel, drawn))
+    Figure::new(title).with(pulses.iter().enumerate().fold(panel, with_pulse))
 }

@@ -10,8 +10,8 @@ use crate::modal::{Identification, Stability};
 use crate::response::MeasuredResponses;
 
 /// Plots magnitude, phase and, for several blocks, coherence of every response.
-pub fn measured_responses(title: &str, found: &MeasuredResponses) -> Figure {
-    let Some(first) = found.functions.first() else {
+pub fn measured_responses(title: &str, result: &MeasuredResponses) -> Figure {
+    let Some(first) = result.functions.first() else {
         return Figure::new(title);
     };
     // The line at 0 Hz contains the sensor's offset.
@@ -24,16 +24,21 @@ pub fn measured_responses(title: &str, found: &MeasuredResponses) -> Figure {
             im,
         }
     };
-    let responses: Vec<ResponseLine> = found.names.iter().zip(&found.functions).map(one).collect();
+    let responses: Vec<ResponseLine> = result
+        .names
+        .iter()
+        .zip(&result.functions)
+        .map(one)
+        .collect();
     let quantity = if responses.len() > 1 {
         "Response per input"
     } else {
-        &found.names[0]
+        &result.names[0]
     };
     let mut figure = frequency_responses(
         title,
         quantity,
-        &found.units[0],
+        &result.units[0],
         Scale::Linear,
         &frequency_hz,
         &responses,
@@ -48,24 +53,24 @@ pub fn measured_responses(title: &str, found: &MeasuredResponses) -> Figure {
             let line = Series::line(frequency_hz.clone(), function.coherence[1..].to_vec());
             panel.with(line.colour(Colour::nth(k)).style(Line::Thin))
         };
-        figure = figure.with(found.functions.iter().enumerate().fold(axes, add));
+        figure = figure.with(result.functions.iter().enumerate().fold(axes, add));
     }
     figure
 }
 
 /// Plots poles by order: filled for stable frequency and damping, rings for stable frequency, small
 /// squares for unstable poles; vertical lines for selected modes.
-pub fn stabilisation(title: &str, found: &Identification) -> Figure {
+pub fn stabilisation(title: &str, result: &Identification) -> Figure {
     let (low, high) = (
-        found.frequency_hz.first().copied().unwrap_or(0.0),
-        found.frequency_hz.last().copied().unwrap_or(1.0),
+        result.frequency_hz.first().copied().unwrap_or(0.0),
+        result.frequency_hz.last().copied().unwrap_or(1.0),
     );
     let mut panel = Panel::new(
         Axis::linear("Frequency", "Hz").between(low, high),
         Axis::linear("Order", ""),
     )
     .high(360.0);
-    for mode in &found.modes {
+    for mode in &result.modes {
         panel = panel.reference(Along::X, mode.frequency_hz, None);
     }
     let kinds = [
@@ -84,11 +89,11 @@ pub fn stabilisation(title: &str, found: &Identification) -> Figure {
         (Stability::New, Marker::Square, Colour::Grey, "new"),
     ];
     for (stable, marker, colour, label) in kinds {
-        let inside = |hz: f64| (low..=high).contains(&hz);
-        let of_kind = found
+        let in_band = |hz: f64| (low..=high).contains(&hz);
+        let of_kind = result
             .diagram
             .iter()
-            .filter(|pole| pole.stable == stable && inside(pole.pole.frequency_hz));
+            .filter(|pole| pole.stable == stable && in_band(pole.pole.frequency_hz));
         let (x, y): (Vec<f64>, Vec<f64>) = of_kind
             .map(|pole| (pole.pole.frequency_hz, pole.order as f64))
             .unzip();
@@ -98,14 +103,15 @@ pub fn stabilisation(title: &str, found: &Identification) -> Figure {
 }
 
 /// Plots the responses of the band as displacement per force, with the fitted modal model.
-pub fn modal_fit(title: &str, names: &[String], found: &Identification) -> Figure {
+pub fn modal_fit(title: &str, names: &[String], result: &Identification) -> Figure {
     let panel = |(k, name): (usize, &String)| {
-        let size = |response: &[faer::c64]| response.iter().map(|h| h.norm()).collect::<Vec<f64>>();
+        let magnitudes =
+            |response: &[faer::c64]| response.iter().map(|h| h.norm()).collect::<Vec<f64>>();
         let axes = Panel::new(Axis::linear("Frequency", "Hz"), Axis::log(name, "")).high(220.0);
-        let measured = Series::line(found.frequency_hz.clone(), size(&found.measured[k]))
+        let measured = Series::line(result.frequency_hz.clone(), magnitudes(&result.measured[k]))
             .style(Line::Thin)
             .label("measured");
-        let model = Series::line(found.frequency_hz.clone(), size(&found.model[k]))
+        let model = Series::line(result.frequency_hz.clone(), magnitudes(&result.model[k]))
             .colour(Colour::nth(1))
             .label("modes");
         axes.with(measured).with(model)

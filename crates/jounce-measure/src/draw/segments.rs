@@ -17,7 +17,7 @@ pub fn segments(
     quantity: &str,
     unit: &str,
     samples: &Samples<'_>,
-    found: &Segmentation,
+    result: &Segmentation,
 ) -> Figure {
     let time_s: Vec<f64> = (0..samples.values().len())
         .map(|k| k as f64 / samples.rate_hz())
@@ -27,32 +27,32 @@ pub fn segments(
     let mut record = Panel::new(time(), Axis::linear(quantity, unit))
         .high(200.0)
         .with(trace);
-    let largest = found
+    let largest_rms = result
         .stretches
         .iter()
-        .map(|stretch| stretch.rms)
+        .map(|segment| segment.rms)
         .fold(0.0, f64::max);
-    let mut size = Panel::new(
+    let mut rms_panel = Panel::new(
         time(),
-        Axis::linear("Rms", unit).between(0.0, 1.1 * largest),
+        Axis::linear("Rms", unit).between(0.0, 1.1 * largest_rms),
     )
     .high(140.0);
-    for (k, stretch) in found.stretches.iter().enumerate() {
-        record = record.reference(Along::X, stretch.start_s, Some(&named(stretch)));
-        let level = Series::line(vec![stretch.start_s, stretch.end_s], vec![stretch.rms; 2]);
-        size = size.with(level.colour(Colour::nth(k)));
+    for (k, segment) in result.stretches.iter().enumerate() {
+        record = record.reference(Along::X, segment.start_s, Some(&segment_label(segment)));
+        let level = Series::line(vec![segment.start_s, segment.end_s], vec![segment.rms; 2]);
+        rms_panel = rms_panel.with(level.colour(Colour::nth(k)));
     }
-    Figure::new(title).with(record).with(size)
+    Figure::new(title).with(record).with(rms_panel)
 }
 
 /// Plots one value per drive cycle over time, coloured by segment: a solution of `n` drive cycles
 /// shows `n` rows of points.
-pub fn stretch_section(
+pub fn segment_section(
     title: &str,
     quantity: &str,
     unit: &str,
     samples: &Samples<'_>,
-    found: &Segmentation,
+    result: &Segmentation,
     drive_hz: f64,
 ) -> Figure {
     let points = section(samples, drive_hz);
@@ -61,20 +61,20 @@ pub fn stretch_section(
         Axis::linear(&format!("{quantity} at one phase of the drive"), unit),
     )
     .high(260.0);
-    let add = |panel: Panel, (k, stretch): (usize, &RecordSegment)| {
-        let own = points
+    let add = |panel: Panel, (k, segment): (usize, &RecordSegment)| {
+        let segment_points = points
             .time_s
             .iter()
             .zip(&points.value)
-            .filter(|(t, _)| (stretch.start_s..stretch.end_s).contains(t));
-        let (x, y) = own.unzip();
+            .filter(|(t, _)| (segment.start_s..segment.end_s).contains(t));
+        let (x, y) = segment_points.unzip();
         panel.with(
             Series::points(x, y, Marker::Circle)
                 .colour(Colour::nth(k))
-                .label(&named(stretch)),
+                .label(&segment_label(segment)),
         )
     };
-    Figure::new(title).with(found.stretches.iter().enumerate().fold(axes, add))
+    Figure::new(title).with(result.stretches.iter().enumerate().fold(axes, add))
 }
 
 /// Plots the spectrum of each segment (Hann window, peak amplitudes), up to eight times the drive
@@ -82,21 +82,21 @@ pub fn stretch_section(
 ///
 /// # Errors
 /// A segment that is not a valid signal.
-pub fn stretch_spectra(
+pub fn segment_spectra(
     title: &str,
     quantity: &str,
     unit: &str,
     samples: &Samples<'_>,
-    found: &Segmentation,
+    result: &Segmentation,
     drive_hz: f64,
 ) -> Result<Figure, SegmentationError> {
-    let line = |stretch: &RecordSegment| -> Result<SpectrumLine, SegmentationError> {
-        let part = Samples::new(
-            &samples.values()[stretch.start..stretch.end],
+    let line = |segment: &RecordSegment| -> Result<SpectrumLine, SegmentationError> {
+        let inner_samples = Samples::new(
+            &samples.values()[segment.start..segment.end],
             samples.rate_hz(),
         )?;
-        let spectrum = part.spectrum(Window::Hann);
-        let kept = spectrum
+        let spectrum = inner_samples.spectrum(Window::Hann);
+        let retained = spectrum
             .frequency_hz
             .iter()
             .take_while(|f| **f <= SHOWN_ORDERS * drive_hz)
@@ -104,15 +104,15 @@ pub fn stretch_spectra(
         Ok(SpectrumLine {
             label: format!(
                 "{:.2} to {:.2} s: {}",
-                stretch.start_s,
-                stretch.end_s,
-                named(stretch)
+                segment.start_s,
+                segment.end_s,
+                segment_label(segment)
             ),
-            frequency_hz: spectrum.frequency_hz[..kept].to_vec(),
-            amplitude_peak: spectrum.amplitude_peak[..kept].to_vec(),
+            frequency_hz: spectrum.frequency_hz[..retained].to_vec(),
+            amplitude_peak: spectrum.amplitude_peak[..retained].to_vec(),
         })
     };
-    let lines = found
+    let lines = result
         .stretches
         .iter()
         .map(line)
@@ -127,8 +127,8 @@ pub fn stretch_spectra(
     ))
 }
 
-fn named(stretch: &RecordSegment) -> String {
-    stretch.period.cycles.map_or_else(
+fn segment_label(segment: &RecordSegment) -> String {
+    segment.period.cycles.map_or_else(
         || "no period".to_owned(),
         |cycles| format!("period {cycles}"),
     )

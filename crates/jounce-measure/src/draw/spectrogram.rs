@@ -13,47 +13,47 @@ pub fn spectrogram_of(
     title: &str,
     quantity: &str,
     unit: &str,
-    found: &Spectrogram,
+    result: &Spectrogram,
     drive_hz: Option<f64>,
 ) -> Figure {
-    let edges = |middles: &[f64], step: f64| {
-        let first = middles.first().copied().unwrap_or(0.0) - 0.5 * step;
-        (0..=middles.len())
+    let edges = |centres: &[f64], step: f64| {
+        let first = centres.first().copied().unwrap_or(0.0) - 0.5 * step;
+        (0..=centres.len())
             .map(|k| first + step * k as f64)
             .collect::<Vec<f64>>()
     };
     let highest_hz = drive_hz.map_or(f64::INFINITY, |f| (SHOWN_ORDERS + 0.5) * f);
-    let kept = found
+    let retained = result
         .frequency_hz
         .iter()
         .take_while(|f| **f <= highest_hz)
         .count();
-    let mut frequency_hz = edges(&found.frequency_hz[..kept], found.resolution_hz);
+    let mut frequency_hz = edges(&result.frequency_hz[..retained], result.resolution_hz);
     if let Some(lowest) = frequency_hz.first_mut() {
         *lowest = 0.0;
     }
-    let of = TimeSpectrum {
+    let time_spectrum = TimeSpectrum {
         quantity: quantity.to_owned(),
         unit: unit.to_owned(),
-        time_s: edges(&found.time_s, found.step_s),
+        time_s: edges(&result.time_s, result.step_s),
         frequency_hz,
-        amplitude_peak: found
+        amplitude_peak: result
             .amplitude_peak
             .iter()
-            .map(|spectrum| spectrum[..kept].to_vec())
+            .map(|spectrum| spectrum[..retained].to_vec())
             .collect(),
     };
-    spectrogram(title, &of, drive_hz)
+    spectrogram(title, &time_spectrum, drive_hz)
 }
 
 /// Plots a power spectral density.
-pub fn densities_of(title: &str, quantity: &str, unit: &str, found: &Density) -> Figure {
+pub fn densities_of(title: &str, quantity: &str, unit: &str, result: &Density) -> Figure {
     let unit = density_unit(unit);
     let line = DensityLine {
         quantity: quantity.to_owned(),
         unit,
-        density: found.density.clone(),
+        density: result.density.clone(),
         interval: [Vec::new(), Vec::new()],
     };
-    densities(title, &found.frequency_hz, &[line])
+    densities(title, &result.frequency_hz, &[line])
 }

@@ -66,12 +66,12 @@ impl PowerOverLoad {
             .flat_map(|gap| LOADS_OHM.map(|ohm| (gap, ohm)))
             .collect();
         control.expect(all.len());
-        let counted = |(gap, ohm): &(usize, f64)| {
+        let record_counted = |(gap, ohm): &(usize, f64)| {
             recorded((case, GAPS[*gap], *ohm), control).inspect(|_| control.count())
         };
         let points = all
             .par_iter()
-            .map(counted)
+            .map(record_counted)
             .collect::<Result<Vec<Point>, _>>()?;
         let (impact, linear) = points.split_at(LOADS_OHM.len());
         Ok(Self {
@@ -96,13 +96,13 @@ impl PowerOverLoad {
 
     /// Load of the highest point, with and without impact, ohm.
     fn best_ohm(&self) -> [f64; 2] {
-        let best = |points: &[Point]| {
+        let best_of = |points: &[Point]| {
             points
                 .iter()
                 .max_by(|a, b| a.power_w.total_cmp(&b.power_w))
                 .map_or(f64::NAN, |p| p.resistance_ohm)
         };
-        [best(&self.impact), best(&self.linear)]
+        [best_of(&self.impact), best_of(&self.linear)]
     }
 
     pub fn figure(&self) -> NamedFigure {
@@ -141,7 +141,7 @@ impl PowerOverLoad {
 
     pub fn table(&self) -> Result<NamedTable, ExperimentError> {
         let rows = || self.impact.iter().chain(&self.linear);
-        let number = |of: &dyn Fn(&Point) -> f64| rows().map(of).collect::<Vec<f64>>();
+        let number = |value: &dyn Fn(&Point) -> f64| rows().map(value).collect::<Vec<f64>>();
         let impact: Vec<bool> = (0..rows().count()).map(|k| k < self.impact.len()).collect();
         let table = Table::new(vec![
             Column::new("impact", "", "With impact", impact),
@@ -187,8 +187,8 @@ impl PowerOverLoad {
 }
 
 /// Compares the records with the statements of the paper.
-pub(super) fn words(loads: &[PowerOverLoad]) -> Vec<String> {
-    let told = |load: &PowerOverLoad| {
+pub(super) fn summary(loads: &[PowerOverLoad]) -> Vec<String> {
+    let sentence = |load: &PowerOverLoad| {
         let ((low, high), [impact, linear]) = (load.gains(), load.best_ohm());
         format!(
             "At {} and {} the records with impact give {low:.2} to {high:.2} times the power of \
@@ -207,7 +207,7 @@ pub(super) fn words(loads: &[PowerOverLoad]) -> Vec<String> {
         100.0 * NOISE
     );
     std::iter::once(first)
-        .chain(loads.iter().map(told))
+        .chain(loads.iter().map(sentence))
         .collect()
 }
 
@@ -230,7 +230,7 @@ fn recorded(
         duration_s: RECORD_S,
         before_s: BEFORE_S,
         starts: vec![(0.0, StartState::rest(&plant))],
-        wander: Disturbance::NONE,
+        disturbance: Disturbance::NONE,
         accelerometers: Vec::new(),
         sensor: Sensor {
             noise_ratio: NOISE,
@@ -284,10 +284,10 @@ mod tests {
             .value[0]
             .norm()
             * 200.0;
-        let found = recorded((ABOVE_RESONANCE, "1 m", 1e5), &Control::default())?;
+        let result = recorded((ABOVE_RESONANCE, "1 m", 1e5), &Control::default())?;
         let (power, square) = (
-            found.power_w / steady_power_w(&plant) - 1.0,
-            found.mean_square_m2_s4 / (0.5 * base * base) - 1.0,
+            result.power_w / steady_power_w(&plant) - 1.0,
+            result.mean_square_m2_s4 / (0.5 * base * base) - 1.0,
         );
         eprintln!("power {power:.1e}, mean square {square:.1e} off");
         assert!(
@@ -296,15 +296,15 @@ mod tests {
         );
         let one = PowerOverLoad {
             case: ABOVE_RESONANCE,
-            impact: vec![found],
-            linear: vec![found],
+            impact: vec![result],
+            linear: vec![result],
         };
         assert!(
             one.gains() == (1.0, 1.0)
                 && one.table()?.table.rows() == 2
                 && one.figure().figure.to_svg().is_ok()
         );
-        assert!(words(&[one])[1].contains("1.00 to 1.00 times"));
+        assert!(summary(&[one])[1].contains("1.00 to 1.00 times"));
         Ok(())
     }
 }

@@ -42,7 +42,7 @@ pub fn chapters(paper: &Reproduction, control: &Control) -> Result<Vec<Chapter>,
     let printed = |column: &str| {
         paper
             .table("table-2")
-            .and_then(|named| named.table.floats(column))
+            .and_then(|table| table.table.floats(column))
             .unwrap_or_default()
     };
     let (modal, (loads, record)) = rayon::join(
@@ -67,19 +67,19 @@ pub fn chapters(paper: &Reproduction, control: &Control) -> Result<Vec<Chapter>,
     let ((modal, updated), loads, record) = (modal?, loads?, record?);
     let table_2 = Chapter {
         heading: "Table 2 measured (simulated): modal test of the virtual rig".to_owned(),
-        paragraphs: modal.words(),
+        paragraphs: modal.summary(),
         tables: vec![modal.table()?],
         figures: modal.figures(),
     };
     let model = Chapter {
         heading: "Table 2: the updated model against the measured column".to_owned(),
-        paragraphs: updated.words(printed("paper_model_hz")),
+        paragraphs: updated.summary(printed("paper_model_hz")),
         tables: updated.tables()?,
         figures: vec![updated.figure()],
     };
     let power = Chapter {
         heading: "Figures 10 and 11 (simulated): power over load from records".to_owned(),
-        paragraphs: load::words(&loads),
+        paragraphs: load::summary(&loads),
         tables: loads
             .iter()
             .map(PowerOverLoad::table)
@@ -89,11 +89,11 @@ pub fn chapters(paper: &Reproduction, control: &Control) -> Result<Vec<Chapter>,
             .map(PowerOverLoad::figure)
             .collect::<Vec<NamedFigure>>(),
     };
-    let jumping = Chapter {
+    let alternating = Chapter {
         heading: "Figures 12 and 13 (simulated): a record of two solutions".to_owned(),
-        paragraphs: record.words(),
+        paragraphs: record.summary(),
         tables: vec![record.table()?],
         figures: record.figures()?,
     };
-    Ok(vec![table_2, model, power, jumping])
+    Ok(vec![table_2, model, power, alternating])
 }

@@ -41,7 +41,7 @@ pub(super) struct ModalTest {
     /// Frequency of the first mode with the patch short-circuited.
     short_circuit_hz: f64,
     responses: MeasuredResponses,
-    whole: Identification,
+    full_band: Identification,
 }
 
 impl ModalTest {
@@ -54,7 +54,7 @@ impl ModalTest {
         let short_circuit_hz = modes.frequency_rad_s.first().map_or(f64::NAN, |w| w / TAU);
         let plant = Plant::new(System::assemble(&spec, modes)?)?;
         let records = (1..=HITS)
-            .map(|seed| struck(&plant, seed))
+            .map(|seed| hit_recording(&plant, seed))
             .collect::<Result<Vec<Recording>, _>>()?;
         let settings = ImpactSettings {
             end_ratio: Some(END_RATIO),
@@ -72,59 +72,59 @@ impl ModalTest {
                 .for_each(|mode| mode.without_decay(responses.window_decay_per_s));
             Ok(found)
         };
-        let (first, whole) = (identified(FIRST_BAND_HZ)?, identified(WHOLE_BAND_HZ)?);
-        let below = first
+        let (first, full_band) = (identified(FIRST_BAND_HZ)?, identified(WHOLE_BAND_HZ)?);
+        let low_modes = first
             .modes
             .iter()
             .filter(|mode| mode.frequency_hz < WHOLE_BAND_HZ.0);
-        let found = below.chain(&whole.modes).cloned().collect();
+        let found = low_modes.chain(&full_band.modes).cloned().collect();
         Ok(Self {
             truth: eigenvalues(&plant),
             found,
             paper_hz: paper_hz.to_vec(),
             short_circuit_hz,
             responses,
-            whole,
+            full_band,
         })
     }
 
     /// Identified mode nearest to each true mode, within 2 %.
     fn pairs(&self) -> Vec<Option<&Mode>> {
         let near = |(hz, _): &(f64, f64)| {
-            let apart = |mode: &&Mode| (mode.frequency_hz / hz - 1.0).abs();
+            let distance = |mode: &&Mode| (mode.frequency_hz / hz - 1.0).abs();
             self.found
                 .iter()
-                .min_by(|a, b| apart(a).total_cmp(&apart(b)))
-                .filter(|mode| apart(mode) < 0.02)
+                .min_by(|a, b| distance(a).total_cmp(&distance(b)))
+                .filter(|mode| distance(mode) < 0.02)
         };
         self.truth.iter().map(near).collect()
     }
 
     /// Largest relative errors of frequency and damping ratio; infinite if a mode was not found.
-    pub fn worst(&self) -> (f64, f64) {
-        let off = |found: Option<f64>, truth: f64| {
+    pub fn largest_errors(&self) -> (f64, f64) {
+        let relative_error = |found: Option<f64>, truth: f64| {
             found.map_or(f64::INFINITY, |found| (found / truth - 1.0).abs())
         };
         let pairs = self.pairs();
-        let both = self.truth.iter().zip(&pairs).map(|((hz, zeta), mode)| {
+        let errors = self.truth.iter().zip(&pairs).map(|((hz, zeta), mode)| {
             (
-                off(mode.map(|mode| mode.frequency_hz), *hz),
-                off(mode.map(|mode| mode.damping_ratio), *zeta),
+                relative_error(mode.map(|mode| mode.frequency_hz), *hz),
+                relative_error(mode.map(|mode| mode.damping_ratio), *zeta),
             )
         });
-        both.fold((0.0, 0.0), |worst, one| {
-            (worst.0.max(one.0), worst.1.max(one.1))
+        errors.fold((0.0, 0.0), |largest, one| {
+            (largest.0.max(one.0), largest.1.max(one.1))
         })
     }
 
     /// Number of frequencies and damping ratios within their intervals.
-    fn inside(&self) -> (usize, usize) {
+    fn covered(&self) -> (usize, usize) {
         let pairs = self.pairs();
-        let count = |off: &dyn Fn(&(f64, f64), &Mode) -> bool| {
+        let count = |is_covered: &dyn Fn(&(f64, f64), &Mode) -> bool| {
             self.truth
                 .iter()
                 .zip(&pairs)
-                .filter(|(truth, mode)| mode.is_some_and(|mode| off(truth, mode)))
+                .filter(|(truth, mode)| mode.is_some_and(|mode| is_covered(truth, mode)))
                 .count()
         };
         (
@@ -135,8 +135,8 @@ impl ModalTest {
         )
     }
 
-    pub fn words(&self) -> Vec<String> {
-        let ((frequency, damping), inside) = (self.worst(), self.inside());
+    pub fn summary(&self) -> Vec<String> {
+        let ((frequency, damping), covered) = (self.largest_errors(), self.covered());
         vec![format!(
             "Simulated. The virtual rig is the laminate model with the damping ratios of Table 2, \
             clamped, its patch over 1 MΩ. Each of its {HITS} recordings contains one hit (1.2 ms, \
@@ -151,18 +151,18 @@ impl ModalTest {
             self.truth.len(),
             frequency,
             100.0 * damping,
-            inside.0,
-            inside.1,
+            covered.0,
+            covered.1,
             100.0 * (self.truth.first().map_or(1.0, |first| first.0) / self.short_circuit_hz - 1.0)
         )]
     }
 
     pub fn table(&self) -> Result<NamedTable, ExperimentError> {
         let pairs = self.pairs();
-        let found = |of: &dyn Fn(&Mode) -> f64| {
+        let found = |value: &dyn Fn(&Mode) -> f64| {
             pairs
                 .iter()
-                .map(|mode| mode.map_or(f64::NAN, of))
+                .map(|mode| mode.map_or(f64::NAN, value))
                 .collect::<Vec<f64>>()
         };
         let mut paper_hz = self.paper_hz.clone();
@@ -227,13 +227,13 @@ impl ModalTest {
             named(
                 "table-2-stabilisation",
                 "Simulated. Poles over the order of the model, 30 to 1000 Hz.",
-                stabilisation("Stabilisation diagram (simulated)", &self.whole),
+                stabilisation("Stabilisation diagram (simulated)", &self.full_band),
             ),
         ]
     }
 }
 
-fn struck(plant: &Plant, seed: u64) -> Result<Recording, ExperimentError> {
+fn hit_recording(plant: &Plant, seed: u64) -> Result<Recording, ExperimentError> {
     let at = |point: &str| FrfResponse::Acceleration(point.to_owned());
     let test = HammerTest {
         point: "beam.hammer".to_owned(),
@@ -288,17 +288,17 @@ mod tests {
                 ))
             );
         }
-        let (frequency, damping) = found.worst();
-        let inside = found.inside();
+        let (frequency, damping) = found.largest_errors();
+        let covered = found.covered();
         eprintln!(
-            "frequencies within {frequency:.1e}, damping ratios within {damping:.1e}, {inside:?} within their intervals"
+            "frequencies within {frequency:.1e}, damping ratios within {damping:.1e}, {covered:?} within their intervals"
         );
         assert!(
             found.truth.len() == 7
                 && frequency < 2e-5
                 && damping < 0.02
-                && inside.0 > 5
-                && inside.1 > 5,
+                && covered.0 > 5
+                && covered.1 > 5,
             "{frequency:e} {damping:e}"
         );
     }

@@ -7,7 +7,7 @@ use jounce_core::structure;
 use jounce_core::table::{Column, Table};
 
 use super::{ExperimentError, NOISE, RATE_HZ, RECORD_S};
-use crate::draw::{segments, spectrogram_of, stretch_section, stretch_spectra};
+use crate::draw::{segment_section, segment_spectra, segments, spectrogram_of};
 use crate::rig::{Disturbance, Sensor, ShakerTest, shaker_test};
 use crate::segmentation::{SegmentMatches, Segmentation, match_segments, regimes};
 use crate::solution::{Solution, SolutionSearch, solutions, start_of};
@@ -45,7 +45,7 @@ pub(super) struct Alternating {
     voltage_v: Vec<f64>,
     found: Segmentation,
     powers: Vec<MeanPower>,
-    shown: Vec<SegmentMatches>,
+    matches: Vec<SegmentMatches>,
     known: Vec<Solution>,
 }
 
@@ -69,7 +69,7 @@ impl Alternating {
                 .iter()
                 .map(|(id, at_s)| Ok((*at_s, start_of(&known, id)?)))
                 .collect::<Result<_, ExperimentError>>()?,
-            wander: WANDER,
+            disturbance: WANDER,
             accelerometers: Vec::new(),
             sensor: Sensor {
                 noise_ratio: NOISE,
@@ -80,46 +80,46 @@ impl Alternating {
         let record = shaker_test(&spec, &structure::modes(&spec)?, &test, control)?;
         let voltage_v = record.channel("mfc.voltage")?.values.clone();
         let samples = Samples::new(&voltage_v, RATE_HZ)?;
-        let found = regimes(&samples, DRIVE_HZ)?;
-        let power = |part: (usize, usize)| -> Result<MeanPower, ExperimentError> {
+        let result = regimes(&samples, DRIVE_HZ)?;
+        let power = |range: (usize, usize)| -> Result<MeanPower, ExperimentError> {
             Ok(mean_power(
-                &Samples::new(&voltage_v[part.0..part.1], RATE_HZ)?,
+                &Samples::new(&voltage_v[range.0..range.1], RATE_HZ)?,
                 LOAD_OHM,
                 false,
             )?)
         };
-        let powers = found
+        let powers = result
             .stretches
             .iter()
-            .map(|stretch| power(stretch.inner))
+            .map(|segment| power(segment.inner))
             .collect::<Result<_, _>>()?;
-        let shown = found
+        let matches = result
             .stretches
             .iter()
-            .map(|stretch| {
-                match_segments(&samples, DRIVE_HZ, stretch, &known, MAX_SOLUTION_DISTANCE)
+            .map(|segment| {
+                match_segments(&samples, DRIVE_HZ, segment, &known, MAX_SOLUTION_DISTANCE)
             })
             .collect();
         Ok(Self {
-            found,
+            found: result,
             powers,
-            shown,
+            matches,
             known,
             voltage_v,
         })
     }
 
-    pub fn words(&self) -> Vec<String> {
-        let put_in: Vec<String> = SHOWN_SOLUTIONS
+    pub fn summary(&self) -> Vec<String> {
+        let simulated: Vec<String> = SHOWN_SOLUTIONS
             .iter()
             .map(|(id, at_s)| format!("{id} from {at_s} s"))
             .collect();
-        let found: Vec<String> = (self.found.stretches.iter().zip(&self.shown))
-            .map(|(stretch, shown)| {
+        let result: Vec<String> = (self.found.stretches.iter().zip(&self.matches))
+            .map(|(segment, matches)| {
                 format!(
                     "{} from {:.2} s",
-                    shown.id().unwrap_or("no solution"),
-                    stretch.start_s
+                    matches.id().unwrap_or("no solution"),
+                    segment.start_s
                 )
             })
             .collect();
@@ -136,10 +136,10 @@ impl Alternating {
                 beam from one solution to the other is not modelled. The shaker drifts by {} % in \
                 amplitude, noise is {} % of the signal. Segmentation finds, without these inputs: \
                 {}; changes are located within {:.2} s.",
-                put_in.join(", "),
+                simulated.join(", "),
                 100.0 * WANDER.amplitude_ratio,
                 100.0 * NOISE,
-                found.join(", "),
+                result.join(", "),
                 self.found.uncertainty_s
             ),
             format!(
@@ -156,44 +156,44 @@ impl Alternating {
     }
 
     pub fn table(&self) -> Result<NamedTable, ExperimentError> {
-        let stretches = &self.found.stretches;
-        let nearest = |of: &dyn Fn(&crate::segmentation::Candidate) -> f64| {
-            self.shown
+        let segments = &self.found.stretches;
+        let nearest = |distance: &dyn Fn(&crate::segmentation::Candidate) -> f64| {
+            self.matches
                 .iter()
-                .map(|shown| shown.candidates.first().map_or(f64::NAN, of))
+                .map(|matches| matches.candidates.first().map_or(f64::NAN, distance))
                 .collect::<Vec<f64>>()
         };
         let ids = self
-            .shown
+            .matches
             .iter()
-            .map(|shown| shown.id().unwrap_or("none").to_owned())
+            .map(|matches| matches.id().unwrap_or("none").to_owned())
             .collect::<Vec<_>>();
         let table = Table::new(vec![
             Column::new(
                 "start_s",
                 "s",
                 "From",
-                stretches
+                segments
                     .iter()
-                    .map(|stretch| stretch.start_s)
+                    .map(|segment| segment.start_s)
                     .collect::<Vec<_>>(),
             ),
             Column::new(
                 "end_s",
                 "s",
                 "To",
-                stretches
+                segments
                     .iter()
-                    .map(|stretch| stretch.end_s)
+                    .map(|segment| segment.end_s)
                     .collect::<Vec<_>>(),
             ),
             Column::new(
                 "period_cycles",
                 "",
                 "Period, drive cycles (0: none)",
-                stretches
+                segments
                     .iter()
-                    .map(|stretch| stretch.period.cycles.unwrap_or(0) as u64)
+                    .map(|segment| segment.period.cycles.unwrap_or(0) as u64)
                     .collect::<Vec<_>>(),
             ),
             Column::new(
@@ -262,7 +262,7 @@ impl Alternating {
             (
                 "figure-12-section",
                 "Simulated. One value for each drive cycle of the same record.",
-                stretch_section(
+                segment_section(
                     "One value for each drive cycle (simulated)",
                     quantity,
                     unit,
@@ -286,7 +286,7 @@ impl Alternating {
                 "figure-13",
                 "Figure 13, simulated: spectra of the voltage (Hann window, peak amplitudes) for \
                 the segments of figure 12.",
-                stretch_spectra(
+                segment_spectra(
                     "Spectra of the segments (simulated)",
                     quantity,
                     unit,
@@ -312,22 +312,22 @@ mod tests {
     /// amplitude drifts by 0.2 %.
     #[test]
     fn the_record_is_cut_where_it_was_put_together() {
-        let found =
+        let result =
             Alternating::compute(&Control::default()).unwrap_or_else(|fault| panic!("{fault}"));
-        assert_eq!(found.found.stretches.len(), SHOWN_SOLUTIONS.len());
+        assert_eq!(result.found.stretches.len(), SHOWN_SOLUTIONS.len());
         for (k, (id, at_s)) in SHOWN_SOLUTIONS.into_iter().enumerate() {
-            let (stretch, shown) = (&found.found.stretches[k], &found.shown[k]);
-            let first = &shown.candidates[0];
-            let power = found.powers[k].mean_power_w / first.mean_power_w - 1.0;
+            let (segment, matches) = (&result.found.stretches[k], &result.matches[k]);
+            let first = &matches.candidates[0];
+            let power = result.powers[k].mean_power_w / first.mean_power_w - 1.0;
             eprintln!(
                 "{id}: {:.3} s off, waveform {:.4?}, power {power:.1e} off",
-                stretch.start_s - at_s,
+                segment.start_s - at_s,
                 first.waveform_distance
             );
-            assert_eq!(shown.id(), Some(id));
+            assert_eq!(matches.id(), Some(id));
             assert!(
-                (stretch.start_s - at_s).abs() < found.found.uncertainty_s && power.abs() < 5e-3,
-                "{stretch:?} {power}"
+                (segment.start_s - at_s).abs() < result.found.uncertainty_s && power.abs() < 5e-3,
+                "{segment:?} {power}"
             );
             assert!(
                 first

@@ -15,7 +15,7 @@ const MEASURED: &str = include_str!("../../../../examples/impact-harvester-2019/
 
 /// Model before and after the fit.
 pub(super) struct Updated {
-    answer: FitResult,
+    result: FitResult,
 }
 
 impl Updated {
@@ -27,59 +27,60 @@ impl Updated {
         let spec = file
             .spec()
             .map_err(jounce_core::reproduce::ReproduceError::from)?;
-        let (answer, _) = fit(&file, &spec, &features, Path::new(""), control)?;
-        Ok(Self { answer })
+        let (result, _) = fit(&file, &spec, &features, Path::new(""), control)?;
+        Ok(Self { result })
     }
 
     /// Largest relative errors before and after.
-    fn worst(&self) -> (f64, f64) {
-        let errors = self.answer.features.iter().map(FittedFeature::errors);
-        errors.fold((0.0, 0.0), |worst, one| {
+    fn largest_errors(&self) -> (f64, f64) {
+        let errors = self.result.features.iter().map(FittedFeature::errors);
+        errors.fold((0.0, 0.0), |largest, one| {
             (
-                f64::max(worst.0, one.0.abs()),
-                f64::max(worst.1, one.1.abs()),
+                f64::max(largest.0, one.0.abs()),
+                f64::max(largest.1, one.1.abs()),
             )
         })
     }
 
     /// Describes the fit, compared with the error of the paper's own model.
-    pub fn words(&self, paper_model_hz: &[f64]) -> Vec<String> {
-        let (before, after) = self.worst();
-        let features = &self.answer.features;
+    pub fn summary(&self, paper_model_hz: &[f64]) -> Vec<String> {
+        let (before, after) = self.largest_errors();
+        let features = &self.result.features;
         let paper = features
             .iter()
             .zip(paper_model_hz)
             .map(|(feature, hz)| (hz / feature.measured - 1.0).abs())
             .fold(0.0, f64::max);
         let deviation = self
-            .answer
+            .result
             .deviations
             .first()
             .map_or(f64::NAN, |found| found.deviation);
-        let mut words = vec![format!(
+        let mut sentences = vec![format!(
             "The measured column is the paper's; nothing is simulated here. {} keys of the \
             laminate model are fitted to it, each with a prior. The standard deviation of the \
             frequencies is estimated from the residuals, {:.2} %. The largest error decreases \
             from {:.2} % to {:.2} %; that of the paper's own model is {:.1} %.",
-            self.answer.keys.len(),
+            self.result.keys.len(),
             100.0 * deviation,
             100.0 * before,
             100.0 * after,
             100.0 * paper
         )];
-        words.extend(
-            self.answer
+        sentences.extend(
+            self.result
                 .warnings
                 .iter()
                 .map(|warning| format!("Warning of the fit: {warning}.")),
         );
-        words
+        sentences
     }
 
     pub fn tables(&self) -> Result<Vec<NamedTable>, ExperimentError> {
-        let FitResult { keys, features, .. } = &self.answer;
-        let number =
-            |of: &dyn Fn(&FittedFeature) -> f64| features.iter().map(of).collect::<Vec<f64>>();
+        let FitResult { keys, features, .. } = &self.result;
+        let number = |column_of: &dyn Fn(&FittedFeature) -> f64| {
+            features.iter().map(column_of).collect::<Vec<f64>>()
+        };
         let modes = Table::new(vec![
             Column::new(
                 "mode",
@@ -130,7 +131,9 @@ impl Updated {
                 number(&|feature| feature.high),
             ),
         ])?;
-        let value = |of: &dyn Fn(&FittedKey) -> f64| keys.iter().map(of).collect::<Vec<f64>>();
+        let value = |column_of: &dyn Fn(&FittedKey) -> f64| {
+            keys.iter().map(column_of).collect::<Vec<f64>>()
+        };
         let keys = Table::new(vec![
             Column::new(
                 "key",
@@ -168,7 +171,7 @@ impl Updated {
     pub fn figure(&self) -> NamedFigure {
         let figure: Figure = fitted(
             "Model against measurement, before and after the fit",
-            &self.answer,
+            &self.result,
         );
         NamedFigure::new(
             "table-2-updated",
@@ -188,14 +191,17 @@ mod tests {
     fn the_updated_model_meets_all_seven_frequencies_within_half_a_percent() {
         let updated =
             Updated::compute(&Control::default()).unwrap_or_else(|fault| panic!("{fault}"));
-        let (before, after) = updated.worst();
+        let (before, after) = updated.largest_errors();
         assert!(
-            updated.answer.features.len() == 7 && after < 0.005 && after < before,
+            updated.result.features.len() == 7 && after < 0.005 && after < before,
             "{before} {after}"
         );
-        let words = updated.words(&[8.66, 50.3, 140.9, 278.9, 457.6, 681.9, 960.5]);
-        assert!(words[0].contains("6.1 %") && words.len() > 1, "{words:?}");
-        for key in &updated.answer.keys {
+        let sentences = updated.summary(&[8.66, 50.3, 140.9, 278.9, 457.6, 681.9, 960.5]);
+        assert!(
+            sentences[0].contains("6.1 %") && sentences.len() > 1,
+            "{sentences:?}"
+        );
+        for key in &updated.result.keys {
             assert!(
                 (key.after / key.before - 1.0).abs() < 0.15
                     && key.low < key.after

@@ -27,11 +27,11 @@ pub struct Derived {
 }
 
 impl FitResult {
-    /// Computes a quantity from the fitted spec with `of`, positive, such as a power or an optimal
-    /// load, and its confidence interval.
+    /// Computes a quantity from the fitted spec with `derive`, positive, such as a power or an
+    /// optimal load, and its confidence interval.
     ///
     /// # Errors
-    /// Those of `of`, and a key that cannot take a perturbed value.
+    /// Those of `derive`, and a key that cannot take a perturbed value.
     ///
     /// # Limits
     /// To first order in the keys; a further measurement of the quantity has its own noise in
@@ -39,26 +39,29 @@ impl FitResult {
     pub fn derived<E: From<Fault>>(
         &self,
         fitted: &Spec,
-        of: impl Fn(&Spec) -> Result<f64, E>,
+        derive: impl Fn(&Spec) -> Result<f64, E>,
     ) -> Result<Derived, E> {
-        let value = of(fitted)?;
+        let value = derive(fitted)?;
         let slope = |key: &super::FittedKey| {
-            let moved = |by: f64| {
+            let value_at = |by: f64| {
                 let mut spec = fitted.clone();
                 spec.set_si(&key.key, key.after * by.exp())?;
-                of(&spec)
+                derive(&spec)
             };
-            Ok((moved(LOG_DIFFERENCE)? / moved(-LOG_DIFFERENCE)?).ln() / (2.0 * LOG_DIFFERENCE))
+            Ok(
+                (value_at(LOG_DIFFERENCE)? / value_at(-LOG_DIFFERENCE)?).ln()
+                    / (2.0 * LOG_DIFFERENCE),
+            )
         };
         let slopes = self
             .keys
             .iter()
             .map(slope)
             .collect::<Result<Vec<f64>, E>>()?;
-        let part = |k: usize| slopes[k] * self.keys[k].deviation;
+        let contribution = |k: usize| slopes[k] * self.keys[k].deviation;
         let each = |k: usize| {
             (0..slopes.len())
-                .map(move |l| part(k) * part(l) * self.correlation[k][l])
+                .map(move |l| contribution(k) * contribution(l) * self.correlation[k][l])
                 .sum::<f64>()
         };
         let deviation = (0..slopes.len()).map(each).sum::<f64>().max(0.0).sqrt();

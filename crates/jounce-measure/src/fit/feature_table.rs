@@ -9,45 +9,45 @@ use super::Deviation;
 pub(super) struct FeatureTable<'t> {
     pub table: &'t dyn TableLike,
     /// Prefix of each fault: `mode 2, `.
-    pub place: String,
+    pub position: String,
     pub faults: &'t mut Vec<String>,
 }
 
 impl<'t> FeatureTable<'t> {
     /// Reports keys that the table must not contain.
     pub fn refuse_all_but(&mut self, keys: &[&str]) {
-        let strange = self
+        let unknown_keys = self
             .table
             .iter()
             .map(|(key, _)| key)
             .filter(|key| !keys.contains(key));
-        let told = strange.map(|key| {
+        let messages = unknown_keys.map(|key| {
             format!(
                 "{}{key} is not a key of features; the keys are {}",
-                self.place,
+                self.position,
                 keys.join(", ")
             )
         });
-        self.faults.extend(told.collect::<Vec<_>>());
+        self.faults.extend(messages.collect::<Vec<_>>());
     }
 
-    pub fn fault(&mut self, why: impl std::fmt::Display) {
-        self.faults.push(format!("{}{why}", self.place));
+    pub fn fault(&mut self, message: impl std::fmt::Display) {
+        self.faults.push(format!("{}{message}", self.position));
     }
 
     /// Returns a required text.
     pub fn text(&mut self, key: &str, example: &str) -> Option<String> {
-        let found = self
+        let result = self
             .table
             .get(key)
             .and_then(Item::as_str)
             .map(str::to_owned);
-        if found.is_none() {
+        if result.is_none() {
             self.fault(format!(
                 "{key} must be a text, such as {key} = \"{example}\""
             ));
         }
-        found
+        result
     }
 
     /// Returns an optional text.
@@ -62,17 +62,17 @@ impl<'t> FeatureTable<'t> {
     /// Returns a relative deviation, or `"residuals"`; any other value is a fault.
     pub fn deviation(&mut self, key: &str) -> Option<Deviation> {
         let item = self.table.get(key)?;
-        let found = match item.as_str() {
+        let result = match item.as_str() {
             Some("residuals") => Some(Deviation::Residuals),
             _ => positive(item).map(Deviation::Given),
         };
-        if found.is_none() {
+        if result.is_none() {
             self.fault(format!(
                 "{key} must be a relative standard deviation, a number above 0 \
                 such as 0.002, or \"residuals\""
             ));
         }
-        found
+        result
     }
 
     /// Returns the required deviation of the table.
@@ -91,74 +91,74 @@ impl<'t> FeatureTable<'t> {
         let Some(item) = self.table.get(key) else {
             return false;
         };
-        let found = item.as_bool();
-        if found.is_none() {
+        let result = item.as_bool();
+        if result.is_none() {
             self.fault(format!("{key} must be true or false"));
         }
-        found.unwrap_or(false)
+        result.unwrap_or(false)
     }
 
     /// Returns a positive quantity with its unit.
     pub fn quantity(&mut self, key: &str, quantity: Quantity, example: &str) -> Option<f64> {
         let text = self.text(key, example)?;
-        let found = quantity.read(&text).ok().filter(|value| *value > 0.0);
-        if found.is_none() {
+        let result = quantity.read(&text).ok().filter(|value| *value > 0.0);
+        if result.is_none() {
             self.fault(format!(
                 "{key} is \"{text}\"; it must be above 0, with its unit, such as \"{example}\""
             ));
         }
-        found
+        result
     }
 
     /// Returns positive quantities with their units.
     pub fn quantities(&mut self, key: &str, quantity: Quantity, example: &str) -> Vec<f64> {
         let texts = self.texts(key, example);
-        let found: Option<Vec<f64>> = texts
+        let result: Option<Vec<f64>> = texts
             .iter()
             .map(|text| quantity.read(text).ok().filter(|value| *value > 0.0))
             .collect();
-        if found.is_none() {
+        if result.is_none() {
             self.fault(format!(
                 "{key} must contain values above 0 with their units, such as {key} = \
                 [\"{example}\"]"
             ));
         }
-        found.unwrap_or_default()
+        result.unwrap_or_default()
     }
 
     /// Returns a required list of texts.
     pub fn texts(&mut self, key: &str, example: &str) -> Vec<String> {
         let text = |value: &Value| value.as_str().map(str::to_owned);
-        let found = self
+        let result = self
             .array(key)
             .and_then(|list| list.iter().map(text).collect::<Option<Vec<String>>>())
             .filter(|list| !list.is_empty());
-        if found.is_none() {
+        if result.is_none() {
             self.fault(format!(
                 "{key} must be a list of texts, such as {key} = [\"{example}\"]"
             ));
         }
-        found.unwrap_or_default()
+        result.unwrap_or_default()
     }
 
-    /// Returns a list of `wanted` numbers.
-    pub fn numbers(&mut self, key: &str, wanted: usize) -> Vec<f64> {
+    /// Returns a list of `count` numbers.
+    pub fn numbers(&mut self, key: &str, count: usize) -> Vec<f64> {
         let number = |value: &Value| {
             value
                 .as_float()
-                .or_else(|| value.as_integer().map(|whole| whole as f64))
+                .or_else(|| value.as_integer().map(|integer| integer as f64))
                 .filter(|x| x.is_finite())
         };
-        let found = self
+        let result = self
             .array(key)
             .and_then(|list| list.iter().map(number).collect::<Option<Vec<f64>>>());
-        if found.as_ref().is_none_or(|list| list.len() != wanted) {
+        if result.as_ref().is_none_or(|list| list.len() != count) {
             self.fault(format!(
-                "{key} must be a list of {wanted} numbers, one for each value of the swept key"
+                "{key} must be a list of {count} numbers, one for each value of the swept key"
             ));
         }
-        found
-            .filter(|list| list.len() == wanted)
+        result
+            .filter(|list| list.len() == count)
             .unwrap_or_default()
     }
 
@@ -175,13 +175,13 @@ impl<'t> FeatureTable<'t> {
             );
             return Vec::new();
         };
-        let said = |item: &Item| {
+        let text_of = |item: &Item| {
             item.as_str()
                 .map_or_else(|| item.to_string().trim().to_owned(), str::to_owned)
         };
         table
             .iter()
-            .map(|(key, item)| (key.to_owned(), said(item)))
+            .map(|(key, item)| (key.to_owned(), text_of(item)))
             .collect()
     }
 
@@ -194,6 +194,6 @@ impl<'t> FeatureTable<'t> {
 pub(super) fn positive(item: &Item) -> Option<f64> {
     let number = item
         .as_float()
-        .or_else(|| item.as_integer().map(|whole| whole as f64));
+        .or_else(|| item.as_integer().map(|integer| integer as f64));
     number.filter(|x| *x > 0.0 && x.is_finite())
 }

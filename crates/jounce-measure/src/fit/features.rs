@@ -72,25 +72,25 @@ impl Features {
         let (root, mut faults) = (document.as_table(), Vec::new());
         let mut reader = FeatureTable {
             table: root,
-            place: String::new(),
+            position: String::new(),
             faults: &mut faults,
         };
         reader.refuse_all_but(&KEYS);
-        let usual = [
+        let defaults = [
             reader.deviation("frequency_deviation"),
             reader.deviation("damping_deviation"),
         ];
-        let (hold, free) = (hold(&mut reader), free(&mut reader));
-        let found = Self {
+        let (hold, free) = (read_hold(&mut reader), read_free(&mut reader));
+        let result = Self {
             hold,
             free,
-            modes: each(root, "mode", &mut faults, |reader| {
-                ModeFeature::read(reader, usual)
+            modes: read_tables(root, "mode", &mut faults, |reader| {
+                ModeFeature::read(reader, defaults)
             }),
-            responses: each(root, "response", &mut faults, ResponseFeature::read),
-            powers: each(root, "power", &mut faults, PowerFeature::read),
-            jumps: each(root, "jump", &mut faults, JumpFeature::read),
-            histories: each(root, "history", &mut faults, HistoryFeature::read),
+            responses: read_tables(root, "response", &mut faults, ResponseFeature::read),
+            powers: read_tables(root, "power", &mut faults, PowerFeature::read),
+            jumps: read_tables(root, "jump", &mut faults, JumpFeature::read),
+            histories: read_tables(root, "history", &mut faults, HistoryFeature::read),
             folder: PathBuf::new(),
         };
         let kinds = ["mode", "response", "power", "jump", "history"];
@@ -101,7 +101,7 @@ impl Features {
             );
         }
         if faults.is_empty() {
-            Ok(found)
+            Ok(result)
         } else {
             Err(faults)
         }
@@ -109,7 +109,7 @@ impl Features {
 }
 
 /// Parses every table of a kind and prefixes its faults with its number.
-fn each<T>(
+fn read_tables<T>(
     root: &dyn TableLike,
     kind: &str,
     faults: &mut Vec<String>,
@@ -127,14 +127,14 @@ fn each<T>(
     let one = |(k, table): (usize, &toml_edit::Table)| {
         read(&mut FeatureTable {
             table,
-            place: format!("{kind} {}, ", k + 1),
+            position: format!("{kind} {}, ", k + 1),
             faults: &mut *faults,
         })
     };
     tables.iter().enumerate().filter_map(one).collect()
 }
 
-fn hold(reader: &mut FeatureTable<'_>) -> Vec<String> {
+fn read_hold(reader: &mut FeatureTable<'_>) -> Vec<String> {
     let Some(item) = reader.table.get("hold") else {
         return Vec::new();
     };
@@ -149,8 +149,8 @@ fn hold(reader: &mut FeatureTable<'_>) -> Vec<String> {
     names.unwrap_or_default()
 }
 
-fn free(reader: &mut FeatureTable<'_>) -> Vec<(String, f64)> {
-    let (mut free, before) = (Vec::new(), reader.faults.len());
+fn read_free(reader: &mut FeatureTable<'_>) -> Vec<(String, f64)> {
+    let (mut free, previous_faults) = (Vec::new(), reader.faults.len());
     for (key, item) in reader
         .table
         .get("free")
@@ -166,7 +166,7 @@ fn free(reader: &mut FeatureTable<'_>) -> Vec<(String, f64)> {
             )),
         }
     }
-    if free.is_empty() && reader.faults.len() == before {
+    if free.is_empty() && reader.faults.len() == previous_faults {
         reader.fault(
             "no key is free: give [free] with lines such as \"beam.NAME.thickness\" = \
             0.01",
@@ -182,23 +182,23 @@ mod tests {
     use super::*;
 
     #[test]
-    fn features_are_read_and_all_faults_told_at_once() {
+    fn features_are_read_and_all_faults_are_listed() {
         let text = "hold = [\"table\"]\nfrequency_deviation = 0.002\n[free]\n\"beam.b.length\" = 0.01\n[[mode]]\nnumber = 2\nfrequency = \"1.5 kHz\"\n";
-        let found = Features::from_toml(text).unwrap();
+        let result = Features::from_toml(text).unwrap();
         assert_eq!(
-            (found.hold[0].as_str(), &found.free[0]),
+            (result.hold[0].as_str(), &result.free[0]),
             ("table", &("beam.b.length".to_owned(), 0.01))
         );
         assert_eq!(
-            found.modes,
+            result.modes,
             [ModeFeature {
                 number: 2,
                 frequency: Some((1500.0, Deviation::Given(0.002))),
                 ..ModeFeature::default()
             }]
         );
-        let wrong = "hold = 3\nhodl = 1\n[free]\n\"a.b\" = -1\n[[mode]]\nnumber = 0\nfrequency = \"3 mm\"\n[[mode]]\nnumber = 1\ndamping_ratio = 0.01\n";
-        let faults = Features::from_toml(wrong).unwrap_err();
+        let invalid = "hold = 3\nhodl = 1\n[free]\n\"a.b\" = -1\n[[mode]]\nnumber = 0\nfrequency = \"3 mm\"\n[[mode]]\nnumber = 1\ndamping_ratio = 0.01\n";
+        let faults = Features::from_toml(invalid).unwrap_err();
         assert_eq!(faults.len(), 6, "{faults:#?}");
         assert_eq!(Features::from_toml("").unwrap_err().len(), 2);
         assert!(Features::from_toml("[free").is_err());
@@ -233,25 +233,27 @@ mod tests {
             begins = "20 ms"
             deviation = 0.05
         "#;
-        let found = Features::from_toml(text).unwrap();
+        let result = Features::from_toml(text).unwrap();
         assert_eq!(
             (
-                found.responses.len(),
-                found.powers.len(),
-                found.jumps.len(),
-                found.histories.len()
+                result.responses.len(),
+                result.powers.len(),
+                result.jumps.len(),
+                result.histories.len()
             ),
             (1, 1, 1, 1)
         );
-        assert_eq!(found.histories[0].begins_s, Some(0.02));
-        let early = text.replace("20 ms", "-20 ms");
-        assert!(Features::from_toml(&early).unwrap_err()[0].contains("begins is \"-20 ms\""));
+        assert_eq!(result.histories[0].begins_s, Some(0.02));
+        let negative_time = text.replace("20 ms", "-20 ms");
+        assert!(
+            Features::from_toml(&negative_time).unwrap_err()[0].contains("begins is \"-20 ms\"")
+        );
         assert_eq!(
-            found.powers[0].set[1],
+            result.powers[0].set[1],
             ("drive.shaker.amplitude".to_owned(), "100 N".to_owned())
         );
-        let wrong = "[free]\n\"a.b\" = 1\n[[power]]\nover = 3\nvalues = []\n[[jump]]\nat = 3\n[[response]]\ninput = \"a\"\noutput = \"tip\"\n[history]\n";
-        let faults = Features::from_toml(wrong).unwrap_err();
+        let invalid = "[free]\n\"a.b\" = 1\n[[power]]\nover = 3\nvalues = []\n[[jump]]\nat = 3\n[[response]]\ninput = \"a\"\noutput = \"tip\"\n[history]\n";
+        let faults = Features::from_toml(invalid).unwrap_err();
         assert!(
             faults.len() >= 9 && faults.iter().any(|fault| fault.contains("[[history]]")),
             "{faults:#?}"

@@ -10,7 +10,7 @@ use jounce_core::spec::Quantity;
 use super::feature_table::FeatureTable;
 use super::model::Conditions;
 use super::response::output;
-use super::{Deviation, FitError, FitModel, Question};
+use super::{Deviation, FeatureModel, FitError, FitModel};
 use jounce_data::read;
 
 /// Measured time history. Its stamps are times of the run, unless `begins` is given.
@@ -46,7 +46,7 @@ pub(super) struct HistorySamples {
     pub values: Vec<f64>,
     pub unit: String,
     /// True where the record begins later than the run, by its stamps alone.
-    pub begins_late: bool,
+    pub starts_late: bool,
 }
 
 impl HistoryFeature {
@@ -56,86 +56,93 @@ impl HistoryFeature {
             reader.text("file", "run.csv"),
             reader.text("channel", "voltage"),
         );
-        let found = reader
+        let result = reader
             .text("output", "mfc.voltage")
             .and_then(|text| output(&text, reader));
         if matches!(
-            found,
+            result,
             Some(FrfResponse::Acceleration(_) | FrfResponse::LoadVoltage(_))
         ) {
             reader.fault(format!("output: {HISTORIES}"));
             return None;
         }
         let begins_s = reader.text_if_any("begins", "0 s").map(|text| {
-            let found = Quantity::Time
+            let result = Quantity::Time
                 .read(&text)
                 .ok()
                 .filter(|time_s| *time_s >= 0.0);
-            if found.is_none() {
+            if result.is_none() {
                 reader.fault(format!(
                     "begins is \"{text}\"; it must be a time of the run, not \
                     negative, with its unit, such as \"0 s\""
                 ));
             }
-            found.unwrap_or_default()
+            result.unwrap_or_default()
         });
         let (deviation, set) = (reader.own_deviation(), reader.conditions());
         Some(Self {
             file: file?.into(),
             channel: channel?,
-            output: found?,
+            output: result?,
             begins_s,
             deviation,
             set,
         })
     }
 
-    fn told(&self, place: &str, reason: String) -> FitError {
+    fn file_error(&self, position: &str, reason: String) -> FitError {
         FitError::File {
-            place: place.to_owned(),
+            place: position.to_owned(),
             path: self.file.clone(),
             reason,
         }
     }
 
     /// Reads the samples with their times.
-    pub(super) fn samples(&self, folder: &Path, place: &str) -> Result<HistorySamples, FitError> {
-        let told = |reason: String| self.told(place, reason);
-        let record =
-            read::record(&folder.join(&self.file)).map_err(|fault| told(fault.to_string()))?;
+    pub(super) fn samples(
+        &self,
+        folder: &Path,
+        position: &str,
+    ) -> Result<HistorySamples, FitError> {
+        let file_error = |reason: String| self.file_error(position, reason);
+        let record = read::record(&folder.join(&self.file))
+            .map_err(|fault| file_error(fault.to_string()))?;
         let channel = record
             .channel(&self.channel)
-            .map_err(|fault| told(fault.to_string()))?;
-        let places = record.grid.places();
-        if places.len() < MIN_SAMPLES || channel.values.iter().any(|x| !x.is_finite()) {
-            return Err(told(format!(
+            .map_err(|fault| file_error(fault.to_string()))?;
+        let time_stamps = record.grid.places();
+        if time_stamps.len() < MIN_SAMPLES || channel.values.iter().any(|x| !x.is_finite()) {
+            return Err(file_error(format!(
                 "a history needs at least {MIN_SAMPLES} samples, each a number"
             )));
         }
         if channel.values.iter().all(|x| *x == 0.0) {
-            return Err(told(format!("channel {} is zero throughout", channel.name)));
+            return Err(file_error(format!(
+                "channel {} is zero throughout",
+                channel.name
+            )));
         }
-        let slack_s =
-            STAMP_ROUNDOFF * (places[places.len() - 1] - places[0]) / (places.len() - 1) as f64;
+        let tolerance_s = STAMP_ROUNDOFF * (time_stamps[time_stamps.len() - 1] - time_stamps[0])
+            / (time_stamps.len() - 1) as f64;
         let first_s = match self.begins_s {
             Some(begins_s) => begins_s,
-            None if places[0] < -slack_s => {
-                return Err(told(format!(
+            None if time_stamps[0] < -tolerance_s => {
+                return Err(file_error(format!(
                     "its first stamp is {} s, before the run starts at 0: {BEGINS}",
-                    places[0]
+                    time_stamps[0]
                 )));
             }
-            None if places[0] <= slack_s => 0.0,
-            None => places[0],
+            None if time_stamps[0] <= tolerance_s => 0.0,
+            None => time_stamps[0],
         };
         Ok(HistorySamples {
-            time_s: places
+            time_s: time_stamps
                 .iter()
-                .map(|time_s| first_s + (time_s - places[0]))
+                .map(|time_s| first_s + (time_s - time_stamps[0]))
                 .collect(),
             values: channel.values.clone(),
             unit: channel.unit.clone(),
-            begins_late: self.begins_s.is_none() && first_s > 0.0,
+            starts_late: self.begins_s.is_none() && first_s > 0.0,
         })
     }
 
@@ -144,7 +151,7 @@ impl HistoryFeature {
         &self,
         time_s: &[f64],
         duration_s: f64,
-        place: &str,
+        position: &str,
     ) -> Result<(), FitError> {
         let (first_s, last_s) = (time_s[0], time_s[time_s.len() - 1]);
         if last_s <= duration_s + STAMP_ROUNDOFF * (last_s - first_s) {
@@ -154,13 +161,13 @@ impl HistoryFeature {
             "its stamps range from {first_s} to {last_s} s, but the run ends at run.duration = \
             {duration_s} s: if they are times of the run, raise run.duration; otherwise {BEGINS}"
         );
-        Err(self.told(place, reason))
+        Err(self.file_error(position, reason))
     }
 
     /// Warning about a record whose stamps begin later than the run.
-    pub(super) fn late(&self, first_s: f64, place: &str) -> String {
+    pub(super) fn late_start_warning(&self, first_s: f64, position: &str) -> String {
         format!(
-            "{place}, {}: its first stamp, {first_s} s, is read as a time of the run; use \
+            "{position}, {}: its first stamp, {first_s} s, is read as a time of the run; use \
             `begins` for another time, such as begins = \"0 s\"",
             self.file.display()
         )
@@ -168,28 +175,28 @@ impl HistoryFeature {
 }
 
 /// Run of the model, sampled at the times of the record.
-pub(super) struct HistoryQuestion {
+pub(super) struct HistoryModel {
     pub output: FrfResponse,
     pub time_s: Vec<f64>,
     pub conditions: Conditions,
 }
 
-impl Question for HistoryQuestion {
-    fn ask(&self, model: &FitModel<'_>) -> Result<Vec<f64>, FitError> {
-        let prepared = model.prepared_at(&self.conditions)?;
-        let start = prepared.start(model.folder)?;
-        let kernel = prepared.from_state(&start)?;
+impl FeatureModel for HistoryModel {
+    fn predict(&self, model: &FitModel<'_>) -> Result<Vec<f64>, FitError> {
+        let harvester = model.model_at(&self.conditions)?;
+        let start = harvester.start(model.folder)?;
+        let kernel = harvester.from_state(&start)?;
         let duration_s = self.time_s.last().copied().unwrap_or(0.0);
-        let tolerance = prepared.spec.run.tolerance;
+        let tolerance = harvester.spec.run.tolerance;
         let plan = RunPlan {
             duration_s,
             average_over_s: duration_s / 2.0,
             tolerance,
             record_s: duration_s,
         };
-        let answer = simulate(&kernel, &start, &plan).map_err(AnalysisError::from)?;
-        let read = self.reader(&prepared)?;
-        let instants = answer.trajectory.at(&kernel, &self.time_s);
+        let run = simulate(&kernel, &start, &plan).map_err(AnalysisError::from)?;
+        let read = self.reader(&harvester)?;
+        let instants = run.trajectory.at(&kernel, &self.time_s);
         Ok(instants
             .iter()
             .map(|at| read(&kernel.plant.to_physical(&at.state, at.time_s)))
@@ -200,10 +207,10 @@ impl Question for HistoryQuestion {
 /// Output as a function of the physical state.
 type Reading<'p> = Box<dyn Fn(&[f64]) -> f64 + 'p>;
 
-impl HistoryQuestion {
+impl HistoryModel {
     /// Returns the function that computes the output from a physical state.
-    fn reader<'p>(&self, prepared: &'p Model) -> Result<Reading<'p>, FitError> {
-        let plant = &prepared.kernel.plant;
+    fn reader<'p>(&self, harvester: &'p Model) -> Result<Reading<'p>, FitError> {
+        let plant = &harvester.kernel.plant;
         let modes = &plant.system.modes;
         let unknown = |name: &str, known: Vec<&String>| FitError::NoPlace {
             name: name.to_owned(),
@@ -215,17 +222,20 @@ impl HistoryQuestion {
                 .get(point)
                 .ok_or_else(|| unknown(point, modes.shape.keys().collect()))
         };
-        let along = |shape: &'p Vec<f64>, first: usize| -> Reading<'p> {
+        let projection = |shape: &'p Vec<f64>, first: usize| -> Reading<'p> {
             Box::new(move |x: &[f64]| shape.iter().zip(&x[first..]).map(|(s, q)| s * q).sum())
         };
         match &self.output {
-            FrfResponse::Velocity(point) => Ok(along(shape(point)?, modes.len())),
+            FrfResponse::Velocity(point) => Ok(projection(shape(point)?, modes.len())),
             FrfResponse::Voltage(patch) => {
-                let place = modes.patch.keys().position(|name| name == patch);
-                let place = place.ok_or_else(|| unknown(patch, modes.patch.keys().collect()))?;
-                Ok(Box::new(move |x: &[f64]| plant.patch_voltages_v(x)[place]))
+                let patch_index = modes.patch.keys().position(|name| name == patch);
+                let patch_index =
+                    patch_index.ok_or_else(|| unknown(patch, modes.patch.keys().collect()))?;
+                Ok(Box::new(move |x: &[f64]| {
+                    plant.patch_voltages_v(x)[patch_index]
+                }))
             }
-            FrfResponse::Displacement(point) => Ok(along(shape(point)?, 0)),
+            FrfResponse::Displacement(point) => Ok(projection(shape(point)?, 0)),
             other => Err(FitError::Features {
                 faults: vec![format!("history: output is {}; {HISTORIES}", other.name())],
             }),

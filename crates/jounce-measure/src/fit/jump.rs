@@ -5,7 +5,7 @@ use jounce_core::spec::NumericKey;
 
 use super::feature_table::FeatureTable;
 use super::model::Conditions;
-use super::{Deviation, FitError, FitModel, Question};
+use super::{Deviation, FeatureModel, FitError, FitModel};
 
 /// A measured jump.
 #[derive(Debug, Clone, PartialEq)]
@@ -51,23 +51,23 @@ impl JumpFeature {
 }
 
 /// Fold nearest to the measured jump, on the branches through both ends of a range.
-pub(super) struct JumpQuestion {
+pub(super) struct JumpModel {
     pub key: NumericKey,
     pub at: f64,
     pub range: (f64, f64),
     pub conditions: Conditions,
 }
 
-impl Question for JumpQuestion {
-    fn ask(&self, model: &FitModel<'_>) -> Result<Vec<f64>, FitError> {
-        let prepared = model.prepared_at(&self.conditions)?;
-        let parameter = Parameter::new(&prepared, &self.key, self.range.1 - self.range.0);
+impl FeatureModel for JumpModel {
+    fn predict(&self, model: &FitModel<'_>) -> Result<Vec<f64>, FitError> {
+        let harvester = model.model_at(&self.conditions)?;
+        let parameter = Parameter::new(&harvester, &self.key, self.range.1 - self.range.0);
         let search = BranchSearch {
-            base: &prepared,
+            base: &harvester,
             parameter: &parameter,
             range: self.range,
             method: OrbitMethodKind::Shooting,
-            tolerance: prepared.spec.run.tolerance,
+            tolerance: harvester.spec.run.tolerance,
             seeds: 0,
             longest_period: 1,
         };
@@ -77,15 +77,15 @@ impl Question for JumpQuestion {
         let folds = branches
             .iter()
             .flat_map(|branch| &branch.bifurcations)
-            .filter(|found| found.kind == BranchKind::Fold);
-        let nearest = folds
+            .filter(|result| result.kind == BranchKind::Fold);
+        let nearest_fold = folds
             .map(|fold| fold.at.parameter)
             .min_by(|a, b| (a - self.at).abs().total_cmp(&(b - self.at).abs()));
-        let none = FitError::NoJump {
+        let no_jump = FitError::NoJump {
             key: self.key.path().to_owned(),
             low: self.key.show(self.range.0),
             high: self.key.show(self.range.1),
         };
-        Ok(vec![nearest.ok_or(none)?])
+        Ok(vec![nearest_fold.ok_or(no_jump)?])
     }
 }

@@ -47,4 +47,4 @@ pub use response::{MeasuredLines, ResponseFeature};
 pub use result::{FitResult, FittedCurve, FittedDeviation, FittedFeature, FittedKey};
 pub use solve::fit;
 
-use model::{FitModel, Question};
+use model::{FeatureModel, FitModel};

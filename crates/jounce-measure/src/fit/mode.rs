@@ -9,7 +9,7 @@ use toml_edit::Item;
 
 use super::feature_table::{FeatureTable, positive};
 use super::model::Conditions;
-use super::{Deviation, FitError, FitModel, Question};
+use super::{Deviation, FeatureModel, FitError, FitModel};
 
 /// A measured mode.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -40,7 +40,7 @@ const KEYS: [&str; 7] = [
 impl ModeFeature {
     pub(super) fn read(
         reader: &mut FeatureTable<'_>,
-        usual: [Option<Deviation>; 2],
+        defaults: [Option<Deviation>; 2],
     ) -> Option<Self> {
         reader.refuse_all_but(&KEYS);
         let number = reader
@@ -52,7 +52,7 @@ impl ModeFeature {
         if number.is_none() {
             reader.fault("number must be a whole number from 1");
         }
-        let own = [
+        let explicit_deviations = [
             reader.deviation("frequency_deviation"),
             reader.deviation("damping_deviation"),
         ];
@@ -69,7 +69,7 @@ impl ModeFeature {
         }
         let mut with = |value: Option<Option<f64>>, k: usize, name: &str| {
             let value = value.flatten()?;
-            let deviation = own[k].or(usual[k]);
+            let deviation = explicit_deviations[k].or(defaults[k]);
             if deviation.is_none() {
                 reader.fault(format!(
                     "{name} is missing: expected the relative standard deviation, such as 0.002, \
@@ -113,15 +113,15 @@ impl ModeFeature {
 }
 
 /// Modes under the same conditions.
-pub(super) struct ModeQuestion {
+pub(super) struct ModeModel {
     /// Mode numbers from 0, with true for a frequency, false for a damping ratio.
-    pub asked: Vec<(usize, bool)>,
+    pub requested: Vec<(usize, bool)>,
     pub loaded: bool,
     pub conditions: Conditions,
 }
 
-impl Question for ModeQuestion {
-    fn ask(&self, model: &FitModel<'_>) -> Result<Vec<f64>, FitError> {
+impl FeatureModel for ModeModel {
+    fn predict(&self, model: &FitModel<'_>) -> Result<Vec<f64>, FitError> {
         let spec = model.spec_at(&self.conditions)?;
         let modes = structure::modes_holding(&spec, model.hold)?;
         let poles = if self.loaded {
@@ -149,7 +149,7 @@ impl Question for ModeQuestion {
                 }),
             }
         };
-        self.asked.iter().map(value).collect()
+        self.requested.iter().map(value).collect()
     }
 }
 
@@ -168,7 +168,7 @@ fn loaded(mut spec: Spec, modes: Modes) -> Result<Vec<(f64, f64)>, FitError> {
         }
         .into());
     }
-    let turning = |pair: &BlockPair| match *pair {
+    let is_oscillating = |pair: &BlockPair| match *pair {
         BlockPair::Oscillatory { decay, frequency } => {
             Some((decay.hypot(frequency), -decay / decay.hypot(frequency)))
         }
@@ -179,7 +179,7 @@ fn loaded(mut spec: Spec, modes: Modes) -> Result<Vec<(f64, f64)>, FitError> {
         .block
         .pairs
         .iter()
-        .filter_map(turning)
+        .filter_map(is_oscillating)
         .collect();
     poles.sort_by(|a, b| a.0.total_cmp(&b.0));
     Ok(std::iter::repeat_n((0.0, 0.0), rigid)

@@ -25,13 +25,13 @@ pub(super) struct FitModel<'a> {
     /// Cancels the runs.
     pub control: Control,
     /// Harvester without conditions, built at first use.
-    pub prepared: OnceCell<Model>,
+    pub base_model: OnceCell<Model>,
 }
 
 /// Measurement with a corresponding model result.
-pub(super) trait Question {
+pub(super) trait FeatureModel {
     /// Computes the model's value for every measured number of this test.
-    fn ask(&self, model: &FitModel<'_>) -> Result<Vec<f64>, FitError>;
+    fn predict(&self, model: &FitModel<'_>) -> Result<Vec<f64>, FitError>;
 }
 
 /// Values of keys that apply during a test.
@@ -43,24 +43,28 @@ impl Conditions {
     pub fn new(
         source: FitSource<'_>,
         set: &[(String, String)],
-        place: &str,
+        position: &str,
     ) -> Result<Self, FitError> {
         let one = |(key, value): &(String, String)| {
-            let told = |reason: String| FitError::Condition {
-                place: place.to_owned(),
+            let condition_error = |reason: String| FitError::Condition {
+                place: position.to_owned(),
                 key: key.clone(),
                 reason,
             };
-            let found = source
+            let result = source
                 .file
                 .numeric_key(key)
-                .map_err(|faults| told(faults.to_string()))?;
-            let mut changed = SpecFile::from_text(source.file.text()).in_folder(source.folder);
-            changed
+                .map_err(|faults| condition_error(faults.to_string()))?;
+            let mut changed_file = SpecFile::from_text(source.file.text()).in_folder(source.folder);
+            changed_file
                 .set(key, value)
-                .map_err(|fault| told(fault.to_string()))?;
-            let value = found.get(&changed.spec().map_err(|faults| told(faults.to_string()))?)?;
-            Ok((found, value))
+                .map_err(|fault| condition_error(fault.to_string()))?;
+            let value = result.get(
+                &changed_file
+                    .spec()
+                    .map_err(|faults| condition_error(faults.to_string()))?,
+            )?;
+            Ok((result, value))
         };
         set.iter()
             .map(one)
@@ -107,12 +111,12 @@ impl FitModel<'_> {
     }
 
     /// Harvester under conditions.
-    pub fn prepared_at(&self, conditions: &Conditions) -> Result<Model, FitError> {
-        let base = match self.prepared.get() {
+    pub fn model_at(&self, conditions: &Conditions) -> Result<Model, FitError> {
+        let base = match self.base_model.get() {
             Some(base) => base,
             None => {
-                let made = Model::watched(self.spec.clone(), &self.control)?;
-                self.prepared.get_or_init(|| made)
+                let model = Model::watched(self.spec.clone(), &self.control)?;
+                self.base_model.get_or_init(|| model)
             }
         };
         Ok(base.changed(self.spec_at(conditions)?)?)

@@ -3,15 +3,15 @@
 use jounce_core::spec::NumericKey;
 
 use super::deviation::DeviationGroup;
-use super::history::{HistoryQuestion, HistorySamples};
-use super::jump::JumpQuestion;
-use super::mode::ModeQuestion;
+use super::history::{HistoryModel, HistorySamples};
+use super::jump::JumpModel;
+use super::mode::ModeModel;
 use super::model::{Conditions, FitSource};
-use super::power::PowerQuestion;
-use super::response::{MeasuredLines, ResponseQuestion};
+use super::power::PowerModel;
+use super::response::{MeasuredLines, ResponseModel};
 use super::{
-    Deviation, Features, FitError, HistoryFeature, JumpFeature, ModeFeature, PowerFeature,
-    Question, ResponseFeature,
+    Deviation, FeatureModel, Features, FitError, HistoryFeature, JumpFeature, ModeFeature,
+    PowerFeature, ResponseFeature,
 };
 
 /// Measured number.
@@ -40,32 +40,32 @@ pub(super) struct MeasuredCurve {
 /// All model evaluations with all measured numbers, in the same order.
 #[derive(Default)]
 pub(super) struct Observations {
-    pub questions: Vec<Box<dyn Question>>,
+    pub feature_models: Vec<Box<dyn FeatureModel>>,
     pub measured: Vec<MeasuredNumber>,
     pub groups: Vec<DeviationGroup>,
     pub curves: Vec<MeasuredCurve>,
     /// Assumptions about ambiguous inputs, one sentence each.
-    pub told: Vec<String>,
+    pub warnings: Vec<String>,
 }
 
 impl Observations {
     /// Reads the files and checks every key.
     pub fn of(source: FitSource<'_>, features: &Features) -> Result<Self, FitError> {
-        let mut asked = Self::default();
-        asked.modes(source, features)?;
+        let mut observations = Self::default();
+        observations.modes(source, features)?;
         for (k, feature) in features.responses.iter().enumerate() {
-            asked.response(source, features, feature, &format!("response {}", k + 1))?;
+            observations.response(source, features, feature, &format!("response {}", k + 1))?;
         }
         for (k, feature) in features.powers.iter().enumerate() {
-            asked.powers(source, feature, &format!("power {}", k + 1))?;
+            observations.powers(source, feature, &format!("power {}", k + 1))?;
         }
         for (k, feature) in features.jumps.iter().enumerate() {
-            asked.jump(source, feature, &format!("jump {}", k + 1))?;
+            observations.jump(source, feature, &format!("jump {}", k + 1))?;
         }
         for (k, feature) in features.histories.iter().enumerate() {
-            asked.history(source, features, feature, &format!("history {}", k + 1))?;
+            observations.history(source, features, feature, &format!("history {}", k + 1))?;
         }
-        Ok(asked)
+        Ok(observations)
     }
 
     fn group(&mut self, name: &str, deviation: Deviation) -> usize {
@@ -95,29 +95,29 @@ impl Observations {
 
     /// Groups modes by condition: one evaluation without conditions, and one for each condition.
     fn modes(&mut self, source: FitSource<'_>, features: &Features) -> Result<(), FitError> {
-        let (plain, others): (Vec<_>, Vec<_>) = features
+        let (unconditioned, conditioned): (Vec<_>, Vec<_>) = features
             .modes
             .iter()
             .enumerate()
             .partition(|(_, mode)| mode.set.is_empty() && !mode.loaded);
-        let asked = plain
+        let requested = unconditioned
             .into_iter()
             .flat_map(|(_, mode)| self.mode(mode))
             .collect::<Vec<_>>();
-        if !asked.is_empty() {
-            self.questions.push(Box::new(ModeQuestion {
-                asked,
+        if !requested.is_empty() {
+            self.feature_models.push(Box::new(ModeModel {
+                requested,
                 loaded: false,
                 conditions: Conditions::default(),
             }));
         }
-        for (k, mode) in others {
-            let (asked, conditions) = (
+        for (k, mode) in conditioned {
+            let (requested, conditions) = (
                 self.mode(mode),
                 Conditions::new(source, &mode.set, &format!("mode {}", k + 1))?,
             );
-            self.questions.push(Box::new(ModeQuestion {
-                asked,
+            self.feature_models.push(Box::new(ModeModel {
+                requested,
                 loaded: mode.loaded,
                 conditions,
             }));
@@ -127,7 +127,7 @@ impl Observations {
 
     /// Adds the numbers of a mode and returns the requested quantities.
     fn mode(&mut self, mode: &ModeFeature) -> Vec<(usize, bool)> {
-        let (mut asked, words) = (Vec::new(), mode.conditions_in_words());
+        let (mut requested, words) = (Vec::new(), mode.conditions_in_words());
         if let Some((hz, deviation)) = mode.frequency {
             let group = self.group("frequencies", deviation);
             self.number(
@@ -136,7 +136,7 @@ impl Observations {
                 hz,
                 group,
             );
-            asked.push((mode.number - 1, true));
+            requested.push((mode.number - 1, true));
         }
         if let Some((ratio, deviation)) = mode.damping_ratio {
             let group = self.group("damping ratios", deviation);
@@ -146,9 +146,9 @@ impl Observations {
                 ratio,
                 group,
             );
-            asked.push((mode.number - 1, false));
+            requested.push((mode.number - 1, false));
         }
-        asked
+        requested
     }
 
     fn response(
@@ -156,24 +156,25 @@ impl Observations {
         source: FitSource<'_>,
         features: &Features,
         feature: &ResponseFeature,
-        place: &str,
+        position: &str,
     ) -> Result<(), FitError> {
-        let conditions = Conditions::new(source, &feature.set, place)?;
-        let group = self.group(place, feature.deviation);
+        let conditions = Conditions::new(source, &feature.set, position)?;
+        let group = self.group(position, feature.deviation);
         let (name, unit) = (
             feature.output.name(),
             feature.output.unit(&feature.input).to_owned(),
         );
-        let curve = |part: &str| MeasuredCurve {
-            name: format!("{name} {part}"),
+        let curve = |component: &str| MeasuredCurve {
+            name: format!("{name} {component}"),
             unit: unit.clone(),
             over: "frequency_hz",
         };
-        self.told.extend(feature.relative_in_words(place));
-        let (lines, assumed) = feature
-            .lines
-            .read(&features.folder, place, &feature.sides())?;
-        self.told.extend(assumed);
+        self.warnings.extend(feature.relative_in_words(position));
+        let (lines, unit_warning) =
+            feature
+                .lines
+                .read(&features.folder, position, &feature.channels())?;
+        self.warnings.extend(unit_warning);
         let (complex, frequency_hz) = match lines {
             MeasuredLines::Magnitude(frequency_hz, sizes) => {
                 self.curve(curve("size"), (&frequency_hz, &sizes), |_| None, group);
@@ -202,7 +203,7 @@ impl Observations {
             feature.output.clone(),
             feature.absolute,
         );
-        self.questions.push(Box::new(ResponseQuestion {
+        self.feature_models.push(Box::new(ResponseModel {
             input,
             output,
             absolute,
@@ -238,22 +239,22 @@ impl Observations {
         &mut self,
         source: FitSource<'_>,
         feature: &PowerFeature,
-        place: &str,
+        position: &str,
     ) -> Result<(), FitError> {
-        let conditions = Conditions::new(source, &feature.set, place)?;
-        let group = self.group(place, feature.deviation);
-        let mut each = Vec::new();
+        let conditions = Conditions::new(source, &feature.set, position)?;
+        let group = self.group(position, feature.deviation);
+        let mut powers_at = Vec::new();
         for (value, power) in feature.values.iter().zip(&feature.mean_power_w) {
-            let (key, value) = key_and_value(source, &feature.over, value, place)?;
+            let (key, value) = key_and_value(source, &feature.over, value, position)?;
             self.number(
                 format!("mean power at {} = {}", feature.over, key.show(value)),
                 "W",
                 *power,
                 group,
             );
-            each.push(conditions.with(&key, value));
+            powers_at.push(conditions.with(&key, value));
         }
-        self.questions.push(Box::new(PowerQuestion(each)));
+        self.feature_models.push(Box::new(PowerModel(powers_at)));
         Ok(())
     }
 
@@ -261,14 +262,14 @@ impl Observations {
         &mut self,
         source: FitSource<'_>,
         feature: &JumpFeature,
-        place: &str,
+        position: &str,
     ) -> Result<(), FitError> {
-        let conditions = Conditions::new(source, &feature.set, place)?;
-        let of = |text: &str| key_and_value(source, &feature.over, text, place);
+        let conditions = Conditions::new(source, &feature.set, position)?;
+        let value_of = |text: &str| key_and_value(source, &feature.over, text, position);
         let ((key, at), (_, low), (_, high)) = (
-            of(&feature.at)?,
-            of(&feature.between[0])?,
-            of(&feature.between[1])?,
+            value_of(&feature.at)?,
+            value_of(&feature.between[0])?,
+            value_of(&feature.between[1])?,
         );
         if !(low < at && at < high && at > 0.0) {
             let reason = format!(
@@ -278,14 +279,14 @@ impl Observations {
                 key.show(high)
             );
             return Err(FitError::Condition {
-                place: place.to_owned(),
+                place: position.to_owned(),
                 key: feature.over.clone(),
                 reason,
             });
         }
-        let group = self.group(place, feature.deviation);
+        let group = self.group(position, feature.deviation);
         self.number(format!("jump of {}", feature.over), &key.unit(), at, group);
-        self.questions.push(Box::new(JumpQuestion {
+        self.feature_models.push(Box::new(JumpModel {
             key,
             at,
             range: (low, high),
@@ -299,28 +300,29 @@ impl Observations {
         source: FitSource<'_>,
         features: &Features,
         feature: &HistoryFeature,
-        place: &str,
+        position: &str,
     ) -> Result<(), FitError> {
-        let conditions = Conditions::new(source, &feature.set, place)?;
+        let conditions = Conditions::new(source, &feature.set, position)?;
         let HistorySamples {
             time_s,
             values,
             unit,
-            begins_late,
-        } = feature.samples(&features.folder, place)?;
-        if begins_late {
-            feature.within(&time_s, conditions.spec(source)?.run.duration_s, place)?;
-            self.told.push(feature.late(time_s[0], place));
+            starts_late,
+        } = feature.samples(&features.folder, position)?;
+        if starts_late {
+            feature.within(&time_s, conditions.spec(source)?.run.duration_s, position)?;
+            self.warnings
+                .push(feature.late_start_warning(time_s[0], position));
         }
         let rms = (values.iter().map(|x| x * x).sum::<f64>() / values.len() as f64).sqrt();
-        let group = self.group(place, feature.deviation);
+        let group = self.group(position, feature.deviation);
         let curve = MeasuredCurve {
             name: feature.output.name(),
             unit,
             over: "time_s",
         };
         self.curve(curve, (&time_s, &values), |_| Some(rms), group);
-        self.questions.push(Box::new(HistoryQuestion {
+        self.feature_models.push(Box::new(HistoryModel {
             output: feature.output.clone(),
             time_s,
             conditions,
@@ -334,8 +336,11 @@ fn key_and_value(
     source: FitSource<'_>,
     key: &str,
     value: &str,
-    place: &str,
+    position: &str,
 ) -> Result<(NumericKey, f64), FitError> {
-    let found = Conditions::new(source, &[(key.to_owned(), value.to_owned())], place)?;
-    Ok(found.first().cloned().expect("one key makes one condition"))
+    let result = Conditions::new(source, &[(key.to_owned(), value.to_owned())], position)?;
+    Ok(result
+        .first()
+        .cloned()
+        .expect("one key makes one condition"))
 }

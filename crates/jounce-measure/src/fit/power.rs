@@ -5,7 +5,7 @@ use jounce_core::run::{RunPlan, simulate};
 
 use super::feature_table::FeatureTable;
 use super::model::Conditions;
-use super::{Deviation, FitError, FitModel, Question};
+use super::{Deviation, FeatureModel, FitError, FitModel};
 
 /// Measured mean powers over one key.
 #[derive(Debug, Clone, PartialEq)]
@@ -45,21 +45,21 @@ impl PowerFeature {
 }
 
 /// Mean power of one run of `run.duration` for each condition.
-pub(super) struct PowerQuestion(pub Vec<Conditions>);
+pub(super) struct PowerModel(pub Vec<Conditions>);
 
-impl Question for PowerQuestion {
-    fn ask(&self, model: &FitModel<'_>) -> Result<Vec<f64>, FitError> {
+impl FeatureModel for PowerModel {
+    fn predict(&self, model: &FitModel<'_>) -> Result<Vec<f64>, FitError> {
         let power = |conditions: &Conditions| {
-            let prepared = model.prepared_at(conditions)?;
-            let start = prepared.start(model.folder)?;
-            let plan = RunPlan::of(&prepared.spec.run, 0.0);
-            let kernel = prepared.from_state(&start)?;
-            let answer = simulate(&kernel, &start, &plan).map_err(AnalysisError::from)?;
-            if answer.mean_power_w > 0.0 {
-                Ok(answer.mean_power_w)
+            let harvester = model.model_at(conditions)?;
+            let start = harvester.start(model.folder)?;
+            let plan = RunPlan::of(&harvester.spec.run, 0.0);
+            let kernel = harvester.from_state(&start)?;
+            let run = simulate(&kernel, &start, &plan).map_err(AnalysisError::from)?;
+            if run.mean_power_w > 0.0 {
+                Ok(run.mean_power_w)
             } else {
                 Err(FitError::NoPower {
-                    mean_power_w: answer.mean_power_w,
+                    mean_power_w: run.mean_power_w,
                 })
             }
         };

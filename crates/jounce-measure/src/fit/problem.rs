@@ -20,7 +20,7 @@ pub(super) struct FitProblem<'a> {
     pub keys: Vec<NumericKey>,
     pub start: Vec<f64>,
     pub prior: Vec<f64>,
-    pub asked: &'a Observations,
+    pub observations: &'a Observations,
     /// Standard deviation of each group.
     pub deviation: Vec<f64>,
     pub unknowns: DVector<f64>,
@@ -61,15 +61,15 @@ impl FitProblem<'_> {
             hold: self.hold,
             folder: self.folder,
             control,
-            prepared: OnceCell::new(),
+            base_model: OnceCell::new(),
         };
-        let answers = self
-            .asked
-            .questions
+        let results = self
+            .observations
+            .feature_models
             .iter()
-            .map(|question| question.ask(&model))
+            .map(|feature_model| feature_model.predict(&model))
             .collect::<Result<Vec<_>, _>>()?;
-        Ok(answers.concat())
+        Ok(results.concat())
     }
 
     /// Standard deviation of a measured number.
@@ -81,7 +81,7 @@ impl FitProblem<'_> {
     pub fn errors(&self, unknowns: &DVector<f64>) -> Result<DVector<f64>, FitError> {
         let model = self.model(unknowns)?;
         let features = self
-            .asked
+            .observations
             .measured
             .iter()
             .zip(&model)
@@ -96,12 +96,12 @@ impl FitProblem<'_> {
     /// Derivatives of the errors.
     pub fn derivatives(&self) -> Result<DMatrix<f64>, FitError> {
         let column = |k: usize| {
-            let moved = |by: f64| {
+            let errors_at = |by: f64| {
                 let mut unknowns = self.unknowns.clone();
                 unknowns[k] += by;
                 self.errors(&unknowns)
             };
-            Ok((moved(LOG_DIFFERENCE)? - moved(-LOG_DIFFERENCE)?) / (2.0 * LOG_DIFFERENCE))
+            Ok((errors_at(LOG_DIFFERENCE)? - errors_at(-LOG_DIFFERENCE)?) / (2.0 * LOG_DIFFERENCE))
         };
         Ok(DMatrix::from_columns(
             &(0..self.keys.len())
@@ -110,7 +110,7 @@ impl FitProblem<'_> {
         ))
     }
 
-    fn kept<T>(&self, result: Result<T, FitError>) -> Option<T> {
+    fn store_error<T>(&self, result: Result<T, FitError>) -> Option<T> {
         result.map_err(|fault| self.fault.replace(Some(fault))).ok()
     }
 }
@@ -125,7 +125,7 @@ impl MeasuredNumber {
     }
 
     /// Returns the number at a given error from another one.
-    pub fn moved(&self, from: f64, error: f64) -> f64 {
+    pub fn shifted(&self, from: f64, error: f64) -> f64 {
         match self.scale {
             None => from * error.exp(),
             Some(scale) => from + scale * error,
@@ -147,10 +147,10 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for FitProblem<'_> {
     }
 
     fn residuals(&self) -> Option<DVector<f64>> {
-        self.kept(self.errors(&self.unknowns))
+        self.store_error(self.errors(&self.unknowns))
     }
 
     fn jacobian(&self) -> Option<DMatrix<f64>> {
-        self.kept(self.derivatives())
+        self.store_error(self.derivatives())
     }
 }

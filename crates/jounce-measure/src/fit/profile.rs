@@ -58,9 +58,10 @@ impl Profile<'_> {
     /// Cancellation.
     pub fn end(&self, k: usize, quantile: f64) -> Result<Option<f64>, FitError> {
         let mut derivatives = self.derivatives.clone();
-        let away = quantile * self.covariance[(k, k)].sqrt();
-        let mut unknowns = self.least + self.covariance.column(k) / self.covariance[(k, k)] * away;
-        let (mut before, mut reached_before) = (
+        let distance = quantile * self.covariance[(k, k)].sqrt();
+        let mut unknowns =
+            self.least + self.covariance.column(k) / self.covariance[(k, k)] * distance;
+        let (mut previous, mut previous_reached) = (
             ProfilePoint {
                 unknowns: self.least.clone(),
                 errors: self.at_least.clone(),
@@ -73,39 +74,40 @@ impl Profile<'_> {
                 Err(stopped @ FitError::Stopped { .. }) => return Err(stopped),
                 Err(_) => return Ok(None),
             };
-            let here = ProfilePoint { unknowns, errors };
-            derivatives += self.update(&derivatives, &before, &here);
+            let current = ProfilePoint { unknowns, errors };
+            derivatives += self.update(&derivatives, &previous, &current);
             let Some(covariance) = (derivatives.transpose() * &derivatives).try_inverse() else {
                 return Ok(None);
             };
-            let others = derivatives.clone().remove_column(k);
-            let Some(inverse) = (others.transpose() * &others).try_inverse() else {
+            let nuisance = derivatives.clone().remove_column(k);
+            let Some(inverse) = (nuisance.transpose() * &nuisance).try_inverse() else {
                 return Ok(None);
             };
-            let slope = others.transpose() * &here.errors;
+            let slope = nuisance.transpose() * &current.errors;
             let step = -inverse * &slope;
-            let left = -slope.dot(&step);
-            let reached = (here.errors.norm_squared() - left - self.objective)
+            let remaining = -slope.dot(&step);
+            let reached = (current.errors.norm_squared() - remaining - self.objective)
                 .max(0.0)
                 .sqrt();
-            let found = (reached / quantile.abs() - 1.0).abs() < END_TOLERANCE
-                && left < MAX_REMAINING_GAIN * quantile * quantile;
-            if found {
-                return Ok(Some(here.unknowns[k]));
+            let is_converged = (reached / quantile.abs() - 1.0).abs() < END_TOLERANCE
+                && remaining < MAX_REMAINING_GAIN * quantile * quantile;
+            if is_converged {
+                return Ok(Some(current.unknowns[k]));
             }
             // Secant method, limited in step.
-            let been = here.unknowns[k] - self.least[k];
-            let slant = (been - (before.unknowns[k] - self.least[k])) / (reached - reached_before);
-            let share = if slant.is_finite() {
-                ((been + (quantile.abs() - reached) * slant) / been)
+            let displacement = current.unknowns[k] - self.least[k];
+            let inverse_slope = (displacement - (previous.unknowns[k] - self.least[k]))
+                / (reached - previous_reached);
+            let scale = if inverse_slope.is_finite() {
+                ((displacement + (quantile.abs() - reached) * inverse_slope) / displacement)
                     .clamp(1.0 / MAX_DISTANCE_CHANGE, MAX_DISTANCE_CHANGE)
             } else {
                 1.0
             };
-            unknowns = &here.unknowns
-                + covariance.column(k) / covariance[(k, k)] * (been * (share - 1.0))
+            unknowns = &current.unknowns
+                + covariance.column(k) / covariance[(k, k)] * (displacement * (scale - 1.0))
                 + step.insert_row(k, 0.0);
-            (before, reached_before) = (here, reached);
+            (previous, previous_reached) = (current, reached);
         }
         Ok(None)
     }
@@ -118,10 +120,10 @@ impl Profile<'_> {
         from: &ProfilePoint,
         to: &ProfilePoint,
     ) -> DMatrix<f64> {
-        let moved = &to.unknowns - &from.unknowns;
-        let missed = &to.errors - &from.errors - derivatives * &moved;
-        let beside = moved.component_div(&self.covariance.diagonal());
-        missed * beside.transpose() / beside.dot(&moved)
+        let step_taken = &to.unknowns - &from.unknowns;
+        let mismatch = &to.errors - &from.errors - derivatives * &step_taken;
+        let scaled_step = step_taken.component_div(&self.covariance.diagonal());
+        mismatch * scaled_step.transpose() / scaled_step.dot(&step_taken)
     }
 }
 
@@ -143,9 +145,9 @@ mod tests {
     fn a_key_that_adds_to_a_feature_has_a_lopsided_interval() {
         let (b, s, t, x, y) = (0.4, 0.05, 0.08, -0.3_f64, 0.2_f64);
         let errors = |unknowns: &DVector<f64>| {
-            let (own, other) = (unknowns[0].exp(), unknowns[1].exp());
+            let (first_factor, other) = (unknowns[0].exp(), unknowns[1].exp());
             Ok(DVector::from_vec(vec![
-                (b * (own - x.exp()) + other - y.exp()) / s,
+                (b * (first_factor - x.exp()) + other - y.exp()) / s,
                 (other - y.exp()) / t,
             ]))
         };
@@ -164,15 +166,16 @@ mod tests {
             covariance: &covariance,
         };
         for quantile in [1.96, -1.96] {
-            let exact = (x.exp() + quantile * s.hypot(t) / b).ln();
-            let found = profile.end(0, quantile).unwrap().unwrap();
+            let expected = (x.exp() + quantile * s.hypot(t) / b).ln();
+            let result = profile.end(0, quantile).unwrap().unwrap();
             assert!(
-                (found - exact).abs() < 0.01 * (exact - x).abs(),
-                "{found} {exact}"
+                (result - expected).abs() < 0.01 * (expected - x).abs(),
+                "{result} {expected}"
             );
             // The interval of the covariance is far off.
             assert!(
-                (x + quantile * covariance[(0, 0)].sqrt() - exact).abs() > 0.1 * (exact - x).abs()
+                (x + quantile * covariance[(0, 0)].sqrt() - expected).abs()
+                    > 0.1 * (expected - x).abs()
             );
         }
     }

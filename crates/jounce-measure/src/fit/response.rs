@@ -10,7 +10,7 @@ use jounce_core::structure;
 
 use super::feature_table::FeatureTable;
 use super::model::Conditions;
-use super::{Deviation, FitError, FitModel, Question};
+use super::{Deviation, FeatureModel, FitError, FitModel};
 use jounce_data::read;
 use jounce_data::recording::{Over, Quantity as Measures, Unit};
 
@@ -96,7 +96,7 @@ impl ResponseFeature {
     }
 
     /// Output, input and unit required of a file.
-    pub(super) fn sides(&self) -> ResponseChannels {
+    pub(super) fn channels(&self) -> ResponseChannels {
         let output = match self.output {
             FrfResponse::Displacement(_) => Measures::Displacement,
             FrfResponse::Velocity(_) => Measures::Velocity,
@@ -116,14 +116,14 @@ impl ResponseFeature {
     }
 
     /// Note on a motion over a moving base that is read as relative by default.
-    pub(super) fn relative_in_words(&self, place: &str) -> Option<String> {
-        let moves = matches!(
+    pub(super) fn relative_in_words(&self, position: &str) -> Option<String> {
+        let is_motion = matches!(
             self.output,
             FrfResponse::Displacement(_) | FrfResponse::Velocity(_) | FrfResponse::Acceleration(_)
         );
-        (moves && self.input == FrfInput::BaseAcceleration && !self.absolute).then(|| {
+        (is_motion && self.input == FrfInput::BaseAcceleration && !self.absolute).then(|| {
             format!(
-                "{place}: {} is read as relative to the base; write absolute = true for a sensor \
+                "{position}: {} is read as relative to the base; write absolute = true for a sensor \
                 on the structure",
                 self.output.name()
             )
@@ -133,7 +133,7 @@ impl ResponseFeature {
 
 /// Parses the response output, named as in `frf`.
 pub(super) fn output(text: &str, reader: &mut FeatureTable<'_>) -> Option<FrfResponse> {
-    let found = text.rsplit_once('.').and_then(|(name, kind)| {
+    let result = text.rsplit_once('.').and_then(|(name, kind)| {
         let name = name.to_owned();
         Some(match kind {
             "displacement" => FrfResponse::Displacement(name),
@@ -144,12 +144,12 @@ pub(super) fn output(text: &str, reader: &mut FeatureTable<'_>) -> Option<FrfRes
             _ => return None,
         })
     });
-    if found.is_none() {
+    if result.is_none() {
         reader.fault(format!(
             "output is \"{text}\"; it must be a point with .displacement, .velocity or .acceleration, a patch with .voltage, or a circuit with .load_voltage"
         ));
     }
-    found
+    result
 }
 
 fn lines(reader: &mut FeatureTable<'_>) -> Option<MeasuredLines> {
@@ -185,7 +185,7 @@ fn lines(reader: &mut FeatureTable<'_>) -> Option<MeasuredLines> {
         ));
     }
     let magnitude = reader.numbers("magnitude", frequency_hz.len());
-    if magnitude.iter().any(|size| *size <= 0.0) {
+    if magnitude.iter().any(|value| *value <= 0.0) {
         reader.fault("magnitude must contain numbers above 0");
     }
     Some(MeasuredLines::Magnitude(frequency_hz, magnitude))
@@ -203,8 +203,8 @@ impl MeasuredLines {
     pub(super) fn read(
         &self,
         folder: &Path,
-        place: &str,
-        due: &ResponseChannels,
+        position: &str,
+        expected: &ResponseChannels,
     ) -> Result<(Self, Option<String>), FitError> {
         let Self::File {
             path,
@@ -214,63 +214,68 @@ impl MeasuredLines {
         else {
             return Ok((self.clone(), None));
         };
-        let told = |reason: String| FitError::File {
-            place: place.to_owned(),
+        let file_error = |reason: String| FitError::File {
+            place: position.to_owned(),
             path: path.clone(),
             reason,
         };
-        let contents = read::file(&folder.join(path)).map_err(|fault| told(fault.to_string()))?;
+        let contents =
+            read::file(&folder.join(path)).map_err(|fault| file_error(fault.to_string()))?;
         let over = contents.recordings.into_iter().find(|recording| {
             recording.over == Over::Frequency && recording.channel(channel).is_ok()
         });
         let recording =
-            over.ok_or_else(|| told(format!("it has no channel {channel} over frequency")))?;
-        let found = recording
+            over.ok_or_else(|| file_error(format!("it has no channel {channel} over frequency")))?;
+        let result = recording
             .channel(channel)
-            .map_err(|fault| told(fault.to_string()))?;
-        let unit = found.unit.as_str();
-        let silent = !found.head().tells_unit();
-        if !silent && (Unit::responds(unit), Unit::per(unit)) != (Some(due.output), Some(due.input))
+            .map_err(|fault| file_error(fault.to_string()))?;
+        let unit = result.unit.as_str();
+        let has_no_unit = !result.head().has_unit();
+        if !has_no_unit
+            && (Unit::responds(unit), Unit::per(unit))
+                != (Some(expected.output), Some(expected.input))
         {
-            return Err(told(format!(
+            return Err(file_error(format!(
                 "channel {channel} is in {unit}, but this response is in {}; correct input, \
                 output or unit",
-                due.unit
+                expected.unit
             )));
         }
-        let assumed = silent.then(|| {
+        let warning = has_no_unit.then(|| {
             format!(
-                "{place}: channel {channel} has no unit; {} is assumed",
-                due.unit
+                "{position}: channel {channel} has no unit; {} is assumed",
+                expected.unit
             )
         });
-        let places = recording.grid.places();
-        let inside: Vec<usize> = (0..places.len())
-            .filter(|k| places[*k] > 0.0 && (between_hz.0..=between_hz.1).contains(&places[*k]))
+        let frequencies = recording.grid.places();
+        let indices: Vec<usize> = (0..frequencies.len())
+            .filter(|k| {
+                frequencies[*k] > 0.0 && (between_hz.0..=between_hz.1).contains(&frequencies[*k])
+            })
             .collect();
-        if inside.is_empty() {
-            return Err(told("no line is in the band".to_owned()));
+        if indices.is_empty() {
+            return Err(file_error("no line is in the band".to_owned()));
         }
-        let frequency_hz = inside.iter().map(|k| places[*k]).collect();
-        let lines = match &found.imaginary {
+        let frequency_hz = indices.iter().map(|k| frequencies[*k]).collect();
+        let lines = match &result.imaginary {
             Some(imaginary) => Self::Complex(
                 frequency_hz,
-                inside
+                indices
                     .iter()
-                    .map(|k| c64::new(found.values[*k], imaginary[*k]))
+                    .map(|k| c64::new(result.values[*k], imaginary[*k]))
                     .collect(),
             ),
             None => Self::Magnitude(
                 frequency_hz,
-                inside.iter().map(|k| found.values[*k]).collect(),
+                indices.iter().map(|k| result.values[*k]).collect(),
             ),
         };
-        Ok((lines, assumed))
+        Ok((lines, warning))
     }
 }
 
 /// Response to be evaluated: magnitudes, or real parts followed by imaginary parts.
-pub(super) struct ResponseQuestion {
+pub(super) struct ResponseModel {
     pub input: FrfInput,
     pub output: FrfResponse,
     pub absolute: bool,
@@ -279,32 +284,32 @@ pub(super) struct ResponseQuestion {
     pub conditions: Conditions,
 }
 
-impl Question for ResponseQuestion {
-    fn ask(&self, model: &FitModel<'_>) -> Result<Vec<f64>, FitError> {
+impl FeatureModel for ResponseModel {
+    fn predict(&self, model: &FitModel<'_>) -> Result<Vec<f64>, FitError> {
         let mut spec = model.spec_at(&self.conditions)?;
         spec.take_drives_away();
         spec.stop.clear();
         spec.gravity = Gravity::default();
         let modes = structure::modes_holding(&spec, model.hold)?;
         let plant = Plant::new(System::assemble(&spec, modes)?)?;
-        let found = frf(
+        let result = frf(
             &plant,
             &self.input,
             std::slice::from_ref(&self.output),
             &self.frequency_hz,
         )?;
-        let rides = |(h, hz): (&c64, &f64)| {
+        let absolute_response = |(h, hz): (&c64, &f64)| {
             if self.absolute {
-                h + self.of_base(*hz)
+                h + self.base_response(*hz)
             } else {
                 *h
             }
         };
-        let value: Vec<c64> = found[0]
+        let value: Vec<c64> = result[0]
             .value
             .iter()
             .zip(&self.frequency_hz)
-            .map(rides)
+            .map(absolute_response)
             .collect();
         Ok(match self.complex {
             true => value
@@ -317,10 +322,10 @@ impl Question for ResponseQuestion {
     }
 }
 
-impl ResponseQuestion {
+impl ResponseModel {
     /// Contribution of the base motion to the motion of a sensor on the structure, per acceleration
     /// of the base; 0 for a voltage or under a force.
-    fn of_base(&self, hz: f64) -> c64 {
+    fn base_response(&self, hz: f64) -> c64 {
         let jw = c64::new(0.0, std::f64::consts::TAU * hz);
         match (&self.input, &self.output) {
             (FrfInput::BaseAcceleration, FrfResponse::Acceleration(_)) => c64::new(1.0, 0.0),

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::FitError;
-use super::discrepancy::missed;
+use super::discrepancy::discrepancies;
 use super::observations::MeasuredNumber;
 use super::problem::FitProblem;
 use super::profile::Profile;
@@ -131,16 +131,16 @@ impl FittedFeature {
 impl FittedCurve {
     /// RMS errors before and after, relative to the RMS of the measured curve.
     pub fn errors(&self) -> (f64, f64) {
-        let rms = |of: &dyn Fn(usize) -> f64| {
+        let rms = |value: &dyn Fn(usize) -> f64| {
             (0..self.at.len())
-                .map(|k| of(k).powi(2))
+                .map(|k| value(k).powi(2))
                 .sum::<f64>()
                 .sqrt()
         };
-        let size = rms(&|k| self.measured[k]);
+        let measured_rms = rms(&|k| self.measured[k]);
         (
-            rms(&|k| self.before[k] - self.measured[k]) / size,
-            rms(&|k| self.after[k] - self.measured[k]) / size,
+            rms(&|k| self.before[k] - self.measured[k]) / measured_rms,
+            rms(&|k| self.after[k] - self.measured[k]) / measured_rms,
         )
     }
 }
@@ -157,7 +157,7 @@ impl FitResult {
         minimum: &Minimum,
         before: &[f64],
     ) -> Result<Self, FitError> {
-        let (count, asked) = (problem.keys.len(), problem.asked);
+        let (count, observations) = (problem.keys.len(), problem.observations);
         let estimated: Vec<f64> = minimum.freedom.iter().flatten().copied().collect();
         let quantile = if estimated.is_empty() {
             Mode::QUANTILE_95
@@ -175,7 +175,7 @@ impl FitResult {
             })
             .collect();
         let errors = problem.errors(&problem.unknowns)?;
-        let chi_square = errors.rows(0, asked.measured.len()).norm_squared();
+        let chi_square = errors.rows(0, observations.measured.len()).norm_squared();
         let profile = Profile {
             errors: &|unknowns| problem.errors(unknowns),
             least: &problem.unknowns,
@@ -193,7 +193,7 @@ impl FitResult {
             }
             keys.push(key(problem, k, (*deviation, quantile), ends));
         }
-        let told = told(
+        let results = feature_results(
             problem,
             minimum,
             (before, &problem.model(&problem.unknowns)?),
@@ -206,18 +206,23 @@ impl FitResult {
         };
         Ok(Self {
             keys,
-            features: told
+            features: results
                 .iter()
-                .filter(|told| told.measured.on.is_none())
-                .map(|told| told.feature.clone())
+                .filter(|result| result.measured.on.is_none())
+                .map(|result| result.feature.clone())
                 .collect(),
-            curves: (0..asked.curves.len())
-                .map(|number| curve(problem, &told, number))
+            curves: (0..observations.curves.len())
+                .map(|number| curve(problem, &results, number))
                 .collect(),
-            deviations: asked.groups.iter().enumerate().map(of_group).collect(),
+            deviations: observations
+                .groups
+                .iter()
+                .enumerate()
+                .map(of_group)
+                .collect(),
             warnings: [
-                asked.told.clone(),
-                missed(problem, errors.as_slice()),
+                observations.warnings.clone(),
+                discrepancies(problem, errors.as_slice()),
                 warnings(
                     problem,
                     minimum,
@@ -261,20 +266,20 @@ fn key(
     }
 }
 
-fn told<'m>(
+fn feature_results<'m>(
     problem: &'m FitProblem<'_>,
     minimum: &Minimum,
     (before, after): (&[f64], &[f64]),
     quantile: f64,
 ) -> Vec<FeatureResult<'m>> {
-    let one = |(i, measured): (usize, &'m MeasuredNumber)| {
+    let feature_result = |(i, measured): (usize, &'m MeasuredNumber)| {
         let deviation = problem.deviation_of(measured);
         let row = minimum.derivatives.row(i) * deviation;
         let predicted_deviation = (&row * &minimum.covariance * row.transpose())[(0, 0)]
             .max(0.0)
             .sqrt();
-        let reach = quantile * deviation.hypot(predicted_deviation);
-        let ends = [-reach, reach].map(|error| measured.moved(after[i], error));
+        let half_width = quantile * deviation.hypot(predicted_deviation);
+        let ends = [-half_width, half_width].map(|error| measured.shifted(after[i], error));
         let feature = FittedFeature {
             name: measured.name.clone(),
             unit: measured.unit.clone(),
@@ -288,34 +293,41 @@ fn told<'m>(
         };
         FeatureResult { measured, feature }
     };
-    problem.asked.measured.iter().enumerate().map(one).collect()
+    problem
+        .observations
+        .measured
+        .iter()
+        .enumerate()
+        .map(feature_result)
+        .collect()
 }
 
-fn curve(problem: &FitProblem<'_>, told: &[FeatureResult<'_>], number: usize) -> FittedCurve {
-    let on: Vec<(&FittedFeature, f64)> = told
+fn curve(problem: &FitProblem<'_>, results: &[FeatureResult<'_>], number: usize) -> FittedCurve {
+    let on: Vec<(&FittedFeature, f64)> = results
         .iter()
-        .filter_map(|told| {
-            told.measured
+        .filter_map(|result| {
+            result
+                .measured
                 .on
                 .filter(|(curve, _)| *curve == number)
-                .map(|(_, at)| (&told.feature, at))
+                .map(|(_, at)| (&result.feature, at))
         })
         .collect();
-    let each = |of: fn(&FittedFeature) -> f64| {
+    let values = |value: fn(&FittedFeature) -> f64| {
         on.iter()
-            .map(|(feature, _)| of(feature))
+            .map(|(feature, _)| value(feature))
             .collect::<Vec<f64>>()
     };
-    let curve = &problem.asked.curves[number];
+    let curve = &problem.observations.curves[number];
     FittedCurve {
         name: curve.name.clone(),
         unit: curve.unit.clone(),
         over: curve.over.to_owned(),
         at: on.iter().map(|(_, at)| *at).collect(),
-        measured: each(|feature| feature.measured),
-        before: each(|feature| feature.before),
-        after: each(|feature| feature.after),
-        low: each(|feature| feature.low),
-        high: each(|feature| feature.high),
+        measured: values(|feature| feature.measured),
+        before: values(|feature| feature.before),
+        after: values(|feature| feature.after),
+        low: values(|feature| feature.low),
+        high: values(|feature| feature.high),
     }
 }

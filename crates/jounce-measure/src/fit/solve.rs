@@ -59,7 +59,7 @@ pub fn fit(
     control: &Control,
 ) -> Result<(FitResult, Spec), FitError> {
     let Unknowns { keys, start, prior } = Unknowns::of(file, spec, &features.free)?;
-    let asked = Observations::of(FitSource { file, folder }, features)?;
+    let observations = Observations::of(FitSource { file, folder }, features)?;
     let problem = FitProblem {
         spec,
         folder,
@@ -68,20 +68,20 @@ pub fn fit(
         keys,
         start,
         prior,
-        deviation: asked
+        deviation: observations
             .groups
             .iter()
             .map(|group| group.deviation.first())
             .collect(),
-        asked: &asked,
+        observations: &observations,
         evaluations: Cell::new(0),
         control,
         fault: RefCell::new(None),
     };
     let before = problem.model(&problem.unknowns)?;
-    let (problem, minimum) = settled(problem)?;
-    let answer = FitResult::of(&problem, &minimum, &before)?;
-    Ok((answer, problem.changed(&problem.unknowns)?))
+    let (problem, minimum) = converged(problem)?;
+    let result = FitResult::of(&problem, &minimum, &before)?;
+    Ok((result, problem.changed(&problem.unknowns)?))
 }
 
 /// Free keys, with their values in the spec and their relative deviations.
@@ -123,26 +123,26 @@ impl Unknowns {
 }
 
 /// Repeats the fit until the deviations from residuals have converged.
-fn settled(mut problem: FitProblem<'_>) -> Result<(FitProblem<'_>, Minimum), FitError> {
+fn converged(mut problem: FitProblem<'_>) -> Result<(FitProblem<'_>, Minimum), FitError> {
     for _ in 0..MAX_ROUNDS {
         problem = minimised(problem)?;
         let minimum = minimum(&problem)?;
         let errors = problem.errors(&problem.unknowns)?;
-        let mut moved: f64 = 0.0;
+        let mut max_change: f64 = 0.0;
         for (g, freedom) in minimum.freedom.iter().enumerate() {
             let Some(freedom) = freedom else { continue };
             let of_group = problem
-                .asked
+                .observations
                 .measured
                 .iter()
                 .enumerate()
                 .filter(|(_, measured)| measured.group == g);
-            let size = of_group.map(|(i, _)| errors[i].powi(2)).sum::<f64>() / freedom;
-            let before = problem.deviation[g];
-            problem.deviation[g] = (before * size.sqrt()).max(MIN_DEVIATION);
-            moved = moved.max((problem.deviation[g] / before - 1.0).abs());
+            let mean_square = of_group.map(|(i, _)| errors[i].powi(2)).sum::<f64>() / freedom;
+            let previous = problem.deviation[g];
+            problem.deviation[g] = (previous * mean_square.sqrt()).max(MIN_DEVIATION);
+            max_change = max_change.max((problem.deviation[g] / previous - 1.0).abs());
         }
-        if moved < DEVIATION_TOLERANCE {
+        if max_change < DEVIATION_TOLERANCE {
             return Ok((problem, minimum));
         }
     }
@@ -158,12 +158,12 @@ fn minimised(problem: FitProblem<'_>) -> Result<FitProblem<'_>, FitError> {
         .with_patience(50)
         .minimize(problem);
     // If the remaining decrease is below the noise of the runs, accept the minimum.
-    let found = report.termination.was_successful()
+    let is_successful = report.termination.was_successful()
         || matches!(
             report.termination,
             TerminationReason::NoImprovementPossible(_)
         );
-    if found {
+    if is_successful {
         return Ok(problem);
     }
     let evaluations = problem.evaluations.get();
@@ -181,35 +181,35 @@ fn minimum(problem: &FitProblem<'_>) -> Result<Minimum, FitError> {
         .try_inverse()
         .ok_or(FitError::NotConverged { evaluations })?;
     let freedom = |g: usize| {
-        let group = &problem.asked.groups[g];
+        let group = &problem.observations.groups[g];
         if group.deviation != Deviation::Residuals {
             return Ok(None);
         }
         let of_group = || {
             problem
-                .asked
+                .observations
                 .measured
                 .iter()
                 .enumerate()
                 .filter(|(_, measured)| measured.group == g)
                 .map(|(i, _)| i)
         };
-        let taken: f64 = of_group()
+        let used: f64 = of_group()
             .map(|i| (derivatives.row(i) * &covariance * derivatives.row(i).transpose())[(0, 0)])
             .sum();
         let features = of_group().count();
-        let left = features as f64 - taken;
-        if left < 1.0 - DEVIATION_ROUNDOFF {
+        let remaining = features as f64 - used;
+        if remaining < 1.0 - DEVIATION_ROUNDOFF {
             Err(FitError::NoResiduals {
                 name: group.name.clone(),
                 features,
-                taken,
+                taken: used,
             })
         } else {
-            Ok(Some(left.max(1.0)))
+            Ok(Some(remaining.max(1.0)))
         }
     };
-    let freedom = (0..problem.asked.groups.len())
+    let freedom = (0..problem.observations.groups.len())
         .map(freedom)
         .collect::<Result<_, FitError>>()?;
     Ok(Minimum {

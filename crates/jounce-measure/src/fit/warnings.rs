@@ -20,46 +20,46 @@ pub(super) fn warnings(
     (correlation, linear): (&[Vec<f64>], &[&str]),
     chi_square: f64,
 ) -> Vec<String> {
-    let (count, features) = (problem.keys.len(), problem.asked.measured.len());
+    let (count, features) = (problem.keys.len(), problem.observations.measured.len());
     let path = |k: usize| problem.keys[k].path();
-    let mut found = Vec::new();
+    let mut result = Vec::new();
     // Directions of the keys, each relative to its prior, that the features determine better than
     // the priors do.
     let scaled = DMatrix::from_fn(features, count, |i, k| {
         minimum.derivatives[(i, k)] * problem.prior[k]
     });
-    let seen = scaled
+    let sensitivity = scaled
         .singular_values()
         .iter()
         .filter(|s| **s > 1.0)
         .count();
-    if seen < count {
-        found.push(format!(
-            "{features} features determine {seen} combinations of the {count} \
+    if sensitivity < count {
+        result.push(format!(
+            "{features} features determine {sensitivity} combinations of the {count} \
             keys; the others remain at the priors"
         ));
     }
     for k in 0..count {
-        let share = deviation[k] / problem.prior[k];
-        if share > MAX_POSTERIOR_RATIO {
-            found.push(format!(
+        let deviation_ratio = deviation[k] / problem.prior[k];
+        if deviation_ratio > MAX_POSTERIOR_RATIO {
+            result.push(format!(
                 "the features contain almost no information on {}: its deviation is {:.0} % of \
                 the prior's",
                 path(k),
-                100.0 * share
+                100.0 * deviation_ratio
             ));
         }
-        let moved = problem.unknowns[k] / problem.prior[k];
-        if moved.abs() > 2.0 {
-            found.push(format!(
+        let shift_ratio = problem.unknowns[k] / problem.prior[k];
+        if shift_ratio.abs() > 2.0 {
+            result.push(format!(
                 "{} moved by {:.1} standard deviations of its prior: is the model missing \
                 something?",
                 path(k),
-                moved.abs()
+                shift_ratio.abs()
             ));
         }
         for other in (0..k).filter(|other| correlation[k][*other].abs() > MAX_CORRELATION) {
-            found.push(format!(
+            result.push(format!(
                 "{} and {} cannot be distinguished: correlation {:.3}",
                 path(other),
                 path(k),
@@ -68,20 +68,20 @@ pub(super) fn warnings(
         }
     }
     for key in linear {
-        found.push(format!(
+        result.push(format!(
             "the model cannot be evaluated at both ends of the interval of {key}: the interval is \
             from the linearised model there"
         ));
     }
     for (group, freedom) in problem
-        .asked
+        .observations
         .groups
         .iter()
         .zip(&minimum.freedom)
         .filter_map(|(group, freedom)| Some((group, (*freedom)?)))
     {
         if freedom < 3.0 {
-            found.push(format!(
+            result.push(format!(
                 "the deviation of {} is estimated from residuals with {freedom:.1} degrees of \
                 freedom: it is very uncertain, and so are the intervals",
                 group.name
@@ -90,16 +90,16 @@ pub(super) fn warnings(
     }
     // Mean plus three deviations of chi square if the deviations are given; an estimated deviation
     // always fits.
-    let freedom = features.saturating_sub(seen) as f64;
-    let given = problem
-        .asked
+    let freedom = features.saturating_sub(sensitivity) as f64;
+    let are_deviations_fixed = problem
+        .observations
         .groups
         .iter()
         .all(|group| group.deviation != Deviation::Residuals);
-    if given && chi_square > freedom + 3.0 * (2.0 * freedom).sqrt() + 1.0 {
-        found.push(format!(
+    if are_deviations_fixed && chi_square > freedom + 3.0 * (2.0 * freedom).sqrt() + 1.0 {
+        result.push(format!(
             "the model misses the features by more than their deviations (chi square {chi_square:.1} for {freedom} degrees of freedom): the intervals are too narrow"
         ));
     }
-    found
+    result
 }

@@ -38,9 +38,9 @@ pub struct Band {
     pub(super) noise: BandNoise,
     pub(super) inputs: usize,
     /// Bias of the window on a free decay.
-    pub(super) sight: WindowBias,
+    pub(super) window_bias: WindowBias,
     /// Change by leaving out one part of the blocks, for each part.
-    pub(super) parts: Vec<LeaveOneOutChange>,
+    pub(super) leave_one_out: Vec<LeaveOneOutChange>,
     /// True where the forces are used as outputs and the sensors as references.
     pub(super) swapped: bool,
     /// Power of `j w` from displacement to the measured quantity of each response.
@@ -51,11 +51,11 @@ pub struct Band {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum BandNoise {
     /// Unknown, or estimated from blocks.
-    AsTold,
+    Measured,
     /// Equal on all lines.
-    Even,
+    Uniform,
     /// The variance of each line is estimated from the residuals of a fit.
-    ByRest,
+    FromResiduals,
 }
 
 /// Change by leaving out a part of the blocks.
@@ -64,7 +64,7 @@ pub(super) struct LeaveOneOutChange {
     /// Share of the blocks that is left out.
     pub share: f64,
     /// Index of the force location of the blocks.
-    pub place: usize,
+    pub position: usize,
     /// Change of the displacement per force: response, line. Empty for the responses to a force at
     /// another location.
     pub change: Vec<Vec<c64>>,
@@ -78,9 +78,9 @@ struct MeasuredResponse<'a> {
     /// Power of `j w` from displacement per force, or per acceleration of the base, to the measured
     /// quantity.
     power: i32,
-    without: &'a [LeaveOneOutResponse],
+    leave_one_out: &'a [LeaveOneOutResponse],
     /// Index of the force location of the response.
-    place: usize,
+    position: usize,
 }
 
 impl Band {
@@ -99,7 +99,8 @@ impl Band {
         between_hz: (f64, f64),
     ) -> Result<Self, ModalError> {
         // |H| has half of the variance, the phase the other half.
-        let told = |(deviation, h): (&f64, &c64)| 2.0 * (deviation.max(1e-6) * h.norm()).powi(2);
+        let line_variance =
+            |(deviation, h): (&f64, &c64)| 2.0 * (deviation.max(1e-6) * h.norm()).powi(2);
         let mut measured = Vec::new();
         for (k, value) in response.iter().enumerate() {
             let deviation = relative_deviation.get(k);
@@ -114,13 +115,13 @@ impl Band {
                 });
             }
             let variance =
-                deviation.map(|deviation| deviation.iter().zip(value).map(told).collect());
+                deviation.map(|deviation| deviation.iter().zip(value).map(line_variance).collect());
             measured.push(MeasuredResponse {
                 value,
                 variance,
                 power: motion as i32,
-                without: &[],
-                place: 0,
+                leave_one_out: &[],
+                position: 0,
             });
         }
         Self::of_measured(
@@ -136,7 +137,7 @@ impl Band {
         frequency_hz: &[f64],
         measured: &[MeasuredResponse<'_>],
         inputs: usize,
-        sight: WindowBias,
+        window_bias: WindowBias,
         (low_hz, high_hz): (f64, f64),
     ) -> Result<Self, ModalError> {
         let expected = frequency_hz.len();
@@ -147,96 +148,107 @@ impl Band {
                 expected,
             });
         }
-        for (k, one) in measured.iter().enumerate() {
-            if one.value.len() != expected {
+        for (k, function) in measured.iter().enumerate() {
+            if function.value.len() != expected {
                 return Err(ModalError::Lengths {
                     response: k + 1,
-                    lines: one.value.len(),
+                    lines: function.value.len(),
                     expected,
                 });
             }
         }
-        let inside: Vec<usize> = (0..expected)
+        let indices: Vec<usize> = (0..expected)
             .filter(|k| frequency_hz[*k] > 0.0 && (low_hz..=high_hz).contains(&frequency_hz[*k]))
             .collect();
-        for (o, one) in measured.iter().enumerate() {
-            if let Some(k) = inside
-                .iter()
-                .find(|k| !(one.value[**k].re.is_finite() && one.value[**k].im.is_finite()))
-            {
+        for (o, function) in measured.iter().enumerate() {
+            if let Some(k) = indices.iter().find(|k| {
+                !(function.value[**k].re.is_finite() && function.value[**k].im.is_finite())
+            }) {
                 return Err(ModalError::NotFinite {
                     response: o + 1,
                     frequency_hz: frequency_hz[*k],
                 });
             }
         }
-        let turn = |one: &MeasuredResponse<'_>, k: usize| {
-            c64::new(0.0, std::f64::consts::TAU * frequency_hz[k]).powi(-one.power)
+        let to_displacement = |function: &MeasuredResponse<'_>, k: usize| {
+            c64::new(0.0, std::f64::consts::TAU * frequency_hz[k]).powi(-function.power)
         };
-        let displacement = |one: &MeasuredResponse<'_>| {
-            inside
+        let displacement = |function: &MeasuredResponse<'_>| {
+            indices
                 .iter()
-                .map(|k| one.value[*k] * turn(one, *k))
+                .map(|k| function.value[*k] * to_displacement(function, *k))
                 .collect::<Vec<c64>>()
         };
-        let variance = |one: &MeasuredResponse<'_>| -> Option<Vec<f64>> {
-            let variance = one.variance.as_ref()?;
+        let variance = |function: &MeasuredResponse<'_>| -> Option<Vec<f64>> {
+            let variance = function.variance.as_ref()?;
             Some(
-                inside
+                indices
                     .iter()
-                    .map(|k| variance[*k] * turn(one, *k).norm_sqr())
+                    .map(|k| variance[*k] * to_displacement(function, *k).norm_sqr())
                     .collect(),
             )
         };
-        let change = |one: &MeasuredResponse<'_>, part: usize| -> Vec<c64> {
-            inside
+        let change = |function: &MeasuredResponse<'_>, part: usize| -> Vec<c64> {
+            indices
                 .iter()
-                .map(|k| (one.without[part].value[*k] - one.value[*k]) * turn(one, *k))
+                .map(|k| {
+                    (function.leave_one_out[part].value[*k] - function.value[*k])
+                        * to_displacement(function, *k)
+                })
                 .collect()
         };
-        let places = measured
+        let position_count = measured
             .iter()
-            .map(|one| one.place)
+            .map(|function| function.position)
             .max()
             .map_or(0, |last| last + 1);
-        let of_place = |place: usize| {
-            let parts = measured
+        let changes_at = |position: usize| {
+            let measured_parts = measured
                 .iter()
-                .filter(|one| one.place == place)
-                .map(|one| one.without)
-                .min_by_key(|parts| parts.len())
+                .filter(|function| function.position == position)
+                .map(|function| function.leave_one_out)
+                .min_by_key(|measured_parts| measured_parts.len())
                 .unwrap_or(&[]);
-            let left_out = |(part, without): (usize, &LeaveOneOutResponse)| LeaveOneOutChange {
-                share: without.share,
-                place,
-                change: measured
-                    .iter()
-                    .map(|one| {
-                        if one.place == place {
-                            change(one, part)
-                        } else {
-                            Vec::new()
-                        }
-                    })
-                    .collect(),
-            };
-            parts.iter().enumerate().map(left_out).collect::<Vec<_>>()
+            let change_without =
+                |(part, left_out): (usize, &LeaveOneOutResponse)| LeaveOneOutChange {
+                    share: left_out.share,
+                    position,
+                    change: measured
+                        .iter()
+                        .map(|function| {
+                            if function.position == position {
+                                change(function, part)
+                            } else {
+                                Vec::new()
+                            }
+                        })
+                        .collect(),
+                };
+            measured_parts
+                .iter()
+                .enumerate()
+                .map(change_without)
+                .collect::<Vec<_>>()
         };
-        let parts: Vec<Vec<LeaveOneOutChange>> = (0..places).map(of_place).collect();
+        let changes: Vec<Vec<LeaveOneOutChange>> = (0..position_count).map(changes_at).collect();
         // A location with a single block makes the scatter of the others useless.
-        let all_tell = parts.iter().all(|parts| !parts.is_empty());
+        let all_have_parts = changes.iter().all(|changes| !changes.is_empty());
         Ok(Self {
             low_hz,
             high_hz,
-            frequency_hz: inside.iter().map(|k| frequency_hz[*k]).collect(),
+            frequency_hz: indices.iter().map(|k| frequency_hz[*k]).collect(),
             response: measured.iter().map(displacement).collect(),
             variance: measured.iter().filter_map(variance).collect(),
             inputs,
-            sight,
-            parts: if all_tell { parts.concat() } else { Vec::new() },
-            noise: BandNoise::AsTold,
+            window_bias,
+            leave_one_out: if all_have_parts {
+                changes.concat()
+            } else {
+                Vec::new()
+            },
+            noise: BandNoise::Measured,
             swapped: false,
-            power: measured.iter().map(|one| one.power).collect(),
+            power: measured.iter().map(|function| function.power).collect(),
         })
     }
 
@@ -255,19 +267,19 @@ impl Band {
         let first = responses.functions.first();
         let frequency_hz = first.map_or(&[][..], |function| &function.frequency_hz);
         let (functions, quantities) = (&responses.functions, &responses.quantities);
-        let several = functions.iter().all(|function| function.blocks > 1);
+        let is_averaged = functions.iter().all(|function| function.blocks > 1);
         let references = responses.references.len().max(1);
         let swapped = functions.len() < references * references;
         let mut measured = Vec::new();
         for k in order(functions.len(), references, swapped) {
             let (function, power) = (&functions[k], power(quantities[k], responses.inputs[k]));
-            let variance = several.then(|| variance(function));
+            let variance = is_averaged.then(|| variance(function));
             measured.push(MeasuredResponse {
                 value: &function.value,
                 variance,
                 power,
-                without: &function.without,
-                place: k % references,
+                leave_one_out: &function.leave_one_out,
+                position: k % references,
             });
         }
         let inputs = if swapped {
@@ -275,67 +287,67 @@ impl Band {
         } else {
             references
         };
-        let sight = first.map_or(WindowBias::Whole, |function| function.sight);
+        let window_bias = first.map_or(WindowBias::Whole, |function| function.window_bias);
         Ok(Self {
             swapped,
-            ..Self::of_measured(frequency_hz, &measured, inputs, sight, between_hz)?
+            ..Self::of_measured(frequency_hz, &measured, inputs, window_bias, between_hz)?
         })
     }
 
     /// Reorders values from band order to response order.
-    pub(super) fn in_order<T>(&self, of: Vec<T>) -> Vec<T> {
-        let mut placed: Vec<(usize, T)> = order(of.len(), self.outputs(), self.swapped)
+    pub(super) fn in_order<T>(&self, values: Vec<T>) -> Vec<T> {
+        let mut ordered: Vec<(usize, T)> = order(values.len(), self.outputs(), self.swapped)
             .into_iter()
-            .zip(of)
+            .zip(values)
             .collect();
-        placed.sort_by_key(|(k, _)| *k);
-        placed.into_iter().map(|(_, one)| one).collect()
+        ordered.sort_by_key(|(k, _)| *k);
+        ordered.into_iter().map(|(_, one)| one).collect()
     }
 
     /// Returns the lines up to a frequency, for the search of poles.
-    pub(super) fn below(&self, high_hz: f64) -> Self {
+    pub(super) fn up_to(&self, high_hz: f64) -> Self {
         let lines = self.frequency_hz.partition_point(|hz| *hz <= high_hz);
-        let cut = |of: &Vec<c64>| of[..lines].to_vec();
+        let truncated = |values: &Vec<c64>| values[..lines].to_vec();
         Self {
             low_hz: self.low_hz,
             high_hz,
             frequency_hz: self.frequency_hz[..lines].to_vec(),
-            response: self.response.iter().map(cut).collect(),
+            response: self.response.iter().map(truncated).collect(),
             variance: self
                 .variance
                 .iter()
-                .map(|of| of[..lines].to_vec())
+                .map(|values| values[..lines].to_vec())
                 .collect(),
             noise: self.noise,
             inputs: self.inputs,
-            sight: self.sight,
-            parts: Vec::new(),
+            window_bias: self.window_bias,
+            leave_one_out: Vec::new(),
             swapped: self.swapped,
             power: self.power.clone(),
         }
     }
 
     /// Returns the band with variances estimated from the residuals of a fit.
-    pub(super) fn told_by(&self, variance: Vec<Vec<f64>>) -> Self {
+    pub(super) fn with_variance(&self, variance: Vec<Vec<f64>>) -> Self {
         Self {
             variance,
-            noise: BandNoise::ByRest,
-            parts: Vec::new(),
+            noise: BandNoise::FromResiduals,
+            leave_one_out: Vec::new(),
             ..self.clone()
         }
     }
 
     /// Returns the band with equal noise on all lines, unless the noise is known.
-    pub(super) fn evenly_noisy(self) -> Self {
+    pub(super) fn with_uniform_noise(self) -> Self {
         Self {
-            noise: BandNoise::Even,
+            noise: BandNoise::Uniform,
             ..self
         }
     }
 
     /// True where the noise can only be estimated from a fit.
-    pub(super) fn leaves_noise_untold(&self) -> bool {
-        self.variance.is_empty() && self.noise == BandNoise::AsTold
+    pub(super) fn has_unknown_noise(&self) -> bool {
+        self.variance.is_empty() && self.noise == BandNoise::Measured
     }
 
     /// Returns a response in its measured quantity.
@@ -353,7 +365,7 @@ impl Band {
     }
 
     /// True where the band begins so high that an order of 40 cannot cover the circle from 0.
-    pub(super) fn begins_far_from_zero(&self) -> bool {
+    pub(super) fn starts_far_from_zero(&self) -> bool {
         matches!(self.frequency_hz[..], [first, .., last] if first > FAR_BAND_RATIO * last)
     }
 

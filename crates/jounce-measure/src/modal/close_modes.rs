@@ -15,58 +15,63 @@ const MAX_DAMPING_RATIO: f64 = 3.0;
 const MIN_ORDER_SHARE: f64 = 0.6;
 
 /// Returns the initial poles; each that represents several close ones is replaced by them, at most
-/// `most` at one frequency.
-pub(super) fn apart(diagram: &[StablePole], start: &[Pole], most: usize) -> Vec<Pole> {
+/// `max_count` at one frequency.
+pub(super) fn split_close_modes(
+    diagram: &[StablePole],
+    start: &[Pole],
+    max_count: usize,
+) -> Vec<Pole> {
     let last = diagram.iter().map(|found| found.order).max().unwrap_or(0);
-    let mut all: Vec<Pole> = start
+    let mut poles: Vec<Pole> = start
         .iter()
-        .flat_map(|pole| beside(diagram, start, *pole, most, last))
+        .flat_map(|pole| poles_near(diagram, start, *pole, max_count, last))
         .collect();
-    all.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
-    all
+    poles.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
+    poles
 }
 
-fn beside(
+fn poles_near(
     diagram: &[StablePole],
     start: &[Pole],
     pole: Pole,
-    most: usize,
+    max_count: usize,
     last: usize,
 ) -> Vec<Pole> {
     let distance = |a: Pole, b: Pole| (a.frequency_hz / b.frequency_hz - 1.0).abs();
-    let own = |found: &&StablePole| {
-        let (here, ratio) = (
+    let is_near = |found: &&StablePole| {
+        let (pole_distance, ratio) = (
             distance(found.pole, pole),
             found.pole.damping_ratio / pole.damping_ratio,
         );
         found.stable != Stability::New
-            && here <= MAX_FREQUENCY_DISTANCE
+            && pole_distance <= MAX_FREQUENCY_DISTANCE
             && start
                 .iter()
-                .all(|other| here <= distance(found.pole, *other))
+                .all(|other| pole_distance <= distance(found.pole, *other))
             && (1.0 / MAX_DAMPING_RATIO..MAX_DAMPING_RATIO).contains(&ratio)
     };
     let mut of_order: Vec<Vec<Pole>> = vec![Vec::new(); last + 1];
     diagram
         .iter()
-        .filter(own)
+        .filter(is_near)
         .for_each(|found| of_order[found.order].push(found.pole));
     let Some(first) = of_order.iter().position(|poles| !poles.is_empty()) else {
         return vec![pole];
     };
     let upper = &of_order[first.midpoint(last)..];
-    let hold = |count: usize| {
+    let is_frequent = |count: usize| {
         upper.iter().filter(|poles| poles.len() >= count).count() as f64
             >= MIN_ORDER_SHARE * upper.len() as f64
     };
-    let Some(count) = (2..=most).rev().find(|count| hold(*count)) else {
+    let Some(count) = (2..=max_count).rev().find(|count| is_frequent(*count)) else {
         return vec![pole];
     };
     // The middle one of the orders with exactly this number of poles; else the first of those with
     // more.
-    let exact: Vec<&Vec<Pole>> = upper.iter().filter(|poles| poles.len() == count).collect();
-    exact
-        .get(exact.len() / 2)
+    let of_equal_count: Vec<&Vec<Pole>> =
+        upper.iter().filter(|poles| poles.len() == count).collect();
+    of_equal_count
+        .get(of_equal_count.len() / 2)
         .map_or_else(|| vec![pole], |poles| poles.to_vec())
 }
 
@@ -87,7 +92,7 @@ mod tests {
 
     /// Two poles in most of the upper orders are two modes; an occasional second one is noise.
     #[test]
-    fn two_poles_at_one_place_in_most_orders_are_two_modes() {
+    fn two_near_poles_in_most_orders_are_two_modes() {
         let start = [
             Pole {
                 frequency_hz: 50.0,
@@ -98,17 +103,17 @@ mod tests {
                 damping_ratio: 0.01,
             },
         ];
-        let both = (5..=20)
+        let two_poles = (5..=20)
             .flat_map(|order| [found(order, 49.98), found(order, 50.03), found(order, 80.0)]);
-        let now_and_then = (5..=20)
+        let occasional_pole = (5..=20)
             .filter(|order| order % 3 == 0)
             .map(|order| found(order, 80.1));
-        let diagram: Vec<StablePole> = both.chain(now_and_then).collect();
-        let frequencies: Vec<f64> = apart(&diagram, &start, 2)
+        let diagram: Vec<StablePole> = two_poles.chain(occasional_pole).collect();
+        let frequencies: Vec<f64> = split_close_modes(&diagram, &start, 2)
             .iter()
             .map(|pole| pole.frequency_hz)
             .collect();
         assert_eq!(frequencies, [49.98, 50.03, 80.0]);
-        assert_eq!(apart(&diagram, &start, 1).len(), 2);
+        assert_eq!(split_close_modes(&diagram, &start, 1).len(), 2);
     }
 }

@@ -16,49 +16,50 @@ use faer::{Mat, Side, c64};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
-use super::sums::{both_ways, signals};
+use super::sums::{fourier_sums, signals};
 use super::{Band, ModalError, Pole};
 
 /// Sums over the lines, shared by all orders.
 struct ComplexMoments {
     inputs: usize,
-    /// `sum z^k` for k from `-most` to `most`.
+    /// `sum z^k` for k from `-max_order` to `max_order`.
     r: Vec<c64>,
     /// `sum z^k H_o`: output, input, k.
     s: Vec<Vec<Vec<c64>>>,
     /// `sum z^k conj(H_oi) H_oj`, summed over outputs: i, j, k.
     t: Vec<Vec<Vec<c64>>>,
-    most: usize,
+    max_order: usize,
     interval_s: f64,
     base_hz: f64,
 }
 
-/// Poles above the lower end of the band for each order from 1 to `most`, in ascending frequency,
-/// without unstable ones. An order with singular equations is empty.
+/// Poles above the lower end of the band for each order from 1 to `max_order`, in ascending
+/// frequency, without unstable ones. An order with singular equations is empty.
 ///
 /// # Errors
 /// Responses that are all zero.
-pub(super) fn poles(band: &Band, most: usize) -> Result<Vec<Vec<Pole>>, ModalError> {
-    let moments = ComplexMoments::of(band, most);
+pub(super) fn poles(band: &Band, max_order: usize) -> Result<Vec<Vec<Pole>>, ModalError> {
+    let moments = ComplexMoments::of(band, max_order);
     let normal = moments.normal()?;
-    let found: Vec<Option<Vec<Pole>>> = normal.into_par_iter().map(|m| moments.poles(&m)).collect();
-    if found.iter().all(Option::is_none) {
-        return Err(ModalError::Singular { order: most });
+    let result: Vec<Option<Vec<Pole>>> =
+        normal.into_par_iter().map(|m| moments.poles(&m)).collect();
+    if result.iter().all(Option::is_none) {
+        return Err(ModalError::Singular { order: max_order });
     }
-    Ok(found.into_iter().map(Option::unwrap_or_default).collect())
+    Ok(result.into_iter().map(Option::unwrap_or_default).collect())
 }
 
 impl ComplexMoments {
-    fn of(band: &Band, most: usize) -> Self {
+    fn of(band: &Band, max_order: usize) -> Self {
         let (inputs, outputs) = (band.inputs, band.outputs());
         let base_hz = band
             .frequency_hz
             .iter()
             .copied()
             .fold(f64::INFINITY, f64::min);
-        let highest = band.frequency_hz.iter().copied().fold(0.0, f64::max);
-        let interval_s = 1.0 / (highest - base_hz + band.line_hz());
-        let turn: Vec<c64> = band
+        let highest_hz = band.frequency_hz.iter().copied().fold(0.0, f64::max);
+        let interval_s = 1.0 / (highest_hz - base_hz + band.line_hz());
+        let phasors: Vec<c64> = band
             .frequency_hz
             .iter()
             .map(|f| c64::from_polar(1.0, -TAU * (f - base_hz) * interval_s))
@@ -68,7 +69,7 @@ impl ComplexMoments {
             .into_iter()
             .flat_map(|h| [h.iter().map(|x| c64::new(x.im, -x.re)).collect(), h])
             .collect();
-        let sums = both_ways(&turn, &signals, most);
+        let sums = fourier_sums(&phasors, &signals, max_order);
         let joined = |pair: &[Vec<f64>]| -> Vec<c64> {
             pair[1]
                 .iter()
@@ -89,7 +90,7 @@ impl ComplexMoments {
             r,
             s,
             t,
-            most,
+            max_order,
             interval_s,
             base_hz,
         }
@@ -97,12 +98,12 @@ impl ComplexMoments {
 
     /// Matrix `M` of each order from 1, up to the first singular `R`.
     fn normal(&self) -> Result<Vec<Mat<c64>>, ModalError> {
-        let (n, width) = (self.inputs, self.most + 1);
-        let index = |a: usize, b: usize| self.most + b - a;
+        let (n, width) = (self.inputs, self.max_order + 1);
+        let index = |a: usize, b: usize| self.max_order + b - a;
         let r = Mat::from_fn(width, width, |a, b| self.r[index(a, b)]);
-        let factor = r
-            .llt(Side::Lower)
-            .map_err(|_| ModalError::Singular { order: self.most })?;
+        let factor = r.llt(Side::Lower).map_err(|_| ModalError::Singular {
+            order: self.max_order,
+        })?;
         let inverse = {
             let mut inverse = Mat::<c64>::identity(width, width);
             factor.L().solve_lower_triangular_in_place(&mut inverse);
@@ -113,28 +114,28 @@ impl ComplexMoments {
             .par_iter()
             .map(|s| &inverse * Mat::from_fn(width, n * width, |a, b| -s[b % n][index(a, b / n)]))
             .collect();
-        let mut taken = Mat::<c64>::zeros(n * width, n * width);
-        let mut all = Vec::new();
+        let mut eliminated = Mat::<c64>::zeros(n * width, n * width);
+        let mut matrices = Vec::new();
         for order in 0..width {
             let row = Mat::from_fn(y.len(), n * width, |o, b| y[o][(order, b)]);
-            taken += row.adjoint() * &row;
-            let size = n * (order + 1);
+            eliminated += row.adjoint() * &row;
+            let column_count = n * (order + 1);
             if order > 0 {
-                all.push(Mat::from_fn(size, size, |a, b| {
-                    self.t[a % n][b % n][index(a / n, b / n)] - taken[(a, b)]
+                matrices.push(Mat::from_fn(column_count, column_count, |a, b| {
+                    self.t[a % n][b % n][index(a / n, b / n)] - eliminated[(a, b)]
                 }));
             }
         }
-        Ok(all)
+        Ok(matrices)
     }
 
     /// Poles of the order of a matrix `M`; `None` where it is singular.
     fn poles(&self, m: &Mat<c64>) -> Option<Vec<Pole>> {
         let n = self.inputs;
         let free = m.nrows() - n;
-        let left = m.submatrix(0, 0, free, free).to_owned();
-        let right = Mat::from_fn(free, n, |a, b| -m[(a, free + b)]);
-        let coefficients = left.partial_piv_lu().solve(&right);
+        let matrix = m.submatrix(0, 0, free, free).to_owned();
+        let rhs = Mat::from_fn(free, n, |a, b| -m[(a, free + b)]);
+        let coefficients = matrix.partial_piv_lu().solve(&rhs);
         if !coefficients
             .col_iter()
             .all(|column| column.iter().all(|x| x.re.is_finite() && x.im.is_finite()))
@@ -149,30 +150,30 @@ impl ComplexMoments {
             }
         });
         let roots = companion.eigenvalues().ok()?;
-        let turn = TAU / self.interval_s;
+        let alias_rad_s = TAU / self.interval_s;
         let pole = |z: &c64| {
             let p = -z.ln() / self.interval_s;
             // Once around the circle is the width of the band.
             c64::new(
                 p.re,
-                p.im + if p.im < 0.0 { turn } else { 0.0 } + TAU * self.base_hz,
+                p.im + if p.im < 0.0 { alias_rad_s } else { 0.0 } + TAU * self.base_hz,
             )
         };
-        let mut found: Vec<Pole> = roots
+        let mut result: Vec<Pole> = roots
             .iter()
             .map(pole)
             .filter(|p| p.re < 0.0 && p.re.is_finite())
             .map(Pole::of)
             .collect();
-        found.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
-        Some(found)
+        result.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
+        Some(result)
     }
 }
 
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
-    use super::super::plscf::tests::{exact, shape};
+    use super::super::plscf::tests::{exact_responses, shape};
     use super::super::{ModalSettings, ResponseQuantity, identify};
     use super::*;
 
@@ -187,7 +188,7 @@ mod tests {
     /// accelerometers, from one force or two.
     fn band(between_hz: (f64, f64), modes: &[Pole], inputs: usize) -> Band {
         let frequency_hz: Vec<f64> = (1..6000).map(|k| f64::from(k) * 0.1).collect();
-        let mut response = exact(&frequency_hz, modes, shape, 8, inputs);
+        let mut response = exact_responses(&frequency_hz, modes, shape, 8, inputs);
         for h in &mut response {
             h.iter_mut()
                 .zip(&frequency_hz)
@@ -205,7 +206,7 @@ mod tests {
     }
 
     fn modes() -> Vec<Pole> {
-        let inside = [
+        let in_band = [
             pole(213.0, 0.008),
             pole(231.0, 0.01),
             pole(252.0, 0.004),
@@ -213,7 +214,7 @@ mod tests {
         ];
         [
             &[pole(60.0, 0.01), pole(140.0, 0.01)],
-            &inside[..],
+            &in_band[..],
             &[pole(340.0, 0.01), pole(480.0, 0.01)],
         ]
         .concat()
@@ -221,9 +222,9 @@ mod tests {
 
     /// Four modes in a band with two modes below it and two above.
     #[test]
-    fn poles_far_from_zero_come_back_beside_modes_outside_of_the_band() {
+    fn poles_far_from_zero_are_found_with_modes_outside_the_band() {
         for inputs in [1, 2] {
-            let found = super::super::poles(&band((200.0, 300.0), &modes(), inputs), 24)
+            let result = super::super::poles(&band((200.0, 300.0), &modes(), inputs), 24)
                 .unwrap()
                 .pop()
                 .unwrap();
@@ -232,7 +233,7 @@ mod tests {
                     (p.frequency_hz / pole.frequency_hz - 1.0).abs()
                         + (p.damping_ratio - pole.damping_ratio).abs()
                 };
-                let nearest = found
+                let nearest = result
                     .iter()
                     .min_by(|a, b| distance(a).total_cmp(&distance(b)))
                     .unwrap();
@@ -259,25 +260,25 @@ mod tests {
             ((200.0, 300.0), 40, modes(), 2..6),
             ((90.0, 130.0), 6, vec![pole(110.0, 0.01)], 0..1),
         ];
-        for (between_hz, order, modes, inside) in cases {
-            let found = identify(&band(between_hz, &modes, 1), ModalSettings { order }).unwrap();
-            for pole in &modes[inside] {
-                let off =
+        for (between_hz, order, modes, indices) in cases {
+            let result = identify(&band(between_hz, &modes, 1), ModalSettings { order }).unwrap();
+            for pole in &modes[indices] {
+                let relative_error =
                     |mode: &super::super::Mode| (mode.frequency_hz / pole.frequency_hz - 1.0).abs();
-                let nearest = found
+                let nearest = result
                     .modes
                     .iter()
-                    .min_by(|a, b| off(a).total_cmp(&off(b)))
+                    .min_by(|a, b| relative_error(a).total_cmp(&relative_error(b)))
                     .unwrap();
                 let damping = nearest.damping_ratio / pole.damping_ratio - 1.0;
                 eprintln!(
                     "{:.0} Hz of {} modes off by {:.1e}, damping ratio by {damping:.1e}",
                     pole.frequency_hz,
-                    found.modes.len(),
-                    off(nearest)
+                    result.modes.len(),
+                    relative_error(nearest)
                 );
                 assert!(
-                    off(nearest) < 1e-6 && damping.abs() < 1e-4,
+                    relative_error(nearest) < 1e-6 && damping.abs() < 1e-4,
                     "{pole:?} {nearest:?}"
                 );
             }

@@ -34,11 +34,11 @@ impl PoleCovariance {
         outputs: &[ProjectedProblem],
         misfit: f64,
     ) -> Option<Self> {
-        let size = outputs.first()?.projected.ncols();
-        let mut normal = Mat::<f64>::zeros(size, size);
+        let unknown_count = outputs.first()?.projected.ncols();
+        let mut normal = Mat::<f64>::zeros(unknown_count, unknown_count);
         outputs
             .iter()
-            .for_each(|left| normal += left.projected.transpose() * &left.projected);
+            .for_each(|output| normal += output.projected.transpose() * &output.projected);
         let inverse = normal.llt(Side::Lower).ok()?.inverse();
         // Without variances only the misfit is known.
         let factor = if band.variance.is_empty() {
@@ -46,58 +46,58 @@ impl PoleCovariance {
         } else {
             misfit.max(1.0)
         };
-        let told = Self {
+        let base = Self {
             inverse,
             scatter: None,
             factor,
         };
-        if !band.parts.is_empty() {
-            let turns = Scatter::turns(band.parts.len(), band.sight);
-            let change =
-                |left: &LeaveOneOutChange| &told.inverse * score(data, outputs, left, turns);
-            let scatter = Scatter::of_parts(
-                band.parts.par_iter().map(change).collect(),
-                &band.parts,
-                band.sight,
+        if !band.leave_one_out.is_empty() {
+            let rotations = Scatter::rotations(band.leave_one_out.len(), band.window_bias);
+            let effect =
+                |part: &LeaveOneOutChange| &base.inverse * score(data, outputs, part, rotations);
+            let scatter = Scatter::from_parts(
+                band.leave_one_out.par_iter().map(effect).collect(),
+                &band.leave_one_out,
+                band.window_bias,
             );
             return Some(Self {
                 scatter: Some(scatter),
-                ..told
+                ..base
             });
         }
-        if band.noise == BandNoise::ByRest {
-            let change = |line: usize| &told.inverse * told.score_of_line(data, outputs, line);
+        if band.noise == BandNoise::FromResiduals {
+            let effect = |line: usize| &base.inverse * base.score_of_line(data, outputs, line);
             let scatter =
-                Scatter::of_lines((0..data.lines.len()).into_par_iter().map(change).collect());
+                Scatter::from_lines((0..data.lines.len()).into_par_iter().map(effect).collect());
             return Some(Self {
                 scatter: Some(scatter),
                 factor: 1.0,
-                ..told
+                ..base
             });
         }
-        Some(told)
+        Some(base)
     }
 
     /// Standard deviations of frequency (Hz) and damping ratio of each pole.
     pub fn deviations(&self, poles: &[c64]) -> Vec<(f64, f64)> {
-        let of = |(r, p): (usize, &c64)| {
-            let (a, b, size) = (p.re, p.im, p.norm());
+        let pole_deviations = |(r, p): (usize, &c64)| {
+            let (a, b, magnitude) = (p.re, p.im, p.norm());
             let deviation =
                 |slopes: [f64; 2]| (self.variance(r, slopes) * self.factor).max(0.0).sqrt();
             // |p| and -re p / |p|.
             (
-                deviation([a / size, b / size]) / TAU,
-                deviation([-b * b / size.powi(3), a * b / size.powi(3)]),
+                deviation([a / magnitude, b / magnitude]) / TAU,
+                deviation([-b * b / magnitude.powi(3), a * b / magnitude.powi(3)]),
             )
         };
-        poles.iter().enumerate().map(of).collect()
+        poles.iter().enumerate().map(pole_deviations).collect()
     }
 
     /// Variance of a quantity with derivatives `slope` by the real and the imaginary part of pole
     /// `r`.
     fn variance(&self, r: usize, slope: [f64; 2]) -> f64 {
         let covariance = &self.inverse;
-        let told = || {
+        let residual_variance = || {
             let (vr, vi, c) = (
                 covariance[(2 * r, 2 * r)],
                 covariance[(2 * r + 1, 2 * r + 1)],
@@ -107,7 +107,7 @@ impl PoleCovariance {
         };
         self.scatter
             .as_ref()
-            .map_or_else(told, |scatter| scatter.variance(r, slope))
+            .map_or_else(residual_variance, |scatter| scatter.variance(r, slope))
     }
 
     /// Degrees of freedom of the deviations of each pole; `None` where they are large.
@@ -118,29 +118,33 @@ impl PoleCovariance {
     }
 
     /// Leverage of a row by linear and nonlinear unknowns.
-    fn share(&self, left: &ProjectedProblem, row: usize) -> f64 {
-        let of = left.projected.row(row);
-        left.taken[row] + of * &self.inverse * of.transpose()
+    fn row_leverage(&self, output: &ProjectedProblem, row: usize) -> f64 {
+        let row_vector = output.projected.row(row);
+        output.leverage[row] + row_vector * &self.inverse * row_vector.transpose()
     }
 
     /// Leverage of each line of each response of a band; 0 for lines that the fit leaves out.
-    pub fn taken(
+    pub fn leverages(
         &self,
         data: &FitData,
         outputs: &[ProjectedProblem],
         band: &Band,
     ) -> Vec<Vec<f64>> {
-        let (rows, inputs) = (2 * data.lines.len(), responses_of_part(data, outputs));
-        let of = |response: usize| {
-            let (left, from) = (&outputs[response / inputs], response % inputs * rows);
-            let mut shares = vec![0.0; band.frequency_hz.len()];
+        let (rows, inputs) = (2 * data.lines.len(), responses_per_output(data, outputs));
+        let response_leverages = |response: usize| {
+            let (output, from) = (&outputs[response / inputs], response % inputs * rows);
+            let mut leverages = vec![0.0; band.frequency_hz.len()];
             for (k, line) in data.lines.iter().enumerate() {
-                shares[*line] =
-                    0.5 * (self.share(left, from + 2 * k) + self.share(left, from + 2 * k + 1));
+                leverages[*line] = 0.5
+                    * (self.row_leverage(output, from + 2 * k)
+                        + self.row_leverage(output, from + 2 * k + 1));
             }
-            shares
+            leverages
         };
-        (0..band.response.len()).into_par_iter().map(of).collect()
+        (0..band.response.len())
+            .into_par_iter()
+            .map(response_leverages)
+            .collect()
     }
 
     /// Contribution of the residual of a line to `J^T P e` over all responses, and the same turned
@@ -148,18 +152,20 @@ impl PoleCovariance {
     /// its leverage.
     fn score_of_line(&self, data: &FitData, outputs: &[ProjectedProblem], line: usize) -> Mat<f64> {
         let mut sum = Mat::<f64>::zeros(self.inverse.nrows(), 2);
-        for left in outputs {
-            for re in (2 * line..left.rest.nrows()).step_by(2 * data.lines.len()) {
-                let taken = 0.5 * (self.share(left, re) + self.share(left, re + 1));
-                let widened = (1.0 - taken).max(MIN_FREE_SHARE).sqrt().recip() / 2f64.sqrt();
+        for output in outputs {
+            for re in (2 * line..output.residual.nrows()).step_by(2 * data.lines.len()) {
+                let leverage =
+                    0.5 * (self.row_leverage(output, re) + self.row_leverage(output, re + 1));
+                let scale = (1.0 - leverage).max(MIN_FREE_SHARE).sqrt().recip() / 2f64.sqrt();
                 let (x, y) = (
-                    left.rest[(re, 0)] * widened,
-                    left.rest[(re + 1, 0)] * widened,
+                    output.residual[(re, 0)] * scale,
+                    output.residual[(re + 1, 0)] * scale,
                 );
                 for c in 0..sum.nrows() {
-                    let (by_re, by_im) = (left.projected[(re, c)], left.projected[(re + 1, c)]);
-                    sum[(c, 0)] += by_re * x + by_im * y;
-                    sum[(c, 1)] += by_im * x - by_re * y;
+                    let (slope_re, slope_im) =
+                        (output.projected[(re, c)], output.projected[(re + 1, c)]);
+                    sum[(c, 0)] += slope_re * x + slope_im * y;
+                    sum[(c, 1)] += slope_im * x - slope_re * y;
                 }
             }
         }
@@ -169,7 +175,7 @@ impl PoleCovariance {
 
 /// Number of responses whose rows form one part: all of an output where its responses share a
 /// shape, else one, for any number of references.
-fn responses_of_part(data: &FitData, outputs: &[ProjectedProblem]) -> usize {
+fn responses_per_output(data: &FitData, outputs: &[ProjectedProblem]) -> usize {
     data.responses.len() / outputs.len().max(1)
 }
 
@@ -179,27 +185,27 @@ fn score(
     data: &FitData,
     outputs: &[ProjectedProblem],
     left_out: &LeaveOneOutChange,
-    turns: usize,
+    rotations: usize,
 ) -> Mat<f64> {
-    let size = outputs.first().map_or(0, |left| left.projected.ncols());
-    let inputs = responses_of_part(data, outputs);
+    let unknown_count = outputs.first().map_or(0, |output| output.projected.ncols());
+    let inputs = responses_per_output(data, outputs);
     let rows = 2 * data.lines.len();
-    let mut sums = Mat::<f64>::zeros(size, turns);
-    for (o, left) in outputs.iter().enumerate() {
-        let turned = Mat::from_fn(left.projected.nrows(), turns, |row, turn| {
+    let mut sums = Mat::<f64>::zeros(unknown_count, rotations);
+    for (o, output) in outputs.iter().enumerate() {
+        let rotated = Mat::from_fn(output.projected.nrows(), rotations, |row, rotation| {
             let (response, k) = (o * inputs + row / rows, row % rows / 2);
             let change = left_out.change[response]
                 .get(data.lines[k])
-                .map_or(c64::new(0.0, 0.0), |of| {
-                    of * data.responses[response].weight[k]
+                .map_or(c64::new(0.0, 0.0), |line_change| {
+                    line_change * data.responses[response].weight[k]
                 });
-            match (row % 2, turn) {
+            match (row % 2, rotation) {
                 (0, 0) | (1, 1) => change.re,
                 (0, _) => -change.im,
                 _ => change.im,
             }
         });
-        sums += left.projected.transpose() * turned;
+        sums += output.projected.transpose() * rotated;
     }
     sums
 }

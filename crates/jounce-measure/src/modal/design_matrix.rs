@@ -21,19 +21,19 @@ struct TermPoint {
 }
 
 impl TermPoint {
-    fn of_line((sight, power, _): TermKind, w: f64) -> Self {
+    fn of_line((window_bias, power, _): TermKind, w: f64) -> Self {
         let at = c64::new(0.0, w);
         Self {
             at,
-            end: sight.end(at),
+            end: window_bias.end(at),
             factor: at.powi(-power),
         }
     }
 
-    fn of_pole((sight, power, _): TermKind, at: c64) -> Self {
+    fn of_pole((window_bias, power, _): TermKind, at: c64) -> Self {
         Self {
             at,
-            end: sight.end(-at),
+            end: window_bias.end(-at),
             factor: at.powi(power),
         }
     }
@@ -47,8 +47,8 @@ impl TermPoint {
     }
 
     /// Returns `(p / j w)^m G(j w - p)` and its derivative by `p`, at this line.
-    fn seen((sight, power, _): TermKind, line: Self, pole: Self) -> (c64, c64) {
-        let (value, slope) = sight.transform_from(line.at - pole.at, line.end * pole.end);
+    fn pole_term((window_bias, power, _): TermKind, line: Self, pole: Self) -> (c64, c64) {
+        let (value, slope) = window_bias.transform_from(line.at - pole.at, line.end * pole.end);
         let factor = line.factor * pole.factor;
         match power {
             0 => (value, -slope),
@@ -61,13 +61,13 @@ impl TermPoint {
 
     /// Combines the terms of a pole and its conjugate for the real and the imaginary part of their
     /// coefficient: values, derivatives.
-    fn both(kind: TermKind, line: Self, pole: Self) -> ([c64; 2], [c64; 2]) {
+    fn pair_terms(kind: TermKind, line: Self, pole: Self) -> ([c64; 2], [c64; 2]) {
         let (one, two) = (
-            Self::seen(kind, line, pole),
-            Self::seen(kind, line, pole.conj()),
+            Self::pole_term(kind, line, pole),
+            Self::pole_term(kind, line, pole.conj()),
         );
-        let parts = |one: c64, two: c64| [one + two, c64::new(0.0, 1.0) * (one - two)];
-        (parts(one.0, two.0), parts(one.1, two.1))
+        let real_columns = |one: c64, two: c64| [one + two, c64::new(0.0, 1.0) * (one - two)];
+        (real_columns(one.0, two.0), real_columns(one.1, two.1))
     }
 }
 
@@ -93,7 +93,7 @@ impl LinearTerms {
         let terms = self
             .poles
             .iter()
-            .flat_map(|pole| TermPoint::both(self.kind, line, *pole).0)
+            .flat_map(|pole| TermPoint::pair_terms(self.kind, line, *pole).0)
             .chain(residuals(w, self.kind.2));
         terms.zip(unknown).map(|(term, x)| term * x).sum()
     }
@@ -101,9 +101,9 @@ impl LinearTerms {
 
 /// Residual terms of the modes below and above the band.
 fn residuals(w: f64, upper: usize) -> impl Iterator<Item = c64> {
-    let above = std::iter::successors(Some(1.0), move |x| Some(x * (w * w))).take(upper);
+    let upper_terms = std::iter::successors(Some(1.0), move |x| Some(x * (w * w))).take(upper);
     std::iter::once(-1.0 / (w * w))
-        .chain(above)
+        .chain(upper_terms)
         .flat_map(|x| [c64::new(x, 0.0), c64::new(0.0, x)])
 }
 
@@ -114,13 +114,13 @@ pub(super) struct DesignMatrix {
     pub linear: Mat<f64>,
     /// For each pole `u + u'` and `j (u - u')`, where `u` is the derivative of its term by the
     /// pole, `1 / (j w - p)^2` without window bias, and `u'` the derivative for the conjugate pole.
-    pub squares: Mat<f64>,
+    pub derivatives: Mat<f64>,
 }
 
 impl DesignMatrix {
     /// Returns the matrices of each power.
     pub fn of_kinds(
-        sight: WindowBias,
+        window_bias: WindowBias,
         powers: &[i32],
         angular: &[f64],
         poles: &[c64],
@@ -128,13 +128,13 @@ impl DesignMatrix {
     ) -> Vec<Self> {
         powers
             .iter()
-            .map(|power| Self::of((sight, *power, upper), angular, poles))
+            .map(|power| Self::of((window_bias, *power, upper), angular, poles))
             .collect()
     }
 
     fn of(kind: TermKind, angular: &[f64], poles: &[c64]) -> Self {
         let (rows, modes) = (2 * angular.len(), 2 * poles.len());
-        let (mut linear, mut squares) = (
+        let (mut linear, mut derivatives) = (
             Mat::<f64>::zeros(rows, modes + 2 + 2 * kind.2),
             Mat::<f64>::zeros(rows, modes),
         );
@@ -145,12 +145,14 @@ impl DesignMatrix {
         for (r, p) in poles.iter().enumerate() {
             let pole = TermPoint::of_pole(kind, *p);
             for (k, line) in lines.iter().enumerate() {
-                let (values, slopes) = TermPoint::both(kind, *line, pole);
+                let (values, slopes) = TermPoint::pair_terms(kind, *line, pole);
                 for c in 0..2 {
                     (linear[(2 * k, 2 * r + c)], linear[(2 * k + 1, 2 * r + c)]) =
                         (values[c].re, values[c].im);
-                    (squares[(2 * k, 2 * r + c)], squares[(2 * k + 1, 2 * r + c)]) =
-                        (slopes[c].re, slopes[c].im);
+                    (
+                        derivatives[(2 * k, 2 * r + c)],
+                        derivatives[(2 * k + 1, 2 * r + c)],
+                    ) = (slopes[c].re, slopes[c].im);
                 }
             }
         }
@@ -159,6 +161,9 @@ impl DesignMatrix {
                 (linear[(2 * k, modes + c)], linear[(2 * k + 1, modes + c)]) = (value.re, value.im);
             }
         }
-        Self { linear, squares }
+        Self {
+            linear,
+            derivatives,
+        }
     }
 }

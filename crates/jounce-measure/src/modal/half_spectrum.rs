@@ -24,8 +24,8 @@
 use faer::c64;
 use realfft::RealFftPlanner;
 
-use super::identify::{Identification, ModalSettings, candidates, refined};
-use super::jackknife::leave_out;
+use super::identify::{Identification, ModalSettings, candidates, refine};
+use super::jackknife::leave_one_out;
 use super::warp::{Warp, without_decay};
 use super::{Band, ModalError, Mode, Pole, ResponseQuantity};
 use crate::response::Decays;
@@ -65,7 +65,7 @@ pub fn identify_decays(
     let frequency_hz: Vec<f64> = (0..decays.values[0].len() / 2)
         .map(|m| m as f64 / length_s)
         .collect();
-    let warped_hz: Vec<f64> = frequency_hz.iter().map(|f| warp.there(*f)).collect();
+    let warped_hz: Vec<f64> = frequency_hz.iter().map(|f| warp.warp_hz(*f)).collect();
     let (lines, references) = (frequency_hz.len(), decays.references.len());
     let spectra = |values: &[Vec<f64>]| {
         values
@@ -76,26 +76,26 @@ pub fn identify_decays(
     // Poles are sought in decays multiplied by a window that ends them within the record: broad
     // peaks make clear diagrams.
     let decay_per_s = -END_RATIO.ln() / length_s;
-    let dying = |values: &Vec<f64>| {
+    let windowed = |values: &Vec<f64>| {
         values
             .iter()
             .enumerate()
             .map(|(k, x)| x * (-decay_per_s * k as f64 / decays.rate_hz).exp())
             .collect::<Vec<f64>>()
     };
-    let dying = cut(
-        &spectra(&decays.values.iter().map(dying).collect::<Vec<_>>()),
+    let windowed = truncate(
+        &spectra(&decays.values.iter().map(windowed).collect::<Vec<_>>()),
         lines,
     );
-    let sought = Band::new(
+    let windowed_band = Band::new(
         &frequency_hz,
-        &dying,
+        &windowed,
         &[],
         references,
         ResponseQuantity::Displacement,
         between_hz,
     )?;
-    let (mut diagram, mut start) = candidates(&sought, settings)?;
+    let (mut diagram, mut start) = candidates(&windowed_band, settings)?;
     diagram
         .iter_mut()
         .map(|stable| &mut stable.pole)
@@ -104,32 +104,32 @@ pub fn identify_decays(
     let start: Vec<Pole> = start.into_iter().map(|pole| warp.warped(pole)).collect();
     let blocks: Vec<Vec<Vec<c64>>> = decays.blocks.iter().map(|block| spectra(block)).collect();
     let mean = spectra(&decays.values);
-    let deviation = cut(&deviations(&mean, &blocks), lines);
-    let between = (warp.there(between_hz.0), warp.there(between_hz.1));
+    let deviation = truncate(&deviations(&mean, &blocks), lines);
+    let warped_between_hz = (warp.warp_hz(between_hz.0), warp.warp_hz(between_hz.1));
     // White noise of a decay is white in its spectrum.
     let band = |response: &[Vec<c64>]| {
         Ok(Band::new(
             &warped_hz,
-            &cut(response, lines),
+            &truncate(response, lines),
             &deviation,
             references,
             ResponseQuantity::Displacement,
-            between,
+            warped_between_hz,
         )?
-        .evenly_noisy())
+        .with_uniform_noise())
     };
-    let unwarped = |fault| match fault {
+    let with_band_in_hz = |error| match error {
         ModalError::NoMode { .. } => ModalError::NoMode {
             low_hz: between_hz.0,
             high_hz: between_hz.1,
         },
         other => other,
     };
-    let mut found = refined(&band(&mean)?, diagram, &start).map_err(unwarped)?;
+    let mut found = refine(&band(&mean)?, diagram, &start).map_err(with_band_in_hz)?;
     if !blocks.is_empty() {
-        leave_out(&mut found.modes, &mean, &blocks, band).map_err(unwarped)?;
+        leave_one_out(&mut found.modes, &mean, &blocks, band).map_err(with_band_in_hz)?;
     }
-    warp.back(&mut found);
+    warp.unwarp(&mut found);
     if found.modes.iter().all(Mode::is_doubtful) {
         let frequency_hz = found.modes.iter().map(|mode| mode.frequency_hz).collect();
         return Err(ModalError::Doubtful {
@@ -138,24 +138,23 @@ pub fn identify_decays(
             frequency_hz,
         });
     }
-    found
-        .modes
-        .iter_mut()
-        .for_each(|mode| mode.residue = strongest(&mode.residue, decays.references.len()));
+    found.modes.iter_mut().for_each(|mode| {
+        mode.residue = strongest_reference(&mode.residue, decays.references.len())
+    });
     Ok(found)
 }
 
 /// Residues of all outputs for the reference with the largest participation in a mode: its shape.
-fn strongest(residue: &[c64], references: usize) -> Vec<c64> {
-    let of = |i: usize| residue.iter().skip(i).step_by(references).copied();
-    let size = |i: &usize| of(*i).map(|r| r.norm_sqr()).sum::<f64>();
+fn strongest_reference(residue: &[c64], references: usize) -> Vec<c64> {
+    let residues_of = |i: usize| residue.iter().skip(i).step_by(references).copied();
+    let squared_norm = |i: &usize| residues_of(*i).map(|r| r.norm_sqr()).sum::<f64>();
     (0..references)
-        .max_by(|a, b| size(a).total_cmp(&size(b)))
-        .map_or_else(Vec::new, |i| of(i).collect())
+        .max_by(|a, b| squared_norm(a).total_cmp(&squared_norm(b)))
+        .map_or_else(Vec::new, |i| residues_of(i).collect())
 }
 
-fn cut<T: Clone>(of: &[Vec<T>], lines: usize) -> Vec<Vec<T>> {
-    of.iter().map(|values| values[..lines].to_vec()).collect()
+fn truncate<T: Clone>(rows: &[Vec<T>], lines: usize) -> Vec<Vec<T>> {
+    rows.iter().map(|values| values[..lines].to_vec()).collect()
 }
 
 /// Computes the trapezoidal one-sided spectrum of samples.
@@ -179,26 +178,26 @@ fn deviations(mean: &[Vec<c64>], blocks: &[Vec<Vec<c64>>]) -> Vec<Vec<f64>> {
         return Vec::new();
     }
     let count = blocks.len() as f64;
-    let of = |(f, mean): (usize, &Vec<c64>)| {
-        let spread = |k: usize| {
+    let function_deviations = |(f, mean): (usize, &Vec<c64>)| {
+        let line_variance = |k: usize| {
             blocks
                 .iter()
                 .map(|block| (block[f][k] - mean[k]).norm_sqr())
                 .sum::<f64>()
                 / (count * (count - 1.0))
         };
-        let variance: Vec<f64> = (0..mean.len()).map(spread).collect();
-        let around = |k: usize| {
+        let variance: Vec<f64> = (0..mean.len()).map(line_variance).collect();
+        let smoothed = |k: usize| {
             let near = &variance
                 [k.saturating_sub(NEIGHBOUR_LINES)..(k + NEIGHBOUR_LINES + 1).min(variance.len())];
             near.iter().sum::<f64>() / near.len() as f64
         };
         // Half of the variance lies along the line, as for a response.
         (0..mean.len())
-            .map(|k| (around(k) / 2.0).sqrt() / mean[k].norm().max(f64::MIN_POSITIVE))
+            .map(|k| (smoothed(k) / 2.0).sqrt() / mean[k].norm().max(f64::MIN_POSITIVE))
             .collect()
     };
-    mean.iter().enumerate().map(of).collect()
+    mean.iter().enumerate().map(function_deviations).collect()
 }
 
 #[cfg(test)]
@@ -230,9 +229,9 @@ mod tests {
     fn decay(poles: &[Pole], count: usize) -> Vec<Vec<f64>> {
         let at = |o: usize, k: usize| {
             let mode = |(r, pole): (usize, &Pole)| {
-                let turned = c64::from_polar(shape(r, o), 0.4 * (r + 1) as f64)
+                let contribution = c64::from_polar(shape(r, o), 0.4 * (r + 1) as f64)
                     * (pole.complex() * (k as f64 / RATE)).exp();
-                turned.re
+                contribution.re
             };
             poles.iter().enumerate().map(mode).sum::<f64>()
         };
@@ -241,9 +240,9 @@ mod tests {
             .collect()
     }
 
-    fn worst(found: &[Mode], poles: &[Pole]) -> (f64, f64) {
+    fn largest_errors(found: &[Mode], poles: &[Pole]) -> (f64, f64) {
         assert_eq!(found.len(), poles.len(), "{found:?}");
-        let off = |(mode, pole): (&Mode, &Pole)| {
+        let relative_errors = |(mode, pole): (&Mode, &Pole)| {
             (
                 (mode.frequency_hz / pole.frequency_hz - 1.0).abs(),
                 (mode.damping_ratio / pole.damping_ratio - 1.0).abs(),
@@ -252,18 +251,18 @@ mod tests {
         found
             .iter()
             .zip(poles)
-            .map(off)
+            .map(relative_errors)
             .fold((0.0, 0.0), |a, b| (f64::max(a.0, b.0), f64::max(a.1, b.1)))
     }
 
     /// Records that end long before their decays do (the slowest mode has fallen by only 45 %), two
     /// modes 1 Hz apart. Measured: 2.2e-16 and 1.7e-14.
     #[test]
-    fn cut_decays_give_back_their_poles_without_leakage() {
+    fn truncated_decays_give_their_poles_without_leakage() {
         let record = recording(decay(&POLES, 500));
         let decays = Decays::free(&[record], &[], Some((0.2, 1.0))).unwrap();
         let found = identify_decays(&decays, (5.0, 105.0), ModalSettings { order: 20 }).unwrap();
-        let (frequency, damping) = worst(&found.modes, &POLES);
+        let (frequency, damping) = largest_errors(&found.modes, &POLES);
         eprintln!("frequencies {frequency:.1e}, damping ratios {damping:.1e} off");
         assert!(
             frequency < 1e-11 && damping < 1e-9,
@@ -276,10 +275,10 @@ mod tests {
     /// of two frequencies and two damping ratios in 50 trials; the standard deviation of this share
     /// is 1.8 %.
     #[test]
-    fn deviations_of_free_decays_hold_the_truth_as_often_as_they_say() {
+    fn deviations_of_free_decays_have_their_coverage() {
         let poles = [POLES[0], POLES[3]];
-        let clean = decay(&poles, 500);
-        let (mut inside, mut all) = (0, 0);
+        let exact_decay = decay(&poles, 500);
+        let (mut covered, mut total) = (0, 0);
         for seed in 0..50 {
             let mut stream = RandomStream::new(seed, 9);
             let noisy = |values: &Vec<f64>| {
@@ -288,7 +287,7 @@ mod tests {
                     .map(|x| x + 0.05 * values[0].abs() * stream.normal_pair()[0])
                     .collect()
             };
-            let record = recording(clean.iter().map(noisy).collect());
+            let record = recording(exact_decay.iter().map(noisy).collect());
             let decays = Decays::free(&[record], &[], Some((0.0, 1.9))).unwrap();
             let found =
                 identify_decays(&decays, (5.0, 105.0), ModalSettings { order: 12 }).unwrap();
@@ -302,31 +301,32 @@ mod tests {
                             .total_cmp(&(b.frequency_hz - pole.frequency_hz).abs())
                     })
                     .unwrap();
-                let off = [
+                let errors = [
                     (mode.frequency_hz - pole.frequency_hz) / mode.frequency_deviation_hz,
                     (mode.damping_ratio - pole.damping_ratio) / mode.damping_deviation,
                 ];
-                inside += off
+                covered += errors
                     .iter()
-                    .filter(|off| off.abs() <= mode.quantile_95)
+                    .filter(|errors| errors.abs() <= mode.quantile_95)
                     .count();
-                all += 2;
+                total += 2;
             }
         }
-        let share = inside as f64 / f64::from(all);
-        eprintln!("{share} inside");
-        assert!((0.90..=0.99).contains(&share), "{share}");
+        let coverage = covered as f64 / f64::from(total);
+        eprintln!("{coverage} inside");
+        assert!((0.90..=0.99).contains(&coverage), "{coverage}");
     }
 
     /// The message gives the requested band, not the warped one.
     #[test]
-    fn noise_has_no_modes_in_the_band_that_was_asked_for() {
+    fn noise_has_no_modes_in_the_requested_band() {
         let mut stream = RandomStream::new(4, 0);
         let noise: Vec<f64> = (0..4000).flat_map(|_| stream.normal_pair()).collect();
         let decays = Decays::ambient(&recording(vec![noise]), &AmbientSettings::default()).unwrap();
-        let told = identify_decays(&decays, (5.0, 500.0), ModalSettings { order: 20 }).unwrap_err();
+        let error =
+            identify_decays(&decays, (5.0, 500.0), ModalSettings { order: 20 }).unwrap_err();
         assert_eq!(
-            told,
+            error,
             ModalError::NoMode {
                 low_hz: 5.0,
                 high_hz: MAX_FREQUENCY_RATIO * RATE
@@ -337,8 +337,8 @@ mod tests {
     /// White noise, as a record of a structure at rest and as decays: stable poles in it are not
     /// modes.
     #[test]
-    fn noise_alone_has_no_modes() {
-        let (mut doubtful, mut none) = (0, 0);
+    fn pure_noise_has_no_modes() {
+        let (mut doubtful, mut no_mode) = (0, 0);
         for seed in 0..12 {
             let mut stream = RandomStream::new(seed, 3);
             let noise: Vec<f64> = (0..1000).flat_map(|_| stream.normal_pair()).collect();
@@ -353,29 +353,32 @@ mod tests {
             ] {
                 match identify_decays(&decays, (5.0, 100.0), ModalSettings { order: 20 }) {
                     Err(ModalError::Doubtful { .. }) => doubtful += 1,
-                    Err(ModalError::NoMode { .. }) => none += 1,
+                    Err(ModalError::NoMode { .. }) => no_mode += 1,
                     other => eprintln!("{seed}: {other:?}"),
                 }
             }
         }
-        eprintln!("{doubtful} doubtful, {none} without a stable pole");
-        assert!(doubtful > 0 && doubtful + none == 24, "{doubtful} {none}");
+        eprintln!("{doubtful} doubtful, {no_mode} without a stable pole");
+        assert!(
+            doubtful > 0 && doubtful + no_mode == 24,
+            "{doubtful} {no_mode}"
+        );
     }
 
     /// Three modes under white noise forces, exact at the samples: `q_k+1 = exp(p T) q_k + (complex
     /// white noise)`.
     fn ambient(seed: u64, poles: &[Pole], count: usize) -> Recording {
         let mut stream = RandomStream::new(seed, 1);
-        let turn: Vec<c64> = poles
+        let rotations: Vec<c64> = poles
             .iter()
             .map(|pole| (pole.complex() / RATE).exp())
             .collect();
         let mut q = vec![c64::new(0.0, 0.0); poles.len()];
         let mut values = vec![Vec::new(); 2];
         for k in 0..count + 5000 {
-            for (q, turn) in q.iter_mut().zip(&turn) {
+            for (q, rotation) in q.iter_mut().zip(&rotations) {
                 let [re, im] = stream.normal_pair();
-                *q = *q * turn + c64::new(re, im);
+                *q = *q * rotation + c64::new(re, im);
             }
             if k >= 5000 {
                 for (o, values) in values.iter_mut().enumerate() {
@@ -396,9 +399,10 @@ mod tests {
     /// Noise of sensors of a few percent, 400 s at 250 Hz. Measured: frequencies within 1.8e-3,
     /// damping ratios within 8.6e-2.
     #[test]
-    fn modes_under_noise_are_found_from_outputs_alone() {
+    fn modes_under_noise_are_found_from_outputs() {
         let poles = [POLES[0], POLES[1], POLES[3]];
-        let (mut inside, mut all, mut worst_hz, mut worst_ratio) = (0, 0, 0.0_f64, 0.0_f64);
+        let (mut covered, mut total, mut max_frequency_error, mut max_damping_error) =
+            (0, 0, 0.0_f64, 0.0_f64);
         for seed in 0..3 {
             let record = ambient(seed, &poles, 100_000);
             let settings = AmbientSettings {
@@ -410,26 +414,29 @@ mod tests {
             assert_eq!((decays.values.len(), decays.blocks.len()), (2, 16));
             let found =
                 identify_decays(&decays, (5.0, 100.0), ModalSettings { order: 20 }).unwrap();
-            let (frequency, damping) = worst(&found.modes, &poles);
-            (worst_hz, worst_ratio) = (worst_hz.max(frequency), worst_ratio.max(damping));
+            let (frequency, damping) = largest_errors(&found.modes, &poles);
+            (max_frequency_error, max_damping_error) = (
+                max_frequency_error.max(frequency),
+                max_damping_error.max(damping),
+            );
             for (mode, pole) in found.modes.iter().zip(&poles) {
-                let off = [
+                let errors = [
                     (mode.frequency_hz - pole.frequency_hz) / mode.frequency_deviation_hz,
                     (mode.damping_ratio - pole.damping_ratio) / mode.damping_deviation,
                 ];
-                inside += off
+                covered += errors
                     .iter()
-                    .filter(|off| off.abs() <= mode.quantile_95)
+                    .filter(|errors| errors.abs() <= mode.quantile_95)
                     .count();
-                all += 2;
+                total += 2;
             }
         }
         eprintln!(
-            "frequencies {worst_hz:.1e}, damping ratios {worst_ratio:.1e} off at most; {inside} of {all} inside"
+            "frequencies {max_frequency_error:.1e}, damping ratios {max_damping_error:.1e} off at most; {covered} of {total} inside"
         );
         assert!(
-            worst_hz < 3e-3 && worst_ratio < 0.3 && inside * 10 >= all * 8,
-            "{worst_hz:e} {worst_ratio:e} {inside}"
+            max_frequency_error < 3e-3 && max_damping_error < 0.3 && covered * 10 >= total * 8,
+            "{max_frequency_error:e} {max_damping_error:e} {covered}"
         );
     }
 
@@ -454,7 +461,7 @@ mod tests {
             (2, 2, 4)
         );
         let found = identify_decays(&decays, (5.0, 100.0), ModalSettings { order: 20 }).unwrap();
-        let (frequency, damping) = worst(&found.modes, &poles);
+        let (frequency, damping) = largest_errors(&found.modes, &poles);
         eprintln!("frequencies {frequency:.1e}, damping ratios {damping:.1e} off");
         assert!(
             frequency < 3e-3 && damping < 0.3,
@@ -465,10 +472,10 @@ mod tests {
             .map(|_| (0..2000).flat_map(|_| stream.normal_pair()).collect())
             .collect();
         let decays = Decays::ambient(&recording(noise), &AmbientSettings::default()).unwrap();
-        let told = identify_decays(&decays, (5.0, 100.0), ModalSettings { order: 20 });
+        let result = identify_decays(&decays, (5.0, 100.0), ModalSettings { order: 20 });
         assert!(
-            !matches!(&told, Ok(found) if !found.modes.iter().any(Mode::is_doubtful)),
-            "{told:?}"
+            !matches!(&result, Ok(found) if !found.modes.iter().any(Mode::is_doubtful)),
+            "{result:?}"
         );
     }
 
@@ -500,7 +507,7 @@ mod tests {
         let decays = Decays::of_spectrum(&spectrum, &[]).unwrap();
         assert!((decays.rate_hz - RATE).abs() < 1e-9);
         let found = identify_decays(&decays, (5.0, 100.0), ModalSettings { order: 20 }).unwrap();
-        let (frequency, damping) = worst(&found.modes, &poles);
+        let (frequency, damping) = largest_errors(&found.modes, &poles);
         eprintln!("frequencies {frequency:.1e}, damping ratios {damping:.1e} off");
         assert!(
             frequency < 1e-4 && damping < 1e-2,

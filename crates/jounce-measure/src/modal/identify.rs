@@ -4,7 +4,7 @@ use faer::c64;
 use serde::Serialize;
 use std::f64::consts::TAU;
 
-use super::close_modes::apart;
+use super::close_modes::split_close_modes;
 use super::likelihood::{ModalFit, fit};
 use super::multi_band::stable;
 use super::peaks::{ResponsePeak, unexplained};
@@ -70,13 +70,13 @@ impl Mode {
 
     /// Mode shape at the responses: the residues divided by the largest.
     pub fn shape(&self) -> Vec<c64> {
-        over_largest(&self.residue)
+        normalised(&self.residue)
     }
 
     /// Exchanges outputs and references.
     fn swap(&mut self) {
-        let largest = largest(&self.residue);
-        let participation = over_largest(&self.residue);
+        let largest = largest_entry(&self.residue);
+        let participation = normalised(&self.residue);
         self.residue = self.participation.iter().map(|b| b * largest).collect();
         self.participation = participation;
     }
@@ -101,12 +101,12 @@ impl Mode {
             -self.damping_ratio * w + decay_per_s,
             w * (1.0 - self.damping_ratio.powi(2)).max(0.0).sqrt(),
         );
-        let size = re.hypot(im);
-        (self.frequency_hz, self.damping_ratio) = (size / TAU, -re / size);
+        let magnitude = re.hypot(im);
+        (self.frequency_hz, self.damping_ratio) = (magnitude / TAU, -re / magnitude);
     }
 }
 
-fn largest(values: &[c64]) -> c64 {
+fn largest_entry(values: &[c64]) -> c64 {
     values
         .iter()
         .copied()
@@ -114,8 +114,8 @@ fn largest(values: &[c64]) -> c64 {
         .unwrap_or(c64::new(1.0, 0.0))
 }
 
-fn over_largest(values: &[c64]) -> Vec<c64> {
-    let largest = largest(values);
+fn normalised(values: &[c64]) -> Vec<c64> {
+    let largest = largest_entry(values);
     values.iter().map(|value| value / largest).collect()
 }
 
@@ -148,50 +148,55 @@ pub struct Identification {
 /// Too few lines, responses that are zero, no stable pole.
 pub fn identify(band: &Band, settings: ModalSettings) -> Result<Identification, ModalError> {
     let (diagram, start) = candidates(band, settings)?;
-    let mut found = if band.inputs > 1 {
-        shared(band, diagram, &start)?
+    let mut result = if band.inputs > 1 {
+        identify_shared(band, diagram, &start)?
     } else {
-        explained(band, diagram, &start)?
+        refine_with_peaks(band, diagram, &start)?
     };
     if band.swapped {
-        found.modes.iter_mut().for_each(Mode::swap);
+        result.modes.iter_mut().for_each(Mode::swap);
     }
-    (found.measured, found.model) = (band.in_order(found.measured), band.in_order(found.model));
-    Ok(found)
+    (result.measured, result.model) = (band.in_order(result.measured), band.in_order(result.model));
+    Ok(result)
 }
 
 /// Maximum-likelihood modes of one reference, including those at unexplained peaks.
-fn explained(
+fn refine_with_peaks(
     band: &Band,
     diagram: Vec<StablePole>,
     start: &[Pole],
 ) -> Result<Identification, ModalError> {
-    let mut found = refined(band, diagram, start)?;
-    found.unexplained = unexplained(band, &found.modes);
-    if !found.unexplained.is_empty() {
-        let further = found.unexplained.iter().map(|peak| peak.pole());
-        let start: Vec<Pole> = found.modes.iter().map(Mode::pole).chain(further).collect();
+    let mut result = refine(band, diagram, start)?;
+    result.unexplained = unexplained(band, &result.modes);
+    if !result.unexplained.is_empty() {
+        let peak_poles = result.unexplained.iter().map(|peak| peak.pole());
+        let start: Vec<Pole> = result
+            .modes
+            .iter()
+            .map(Mode::pole)
+            .chain(peak_poles)
+            .collect();
         // False peaks may make the equations singular; the remaining poles are then used.
-        if let Ok(more) = refined(band, found.diagram.clone(), &start)
-            && more.misfit < found.misfit
+        if let Ok(larger_model) = refine(band, result.diagram.clone(), &start)
+            && larger_model.misfit < result.misfit
         {
-            found = more;
-            found.unexplained = unexplained(band, &found.modes);
+            result = larger_model;
+            result.unexplained = unexplained(band, &result.modes);
         }
     }
-    Ok(found)
+    Ok(result)
 }
 
 /// Maximum-likelihood modes of several references.
-fn shared(
+fn identify_shared(
     band: &Band,
     diagram: Vec<StablePole>,
     start: &[Pole],
 ) -> Result<Identification, ModalError> {
-    let start = apart(&diagram, start, band.inputs);
-    let mut found = fit_shared(band, &start).ok_or(none(band))?;
-    while let Some(left) = known(band, &found.poles, &found.deviation)? {
-        found = fit_shared(band, &left).ok_or(none(band))?;
+    let start = split_close_modes(&diagram, start, band.inputs);
+    let mut result = fit_shared(band, &start).ok_or(no_mode_error(band))?;
+    while let Some(retained) = well_determined(band, &result.poles, &result.deviation)? {
+        result = fit_shared(band, &retained).ok_or(no_mode_error(band))?;
     }
     let ModalFit {
         poles,
@@ -202,7 +207,7 @@ fn shared(
         misfit,
         freedom,
         ..
-    } = found;
+    } = result;
     let mode = |r: usize| {
         let mut mode = mode(
             poles[r],
@@ -210,7 +215,7 @@ fn shared(
             freedom[r],
             residue.iter().map(|output| output[r]).collect(),
         );
-        mode.participation = over_largest(&participation[r]);
+        mode.participation = normalised(&participation[r]);
         let largest = participation[r]
             .iter()
             .map(|b| b.norm())
@@ -251,24 +256,24 @@ fn mode(
 }
 
 /// Returns the well-determined poles where some are not; `None` where all are.
-fn known(
+fn well_determined(
     band: &Band,
     poles: &[Pole],
     deviation: &[(f64, f64)],
 ) -> Result<Option<Vec<Pole>>, ModalError> {
-    let known = |(pole, deviation): &(&Pole, &(f64, f64))| {
+    let is_well_determined = |(pole, deviation): &(&Pole, &(f64, f64))| {
         deviation.0 < MAX_FREQUENCY_DEVIATION * pole.frequency_hz
     };
-    let left: Vec<Pole> = poles
+    let retained: Vec<Pole> = poles
         .iter()
         .zip(deviation)
-        .filter(known)
+        .filter(is_well_determined)
         .map(|(pole, _)| *pole)
         .collect();
-    if left.is_empty() {
-        return Err(none(band));
+    if retained.is_empty() {
+        return Err(no_mode_error(band));
     }
-    Ok((left.len() < poles.len()).then_some(left))
+    Ok((retained.len() < poles.len()).then_some(retained))
 }
 
 /// Computes the stabilisation diagram of a band and its stable poles.
@@ -278,13 +283,13 @@ pub(super) fn candidates(
 ) -> Result<(Vec<StablePole>, Vec<Pole>), ModalError> {
     let (diagram, start) = stable(band, settings)?;
     if start.is_empty() {
-        Err(none(band))
+        Err(no_mode_error(band))
     } else {
         Ok((diagram, start))
     }
 }
 
-fn none(band: &Band) -> ModalError {
+fn no_mode_error(band: &Band) -> ModalError {
     ModalError::NoMode {
         low_hz: band.low_hz,
         high_hz: band.high_hz,
@@ -293,14 +298,14 @@ fn none(band: &Band) -> ModalError {
 
 /// Maximum-likelihood modes from initial poles; poorly determined ones are left out, and the others
 /// are fitted again.
-pub(super) fn refined(
+pub(super) fn refine(
     band: &Band,
     diagram: Vec<StablePole>,
     start: &[Pole],
 ) -> Result<Identification, ModalError> {
-    let mut found = fit(band, start).ok_or(none(band))?;
-    while let Some(left) = known(band, &found.poles, &found.deviation)? {
-        found = fit(band, &left).ok_or(none(band))?;
+    let mut result = fit(band, start).ok_or(no_mode_error(band))?;
+    while let Some(retained) = well_determined(band, &result.poles, &result.deviation)? {
+        result = fit(band, &retained).ok_or(no_mode_error(band))?;
     }
     let ModalFit {
         poles,
@@ -310,7 +315,7 @@ pub(super) fn refined(
         misfit,
         freedom,
         ..
-    } = found;
+    } = result;
     let modes = (0..poles.len()).map(|r| {
         mode(
             poles[r],
@@ -335,7 +340,7 @@ fn identification(
             && mode.damping_ratio < MAX_DAMPING
     });
     if modes.is_empty() {
-        return Err(none(band));
+        return Err(no_mode_error(band));
     }
     modes.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
     let (frequency_hz, measured) = (band.frequency_hz.clone(), band.response.clone());
@@ -353,7 +358,7 @@ fn identification(
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
-    use super::super::plscf::tests::{POLES, exact, shape};
+    use super::super::plscf::tests::{POLES, exact_responses, shape};
     use super::super::{ResponseQuantity, mac};
     use super::*;
     use jounce_core::drive::RandomStream;
@@ -366,7 +371,7 @@ mod tests {
     /// (including two modes 1 Hz apart).
     #[test]
     fn exact_responses_give_back_frequencies_damping_and_shapes() {
-        let response = exact(&lines(), &POLES, shape, 4, 1);
+        let response = exact_responses(&lines(), &POLES, shape, 4, 1);
         let band = Band::new(
             &lines(),
             &response,
@@ -376,9 +381,9 @@ mod tests {
             (1.0, 110.0),
         )
         .unwrap();
-        let found = identify(&band, ModalSettings::default()).unwrap();
-        assert_eq!(found.modes.len(), 4, "{:?}", found.modes);
-        for (r, (mode, pole)) in found.modes.iter().zip(POLES).enumerate() {
+        let result = identify(&band, ModalSettings::default()).unwrap();
+        assert_eq!(result.modes.len(), 4, "{:?}", result.modes);
+        for (r, (mode, pole)) in result.modes.iter().zip(POLES).enumerate() {
             assert!(
                 (mode.frequency_hz / pole.frequency_hz - 1.0).abs() < 1e-12,
                 "{mode:?}"
@@ -403,7 +408,7 @@ mod tests {
     /// With noise of known variance the truth lies within 1.96 stated deviations at the nominal
     /// rate: 95 +- 3 % of 100 trials of two frequencies and damping ratios; measured 96.25 %.
     #[test]
-    fn stated_deviations_hold_the_truth_as_often_as_they_say() {
+    fn stated_deviations_have_their_coverage() {
         let frequency_hz: Vec<f64> = (50..300).map(|k| f64::from(k) * 0.2).collect();
         let poles = [
             POLES[0],
@@ -412,8 +417,8 @@ mod tests {
                 damping_ratio: 0.02,
             },
         ];
-        let clean = exact(&frequency_hz, &poles, shape, 2, 1);
-        let (mut inside, mut all) = (0, 0);
+        let exact_response = exact_responses(&frequency_hz, &poles, shape, 2, 1);
+        let (mut covered, mut total) = (0, 0);
         for seed in 0..100 {
             let mut stream = RandomStream::new(seed, 3);
             let deviation = 0.05;
@@ -421,36 +426,36 @@ mod tests {
                 let [re, im] = stream.normal_pair();
                 h + c64::new(re, im) * deviation * h.norm()
             };
-            let response: Vec<Vec<c64>> = clean
+            let response: Vec<Vec<c64>> = exact_response
                 .iter()
                 .map(|h| h.iter().map(&mut noisy).collect())
                 .collect();
-            let told = vec![vec![deviation; frequency_hz.len()]; 2];
+            let deviations = vec![vec![deviation; frequency_hz.len()]; 2];
             let band = Band::new(
                 &frequency_hz,
                 &response,
-                &told,
+                &deviations,
                 1,
                 ResponseQuantity::Displacement,
                 (10.0, 60.0),
             )
             .unwrap();
             let ModalFit {
-                poles: found,
+                poles: result,
                 deviation: stated,
                 ..
             } = fit(&band, &poles).unwrap();
             for (r, pole) in poles.iter().enumerate() {
-                let off = [
-                    (found[r].frequency_hz - pole.frequency_hz) / stated[r].0,
-                    (found[r].damping_ratio - pole.damping_ratio) / stated[r].1,
+                let errors = [
+                    (result[r].frequency_hz - pole.frequency_hz) / stated[r].0,
+                    (result[r].damping_ratio - pole.damping_ratio) / stated[r].1,
                 ];
-                inside += off.iter().filter(|off| off.abs() <= 1.96).count();
-                all += 2;
+                covered += errors.iter().filter(|errors| errors.abs() <= 1.96).count();
+                total += 2;
             }
         }
-        let share = inside as f64 / f64::from(all);
-        assert!((0.92..=0.98).contains(&share), "{share}");
+        let coverage = covered as f64 / f64::from(total);
+        assert!((0.92..=0.98).contains(&coverage), "{coverage}");
     }
 
     #[test]
@@ -472,11 +477,11 @@ mod tests {
             (1.0, 110.0),
         )
         .unwrap();
-        let found = identify(&band, ModalSettings::default());
+        let result = identify(&band, ModalSettings::default());
         assert!(
-            matches!(found, Err(ModalError::NoMode { .. })),
+            matches!(result, Err(ModalError::NoMode { .. })),
             "{:?}",
-            found.map(|found| found.modes)
+            result.map(|result| result.modes)
         );
     }
 }

@@ -8,7 +8,7 @@ use crate::spectral::student_95;
 
 /// Computes deviations of the modes by the jackknife: the modes of all blocks except one, for each
 /// block.
-pub(super) fn leave_out(
+pub(super) fn leave_one_out(
     modes: &mut [Mode],
     mean: &[Vec<c64>],
     blocks: &[Vec<Vec<c64>>],
@@ -16,31 +16,31 @@ pub(super) fn leave_out(
 ) -> Result<(), ModalError> {
     let count = blocks.len() as f64;
     let start: Vec<Pole> = modes.iter().map(Mode::pole).collect();
-    let mut left: Vec<Vec<Pole>> = Vec::new();
+    let mut estimates: Vec<Vec<Pole>> = Vec::new();
     for block in blocks {
-        let without = |(mean, own): (&Vec<c64>, &Vec<c64>)| {
+        let mean_without = |(mean, block_mean): (&Vec<c64>, &Vec<c64>)| {
             mean.iter()
-                .zip(own)
+                .zip(block_mean)
                 .map(|(m, b)| (m * count - b) / (count - 1.0))
                 .collect()
         };
-        let rest: Vec<Vec<c64>> = mean.iter().zip(block).map(without).collect();
-        left.extend(fit(&band(&rest)?, &start).map(|found| found.poles));
+        let remaining_mean: Vec<Vec<c64>> = mean.iter().zip(block).map(mean_without).collect();
+        estimates.extend(fit(&band(&remaining_mean)?, &start).map(|result| result.poles));
     }
-    let factor = (left.len().saturating_sub(1)) as f64 / left.len().max(1) as f64;
-    let spread = |of: &dyn Fn(&Vec<Pole>) -> f64| {
-        let middle = left.iter().map(of).sum::<f64>() / left.len() as f64;
+    let factor = (estimates.len().saturating_sub(1)) as f64 / estimates.len().max(1) as f64;
+    let deviation = |value: &dyn Fn(&Vec<Pole>) -> f64| {
+        let average = estimates.iter().map(value).sum::<f64>() / estimates.len() as f64;
         (factor
-            * left
+            * estimates
                 .iter()
-                .map(|poles| (of(poles) - middle).powi(2))
+                .map(|poles| (value(poles) - average).powi(2))
                 .sum::<f64>())
         .sqrt()
     };
     for (r, mode) in modes.iter_mut().enumerate() {
-        mode.frequency_deviation_hz = spread(&|poles| poles[r].frequency_hz);
-        mode.damping_deviation = spread(&|poles| poles[r].damping_ratio);
-        mode.quantile_95 = student_95(left.len().saturating_sub(1).max(1) as f64);
+        mode.frequency_deviation_hz = deviation(&|poles| poles[r].frequency_hz);
+        mode.damping_deviation = deviation(&|poles| poles[r].damping_ratio);
+        mode.quantile_95 = student_95(estimates.len().saturating_sub(1).max(1) as f64);
     }
     Ok(())
 }

@@ -12,7 +12,7 @@ use std::f64::consts::TAU;
 
 use super::covariance::PoleCovariance;
 use super::design_matrix::{DesignMatrix, LinearTerms};
-use super::line_selection::kept;
+use super::line_selection::select_lines;
 use super::noise;
 use super::semi_normal::NormalEquations;
 use super::variable_projection::{LinearSolution, ProjectedProblem};
@@ -37,7 +37,7 @@ pub(super) struct ModalFit {
     /// Degrees of freedom of the deviations of each pole; `None` where they are large.
     pub freedom: Vec<Option<f64>>,
     /// Leverage of each line: response, line.
-    pub taken: Vec<Vec<f64>>,
+    pub leverage: Vec<Vec<f64>>,
 }
 
 pub(super) const MAX_STEPS: usize = 30;
@@ -55,53 +55,59 @@ pub(super) fn by_orthogonal_columns(
     terms: &DesignMatrix,
 ) -> NormalEquations {
     let ProjectedProblem {
-        projected, rest, ..
-    } = part(response, terms);
+        projected,
+        residual,
+        ..
+    } = project_response(response, terms);
     NormalEquations {
         normal: projected.transpose() * &projected,
-        right: projected.transpose() * &rest,
-        error: rest.squared_norm_l2(),
+        rhs: projected.transpose() * &residual,
+        error: residual.squared_norm_l2(),
     }
 }
 
 /// Fits one reference from initial poles.
 pub(super) fn fit(band: &Band, start: &[Pole]) -> Option<ModalFit> {
-    reweighed(band, start, weighed)
+    fit_reweighted(band, start, fit_weighted)
 }
 
 /// Fits with the weights of a band. If the noise is unknown, it is estimated from the residuals of
 /// each line, and the fit is repeated with new weights.
-pub(super) fn reweighed(
+pub(super) fn fit_reweighted(
     band: &Band,
     start: &[Pole],
-    weighed: impl Fn(&Band, &[Pole]) -> Option<ModalFit>,
+    fit_once: impl Fn(&Band, &[Pole]) -> Option<ModalFit>,
 ) -> Option<ModalFit> {
-    let mut found = weighed(band, start)?;
-    if band.leaves_noise_untold() {
-        let misfit = found.misfit;
+    let mut result = fit_once(band, start)?;
+    if band.has_unknown_noise() {
+        let misfit = result.misfit;
         for _ in 0..noise::RESIDUAL_FITS {
-            let told = band.told_by(noise::of_what_is_left(band, &found.model, &found.taken));
-            found = weighed(&told, &found.poles)?;
+            let reweighted = band.with_variance(noise::residual_variance(
+                band,
+                &result.model,
+                &result.leverage,
+            ));
+            result = fit_once(&reweighted, &result.poles)?;
         }
-        found.misfit = misfit;
+        result.misfit = misfit;
     }
-    Some(found)
+    Some(result)
 }
 
 /// Fits with the weights of a band and as many terms for the modes above it as needed: one more is
 /// kept where it lowers the error sufficiently (Akaike criterion).
-fn weighed(band: &Band, start: &[Pole]) -> Option<ModalFit> {
+fn fit_weighted(band: &Band, start: &[Pole]) -> Option<ModalFit> {
     let data = FitData::of(band, start);
-    let mut found = settled(&data, start.iter().map(|pole| pole.complex()).collect(), 1)?;
+    let mut result = converge(&data, start.iter().map(|pole| pole.complex()).collect(), 1)?;
     for upper in 2..=MAX_UPPER_TERMS {
-        let Some(tried) = settled(&data, found.poles.clone(), upper)
-            .filter(|tried| data.asks_for(found.error, tried.error))
+        let Some(trial) = converge(&data, result.poles.clone(), upper)
+            .filter(|trial| data.justifies_terms(result.error, trial.error))
         else {
             break;
         };
-        found = tried;
+        result = trial;
     }
-    finished(band, &data, &found)
+    modal_fit(band, &data, &result)
 }
 
 /// Poles at the minimum, for a given number of terms for the modes above the band.
@@ -111,39 +117,39 @@ struct ConvergedFit {
     error: f64,
 }
 
-fn settled(data: &FitData, mut poles: Vec<c64>, upper: usize) -> Option<ConvergedFit> {
-    let (mut normal, mut right, mut error) = equations(data, &poles, upper)?;
+fn converge(data: &FitData, mut poles: Vec<c64>, upper: usize) -> Option<ConvergedFit> {
+    let (mut normal, mut rhs, mut error) = equations(data, &poles, upper)?;
     let mut damping = 1e-6;
     for _ in 0..MAX_STEPS {
-        let step = damped(&normal, damping)?.solve(&right);
-        let tried: Vec<c64> = poles
+        let step = damped_factor(&normal, damping)?.solve(&rhs);
+        let trial: Vec<c64> = poles
             .iter()
             .enumerate()
             .map(|(r, p)| p + c64::new(step[(2 * r, 0)], step[(2 * r + 1, 0)]))
             .collect();
-        let size = tried
+        let step_size = trial
             .iter()
             .zip(&poles)
             .map(|(a, b)| (a - b).norm() / b.norm())
             .fold(0.0, f64::max);
-        let gain = (step.transpose() * &right)[(0, 0)];
-        let stays = tried.iter().all(|p| p.re < 0.0 && p.im > 0.0);
-        let taken = if stays {
-            equations(data, &tried, upper)
+        let gain = (step.transpose() * &rhs)[(0, 0)];
+        let is_stable = trial.iter().all(|p| p.re < 0.0 && p.im > 0.0);
+        let new_equations = if is_stable {
+            equations(data, &trial, upper)
         } else {
             None
         };
-        match taken.filter(|(.., less)| *less <= error * (1.0 + 1e-12)) {
-            Some(better) => {
-                let before = error;
-                poles = tried;
-                (normal, right, error) = better;
+        match new_equations.filter(|(.., new_error)| *new_error <= error * (1.0 + 1e-12)) {
+            Some(accepted) => {
+                let previous_error = error;
+                poles = trial;
+                (normal, rhs, error) = accepted;
                 damping = f64::max(damping * 0.1, 1e-12);
-                if size < STEP_TOLERANCE || gain < MIN_ERROR_GAIN * before {
+                if step_size < STEP_TOLERANCE || gain < MIN_ERROR_GAIN * previous_error {
                     break;
                 }
             }
-            None if damping > 1e6 || size < STEP_TOLERANCE => break,
+            None if damping > 1e6 || step_size < STEP_TOLERANCE => break,
             None => damping *= 10.0,
         }
     }
@@ -155,11 +161,14 @@ fn settled(data: &FitData, mut poles: Vec<c64>, upper: usize) -> Option<Converge
 }
 
 /// Factorises the normal matrix with an enlarged diagonal.
-pub(super) fn damped(normal: &Mat<f64>, share: f64) -> Option<faer::linalg::solvers::Llt<f64>> {
-    let lifted = Mat::from_fn(normal.nrows(), normal.ncols(), |a, b| {
-        normal[(a, b)] * if a == b { 1.0 + share } else { 1.0 }
+pub(super) fn damped_factor(
+    normal: &Mat<f64>,
+    damping: f64,
+) -> Option<faer::linalg::solvers::Llt<f64>> {
+    let damped_normal = Mat::from_fn(normal.nrows(), normal.ncols(), |a, b| {
+        normal[(a, b)] * if a == b { 1.0 + damping } else { 1.0 }
     });
-    lifted.llt(Side::Lower).ok()
+    damped_normal.llt(Side::Lower).ok()
 }
 
 /// Data of the fit.
@@ -168,7 +177,7 @@ pub(super) struct FitData {
     pub lines: Vec<usize>,
     /// Their angular frequencies, rad/s.
     pub angular: Vec<f64>,
-    pub sight: WindowBias,
+    pub window_bias: WindowBias,
     pub responses: Vec<WeightedResponse>,
     /// Measured quantities of the responses, each kind once.
     pub powers: Vec<i32>,
@@ -186,11 +195,11 @@ pub(super) struct WeightedResponse {
 
 impl FitData {
     pub fn of(band: &Band, start: &[Pole]) -> Self {
-        let lines = kept(&band.frequency_hz, start);
+        let lines = select_lines(&band.frequency_hz, start);
         // Without window bias, the effect of the power is absorbed by the terms above and below the
         // band.
         let power = |o: usize| {
-            if band.sight == WindowBias::Whole {
+            if band.window_bias == WindowBias::Whole {
                 0
             } else {
                 band.power[o]
@@ -199,8 +208,11 @@ impl FitData {
         let mut powers: Vec<i32> = (0..band.response.len()).map(power).collect();
         powers.sort_unstable();
         powers.dedup();
-        let weighed = |o: usize| {
-            let kind = powers.iter().position(|of| *of == power(o)).unwrap_or(0);
+        let weighted_response = |o: usize| {
+            let kind = powers
+                .iter()
+                .position(|known_power| *known_power == power(o))
+                .unwrap_or(0);
             let weight = weights(band, o, &lines);
             let value = lines
                 .iter()
@@ -215,10 +227,10 @@ impl FitData {
         };
         Self {
             angular: lines.iter().map(|k| TAU * band.frequency_hz[*k]).collect(),
-            sight: band.sight,
+            window_bias: band.window_bias,
             responses: (0..band.response.len())
                 .into_par_iter()
-                .map(weighed)
+                .map(weighted_response)
                 .collect(),
             lines,
             powers,
@@ -229,30 +241,38 @@ impl FitData {
 impl FitData {
     /// True where one more term per response decreases the error by more than its two numbers would
     /// for noise.
-    pub fn asks_for(&self, before: f64, after: f64) -> bool {
+    pub fn justifies_terms(&self, previous_error: f64, new_error: f64) -> bool {
         let numbers = (2 * self.angular.len() * self.responses.len()) as f64;
-        numbers * (before / after).ln() >= 4.0 * self.responses.len() as f64
+        numbers * (previous_error / new_error).ln() >= 4.0 * self.responses.len() as f64
     }
 }
 
 /// Normal equations of the poles over all responses, and the weighted squared error.
 fn equations(data: &FitData, poles: &[c64], upper: usize) -> Option<(Mat<f64>, Mat<f64>, f64)> {
-    let size = 2 * poles.len();
-    let (mut normal, mut right, mut error) = (Mat::zeros(size, size), Mat::zeros(size, 1), 0.0);
+    let unknown_count = 2 * poles.len();
+    let (mut normal, mut rhs, mut error) = (
+        Mat::zeros(unknown_count, unknown_count),
+        Mat::zeros(unknown_count, 1),
+        0.0,
+    );
     // Responses in parallel, summed in order: bitwise equal results for any number of threads.
-    let terms = DesignMatrix::of_kinds(data.sight, &data.powers, &data.angular, poles, upper);
-    let of = |response: &WeightedResponse| {
+    let terms = DesignMatrix::of_kinds(data.window_bias, &data.powers, &data.angular, poles, upper);
+    let equations_of = |response: &WeightedResponse| {
         let terms = &terms[response.kind];
         NormalEquations::of(response, terms)
             .unwrap_or_else(|| by_orthogonal_columns(response, terms))
     };
-    let parts = data.responses.par_iter().map(of).collect::<Vec<_>>();
-    for part in parts {
-        normal += &part.normal;
-        right += &part.right;
-        error += part.error;
+    let contributions = data
+        .responses
+        .par_iter()
+        .map(equations_of)
+        .collect::<Vec<_>>();
+    for contribution in contributions {
+        normal += &contribution.normal;
+        rhs += &contribution.rhs;
+        error += contribution.error;
     }
-    Some((normal, right, error))
+    Some((normal, rhs, error))
 }
 
 /// Weight of each line of a response: the reciprocal standard deviation of each part. Where
@@ -274,7 +294,7 @@ fn weights(band: &Band, o: usize, lines: &[usize]) -> Vec<f64> {
     }
 }
 
-fn part(response: &WeightedResponse, terms: &DesignMatrix) -> ProjectedProblem {
+fn project_response(response: &WeightedResponse, terms: &DesignMatrix) -> ProjectedProblem {
     let (rows, width) = (terms.linear.nrows(), terms.linear.ncols());
     let weight = &response.weight;
     let a = Mat::from_fn(rows, width, |r, c| weight[r / 2] * terms.linear[(r, c)]);
@@ -285,70 +305,70 @@ fn part(response: &WeightedResponse, terms: &DesignMatrix) -> ProjectedProblem {
             response.value[r / 2].im
         }
     });
-    let eliminated = LinearSolution::new(a, &b);
-    let linear = &eliminated.linear;
+    let solution = LinearSolution::new(a, &b);
+    let linear = &solution.linear;
     // Derivatives by the real and imaginary part x + j y of each pole's residue times u, and its
     // conjugate.
-    let by_poles = Mat::from_fn(rows, terms.squares.ncols(), |row, c| {
-        let (r, squares) = (2 * (c / 2), &terms.squares);
+    let by_poles = Mat::from_fn(rows, terms.derivatives.ncols(), |row, c| {
+        let (r, derivatives) = (2 * (c / 2), &terms.derivatives);
         let (x, y) = (linear[(r, 0)], linear[(r + 1, 0)]);
-        let (even, odd) = (squares[(row, r)], squares[(row, r + 1)]);
+        let (real_part, imaginary_part) = (derivatives[(row, r)], derivatives[(row, r + 1)]);
         weight[row / 2]
             * if c % 2 == 0 {
-                x * even + y * odd
+                x * real_part + y * imaginary_part
             } else {
-                x * odd - y * even
+                x * imaginary_part - y * real_part
             }
     });
-    eliminated.left(&by_poles)
+    solution.project(&by_poles)
 }
 
-fn finished(band: &Band, data: &FitData, found: &ConvergedFit) -> Option<ModalFit> {
-    let (poles, upper) = (&found.poles, found.upper);
+fn modal_fit(band: &Band, data: &FitData, result: &ConvergedFit) -> Option<ModalFit> {
+    let (poles, upper) = (&result.poles, result.upper);
     let linear = band.response.len() * (2 * poles.len() + 2 + 2 * upper);
-    let misfit = found.error
+    let misfit = result.error
         / ((2 * data.angular.len() * band.response.len()) as f64
             - (2 * poles.len() + linear) as f64)
             .max(1.0);
-    let terms = DesignMatrix::of_kinds(data.sight, &data.powers, &data.angular, poles, upper);
-    let parts = data
+    let terms = DesignMatrix::of_kinds(data.window_bias, &data.powers, &data.angular, poles, upper);
+    let projected = data
         .responses
         .par_iter()
-        .map(|response| part(response, &terms[response.kind]))
+        .map(|response| project_response(response, &terms[response.kind]))
         .collect::<Vec<ProjectedProblem>>();
-    let certainty = PoleCovariance::of(band, data, &parts, misfit)?;
+    let covariance = PoleCovariance::of(band, data, &projected, misfit)?;
     let (mut residue, mut model) = (Vec::new(), Vec::new());
-    for (part, response) in parts.iter().zip(&data.responses) {
-        let (linear, power) = (&part.linear, data.powers[response.kind]);
+    for (problem, response) in projected.iter().zip(&data.responses) {
+        let (linear, power) = (&problem.linear, data.powers[response.kind]);
         residue.push(
             (0..poles.len())
                 .map(|r| c64::new(linear[(2 * r, 0)], linear[(2 * r + 1, 0)]))
                 .collect(),
         );
-        let terms = LinearTerms::of((data.sight, power, upper), poles);
+        let terms = LinearTerms::of((data.window_bias, power, upper), poles);
         let at = |f: &f64| terms.sum(TAU * f, linear.col(0).iter().copied());
         model.push(band.frequency_hz.iter().map(at).collect());
     }
     Some(ModalFit {
         poles: poles.iter().map(|p| Pole::of(*p)).collect(),
-        deviation: certainty.deviations(poles),
+        deviation: covariance.deviations(poles),
         residue,
         participation: Vec::new(),
         model,
         misfit,
-        freedom: certainty.freedoms(poles.len()),
-        taken: certainty.taken(data, &parts, band),
+        freedom: covariance.freedoms(poles.len()),
+        leverage: covariance.leverages(data, &projected, band),
     })
 }
 
 /// Residues at given poles, with one term for the modes above the band: response, mode.
 pub(super) fn residues(data: &FitData, poles: &[c64]) -> Vec<Vec<c64>> {
-    let terms = DesignMatrix::of_kinds(data.sight, &data.powers, &data.angular, poles, 1);
-    let of = |response: &WeightedResponse| {
-        let linear = part(response, &terms[response.kind]).linear;
+    let terms = DesignMatrix::of_kinds(data.window_bias, &data.powers, &data.angular, poles, 1);
+    let residue_row = |response: &WeightedResponse| {
+        let linear = project_response(response, &terms[response.kind]).linear;
         (0..poles.len())
             .map(|r| c64::new(linear[(2 * r, 0)], linear[(2 * r + 1, 0)]))
             .collect()
     };
-    data.responses.par_iter().map(of).collect()
+    data.responses.par_iter().map(residue_row).collect()
 }

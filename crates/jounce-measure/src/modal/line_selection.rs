@@ -15,29 +15,33 @@ const NEAR_POLE_HALF_WIDTHS: f64 = 5.0;
 const LINES_PER_DISTANCE: f64 = 25.0;
 
 /// Returns indices of the lines to keep, for ascending frequencies.
-pub(super) fn kept(frequency_hz: &[f64], poles: &[Pole]) -> Vec<usize> {
+pub(super) fn select_lines(frequency_hz: &[f64], poles: &[Pole]) -> Vec<usize> {
     if frequency_hz.len() <= MAX_ALL_LINES {
         return (0..frequency_hz.len()).collect();
     }
     let mut next_hz = f64::NEG_INFINITY;
-    let needed = |(k, hz): (usize, &f64)| {
+    let selected = |(k, hz): (usize, &f64)| {
         if *hz < next_hz {
             return None;
         }
-        let beyond = |pole: &Pole| {
+        let distance_hz = |pole: &Pole| {
             (hz - pole.frequency_hz).abs()
                 - NEAR_POLE_HALF_WIDTHS * pole.damping_ratio * pole.frequency_hz
         };
         next_hz = hz
             + poles
                 .iter()
-                .map(beyond)
+                .map(distance_hz)
                 .fold(f64::INFINITY, f64::min)
                 .max(0.0)
                 / LINES_PER_DISTANCE;
         Some(k)
     };
-    frequency_hz.iter().enumerate().filter_map(needed).collect()
+    frequency_hz
+        .iter()
+        .enumerate()
+        .filter_map(selected)
+        .collect()
 }
 
 #[cfg(test)]
@@ -45,7 +49,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn lines_near_poles_stay_and_others_thin_out() {
+    fn all_lines_near_poles_and_fewer_others_are_selected() {
         let frequency_hz: Vec<f64> = (1..=20_000).map(|k| 0.05 * f64::from(k)).collect();
         let poles = [
             Pole {
@@ -57,24 +61,24 @@ mod tests {
                 damping_ratio: 0.002,
             },
         ];
-        let lines = kept(&frequency_hz, &poles);
+        let lines = select_lines(&frequency_hz, &poles);
         assert!(lines.len() < 1200, "{}", lines.len());
         for pole in poles {
-            let near = |hz: f64| {
+            let is_near = |hz: f64| {
                 (hz - pole.frequency_hz).abs()
                     < NEAR_POLE_HALF_WIDTHS * pole.damping_ratio * pole.frequency_hz
             };
-            let all = frequency_hz.iter().filter(|hz| near(**hz)).count();
+            let near_count = frequency_hz.iter().filter(|hz| is_near(**hz)).count();
             assert_eq!(
-                lines.iter().filter(|k| near(frequency_hz[**k])).count(),
-                all
+                lines.iter().filter(|k| is_near(frequency_hz[**k])).count(),
+                near_count
             );
         }
-        let widest = lines
+        let widest_gap = lines
             .windows(2)
             .map(|pair| frequency_hz[pair[1]] - frequency_hz[pair[0]])
             .fold(0.0, f64::max);
-        assert!(widest < 13.0, "{widest}");
-        assert_eq!(kept(&frequency_hz[..4000], &poles).len(), 4000);
+        assert!(widest_gap < 13.0, "{widest_gap}");
+        assert_eq!(select_lines(&frequency_hz[..4000], &poles).len(), 4000);
     }
 }

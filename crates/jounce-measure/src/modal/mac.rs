@@ -8,8 +8,8 @@ use super::Mode;
 /// orthogonal ones; NaN where a shape is zero.
 pub fn mac(a: &[c64], b: &[c64]) -> f64 {
     let product: c64 = a.iter().zip(b).map(|(a, b)| a.conj() * b).sum();
-    let size = |shape: &[c64]| shape.iter().map(|x| x.norm_sqr()).sum::<f64>();
-    product.norm_sqr() / (size(a) * size(b))
+    let squared_norm = |shape: &[c64]| shape.iter().map(|x| x.norm_sqr()).sum::<f64>();
+    product.norm_sqr() / (squared_norm(a) * squared_norm(b))
 }
 
 /// Computes the MAC between all shapes, from their residues. For several references all residues
@@ -31,8 +31,8 @@ mod tests {
     #[test]
     fn shapes_are_compared_at_any_scale_and_phase() {
         let a = [c64::new(1.0, 0.0), c64::new(2.0, 1.0)];
-        let turned: Vec<c64> = a.iter().map(|x| x * c64::new(0.3, -4.0)).collect();
-        assert!((mac(&a, &turned) - 1.0).abs() < 1e-15);
+        let rotated: Vec<c64> = a.iter().map(|x| x * c64::new(0.3, -4.0)).collect();
+        assert!((mac(&a, &rotated) - 1.0).abs() < 1e-15);
         assert!(
             mac(
                 &[c64::new(1.0, 0.0), c64::new(0.0, 0.0)],

@@ -25,34 +25,38 @@ pub(super) fn stable(
 ) -> Result<(Vec<StablePole>, Vec<Pole>), ModalError> {
     let mut bands = vec![(f64::INFINITY, band.high_hz, poles(band, settings.order)?)];
     let mut high_hz = band.frequency_hz.last().copied().unwrap_or(band.high_hz);
-    while !band.begins_far_from_zero() {
+    while !band.starts_far_from_zero() {
         high_hz *= BAND_RATIO;
         // A band without enough lines, or without poles, leaves its frequencies to the enclosing
         // one.
-        let Ok(found) = from_zero(&band.below(high_hz), settings.order) else {
+        let Ok(result) = from_zero(&band.up_to(high_hz), settings.order) else {
             break;
         };
-        bands.push((MAX_POLE_SHARE * high_hz, high_hz, found));
+        bands.push((MAX_POLE_SHARE * high_hz, high_hz, result));
     }
-    let (mut found, mut stay) = (Vec::new(), Vec::<Pole>::new());
+    let (mut result, mut selected) = (Vec::new(), Vec::<Pole>::new());
     let mut from_hz = 0.0;
     for (to_hz, high_hz, poles) in bands.iter().rev() {
-        let own = |pole: &Pole| pole.frequency_hz > from_hz && pole.frequency_hz <= *to_hz;
+        let is_in_range = |pole: &Pole| pole.frequency_hz > from_hz && pole.frequency_hz <= *to_hz;
         let diagram = diagram(poles, band.line_hz());
         for pole in modes(&diagram, band.low_hz, *high_hz)
             .into_iter()
-            .filter(own)
+            .filter(is_in_range)
         {
             // At the border both bands may have found it.
-            if stay
+            if selected
                 .last()
                 .is_none_or(|last| pole.frequency_hz / last.frequency_hz - 1.0 > SAME_MODE_DISTANCE)
             {
-                stay.push(pole);
+                selected.push(pole);
             }
         }
-        found.extend(diagram.into_iter().filter(|stable| own(&stable.pole)));
+        result.extend(
+            diagram
+                .into_iter()
+                .filter(|stable| is_in_range(&stable.pole)),
+        );
         from_hz = *to_hz;
     }
-    Ok((found, stay))
+    Ok((result, selected))
 }

@@ -34,87 +34,93 @@ pub(super) const MIN_FREE_SHARE: f64 = 0.05;
 
 /// Variance of each line of a response of several blocks, real and imaginary part together.
 pub(super) fn variance(function: &FrequencyResponse) -> Vec<f64> {
-    let square: Vec<f64> = function.value.iter().map(|h| h.norm_sqr()).collect();
+    let power: Vec<f64> = function.value.iter().map(|h| h.norm_sqr()).collect();
     // A relative deviation concerns only the magnitude, half of the variance.
-    let told = |k: usize| 2.0 * (function.relative_deviation(k).powi(2) * square[k]);
-    let own: Vec<f64> = (0..square.len())
-        .map(|k| if square[k] > 0.0 { told(k) } else { 0.0 })
+    let line_variance = |k: usize| 2.0 * (function.relative_deviation(k).powi(2) * power[k]);
+    let raw: Vec<f64> = (0..power.len())
+        .map(|k| {
+            if power[k] > 0.0 {
+                line_variance(k)
+            } else {
+                0.0
+            }
+        })
         .collect();
-    shared(&own, &square, NEIGHBOUR_LINES)
+    smoothed(&raw, &power, NEIGHBOUR_LINES)
 }
 
 /// Variance of each line of each response of a band, from the residuals of a fit and the leverage.
-pub(super) fn of_what_is_left(
+pub(super) fn residual_variance(
     band: &Band,
     model: &[Vec<c64>],
-    taken: &[Vec<f64>],
+    leverage: &[Vec<f64>],
 ) -> Vec<Vec<f64>> {
-    let of = |o: usize| {
+    let response_variance = |o: usize| {
         // In the measured quantity: sensor noise of an acceleration is smooth there, not in the
         // displacement.
-        let turn = |k: usize| band.as_measured(o, k).norm_sqr();
-        let free = |k: usize| (1.0 - taken[o][k]).max(MIN_FREE_SHARE);
-        let own: Vec<f64> = (0..taken[o].len())
-            .map(|k| (band.response[o][k] - model[o][k]).norm_sqr() * turn(k) / free(k))
+        let to_measured = |k: usize| band.as_measured(o, k).norm_sqr();
+        let free = |k: usize| (1.0 - leverage[o][k]).max(MIN_FREE_SHARE);
+        let raw: Vec<f64> = (0..leverage[o].len())
+            .map(|k| (band.response[o][k] - model[o][k]).norm_sqr() * to_measured(k) / free(k))
             .collect();
-        let square: Vec<f64> = (0..own.len())
-            .map(|k| model[o][k].norm_sqr() * turn(k))
+        let power: Vec<f64> = (0..raw.len())
+            .map(|k| model[o][k].norm_sqr() * to_measured(k))
             .collect();
-        if own.iter().chain(&square).all(|size| *size == 0.0) {
-            return vec![1.0; own.len()];
+        if raw.iter().chain(&power).all(|value| *value == 0.0) {
+            return vec![1.0; raw.len()];
         }
-        shared(&own, &square, NEIGHBOUR_LINES_SINGLE)
+        smoothed(&raw, &power, NEIGHBOUR_LINES_SINGLE)
             .iter()
             .enumerate()
-            .map(|(k, v)| v / turn(k))
+            .map(|(k, v)| v / to_measured(k))
             .collect()
     };
-    (0..band.response.len()).map(of).collect()
+    (0..band.response.len()).map(response_variance).collect()
 }
 
-/// `a + b |H|^2` at each line, from the variances `own` of the lines, with so many lines on both
+/// `a + b |H|^2` at each line, from the variances `raw` of the lines, with so many lines on both
 /// sides.
-fn shared(own: &[f64], square: &[f64], beside: usize) -> Vec<f64> {
-    let near = |k: usize| k.saturating_sub(beside)..(k + beside + 1).min(own.len());
-    let mean = |k: usize| own[near(k)].iter().sum::<f64>() / near(k).len() as f64;
-    let mut smooth: Vec<f64> = (0..own.len()).map(mean).collect();
+fn smoothed(raw: &[f64], power: &[f64], half_window: usize) -> Vec<f64> {
+    let neighbours = |k: usize| k.saturating_sub(half_window)..(k + half_window + 1).min(raw.len());
+    let mean = |k: usize| raw[neighbours(k)].iter().sum::<f64>() / neighbours(k).len() as f64;
+    let mut smooth: Vec<f64> = (0..raw.len()).map(mean).collect();
     for _ in 0..WEIGHTED_FITS {
-        let least: Vec<f64> = square
+        let floor: Vec<f64> = power
             .iter()
-            .map(|square| MIN_RELATIVE_DEVIATION * MIN_RELATIVE_DEVIATION * square)
+            .map(|power| MIN_RELATIVE_DEVIATION * MIN_RELATIVE_DEVIATION * power)
             .collect();
         let weight: Vec<f64> = smooth
             .iter()
-            .zip(&least)
-            .map(|(v, least)| v.max(*least).max(f64::MIN_POSITIVE).recip())
+            .zip(&floor)
+            .map(|(v, floor)| v.max(*floor).max(f64::MIN_POSITIVE).recip())
             .collect();
-        smooth = (0..own.len())
-            .map(|k| around(own, square, &weight, near(k), square[k]))
+        smooth = (0..raw.len())
+            .map(|k| local_fit(raw, power, &weight, neighbours(k), power[k]))
             .collect();
     }
     smooth
         .iter()
-        .zip(square)
-        .map(|(v, square)| v.max(2.0 * MIN_RELATIVE_DEVIATION * MIN_RELATIVE_DEVIATION * square))
+        .zip(power)
+        .map(|(v, power)| v.max(2.0 * MIN_RELATIVE_DEVIATION * MIN_RELATIVE_DEVIATION * power))
         .collect()
 }
 
 /// `a + b |H|^2` at a line. `weight` is the reciprocal deviation of each line's own variance.
-fn around(
-    own: &[f64],
-    square: &[f64],
+fn local_fit(
+    raw: &[f64],
+    power: &[f64],
     weight: &[f64],
-    near: std::ops::Range<usize>,
-    here: f64,
+    lines: std::ops::Range<usize>,
+    line_power: f64,
 ) -> f64 {
     let [mut one, mut h, mut hh, mut v, mut hv] = [0.0; 5];
-    for k in near {
-        let (w, hw) = (weight[k], weight[k] * square[k]);
+    for k in lines {
+        let (w, hw) = (weight[k], weight[k] * power[k]);
         one += w * w;
         h += w * hw;
         hh += hw * hw;
-        v += w * (w * own[k]);
-        hv += hw * (w * own[k]);
+        v += w * (w * raw[k]);
+        hv += hw * (w * raw[k]);
     }
     let determinant = one * hh - h * h;
     let (a, b) = (
@@ -122,9 +128,9 @@ fn around(
         (one * hv - h * v) / determinant,
     );
     match () {
-        () if a >= 0.0 && b >= 0.0 => a + b * here,
+        () if a >= 0.0 && b >= 0.0 => a + b * line_power,
         () if b < 0.0 || hh <= 0.0 => v / one,
-        () => hv / hh * here,
+        () => hv / hh * line_power,
     }
 }
 
@@ -139,38 +145,41 @@ mod tests {
     /// Five blocks of a response with a sharp peak, noise of the response and of the force: the
     /// shared variance matches theory within 25 % (rms), where the lines' own are 50 % off.
     #[test]
-    fn the_shared_variance_is_that_of_the_noise() {
+    fn smoothed_variance_is_that_of_the_noise() {
         let mut stream = RandomStream::new(3, 0);
         let lines = 400;
-        let exact = |k: usize| 1.0 / c64::new(1.0 - (k as f64 / 200.0).powi(2), 0.02);
-        let (of_response, of_force): (f64, f64) = (0.5, 0.01);
-        let mut draw = |size: f64| {
+        let exact_response = |k: usize| 1.0 / c64::new(1.0 - (k as f64 / 200.0).powi(2), 0.02);
+        let (response_noise, force_noise): (f64, f64) = (0.5, 0.01);
+        let mut draw = |scale: f64| {
             let [re, im] = stream.normal_pair();
-            c64::new(re, im) * (size / 2f64.sqrt())
+            c64::new(re, im) * (scale / 2f64.sqrt())
         };
         let mut averages = SpectrumAverages::new(lines);
         for _ in 0..5 {
-            let force: Vec<c64> = (0..lines).map(|_| 1.0 + draw(of_force)).collect();
-            let response: Vec<c64> = (0..lines).map(|k| exact(k) + draw(of_response)).collect();
+            let force: Vec<c64> = (0..lines).map(|_| 1.0 + draw(force_noise)).collect();
+            let response: Vec<c64> = (0..lines)
+                .map(|k| exact_response(k) + draw(response_noise))
+                .collect();
             averages.add(&force, &response).unwrap();
         }
-        let found = averages
+        let result = averages
             .response(vec![0.0; lines], Estimator::H1, WindowBias::Whole)
             .unwrap();
-        let off = |of: &[f64]| {
-            let truth =
-                |k: usize| (of_response.powi(2) + (of_force * exact(k).norm()).powi(2)) / 5.0;
+        let relative_error = |variances: &[f64]| {
+            let truth = |k: usize| {
+                (response_noise.powi(2) + (force_noise * exact_response(k).norm()).powi(2)) / 5.0
+            };
             ((0..lines)
-                .map(|k| (of[k] / truth(k) - 1.0).powi(2))
+                .map(|k| (variances[k] / truth(k) - 1.0).powi(2))
                 .sum::<f64>()
                 / lines as f64)
                 .sqrt()
         };
-        let own: Vec<f64> = (0..lines)
-            .map(|k| 2.0 * (found.relative_deviation(k) * found.value[k].norm()).powi(2))
+        let raw: Vec<f64> = (0..lines)
+            .map(|k| 2.0 * (result.relative_deviation(k) * result.value[k].norm()).powi(2))
             .collect();
-        let (own, shared) = (off(&own), off(&variance(&found)));
-        eprintln!("lines alone {own:.2}, shared {shared:.2} off");
-        assert!(own > 0.4 && shared < 0.25, "{own} {shared}");
+        let (raw, smoothed) = (relative_error(&raw), relative_error(&variance(&result)));
+        eprintln!("lines alone {raw:.2}, shared {smoothed:.2} off");
+        assert!(raw > 0.4 && smoothed < 0.25, "{raw} {smoothed}");
     }
 }

@@ -42,16 +42,16 @@ impl Mode {
     /// Shape at each output times the participation of the base, for responses to base motion;
     /// `None` under another input.
     pub fn base_participation(&self, responses: &MeasuredResponses) -> Option<Vec<Participation>> {
-        let moves = |input: &Quantity| {
+        let is_motion = |input: &Quantity| {
             matches!(
                 input,
                 Quantity::Acceleration | Quantity::Velocity | Quantity::Displacement
             )
         };
-        if !responses.inputs.iter().all(moves) {
+        if !responses.inputs.iter().all(is_motion) {
             return None;
         }
-        let of = |(constant, quantity): (c64, &Quantity)| {
+        let participation = |(constant, quantity): (c64, &Quantity)| {
             let unit = if *quantity == Quantity::Voltage {
                 "V/m"
             } else {
@@ -67,7 +67,7 @@ impl Mode {
             self.modal_constants()
                 .into_iter()
                 .zip(&responses.quantities)
-                .map(of)
+                .map(participation)
                 .collect(),
         )
     }

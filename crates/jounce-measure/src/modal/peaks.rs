@@ -43,23 +43,23 @@ impl ResponsePeak {
     }
 
     fn is_explained(&self, modes: &[Mode], line_hz: f64) -> bool {
-        let reach = self.half_width_hz.max(EXPLAINED_LINES * line_hz);
+        let tolerance_hz = self.half_width_hz.max(EXPLAINED_LINES * line_hz);
         modes
             .iter()
-            .any(|mode| (mode.frequency_hz - self.frequency_hz).abs() <= reach)
+            .any(|mode| (mode.frequency_hz - self.frequency_hz).abs() <= tolerance_hz)
     }
 }
 
 /// Returns the unexplained peaks in ascending frequency.
 pub(super) fn unexplained(band: &Band, modes: &[Mode]) -> Vec<ResponsePeak> {
-    let mut left: Vec<ResponsePeak> = peaks(band)
+    let mut remaining: Vec<ResponsePeak> = peaks(band)
         .into_iter()
         .filter(|peak| !peak.is_explained(modes, band.line_hz()))
         .collect();
-    left.sort_by(|a, b| b.height.total_cmp(&a.height));
-    left.truncate(MAX_PEAKS);
-    left.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
-    left
+    remaining.sort_by(|a, b| b.height.total_cmp(&a.height));
+    remaining.truncate(MAX_PEAKS);
+    remaining.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
+    remaining
 }
 
 fn peaks(band: &Band) -> Vec<ResponsePeak> {
@@ -68,30 +68,30 @@ fn peaks(band: &Band) -> Vec<ResponsePeak> {
     for o in 0..band.response.len() {
         let measured = band.measured(o);
         let mean = measured.iter().map(|h| h.norm_sqr()).sum::<f64>() / lines as f64;
-        let rough = roughness(&measured);
+        let noise_power = roughness(&measured);
         for k in (0..lines).filter(|_| mean > 0.0) {
-            let told = band.variance.get(o).map_or(0.0, |variance| {
+            let stated_variance = band.variance.get(o).map_or(0.0, |variance| {
                 variance[k] * band.as_measured(o, k).norm_sqr()
             });
             power[k] += measured[k].norm_sqr() / mean;
-            noise[k] += rough[k].max(told) / mean;
+            noise[k] += noise_power[k].max(stated_variance) / mean;
         }
     }
-    let highest = |k: &usize| {
+    let is_local_maximum = |k: &usize| {
         power[*k] > power[k - 1]
             && power[*k] >= power[k + 1]
             && power[*k] > MIN_NOISE_RATIO * noise[*k]
     };
-    let stands = |k: &usize| {
+    let is_prominent = |k: &usize| {
         power[*k] > MIN_VALLEY_RATIO * valley(&power, *k, true).max(valley(&power, *k, false))
     };
     let peak = |k: usize| {
-        let above = |step: &dyn Fn(usize) -> usize| {
+        let lines_above_half = |step: &dyn Fn(usize) -> usize| {
             (1..lines)
                 .take_while(|n| power.get(step(*n)).is_some_and(|x| *x > 0.5 * power[k]))
                 .count()
         };
-        let width = above(&|n| k + n) + above(&|n| k.wrapping_sub(n)) + 1;
+        let width = lines_above_half(&|n| k + n) + lines_above_half(&|n| k.wrapping_sub(n)) + 1;
         ResponsePeak {
             frequency_hz: band.frequency_hz[k],
             half_width_hz: 0.5 * width as f64 * band.line_hz(),
@@ -99,19 +99,20 @@ fn peaks(band: &Band) -> Vec<ResponsePeak> {
         }
     };
     (1..lines.saturating_sub(1))
-        .filter(highest)
-        .filter(stands)
+        .filter(is_local_maximum)
+        .filter(is_prominent)
         .map(peak)
         .collect()
 }
 
 /// Minimum power between a line and the next higher one.
-fn valley(power: &[f64], from: usize, up: bool) -> f64 {
-    let lowest = |side: &mut dyn Iterator<Item = &f64>| {
-        side.take_while(|x| **x <= power[from])
+fn valley(power: &[f64], from: usize, upwards: bool) -> f64 {
+    let lowest = |flank: &mut dyn Iterator<Item = &f64>| {
+        flank
+            .take_while(|x| **x <= power[from])
             .fold(power[from], |low, x| low.min(*x))
     };
-    if up {
+    if upwards {
         lowest(&mut power[from..].iter())
     } else {
         lowest(&mut power[..=from].iter().rev())
@@ -120,22 +121,22 @@ fn valley(power: &[f64], from: usize, up: bool) -> f64 {
 
 /// Noise variance from second differences, around each line.
 fn roughness(values: &[c64]) -> Vec<f64> {
-    let second = |k: usize| {
+    let second_difference = |k: usize| {
         (values[k + 1] - 2.0 * values[k] + values[k - 1]).norm_sqr() / (6.0 * NOISE_MEDIAN)
     };
-    let mut found = Vec::with_capacity(values.len());
+    let mut result = Vec::with_capacity(values.len());
     for from in (0..values.len()).step_by(LEVEL_LINES) {
-        let until = (from + LEVEL_LINES).min(values.len());
-        let mut level: Vec<f64> = (from.max(1)..until.min(values.len() - 1))
-            .map(second)
+        let end = (from + LEVEL_LINES).min(values.len());
+        let mut level: Vec<f64> = (from.max(1)..end.min(values.len() - 1))
+            .map(second_difference)
             .collect();
         level.sort_by(f64::total_cmp);
         let median = level
             .get(level.len() / 2)
             .copied()
-            .or(found.last().copied())
+            .or(result.last().copied())
             .unwrap_or(0.0);
-        found.resize(until, median);
+        result.resize(end, median);
     }
-    found
+    result
 }

@@ -18,7 +18,7 @@ use faer::{Mat, Side, c64};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
-use super::sums::{both_ways, signals};
+use super::sums::{fourier_sums, signals};
 use super::{Band, ModalError, Pole, complex_plscf};
 
 /// Sums over the lines, shared by all orders.
@@ -26,26 +26,26 @@ struct PlscfMoments {
     inputs: usize,
     /// `re sum z^k`
     r: Vec<f64>,
-    /// `re sum z^k H_o` for k from `-most` to `most`: output, input, k.
+    /// `re sum z^k H_o` for k from `-max_order` to `max_order`: output, input, k.
     s: Vec<Vec<Vec<f64>>>,
-    /// `re sum z^k conj(H_oi) H_oj`, summed over outputs: i, j, k from `-most` to `most`.
+    /// `re sum z^k conj(H_oi) H_oj`, summed over outputs: i, j, k from `-max_order` to `max_order`.
     t: Vec<Vec<Vec<f64>>>,
-    most: usize,
+    max_order: usize,
     interval_s: f64,
 }
 
-/// Poles in the upper half plane for each order from 1 to `most`, in ascending frequency, without
-/// unstable ones. For a band that begins far from 0, or whose equations from 0 cannot be solved,
+/// Poles in the upper half plane for each order from 1 to `max_order`, in ascending frequency,
+/// without unstable ones. For a band that begins far from 0, or whose equations from 0 cannot be solved,
 /// complex coefficients from its lower end are used.
 ///
 /// # Errors
 /// Too few lines, or responses that are all zero.
-pub fn poles(band: &Band, most: usize) -> Result<Vec<Vec<Pole>>, ModalError> {
-    enough(band, most)?;
-    if band.begins_far_from_zero() {
-        return complex_plscf::poles(band, most);
+pub fn poles(band: &Band, max_order: usize) -> Result<Vec<Vec<Pole>>, ModalError> {
+    check_line_count(band, max_order)?;
+    if band.starts_far_from_zero() {
+        return complex_plscf::poles(band, max_order);
     }
-    from_zero(band, most).or_else(|_| complex_plscf::poles(band, most))
+    from_zero(band, max_order).or_else(|_| complex_plscf::poles(band, max_order))
 }
 
 /// Poles from real coefficients, with the circle beginning at 0 Hz.
@@ -53,52 +53,52 @@ pub fn poles(band: &Band, most: usize) -> Result<Vec<Vec<Pole>>, ModalError> {
 /// # Errors
 /// Too few lines; lines that leave too much of the circle uncovered for the order; responses that
 /// are all zero.
-pub(super) fn from_zero(band: &Band, most: usize) -> Result<Vec<Vec<Pole>>, ModalError> {
-    enough(band, most)?;
-    let moments = PlscfMoments::of(band, most);
+pub(super) fn from_zero(band: &Band, max_order: usize) -> Result<Vec<Vec<Pole>>, ModalError> {
+    check_line_count(band, max_order)?;
+    let moments = PlscfMoments::of(band, max_order);
     let normal = moments.normal()?;
     normal.into_par_iter().map(|m| moments.poles(&m)).collect()
 }
 
-fn enough(band: &Band, most: usize) -> Result<(), ModalError> {
-    let (lines, needed) = (band.frequency_hz.len(), 2 * (most + 1) * band.inputs);
-    if lines < needed {
+fn check_line_count(band: &Band, max_order: usize) -> Result<(), ModalError> {
+    let (lines, needed_lines) = (band.frequency_hz.len(), 2 * (max_order + 1) * band.inputs);
+    if lines < needed_lines {
         return Err(ModalError::Few {
             low_hz: band.low_hz,
             high_hz: band.high_hz,
             lines,
-            order: most,
-            needed,
+            order: max_order,
+            needed: needed_lines,
         });
     }
     Ok(())
 }
 
 impl PlscfMoments {
-    fn of(band: &Band, most: usize) -> Self {
+    fn of(band: &Band, max_order: usize) -> Self {
         let (inputs, outputs) = (band.inputs, band.outputs());
-        let highest = band.frequency_hz.iter().copied().fold(0.0, f64::max);
-        let interval_s = 1.0 / (2.0 * highest);
-        let turn: Vec<c64> = band
+        let highest_hz = band.frequency_hz.iter().copied().fold(0.0, f64::max);
+        let interval_s = 1.0 / (2.0 * highest_hz);
+        let phasors: Vec<c64> = band
             .frequency_hz
             .iter()
             .map(|f| c64::from_polar(1.0, -TAU * f * interval_s))
             .collect();
         let signals = signals(band);
-        let mut sums = both_ways(&turn, &signals, most).into_iter();
+        let mut sums = fourier_sums(&phasors, &signals, max_order).into_iter();
         let mut rows = |count: usize| -> Vec<Vec<Vec<f64>>> {
             (0..count)
                 .map(|_| sums.by_ref().take(inputs).collect())
                 .collect()
         };
         let (s, t) = (rows(outputs), rows(inputs));
-        let r = sums.next().unwrap_or_default().split_off(most);
+        let r = sums.next().unwrap_or_default().split_off(max_order);
         Self {
             inputs,
             r,
             s,
             t,
-            most,
+            max_order,
             interval_s,
         }
     }
@@ -107,13 +107,13 @@ impl PlscfMoments {
     /// its factor `L`. With `Y_o = L^-1 S_o`, each order therefore adds one row of each `Y_o` to
     /// `sum_o S_o^T R^-1 S_o = sum_o Y_o^T Y_o`.
     fn normal(&self) -> Result<Vec<Mat<f64>>, ModalError> {
-        let (n, width) = (self.inputs, self.most + 1);
+        let (n, width) = (self.inputs, self.max_order + 1);
         // Row a of X is z^a, so that X^H Y has z^(b - a).
-        let index = |a: usize, b: usize| self.most + b - a;
+        let index = |a: usize, b: usize| self.max_order + b - a;
         let r = Mat::from_fn(width, width, |a, b| self.r[a.abs_diff(b)]);
-        let factor = r
-            .llt(Side::Lower)
-            .map_err(|_| ModalError::Singular { order: self.most })?;
+        let factor = r.llt(Side::Lower).map_err(|_| ModalError::Singular {
+            order: self.max_order,
+        })?;
         let inverse = {
             let mut inverse = Mat::<f64>::identity(width, width);
             factor.L().solve_lower_triangular_in_place(&mut inverse);
@@ -124,18 +124,18 @@ impl PlscfMoments {
             .par_iter()
             .map(|s| &inverse * Mat::from_fn(width, n * width, |a, b| -s[b % n][index(a, b / n)]))
             .collect();
-        let mut taken = Mat::<f64>::zeros(n * width, n * width);
-        let mut all = Vec::new();
+        let mut eliminated = Mat::<f64>::zeros(n * width, n * width);
+        let mut matrices = Vec::new();
         for order in 0..width {
             let row = Mat::from_fn(y.len(), n * width, |o, b| y[o][(order, b)]);
-            taken += row.transpose() * &row;
-            let size = n * (order + 1);
-            all.push(Mat::from_fn(size, size, |a, b| {
-                self.t[a % n][b % n][index(a / n, b / n)] - taken[(a, b)]
+            eliminated += row.transpose() * &row;
+            let column_count = n * (order + 1);
+            matrices.push(Mat::from_fn(column_count, column_count, |a, b| {
+                self.t[a % n][b % n][index(a / n, b / n)] - eliminated[(a, b)]
             }));
         }
-        all.remove(0);
-        Ok(all)
+        matrices.remove(0);
+        Ok(matrices)
     }
 
     /// Poles of the order of a matrix `M`.
@@ -143,10 +143,10 @@ impl PlscfMoments {
         let n = self.inputs;
         let free = m.nrows() - n;
         let singular = ModalError::Singular { order: free / n };
-        let left = m.submatrix(0, 0, free, free).to_owned();
-        let right = Mat::from_fn(free, n, |a, b| -m[(a, free + b)]);
-        let lu = left.partial_piv_lu();
-        let coefficients = lu.solve(&right);
+        let matrix = m.submatrix(0, 0, free, free).to_owned();
+        let rhs = Mat::from_fn(free, n, |a, b| -m[(a, free + b)]);
+        let lu = matrix.partial_piv_lu();
+        let coefficients = lu.solve(&rhs);
         if !coefficients
             .col_iter()
             .all(|column| column.iter().all(|x| x.is_finite()))
@@ -168,9 +168,9 @@ impl PlscfMoments {
             .iter()
             .map(pole)
             .filter(|p| p.re < 0.0 && p.im > 0.0 && p.re.is_finite());
-        let mut found: Vec<Pole> = upper.map(Pole::of).collect();
-        found.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
-        Ok(found)
+        let mut result: Vec<Pole> = upper.map(Pole::of).collect();
+        result.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
+        Ok(result)
     }
 }
 
@@ -181,7 +181,7 @@ pub(super) mod tests {
     use super::*;
 
     /// Displacement per force of outputs and inputs for known poles and shapes (mass 1).
-    pub fn exact(
+    pub fn exact_responses(
         frequency_hz: &[f64],
         poles: &[Pole],
         shape: impl Fn(usize, usize) -> f64,
@@ -232,10 +232,10 @@ pub(super) mod tests {
     /// Includes two close modes. Measured at order 20: frequencies 3e-8, damping ratios 2e-6
     /// relative, with one input and with two.
     #[test]
-    fn exact_responses_give_back_their_poles_from_one_and_two_inputs() {
+    fn exact_responses_give_their_poles_from_one_and_two_inputs() {
         let frequency_hz: Vec<f64> = (1..1200).map(|k| f64::from(k) * 0.1).collect();
         for inputs in [1, 2] {
-            let response = exact(&frequency_hz, &POLES, shape, 4, inputs);
+            let response = exact_responses(&frequency_hz, &POLES, shape, 4, inputs);
             let band = Band::new(
                 &frequency_hz,
                 &response,
@@ -245,13 +245,13 @@ pub(super) mod tests {
                 (1.0, 110.0),
             )
             .unwrap();
-            let found = poles(&band, 20).unwrap().pop().unwrap();
+            let result = poles(&band, 20).unwrap().pop().unwrap();
             for pole in POLES {
                 let distance = |p: &&Pole| {
                     (p.frequency_hz / pole.frequency_hz - 1.0).abs()
                         + (p.damping_ratio - pole.damping_ratio).abs()
                 };
-                let nearest = found
+                let nearest = result
                     .iter()
                     .min_by(|a, b| distance(a).total_cmp(&distance(b)))
                     .unwrap();

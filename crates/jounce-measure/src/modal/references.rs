@@ -17,7 +17,8 @@ use std::f64::consts::TAU;
 use super::covariance::PoleCovariance;
 use super::design_matrix::{DesignMatrix, LinearTerms};
 use super::likelihood::{
-    FitData, MAX_STEPS, MAX_UPPER_TERMS, ModalFit, STEP_TOLERANCE, damped, residues, reweighed,
+    FitData, MAX_STEPS, MAX_UPPER_TERMS, ModalFit, STEP_TOLERANCE, damped_factor, fit_reweighted,
+    residues,
 };
 use super::variable_projection::{LinearSolution, ProjectedProblem};
 use super::{Band, Pole};
@@ -41,58 +42,61 @@ struct ConvergedModel {
 
 /// Fits several references from initial poles.
 pub(super) fn fit_shared(band: &Band, start: &[Pole]) -> Option<ModalFit> {
-    reweighed(band, start, weighed)
+    fit_reweighted(band, start, fit_weighted)
 }
 
 /// Fits with the weights of a band and as many terms for the modes above it as needed.
-fn weighed(band: &Band, start: &[Pole]) -> Option<ModalFit> {
+fn fit_weighted(band: &Band, start: &[Pole]) -> Option<ModalFit> {
     let data = FitData::of(band, start);
-    let mut found = settled(&data, band, ReferenceModel::begin(band, &data, start)?, 1)?;
+    let mut result = converge(&data, band, ReferenceModel::initial(band, &data, start)?, 1)?;
     for upper in 2..=MAX_UPPER_TERMS {
-        let tried = settled(&data, band, found.modal.clone(), upper);
-        let Some(tried) = tried.filter(|tried| data.asks_for(found.error, tried.error)) else {
+        let trial = converge(&data, band, result.modal.clone(), upper);
+        let Some(trial) = trial.filter(|trial| data.justifies_terms(result.error, trial.error))
+        else {
             break;
         };
-        found = tried;
+        result = trial;
     }
-    finished(band, &data, &found)
+    modal_fit(band, &data, &result)
 }
 
-fn settled(
+fn converge(
     data: &FitData,
     band: &Band,
     mut modal: ReferenceModel,
     upper: usize,
 ) -> Option<ConvergedModel> {
-    let (mut normal, mut right, mut error) = equations(data, band, &modal, upper)?;
+    let (mut normal, mut rhs, mut error) = equations(data, band, &modal, upper)?;
     let mut damping = 1e-6;
     for _ in 0..MAX_STEPS {
-        let tried = modal.stepped(&damped(&normal, damping)?.solve(&right));
-        let apart = tried
+        let trial = modal.with_step(&damped_factor(&normal, damping)?.solve(&rhs));
+        let pole_changes = trial
             .poles
             .iter()
             .zip(&modal.poles)
             .map(|(a, b)| (a - b).norm() / b.norm());
-        let turned = tried
+        let participation_changes = trial
             .participation
             .iter()
             .flatten()
             .zip(modal.participation.iter().flatten())
             .map(|(a, b)| (a - b).norm());
-        let size = apart.chain(turned).fold(0.0, f64::max);
-        let stays = tried.poles.iter().all(|p| p.re < 0.0 && p.im > 0.0);
-        match equations(data, band, &tried, upper)
-            .filter(|(.., less)| stays && *less <= error * (1.0 + 1e-12))
+        let step_size = pole_changes
+            .chain(participation_changes)
+            .fold(0.0, f64::max);
+        let is_stable = trial.poles.iter().all(|p| p.re < 0.0 && p.im > 0.0);
+        match equations(data, band, &trial, upper)
+            .filter(|(.., new_error)| is_stable && *new_error <= error * (1.0 + 1e-12))
         {
-            Some(better) => {
-                modal = tried;
-                (normal, right, error) = better;
+            Some(accepted) => {
+                modal = trial;
+                (normal, rhs, error) = accepted;
                 damping = f64::max(damping * 0.1, 1e-12);
-                if size < STEP_TOLERANCE {
+                if step_size < STEP_TOLERANCE {
                     break;
                 }
             }
-            None if damping > 1e6 || size < STEP_TOLERANCE => break,
+            None if damping > 1e6 || step_size < STEP_TOLERANCE => break,
             None => damping *= 10.0,
         }
     }
@@ -105,20 +109,20 @@ fn settled(
 
 impl ReferenceModel {
     /// Initial participations: the first right singular vector of unconstrained residues.
-    fn begin(band: &Band, data: &FitData, start: &[Pole]) -> Option<Self> {
+    fn initial(band: &Band, data: &FitData, start: &[Pole]) -> Option<Self> {
         let poles: Vec<c64> = start.iter().map(|pole| pole.complex()).collect();
         let residue = residues(data, &poles);
-        let begun = |r: usize| {
-            let of = Mat::from_fn(band.outputs(), band.inputs, |o, i| {
+        let initial_participation = |r: usize| {
+            let residues_of_mode = Mat::from_fn(band.outputs(), band.inputs, |o, i| {
                 residue[o * band.inputs + i][r]
             });
-            let svd = of.thin_svd().ok()?;
+            let svd = residues_of_mode.thin_svd().ok()?;
             let row: Vec<c64> = (0..band.inputs).map(|i| svd.V()[(i, 0)].conj()).collect();
             let fixed = (0..row.len()).max_by(|a, b| row[*a].norm().total_cmp(&row[*b].norm()))?;
             Some((row.iter().map(|b| b / row[fixed]).collect(), fixed))
         };
         let (participation, fixed) = (0..start.len())
-            .map(begun)
+            .map(initial_participation)
             .collect::<Option<Vec<_>>>()?
             .into_iter()
             .unzip();
@@ -131,27 +135,31 @@ impl ReferenceModel {
 
     /// Mode and reference of each fitted participation.
     fn free(&self) -> Vec<(usize, usize)> {
-        let of = |(r, row): (usize, &Vec<c64>)| {
+        let free_of_mode = |(r, row): (usize, &Vec<c64>)| {
             (0..row.len())
                 .filter(|i| *i != self.fixed[r])
                 .map(|i| (r, i))
                 .collect::<Vec<_>>()
         };
-        self.participation.iter().enumerate().flat_map(of).collect()
+        self.participation
+            .iter()
+            .enumerate()
+            .flat_map(free_of_mode)
+            .collect()
     }
 
-    fn stepped(&self, step: &Mat<f64>) -> Self {
-        let mut tried = self.clone();
-        let part = |k: usize| c64::new(step[(2 * k, 0)], step[(2 * k + 1, 0)]);
-        tried
+    fn with_step(&self, step: &Mat<f64>) -> Self {
+        let mut trial = self.clone();
+        let step_of = |k: usize| c64::new(step[(2 * k, 0)], step[(2 * k + 1, 0)]);
+        trial
             .poles
             .iter_mut()
             .enumerate()
-            .for_each(|(r, pole)| *pole += part(r));
+            .for_each(|(r, pole)| *pole += step_of(r));
         for (k, (r, i)) in self.free().into_iter().enumerate() {
-            tried.participation[r][i] += part(self.poles.len() + k);
+            trial.participation[r][i] += step_of(self.poles.len() + k);
         }
-        tried
+        trial
     }
 }
 
@@ -163,24 +171,33 @@ fn equations(
     modal: &ReferenceModel,
     upper: usize,
 ) -> Option<(Mat<f64>, Mat<f64>, f64)> {
-    let size = 2 * (modal.poles.len() + modal.free().len());
-    let (mut normal, mut right, mut error) = (Mat::zeros(size, size), Mat::zeros(size, 1), 0.0);
-    let terms =
-        DesignMatrix::of_kinds(data.sight, &data.powers, &data.angular, &modal.poles, upper);
-    let parts = (0..band.outputs())
+    let unknown_count = 2 * (modal.poles.len() + modal.free().len());
+    let (mut normal, mut rhs, mut error) = (
+        Mat::zeros(unknown_count, unknown_count),
+        Mat::zeros(unknown_count, 1),
+        0.0,
+    );
+    let terms = DesignMatrix::of_kinds(
+        data.window_bias,
+        &data.powers,
+        &data.angular,
+        &modal.poles,
+        upper,
+    );
+    let projected = (0..band.outputs())
         .into_par_iter()
-        .map(|o| part(o, data, &terms, modal))
+        .map(|o| project_output(o, data, &terms, modal))
         .collect::<Vec<_>>();
-    for part in parts {
-        normal += part.projected.transpose() * &part.projected;
-        right += part.projected.transpose() * &part.rest;
-        error += part.rest.squared_norm_l2();
+    for problem in projected {
+        normal += problem.projected.transpose() * &problem.projected;
+        rhs += problem.projected.transpose() * &problem.residual;
+        error += problem.residual.squared_norm_l2();
     }
-    Some((normal, right, error))
+    Some((normal, rhs, error))
 }
 
 /// Rows: the lines of one reference after those of the other.
-fn part(
+fn project_output(
     o: usize,
     data: &FitData,
     terms: &[DesignMatrix],
@@ -191,23 +208,25 @@ fn part(
         modal.participation[0].len(),
         terms[0].linear.nrows(),
     );
-    let residuals = terms[0].linear.ncols() - 2 * modes;
-    let (rows, width) = (inputs * lines, 2 * modes + residuals * inputs);
+    let residual_terms = terms[0].linear.ncols() - 2 * modes;
+    let (rows, width) = (inputs * lines, 2 * modes + residual_terms * inputs);
     let response = |row: usize| &data.responses[o * inputs + row / lines];
     let weight = |row: usize| response(row).weight[row % lines / 2];
     let of_kind = |row: usize| &terms[response(row).kind];
     let base = |row: usize, c: usize| weight(row) * of_kind(row).linear[(row % lines, c)];
     // A residue x + j y has the terms x E + y O; here it is the shape times the participation.
-    let both = |row: usize, r: usize, residue: c64| {
+    let combined_column = |row: usize, r: usize, residue: c64| {
         residue.re * base(row, 2 * r) + residue.im * base(row, 2 * r + 1)
     };
     let j = c64::new(0.0, 1.0);
     let column = |row: usize, c: usize| {
         let i = row / lines;
         match c.checked_sub(2 * modes) {
-            None if c.is_multiple_of(2) => both(row, c / 2, modal.participation[c / 2][i]),
-            None => both(row, c / 2, modal.participation[c / 2][i] * j),
-            Some(k) if k / residuals == i => base(row, 2 * modes + k % residuals),
+            None if c.is_multiple_of(2) => {
+                combined_column(row, c / 2, modal.participation[c / 2][i])
+            }
+            None => combined_column(row, c / 2, modal.participation[c / 2][i] * j),
+            Some(k) if k / residual_terms == i => base(row, 2 * modes + k % residual_terms),
             Some(_) => 0.0,
         }
     };
@@ -220,12 +239,12 @@ fn part(
             value(row).im
         }
     });
-    let eliminated = LinearSolution::new(a, &b);
-    let linear = &eliminated.linear;
+    let solution = LinearSolution::new(a, &b);
+    let linear = &solution.linear;
     let shape = |r: usize| c64::new(linear[(2 * r, 0)], linear[(2 * r + 1, 0)]);
     let free = modal.free();
     let derivative = |row: usize, c: usize| {
-        let (i, k, turn) = (
+        let (i, k, rotation) = (
             row / lines,
             c / 2,
             if c.is_multiple_of(2) {
@@ -235,22 +254,22 @@ fn part(
             },
         );
         if k < modes {
-            let residue = shape(k) * modal.participation[k][i] * turn;
-            let squares = |c: usize| weight(row) * of_kind(row).squares[(row % lines, c)];
-            return residue.re * squares(2 * k) + residue.im * squares(2 * k + 1);
+            let residue = shape(k) * modal.participation[k][i] * rotation;
+            let derivatives = |c: usize| weight(row) * of_kind(row).derivatives[(row % lines, c)];
+            return residue.re * derivatives(2 * k) + residue.im * derivatives(2 * k + 1);
         }
-        let (r, of) = free[k - modes];
-        if of == i {
-            both(row, r, shape(r) * turn)
+        let (r, reference) = free[k - modes];
+        if reference == i {
+            combined_column(row, r, shape(r) * rotation)
         } else {
             0.0
         }
     };
     let by_modes = Mat::from_fn(rows, 2 * (modes + free.len()), derivative);
-    eliminated.left(&by_modes)
+    solution.project(&by_modes)
 }
 
-fn finished(
+fn modal_fit(
     band: &Band,
     data: &FitData,
     ConvergedModel {
@@ -260,24 +279,25 @@ fn finished(
     }: &ConvergedModel,
 ) -> Option<ModalFit> {
     let (modes, inputs, outputs) = (modal.poles.len(), band.inputs, band.outputs());
-    let residuals = 2 + 2 * upper;
-    let unknowns = 2 * (modes + modal.free().len()) + outputs * (2 * modes + residuals * inputs);
+    let residual_terms = 2 + 2 * upper;
+    let unknowns =
+        2 * (modes + modal.free().len()) + outputs * (2 * modes + residual_terms * inputs);
     let misfit =
         error / ((2 * data.angular.len() * band.response.len()) as f64 - unknowns as f64).max(1.0);
     let terms = DesignMatrix::of_kinds(
-        data.sight,
+        data.window_bias,
         &data.powers,
         &data.angular,
         &modal.poles,
         *upper,
     );
-    let parts = (0..outputs)
+    let projected = (0..outputs)
         .into_par_iter()
-        .map(|o| part(o, data, &terms, modal))
+        .map(|o| project_output(o, data, &terms, modal))
         .collect::<Vec<_>>();
-    let certainty = PoleCovariance::of(band, data, &parts, misfit)?;
+    let covariance = PoleCovariance::of(band, data, &projected, misfit)?;
     let (mut residue, mut model) = (Vec::new(), Vec::new());
-    for (o, ProjectedProblem { linear, .. }) in parts.iter().enumerate() {
+    for (o, ProjectedProblem { linear, .. }) in projected.iter().enumerate() {
         let shape: Vec<c64> = (0..modes)
             .map(|r| c64::new(linear[(2 * r, 0)], linear[(2 * r + 1, 0)]))
             .collect();
@@ -286,10 +306,10 @@ fn finished(
                 .map(|r| shape[r] * modal.participation[r][i])
                 .flat_map(|x| [x.re, x.im]);
             let unknown: Vec<f64> = residues
-                .chain((0..residuals).map(|k| linear[(2 * modes + residuals * i + k, 0)]))
+                .chain((0..residual_terms).map(|k| linear[(2 * modes + residual_terms * i + k, 0)]))
                 .collect();
             let power = data.powers[data.responses[o * inputs + i].kind];
-            let terms = LinearTerms::of((data.sight, power, *upper), &modal.poles);
+            let terms = LinearTerms::of((data.window_bias, power, *upper), &modal.poles);
             let at = |hz: &f64| terms.sum(TAU * hz, unknown.iter().copied());
             model.push(band.frequency_hz.iter().map(at).collect());
         }
@@ -297,12 +317,12 @@ fn finished(
     }
     Some(ModalFit {
         poles: modal.poles.iter().map(|p| Pole::of(*p)).collect(),
-        deviation: certainty.deviations(&modal.poles),
+        deviation: covariance.deviations(&modal.poles),
         residue,
         participation: modal.participation.clone(),
         model,
         misfit,
-        freedom: certainty.freedoms(modes),
-        taken: certainty.taken(data, &parts, band),
+        freedom: covariance.freedoms(modes),
+        leverage: covariance.leverages(data, &projected, band),
     })
 }

@@ -28,7 +28,7 @@ const MIN_VARIANCE_RATIO: f64 = 0.2;
 pub(super) struct Scatter {
     /// Changes of the unknowns, scaled so that their squares add up to the variance: force
     /// location, part, then unknown and turn.
-    places: Vec<Vec<Mat<f64>>>,
+    positions: Vec<Vec<Mat<f64>>>,
     kind: ScatterKind,
 }
 
@@ -42,8 +42,8 @@ enum ScatterKind {
 
 impl Scatter {
     /// Number of turns applied to left-out data.
-    pub fn turns(parts: usize, sight: WindowBias) -> usize {
-        if parts < ENOUGH_PARTS && matches!(sight, WindowBias::Cut { .. }) {
+    pub fn rotations(parts: usize, window_bias: WindowBias) -> usize {
+        if parts < ENOUGH_PARTS && matches!(window_bias, WindowBias::Cut { .. }) {
             2
         } else {
             1
@@ -52,21 +52,21 @@ impl Scatter {
 
     /// Builds the scatter from `change`, the effect on the unknowns of each left-out part, by
     /// turns.
-    pub fn of_parts(
+    pub fn from_parts(
         change: Vec<Mat<f64>>,
         left_out: &[LeaveOneOutChange],
-        sight: WindowBias,
+        window_bias: WindowBias,
     ) -> Self {
-        let mut places: Vec<Vec<Mat<f64>>> = Vec::new();
-        for (change, left) in change.into_iter().zip(left_out) {
-            let scale = ((1.0 - left.share) / change.ncols() as f64).sqrt();
-            places.resize_with(places.len().max(left.place + 1), Vec::new);
-            places[left.place].push(change * scale);
+        let mut positions: Vec<Vec<Mat<f64>>> = Vec::new();
+        for (change, left_out_part) in change.into_iter().zip(left_out) {
+            let scale = ((1.0 - left_out_part.share) / change.ncols() as f64).sqrt();
+            positions.resize_with(positions.len().max(left_out_part.position + 1), Vec::new);
+            positions[left_out_part.position].push(change * scale);
         }
-        let neighbours = matches!(sight, WindowBias::Hann { .. })
-            && places.iter().all(|parts| parts.len() >= ENOUGH_PARTS);
+        let neighbours = matches!(window_bias, WindowBias::Hann { .. })
+            && positions.iter().all(|parts| parts.len() >= ENOUGH_PARTS);
         Self {
-            places,
+            positions,
             kind: if neighbours {
                 ScatterKind::Neighbours
             } else {
@@ -77,21 +77,25 @@ impl Scatter {
 
     /// Builds the scatter from `change`, the effect on the unknowns of the residual of each line,
     /// in two turns.
-    pub fn of_lines(change: Vec<Mat<f64>>) -> Self {
+    pub fn from_lines(change: Vec<Mat<f64>>) -> Self {
         Self {
-            places: vec![change],
+            positions: vec![change],
             kind: ScatterKind::Lines,
         }
     }
 
     /// Degrees of freedom of the variances of a pole.
     pub fn freedom(&self, r: usize) -> f64 {
-        let parts = |parts: &Vec<Mat<f64>>| parts.len() as f64;
+        let part_count = |part_count: &Vec<Mat<f64>>| part_count.len() as f64;
         match self.kind {
-            ScatterKind::Neighbours => self.places.iter().map(parts).sum::<f64>() / 3.0,
+            ScatterKind::Neighbours => self.positions.iter().map(part_count).sum::<f64>() / 3.0,
             ScatterKind::Parts => {
-                let turns = self.places.iter().flatten().next().map_or(1, Mat::ncols) as f64;
-                self.places.iter().map(|of| parts(of) - 1.0).sum::<f64>() * turns
+                let rotations = self.positions.iter().flatten().next().map_or(1, Mat::ncols) as f64;
+                self.positions
+                    .iter()
+                    .map(|position| part_count(position) - 1.0)
+                    .sum::<f64>()
+                    * rotations
             }
             ScatterKind::Lines => [[1.0, 0.0], [0.0, 1.0]]
                 .map(|slope| self.freedom_of_lines(r, slope))
@@ -103,47 +107,51 @@ impl Scatter {
     /// Each line adds the mean of two squares, whose scatter is of its own size: the fourth powers
     /// give the scatter of the sum.
     fn freedom_of_lines(&self, r: usize, slope: [f64; 2]) -> f64 {
-        let (mut sum, mut squares) = (0.0, 0.0);
-        for change in self.places.iter().flatten() {
-            let own: f64 = (0..change.ncols())
-                .map(|turn| moved(change, turn, r, slope).powi(2))
+        let (mut sum, mut square_sum) = (0.0, 0.0);
+        for change in self.positions.iter().flatten() {
+            let variance_at: f64 = (0..change.ncols())
+                .map(|rotation| weighted_change(change, rotation, r, slope).powi(2))
                 .sum();
-            sum += own;
-            squares += own * own;
+            sum += variance_at;
+            square_sum += variance_at * variance_at;
         }
-        (4.0 * sum * sum / squares.max(f64::MIN_POSITIVE)).max(1.0)
+        (4.0 * sum * sum / square_sum.max(f64::MIN_POSITIVE)).max(1.0)
     }
 
     /// Variance of a quantity with derivatives `slope` by the real and the imaginary part of pole
     /// `r`.
     pub fn variance(&self, r: usize, slope: [f64; 2]) -> f64 {
-        self.places
+        self.positions
             .iter()
-            .map(|parts| self.of_place(parts, r, slope))
+            .map(|parts| self.position_variance(parts, r, slope))
             .sum()
     }
 
-    fn of_place(&self, parts: &[Mat<f64>], r: usize, slope: [f64; 2]) -> f64 {
-        let own: f64 = parts
+    fn position_variance(&self, parts: &[Mat<f64>], r: usize, slope: [f64; 2]) -> f64 {
+        let variance: f64 = parts
             .iter()
             .flat_map(|change| {
-                (0..change.ncols()).map(move |turn| moved(change, turn, r, slope).powi(2))
+                (0..change.ncols())
+                    .map(move |rotation| weighted_change(change, rotation, r, slope).powi(2))
             })
             .sum();
         if !matches!(self.kind, ScatterKind::Neighbours) {
-            return own;
+            return variance;
         }
         let pairs = parts
             .windows(2)
-            .map(|pair| moved(&pair[0], 0, r, slope) * moved(&pair[1], 0, r, slope))
+            .map(|pair| {
+                weighted_change(&pair[0], 0, r, slope) * weighted_change(&pair[1], 0, r, slope)
+            })
             .sum::<f64>();
         // The mean is from the same parts, and enters each of these sums three times.
-        let parts = parts.len() as f64;
-        f64::max(own + 2.0 * pairs, MIN_VARIANCE_RATIO * own) * (parts - 1.0) / (parts - 3.0)
+        let part_count = parts.len() as f64;
+        f64::max(variance + 2.0 * pairs, MIN_VARIANCE_RATIO * variance) * (part_count - 1.0)
+            / (part_count - 3.0)
     }
 }
 
 /// Change of a quantity with derivatives `slope` by the real and the imaginary part of pole `r`.
-fn moved(change: &Mat<f64>, turn: usize, r: usize, slope: [f64; 2]) -> f64 {
-    slope[0] * change[(2 * r, turn)] + slope[1] * change[(2 * r + 1, turn)]
+fn weighted_change(change: &Mat<f64>, rotation: usize, r: usize, slope: [f64; 2]) -> f64 {
+    slope[0] * change[(2 * r, rotation)] + slope[1] * change[(2 * r + 1, rotation)]
 }

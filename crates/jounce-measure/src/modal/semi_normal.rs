@@ -33,56 +33,63 @@ const MAX_CORRECTION_RATIO: f64 = 1e-2;
 pub(super) struct NormalEquations {
     /// `J^T P J` and `J^T P e`.
     pub normal: Mat<f64>,
-    pub right: Mat<f64>,
+    pub rhs: Mat<f64>,
     /// Squared norm of the residual.
     pub error: f64,
 }
 
 impl NormalEquations {
     /// Computes the contribution; `None` where the linear columns are nearly dependent.
-    pub fn of(weighed: &WeightedResponse, terms: &DesignMatrix) -> Option<Self> {
+    pub fn of(weighted: &WeightedResponse, terms: &DesignMatrix) -> Option<Self> {
         let (width, columns) = (
             terms.linear.ncols(),
-            terms.linear.ncols() + terms.squares.ncols(),
+            terms.linear.ncols() + terms.derivatives.ncols(),
         );
-        let products = products(weighed, terms);
+        let products = products(weighted, terms);
         let scale: Vec<f64> = (0..columns).map(|c| products[(c, c)].sqrt()).collect();
         if !scale.iter().all(|x| x.is_finite() && *x > 0.0) {
             return None;
         }
-        let of = |r: usize, c: usize| products[(r.max(c), r.min(c))] / (scale[r] * scale[c]);
-        let factor = Mat::from_fn(width, width, of).llt(Side::Lower).ok()?;
-        let mixed = Mat::from_fn(width, columns - width, |r, c| of(r, width + c));
-        let begun = factor.solve(Mat::from_fn(width, 1, |r, _| {
+        let scaled_product =
+            |r: usize, c: usize| products[(r.max(c), r.min(c))] / (scale[r] * scale[c]);
+        let factor = Mat::from_fn(width, width, scaled_product)
+            .llt(Side::Lower)
+            .ok()?;
+        let mixed = Mat::from_fn(width, columns - width, |r, c| scaled_product(r, width + c));
+        let initial = factor.solve(Mat::from_fn(width, 1, |r, _| {
             products[(columns, r)] / scale[r]
         }));
         let LinearResidual {
             unknown,
-            right,
+            rhs,
             error,
-        } = LinearResidual::corrected(weighed, terms, (&scale, &factor, &mixed), begun)?;
-        let mut taken = mixed.clone();
-        factor.L().solve_lower_triangular_in_place(&mut taken);
-        let beyond = Mat::from_fn(columns - width, columns - width, |r, c| {
-            of(width + r, width + c)
-        }) - taken.transpose() * &taken;
+        } = LinearResidual::corrected(weighted, terms, (&scale, &factor, &mixed), initial)?;
+        let mut solved = mixed.clone();
+        factor.L().solve_lower_triangular_in_place(&mut solved);
+        let schur = Mat::from_fn(columns - width, columns - width, |r, c| {
+            scaled_product(width + r, width + c)
+        }) - solved.transpose() * &solved;
         // Derivatives by the real and the imaginary part of a pole: its residue x + j y turns the
         // columns of S.
-        let turned = |r: usize, of: &dyn Fn(usize) -> f64| {
+        let rotated = |r: usize, value: &dyn Fn(usize) -> f64| {
             let (x, y) = (unknown[(r & !1, 0)], unknown[(r | 1, 0)]);
             if r.is_multiple_of(2) {
-                x * of(r) + y * of(r + 1)
+                x * value(r) + y * value(r + 1)
             } else {
-                x * of(r) - y * of(r - 1)
+                x * value(r) - y * value(r - 1)
             }
         };
-        let unscaled = |r: usize, c: usize| beyond[(r, c)] * scale[width + r] * scale[width + c];
-        let size = columns - width;
-        let by_columns = Mat::from_fn(size, size, |r, c| turned(c, &|c| unscaled(r, c)));
+        let unscaled = |r: usize, c: usize| schur[(r, c)] * scale[width + r] * scale[width + c];
+        let pole_columns = columns - width;
+        let by_columns = Mat::from_fn(pole_columns, pole_columns, |r, c| {
+            rotated(c, &|c| unscaled(r, c))
+        });
         Some(Self {
-            normal: Mat::from_fn(size, size, |r, c| turned(r, &|r| by_columns[(r, c)])),
-            right: Mat::from_fn(size, 1, |r, _| {
-                turned(r, &|r| right[(r, 0)] * scale[width + r])
+            normal: Mat::from_fn(pole_columns, pole_columns, |r, c| {
+                rotated(r, &|r| by_columns[(r, c)])
+            }),
+            rhs: Mat::from_fn(pole_columns, 1, |r, _| {
+                rotated(r, &|r| rhs[(r, 0)] * scale[width + r])
             }),
             error,
         })
@@ -93,90 +100,94 @@ impl NormalEquations {
 struct LinearResidual {
     unknown: Mat<f64>,
     /// `S^T P b`, scaled as the columns.
-    right: Mat<f64>,
+    rhs: Mat<f64>,
     error: f64,
 }
 
 impl LinearResidual {
     fn corrected(
-        weighed: &WeightedResponse,
+        weighted: &WeightedResponse,
         terms: &DesignMatrix,
         (scale, factor, mixed): (&[f64], &Llt<f64>, &Mat<f64>),
         mut scaled: Mat<f64>,
     ) -> Option<Self> {
         let width = mixed.nrows();
-        let mut before = scaled.norm_l2();
+        let mut previous_size = scaled.norm_l2();
         loop {
             let unknown = Mat::from_fn(width, 1, |c, _| scaled[(c, 0)] / scale[c]);
-            let (by_columns, square) = left(weighed, terms, &unknown);
-            let wrong = Mat::from_fn(width, 1, |c, _| by_columns[(c, 0)] / scale[c]);
-            let change = factor.solve(&wrong);
-            let (size, all) = (change.norm_l2(), scaled.norm_l2());
-            scaled += &change;
-            if size * size <= CORRECTION_TOLERANCE * before * all {
-                let right = Mat::from_fn(mixed.ncols(), 1, |c, _| {
+            let (by_columns, squared_residual) = residual_products(weighted, terms, &unknown);
+            let scaled_gradient = Mat::from_fn(width, 1, |c, _| by_columns[(c, 0)] / scale[c]);
+            let correction = factor.solve(&scaled_gradient);
+            let (correction_size, solution_size) = (correction.norm_l2(), scaled.norm_l2());
+            scaled += &correction;
+            if correction_size * correction_size
+                <= CORRECTION_TOLERANCE * previous_size * solution_size
+            {
+                let rhs = Mat::from_fn(mixed.ncols(), 1, |c, _| {
                     by_columns[(width + c, 0)] / scale[width + c]
-                }) - mixed.transpose() * &change;
+                }) - mixed.transpose() * &correction;
                 return Some(Self {
                     unknown: Mat::from_fn(width, 1, |c, _| scaled[(c, 0)] / scale[c]),
-                    right,
-                    error: (square - (change.transpose() * &wrong)[(0, 0)]).max(0.0),
+                    rhs,
+                    error: (squared_residual - (correction.transpose() * &scaled_gradient)[(0, 0)])
+                        .max(0.0),
                 });
             }
-            let shrinks = size <= MAX_CORRECTION_RATIO * before;
-            if !shrinks {
+            let is_converging = correction_size <= MAX_CORRECTION_RATIO * previous_size;
+            if !is_converging {
                 return None;
             }
-            before = size;
+            previous_size = correction_size;
         }
     }
 }
 
 /// Products of all pairs of columns: those of `A`, of `S`, then `b`. Lower triangle.
-fn products(weighed: &WeightedResponse, terms: &DesignMatrix) -> Mat<f64> {
-    let (rows, width, squares) = (
+fn products(weighted: &WeightedResponse, terms: &DesignMatrix) -> Mat<f64> {
+    let (rows, width, derivatives) = (
         terms.linear.nrows(),
         terms.linear.ncols(),
-        terms.squares.ncols(),
+        terms.derivatives.ncols(),
     );
-    let all = width + squares + 1;
+    let total_columns = width + derivatives + 1;
     let (mut sums, mut block) = (
-        Mat::<f64>::zeros(all, all),
-        Mat::<f64>::zeros(ROWS_AT_ONCE, all),
+        Mat::<f64>::zeros(total_columns, total_columns),
+        Mat::<f64>::zeros(ROWS_AT_ONCE, total_columns),
     );
     for from in (0..rows).step_by(ROWS_AT_ONCE) {
         let count = ROWS_AT_ONCE.min(rows - from);
-        let weight = &weighed.weight[from / 2..(from + count) / 2];
+        let weight = &weighted.weight[from / 2..(from + count) / 2];
         for (c, column) in block.col_iter_mut().enumerate() {
             let Some(column) = column.try_as_col_major_mut() else {
                 continue;
             };
             let column = column.as_slice_mut().as_chunks_mut::<2>().0.iter_mut();
-            if c == width + squares {
+            if c == width + derivatives {
                 column
-                    .zip(&weighed.value[from / 2..])
+                    .zip(&weighted.value[from / 2..])
                     .for_each(|(x, value)| *x = [value.re, value.im]);
                 continue;
             }
-            let of = if c < width {
+            let source = if c < width {
                 terms.linear.col_as_slice(c)
             } else {
-                terms.squares.col_as_slice(c - width)
+                terms.derivatives.col_as_slice(c - width)
             };
-            for ((x, of), weight) in column.zip(of[from..].as_chunks::<2>().0).zip(weight) {
-                *x = of.map(|of| weight * of);
+            for ((x, source), weight) in column.zip(source[from..].as_chunks::<2>().0).zip(weight) {
+                *x = source.map(|source| weight * source);
             }
         }
         let block = block.subrows(0, count);
-        let (lower, whole) = (BlockStructure::TriangularLower, BlockStructure::Rectangular);
+        let (lower_triangle, rectangular) =
+            (BlockStructure::TriangularLower, BlockStructure::Rectangular);
         triangular(
             &mut sums,
-            lower,
+            lower_triangle,
             Accum::Add,
             block.transpose(),
-            whole,
+            rectangular,
             block,
-            whole,
+            rectangular,
             1.0,
             Par::Seq,
         );
@@ -185,51 +196,62 @@ fn products(weighed: &WeightedResponse, terms: &DesignMatrix) -> Mat<f64> {
 }
 
 /// Residual of the response: its products with the columns of `A` and of `S`, and its square.
-fn left(weighed: &WeightedResponse, terms: &DesignMatrix, unknown: &Mat<f64>) -> (Mat<f64>, f64) {
-    let (rows, width, squares) = (
+fn residual_products(
+    weighted: &WeightedResponse,
+    terms: &DesignMatrix,
+    unknown: &Mat<f64>,
+) -> (Mat<f64>, f64) {
+    let (rows, width, derivatives) = (
         terms.linear.nrows(),
         terms.linear.ncols(),
-        terms.squares.ncols(),
+        terms.derivatives.ncols(),
     );
-    let (mut sums, mut square) = (Mat::<f64>::zeros(width + squares, 1), 0.0);
-    let mut rest = Mat::<f64>::zeros(ROWS_AT_ONCE, 1);
+    let (mut sums, mut squared_residual) = (Mat::<f64>::zeros(width + derivatives, 1), 0.0);
+    let mut residual = Mat::<f64>::zeros(ROWS_AT_ONCE, 1);
     for from in (0..rows).step_by(ROWS_AT_ONCE) {
         let count = ROWS_AT_ONCE.min(rows - from);
-        let (linear, own) = (
+        let (linear, derivatives_block) = (
             terms.linear.subrows(from, count),
-            terms.squares.subrows(from, count),
+            terms.derivatives.subrows(from, count),
         );
-        let mut rest = rest.subrows_mut(0, count);
-        matmul(&mut rest, Accum::Replace, linear, unknown, 1.0, Par::Seq);
+        let mut residual = residual.subrows_mut(0, count);
+        matmul(
+            &mut residual,
+            Accum::Replace,
+            linear,
+            unknown,
+            1.0,
+            Par::Seq,
+        );
         for row in 0..count {
             let k = (from + row) / 2;
-            let (value, weight) = (weighed.value[k], weighed.weight[k]);
-            let left = if row.is_multiple_of(2) {
+            let (value, weight) = (weighted.value[k], weighted.weight[k]);
+            let line_residual = if row.is_multiple_of(2) {
                 value.re
             } else {
                 value.im
-            } - weight * rest[(row, 0)];
-            square += left * left;
-            rest[(row, 0)] = weight * left;
+            } - weight * residual[(row, 0)];
+            squared_residual += line_residual * line_residual;
+            residual[(row, 0)] = weight * line_residual;
         }
         matmul(
             sums.subrows_mut(0, width),
             Accum::Add,
             linear.transpose(),
-            &rest,
+            &residual,
             1.0,
             Par::Seq,
         );
         matmul(
-            sums.subrows_mut(width, squares),
+            sums.subrows_mut(width, derivatives),
             Accum::Add,
-            own.transpose(),
-            &rest,
+            derivatives_block.transpose(),
+            &residual,
             1.0,
             Par::Seq,
         );
     }
-    (sums, square)
+    (sums, squared_residual)
 }
 
 #[cfg(test)]
@@ -243,22 +265,22 @@ mod tests {
 
     /// A response of three modes, two of them close, in noise and under uneven weights, and the
     /// terms of a fit at slightly wrong poles.
-    fn made(poles: &[c64], upper: usize) -> (WeightedResponse, DesignMatrix) {
+    fn example_response(poles: &[c64], upper: usize) -> (WeightedResponse, DesignMatrix) {
         let angular: Vec<f64> = (40..900).map(|k| 1.5 * f64::from(k)).collect();
-        let sight = WindowBias::Cut { length_s: 2.0 };
-        let terms = DesignMatrix::of_kinds(sight, &[2], &angular, poles, upper).remove(0);
+        let window_bias = WindowBias::Cut { length_s: 2.0 };
+        let terms = DesignMatrix::of_kinds(window_bias, &[2], &angular, poles, upper).remove(0);
         let mut stream = RandomStream::new(3, 9);
         let weight: Vec<f64> = angular
             .iter()
             .map(|w| 1.0 + (0.02 * w).sin().powi(2))
             .collect();
         let value = (0..angular.len()).map(|k| {
-            let sum: f64 = (0..2 * poles.len()).map(|c| terms.linear[(2 * k, c)]).sum();
-            let odd: f64 = (0..2 * poles.len())
+            let real_sum: f64 = (0..2 * poles.len()).map(|c| terms.linear[(2 * k, c)]).sum();
+            let imaginary_sum: f64 = (0..2 * poles.len())
                 .map(|c| terms.linear[(2 * k + 1, c)])
                 .sum();
             let [re, im] = stream.normal_pair();
-            c64::new(1.01 * sum + 1e-3 * re, odd + 1e-3 * im) * weight[k]
+            c64::new(1.01 * real_sum + 1e-3 * re, imaginary_sum + 1e-3 * im) * weight[k]
         });
         let value = value.collect();
         (
@@ -275,38 +297,40 @@ mod tests {
     /// sizes. The matrix, which affects only step lengths, agrees within 8e-15 with up to four
     /// terms above the band, and 2.4e-9 with eight nearly dependent ones.
     #[test]
-    fn it_gives_what_orthogonal_columns_give() {
+    fn result_is_that_of_orthogonal_columns() {
         let poles = [
             c64::new(-2.0, 200.0),
             c64::new(-3.0, 204.0),
             c64::new(-5.0, 900.0),
         ];
         for upper in [1, 4, 8] {
-            let (weighed, terms) = made(&poles, upper);
-            let (found, due) = (
-                NormalEquations::of(&weighed, &terms).unwrap(),
-                by_orthogonal_columns(&weighed, &terms),
+            let (weighted, terms) = example_response(&poles, upper);
+            let (result, expected) = (
+                NormalEquations::of(&weighted, &terms).unwrap(),
+                by_orthogonal_columns(&weighted, &terms),
             );
-            let off = [
-                (&found.normal - &due.normal).norm_l2() / due.normal.norm_l2(),
-                (&found.right - &due.right).norm_l2() / (due.normal.norm_l2() * due.error).sqrt(),
-                (found.error / due.error - 1.0).abs(),
+            let errors = [
+                (&result.normal - &expected.normal).norm_l2() / expected.normal.norm_l2(),
+                (&result.rhs - &expected.rhs).norm_l2()
+                    / (expected.normal.norm_l2() * expected.error).sqrt(),
+                (result.error / expected.error - 1.0).abs(),
             ];
             eprintln!(
                 "{upper} terms above: {:.1e}, {:.1e}, {:.1e} off",
-                off[0], off[1], off[2]
+                errors[0], errors[1], errors[2]
             );
             assert!(
-                off[0] < 1e-7 && off[1] < 1e-12 && off[2] < 1e-12,
-                "{upper}: {off:?}"
+                errors[0] < 1e-7 && errors[1] < 1e-12 && errors[2] < 1e-12,
+                "{upper}: {errors:?}"
             );
         }
     }
 
     /// Two poles at one frequency have equal columns.
     #[test]
-    fn columns_that_are_alike_are_left_to_orthogonal_ones() {
-        let (weighed, terms) = made(&[c64::new(-2.0, 200.0), c64::new(-2.0, 200.0)], 1);
-        assert!(NormalEquations::of(&weighed, &terms).is_none());
+    fn nearly_equal_columns_are_refused() {
+        let (weighted, terms) =
+            example_response(&[c64::new(-2.0, 200.0), c64::new(-2.0, 200.0)], 1);
+        assert!(NormalEquations::of(&weighted, &terms).is_none());
     }
 }

@@ -46,61 +46,72 @@ const SAME_DAMPING_DISTANCE: f64 = 0.3;
 
 /// Builds the diagram from the poles of each order from 1, found from lines `line_hz` apart.
 pub fn diagram(poles: &[Vec<Pole>], line_hz: f64) -> Vec<StablePole> {
-    let mut found = Vec::new();
+    let mut result = Vec::new();
     for (k, order) in poles.iter().enumerate() {
-        let before: &[Pole] = k.checked_sub(1).map_or(&[], |before| &poles[before]);
+        let previous_poles: &[Pole] = k.checked_sub(1).map_or(&[], |previous| &poles[previous]);
         for pole in order.iter().filter(|pole| pole.damping_ratio < MAX_DAMPING) {
-            let near = |other: &&Pole| {
+            let has_equal_frequency = |other: &&Pole| {
                 (other.frequency_hz / pole.frequency_hz - 1.0).abs() <= FREQUENCY_LIMIT
             };
             let width_hz = pole.damping_ratio * pole.frequency_hz;
             let limit = (HALF_WIDTH_LINE_SHARE * line_hz / width_hz)
                 .clamp(DAMPING_LIMIT, COARSE_DAMPING_LIMIT);
-            let alike =
+            let has_equal_damping =
                 |other: &Pole| (other.damping_ratio / pole.damping_ratio - 1.0).abs() <= limit;
             let stable = match () {
-                () if before.iter().filter(near).any(alike) => Stability::Pole,
-                () if before.iter().any(|other| near(&other)) => Stability::Frequency,
+                () if previous_poles
+                    .iter()
+                    .filter(has_equal_frequency)
+                    .any(has_equal_damping) =>
+                {
+                    Stability::Pole
+                }
+                () if previous_poles
+                    .iter()
+                    .any(|other| has_equal_frequency(&other)) =>
+                {
+                    Stability::Frequency
+                }
                 () => Stability::New,
             };
-            found.push(StablePole {
+            result.push(StablePole {
                 order: k + 1,
                 pole: *pole,
                 stable,
             });
         }
     }
-    found
+    result
 }
 
 /// Selects one pole for each mode: from every cluster of stable poles the middle one of its upper
 /// orders. A cluster must be stable in most of the orders from its first, and in at least five.
 pub(super) fn modes(diagram: &[StablePole], low_hz: f64, high_hz: f64) -> Vec<Pole> {
-    let inside = |p: &&StablePole| {
+    let is_candidate = |p: &&StablePole| {
         p.stable != Stability::New && (low_hz..=high_hz).contains(&p.pole.frequency_hz)
     };
-    let mut stable: Vec<&StablePole> = diagram.iter().filter(inside).collect();
+    let mut stable: Vec<&StablePole> = diagram.iter().filter(is_candidate).collect();
     stable.sort_by(|a, b| a.pole.frequency_hz.total_cmp(&b.pole.frequency_hz));
     let last = diagram.iter().map(|p| p.order).max().unwrap_or(0);
     let mut clusters: Vec<Vec<&StablePole>> = Vec::new();
     for pole in stable {
-        let joins = |cluster: &Vec<&StablePole>| {
+        let belongs = |cluster: &Vec<&StablePole>| {
             cluster.last().is_some_and(|p| {
                 pole.pole.frequency_hz / p.pole.frequency_hz - 1.0 <= SAME_MODE_DISTANCE
             })
         };
-        match clusters.last_mut().filter(|cluster| joins(cluster)) {
+        match clusters.last_mut().filter(|cluster| belongs(cluster)) {
             Some(cluster) => cluster.push(pole),
             None => clusters.push(vec![pole]),
         }
     }
     clusters
         .iter()
-        .filter_map(|cluster| middle(cluster, last))
+        .filter_map(|cluster| representative_pole(cluster, last))
         .collect()
 }
 
-fn middle(cluster: &[&StablePole], last: usize) -> Option<Pole> {
+fn representative_pole(cluster: &[&StablePole], last: usize) -> Option<Pole> {
     let first = cluster.iter().map(|p| p.order).min()?;
     let mut orders: Vec<usize> = cluster.iter().map(|p| p.order).collect();
     orders.sort_unstable();
@@ -108,11 +119,11 @@ fn middle(cluster: &[&StablePole], last: usize) -> Option<Pole> {
     if orders.len() < 5 || (orders.len() as f64) < MIN_ORDER_SHARE * (last + 1 - first) as f64 {
         return None;
     }
-    let alike = cluster
+    let stable_count = cluster
         .iter()
         .filter(|p| p.stable == Stability::Pole)
         .count() as f64;
-    if alike < SAME_DAMPING_DISTANCE * cluster.len() as f64 {
+    if stable_count < SAME_DAMPING_DISTANCE * cluster.len() as f64 {
         return None;
     }
     let from = orders[orders.len() / 2];

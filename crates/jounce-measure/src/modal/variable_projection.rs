@@ -12,9 +12,9 @@ pub(super) struct LinearSolution {
     /// Linear unknowns.
     pub linear: Mat<f64>,
     /// Residual of the right side.
-    pub rest: Mat<f64>,
+    pub residual: Mat<f64>,
     /// Orthonormal basis of the columns.
-    thin: Mat<f64>,
+    thin_q: Mat<f64>,
 }
 
 impl LinearSolution {
@@ -29,29 +29,33 @@ impl LinearSolution {
             column.iter_mut().for_each(|x| *x /= scale);
         }
         let q = a.qr();
-        let thin = q.compute_thin_Q();
-        let solution = q.thin_R().partial_piv_lu().solve(thin.transpose() * b);
-        let rest = b - &a * &solution;
+        let thin_q = q.compute_thin_Q();
+        let solution = q.thin_R().partial_piv_lu().solve(thin_q.transpose() * b);
+        let residual = b - &a * &solution;
         let linear = Mat::from_fn(scale.len(), 1, |c, _| solution[(c, 0)] / scale[c]);
-        Self { linear, rest, thin }
+        Self {
+            linear,
+            residual,
+            thin_q,
+        }
     }
 
     /// Part of other columns orthogonal to the linear columns.
-    pub fn beyond(&self, columns: &Mat<f64>) -> Mat<f64> {
-        columns - &self.thin * (self.thin.transpose() * columns)
+    pub fn orthogonal_part(&self, columns: &Mat<f64>) -> Mat<f64> {
+        columns - &self.thin_q * (self.thin_q.transpose() * columns)
     }
 
     /// Returns the projected problem, from the derivatives by the other unknowns.
-    pub fn left(self, derivative: &Mat<f64>) -> ProjectedProblem {
-        let projected = self.beyond(derivative);
-        let taken = (0..self.thin.nrows())
-            .map(|row| self.thin.row(row).squared_norm_l2())
+    pub fn project(self, derivative: &Mat<f64>) -> ProjectedProblem {
+        let projected = self.orthogonal_part(derivative);
+        let leverage = (0..self.thin_q.nrows())
+            .map(|row| self.thin_q.row(row).squared_norm_l2())
             .collect();
         ProjectedProblem {
             linear: self.linear,
             projected,
-            rest: self.rest,
-            taken,
+            residual: self.residual,
+            leverage,
         }
     }
 }
@@ -63,9 +67,9 @@ pub(super) struct ProjectedProblem {
     /// Derivatives by the other unknowns, projected: `P J`.
     pub projected: Mat<f64>,
     /// Residual of the right side.
-    pub rest: Mat<f64>,
+    pub residual: Mat<f64>,
     /// Leverage of each row.
-    pub taken: Vec<f64>,
+    pub leverage: Vec<f64>,
 }
 
 #[cfg(test)]
@@ -75,22 +79,26 @@ mod tests {
     /// A parabola fitted to points of `1 + 2 x + x^3`: residual and projection are orthogonal to
     /// all its columns.
     #[test]
-    fn what_is_left_is_orthogonal_to_the_columns() {
+    fn residual_is_orthogonal_to_the_columns() {
         let x = |row: usize| 0.1 * row as f64;
         let columns = Mat::from_fn(21, 3, |row, c| {
             1e6_f64.powi(c as i32) * x(row).powi(c as i32)
         });
-        let right = Mat::from_fn(21, 1, |row, _| 1.0 + 2.0 * x(row) + x(row).powi(3));
-        let found = LinearSolution::new(columns.clone(), &right);
+        let rhs = Mat::from_fn(21, 1, |row, _| 1.0 + 2.0 * x(row) + x(row).powi(3));
+        let result = LinearSolution::new(columns.clone(), &rhs);
         let cubic = Mat::from_fn(21, 1, |row, _| x(row).powi(3));
-        let beyond = found.beyond(&cubic);
+        let orthogonal_part = result.orthogonal_part(&cubic);
         for c in 0..3 {
-            let size = columns.col(c).norm_l2();
-            assert!((columns.col(c).transpose() * found.rest.col(0)).abs() < 1e-12 * size);
-            assert!((columns.col(c).transpose() * beyond.col(0)).abs() < 1e-12 * size);
+            let column_norm = columns.col(c).norm_l2();
+            assert!(
+                (columns.col(c).transpose() * result.residual.col(0)).abs() < 1e-12 * column_norm
+            );
+            assert!(
+                (columns.col(c).transpose() * orthogonal_part.col(0)).abs() < 1e-12 * column_norm
+            );
         }
         assert!(
-            (&found.rest - &beyond).norm_l2() < 1e-11,
+            (&result.residual - &orthogonal_part).norm_l2() < 1e-11,
             "a parabola takes up all but the cubic"
         );
     }

@@ -25,11 +25,11 @@ pub(super) struct Warp {
 }
 
 impl Warp {
-    pub fn there(&self, frequency_hz: f64) -> f64 {
+    pub fn warp_hz(&self, frequency_hz: f64) -> f64 {
         self.rate_hz / PI * (PI * frequency_hz / self.rate_hz).tan()
     }
 
-    fn back_hz(&self, warped_hz: f64) -> f64 {
+    fn unwarp_hz(&self, warped_hz: f64) -> f64 {
         self.rate_hz / PI * (PI * warped_hz / self.rate_hz).atan()
     }
 
@@ -43,8 +43,8 @@ impl Warp {
         Pole::of((pole.complex() / (2.0 * self.rate_hz)).tanh() * (2.0 * self.rate_hz))
     }
 
-    pub fn back(&self, found: &mut Identification) {
-        for mode in &mut found.modes {
+    pub fn unwarp(&self, result: &mut Identification) {
+        for mode in &mut result.modes {
             let warped_hz = mode.frequency_hz;
             let pole = self.pole(Pole {
                 frequency_hz: warped_hz,
@@ -58,9 +58,9 @@ impl Warp {
             mode.damping_deviation *= slope * warped_hz / pole.frequency_hz;
             (mode.frequency_hz, mode.damping_ratio) = (pole.frequency_hz, pole.damping_ratio);
         }
-        found
+        result
             .frequency_hz
             .iter_mut()
-            .for_each(|frequency_hz| *frequency_hz = self.back_hz(*frequency_hz));
+            .for_each(|frequency_hz| *frequency_hz = self.unwarp_hz(*frequency_hz));
     }
 }

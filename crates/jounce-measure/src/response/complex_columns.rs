@@ -17,11 +17,11 @@ pub enum ComplexParts {
 impl ComplexParts {
     /// Converts the contents of the columns to real and imaginary part.
     fn complex(self, one: f64, other: f64) -> (f64, f64) {
-        let turned = |angle: f64| (one * angle.cos(), one * angle.sin());
+        let polar = |angle: f64| (one * angle.cos(), one * angle.sin());
         match self {
             Self::ReIm => (one, other),
-            Self::SizeDegrees => turned(other.to_radians()),
-            Self::SizeRadians => turned(other),
+            Self::SizeDegrees => polar(other.to_radians()),
+            Self::SizeRadians => polar(other),
         }
     }
 }
@@ -58,7 +58,7 @@ fn of_pairs(mut recording: Recording, parts: ComplexParts) -> Result<Recording, 
             channels,
         });
     }
-    let mut found = complex;
+    let mut result = complex;
     let mut columns = real.drain(..);
     while let (Some(first), Some(second)) = (columns.next(), columns.next()) {
         let (re, im) = first
@@ -67,14 +67,14 @@ fn of_pairs(mut recording: Recording, parts: ComplexParts) -> Result<Recording, 
             .zip(&second.values)
             .map(|(one, other)| parts.complex(*one, *other))
             .unzip();
-        found.push(Channel {
+        result.push(Channel {
             values: re,
             imaginary: Some(im),
             ..first
         });
     }
     drop(columns);
-    recording.channels = found;
+    recording.channels = result;
     Ok(recording)
 }
 
@@ -85,50 +85,52 @@ pub fn bridged(mut recordings: Vec<Recording>) -> Vec<Recording> {
         .iter_mut()
         .filter(|recording| recording.over == Over::Frequency)
     {
-        let places = recording.grid.places();
-        let found: Vec<Issue> = recording
+        let frequencies = recording.grid.places();
+        let result: Vec<Issue> = recording
             .channels
             .iter_mut()
-            .filter_map(|channel| bridge(channel, &places))
+            .filter_map(|channel| bridge(channel, &frequencies))
             .collect();
-        recording.findings.extend(found);
+        recording.findings.extend(result);
     }
     recordings
 }
 
-fn bridge(channel: &mut Channel, places: &[f64]) -> Option<Issue> {
+fn bridge(channel: &mut Channel, frequencies: &[f64]) -> Option<Issue> {
     let imaginary = channel.imaginary.as_deref();
-    let whole =
+    let is_finite =
         |k: &usize| channel.values[*k].is_finite() && imaginary.is_none_or(|im| im[*k].is_finite());
-    let known: Vec<usize> = (0..places.len()).filter(whole).collect();
-    let first = (0..places.len()).find(|k| !whole(k))?;
-    let (&head, &tail) = (known.first()?, known.last()?);
-    let filled = |values: &[f64]| -> Vec<f64> {
-        let between = |k: usize| {
-            let right = known.partition_point(|known| *known < k);
-            let (a, b) = (known[right - 1], known[right]);
-            values[a] + (values[b] - values[a]) * (places[k] - places[a]) / (places[b] - places[a])
+    let known: Vec<usize> = (0..frequencies.len()).filter(is_finite).collect();
+    let first = (0..frequencies.len()).find(|k| !is_finite(k))?;
+    let (&first_known, &last_known) = (known.first()?, known.last()?);
+    let interpolated = |values: &[f64]| -> Vec<f64> {
+        let interpolate = |k: usize| {
+            let next_known = known.partition_point(|known| *known < k);
+            let (a, b) = (known[next_known - 1], known[next_known]);
+            values[a]
+                + (values[b] - values[a]) * (frequencies[k] - frequencies[a])
+                    / (frequencies[b] - frequencies[a])
         };
         let at = |k: usize| match k {
-            k if k <= head => values[head],
-            k if k >= tail => values[tail],
+            k if k <= first_known => values[first_known],
+            k if k >= last_known => values[last_known],
             k if known.binary_search(&k).is_ok() => values[k],
-            k => between(k),
+            k => interpolate(k),
         };
         (0..values.len()).map(at).collect()
     };
     let (values, imaginary) = (
-        filled(&channel.values),
-        channel.imaginary.as_deref().map(filled),
+        interpolated(&channel.values),
+        channel.imaginary.as_deref().map(interpolated),
     );
     (channel.values, channel.imaginary) = (values, imaginary);
-    let about = "lines that are not numbers were interpolated linearly".to_owned();
+    let message = "lines that are not numbers were interpolated linearly".to_owned();
     Some(
         Issue::new(
             IssueKind::Bridged,
-            places.len() - known.len(),
+            frequencies.len() - known.len(),
             Some(IssuePlace::Sample(first)),
-            about,
+            message,
         )
         .of(&channel.name),
     )
@@ -162,41 +164,50 @@ mod tests {
 
     #[test]
     fn columns_become_functions_two_by_two() {
-        let (size, angle) = ([1.0, 2.0, 3.0, 4.0], [0.0, 90.0, 180.0, -90.0]);
-        let of = |parts, second: [f64; 4]| {
-            let found = paired(vec![recording(Over::Frequency, &[size, second])], parts).unwrap();
-            MeasuredResponses::given(&found).unwrap().functions[0]
+        let (magnitude, angle) = ([1.0, 2.0, 3.0, 4.0], [0.0, 90.0, 180.0, -90.0]);
+        let combine = |parts, second: [f64; 4]| {
+            let result = paired(
+                vec![recording(Over::Frequency, &[magnitude, second])],
+                parts,
+            )
+            .unwrap();
+            MeasuredResponses::from_functions(&result)
+                .unwrap()
+                .functions[0]
                 .value
                 .clone()
         };
-        let exact = [(1.0, 0.0), (0.0, 2.0), (-3.0, 0.0), (0.0, -4.0)];
+        let expected = [(1.0, 0.0), (0.0, 2.0), (-3.0, 0.0), (0.0, -4.0)];
         for value in [
-            of(ComplexParts::SizeDegrees, angle),
-            of(ComplexParts::SizeRadians, angle.map(f64::to_radians)),
+            combine(ComplexParts::SizeDegrees, angle),
+            combine(ComplexParts::SizeRadians, angle.map(f64::to_radians)),
         ] {
             assert!(
                 value
                     .iter()
-                    .zip(exact)
+                    .zip(expected)
                     .all(|(h, (re, im))| (h.re - re).hypot(h.im - im) < 1e-14),
                 "{value:?}"
             );
         }
         assert!(
-            of(ComplexParts::ReIm, angle)
+            combine(ComplexParts::ReIm, angle)
                 .iter()
-                .zip(size.iter().zip(angle))
+                .zip(magnitude.iter().zip(angle))
                 .all(|(h, (re, im))| (h.re, h.im) == (*re, im))
         );
-        let odd = paired(
-            vec![recording(Over::Frequency, &[size, angle, size])],
+        let unpaired = paired(
+            vec![recording(Over::Frequency, &[magnitude, angle, magnitude])],
             ComplexParts::ReIm,
         )
         .unwrap_err()
         .to_string();
-        assert!(odd.contains("column 2, column 3, column 4"), "{odd}");
+        assert!(
+            unpaired.contains("column 2, column 3, column 4"),
+            "{unpaired}"
+        );
         let time = paired(
-            vec![recording(Over::Time, &[size, angle])],
+            vec![recording(Over::Time, &[magnitude, angle])],
             ComplexParts::ReIm,
         )
         .unwrap_err()
@@ -213,21 +224,24 @@ mod tests {
             Over::Frequency,
             &[[nan, 2.0, nan, 5.0], [1.0, 4.0, 8.0, 10.0]],
         );
-        let found = bridged(paired(vec![pair], ComplexParts::ReIm).unwrap()).remove(0);
-        assert_eq!(found.channels[0].values, [2.0, 2.0, 4.0, 5.0]);
+        let result = bridged(paired(vec![pair], ComplexParts::ReIm).unwrap()).remove(0);
+        assert_eq!(result.channels[0].values, [2.0, 2.0, 4.0, 5.0]);
         assert_eq!(
-            found.channels[0].imaginary.as_deref(),
+            result.channels[0].imaginary.as_deref(),
             Some(&[4.0, 4.0, 8.0, 10.0][..])
         );
         assert_eq!(
             (
-                found.findings.len(),
-                found.findings[0].count,
-                found.findings[0].kind
+                result.findings.len(),
+                result.findings[0].count,
+                result.findings[0].kind
             ),
             (1, 2, IssueKind::Bridged)
         );
-        let still = bridged(vec![recording(Over::Frequency, &[[nan; 4]])]).remove(0);
-        assert!(still.findings.is_empty() && still.channels[0].values.iter().all(|x| x.is_nan()));
+        let all_missing = bridged(vec![recording(Over::Frequency, &[[nan; 4]])]).remove(0);
+        assert!(
+            all_missing.findings.is_empty()
+                && all_missing.channels[0].values.iter().all(|x| x.is_nan())
+        );
     }
 }

@@ -68,7 +68,7 @@ impl Decays {
         span_s: Option<(f64, f64)>,
     ) -> Result<Self, ResponseError> {
         let first = records.first().ok_or(ResponseError::Nothing)?;
-        let (outputs, rate_hz) = (named(first, responses)?, first.rate());
+        let (outputs, rate_hz) = (selected_names(first, responses)?, first.rate());
         let mut of_records = Vec::new();
         for record in records {
             if (record.rate() / rate_hz - 1.0).abs() > 1e-6 {
@@ -85,7 +85,7 @@ impl Decays {
                     (from_s * rate_hz).round() as usize,
                     ((to_s * rate_hz).round() as usize + 1).min(samples),
                 ),
-                None => (largest(channels[0]), samples),
+                None => (largest_index(channels[0]), samples),
             };
             if from + MIN_DECAY_SAMPLES > to {
                 return Err(ResponseError::Short {
@@ -101,11 +101,11 @@ impl Decays {
                     .collect::<Vec<_>>(),
             );
         }
-        let shortest = of_records.iter().flatten().map(Vec::len).min().unwrap_or(0);
+        let least_length = of_records.iter().flatten().map(Vec::len).min().unwrap_or(0);
         let of_output = |o: usize| {
             of_records
                 .iter()
-                .map(move |record| record[o][..shortest].to_vec())
+                .map(move |record| record[o][..least_length].to_vec())
         };
         Ok(Self {
             values: (0..outputs.len()).flat_map(of_output).collect(),
@@ -113,7 +113,7 @@ impl Decays {
             outputs,
             rate_hz,
             blocks: Vec::new(),
-            findings: findings(records),
+            findings: record_issues(records),
         })
     }
 
@@ -123,15 +123,15 @@ impl Decays {
     /// A channel that does not exist, lags of more than a quarter of the record or of fewer than 32
     /// samples.
     pub fn ambient(record: &Recording, settings: &AmbientSettings) -> Result<Self, ResponseError> {
-        let outputs = named(record, &settings.responses)?;
+        let outputs = selected_names(record, &settings.responses)?;
         let references = if settings.references.is_empty() {
             outputs.clone()
         } else {
-            named(record, &settings.references)?
+            selected_names(record, &settings.references)?
         };
         let (samples, rate_hz) = (record.grid.len(), record.rate());
         let lags = settings.lags_s.map_or_else(
-            || usual_lags(samples),
+            || default_lags(samples),
             |lags_s| (lags_s * rate_hz).round() as usize,
         );
         if lags < MIN_DECAY_SAMPLES {
@@ -152,18 +152,21 @@ impl Decays {
             let mean = values.iter().sum::<f64>() / values.len() as f64;
             values.iter().map(|x| x - mean).collect::<Vec<f64>>()
         };
-        let own: Vec<Vec<f64>> = channels(record, &outputs)?
+        let output_values: Vec<Vec<f64>> = channels(record, &outputs)?
             .into_iter()
             .map(centred)
             .collect();
-        let others: Vec<Vec<f64>> = channels(record, &references)?
+        let reference_values: Vec<Vec<f64>> = channels(record, &references)?
             .into_iter()
             .map(centred)
             .collect();
         let length = (samples - lags) / RECORD_BLOCKS;
         let pairs = || {
-            own.iter()
-                .flat_map(|output| others.iter().map(move |reference| (output, reference)))
+            output_values.iter().flat_map(|output| {
+                reference_values
+                    .iter()
+                    .map(move |reference| (output, reference))
+            })
         };
         let correlation = Correlation::new(length, lags);
         let block = |b: usize| {
@@ -193,9 +196,9 @@ impl Decays {
     /// # Errors
     /// A channel that does not exist, a recording over time, uneven lines, too few lines.
     pub fn of_spectrum(spectrum: &Recording, responses: &[String]) -> Result<Self, ResponseError> {
-        let outputs = named(spectrum, responses)?;
+        let outputs = selected_names(spectrum, responses)?;
         let places = spectrum.grid.places();
-        let told = |reason: &'static str| ResponseError::NotAmplitude {
+        let not_amplitude = |reason: &'static str| ResponseError::NotAmplitude {
             recording: spectrum.name.clone(),
             reason,
         };
@@ -205,23 +208,23 @@ impl Decays {
                 .iter()
                 .any(|channel| channel.imaginary.is_some())
         {
-            return Err(told("it must contain amplitudes over frequency"));
+            return Err(not_amplitude("it must contain amplitudes over frequency"));
         }
         let step_hz = (places[places.len() - 1] - places[0]) / (places.len().max(2) - 1) as f64;
-        let before = (places[0] / step_hz).round();
-        let off = |(k, place): (usize, &f64)| {
-            ((place - step_hz * (before + k as f64)) / step_hz).abs() > 0.05
+        let lines_below = (places[0] / step_hz).round();
+        let is_irregular = |(k, frequency): (usize, &f64)| {
+            ((frequency - step_hz * (lines_below + k as f64)) / step_hz).abs() > 0.05
         };
         if step_hz.is_nan()
             || step_hz <= 0.0
-            || !(0.0..1e6).contains(&before)
-            || places.iter().enumerate().any(off)
+            || !(0.0..1e6).contains(&lines_below)
+            || places.iter().enumerate().any(is_irregular)
         {
-            return Err(told(
+            return Err(not_amplitude(
                 "its lines must be uniformly spaced, at multiples of their spacing",
             ));
         }
-        let lines = before as usize + places.len();
+        let lines = lines_below as usize + places.len();
         if lines < MIN_DECAY_SAMPLES * MAX_LAG_DIVISOR {
             return Err(ResponseError::Short {
                 recording: spectrum.name.clone(),
@@ -229,12 +232,12 @@ impl Decays {
                 needed: MIN_DECAY_SAMPLES * MAX_LAG_DIVISOR,
             });
         }
-        let of = |amplitude: &[f64]| {
+        let correlation = |amplitude: &[f64]| {
             let mut bins = vec![Complex::new(0.0, 0.0); lines];
-            bins[before as usize..]
+            bins[lines_below as usize..]
                 .iter_mut()
                 .zip(amplitude)
-                .skip(usize::from(before == 0.0))
+                .skip(usize::from(lines_below == 0.0))
                 .for_each(|(bin, a)| bin.re = a * a);
             let length = 2 * (lines - 1);
             let plan = RealFftPlanner::new().plan_fft_inverse(length);
@@ -245,7 +248,10 @@ impl Decays {
             values
         };
         Ok(Self {
-            values: channels(spectrum, &outputs)?.into_iter().map(of).collect(),
+            values: channels(spectrum, &outputs)?
+                .into_iter()
+                .map(correlation)
+                .collect(),
             references: vec![spectrum.name.clone()],
             outputs,
             rate_hz: 2.0 * (lines - 1) as f64 * step_hz,
@@ -256,29 +262,32 @@ impl Decays {
 
     /// Name of each decay.
     pub fn names(&self) -> Vec<String> {
-        let of = |output: &String| {
-            let named = |reference: &String| {
+        let names_of_output = |output: &String| {
+            let name = |reference: &String| {
                 if self.references.len() > 1 {
                     format!("{output} by {reference}")
                 } else {
                     output.clone()
                 }
             };
-            self.references.iter().map(named).collect::<Vec<_>>()
+            self.references.iter().map(name).collect::<Vec<_>>()
         };
-        self.outputs.iter().flat_map(of).collect()
+        self.outputs.iter().flat_map(names_of_output).collect()
     }
 }
 
-fn named(recording: &Recording, wanted: &[String]) -> Result<Vec<String>, ResponseError> {
-    if wanted.is_empty() {
+fn selected_names(
+    recording: &Recording,
+    requested: &[String],
+) -> Result<Vec<String>, ResponseError> {
+    if requested.is_empty() {
         return Ok(recording
             .channels
             .iter()
             .map(|channel| channel.name.clone())
             .collect());
     }
-    wanted
+    requested
         .iter()
         .map(|name| Ok(recording.channel(name)?.name.clone()))
         .collect()
@@ -294,7 +303,7 @@ fn channels<'r>(
         .collect()
 }
 
-fn findings(records: &[Recording]) -> Vec<Issue> {
+fn record_issues(records: &[Recording]) -> Vec<Issue> {
     records
         .iter()
         .flat_map(|record| record.findings.clone())
@@ -302,11 +311,11 @@ fn findings(records: &[Recording]) -> Vec<Issue> {
 }
 
 /// Long lags add more noise than information: use a short part of the record, but enough lines.
-fn usual_lags(samples: usize) -> usize {
+fn default_lags(samples: usize) -> usize {
     (samples / 64).max(512).min(samples / 4)
 }
 
-fn largest(values: &[f64]) -> usize {
+fn largest_index(values: &[f64]) -> usize {
     values
         .iter()
         .enumerate()
@@ -353,9 +362,9 @@ impl Correlation {
         let mut bins: Vec<Complex<f64>> = x.iter().zip(&y).map(|(x, y)| x.conj() * y).collect();
         let last = bins.len() - 1;
         (bins[0].im, bins[last].im) = (0.0, 0.0);
-        let backward = planner.plan_fft_inverse(self.padded);
-        let mut values = backward.make_output_vec();
-        backward
+        let inverse = planner.plan_fft_inverse(self.padded);
+        let mut values = inverse.make_output_vec();
+        inverse
             .process(&mut bins, &mut values)
             .expect("the plan made the length");
         values[..=self.lags]

@@ -3,7 +3,7 @@
 use jounce_core::signal::Samples;
 
 use super::{ChannelChoice, ResponseError};
-use crate::spectral::{ImpactSettings, SpectralError, goes_on};
+use crate::spectral::{ImpactSettings, SpectralError, is_continuous};
 use jounce_data::recording::{Channel, Quantity, Recording};
 
 /// Excitation of the structure.
@@ -32,18 +32,18 @@ const INPUTS: [Quantity; 6] = [
 /// Returns the excitation channel of a recording.
 pub(super) fn input<'a>(
     recording: &'a Recording,
-    chosen: &ChannelChoice,
+    choice: &ChannelChoice,
 ) -> Result<&'a Channel, ResponseError> {
-    let found = match &chosen.excitation {
+    let result = match &choice.excitation {
         Excitation::Channel(name) => {
-            let found = recording.channel(name)?;
+            let result = recording.channel(name)?;
             let (recording, channel, unit) = (
                 recording.name.clone(),
-                found.name.clone(),
-                found.unit.clone(),
+                result.name.clone(),
+                result.unit.clone(),
             );
-            return if INPUTS.contains(&found.quantity) {
-                Ok(found)
+            return if INPUTS.contains(&result.quantity) {
+                Ok(result)
             } else {
                 Err(ResponseError::NotInput {
                     recording,
@@ -72,13 +72,13 @@ pub(super) fn input<'a>(
         }
     };
     // A channel without unit may be the force; one with another unit is not.
-    if found.head().may_be(Quantity::Force) {
-        return Ok(found);
+    if result.head().may_be(Quantity::Force) {
+        return Ok(result);
     }
     Err(ResponseError::NotForce {
         recording: recording.name.clone(),
-        channel: found.name.clone(),
-        unit: found.unit.clone(),
+        channel: result.name.clone(),
+        unit: result.unit.clone(),
     })
 }
 
@@ -93,16 +93,16 @@ pub(super) fn quantity(input: &Channel) -> Quantity {
 
 /// Unit of a response per input, written as by [`jounce_data::recording::Unit`].
 pub(super) fn unit(output: &Channel, input: &Channel) -> String {
-    let above = if output.unit.is_empty() {
+    let numerator = if output.unit.is_empty() {
         "1"
     } else {
         &output.unit
     };
-    let below = quantity(input).si_unit();
-    if below.contains('/') {
-        format!("{above}/({below})")
+    let denominator = quantity(input).si_unit();
+    if denominator.contains('/') {
+        format!("{numerator}/({denominator})")
     } else {
-        format!("{above}/{below}")
+        format!("{numerator}/{denominator}")
     }
 }
 
@@ -112,37 +112,37 @@ pub(super) fn unit(output: &Channel, input: &Channel) -> String {
 /// A pulse that is not a force; recordings in which one name has two quantities.
 pub(super) fn settings(
     records: &[Recording],
-    chosen: &ChannelChoice,
-    asked: &ImpactSettings,
+    choice: &ChannelChoice,
+    requested: &ImpactSettings,
 ) -> Result<ImpactSettings, ResponseError> {
     let Some(first) = records.first() else {
-        return Ok(*asked);
+        return Ok(*requested);
     };
-    let due = quantity(input(first, chosen)?);
+    let expected = quantity(input(first, choice)?);
     for record in records {
-        let found = input(record, chosen)?;
-        if quantity(found) != due {
-            let (channel, unit) = (found.name.clone(), found.unit.clone());
+        let result = input(record, choice)?;
+        if quantity(result) != expected {
+            let (channel, unit) = (result.name.clone(), result.unit.clone());
             return Err(ResponseError::InputUnits {
                 channel,
                 recordings: [first.name.clone(), record.name.clone()],
                 unit,
             });
         }
-        let samples = Samples::new(&found.values, record.rate()).map_err(SpectralError::from)?;
-        if due != Quantity::Force && !asked.shaker && !goes_on(&samples) {
+        let samples = Samples::new(&result.values, record.rate()).map_err(SpectralError::from)?;
+        if expected != Quantity::Force && !requested.shaker && !is_continuous(&samples) {
             return Err(ResponseError::Pulse {
                 recording: record.name.clone(),
-                channel: found.name.clone(),
+                channel: result.name.clone(),
             });
         }
     }
-    Ok(if due == Quantity::Force {
-        *asked
+    Ok(if expected == Quantity::Force {
+        *requested
     } else {
         ImpactSettings {
             shaker: true,
-            ..*asked
+            ..*requested
         }
     })
 }

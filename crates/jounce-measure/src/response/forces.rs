@@ -13,7 +13,7 @@ pub(super) struct ReferenceRecords<'a> {
 }
 
 /// Location and direction of a sensor as text; empty if not given.
-pub(super) fn place(channel: &Channel) -> String {
+pub(super) fn force_position(channel: &Channel) -> String {
     [channel.place.as_str(), channel.direction.as_str()]
         .join(" ")
         .trim()
@@ -24,69 +24,73 @@ pub(super) fn place(channel: &Channel) -> String {
 /// that do give the same one, it is assumed for all, with an issue.
 pub(super) fn references<'a>(
     records: &'a [Recording],
-    chosen: &ChannelChoice,
+    choice: &ChannelChoice,
 ) -> Result<(Vec<ReferenceRecords<'a>>, Option<Issue>), ResponseError> {
-    let told = records
+    let positions = records
         .iter()
-        .map(|record| Ok(place(input(record, chosen)?)))
+        .map(|record| Ok(force_position(input(record, choice)?)))
         .collect::<Result<Vec<String>, ResponseError>>()?;
     let mut names: Vec<&String> = Vec::new();
-    for name in told.iter().filter(|name| !name.is_empty()) {
+    for name in positions.iter().filter(|name| !name.is_empty()) {
         if !names.contains(&name) {
             names.push(name);
         }
     }
-    let silent: Vec<String> = told
+    let missing: Vec<String> = positions
         .iter()
         .zip(records)
         .filter(|(name, _)| name.is_empty())
         .map(|(_, record)| record.name.clone())
         .collect();
-    if names.len() > 1 && !silent.is_empty() {
+    if names.len() > 1 && !missing.is_empty() {
         return Err(ResponseError::Places {
             places: names.into_iter().cloned().collect(),
-            silent,
+            silent: missing,
         });
     }
-    let about = "recordings do not give the place of the force; one place is assumed for all, \
+    let message = "recordings do not give the place of the force; one place is assumed for all, \
         give the place in their notes";
-    let finding = (!silent.is_empty() && records.len() > 1).then(|| {
+    let issue = (!missing.is_empty() && records.len() > 1).then(|| {
         Issue::new(
             IssueKind::Assumed,
-            silent.len(),
+            missing.len(),
             None,
-            format!("{} of {} {about}", silent.len(), records.len()),
+            format!("{} of {} {message}", missing.len(), records.len()),
         )
     });
-    let numbered = || records.iter().enumerate();
-    let found = match names[..] {
+    let enumerated = || records.iter().enumerate();
+    let result = match names[..] {
         [] => {
             let name = records
                 .first()
-                .map(|record| input(record, chosen))
+                .map(|record| input(record, choice))
                 .transpose()?
                 .map_or_else(String::new, |input| input.name.clone());
             vec![ReferenceRecords {
                 name,
-                records: numbered().collect(),
+                records: enumerated().collect(),
             }]
         }
         [name] => vec![ReferenceRecords {
             name: name.clone(),
-            records: numbered().collect(),
+            records: enumerated().collect(),
         }],
         _ => {
-            let of = |name: &&String| numbered().filter(|(k, _)| told[*k] == **name).collect();
+            let records_of = |name: &&String| {
+                enumerated()
+                    .filter(|(k, _)| positions[*k] == **name)
+                    .collect()
+            };
             names
                 .iter()
                 .map(|name| ReferenceRecords {
                     name: (*name).clone(),
-                    records: of(name),
+                    records: records_of(name),
                 })
                 .collect()
         }
     };
-    Ok((found, finding))
+    Ok((result, issue))
 }
 
 /// Refuses sensors with one name at two locations.
@@ -94,17 +98,19 @@ pub(super) fn check_sensors(records: &[Recording], names: &[String]) -> Result<(
     for name in names {
         let mut first: Option<(String, &str)> = None;
         for record in records {
-            let here = place(record.channel(name)?);
+            let position = force_position(record.channel(name)?);
             match &first {
-                None if !here.is_empty() => first = Some((here, &record.name)),
-                Some((there, recording)) if !here.is_empty() && here != *there => {
-                    let places = [
-                        format!("{there} in {recording}"),
-                        format!("{here} in {}", record.name),
+                None if !position.is_empty() => first = Some((position, &record.name)),
+                Some((first_position, recording))
+                    if !position.is_empty() && position != *first_position =>
+                {
+                    let positions = [
+                        format!("{first_position} in {recording}"),
+                        format!("{position} in {}", record.name),
                     ];
                     return Err(ResponseError::Moved {
                         channel: name.clone(),
-                        places,
+                        places: positions,
                     });
                 }
                 _ => {}

@@ -2,7 +2,7 @@
 
 use realfft::num_complex::Complex;
 
-use super::forces::place;
+use super::forces::force_position;
 use super::{MeasuredResponses, ResponseError};
 use crate::spectral::{FrequencyResponse, WindowBias};
 use jounce_data::recording::{Channel, Issue, IssueKind, Quantity, Recording, Unit};
@@ -23,7 +23,7 @@ impl MeasuredResponses {
     ///
     /// # Errors
     /// No recording, no complex channel, unequal frequencies.
-    pub fn given(recordings: &[Recording]) -> Result<Self, ResponseError> {
+    pub fn from_functions(recordings: &[Recording]) -> Result<Self, ResponseError> {
         let first = recordings.first().ok_or(ResponseError::Nothing)?;
         let frequency_hz = first.grid.places();
         if let Some(other) = recordings
@@ -50,8 +50,8 @@ impl MeasuredResponses {
                 references,
                 order,
             },
-            odd,
-        ) = sides(
+            issue,
+        ) = channel_sides(
             &channels
                 .iter()
                 .map(|(channel, _)| *channel)
@@ -69,11 +69,11 @@ impl MeasuredResponses {
                     .collect(),
                 coherence: vec![1.0; frequency_hz.len()],
                 blocks: 1,
-                sight: WindowBias::Whole,
-                without: Vec::new(),
+                window_bias: WindowBias::Whole,
+                leave_one_out: Vec::new(),
             }
         };
-        let each = || order.iter().map(|k| channels[*k].0);
+        let ordered_channels = || order.iter().map(|k| channels[*k].0);
         let names = match &references[..] {
             [] | [_] => outputs.clone(),
             _ => outputs
@@ -87,12 +87,14 @@ impl MeasuredResponses {
         };
         Ok(Self {
             names,
-            units: each().map(|channel| channel.unit.clone()).collect(),
-            quantities: each()
+            units: ordered_channels()
+                .map(|channel| channel.unit.clone())
+                .collect(),
+            quantities: ordered_channels()
                 .map(|channel| Unit::responds(&channel.unit).unwrap_or(channel.quantity))
                 .collect(),
             input: String::new(),
-            inputs: each()
+            inputs: ordered_channels()
                 .map(|channel| Unit::per(&channel.unit).unwrap_or(Quantity::Unknown))
                 .collect(),
             functions: order.iter().map(function).collect(),
@@ -102,7 +104,7 @@ impl MeasuredResponses {
             findings: recordings
                 .iter()
                 .flat_map(|recording| recording.findings.clone())
-                .chain(odd)
+                .chain(issue)
                 .collect(),
             outputs,
             references,
@@ -111,14 +113,14 @@ impl MeasuredResponses {
 }
 
 /// Outputs and references in order of first occurrence, and an issue if they are inconsistent.
-fn sides(channels: &[&Channel]) -> (FunctionChannels, Option<Issue>) {
-    let references = distinct(channels.iter().map(|channel| channel.reference.clone()));
-    let told: Vec<String> = references
+fn channel_sides(channels: &[&Channel]) -> (FunctionChannels, Option<Issue>) {
+    let references = unique(channels.iter().map(|channel| channel.reference.clone()));
+    let named_references: Vec<String> = references
         .iter()
         .filter(|name| !name.is_empty())
         .cloned()
         .collect();
-    let alone = |references: Vec<String>| FunctionChannels {
+    let single_reference = |references: Vec<String>| FunctionChannels {
         outputs: channels
             .iter()
             .map(|channel| channel.name.clone())
@@ -126,23 +128,23 @@ fn sides(channels: &[&Channel]) -> (FunctionChannels, Option<Issue>) {
         references,
         order: (0..channels.len()).collect(),
     };
-    if told.len() < 2 {
+    if named_references.len() < 2 {
         let one = if references.len() == 1 {
-            told
+            named_references
         } else {
             Vec::new()
         };
-        return (alone(one), None);
+        return (single_reference(one), None);
     }
-    let places: Vec<String> = channels.iter().map(|channel| output(channel)).collect();
-    let outputs = distinct(places.iter().cloned());
+    let positions: Vec<String> = channels.iter().map(|channel| output(channel)).collect();
+    let outputs = unique(positions.iter().cloned());
     let mut order = Vec::new();
     for (output, reference) in outputs
         .iter()
         .flat_map(|output| references.iter().map(move |reference| (output, reference)))
     {
         let of_pair: Vec<usize> = (0..channels.len())
-            .filter(|k| places[*k] == *output && channels[*k].reference == *reference)
+            .filter(|k| positions[*k] == *output && channels[*k].reference == *reference)
             .collect();
         let [one] = of_pair[..] else {
             let to = if reference.is_empty() {
@@ -150,27 +152,32 @@ fn sides(channels: &[&Channel]) -> (FunctionChannels, Option<Issue>) {
             } else {
                 reference
             };
-            let about = format!(
+            let message = format!(
                 "the functions have {} references, and {} of output {output} to {to} where one is \
                 expected; each function is used as an output of one reference",
-                told.len(),
+                named_references.len(),
                 of_pair.len()
             );
             return (
-                alone(Vec::new()),
-                Some(Issue::new(IssueKind::Assumed, channels.len(), None, about)),
+                single_reference(Vec::new()),
+                Some(Issue::new(
+                    IssueKind::Assumed,
+                    channels.len(),
+                    None,
+                    message,
+                )),
             );
         };
         order.push(one);
     }
     // Name of the sensor, or its location if several share the name.
-    let named: Vec<String> = order
+    let short_names: Vec<String> = order
         .iter()
         .step_by(references.len())
-        .map(|k| bare(channels[*k]).to_owned())
+        .map(|k| short_name(channels[*k]).to_owned())
         .collect();
-    let outputs = if distinct(named.iter().cloned()).len() == named.len() {
-        named
+    let outputs = if unique(short_names.iter().cloned()).len() == short_names.len() {
+        short_names
     } else {
         outputs
     };
@@ -186,29 +193,29 @@ fn sides(channels: &[&Channel]) -> (FunctionChannels, Option<Issue>) {
 
 /// Location and direction of an output, or its name if neither is given.
 fn output(channel: &Channel) -> String {
-    let place = place(channel);
-    if place.is_empty() {
-        bare(channel).to_owned()
+    let position = force_position(channel);
+    if position.is_empty() {
+        short_name(channel).to_owned()
     } else {
-        place
+        position
     }
 }
 
 /// Name without the reference suffix.
-fn bare(channel: &Channel) -> &str {
-    let behind = channel
+fn short_name(channel: &Channel) -> &str {
+    let stripped = channel
         .name
         .strip_suffix(channel.reference.as_str())
         .and_then(|name| name.strip_suffix(" from "));
-    behind.unwrap_or(&channel.name)
+    stripped.unwrap_or(&channel.name)
 }
 
-fn distinct(all: impl Iterator<Item = String>) -> Vec<String> {
-    let mut found: Vec<String> = Vec::new();
+fn unique(all: impl Iterator<Item = String>) -> Vec<String> {
+    let mut result: Vec<String> = Vec::new();
     for one in all {
-        if !found.contains(&one) {
-            found.push(one);
+        if !result.contains(&one) {
+            result.push(one);
         }
     }
-    found
+    result
 }

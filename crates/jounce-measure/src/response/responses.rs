@@ -64,77 +64,79 @@ impl MeasuredResponses {
     /// [`impact`].
     pub fn of_hits(
         records: &[Recording],
-        chosen: &ChannelChoice,
+        choice: &ChannelChoice,
         settings: &ImpactSettings,
     ) -> Result<Self, ResponseError> {
         let first = records.first().ok_or(ResponseError::Nothing)?;
-        let driven = input(first, chosen)?;
-        let settings = &excitation::settings(records, chosen, settings)?;
-        let outputs: Vec<String> = match &chosen.responses[..] {
+        let input_channel = input(first, choice)?;
+        let settings = &excitation::settings(records, choice, settings)?;
+        let outputs: Vec<String> = match &choice.responses[..] {
             [] => first
                 .channels
                 .iter()
                 .map(|channel| channel.name.clone())
-                .filter(|name| *name != driven.name)
+                .filter(|name| *name != input_channel.name)
                 .collect(),
-            wanted => wanted
+            names => names
                 .iter()
                 .map(|name| Ok(first.channel(name)?.name.clone()))
                 .collect::<Result<_, ResponseError>>()?,
         };
-        if outputs.contains(&driven.name) {
+        if outputs.contains(&input_channel.name) {
             return Err(ResponseError::OwnResponse {
                 recording: first.name.clone(),
-                force: driven.name.clone(),
+                force: input_channel.name.clone(),
             });
         }
         if outputs.is_empty() {
             return Err(ResponseError::NoResponse {
                 recording: first.name.clone(),
-                force: driven.name.clone(),
+                force: input_channel.name.clone(),
             });
         }
-        let (forces, place) = references(records, chosen)?;
+        let (forces, position_issue) = references(records, choice)?;
         check_sensors(records, &outputs)?;
-        let answers = answers(&forces, chosen, &outputs, settings)?;
+        let results = analyse_references(&forces, choice, &outputs, settings)?;
         let channels = outputs
             .iter()
             .map(|name| first.channel(name))
             .collect::<Result<Vec<_>, _>>()?;
-        let several = forces.len() > 1;
+        let several_inputs = forces.len() > 1;
         let name = |o: usize, i: usize| {
-            if several {
+            if several_inputs {
                 format!("{} from {}", outputs[o], forces[i].name)
             } else {
                 outputs[o].clone()
             }
         };
-        let each = || (0..outputs.len()).flat_map(|o| (0..forces.len()).map(move |i| (o, i)));
+        let pairs = || (0..outputs.len()).flat_map(|o| (0..forces.len()).map(move |i| (o, i)));
         Ok(Self {
-            names: each().map(|(o, i)| name(o, i)).collect(),
-            units: each()
-                .map(|(o, _)| excitation::unit(channels[o], driven))
+            names: pairs().map(|(o, i)| name(o, i)).collect(),
+            units: pairs()
+                .map(|(o, _)| excitation::unit(channels[o], input_channel))
                 .collect(),
-            quantities: each().map(|(o, _)| channels[o].quantity).collect(),
-            input: driven.name.clone(),
-            inputs: each().map(|_| excitation::quantity(driven)).collect(),
-            functions: each()
-                .map(|(o, i)| answers[i].responses[o].clone())
+            quantities: pairs().map(|(o, _)| channels[o].quantity).collect(),
+            input: input_channel.name.clone(),
+            inputs: pairs()
+                .map(|_| excitation::quantity(input_channel))
                 .collect(),
-            hits: in_order(&forces, &answers),
-            block_s: Some(answers[0].block_s),
-            window_decay_per_s: answers[0].window_decay_per_s,
+            functions: pairs()
+                .map(|(o, i)| results[i].responses[o].clone())
+                .collect(),
+            hits: in_order(&forces, &results),
+            block_s: Some(results[0].block_s),
+            window_decay_per_s: results[0].window_decay_per_s,
             references: forces.iter().map(|force| force.name.clone()).collect(),
             findings: records
                 .iter()
                 .flat_map(|recording| recording.findings.clone())
-                .chain(driven.head().assumed(Quantity::Force))
-                .chain(place)
+                .chain(input_channel.head().assumed_unit_issue(Quantity::Force))
+                .chain(position_issue)
                 .chain(
-                    answers
+                    results
                         .iter()
-                        .find(|answer| answer.swept)
-                        .map(|answer| swept(settings, answer.block_s)),
+                        .find(|result| result.is_sweep)
+                        .map(|result| sweep_issue(settings, result.block_s)),
                 )
                 .collect(),
             outputs,
@@ -144,11 +146,11 @@ impl MeasuredResponses {
     /// Factor from a response to an acceleration, with its values in m/s^2, to values per g, and
     /// the resulting unit; `None` for other inputs, and for a response in the unit of its input.
     pub fn per_g(&self, response: usize) -> Option<(f64, String)> {
-        let above = self.units[response]
+        let numerator = self.units[response]
             .strip_suffix("/(m/s^2)")
             .filter(|_| self.inputs[response] == Quantity::Acceleration)?;
         (self.quantities[response] != Quantity::Acceleration)
-            .then(|| (STANDARD_GRAVITY_M_S2, format!("{above}/g")))
+            .then(|| (STANDARD_GRAVITY_M_S2, format!("{numerator}/g")))
     }
 
     /// True for a response in the unit of its input, a pure number.
@@ -163,19 +165,19 @@ const STANDARD_GRAVITY_M_S2: f64 = 9.806_65;
 
 /// Responses of the recordings of each location. Unless a length is given, blocks have the shortest
 /// length of any location.
-fn answers(
+fn analyse_references(
     forces: &[ReferenceRecords<'_>],
-    chosen: &ChannelChoice,
+    choice: &ChannelChoice,
     outputs: &[String],
     settings: &ImpactSettings,
 ) -> Result<Vec<ImpactResponses>, ResponseError> {
-    let answer = |force: &ReferenceRecords<'_>,
-                  settings: &ImpactSettings|
+    let analyse = |force: &ReferenceRecords<'_>,
+                   settings: &ImpactSettings|
      -> Result<ImpactResponses, ResponseError> {
         let blocks = force
             .records
             .iter()
-            .map(|(_, record)| impact_record(record, chosen, outputs))
+            .map(|(_, record)| impact_record(record, choice, outputs))
             .collect::<Result<Vec<_>, _>>()?;
         Ok(impact(&blocks, settings)?)
     };
@@ -196,45 +198,49 @@ fn answers(
     }
     let found = forces
         .iter()
-        .map(|force| answer(force, settings))
+        .map(|force| analyse(force, settings))
         .collect::<Result<Vec<_>, _>>()?;
-    let shortest_s = found
+    let least_block_s = found
         .iter()
-        .map(|answer| answer.block_s)
+        .map(|analyse| analyse.block_s)
         .fold(f64::INFINITY, f64::min);
     let settings = ImpactSettings {
-        block_s: Some(shortest_s),
+        block_s: Some(least_block_s),
         ..*settings
     };
-    let again = |(force, found): (&ReferenceRecords<'_>, ImpactResponses)| {
+    let with_common_block = |(force, found): (&ReferenceRecords<'_>, ImpactResponses)| {
         // Only lengths of whole samples differ by more than roundoff.
-        let alike = (found.block_s - shortest_s) * rates[0] < 0.5;
-        if alike {
+        let has_common_block = (found.block_s - least_block_s) * rates[0] < 0.5;
+        if has_common_block {
             Ok(found)
         } else {
-            answer(force, &settings)
+            analyse(force, &settings)
         }
     };
-    forces.iter().zip(found).map(again).collect()
+    forces.iter().zip(found).map(with_common_block).collect()
 }
 
 /// Hits of all locations, each with the index of its record, in the order of the records.
-fn in_order(forces: &[ReferenceRecords<'_>], answers: &[ImpactResponses]) -> Vec<ImpactHit> {
-    let of = |(force, answer): (&ReferenceRecords<'_>, &ImpactResponses)| {
-        let numbered = |hit: &ImpactHit| ImpactHit {
+fn in_order(forces: &[ReferenceRecords<'_>], results: &[ImpactResponses]) -> Vec<ImpactHit> {
+    let hits_of = |(force, result): (&ReferenceRecords<'_>, &ImpactResponses)| {
+        let with_record_index = |hit: &ImpactHit| ImpactHit {
             record: force.records[hit.record].0,
             ..hit.clone()
         };
-        answer.hits.iter().map(numbered).collect::<Vec<_>>()
+        result
+            .hits
+            .iter()
+            .map(with_record_index)
+            .collect::<Vec<_>>()
     };
-    let mut hits: Vec<ImpactHit> = forces.iter().zip(answers).flat_map(of).collect();
+    let mut hits: Vec<ImpactHit> = forces.iter().zip(results).flat_map(hits_of).collect();
     hits.sort_by_key(|hit| hit.record);
     hits
 }
 
 /// Reports how a sweep affects its blocks.
-fn swept(settings: &ImpactSettings, block_s: f64) -> Issue {
-    let about = match settings.block_s {
+fn sweep_issue(settings: &ImpactSettings, block_s: f64) -> Issue {
+    let message = match settings.block_s {
         None => format!(
             "the force is a sweep: each recording is one block of {block_s:.4} s without a \
             window, and the coherence of a single block has no meaning"
@@ -244,23 +250,24 @@ fn swept(settings: &ImpactSettings, block_s: f64) -> Issue {
             peaks are underestimated; omit the block length, then each recording is one block"
         ),
     };
-    Issue::new(IssueKind::Assumed, 1, None, about)
+    Issue::new(IssueKind::Assumed, 1, None, message)
 }
 
 fn impact_record<'a>(
     recording: &'a Recording,
-    chosen: &ChannelChoice,
+    choice: &ChannelChoice,
     names: &[String],
 ) -> Result<ImpactRecord<'a>, ResponseError> {
-    let told = |fault: SignalError| ResponseError::Spectral(SpectralError::Signal(fault));
-    let samples =
-        |channel: &'a Channel| Samples::new(&channel.values, recording.rate()).map_err(told);
+    let signal_error = |fault: SignalError| ResponseError::Spectral(SpectralError::Signal(fault));
+    let samples = |channel: &'a Channel| {
+        Samples::new(&channel.values, recording.rate()).map_err(signal_error)
+    };
     let responses = names
         .iter()
         .map(|name| samples(recording.channel(name)?))
         .collect::<Result<_, _>>()?;
     Ok(ImpactRecord {
-        force: samples(input(recording, chosen)?)?,
+        force: samples(input(recording, choice)?)?,
         responses,
     })
 }
@@ -271,7 +278,7 @@ mod tests {
     use super::*;
     use jounce_data::recording::{Grid, IssueKind, Over};
 
-    fn struck(name: &str, place: &str) -> Recording {
+    fn hit_recording(name: &str, place: &str) -> Recording {
         let values: Vec<f64> = (0..1000)
             .map(|k| if (20..30).contains(&k) { 50.0 } else { 0.0 })
             .collect();
@@ -293,18 +300,18 @@ mod tests {
     }
 
     #[test]
-    fn hits_at_several_places_are_not_averaged() {
-        let of = |records: &[Recording]| {
+    fn hits_at_several_positions_are_not_averaged() {
+        let references_of = |records: &[Recording]| {
             MeasuredResponses::of_hits(
                 records,
                 &ChannelChoice::default(),
                 &ImpactSettings::default(),
             )
         };
-        let found = of(&[
-            struck("one", "mid"),
-            struck("two", "end"),
-            struck("three", "mid"),
+        let found = references_of(&[
+            hit_recording("one", "mid"),
+            hit_recording("two", "end"),
+            hit_recording("three", "mid"),
         ])
         .unwrap();
         assert_eq!(
@@ -326,70 +333,78 @@ mod tests {
             found.hits.iter().map(|hit| hit.record).collect::<Vec<_>>(),
             [0, 1, 2]
         );
-        let told = of(&[
-            struck("one", "mid"),
-            struck("two", "end"),
-            struck("three", ""),
+        let message = references_of(&[
+            hit_recording("one", "mid"),
+            hit_recording("two", "end"),
+            hit_recording("three", ""),
         ])
         .unwrap_err()
         .to_string();
         assert!(
-            told.contains("(mid, end), but the place is missing in three"),
-            "{told}"
+            message.contains("(mid, end), but the place is missing in three"),
+            "{message}"
         );
         assert!(
-            of(&[struck("one", "mid"), struck("two", "mid")])
+            references_of(&[hit_recording("one", "mid"), hit_recording("two", "mid")])
                 .unwrap()
                 .findings
                 .is_empty()
         );
-        let silent = of(&[struck("one", "mid"), struck("two", "")])
+        let missing = references_of(&[hit_recording("one", "mid"), hit_recording("two", "")])
             .unwrap()
             .findings;
         assert!(
-            silent.len() == 1
-                && silent[0].kind == IssueKind::Assumed
-                && silent[0].about.starts_with("1 of 2"),
-            "{silent:?}"
+            missing.len() == 1
+                && missing[0].kind == IssueKind::Assumed
+                && missing[0].about.starts_with("1 of 2"),
+            "{missing:?}"
         );
-        assert!(of(&[struck("one", "")]).unwrap().findings.is_empty());
+        assert!(
+            references_of(&[hit_recording("one", "")])
+                .unwrap()
+                .findings
+                .is_empty()
+        );
     }
 
     /// A sensor that moves under one name would average different functions.
     #[test]
-    fn a_sensor_that_moves_is_told() {
+    fn moved_sensor_is_reported() {
         let at = |name: &str, place: &str| {
-            let mut record = struck(name, "mid");
+            let mut record = hit_recording(name, "mid");
             record.channels[1].place = place.to_owned();
             record
         };
-        let of = |records: &[Recording]| {
+        let references_of = |records: &[Recording]| {
             MeasuredResponses::of_hits(
                 records,
                 &ChannelChoice::default(),
                 &ImpactSettings::default(),
             )
         };
-        let told = of(&[at("one", "tip"), at("two", "root")])
+        let message = references_of(&[at("one", "tip"), at("two", "root")])
             .unwrap_err()
             .to_string();
-        assert!(told.contains("tip in one, and at root in two"), "{told}");
-        assert!(of(&[at("one", "tip"), at("two", "tip")]).is_ok());
+        assert!(
+            message.contains("tip in one, and at root in two"),
+            "{message}"
+        );
+        assert!(references_of(&[at("one", "tip"), at("two", "tip")]).is_ok());
     }
 
     /// The force location survives in the formats that support it.
     #[test]
-    fn a_place_is_read_back() {
+    fn force_position_is_read_back() {
         let folder = tempfile::tempdir().unwrap();
-        for (ending, place) in [
+        for (direction, place) in [
             ("uff", "mid"),
             ("uff", "node 7"),
             ("parquet", "beam.hammer"),
             ("parquet", "node 7"),
             ("csv", "free end"),
         ] {
-            let path = folder.path().join(format!("hit.{ending}"));
-            let mut hit = struck("one", place);
+            let path = folder.path().join(format!("hit.{direction}"));
+            let mut hit = hit_recording("one", place);
             hit.channels[0].direction = "-z".to_owned();
             crate::write::write(&hit, &path).unwrap();
             let read = jounce_data::read::file(&path).unwrap().recordings.remove(0);
@@ -397,11 +412,11 @@ mod tests {
             assert_eq!(
                 (force.place.as_str(), force.direction.as_str()),
                 (place, "-z"),
-                "{ending}"
+                "{direction}"
             );
             assert_eq!(
                 read.channel("a").unwrap().place,
-                if ending == "uff" { "node 2" } else { "" }
+                if direction == "uff" { "node 2" } else { "" }
             );
         }
     }
@@ -412,13 +427,13 @@ mod tests {
             vec!["force".to_owned()],
             vec!["a".to_owned(), "force".to_owned()],
         ] {
-            let chosen = ChannelChoice {
+            let choice = ChannelChoice {
                 responses,
                 ..ChannelChoice::default()
             };
             let fault = MeasuredResponses::of_hits(
-                &[struck("one", "")],
-                &chosen,
+                &[hit_recording("one", "")],
+                &choice,
                 &ImpactSettings::default(),
             )
             .unwrap_err();

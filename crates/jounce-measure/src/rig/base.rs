@@ -68,17 +68,17 @@ mod tests {
 
     #[test]
     fn a_base_at_rest_or_of_no_numbers_is_refused() {
-        for still in [
+        for constant in [
             of_base(vec![0.0; 100], false),
             of_base(vec![0.0; 100], true),
             of_base(vec![9.81; 100], false),
         ] {
             assert!(
                 matches!(
-                    still,
+                    constant,
                     Err(RigError::Recording(spec::RecordingError::Still { .. }))
                 ),
-                "{still:?}"
+                "{constant:?}"
             );
         }
         assert!(

@@ -48,7 +48,7 @@ pub struct ResidualRinging {
     /// Frequency of the slowest mode, Hz.
     pub frequency_hz: f64,
     /// Share of its motion that remains after a block, `exp(-zeta w T)`.
-    pub left: f64,
+    pub remaining_share: f64,
     /// Block length after which 1 % remains, s.
     pub block_s: f64,
 }
@@ -70,7 +70,7 @@ pub fn ringing(plant: &Plant, block_s: f64) -> Option<ResidualRinging> {
     let (w, rate) = rates.min_by(|a, b| a.1.total_cmp(&b.1))?;
     Some(ResidualRinging {
         frequency_hz: w / std::f64::consts::TAU,
-        left: (-rate * block_s).exp(),
+        remaining_share: (-rate * block_s).exp(),
         block_s: 100f64.ln() / rate,
     })
 }
@@ -104,10 +104,10 @@ pub fn hammer_test(plant: &Plant, test: &HammerTest) -> Result<Recording, RigErr
     )?;
     let backward = planner.plan_fft_inverse(padded);
     let sensed = |truth: &[f64], stream: &mut RandomStream| test.sensor.read(truth, stream);
-    let struck = Channel::new("force", Quantity::Force, "N", sensed(&force, &mut stream));
+    let force_channel = Channel::new("force", Quantity::Force, "N", sensed(&force, &mut stream));
     let mut channels = vec![Channel {
         place: test.point.clone(),
-        ..struck
+        ..force_channel
     }];
     for function in functions {
         let mut bins: Vec<_> = spectrum
@@ -132,11 +132,12 @@ pub fn hammer_test(plant: &Plant, test: &HammerTest) -> Result<Recording, RigErr
         ));
     }
     let grid = Grid::even(0.0, 1.0 / test.rate_hz, count)?;
-    let slowest = ringing(plant, test.block_s)
-        .filter(|slowest| test.hits > 1 && slowest.left > MIN_REPORTED_RINGING);
-    let findings = slowest
+    let slowest_mode = ringing(plant, test.block_s).filter(|slowest_mode| {
+        test.hits > 1 && slowest_mode.remaining_share > MIN_REPORTED_RINGING
+    });
+    let findings = slowest_mode
         .into_iter()
-        .map(|slowest| slowest.finding())
+        .map(|slowest_mode| slowest_mode.issue())
         .collect();
     Ok(Recording {
         name: format!("hammer at {}", test.point),
@@ -148,15 +149,15 @@ pub fn hammer_test(plant: &Plant, test: &HammerTest) -> Result<Recording, RigErr
 }
 
 impl ResidualRinging {
-    fn finding(&self) -> Issue {
-        let about = format!(
+    fn issue(&self) -> Issue {
+        let message = format!(
             "the mode at {:.4} Hz still has {:.1} % of its motion at the next hit, and this \
             motion is attributed to that hit: use blocks of {:.0} s, or strike once per recording",
             self.frequency_hz,
-            100.0 * self.left,
+            100.0 * self.remaining_share,
             self.block_s.ceil()
         );
-        Issue::new(IssueKind::Ringing, 1, None, about)
+        Issue::new(IssueKind::Ringing, 1, None, message)
     }
 }
 
@@ -208,16 +209,16 @@ fn check(test: &HammerTest) -> Result<(), RigError> {
 /// Length of the transforms: the record, and the time until the slowest mode has decayed.
 fn padded(plant: &Plant, count: usize, rate_hz: f64) -> Result<usize, RigError> {
     let modes = &plant.system.modes;
-    let mut slowest = f64::INFINITY;
+    let mut slowest_rate = f64::INFINITY;
     for (w, zeta) in modes.frequency_rad_s.iter().zip(&modes.damping_ratio) {
         if w * zeta <= 0.0 {
             return Err(RigError::Undamped {
                 frequency_hz: w / std::f64::consts::TAU,
             });
         }
-        slowest = slowest.min(w * zeta);
+        slowest_rate = slowest_rate.min(w * zeta);
     }
-    let samples = count as f64 + DECAY_EXPONENT / slowest * rate_hz;
+    let samples = count as f64 + DECAY_EXPONENT / slowest_rate * rate_hz;
     if samples > MAX_SAMPLES as f64 {
         return Err(RigError::Long {
             samples,
@@ -234,9 +235,9 @@ fn force(test: &HammerTest, count: usize, stream: &mut RandomStream) -> Vec<f64>
         let length_s = test.contact_time_s * (1.0 + TIME_SCATTER * stream.symmetric());
         let start_s = (hit as f64 + PRE_TRIGGER_SHARE) * test.block_s;
         for (k, value) in force.iter_mut().enumerate() {
-            let share = (k as f64 / test.rate_hz - start_s) / length_s;
-            if (0.0..1.0).contains(&share) {
-                *value += peak * (PI * share).sin();
+            let phase = (k as f64 / test.rate_hz - start_s) / length_s;
+            if (0.0..1.0).contains(&phase) {
+                *value += peak * (PI * phase).sin();
             }
         }
     }

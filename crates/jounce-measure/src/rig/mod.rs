@@ -8,7 +8,8 @@
 //!
 //! A shaker follows its setting except for its [`Disturbance`], or moves the base as recorded
 //! ([`on_recorded_base`]). Cables and accelerometers change the harvester itself ([`Cable`],
-//! [`carry`]). The record of a [`ShakerTest`] jumps between coexisting solutions at given times.
+//! [`add_accelerometers`]). The record of a [`ShakerTest`] jumps between coexisting
+//! solutions at given times.
 mod base;
 mod disturbance;
 mod error;
@@ -24,6 +25,6 @@ pub use disturbance::{Disturbance, DriveCourse, SAMPLES_PER_CYCLE};
 pub use error::RigError;
 pub use hammer::{HammerTest, ResidualRinging, hammer_test, ringing};
 pub use sensor::Sensor;
-pub use sensor_loading::{Cable, carry};
+pub use sensor_loading::{Cable, add_accelerometers};
 pub use shaker::{ShakerTest, shaker_test};
 pub use start::start_of_run;

@@ -32,19 +32,19 @@ pub(super) fn sensors(
         .enumerate()
         .map(|(k, name)| (format!("{name}.force"), SensorOutput::StopForce(k)));
     let mut all: Vec<(String, SensorOutput)> = patches.chain(stops).collect();
-    let moved = spec
+    let base_output = spec
         .drive
         .values()
         .find_map(|drive| drive.base())
         .map(|base| SensorOutput::Base(base.to_owned()));
-    let pushed = spec
+    let force_output = spec
         .drive
         .values()
         .find(|drive| drive.kind == DriveKind::Force)
         .map(|drive| SensorOutput::Acceleration(drive.at.clone()));
     all.extend(
-        moved
-            .or(pushed)
+        base_output
+            .or(force_output)
             .map(|output| ("base.acceleration".to_owned(), output)),
     );
     for point in accelerometers {

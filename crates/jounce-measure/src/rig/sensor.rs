@@ -45,10 +45,10 @@ impl Sensor {
             .map(|x| x + level * stream.normal_pair()[0])
             .collect();
         let Some(bits) = self.bits else { return noisy };
-        let largest = noisy
+        let full_scale = noisy
             .iter()
-            .fold(0.0, |largest: f64, x| largest.max(x.abs()));
-        let step = 2.0 * FULL_SCALE_RATIO * largest / 2f64.powi(bits as i32);
+            .fold(0.0, |full_scale: f64, x| full_scale.max(x.abs()));
+        let step = 2.0 * FULL_SCALE_RATIO * full_scale / 2f64.powi(bits as i32);
         if step > 0.0 {
             noisy.iter().map(|x| (x / step).round() * step).collect()
         } else {

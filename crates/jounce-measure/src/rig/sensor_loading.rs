@@ -28,7 +28,7 @@ impl Cable {
     /// # Errors
     /// A capacitance below 0, a resistance that is not above 0.
     pub fn wire(&self, spec: &mut Spec) -> Result<(), RigError> {
-        let fault = |name, value, allowed| {
+        let setting_error = |name, value, allowed| {
             Err(RigError::Setting {
                 name,
                 value,
@@ -36,7 +36,7 @@ impl Cable {
             })
         };
         if !(self.capacitance_f >= 0.0 && self.capacitance_f.is_finite()) {
-            return fault(
+            return setting_error(
                 "the capacitance of the cable in farad",
                 self.capacitance_f,
                 "0 or more",
@@ -46,14 +46,16 @@ impl Cable {
             .leakage_ohm
             .filter(|ohm| !(*ohm > 0.0 && ohm.is_finite()))
         {
-            return fault("the resistance of the cable in ohm", value, "above 0");
+            return setting_error("the resistance of the cable in ohm", value, "above 0");
         }
         for patch in spec.patch.values_mut() {
             patch.capacitance_f = Some(patch.clamped_capacitance_f() + self.capacitance_f);
             patch.permittivity_f_m = None;
             patch.leakage_ohm = match (patch.leakage_ohm, self.leakage_ohm) {
-                (Some(own), Some(cable)) => Some(own * cable / (own + cable)),
-                (own, cable) => own.or(cable),
+                (Some(patch_ohm), Some(cable_ohm)) => {
+                    Some(patch_ohm * cable_ohm / (patch_ohm + cable_ohm))
+                }
+                (patch_ohm, cable_ohm) => patch_ohm.or(cable_ohm),
             };
         }
         Ok(())
@@ -64,7 +66,11 @@ impl Cable {
 ///
 /// # Errors
 /// A mass that is not above 0.
-pub fn carry(spec: &mut Spec, points: &[String], mass_kg: f64) -> Result<(), RigError> {
+pub fn add_accelerometers(
+    spec: &mut Spec,
+    points: &[String],
+    mass_kg: f64,
+) -> Result<(), RigError> {
     if !(mass_kg > 0.0 && mass_kg.is_finite()) {
         return Err(RigError::Setting {
             name: "the mass of an accelerometer in kilogram",
@@ -114,12 +120,12 @@ mod tests {
     /// One mode: patch, cable and load form a divider, which gives the ratio of voltage to
     /// displacement, at every frequency. Measured 1e-12.
     #[test]
-    fn a_cable_lowers_the_voltage_as_its_divider_says() {
-        let bare =
+    fn cable_lowers_the_voltage_as_a_divider() {
+        let unloaded =
             SpecFile::from_text(&(BEAM.split("[reduction]").next().unwrap().to_owned() + PATCH))
                 .spec()
                 .unwrap();
-        let mut wired = bare.clone();
+        let mut wired = unloaded.clone();
         Cable {
             capacitance_f: 60e-9,
             leakage_ohm: Some(2e6),
@@ -127,34 +133,34 @@ mod tests {
         .wire(&mut wired)
         .unwrap();
         let hz: Vec<f64> = (1..60).map(f64::from).collect();
-        let wanted = [
+        let responses = [
             FrfResponse::Voltage("p".to_owned()),
             FrfResponse::Displacement("beam.end".to_owned()),
         ];
         let per_metre = |spec: &Spec| {
-            let found = frf(
+            let result = frf(
                 &plant(spec),
                 &FrfInput::Force("beam.end".to_owned()),
-                &wanted,
+                &responses,
                 &hz,
             )
             .unwrap();
-            found[0]
+            result[0]
                 .value
                 .iter()
-                .zip(&found[1].value)
+                .zip(&result[1].value)
                 .map(|(v, x)| v / x)
                 .collect::<Vec<_>>()
         };
         // The charge per metre is equal; only the admittance differs.
         let admittance = |w: f64, farad: f64, siemens: f64| faer::c64::new(siemens, w * farad);
-        for ((f, bare), wired) in hz.iter().zip(per_metre(&bare)).zip(per_metre(&wired)) {
+        for ((f, unloaded), wired) in hz.iter().zip(per_metre(&unloaded)).zip(per_metre(&wired)) {
             let w = TAU * f;
-            let exact = admittance(w, 100e-9, 1e-6) / admittance(w, 160e-9, 1e-6 + 0.5e-6);
+            let expected = admittance(w, 100e-9, 1e-6) / admittance(w, 160e-9, 1e-6 + 0.5e-6);
             assert!(
-                (wired / bare / exact - 1.0).norm() < 1e-9,
+                (wired / unloaded / expected - 1.0).norm() < 1e-9,
                 "{f} Hz: {}",
-                wired / bare / exact
+                wired / unloaded / expected
             );
         }
     }
@@ -163,43 +169,43 @@ mod tests {
     /// sinh l - sin l cosh l) = 0`, frequencies as `l^2`. Measured 2e-15 for the first three.
     #[test]
     fn an_accelerometer_lowers_the_frequencies_as_a_tip_mass_does() {
-        let bare = SpecFile::from_text(BEAM).spec().unwrap();
-        let mut loaded = bare.clone();
-        carry(&mut loaded, &["beam.end".to_owned()], 5e-3).unwrap();
-        let share = 5e-3 / (2700.0 * 0.3 * 0.02 * 0.002);
+        let unloaded = SpecFile::from_text(BEAM).spec().unwrap();
+        let mut loaded = unloaded.clone();
+        add_accelerometers(&mut loaded, &["beam.end".to_owned()], 5e-3).unwrap();
+        let mass_ratio = 5e-3 / (2700.0 * 0.3 * 0.02 * 0.002);
         let root = |a: f64, from: f64, to: f64| {
             let f = |l: f64| {
                 1.0 + l.cos() * l.cosh() + a * l * (l.cos() * l.sinh() - l.sin() * l.cosh())
             };
             let (mut low, mut high) = (from, to);
             for _ in 0..200 {
-                let middle = 0.5 * (low + high);
-                if f(low) * f(middle) <= 0.0 {
-                    high = middle
+                let centre = 0.5 * (low + high);
+                if f(low) * f(centre) <= 0.0 {
+                    high = centre
                 } else {
-                    low = middle
+                    low = centre
                 }
             }
             low
         };
         let ratio = |k: usize| {
             let w = |spec: &Spec| structure::modes(spec).unwrap().frequency_rad_s[k];
-            w(&loaded) / w(&bare)
+            w(&loaded) / w(&unloaded)
         };
         for (k, (from, to)) in [(1.2, 2.0), (3.7, 4.75), (6.5, 7.9)]
             .into_iter()
             .enumerate()
         {
-            let exact = (root(share, from, to) / root(0.0, from, to)).powi(2);
+            let expected = (root(mass_ratio, from, to) / root(0.0, from, to)).powi(2);
             eprintln!(
                 "mode {}: {:.6} of the bare one, {:.1e} off",
                 k + 1,
-                exact,
-                ratio(k) / exact - 1.0
+                expected,
+                ratio(k) / expected - 1.0
             );
             assert!(
-                (ratio(k) / exact - 1.0).abs() < 1e-9,
-                "{k}: {} {exact}",
+                (ratio(k) / expected - 1.0).abs() < 1e-9,
+                "{k}: {} {expected}",
                 ratio(k)
             );
         }
@@ -225,7 +231,7 @@ mod tests {
             Err(RigError::Setting { .. })
         ));
         assert!(matches!(
-            carry(&mut spec, &[], f64::NAN),
+            add_accelerometers(&mut spec, &[], f64::NAN),
             Err(RigError::Setting { .. })
         ));
     }

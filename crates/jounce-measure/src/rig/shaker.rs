@@ -7,7 +7,7 @@ use jounce_core::run::{RunPlan, StartState, simulate};
 use jounce_core::spec::Spec;
 use jounce_core::structure::Modes;
 
-use super::disturbance::{courses, disturbed};
+use super::disturbance::{disturbed, drive_courses};
 use super::sensed_channel::{SensedChannel, sensors};
 use super::{Disturbance, RigError, Sensor};
 use crate::solution::{SensorOutput, outputs};
@@ -27,7 +27,7 @@ pub struct ShakerTest {
     /// first drive; the cause of the jump is not modelled.
     pub starts: Vec<(f64, StartState)>,
     /// Disturbance of the shaker.
-    pub wander: Disturbance,
+    pub disturbance: Disturbance,
     /// Points with an accelerometer.
     pub accelerometers: Vec<String>,
     /// Sensors.
@@ -53,41 +53,48 @@ pub fn shaker_test(
     let sensors = sensors(spec, modes, &test.accelerometers)?;
     let mut stream = RandomStream::new(test.seed, 0);
     let total_s = test.before_s + test.duration_s;
-    let wanders = test.wander != Disturbance::NONE;
-    if let Some(base) = spec.bases().first().filter(|_| wanders) {
+    let is_disturbed = test.disturbance != Disturbance::NONE;
+    if let Some(base) = spec.bases().first().filter(|_| is_disturbed) {
         return Err(RigError::Bases {
             base: (*base).to_owned(),
             what: "a shaker that wanders",
         });
     }
-    let courses = if wanders {
-        courses(
+    let drive_courses = if is_disturbed {
+        drive_courses(
             spec,
-            &test.wander,
+            &test.disturbance,
             total_s,
             &mut RandomStream::new(test.seed, 1),
         )
     } else {
         Vec::new()
     };
-    let jumps = jumps(spec, test, &courses);
+    let jumps = jumps(spec, test, &drive_courses);
     let time_s = |k: usize| test.before_s + k as f64 / test.rate_hz;
     let (mut values, mut from) = (vec![Vec::with_capacity(count); sensors.len()], 0);
     for (number, (at_s, start)) in jumps.iter().enumerate() {
         let until_s = jumps.get(number + 1).map_or(total_s, |jump| jump.0);
-        let own = disturbed(spec, &courses, *at_s);
+        let segment_spec = disturbed(spec, &drive_courses, *at_s);
         let end = (from..count)
             .find(|k| number + 1 < jumps.len() && time_s(*k) >= until_s)
             .unwrap_or(count);
         let times_s: Vec<f64> = (from..end).map(|k| time_s(k) - at_s).collect();
-        let (kernel, trajectory) = marched(&own, modes, (start, until_s - at_s), control)?;
-        let wanted: Vec<SensorOutput> =
+        let (kernel, trajectory) =
+            integrated(&segment_spec, modes, (start, until_s - at_s), control)?;
+        let segment_outputs: Vec<SensorOutput> =
             sensors.iter().map(|sensor| sensor.output.clone()).collect();
-        let read = outputs(&own, &kernel, &trajectory, &times_s, &wanted);
+        let read = outputs(
+            &segment_spec,
+            &kernel,
+            &trajectory,
+            &times_s,
+            &segment_outputs,
+        );
         values
             .iter_mut()
             .zip(read)
-            .for_each(|(all, part)| all.extend(part));
+            .for_each(|(all, segment_values)| all.extend(segment_values));
         from = end;
     }
     let channel = |(sensor, truth): (SensedChannel, Vec<f64>)| {
@@ -100,15 +107,19 @@ pub fn shaker_test(
     };
     let channels = sensors.into_iter().zip(values).map(channel).collect();
     let grid = Grid::even(0.0, 1.0 / test.rate_hz, count)?;
-    let about = |at_s: f64| {
-        let about = format!(
+    let jump_issue = |at_s: f64| {
+        let message = format!(
             "the motion continues from another solution at {:.6} s: simulated, the cause of the \
             jump is not modelled",
             at_s - test.before_s
         );
-        Issue::new(IssueKind::Simulated, 1, None, about)
+        Issue::new(IssueKind::Simulated, 1, None, message)
     };
-    let findings = jumps.iter().skip(1).map(|(at_s, _)| about(*at_s)).collect();
+    let findings = jumps
+        .iter()
+        .skip(1)
+        .map(|(at_s, _)| jump_issue(*at_s))
+        .collect();
     Ok(Recording {
         name: "shaken".to_owned(),
         over: Over::Time,
@@ -120,7 +131,7 @@ pub fn shaker_test(
 
 fn check(test: &ShakerTest) -> Result<usize, RigError> {
     test.sensor.check()?;
-    test.wander.check()?;
+    test.disturbance.check()?;
     let samples = test.duration_s * test.rate_hz;
     if !(64.0..=4e6).contains(&samples) {
         return Err(RigError::Setting {
@@ -149,19 +160,22 @@ fn check(test: &ShakerTest) -> Result<usize, RigError> {
 fn jumps<'a>(
     spec: &Spec,
     test: &'a ShakerTest,
-    courses: &[(String, super::disturbance::DriveCourse)],
+    drive_courses: &[(String, super::disturbance::DriveCourse)],
 ) -> Vec<(f64, &'a StartState)> {
-    let cycle = |at_s: f64| match courses.first() {
-        Some((_, course)) => {
-            let turns =
-                |k: usize| (course.angle_rad[k] - course.angle_rad[0]) / std::f64::consts::TAU;
-            let first = ((at_s / course.step_s) as usize).min(course.angle_rad.len() - 2);
-            let whole = turns(first).ceil();
-            let k = (first..course.angle_rad.len() - 1)
-                .find(|k| turns(k + 1) >= whole)
+    let cycle = |at_s: f64| match drive_courses.first() {
+        Some((_, drive_course)) => {
+            let cycles = |k: usize| {
+                (drive_course.angle_rad[k] - drive_course.angle_rad[0]) / std::f64::consts::TAU
+            };
+            let first =
+                ((at_s / drive_course.step_s) as usize).min(drive_course.angle_rad.len() - 2);
+            let next_cycle = cycles(first).ceil();
+            let k = (first..drive_course.angle_rad.len() - 1)
+                .find(|k| cycles(k + 1) >= next_cycle)
                 .unwrap_or(first);
-            let share = ((whole - turns(k)) / (turns(k + 1) - turns(k))).clamp(0.0, 1.0);
-            (k as f64 + share) * course.step_s
+            let step_share =
+                ((next_cycle - cycles(k)) / (cycles(k + 1) - cycles(k))).clamp(0.0, 1.0);
+            (k as f64 + step_share) * drive_course.step_s
         }
         None => {
             let period_s = spec
@@ -189,7 +203,7 @@ fn jumps<'a>(
     test.starts.iter().enumerate().map(at).collect()
 }
 
-fn marched(
+fn integrated(
     spec: &Spec,
     modes: &Modes,
     (start, duration_s): (&StartState, f64),
@@ -211,8 +225,8 @@ fn marched(
         tolerance: spec.run.tolerance,
         record_s: duration_s,
     };
-    let answer = simulate(&kernel, &start, &plan)?;
-    Ok((kernel, answer.trajectory))
+    let run = simulate(&kernel, &start, &plan)?;
+    Ok((kernel, run.trajectory))
 }
 
 #[cfg(test)]
@@ -255,7 +269,7 @@ mod tests {
             duration_s,
             before_s: 0.0,
             starts,
-            wander: Disturbance::NONE,
+            disturbance: Disturbance::NONE,
             accelerometers,
             sensor,
             seed: 1,
@@ -271,32 +285,42 @@ mod tests {
     /// response; measured 4e-15. The same drive as undisturbed samples gives the same record;
     /// measured 5e-5, linear interpolation with 64 samples per cycle.
     #[test]
-    fn channels_are_the_frequency_responses_whether_the_drive_is_a_tone_or_a_course() {
+    fn channels_are_the_frequency_responses_for_tones_and_disturbed_drives() {
         let (spec, modes) = linear();
-        let bare = plant(&spec, &modes);
-        let wanted = [
+        let linear_plant = plant(&spec, &modes);
+        let responses = [
             FrfResponse::Acceleration("table".to_owned()),
             FrfResponse::Acceleration("beam.tip".to_owned()),
         ];
-        let wanted = [&wanted[..], &[FrfResponse::Voltage("mfc".to_owned())]].concat();
-        let exact = frf(&bare, &FrfInput::Force("table".to_owned()), &wanted, &[6.0]).unwrap();
-        let still = test(StartState::linear(&bare), 2.0);
-        let course = ShakerTest {
-            wander: Disturbance {
+        let responses = [&responses[..], &[FrfResponse::Voltage("mfc".to_owned())]].concat();
+        let expected = frf(
+            &linear_plant,
+            &FrfInput::Force("table".to_owned()),
+            &responses,
+            &[6.0],
+        )
+        .unwrap();
+        let undisturbed_test = test(StartState::linear(&linear_plant), 2.0);
+        let disturbed_test = ShakerTest {
+            disturbance: Disturbance {
                 amplitude_ratio: 1e-13,
                 ..Disturbance::NONE
             },
-            ..still.clone()
+            ..undisturbed_test.clone()
         };
-        for (test, allowed) in [(still, 1e-11), (course, 2e-4)] {
-            let found = shaker_test(&spec, &modes, &test, &Control::default()).unwrap();
-            for (channel, exact) in ["base.acceleration", "beam.tip.acceleration", "mfc.voltage"]
+        for (test, allowed) in [(undisturbed_test, 1e-11), (disturbed_test, 2e-4)] {
+            let result = shaker_test(&spec, &modes, &test, &Control::default()).unwrap();
+            for (channel, expected) in ["base.acceleration", "beam.tip.acceleration", "mfc.voltage"]
                 .into_iter()
-                .zip(&exact)
+                .zip(&expected)
             {
-                let off = peak(&found, channel, 6.0) / (20.0 * exact.value[0].norm()) - 1.0;
-                eprintln!("{channel}: {off:.1e}");
-                assert!(off.abs() < allowed, "{channel}: {off:e}");
+                let relative_error =
+                    peak(&result, channel, 6.0) / (20.0 * expected.value[0].norm()) - 1.0;
+                eprintln!("{channel}: {relative_error:.1e}");
+                assert!(
+                    relative_error.abs() < allowed,
+                    "{channel}: {relative_error:e}"
+                );
             }
         }
     }
@@ -307,7 +331,7 @@ mod tests {
     fn an_acceleration_in_contact_is_the_rate_of_the_velocity() {
         let spec = paper_spec(&[("run.tolerance", "1e-9")]).unwrap();
         let modes = modes(&spec).unwrap();
-        let (kernel, trajectory) = marched(
+        let (kernel, trajectory) = integrated(
             &spec,
             &modes,
             (&StartState::rest(&plant(&spec, &modes)), 1.0),
@@ -315,11 +339,11 @@ mod tests {
         )
         .unwrap();
         let times_s: Vec<f64> = (0..900).map(|k| 0.05 + 1e-3 * f64::from(k)).collect();
-        let wanted = [
+        let sensor_outputs = [
             SensorOutput::Acceleration("beam.tip".to_owned()),
             SensorOutput::StopForce(0),
         ];
-        let found = outputs(&spec, &kernel, &trajectory, &times_s, &wanted);
+        let result = outputs(&spec, &kernel, &trajectory, &times_s, &sensor_outputs);
         let row = kernel.plant.velocity_row(&modes.shape["beam.tip"]);
         let velocity = |time_s: f64| {
             let at = &trajectory.at(&kernel, &[time_s])[0];
@@ -330,16 +354,19 @@ mod tests {
                 .map(|((c, y), s)| c * (y + s))
                 .sum::<f64>()
         };
-        let largest = found[0].iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let peak_acceleration = result[0].iter().fold(0.0, |peak: f64, x| peak.max(x.abs()));
         let rate = |t: f64| (velocity(t + 1e-5) - velocity(t - 1e-5)) / 2e-5;
-        let off = times_s
+        let max_error = times_s
             .iter()
-            .zip(&found[0])
-            .map(|(t, a)| (a - rate(*t)).abs() / largest)
+            .zip(&result[0])
+            .map(|(t, a)| (a - rate(*t)).abs() / peak_acceleration)
             .fold(0.0, f64::max);
-        let touched = found[1].iter().filter(|force| **force > 0.0).count();
-        eprintln!("{touched} of 900 in contact, off by {off:.1e}");
-        assert!(touched > 20 && off < 1e-4, "{touched} {off:e}");
+        let contact_samples = result[1].iter().filter(|force| **force > 0.0).count();
+        eprintln!("{contact_samples} of 900 in contact, off by {max_error:.1e}");
+        assert!(
+            contact_samples > 20 && max_error < 1e-4,
+            "{contact_samples} {max_error:e}"
+        );
     }
 
     /// A recorded base motion, 20 Hz and 2 m/s^2 about an offset of gravity, 50 samples per cycle.
@@ -347,7 +374,7 @@ mod tests {
     /// the base motion, `a |1 + H|`; linear interpolation multiplies both by `sinc^2(f h)`.
     /// Measured 1e-6.
     #[test]
-    fn a_recorded_base_moves_what_stands_on_it() {
+    fn recorded_base_moves_the_structure() {
         let settings = [
             ("stop.tip.gap", "1 m"),
             (
@@ -375,16 +402,16 @@ mod tests {
         };
         let mean = on_recorded_base(&mut spec, &recorded, "a", false).unwrap();
         assert!((mean - 9.81).abs() < 1e-9 && (spec.run.duration_s - 5.999).abs() < 1e-12);
-        let own = plant(&spec, &modes);
-        let found = shaker_test(
+        let plant_on_base = plant(&spec, &modes);
+        let result = shaker_test(
             &spec,
             &modes,
-            &test(StartState::rest(&own), 5.999),
+            &test(StartState::rest(&plant_on_base), 5.999),
             &Control::default(),
         )
         .unwrap();
         let last = |channel: &str| {
-            let values = &found.channel(channel).unwrap().values;
+            let values = &result.channel(channel).unwrap().values;
             Samples::new(&values[values.len() - 3072..], 1536.0)
                 .unwrap()
                 .orders(20.0, &[1.0])
@@ -393,18 +420,18 @@ mod tests {
                 .amplitude_peak
         };
         let h = frf(
-            &own,
+            &plant_on_base,
             &FrfInput::BaseAcceleration,
             &[FrfResponse::Acceleration("beam.tip".to_owned())],
             &[20.0],
         )
         .unwrap()[0]
             .value[0];
-        let turn = std::f64::consts::PI * 0.02;
-        let size = 2.0 * (turn.sin() / turn).powi(2);
+        let half_angle = std::f64::consts::PI * 0.02;
+        let amplitude = 2.0 * (half_angle.sin() / half_angle).powi(2);
         let (base, tip) = (
-            last("base.acceleration") / size,
-            last("beam.tip.acceleration") / (size * (h + 1.0).norm()),
+            last("base.acceleration") / amplitude,
+            last("beam.tip.acceleration") / (amplitude * (h + 1.0).norm()),
         );
         eprintln!("base {:.1e}, tip {:.1e} off", base - 1.0, tip - 1.0);
         assert!(
@@ -417,9 +444,9 @@ mod tests {
     fn impossible_tests_are_errors() {
         let (spec, modes) = linear();
         let start = StartState::linear(&plant(&spec, &modes));
-        let good = test(start.clone(), 1.0);
+        let valid_test = test(start.clone(), 1.0);
         let with = |change: fn(&mut ShakerTest)| {
-            let mut test = good.clone();
+            let mut test = valid_test.clone();
             change(&mut test);
             shaker_test(&spec, &modes, &test, &Control::default())
                 .unwrap_err()
@@ -427,38 +454,38 @@ mod tests {
         };
         assert!(with(|t| t.duration_s = 0.01).contains("samples"));
         assert!(with(|t| t.accelerometers = vec!["beam.tpi".to_owned()]).contains("beam.tip"));
-        assert!(with(|t| t.wander.amplitude_ratio = f64::NAN).contains("amplitude"));
+        assert!(with(|t| t.disturbance.amplitude_ratio = f64::NAN).contains("amplitude"));
         for noise_ratio in [-1.0, f64::NAN, f64::INFINITY] {
             let sensor = Sensor {
                 noise_ratio,
                 bits: None,
             };
-            let fault = shaker_test(
+            let message = shaker_test(
                 &spec,
                 &modes,
                 &ShakerTest {
                     sensor,
-                    ..good.clone()
+                    ..valid_test.clone()
                 },
                 &Control::default(),
             )
             .unwrap_err()
             .to_string();
             assert!(
-                fault.contains("the noise ratio") && fault.contains("from 0 to 10"),
-                "{fault}"
+                message.contains("the noise ratio") && message.contains("from 0 to 10"),
+                "{message}"
             );
         }
         assert!(
             with(|t| t.sensor.bits = Some(0)).contains("from 2 to 32")
                 && with(|t| t.sensor.bits = Some(1000)).contains("1000")
         );
-        let late = ShakerTest {
+        let late_test = ShakerTest {
             starts: vec![(0.0, start.clone()), (3.0, start)],
-            ..good.clone()
+            ..valid_test.clone()
         };
         assert!(
-            shaker_test(&spec, &modes, &late, &Control::default())
+            shaker_test(&spec, &modes, &late_test, &Control::default())
                 .unwrap_err()
                 .to_string()
                 .contains("within the record")

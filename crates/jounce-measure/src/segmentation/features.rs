@@ -10,7 +10,7 @@ const ORDERS: [f64; 5] = [1.0 / 3.0, 0.5, 1.0, 2.0, 3.0];
 
 /// Computes the features of the block of `count` samples from `start`: RMS about the mean, then
 /// amplitudes at the orders.
-pub(super) fn of_block(
+pub(super) fn block_features(
     samples: &Samples<'_>,
     drive_hz: f64,
     start: usize,
@@ -30,7 +30,7 @@ pub(super) fn of_block(
 }
 
 /// Computes the lines of the block of `count` samples from `start`, at the orders.
-pub(super) fn lines_of_block(
+pub(super) fn block_lines(
     samples: &Samples<'_>,
     drive_hz: f64,
     start: usize,
@@ -46,11 +46,11 @@ pub(super) fn lines_of_block(
         .collect()
 }
 
-/// Computes `2 / N sum (x_n - mean) exp(-2 pi i n turns)`: the line of a block of nearly complete
-/// periods, peak.
-pub(super) fn line(values: &[f64], mean: f64, turns: f64) -> c64 {
+/// Computes `2 / N sum (x_n - mean) exp(-2 pi i n cycles_per_sample)`: the line of a block of
+/// nearly complete periods, peak.
+pub(super) fn line(values: &[f64], mean: f64, cycles_per_sample: f64) -> c64 {
     // A rotation by recurrence is exact enough over one block, and fast.
-    let (sin, cos) = (TAU * turns).sin_cos();
+    let (sin, cos) = (TAU * cycles_per_sample).sin_cos();
     let (mut c, mut s, mut re, mut im) = (1.0, 0.0, 0.0, 0.0);
     for x in values {
         re += (x - mean) * c;

@@ -20,7 +20,7 @@ use serde::Serialize;
 
 use super::RecordSegment;
 use super::features::line;
-use super::shift::nearest;
+use super::shift::least_distance;
 use crate::solution::{MAX_ORDER, Solution, Waveform};
 
 /// Comparison of a solution with a segment.
@@ -85,19 +85,19 @@ const MAX_COMMON_PERIOD: u32 = 24;
 pub fn match_segments(
     samples: &Samples<'_>,
     drive_hz: f64,
-    stretch: &RecordSegment,
+    segment: &RecordSegment,
     solutions: &[Solution],
     limit: f64,
 ) -> SegmentMatches {
-    let values = &samples.values()[stretch.inner.0..stretch.inner.1];
-    let beside = |solution: &Solution| {
+    let values = &samples.values()[segment.inner.0..segment.inner.1];
+    let candidate_of = |solution: &Solution| {
         let waveform = solution
             .waveform
             .as_ref()
-            .filter(|_| stretch.period.cycles.is_some());
+            .filter(|_| segment.period.cycles.is_some());
         let found = waveform
-            .and_then(|waveform| compare(values, samples.rate_hz(), drive_hz, stretch, waveform));
-        let square =
+            .and_then(|waveform| compare(values, samples.rate_hz(), drive_hz, segment, waveform));
+        let mean_square =
             |waveform: &Waveform| waveform.lines_v.iter().map(|c| c.norm_sqr()).sum::<f64>() / 2.0;
         Candidate {
             id: solution.id.clone(),
@@ -105,11 +105,11 @@ pub fn match_segments(
             mean_power_w: solution.mean_power_w,
             waveform_distance: found.map(|found| found.waveform),
             spectrum_distance: found.map(|found| found.spectrum),
-            power_ratio: waveform.map(|waveform| stretch.rms.powi(2) / square(waveform)),
+            power_ratio: waveform.map(|waveform| segment.rms.powi(2) / mean_square(waveform)),
             inverted: found.is_some_and(|found| found.inverted),
         }
     };
-    let mut candidates: Vec<Candidate> = solutions.iter().map(beside).collect();
+    let mut candidates: Vec<Candidate> = solutions.iter().map(candidate_of).collect();
     let distance = |candidate: &Candidate| candidate.waveform_distance.unwrap_or(f64::INFINITY);
     candidates.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
     let at = |k: usize| candidates.get(k).map_or(f64::INFINITY, distance);
@@ -134,19 +134,19 @@ fn compare(
     values: &[f64],
     rate_hz: f64,
     drive_hz: f64,
-    stretch: &RecordSegment,
+    segment: &RecordSegment,
     waveform: &Waveform,
 ) -> Option<WaveformDistance> {
-    let own = stretch.period.cycles.unwrap_or(1) as u32;
-    let common = least_common(own, waveform.period_cycles).min(MAX_COMMON_PERIOD);
+    let segment_cycles = segment.period.cycles.unwrap_or(1) as u32;
+    let common = least_common(segment_cycles, waveform.period_cycles).min(MAX_COMMON_PERIOD);
     let cycle = rate_hz / drive_hz;
-    let pieces = (values.len() as f64
+    let piece_count = (values.len() as f64
         / (cycle * f64::from(common) * (MIN_PIECE_CYCLES / f64::from(common)).ceil()))
     .floor()
     .max(1.0);
     // Complete common periods, as many as fit.
     let cycles =
-        (values.len() as f64 / pieces / cycle / f64::from(common)).floor() * f64::from(common);
+        (values.len() as f64 / piece_count / cycle / f64::from(common)).floor() * f64::from(common);
     let length = (cycles * cycle).round() as usize;
     if cycles < f64::from(common) || length == 0 || length > values.len() {
         return None;
@@ -156,35 +156,35 @@ fn compare(
         .collect();
     let model: Vec<c64> = orders.iter().map(|j| waveform.at(*j, common)).collect();
     let (mut same, mut other, mut spectra) = (0.0, 0.0, 0.0);
-    for piece in 0..pieces as usize {
-        let part = &values[piece * length..(piece + 1) * length];
-        let mean = part.iter().sum::<f64>() / length as f64;
+    for piece in 0..piece_count as usize {
+        let piece_values = &values[piece * length..(piece + 1) * length];
+        let mean = piece_values.iter().sum::<f64>() / length as f64;
         let lines: Vec<c64> = orders
             .iter()
             .map(|j| {
                 line(
-                    part,
+                    piece_values,
                     mean,
                     f64::from(*j) / f64::from(common) * drive_hz / rate_hz,
                 )
             })
             .collect();
-        let size = lines.iter().map(|x| x.norm_sqr()).sum::<f64>();
-        same += nearest(&lines, &model, &orders, common, 1.0) / size;
-        other += nearest(&lines, &model, &orders, common, -1.0) / size;
+        let total_power = lines.iter().map(|x| x.norm_sqr()).sum::<f64>();
+        same += least_distance(&lines, &model, &orders, common, 1.0) / total_power;
+        other += least_distance(&lines, &model, &orders, common, -1.0) / total_power;
         spectra += lines
             .iter()
             .zip(&model)
             .map(|(x, c)| (x.norm() - c.norm()).powi(2))
             .sum::<f64>()
-            / size;
+            / total_power;
     }
     // A waveform of odd orders is its own mirror image half a period later: only a clear difference
     // determines the polarity.
     let inverted = other < POLARITY_RATIO * same;
     Some(WaveformDistance {
-        waveform: (same.min(other) / pieces).sqrt(),
-        spectrum: (spectra / pieces).sqrt(),
+        waveform: (same.min(other) / piece_count).sqrt(),
+        spectrum: (spectra / piece_count).sqrt(),
         inverted,
     })
 }
@@ -212,7 +212,7 @@ mod tests {
         let mut lines_v = vec![c64::new(0.0, 0.0); (MAX_ORDER * period_cycles) as usize];
         lines
             .iter()
-            .for_each(|(k, size, angle)| lines_v[k - 1] = c64::cis(*angle) * *size);
+            .for_each(|(k, amplitude, angle)| lines_v[k - 1] = c64::cis(*angle) * *amplitude);
         let waveform = Some(Waveform {
             period_cycles,
             lines_v,
@@ -243,14 +243,15 @@ mod tests {
 
     /// A record of one waveform with another phase and, if requested, opposite polarity, `strength`
     /// times as large, with noise.
-    fn record(of: &Waveform, strength: f64, noise: f64) -> Vec<f64> {
+    fn record(waveform: &Waveform, strength: f64, noise: f64) -> Vec<f64> {
         let mut stream = RandomStream::new(8, 0);
         let value = |k: usize| {
             let cycles = k as f64 / RATE * HZ + 0.37;
             let line = |(j, c): (usize, &c64)| {
-                (*c * c64::cis(TAU * (j + 1) as f64 / f64::from(of.period_cycles) * cycles)).re
+                (*c * c64::cis(TAU * (j + 1) as f64 / f64::from(waveform.period_cycles) * cycles))
+                    .re
             };
-            strength * of.lines_v.iter().enumerate().map(line).sum::<f64>()
+            strength * waveform.lines_v.iter().enumerate().map(line).sum::<f64>()
         };
         (0..30_000)
             .map(|k| value(k) + noise * stream.normal_pair()[0])
@@ -259,35 +260,37 @@ mod tests {
 
     fn found(values: &[f64], limit: f64) -> SegmentMatches {
         let samples = Samples::new(values, RATE).unwrap();
-        let cut = regimes(&samples, HZ).unwrap();
-        assert_eq!(cut.stretches.len(), 1);
-        match_segments(&samples, HZ, &cut.stretches[0], &known(), limit)
+        let segmentation = regimes(&samples, HZ).unwrap();
+        assert_eq!(segmentation.stretches.len(), 1);
+        match_segments(&samples, HZ, &segmentation.stretches[0], &known(), limit)
     }
 
     /// The waveform itself is at distance 0 (measured 1e-3: pieces have whole samples), one of 1.1
     /// times its size at 0.1 / 1.1, for any phase, polarity and noise.
     #[test]
-    fn each_waveform_is_known_again_at_its_distance() {
+    fn each_waveform_is_identified_at_its_distance() {
         for (k, id) in ["1a", "3a"].into_iter().enumerate() {
             let waveform = known()[k].waveform.clone().unwrap();
-            for (strength, noise, exact) in [
+            for (strength, noise, expected_distance) in [
                 (1.0, 0.0, 0.0),
                 (-1.0, 0.0, 0.0),
                 (1.1, 0.0, 0.1 / 1.1),
                 (-1.1, 0.2, 0.1 / 1.1),
             ] {
-                let answer = found(&record(&waveform, strength, noise), 0.2);
-                let first = &answer.candidates[0];
+                let matches = found(&record(&waveform, strength, noise), 0.2);
+                let first = &matches.candidates[0];
                 let distance = first.waveform_distance.unwrap();
                 assert_eq!(
-                    (answer.id(), first.inverted),
+                    (matches.id(), first.inverted),
                     (Some(id), strength < 0.0),
-                    "{answer:?}"
+                    "{matches:?}"
                 );
-                eprintln!("{id}, {strength}, noise {noise}: {distance:.4}, exact {exact:.4}");
+                eprintln!(
+                    "{id}, {strength}, noise {noise}: {distance:.4}, exact {expected_distance:.4}"
+                );
                 assert!(
-                    (distance - exact).abs() < if noise > 0.0 { 0.02 } else { 3e-3 },
-                    "{distance} {exact}"
+                    (distance - expected_distance).abs() < if noise > 0.0 { 0.02 } else { 3e-3 },
+                    "{distance} {expected_distance}"
                 );
                 assert!(
                     noise > 0.0
@@ -301,7 +304,7 @@ mod tests {
     /// A waveform 1.5 times as large, another waveform, chaos: no solution fits. Two equally near:
     /// several.
     #[test]
-    fn what_the_model_does_not_have_fits_nothing() {
+    fn unknown_waveforms_match_no_solution() {
         let waveform = known()[0].waveform.clone().unwrap();
         assert_eq!(
             found(&record(&waveform, 1.5, 0.0), 0.2).fits,
@@ -316,21 +319,28 @@ mod tests {
         );
         let mut stream = RandomStream::new(3, 0);
         let noise: Vec<f64> = (0..30_000).map(|_| stream.normal_pair()[0]).collect();
-        let answer = found(&noise, 0.2);
+        let matches = found(&noise, 0.2);
         assert!(
-            answer.fits == SegmentMatch::None
-                && answer
+            matches.fits == SegmentMatch::None
+                && matches
                     .candidates
                     .iter()
                     .all(|c| c.waveform_distance.is_none()),
-            "{answer:?}"
+            "{matches:?}"
         );
         let samples_of = record(&waveform, 1.0, 0.0);
         let samples = Samples::new(&samples_of, RATE).unwrap();
-        let cut = regimes(&samples, HZ).unwrap();
-        let twins = [known().swap_remove(0), known().swap_remove(0)];
+        let segmentation = regimes(&samples, HZ).unwrap();
+        let equal_solutions = [known().swap_remove(0), known().swap_remove(0)];
         assert_eq!(
-            match_segments(&samples, HZ, &cut.stretches[0], &twins, 0.2).fits,
+            match_segments(
+                &samples,
+                HZ,
+                &segmentation.stretches[0],
+                &equal_solutions,
+                0.2
+            )
+            .fits,
             SegmentMatch::Several
         );
     }

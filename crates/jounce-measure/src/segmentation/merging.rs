@@ -10,7 +10,7 @@ use faer::c64;
 use jounce_core::signal::Samples;
 use serde::Serialize;
 
-use super::features::lines_of_block;
+use super::features::block_lines;
 use super::period;
 
 /// Reason why a change is not a change of solution.
@@ -71,24 +71,25 @@ impl SegmentFeatures {
                 .sum::<f64>()
                 / (2.0 * steps)
         };
-        let square = |j: usize| lines.iter().map(|block| block[j].norm_sqr()).sum::<f64>() / count;
+        let mean_square =
+            |j: usize| lines.iter().map(|block| block[j].norm_sqr()).sum::<f64>() / count;
         let amplitude = (0..orders)
-            .map(|j| (square(j) - noise(j)).max(0.0).sqrt())
+            .map(|j| (mean_square(j) - noise(j)).max(0.0).sqrt())
             .collect();
-        let all = ((0..orders).map(noise).sum::<f64>() / orders.max(1) as f64).sqrt();
+        let noise_rms = ((0..orders).map(noise).sum::<f64>() / orders.max(1) as f64).sqrt();
         Self {
             amplitude,
-            deviation: all / count.max(1.0).sqrt(),
-            noise: all,
+            deviation: noise_rms / count.max(1.0).sqrt(),
+            noise: noise_rms,
         }
     }
 
-    fn largest(&self) -> f64 {
+    fn largest_amplitude(&self) -> f64 {
         self.amplitude.iter().copied().fold(0.0, f64::max)
     }
 
     /// Largest difference of two amplitudes.
-    fn off(&self, other: &Self) -> f64 {
+    fn amplitude_difference(&self, other: &Self) -> f64 {
         self.amplitude
             .iter()
             .zip(&other.amplitude)
@@ -98,7 +99,9 @@ impl SegmentFeatures {
 
     fn equals(&self, other: &Self) -> bool {
         let noise = NOISE_DEVIATIONS * self.deviation.hypot(other.deviation);
-        self.off(other) < EQUAL_AMPLITUDE_SHARE * self.largest().max(other.largest()) + noise
+        self.amplitude_difference(other)
+            < EQUAL_AMPLITUDE_SHARE * self.largest_amplitude().max(other.largest_amplitude())
+                + noise
     }
 
     /// True where the amplitudes are equal except for a common factor.
@@ -118,7 +121,7 @@ impl SegmentFeatures {
 }
 
 /// Returns the starts of segments, in blocks, without merged changes, and the merged changes.
-pub(super) fn joined(
+pub(super) fn merge_segments(
     samples: &Samples<'_>,
     drive_hz: f64,
     mut starts: Vec<f64>,
@@ -131,11 +134,11 @@ pub(super) fn joined(
     }
     let same_period = |from: (f64, f64), to: (f64, f64)| {
         let cycles = |(from, to): (f64, f64)| {
-            let part = &samples.values()[(from.ceil() * length) as usize
+            let values = &samples.values()[(from.ceil() * length) as usize
                 ..((to.floor() * length) as usize).min(samples.values().len())];
-            Samples::new(part, samples.rate_hz())
+            Samples::new(values, samples.rate_hz())
                 .ok()
-                .and_then(|part| period(&part, drive_hz).cycles)
+                .and_then(|segment| period(&segment, drive_hz).cycles)
         };
         let (one, other) = (cycles(from), cycles(to));
         one.is_some() && one == other
@@ -143,10 +146,13 @@ pub(super) fn joined(
     let mut k = 1;
     while k < starts.len() {
         let end = |k: usize| starts.get(k).copied().unwrap_or(count as f64);
-        let (before, after) = ((starts[k - 1], starts[k]), (starts[k], end(k + 1)));
-        let short = k + 1 < starts.len() && starts[k + 1] - starts[k] <= MAX_GLITCH_BLOCKS;
-        let beyond = (end(k + 1), end(k + 2));
-        if short && reason(lines, before, beyond).is_some() && same_period(before, beyond) {
+        let (previous, next) = ((starts[k - 1], starts[k]), (starts[k], end(k + 1)));
+        let is_short = k + 1 < starts.len() && starts[k + 1] - starts[k] <= MAX_GLITCH_BLOCKS;
+        let second_next = (end(k + 1), end(k + 2));
+        if is_short
+            && merge_reason(lines, previous, second_next).is_some()
+            && same_period(previous, second_next)
+        {
             joints.push(MergedChange {
                 at_s: starts[k] * length / samples.rate_hz(),
                 reason: MergeReason::Glitch,
@@ -154,7 +160,7 @@ pub(super) fn joined(
             starts.drain(k..k + 2);
             continue;
         }
-        match reason(lines, before, after).filter(|_| same_period(before, after)) {
+        match merge_reason(lines, previous, next).filter(|_| same_period(previous, next)) {
             Some(reason) => {
                 joints.push(MergedChange {
                     at_s: starts[k] * length / samples.rate_hz(),
@@ -176,7 +182,7 @@ pub(super) fn lines(
 ) -> Vec<Vec<c64>> {
     let first = |b: usize| (b as f64 * length).round() as usize;
     (0..count)
-        .map(|b| lines_of_block(samples, drive_hz, first(b), length.floor() as usize))
+        .map(|b| block_lines(samples, drive_hz, first(b), length.floor() as usize))
         .collect()
 }
 
@@ -194,48 +200,52 @@ pub(super) fn drifts(lines: &[Vec<c64>]) -> bool {
 }
 
 /// Reason why two neighbouring segments are one; `None` where they are not.
-fn reason(lines: &[Vec<c64>], before: (f64, f64), after: (f64, f64)) -> Option<MergeReason> {
+fn merge_reason(lines: &[Vec<c64>], previous: (f64, f64), next: (f64, f64)) -> Option<MergeReason> {
     let blocks = |(from, to): (f64, f64)| {
         &lines[from.ceil() as usize..(to.floor() as usize).min(lines.len())]
     };
-    let (one, two) = (blocks(before), blocks(after));
+    let (one, two) = (blocks(previous), blocks(next));
     if one.len() < 2 || two.len() < 2 {
         return None;
     }
     let (a, b) = (SegmentFeatures::of(one), SegmentFeatures::of(two));
     if a.equals(&b) {
-        let changed = a.noise.max(b.noise) > NOISE_CHANGE_RATIO * a.noise.min(b.noise);
-        let odd = |block: &Vec<c64>| {
-            let sizes: Vec<f64> = block.iter().map(|x| x.norm()).collect();
-            let off = sizes
+        let noise_changed = a.noise.max(b.noise) > NOISE_CHANGE_RATIO * a.noise.min(b.noise);
+        let is_outlier = |block: &Vec<c64>| {
+            let magnitudes: Vec<f64> = block.iter().map(|x| x.norm()).collect();
+            let deviation = magnitudes
                 .iter()
                 .zip(&a.amplitude)
                 .map(|(x, a)| (x - a).abs())
                 .fold(0.0, f64::max);
-            off > EQUAL_AMPLITUDE_SHARE * a.largest() + NOISE_DEVIATIONS * a.noise.max(b.noise)
+            deviation
+                > EQUAL_AMPLITUDE_SHARE * a.largest_amplitude()
+                    + NOISE_DEVIATIONS * a.noise.max(b.noise)
         };
-        let at = after.0.floor() as usize;
-        let glitch = lines
-            [at.saturating_sub(TRANSITION_BLOCKS)..(at + TRANSITION_BLOCKS + 1).min(lines.len())]
+        let boundary = next.0.floor() as usize;
+        let is_glitch = lines[boundary.saturating_sub(TRANSITION_BLOCKS)
+            ..(boundary + TRANSITION_BLOCKS + 1).min(lines.len())]
             .iter()
-            .any(odd);
-        return Some(match (changed, glitch) {
+            .any(is_outlier);
+        return Some(match (noise_changed, is_glitch) {
             (_, true) => MergeReason::Glitch,
             (true, false) => MergeReason::NoiseChanged,
             (false, false) => MergeReason::Drifts,
         });
     }
     let last = one.len().saturating_sub(TRANSITION_BLOCKS);
-    let beside = (
+    let neighbours = (
         &one[last.saturating_sub(NEIGHBOUR_BLOCKS)..last],
         &two[TRANSITION_BLOCKS..(TRANSITION_BLOCKS + NEIGHBOUR_BLOCKS).min(two.len())],
     );
-    if !a.is_shaped_as(&b) || beside.0.len() < NEIGHBOUR_BLOCKS || beside.1.len() < NEIGHBOUR_BLOCKS
+    if !a.is_shaped_as(&b)
+        || neighbours.0.len() < NEIGHBOUR_BLOCKS
+        || neighbours.1.len() < NEIGHBOUR_BLOCKS
     {
         return None;
     }
-    (SegmentFeatures::of(beside.0).off(&SegmentFeatures::of(beside.1))
-        < MAX_DRIFT_STEP_SHARE * a.off(&b))
+    (SegmentFeatures::of(neighbours.0).amplitude_difference(&SegmentFeatures::of(neighbours.1))
+        < MAX_DRIFT_STEP_SHARE * a.amplitude_difference(&b))
     .then_some(MergeReason::Drifts)
 }
 
@@ -248,7 +258,7 @@ mod tests {
     use std::f64::consts::TAU;
 
     /// 85 s at 1536 Hz under 13 Hz, made by `value(time, noise)`.
-    fn cut(value: impl Fn(f64, f64) -> f64) -> Segmentation {
+    fn segment_record(value: impl Fn(f64, f64) -> f64) -> Segmentation {
         let mut stream = RandomStream::new(21, 0);
         let values: Vec<f64> = (0..130_560)
             .map(|k| value(f64::from(k) / 1536.0, stream.normal_pair()[0]))
@@ -261,8 +271,8 @@ mod tests {
     }
 
     #[test]
-    fn noise_drift_and_a_glitch_are_no_solutions() {
-        let noise = cut(|t, n| base(t) + n * if t < 40.0 { 0.1 } else { 0.4 });
+    fn noise_changes_drifts_and_glitches_do_not_split_segments() {
+        let noise = segment_record(|t, n| base(t) + n * if t < 40.0 { 0.1 } else { 0.4 });
         assert_eq!(noise.stretches.len(), 1, "{:?}", noise.joints);
         assert!(
             noise
@@ -272,7 +282,7 @@ mod tests {
             "{:?}",
             noise.joints
         );
-        let drift = cut(|t, n| base(t) * (1.0 + 0.3 * t / 85.0) + 0.02 * n);
+        let drift = segment_record(|t, n| base(t) * (1.0 + 0.3 * t / 85.0) + 0.02 * n);
         assert_eq!(drift.stretches.len(), 1, "{:?}", drift.stretches);
         assert!(
             !drift.joints.is_empty()
@@ -283,8 +293,9 @@ mod tests {
             "{:?}",
             drift.joints
         );
-        let glitch =
-            cut(|t, n| base(t) + 0.02 * n + if (40.0..40.2).contains(&t) { 3.0 } else { 0.0 });
+        let glitch = segment_record(|t, n| {
+            base(t) + 0.02 * n + if (40.0..40.2).contains(&t) { 3.0 } else { 0.0 }
+        });
         assert_eq!(glitch.stretches.len(), 1, "{:?}", glitch.stretches);
         assert!(
             glitch.joints.iter().any(|joint| joint.reason == MergeReason::Glitch && (joint.at_s - 40.0).abs() < 0.5),
@@ -296,29 +307,29 @@ mod tests {
     /// A slow ramp of any course, up from a tenth of its end, is one segment with drift.
     /// Segmentation by the mean gave 18.
     #[test]
-    fn a_slow_ramp_is_one_stretch() {
-        let courses = [
+    fn slow_ramp_is_one_segment() {
+        let amplitude_profiles = [
             |s: f64| 0.2 + 2.0 * s,
             |s: f64| 0.2 + 2.0 * s * s,
             |s: f64| 0.2 + 2.0 * (2.0 * s).min(1.0),
         ];
-        for (k, size) in courses.into_iter().enumerate() {
-            let found = cut(|t, n| base(t) * size(t / 85.0) + 0.02 * n);
+        for (k, amplitude_at) in amplitude_profiles.into_iter().enumerate() {
+            let result = segment_record(|t, n| base(t) * amplitude_at(t / 85.0) + 0.02 * n);
             assert_eq!(
-                found.stretches.len(),
+                result.stretches.len(),
                 1,
                 "{k}: {:?} {:?}",
-                found.stretches,
-                found.joints
+                result.stretches,
+                result.joints
             );
             assert!(
-                !found.joints.is_empty()
-                    && found
+                !result.joints.is_empty()
+                    && result
                         .joints
                         .iter()
                         .all(|joint| joint.reason == MergeReason::Drifts),
                 "{k}: {:?}",
-                found.joints
+                result.joints
             );
         }
     }
@@ -327,62 +338,66 @@ mod tests {
     /// it settles: one segment, and then the other. Segmentation by the mean gave about fifty at
     /// the start. By chance a part of it may be a separate segment, as in 1 of 100 records.
     #[test]
-    fn an_irregular_start_is_one_stretch() {
-        let mut whole = 0;
+    fn irregular_start_is_one_segment() {
+        let mut single_segment_starts = 0;
         for seed in 1..11 {
             let mut stream = RandomStream::new(seed, 5);
-            let mut sizes = [1.0, 0.5, 0.3];
+            let mut amplitudes = [1.0, 0.5, 0.3];
             let mut values = Vec::new();
             for k in 0..130_560 {
                 let t = f64::from(k) / 1536.0;
                 let [noise, other] = stream.normal_pair();
                 if k % 118 == 0 {
                     let [one, two] = stream.normal_pair();
-                    sizes = [
-                        0.4 + 0.6 * sizes[0] + 0.5 * one,
-                        0.6 * sizes[1] + 0.5 * two,
-                        0.6 * sizes[2] + 0.5 * other,
+                    amplitudes = [
+                        0.4 + 0.6 * amplitudes[0] + 0.5 * one,
+                        0.6 * amplitudes[1] + 0.5 * two,
+                        0.6 * amplitudes[2] + 0.5 * other,
                     ];
                 }
-                let irregular = 1.5 * sizes[0] * (TAU * 13.0 * t).sin()
-                    + sizes[1] * (TAU * 6.5 * t).cos()
-                    + sizes[2] * (TAU * 13.0 / 3.0 * t).sin();
+                let irregular = 1.5 * amplitudes[0] * (TAU * 13.0 * t).sin()
+                    + amplitudes[1] * (TAU * 6.5 * t).cos()
+                    + amplitudes[2] * (TAU * 13.0 / 3.0 * t).sin();
                 values.push(if t < 25.0 { irregular } else { 1.5 * base(t) } + 0.02 * noise);
             }
-            let found = regimes(&Samples::new(&values, 1536.0).unwrap(), 13.0).unwrap();
-            let [start, .., last] = &found.stretches[..] else {
-                panic!("{seed}: {:?}", found.stretches)
+            let result = regimes(&Samples::new(&values, 1536.0).unwrap(), 13.0).unwrap();
+            let [start, .., last] = &result.stretches[..] else {
+                panic!("{seed}: {:?}", result.stretches)
             };
             assert!(
-                found.stretches.len() <= 3
-                    && (last.start_s - 25.0).abs() < 2.0 * found.uncertainty_s,
+                result.stretches.len() <= 3
+                    && (last.start_s - 25.0).abs() < 2.0 * result.uncertainty_s,
                 "{seed}: {:?}",
-                found.stretches
+                result.stretches
             );
             assert_eq!(
                 (start.period.cycles, last.period.cycles),
                 (None, Some(1)),
                 "{seed}"
             );
-            whole += u32::from(found.stretches.len() == 2);
+            single_segment_starts += u32::from(result.stretches.len() == 2);
         }
-        assert!(whole >= 9, "{whole} of 10 starts are one stretch");
+        assert!(
+            single_segment_starts >= 9,
+            "{single_segment_starts} of 10 starts are one stretch"
+        );
     }
 
     /// A jump only in size, as at the fold of a nearly linear response, and one only in shape, are
     /// other solutions.
     #[test]
-    fn jumps_stay() {
-        for after in [
+    fn jumps_split_segments() {
+        for changed_signal in [
             |t: f64| 1.4 * base(t),
             |t: f64| (TAU * 13.0 * t).sin() + 0.6 * (TAU * 26.0 * t).cos(),
         ] {
-            let found = cut(|t, n| if t < 40.0 { base(t) } else { after(t) } + 0.1 * n);
+            let result =
+                segment_record(|t, n| if t < 40.0 { base(t) } else { changed_signal(t) } + 0.1 * n);
             assert_eq!(
-                (found.stretches.len(), found.joints.len()),
+                (result.stretches.len(), result.joints.len()),
                 (2, 0),
                 "{:?}",
-                found.joints
+                result.joints
             );
         }
     }

@@ -8,27 +8,28 @@ use jounce_core::integrate::Control;
 
 /// Returns the starts of the pieces, in blocks. A single block between two pieces is the mixture at
 /// a change, which is placed in its middle. `None` if cancelled.
-pub(super) fn changes(
+pub(super) fn change_points(
     features: &[Vec<f64>],
     noise: &[f64],
     cost: f64,
     control: &Control,
 ) -> Option<Vec<f64>> {
-    let mut starts = pieces(features, noise, cost, control)?;
+    let mut starts = segment_starts(features, noise, cost, control)?;
     starts.push(features.len());
-    let mut changes = vec![0.0];
+    let mut change_points = vec![0.0];
     for pair in starts.windows(2).filter(|pair| pair[0] > 0) {
-        let alone = pair[1] == pair[0] + 1;
-        let before = changes.last().copied().unwrap_or(0.0);
-        match (alone, pair[1] == features.len()) {
+        let is_single_block = pair[1] == pair[0] + 1;
+        let previous = change_points.last().copied().unwrap_or(0.0);
+        match (is_single_block, pair[1] == features.len()) {
             (true, true) => {}
-            (true, false) => changes.push(pair[0] as f64 + 0.5),
+            (true, false) => change_points.push(pair[0] as f64 + 0.5),
             // The end of a single block is not a separate change.
-            (false, _) if before == pair[0] as f64 - 0.5 || (pair[0] == 1 && before == 0.0) => {}
-            (false, _) => changes.push(pair[0] as f64),
+            (false, _) if previous == pair[0] as f64 - 0.5 || (pair[0] == 1 && previous == 0.0) => {
+            }
+            (false, _) => change_points.push(pair[0] as f64),
         }
     }
-    Some(changes)
+    Some(change_points)
 }
 
 /// Minimum number of blocks of a piece with a trend.
@@ -53,21 +54,21 @@ impl FeatureSums {
 
     /// Residual of the squares between two blocks after a mean, and in a sufficiently long piece a
     /// trend.
-    fn rest(self, before: Self, (from, to): (usize, usize)) -> f64 {
+    fn residual_sum(self, start_sums: Self, (from, to): (usize, usize)) -> f64 {
         let count = (to - from) as f64;
-        let (sum, middle) = (self.x - before.x, (from + to - 1) as f64 / 2.0);
-        let mut rest = self.xx - before.xx - sum * sum / count;
+        let (sum, mean_index) = (self.x - start_sums.x, (from + to - 1) as f64 / 2.0);
+        let mut residual = self.xx - start_sums.xx - sum * sum / count;
         if to - from >= MIN_TREND_BLOCKS {
-            let along = self.tx - before.tx - middle * sum;
-            rest -= along * along / (count * (count * count - 1.0) / 12.0);
+            let trend = self.tx - start_sums.tx - mean_index * sum;
+            residual -= trend * trend / (count * (count * count - 1.0) / 12.0);
         }
-        rest.max(0.0)
+        residual.max(0.0)
     }
 }
 
 /// First blocks of the pieces. `noise` is the minimum deviation of each feature within a piece,
 /// `cost` the cost of another piece.
-fn pieces(
+fn segment_starts(
     features: &[Vec<f64>],
     noise: &[f64],
     cost: f64,
@@ -82,14 +83,18 @@ fn pieces(
             .map(|(sums, (x, s))| sums.with(b, x / s))
             .collect();
     }
-    let spread = |from: usize, to: usize| {
+    let segment_cost = |from: usize, to: usize| {
         let length = (to - from) as f64;
-        let of = |(to_here, before): (&FeatureSums, &FeatureSums)| {
-            let rest = to_here.rest(*before, (from, to));
-            let variance = (rest / length).max(1.0);
-            length * variance.ln() + rest / variance
+        let feature_cost = |(end_sums, start_sums): (&FeatureSums, &FeatureSums)| {
+            let residual = end_sums.residual_sum(*start_sums, (from, to));
+            let variance = (residual / length).max(1.0);
+            length * variance.ln() + residual / variance
         };
-        sums[to].iter().zip(&sums[from]).map(of).sum::<f64>()
+        sums[to]
+            .iter()
+            .zip(&sums[from])
+            .map(feature_cost)
+            .sum::<f64>()
     };
     let mut best = vec![(f64::INFINITY, 0); count + 1];
     best[0].0 = 0.0;
@@ -97,9 +102,11 @@ fn pieces(
         if control.is_stopped() {
             return None;
         }
-        let total = |from: usize| best[from].0 + spread(from, to) + cost;
-        let tried = (0..to).map(|from| (total(from), from));
-        best[to] = tried.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((0.0, 0));
+        let total = |from: usize| best[from].0 + segment_cost(from, to) + cost;
+        let candidates = (0..to).map(|from| (total(from), from));
+        best[to] = candidates
+            .min_by(|a, b| a.0.total_cmp(&b.0))
+            .unwrap_or((0.0, 0));
     }
     let (mut starts, mut at) = (Vec::new(), count);
     while at > 0 {
@@ -114,20 +121,20 @@ fn pieces(
 /// no effect.
 pub(super) fn noise(features: &[Vec<f64>]) -> Vec<f64> {
     let width = features.first().map_or(0, Vec::len);
-    let of = |k: usize| {
+    let feature_noise = |k: usize| {
         let mut steps: Vec<f64> = features
             .windows(2)
             .map(|pair| (pair[1][k] - pair[0][k]).abs())
             .collect();
-        let middle = steps.len() / 2;
+        let median_index = steps.len() / 2;
         let median = if steps.is_empty() {
             0.0
         } else {
-            *steps.select_nth_unstable_by(middle, f64::total_cmp).1
+            *steps.select_nth_unstable_by(median_index, f64::total_cmp).1
         };
         // A difference of two has sqrt 2 times the deviation; the median of a normal number's size
         // is 0.6745 of it.
         median / (0.674_489_75 * std::f64::consts::SQRT_2)
     };
-    (0..width).map(of).collect()
+    (0..width).map(feature_noise).collect()
 }

@@ -60,8 +60,8 @@ const MAX_RESIDUAL_SHARE: f64 = 0.5;
 /// Finds the period of samples under a drive of known frequency; values between samples are
 /// interpolated cubically.
 pub fn period(samples: &Samples<'_>, drive_hz: f64) -> RepetitionPeriod {
-    let unstopped = period_watched(samples, drive_hz, &Control::default());
-    unstopped.unwrap_or(RepetitionPeriod {
+    let result = period_watched(samples, drive_hz, &Control::default());
+    result.unwrap_or(RepetitionPeriod {
         cycles: None,
         mismatch: f64::INFINITY,
     })
@@ -74,17 +74,17 @@ pub(super) fn period_watched(
     control: &Control,
 ) -> Option<RepetitionPeriod> {
     let cycles = Cycles::of(samples, drive_hz);
-    let longest =
+    let longest_period =
         MAX_TESTED_PERIOD_CYCLES.min(cycles.windows().last().map_or(0, |window| window.len() / 2));
-    let folded: Vec<Folded> = (1..=longest)
+    let fold_residuals: Vec<FoldResidual> = (1..=longest_period)
         .take_while(|_| !control.is_stopped())
-        .map(|n| Folded::of(&cycles.folded(n)))
+        .map(|n| FoldResidual::of(&cycles.fold_residuals(n)))
         .collect();
     if control.is_stopped() {
         return None;
     }
-    let Some((best_of, best)) = (1..)
-        .zip(&folded)
+    let Some((best_period, best)) = (1..)
+        .zip(&fold_residuals)
         .min_by(|(_, a), (_, b)| a.mean.total_cmp(&b.mean))
     else {
         return Some(RepetitionPeriod {
@@ -92,13 +92,16 @@ pub(super) fn period_watched(
             mismatch: f64::INFINITY,
         });
     };
-    let sought = || (1..).zip(&folded).take(MAX_PERIOD_CYCLES);
-    let by_chance = |(n, one): &(usize, &Folded)| {
-        one.mean <= CHANCE_FACTOR * best.mean && cycles.without(*n).is_smooth_at(best_of, longest)
+    let candidates = || (1..).zip(&fold_residuals).take(MAX_PERIOD_CYCLES);
+    let is_chance_match = |(n, one): &(usize, &FoldResidual)| {
+        one.mean <= CHANCE_FACTOR * best.mean
+            && cycles
+                .without_period(*n)
+                .is_smooth_at(best_period, longest_period)
     };
-    let found = sought()
-        .find(|(_, one)| one.is_as_well_as(best, cycles.square))
-        .or_else(|| sought().find(by_chance))
+    let found = candidates()
+        .find(|(_, one)| one.fits_as_well_as(best, cycles.mean_square))
+        .or_else(|| candidates().find(is_chance_match))
         .map(|(n, _)| n);
     Some(
         match found
@@ -110,7 +113,7 @@ pub(super) fn period_watched(
                 mismatch,
             },
             None => {
-                let all = (1..=longest.min(MAX_PERIOD_CYCLES)).map(|n| cycles.mismatch(n));
+                let all = (1..=longest_period.min(MAX_PERIOD_CYCLES)).map(|n| cycles.mismatch(n));
                 RepetitionPeriod {
                     cycles: None,
                     mismatch: all.fold(f64::INFINITY, f64::min),
@@ -127,30 +130,30 @@ struct Cycles {
     /// Values per row.
     width: usize,
     /// Mean square.
-    square: f64,
+    mean_square: f64,
 }
 
 impl Cycles {
     fn of(samples: &Samples<'_>, drive_hz: f64) -> Self {
-        let (of, length) = (samples.values(), samples.rate_hz() / drive_hz);
+        let (signal, length) = (samples.values(), samples.rate_hz() / drive_hz);
         // The cubic needs one sample before its position and two after.
-        let count = (of.len().saturating_sub(4) as f64 / length) as usize;
+        let count = (signal.len().saturating_sub(4) as f64 / length) as usize;
         let width = (length.ceil() as usize)
             .min(MAX_VALUES / count.max(1))
             .max(MIN_VALUES_PER_CYCLE);
         let at = |k: usize| {
-            let place = 1.0 + k as f64 * length / width as f64;
-            let whole = place.floor() as usize;
-            cubic(&of[whole - 1..whole + 3], place.fract())
+            let position = 1.0 + k as f64 * length / width as f64;
+            let index = position.floor() as usize;
+            cubic(&signal[index - 1..index + 3], position.fract())
         };
         let mut values: Vec<f64> = (0..count * width).map(at).collect();
         let mean = values.iter().sum::<f64>() / values.len() as f64;
         values.iter_mut().for_each(|x| *x -= mean);
-        let square = values.iter().map(|x| x * x).sum::<f64>() / values.len() as f64;
+        let mean_square = values.iter().map(|x| x * x).sum::<f64>() / values.len() as f64;
         Self {
             values,
             width,
-            square,
+            mean_square,
         }
     }
 
@@ -168,49 +171,51 @@ impl Cycles {
     }
 
     /// Mean row of a class of cycles, and the number of cycles.
-    fn middle(&self, class: impl Iterator<Item = usize> + Clone) -> (Vec<f64>, f64) {
+    fn class_mean(&self, class: impl Iterator<Item = usize> + Clone) -> (Vec<f64>, f64) {
         let members = class.clone().count() as f64;
-        let mut middle = vec![0.0; self.width];
+        let mut mean = vec![0.0; self.width];
         class.for_each(|cycle| {
-            middle
-                .iter_mut()
+            mean.iter_mut()
                 .zip(self.row(cycle))
                 .for_each(|(sum, x)| *sum += x / members)
         });
-        (middle, members)
+        (mean, members)
     }
 
     /// Mean square of each row relative to its class.
-    fn folded(&self, n: usize) -> Vec<f64> {
-        let mut left = vec![0.0; self.count()];
+    fn fold_residuals(&self, n: usize) -> Vec<f64> {
+        let mut residuals = vec![0.0; self.count()];
         for window in self.windows() {
             for first in window.clone().take(n) {
                 let class = || (first..window.end).step_by(n);
-                let (middle, members) = self.middle(class());
+                let (class_mean, members) = self.class_mean(class());
                 for cycle in class() {
-                    let square: f64 = self
+                    let squared_error: f64 = self
                         .row(cycle)
                         .iter()
-                        .zip(&middle)
+                        .zip(&class_mean)
                         .map(|(x, mean)| (x - mean).powi(2))
                         .sum();
-                    left[cycle] = square / self.width as f64 * members / (members - 1.0);
+                    residuals[cycle] =
+                        squared_error / self.width as f64 * members / (members - 1.0);
                 }
             }
         }
-        left
+        residuals
     }
 
     /// Residual after subtracting the classes of `n` cycles.
-    fn without(&self, n: usize) -> Self {
+    fn without_period(&self, n: usize) -> Self {
         let mut values = self.values.clone();
         for window in self.windows() {
             for first in window.clone().take(n) {
                 let class = || (first..window.end).step_by(n);
-                let (middle, _) = self.middle(class());
+                let (class_mean, _) = self.class_mean(class());
                 for cycle in class() {
                     let row = &mut values[cycle * self.width..(cycle + 1) * self.width];
-                    row.iter_mut().zip(&middle).for_each(|(x, mean)| *x -= mean);
+                    row.iter_mut()
+                        .zip(&class_mean)
+                        .for_each(|(x, mean)| *x -= mean);
                 }
             }
         }
@@ -218,63 +223,69 @@ impl Cycles {
     }
 
     /// True where `n` cycles leave no less than the neighbours of `n`.
-    fn is_smooth_at(&self, n: usize, longest: usize) -> bool {
-        let beside: Vec<Vec<f64>> = (n.saturating_sub(NEIGHBOUR_COUNT)..=n + NEIGHBOUR_COUNT)
-            .filter(|k| *k != n && (1..=longest).contains(k))
-            .map(|k| self.folded(k))
+    fn is_smooth_at(&self, n: usize, longest_period: usize) -> bool {
+        let neighbours: Vec<Vec<f64>> = (n.saturating_sub(NEIGHBOUR_COUNT)..=n + NEIGHBOUR_COUNT)
+            .filter(|k| *k != n && (1..=longest_period).contains(k))
+            .map(|k| self.fold_residuals(k))
             .collect();
-        let mean =
-            |row: usize| beside.iter().map(|rows| rows[row]).sum::<f64>() / beside.len() as f64;
+        let mean = |row: usize| {
+            neighbours.iter().map(|rows| rows[row]).sum::<f64>() / neighbours.len() as f64
+        };
         let floor: Vec<f64> = (0..self.count()).map(mean).collect();
-        !beside.is_empty()
-            && Folded::of(&floor).is_as_well_as(&Folded::of(&self.folded(n)), self.square)
+        !neighbours.is_empty()
+            && FoldResidual::of(&floor)
+                .fits_as_well_as(&FoldResidual::of(&self.fold_residuals(n)), self.mean_square)
     }
 
     fn mismatch(&self, n: usize) -> f64 {
-        let later = &self.values[n * self.width..];
-        let square: f64 = later
+        let shifted = &self.values[n * self.width..];
+        let squared_difference: f64 = shifted
             .iter()
             .zip(&self.values)
             .map(|(a, b)| (a - b).powi(2))
             .sum();
-        (square / later.len() as f64 / 2.0 / self.square).sqrt()
+        (squared_difference / shifted.len() as f64 / 2.0 / self.mean_square).sqrt()
     }
 }
 
 /// Residual of a record folded at some number of cycles.
-struct Folded {
+struct FoldResidual {
     mean: f64,
     /// Residual of each batch of rows.
     batches: Vec<f64>,
 }
 
-impl Folded {
+impl FoldResidual {
     fn of(rows: &[f64]) -> Self {
         let batches = BATCHES.min(rows.len() / MIN_ROWS_PER_BATCH).max(2);
         let mean = |rows: &[f64]| rows.iter().sum::<f64>() / rows.len() as f64;
-        let edge = |k: usize| k * rows.len() / batches;
+        let boundary = |k: usize| k * rows.len() / batches;
         Self {
             mean: mean(rows),
             batches: (0..batches)
-                .map(|k| mean(&rows[edge(k)..edge(k + 1)]))
+                .map(|k| mean(&rows[boundary(k)..boundary(k + 1)]))
                 .collect(),
         }
     }
 
     /// True where the best of all leaves no less, for a record with a given mean square.
-    fn is_as_well_as(&self, best: &Self, square: f64) -> bool {
+    fn fits_as_well_as(&self, best: &Self, mean_square: f64) -> bool {
         let count = self.batches.len() as f64;
-        let apart: Vec<f64> = self
+        let differences: Vec<f64> = self
             .batches
             .iter()
             .zip(&best.batches)
             .map(|(a, b)| a - b)
             .collect();
-        let middle = apart.iter().sum::<f64>() / count;
-        let variance = apart.iter().map(|x| (x - middle).powi(2)).sum::<f64>() / (count - 1.0);
-        let more = self.mean - best.mean;
-        more <= EXACT_RESIDUAL_SHARE.powi(2) * square
-            || (more <= STUDENT_QUANTILE * (variance / count).sqrt()
+        let mean_difference = differences.iter().sum::<f64>() / count;
+        let variance = differences
+            .iter()
+            .map(|x| (x - mean_difference).powi(2))
+            .sum::<f64>()
+            / (count - 1.0);
+        let excess = self.mean - best.mean;
+        excess <= EXACT_RESIDUAL_SHARE.powi(2) * mean_square
+            || (excess <= STUDENT_QUANTILE * (variance / count).sqrt()
                 && self.mean <= RESIDUAL_RATIO * best.mean)
     }
 }
@@ -322,7 +333,7 @@ mod tests {
     /// Small subharmonics of orders up to the longest one sought are found; those beyond do not
     /// give a shorter period.
     #[test]
-    fn a_period_beyond_the_longest_one_sought_is_none() {
+    fn periods_beyond_the_limit_are_not_reported() {
         let mut stream = RandomStream::new(5, 0);
         let noise: Vec<f64> = (0..60_000)
             .map(|_| 0.01 * stream.normal_pair()[0])
@@ -350,60 +361,66 @@ mod tests {
     /// the response at the drive frequency.
     #[test]
     fn every_order_is_found_in_clean_and_in_noisy_records() {
-        let mut wrong = Vec::new();
+        let mut failures = Vec::new();
         for (cycles, seed) in [(100, 0), (300, 1), (300, 2)] {
             let mut stream = RandomStream::new(seed, 7);
             for order in 1..=16_usize {
-                let parts: Vec<usize> = (1..=order)
-                    .filter(|part| (2..=*part).all(|d| part % d > 0 || order % d > 0))
+                let numerators: Vec<usize> = (1..=order)
+                    .filter(|numerator| {
+                        (2..=*numerator).all(|d| numerator % d > 0 || order % d > 0)
+                    })
                     .collect();
-                let part = parts[(7 * order + seed as usize) % parts.len()];
+                let numerator = numerators[(7 * order + seed as usize) % numerators.len()];
                 let phase = stream.normal_pair();
-                let small = if order > 1 { 0.2 } else { 0.0 };
-                let clean = |k: usize| {
-                    let turns = TAU * k as f64 / 1536.0 * 13.0;
-                    turns.sin()
-                        + 0.3 * (2.0 * turns + phase[0]).sin()
-                        + small * (turns * part as f64 / order as f64 + phase[1]).sin()
+                let subharmonic_amplitude = if order > 1 { 0.2 } else { 0.0 };
+                let signal = |k: usize| {
+                    let angle = TAU * k as f64 / 1536.0 * 13.0;
+                    angle.sin()
+                        + 0.3 * (2.0 * angle + phase[0]).sin()
+                        + subharmonic_amplitude
+                            * (angle * numerator as f64 / order as f64 + phase[1]).sin()
                 };
                 for noise in [0.0, 0.02, 0.05] {
                     let values: Vec<f64> = (0..cycles * 1536 / 13)
-                        .map(|k| clean(k) + 0.74 * noise * stream.normal_pair()[0])
+                        .map(|k| signal(k) + 0.74 * noise * stream.normal_pair()[0])
                         .collect();
                     let found = period(&Samples::new(&values, 1536.0).unwrap(), 13.0);
                     if found.cycles != Some(order).filter(|order| *order <= MAX_PERIOD_CYCLES) {
-                        wrong.push((cycles, order, part, noise, found));
+                        failures.push((cycles, order, numerator, noise, found));
                     }
                 }
             }
         }
-        assert!(wrong.is_empty(), "{wrong:?}");
+        assert!(failures.is_empty(), "{failures:?}");
     }
 
     /// Noise with a correlation length of eight cycles out of a hundred is similar at some distance
     /// by chance: every order is found in noise of 2 and 5 % of the rms, and longer periods give
     /// `None`.
     #[test]
-    fn slow_noise_that_is_alike_by_chance_is_no_long_period() {
-        let mut wrong = Vec::new();
+    fn slow_noise_gives_no_long_period() {
+        let mut failures = Vec::new();
         for seed in 0..12 {
             for (order, noise) in (1..=20).flat_map(|order| [(order, 0.02), (order, 0.05)]) {
                 let mut stream = RandomStream::new(seed * 1000 + order, 23);
-                let parts: Vec<u64> = (1..=order)
-                    .filter(|part| (2..=*part).all(|d| part % d > 0 || order % d > 0))
+                let numerators: Vec<u64> = (1..=order)
+                    .filter(|numerator| {
+                        (2..=*numerator).all(|d| numerator % d > 0 || order % d > 0)
+                    })
                     .collect();
-                let turns_of =
-                    parts[(7 * order + seed) as usize % parts.len()] as f64 / order as f64;
+                let frequency_ratio = numerators[(7 * order + seed) as usize % numerators.len()]
+                    as f64
+                    / order as f64;
                 let phase = stream.normal_pair();
-                let small = if order > 1 { 0.2 } else { 0.0 };
+                let subharmonic_amplitude = if order > 1 { 0.2 } else { 0.0 };
                 let mut slow = stream.normal_pair()[0];
                 let mut value = |k: usize| {
                     slow =
                         0.999 * slow + (1.0_f64 - 0.999 * 0.999).sqrt() * stream.normal_pair()[0];
-                    let turns = TAU * k as f64 / 1536.0 * 13.0;
-                    turns.sin()
-                        + 0.3 * (2.0 * turns + phase[0]).sin()
-                        + small * (turns * turns_of + phase[1]).sin()
+                    let angle = TAU * k as f64 / 1536.0 * 13.0;
+                    angle.sin()
+                        + 0.3 * (2.0 * angle + phase[0]).sin()
+                        + subharmonic_amplitude * (angle * frequency_ratio + phase[1]).sin()
                         + 0.74 * noise * slow
                 };
                 let values: Vec<f64> = (0..100 * 1536 / 13).map(&mut value).collect();
@@ -411,25 +428,25 @@ mod tests {
                 if found.cycles.map(|cycles| cycles as u64)
                     != Some(order).filter(|order| *order <= 12)
                 {
-                    wrong.push((seed, order, noise, found));
+                    failures.push((seed, order, noise, found));
                 }
             }
         }
-        assert!(wrong.is_empty(), "{wrong:?}");
+        assert!(failures.is_empty(), "{failures:?}");
     }
 
     /// A drive that is off by a thousandth turns by half a cycle in 500; the noise has a
     /// correlation length of nine cycles.
     #[test]
-    fn a_drive_that_is_a_little_off_and_slow_noise_do_not_hide_the_period() {
+    fn drive_frequency_error_and_slow_noise_do_not_hide_the_period() {
         let mut stream = RandomStream::new(6, 0);
         for order in [1, 2, 3, 12] {
             let mut slow = 0.0;
             let mut value = |k: usize| {
                 slow = 0.999 * slow + 0.0016 * stream.normal_pair()[0];
-                let turns = TAU * 1.001 * k as f64 / 1536.0 * 13.0;
-                let small = if order > 1 { 0.2 } else { 0.0 };
-                turns.sin() + small * (turns / order as f64 + 0.3).sin() + slow
+                let angle = TAU * 1.001 * k as f64 / 1536.0 * 13.0;
+                let subharmonic_amplitude = if order > 1 { 0.2 } else { 0.0 };
+                angle.sin() + subharmonic_amplitude * (angle / order as f64 + 0.3).sin() + slow
             };
             let values: Vec<f64> = (0..60_000).map(&mut value).collect();
             let found = period(&Samples::new(&values, 1536.0).unwrap(), 13.0);

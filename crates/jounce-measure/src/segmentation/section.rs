@@ -17,11 +17,11 @@ pub struct Section {
 /// is the second sample. A solution of `m` drive cycles shows `m` values in turn.
 pub fn section(samples: &Samples<'_>, drive_hz: f64) -> Section {
     let (values, rate_hz) = (samples.values(), samples.rate_hz());
-    let place = |n: usize| 1.0 + n as f64 * rate_hz / drive_hz;
-    let inside = (0..)
-        .map(place)
+    let position = |n: usize| 1.0 + n as f64 * rate_hz / drive_hz;
+    let positions = (0..)
+        .map(position)
         .take_while(|x| x.floor() as usize + 2 < values.len());
-    let (time_s, value) = inside
+    let (time_s, value) = positions
         .map(|x| {
             let k = x.floor() as usize;
             (x / rate_hz, cubic(&values[k - 1..k + 3], x.fract()))
@@ -39,19 +39,19 @@ mod tests {
     /// A third of the drive: three values in turn, those of the formula; measured 2e-6, the cubic
     /// between samples 114 to a cycle.
     #[test]
-    fn a_subharmonic_shows_its_values_by_turns() {
+    fn subharmonic_repeats_its_section_values() {
         let (rate, hz) = (1536.0, 13.5);
         let at = |t: f64| (TAU * hz * t).cos() + 0.7 * (TAU * hz / 3.0 * t).sin();
         let values: Vec<f64> = (0..20_000).map(|k| at(f64::from(k) / rate)).collect();
-        let found = section(&Samples::new(&values, rate).unwrap(), hz);
-        assert_eq!(found.value.len(), 176);
-        let off = found
+        let result = section(&Samples::new(&values, rate).unwrap(), hz);
+        assert_eq!(result.value.len(), 176);
+        let max_error = result
             .value
             .iter()
             .enumerate()
             .map(|(n, x)| (x - at(1.0 / rate + (n % 3) as f64 / hz)).abs())
             .fold(0.0, f64::max);
-        eprintln!("off by {off:.1e}");
-        assert!(off < 1e-5, "{off:e}");
+        eprintln!("off by {max_error:.1e}");
+        assert!(max_error < 1e-5, "{max_error:e}");
     }
 }

@@ -5,9 +5,9 @@ use jounce_core::signal::{Samples, SignalError};
 use serde::Serialize;
 
 use super::RepetitionPeriod;
-use super::features::{CYCLES_PER_BLOCK, of_block};
-use super::merging::{MergeReason, MergedChange, drifts, joined, lines};
-use super::partition::{changes, noise};
+use super::features::{CYCLES_PER_BLOCK, block_features};
+use super::merging::{MergeReason, MergedChange, drifts, lines, merge_segments};
+use super::partition::{change_points, noise};
 use super::period::period_watched;
 
 /// Segment of one solution.
@@ -121,23 +121,24 @@ pub fn regimes_watched(
     let start = |b: usize| (b as f64 * length).round() as usize;
     let features = (0..blocks).take_while(|_| !control.is_stopped());
     let features: Vec<Vec<f64>> = features
-        .map(|b| of_block(samples, drive_hz, start(b), length.floor() as usize))
+        .map(|b| block_features(samples, drive_hz, start(b), length.floor() as usize))
         .collect();
     if control.is_stopped() {
         return Err(SegmentationError::Stopped);
     }
-    let largest = features.iter().flatten().copied().fold(0.0, f64::max);
-    if largest <= 0.0 {
+    let largest_feature = features.iter().flatten().copied().fold(0.0, f64::max);
+    if largest_feature <= 0.0 {
         return Err(SegmentationError::Constant);
     }
     // A clean record has hardly any noise: the size of a change then decides.
-    let floor = MIN_CHANGE_SHARE * largest / (4.0 * (blocks as f64).ln()).sqrt();
+    let floor = MIN_CHANGE_SHARE * largest_feature / (4.0 * (blocks as f64).ln()).sqrt();
     let noise: Vec<f64> = noise(&features).into_iter().map(|s| s.max(floor)).collect();
     let cost = SEGMENT_COST * noise.len() as f64 * (blocks as f64).ln();
-    let starts = changes(&features, &noise, cost, control).ok_or(SegmentationError::Stopped)?;
+    let starts =
+        change_points(&features, &noise, cost, control).ok_or(SegmentationError::Stopped)?;
     let lines = lines(samples, drive_hz, (blocks, length));
-    let (starts, mut joints) = joined(samples, drive_hz, starts, (&lines, length));
-    let edge = |k: usize| {
+    let (starts, mut joints) = merge_segments(samples, drive_hz, starts, (&lines, length));
+    let boundary = |k: usize| {
         starts
             .get(k)
             .map_or(samples.values().len(), |b| (b * length).round() as usize)
@@ -145,62 +146,71 @@ pub fn regimes_watched(
     let last = starts.len().saturating_sub(1);
     let inner = |k: usize| {
         // The blocks next to a change may contain both solutions.
-        let block = if edge(k + 1) - edge(k) > (4.0 * length) as usize {
+        let block = if boundary(k + 1) - boundary(k) > (4.0 * length) as usize {
             length.ceil() as usize
         } else {
             0
         };
         (
-            edge(k) + if k > 0 { block } else { 0 },
-            edge(k + 1) - if k < last { block } else { 0 },
+            boundary(k) + if k > 0 { block } else { 0 },
+            boundary(k + 1) - if k < last { block } else { 0 },
         )
     };
-    let one = |k: usize| stretch(samples, drive_hz, (edge(k), edge(k + 1)), inner(k), control);
-    let stretches = (0..starts.len())
+    let one = |k: usize| {
+        record_segment(
+            samples,
+            drive_hz,
+            (boundary(k), boundary(k + 1)),
+            inner(k),
+            control,
+        )
+    };
+    let segments = (0..starts.len())
         .map(one)
         .collect::<Result<Vec<RecordSegment>, _>>()?;
-    for (k, stretch) in stretches
+    for (k, segment) in segments
         .iter()
         .enumerate()
-        .filter(|(_, stretch)| stretch.period.cycles.is_some())
+        .filter(|(_, segment)| segment.period.cycles.is_some())
     {
-        let told = joints
+        let is_reported = joints
             .iter()
-            .any(|joint| (stretch.start_s..stretch.end_s).contains(&joint.at_s));
+            .any(|joint| (segment.start_s..segment.end_s).contains(&joint.at_s));
         let end = starts.get(k + 1).map_or(blocks, |end| end.floor() as usize);
-        if !told && drifts(&lines[starts[k].ceil() as usize..end]) {
+        if !is_reported && drifts(&lines[starts[k].ceil() as usize..end]) {
             joints.push(MergedChange {
-                at_s: 0.5 * (stretch.start_s + stretch.end_s),
+                at_s: 0.5 * (segment.start_s + segment.end_s),
                 reason: MergeReason::Drifts,
             });
         }
     }
     joints.sort_by(|a, b| a.at_s.total_cmp(&b.at_s));
     Ok(Segmentation {
-        stretches,
+        stretches: segments,
         joints,
         uncertainty_s: length / rate_hz,
     })
 }
 
-fn stretch(
+fn record_segment(
     samples: &Samples<'_>,
     drive_hz: f64,
     (start, end): (usize, usize),
     inner: (usize, usize),
     control: &Control,
 ) -> Result<RecordSegment, SegmentationError> {
-    let part = Samples::new(&samples.values()[inner.0..inner.1], samples.rate_hz())?;
-    let mean = part.mean();
-    let rms = (part
+    let inner_samples = Samples::new(&samples.values()[inner.0..inner.1], samples.rate_hz())?;
+    let mean = inner_samples.mean();
+    let rms = (inner_samples
         .values()
         .iter()
         .map(|x| (x - mean).powi(2))
         .sum::<f64>()
-        / part.values().len() as f64)
+        / inner_samples.values().len() as f64)
         .sqrt();
     let at = |k: usize| k as f64 / samples.rate_hz();
-    let period = period_watched(&part, drive_hz, control).ok_or(SegmentationError::Stopped)?;
+    let period =
+        period_watched(&inner_samples, drive_hz, control).ok_or(SegmentationError::Stopped)?;
     Ok(RecordSegment {
         start_s: at(start),
         end_s: at(end),
@@ -238,29 +248,29 @@ mod tests {
     /// Measured: both changes within 0.085 s, a block is 0.46 s; also with noise of a third of the
     /// small response.
     #[test]
-    fn changes_of_solution_are_found_with_their_periods_whatever_the_noise() {
+    fn solution_changes_and_periods_are_found_at_any_noise() {
         for noise in [0.0, 0.3] {
             let values = switching(noise);
-            let found = regimes(&Samples::new(&values, 1536.0).unwrap(), 13.0).unwrap();
-            assert_eq!(found.stretches.len(), 3, "{noise}: {:?}", found.stretches);
+            let result = regimes(&Samples::new(&values, 1536.0).unwrap(), 13.0).unwrap();
+            assert_eq!(result.stretches.len(), 3, "{noise}: {:?}", result.stretches);
             for (k, change) in [(1, 31.7), (2, 60.2)] {
                 assert!(
-                    (found.stretches[k].start_s - change).abs() < found.uncertainty_s,
+                    (result.stretches[k].start_s - change).abs() < result.uncertainty_s,
                     "{noise} {}",
-                    found.stretches[k].start_s
+                    result.stretches[k].start_s
                 );
             }
-            let cycles: Vec<_> = found
+            let cycles: Vec<_> = result
                 .stretches
                 .iter()
-                .map(|stretch| stretch.period.cycles)
+                .map(|segment| segment.period.cycles)
                 .collect();
             assert_eq!(cycles, [Some(1), Some(2), Some(1)], "{noise}");
         }
     }
 
     #[test]
-    fn noise_alone_is_one_stretch_and_faults_are_told() {
+    fn noise_is_one_segment_and_errors_are_reported() {
         let mut stream = RandomStream::new(2, 0);
         let values: Vec<f64> = (0..60_000)
             .map(|k| (TAU * 13.0 * f64::from(k) / 1536.0).sin() + 0.5 * stream.normal_pair()[0])

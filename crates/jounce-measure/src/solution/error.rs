@@ -21,18 +21,18 @@ pub enum SolutionError {
     )]
     NoLoad,
     /// The circuit does not exist.
-    #[error("the model has no circuit `{wanted}`; there are {known}")]
+    #[error("the model has no circuit `{requested}`; there are {known}")]
     UnknownLoad {
         /// Requested name.
-        wanted: String,
+        requested: String,
         /// Existing names.
         known: String,
     },
     /// The solution does not exist, or has no orbit as a start.
-    #[error("there is no solution `{wanted}` to start on; the model's solutions are {known}")]
+    #[error("there is no solution `{requested}` to start on; the model's solutions are {known}")]
     UnknownSolution {
         /// Requested id.
-        wanted: String,
+        requested: String,
         /// Existing ids.
         known: String,
     },

@@ -93,8 +93,8 @@ pub fn solutions(
         starts,
         recognition: Recognition::at(search.tolerance),
     };
-    let answer = study.run(&|| ())?;
-    if let (true, Some((_, first))) = (answer.attractors.is_empty(), answer.lost.first()) {
+    let basins = study.run(&|| ())?;
+    if let (true, Some((_, first))) = (basins.attractors.is_empty(), basins.lost.first()) {
         return Err(SolutionError::Lost {
             starts: search.starts,
             first: first.clone(),
@@ -102,28 +102,34 @@ pub fn solutions(
     }
     let solution =
         |attractor: jounce_core::analysis::Attractor| -> Result<Solution, SolutionError> {
-            let of = |orbit: &Orbit| -> Result<(StartState, Waveform), SolutionError> {
-                let physical = Shooting::new(
-                    &parameter,
-                    &base.kernel,
-                    orbit.period_cycles,
-                    search.tolerance,
-                )
-                .physical(orbit.start());
-                let plant = &base.kernel.plant;
-                let start =
-                    StartState::from_blocks(plant, &plant.from_physical(&physical, 0.0), 0.0);
-                let waveform = Waveform::of(
-                    &base.kernel,
-                    &start,
-                    orbit.period_cycles,
-                    drive_hz,
-                    load,
-                    search.tolerance,
-                )?;
-                Ok((start, waveform))
-            };
-            let (start, waveform) = attractor.orbit.as_ref().map(of).transpose()?.unzip();
+            let periodic_solution =
+                |orbit: &Orbit| -> Result<(StartState, Waveform), SolutionError> {
+                    let physical = Shooting::new(
+                        &parameter,
+                        &base.kernel,
+                        orbit.period_cycles,
+                        search.tolerance,
+                    )
+                    .physical(orbit.start());
+                    let plant = &base.kernel.plant;
+                    let start =
+                        StartState::from_blocks(plant, &plant.from_physical(&physical, 0.0), 0.0);
+                    let waveform = Waveform::of(
+                        &base.kernel,
+                        &start,
+                        orbit.period_cycles,
+                        drive_hz,
+                        load,
+                        search.tolerance,
+                    )?;
+                    Ok((start, waveform))
+                };
+            let (start, waveform) = attractor
+                .orbit
+                .as_ref()
+                .map(periodic_solution)
+                .transpose()?
+                .unzip();
             Ok(Solution {
                 id: attractor.id,
                 period_cycles: attractor.orbit.as_ref().map(|orbit| orbit.period_cycles),
@@ -134,13 +140,13 @@ pub fn solutions(
                 waveform,
             })
         };
-    answer.attractors.into_iter().map(solution).collect()
+    basins.attractors.into_iter().map(solution).collect()
 }
 
 /// Index of the load whose voltage is used.
-fn load(plant: &Plant, wanted: Option<&str>) -> Result<usize, SolutionError> {
+fn load(plant: &Plant, requested: Option<&str>) -> Result<usize, SolutionError> {
     let loads = &plant.system.loads;
-    let Some(wanted) = wanted else {
+    let Some(requested) = requested else {
         return if loads.is_empty() {
             Err(SolutionError::NoLoad)
         } else {
@@ -149,9 +155,9 @@ fn load(plant: &Plant, wanted: Option<&str>) -> Result<usize, SolutionError> {
     };
     loads
         .iter()
-        .position(|load| load.name == wanted)
+        .position(|load| load.name == requested)
         .ok_or_else(|| SolutionError::UnknownLoad {
-            wanted: wanted.to_owned(),
+            requested: requested.to_owned(),
             known: loads
                 .iter()
                 .map(|load| load.name.clone())

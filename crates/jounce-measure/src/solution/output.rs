@@ -55,32 +55,32 @@ pub fn outputs(
     kernel: &Kernel,
     trajectory: &Trajectory,
     times_s: &[f64],
-    wanted: &[SensorOutput],
+    outputs: &[SensorOutput],
 ) -> Vec<Vec<f64>> {
     let plant = &kernel.plant;
-    let readers: Vec<OutputReader> = wanted.iter().map(|output| reader(plant, output)).collect();
-    let bases: Vec<Option<BaseMotion>> = wanted
+    let readers: Vec<OutputReader> = outputs.iter().map(|output| reader(plant, output)).collect();
+    let bases: Vec<Option<BaseMotion>> = outputs
         .iter()
-        .map(|output| BaseMotion::under(spec, plant, output))
+        .map(|output| BaseMotion::at_output(spec, plant, output))
         .collect();
-    let mut rows = vec![Vec::with_capacity(times_s.len()); wanted.len()];
+    let mut rows = vec![Vec::with_capacity(times_s.len()); outputs.len()];
     for instant in trajectory.at(kernel, times_s) {
-        let turns: Vec<c64> = plant
+        let phasors: Vec<c64> = plant
             .tones
             .iter()
             .map(|tone| c64::cis(tone.angular_frequency_rad_s * instant.time_s))
             .collect();
-        let sizes: Vec<f64> = plant
+        let signal_values: Vec<f64> = plant
             .system
             .signals
             .iter()
-            .map(|signal| size(&signal.wave, instant.time_s))
+            .map(|signal| signal_value(&signal.wave, instant.time_s))
             .collect();
         for ((row, reader), base) in rows.iter_mut().zip(&readers).zip(&bases) {
-            let moving = base
+            let base_motion = base
                 .as_ref()
-                .map_or(0.0, |base| base.at(instant.time_s, &sizes));
-            row.push(moving + read(reader, &instant, &turns, &sizes));
+                .map_or(0.0, |base| base.at(instant.time_s, &signal_values));
+            row.push(base_motion + read_output(reader, &instant, &phasors, &signal_values));
         }
     }
     rows
@@ -97,12 +97,12 @@ fn reader(plant: &Plant, output: &SensorOutput) -> OutputReader {
         SensorOutput::StopForce(stop) => OutputReader::Force(*stop),
         SensorOutput::Base(_) => OutputReader::Base,
         SensorOutput::Acceleration(point) => {
-            let still = vec![0.0; plant.system.modes.len()];
+            let zero_shape = vec![0.0; plant.system.modes.len()];
             let velocity =
-                plant.velocity_row(plant.system.modes.shape.get(point).unwrap_or(&still));
-            let along =
+                plant.velocity_row(plant.system.modes.shape.get(point).unwrap_or(&zero_shape));
+            let project =
                 |column: &[f64]| velocity.iter().zip(column).map(|(c, b)| c * b).sum::<f64>();
-            let speeded = |(y, tone): (c64, &jounce_core::plant::Tone)| {
+            let time_derivative = |(y, tone): (c64, &jounce_core::plant::Tone)| {
                 y * c64::new(0.0, tone.angular_frequency_rad_s)
             };
             OutputReader::Rate {
@@ -111,31 +111,40 @@ fn reader(plant: &Plant, output: &SensorOutput) -> OutputReader {
                     .system
                     .signals
                     .iter()
-                    .map(|signal| along(&plant.force_column(&signal.shape)))
+                    .map(|signal| project(&plant.force_column(&signal.shape)))
                     .collect(),
-                ports: plant.ports.iter().map(|port| along(&port.force)).collect(),
+                ports: plant
+                    .ports
+                    .iter()
+                    .map(|port| project(&port.force))
+                    .collect(),
                 steady: plant
                     .steady_output(&velocity)
                     .into_iter()
                     .zip(&plant.tones)
-                    .map(speeded)
+                    .map(time_derivative)
                     .collect(),
             }
         }
     }
 }
 
-fn read(reader: &OutputReader, instant: &TrajectoryState, turns: &[c64], sizes: &[f64]) -> f64 {
-    let dot = |row: &[f64], of: &[f64]| row.iter().zip(of).map(|(c, y)| c * y).sum::<f64>();
-    let turned = |steady: &[c64]| {
+fn read_output(
+    reader: &OutputReader,
+    instant: &TrajectoryState,
+    phasors: &[c64],
+    signal_values: &[f64],
+) -> f64 {
+    let dot = |row: &[f64], vector: &[f64]| row.iter().zip(vector).map(|(c, y)| c * y).sum::<f64>();
+    let steady_part = |steady: &[c64]| {
         steady
             .iter()
-            .zip(turns)
-            .map(|(y, turn)| (*y * *turn).re)
+            .zip(phasors)
+            .map(|(y, phasor)| (*y * *phasor).re)
             .sum::<f64>()
     };
     match reader {
-        OutputReader::State { row, steady } => dot(row, &instant.state) + turned(steady),
+        OutputReader::State { row, steady } => dot(row, &instant.state) + steady_part(steady),
         OutputReader::Force(stop) => instant.forces_n[*stop],
         OutputReader::Rate {
             row,
@@ -144,15 +153,15 @@ fn read(reader: &OutputReader, instant: &TrajectoryState, turns: &[c64], sizes: 
             steady,
         } => {
             dot(row, &instant.state)
-                + dot(signals, sizes)
+                + dot(signals, signal_values)
                 + dot(ports, &instant.forces_n)
-                + turned(steady)
+                + steady_part(steady)
         }
         OutputReader::Base => 0.0,
     }
 }
 
-fn size(wave: &jounce_core::drive::Wave, time_s: f64) -> f64 {
+fn signal_value(wave: &jounce_core::drive::Wave, time_s: f64) -> f64 {
     wave.piece(wave.index_at(time_s)).size_at(time_s)
 }
 
@@ -165,7 +174,7 @@ struct BaseMotion {
 
 impl BaseMotion {
     /// Returns the base whose acceleration is added.
-    fn under(spec: &Spec, plant: &Plant, output: &SensorOutput) -> Option<Self> {
+    fn at_output(spec: &Spec, plant: &Plant, output: &SensorOutput) -> Option<Self> {
         let base = match output {
             SensorOutput::Acceleration(point) => spec.base_under(point),
             SensorOutput::Base(base) => base,
@@ -178,26 +187,26 @@ impl BaseMotion {
             .system
             .drives
             .iter()
-            .filter(|own| own.base.as_deref() == Some(base));
+            .filter(|drive| drive.base.as_deref() == Some(base));
         let signals = plant
             .system
             .signals
             .iter()
             .enumerate()
-            .filter(|(_, own)| own.base.as_deref() == Some(base));
+            .filter(|(_, signal)| signal.base.as_deref() == Some(base));
         Some(Self {
             tones: tones
-                .map(|own| (own.amplitude_n, own.frequency_hz, own.phase_rad))
+                .map(|drive| (drive.amplitude_n, drive.frequency_hz, drive.phase_rad))
                 .collect(),
             signals: signals.map(|(k, _)| k).collect(),
         })
     }
 
-    fn at(&self, time_s: f64, sizes: &[f64]) -> f64 {
+    fn at(&self, time_s: f64, signal_values: &[f64]) -> f64 {
         let tone = |(peak, hz, angle): &(f64, f64, f64)| {
             peak * (TAU * (hz * time_s).fract() + angle).sin()
         };
         self.tones.iter().map(tone).sum::<f64>()
-            + self.signals.iter().map(|k| sizes[*k]).sum::<f64>()
+            + self.signals.iter().map(|k| signal_values[*k]).sum::<f64>()
     }
 }

@@ -31,20 +31,20 @@ pub fn as_recorded(
 ///
 /// # Errors
 /// An id without solution, a solution without an orbit.
-pub fn start_of(found: &[Solution], id: &str) -> Result<StartState, SolutionError> {
-    let start = found
+pub fn start_of(result: &[Solution], id: &str) -> Result<StartState, SolutionError> {
+    let start = result
         .iter()
         .find(|solution| solution.id == id)
         .and_then(|solution| solution.start.clone());
     let known = || {
-        found
+        result
             .iter()
             .map(|solution| solution.id.clone())
             .collect::<Vec<_>>()
             .join(", ")
     };
     start.ok_or_else(|| SolutionError::UnknownSolution {
-        wanted: id.to_owned(),
+        requested: id.to_owned(),
         known: known(),
     })
 }

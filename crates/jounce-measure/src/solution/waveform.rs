@@ -42,7 +42,7 @@ impl Waveform {
             tolerance,
             record_s: period_s,
         };
-        let answer = simulate(kernel, start, &plan)?;
+        let run = simulate(kernel, start, &plan)?;
         let count = (SAMPLES_PER_CYCLE * period_cycles) as usize;
         let times_s: Vec<f64> = (0..count)
             .map(|k| period_s * k as f64 / count as f64)
@@ -51,7 +51,7 @@ impl Waveform {
         let voltage = outputs(
             &Spec::default(),
             kernel,
-            &answer.trajectory,
+            &run.trajectory,
             &times_s,
             &[SensorOutput::LoadVoltage(load)],
         )
@@ -64,14 +64,14 @@ impl Waveform {
         })
     }
 
-    /// Line of order `of / cycles`; 0 where the waveform has no such line.
-    pub fn at(&self, of: u32, cycles: u32) -> c64 {
-        let place = of * self.period_cycles;
-        if !place.is_multiple_of(cycles) || place == 0 {
+    /// Line of order `order / cycles`; 0 where the waveform has no such line.
+    pub fn at(&self, order: u32, cycles: u32) -> c64 {
+        let index = order * self.period_cycles;
+        if !index.is_multiple_of(cycles) || index == 0 {
             return c64::new(0.0, 0.0);
         }
         self.lines_v
-            .get((place / cycles) as usize - 1)
+            .get((index / cycles) as usize - 1)
             .copied()
             .unwrap_or(c64::new(0.0, 0.0))
     }
@@ -79,8 +79,8 @@ impl Waveform {
 
 /// Line `k` of a complete period.
 fn line(samples: &[f64], k: usize) -> c64 {
-    let turn = |(n, x): (usize, &f64)| {
+    let term = |(n, x): (usize, &f64)| {
         c64::cis(-TAU * ((k * n) % samples.len()) as f64 / samples.len() as f64) * *x
     };
-    samples.iter().enumerate().map(turn).sum::<c64>() * (2.0 / samples.len() as f64)
+    samples.iter().enumerate().map(term).sum::<c64>() * (2.0 / samples.len() as f64)
 }

@@ -65,7 +65,7 @@ impl Density {
         let density = sum
             .iter()
             .enumerate()
-            .map(|(k, sum)| segments.sides(k) * sum * scale)
+            .map(|(k, sum)| segments.side_count(k) * sum * scale)
             .collect();
         let resolution_hz = samples.rate_hz() / segments.length() as f64;
         Ok(Self {
@@ -79,11 +79,11 @@ impl Density {
 
     /// Variance between two frequencies, unit^2.
     pub fn variance_between(&self, low_hz: f64, high_hz: f64) -> f64 {
-        let inside = |f: &f64| (low_hz..=high_hz).contains(f);
+        let in_band = |f: &f64| (low_hz..=high_hz).contains(f);
         self.frequency_hz
             .iter()
             .zip(&self.density)
-            .filter(|(f, _)| inside(f))
+            .filter(|(f, _)| in_band(f))
             .map(|(_, s)| s * self.resolution_hz)
             .sum()
     }
@@ -94,7 +94,7 @@ impl Segments {
     ///
     /// # Errors
     /// A record of fewer than 8 samples.
-    pub fn usual(samples: &Samples<'_>) -> Result<Self, SpectralError> {
+    pub fn with_default_length(samples: &Samples<'_>) -> Result<Self, SpectralError> {
         let count = samples.values().len();
         let length = (count / 8).max(256).min(count) / 2 * 2;
         Self::new(length, 0.5, Window::Hann)
@@ -124,12 +124,12 @@ mod tests {
             Density::welch(&samples, &Segments::new(512, 0.5, Window::Hann).unwrap()).unwrap();
         let mean = density.density[2..255].iter().sum::<f64>() / 253.0;
         assert!((mean / 2e-3 - 1.0).abs() < 0.01, "{mean}");
-        let worst = density.density[2..255]
+        let max_error = density.density[2..255]
             .iter()
             .map(|s| (s / 2e-3 - 1.0).abs())
             .fold(0.0, f64::max);
         // Relative deviation of a line: about 1/sqrt(511 * 18/19 ..); five of them.
-        assert!(worst < 0.3, "{worst}");
+        assert!(max_error < 0.3, "{max_error}");
         assert!((density.variance_between(0.0, 500.0) - samples.rms().powi(2)).abs() < 0.01);
     }
 
@@ -150,11 +150,11 @@ mod tests {
             &Segments::new(512, 0.5, Window::Hann).unwrap(),
         )
         .unwrap();
-        let exact = |f: f64| {
+        let exact_density = |f: f64| {
             2.0 / (Complex::new(1.0, 0.0) - 0.9 * Complex::from_polar(1.0, -TAU * f)).norm_sqr()
         };
         let errors: Vec<f64> = (4..250)
-            .map(|k| density.density[k] / exact(density.frequency_hz[k]) - 1.0)
+            .map(|k| density.density[k] / exact_density(density.frequency_hz[k]) - 1.0)
             .collect();
         let rms = (errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64).sqrt();
         assert!(rms < 0.05, "{rms}");

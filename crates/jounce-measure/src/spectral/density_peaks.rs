@@ -44,7 +44,7 @@ fn peaks(density: &Density, segments: &Segments, most: usize) -> Vec<DensityPeak
     );
     let mut found: Vec<usize> = Vec::new();
     for k in maxima {
-        let stands = |higher: &usize| {
+        let is_above_leakage = |higher: &usize| {
             let valley = s[k.min(*higher)..k.max(*higher)]
                 .iter()
                 .copied()
@@ -55,15 +55,15 @@ fn peaks(density: &Density, segments: &Segments, most: usize) -> Vec<DensityPeak
             let leak = |lines: usize| leaks[lines.min(leaks.len() - 1)];
             let leaked = [k.abs_diff(*higher), image].map(|lines| s[*higher] * leak(lines));
             // Near 0 a line and its mirror image coincide.
-            let own = s[k] * leak((2 * k).min(2 * (s.len() - 1 - k)));
-            let most = leaked
+            let image_leak = s[k] * leak((2 * k).min(2 * (s.len() - 1 - k)));
+            let limit = leaked
                 .into_iter()
-                .chain([own, rise * valley])
+                .chain([image_leak, rise * valley])
                 .map(f64::sqrt)
                 .sum::<f64>();
-            s[k] > most * most
+            s[k] > limit * limit
         };
-        if found.iter().all(stands) {
+        if found.iter().all(is_above_leakage) {
             found.push(k);
         }
         if found.len() == most {
@@ -88,21 +88,21 @@ fn leakage(weights: &[f64]) -> Vec<f64> {
     let mut bins = plan.make_output_vec();
     plan.process(&mut padded, &mut bins)
         .expect("the plan made the length");
-    let size: Vec<f64> = bins.iter().map(|bin| bin.norm_sqr()).collect();
+    let power: Vec<f64> = bins.iter().map(|bin| bin.norm_sqr()).collect();
     // A peak's own line is at most half a line away from its tone.
-    let own = size
+    let main_lobe = power
         .get(VALUES_PER_LINE / 2)
         .copied()
         .unwrap_or(1.0)
         .max(f64::MIN_POSITIVE);
-    let mut beyond = size.clone();
-    for k in (0..beyond.len().saturating_sub(1)).rev() {
-        beyond[k] = beyond[k].max(beyond[k + 1]);
+    let mut envelope = power.clone();
+    for k in (0..envelope.len().saturating_sub(1)).rev() {
+        envelope[k] = envelope[k].max(envelope[k + 1]);
     }
     let at = |line: usize| {
-        beyond
+        envelope
             .get((line * VALUES_PER_LINE).saturating_sub(VALUES_PER_LINE / 2))
-            .map_or(0.0, |most| most / own)
+            .map_or(0.0, |most| most / main_lobe)
     };
     (0..=weights.len() / 2).map(at).collect()
 }
@@ -151,17 +151,17 @@ mod tests {
                 + 2.0 * (TAU * 120.7 * t).sin()
                 + 0.1 * n
         };
-        let of_three = found(three, Window::Hann);
+        let peaks = found(three, Window::Hann);
         assert_eq!(
-            (of_three[0], of_three[1], of_three[2]),
+            (peaks[0], peaks[1], peaks[2]),
             (210.0, 121.0, 50.0),
-            "{of_three:?}"
+            "{peaks:?}"
         );
     }
 
     /// The scatter of white noise does not produce a series of peaks.
     #[test]
-    fn scatter_is_no_peak_beside_a_higher_one() {
+    fn scatter_next_to_a_peak_is_no_peak() {
         let noise = found(|_, n| n, Window::Hann);
         assert_eq!(noise.len(), 1, "{noise:?}");
     }

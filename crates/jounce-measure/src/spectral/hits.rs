@@ -11,20 +11,20 @@ pub struct HitSearch {
     /// Threshold of a hit, relative to the peak force of the record.
     pub trigger: f64,
     /// Threshold of the start and end of a pulse, relative to its peak.
-    pub edge: f64,
-    /// Threshold of a second pulse relative to the first, within `apart_s` of it, for a double hit.
-    pub double: f64,
+    pub edge_ratio: f64,
+    /// Threshold of a second pulse relative to the first, within `min_spacing_s` of it, for a double hit.
+    pub double_hit_ratio: f64,
     /// Pulses closer than this are one hit, s.
-    pub apart_s: f64,
+    pub min_spacing_s: f64,
 }
 
 impl Default for HitSearch {
     fn default() -> Self {
         Self {
             trigger: 0.3,
-            edge: 0.1,
-            double: 0.05,
-            apart_s: 0.05,
+            edge_ratio: 0.1,
+            double_hit_ratio: 0.05,
+            min_spacing_s: 0.05,
         }
     }
 }
@@ -119,39 +119,42 @@ pub fn hits(force: &Samples<'_>, search: HitSearch) -> Result<Vec<Hit>, Spectral
         return Err(SpectralError::NoHit { largest_n, noise_n });
     }
     let pulses = pulses(values, search, largest_n, noise_n);
-    let apart = (search.apart_s * force.rate_hz()).round() as usize;
-    let mut found: Vec<Hit> = Vec::new();
+    let min_spacing = (search.min_spacing_s * force.rate_hz()).round() as usize;
+    let mut result: Vec<Hit> = Vec::new();
     for (start, peak, end) in pulses {
-        match found
+        match result
             .last_mut()
-            .filter(|before| peak - before.peak <= apart)
+            .filter(|previous| peak - previous.peak <= min_spacing)
         {
-            Some(before) if values[peak] >= search.double * before.peak_force_n => {
-                let after_s = (peak - before.peak) as f64 / force.rate_hz();
-                before.warnings.push(HitWarning::Double {
+            Some(previous) if values[peak] >= search.double_hit_ratio * previous.peak_force_n => {
+                let after_s = (peak - previous.peak) as f64 / force.rate_hz();
+                previous.warnings.push(HitWarning::Double {
                     after_s,
                     force_n: values[peak],
                 });
             }
             Some(_) => {}
             None if values[peak] >= search.trigger * largest_n => {
-                found.push(hit(force, search, start, peak, end))
+                result.push(hit(force, search, start, peak, end))
             }
             None => {}
         }
     }
-    if found.is_empty() {
+    if result.is_empty() {
         return Err(SpectralError::NoHit { largest_n, noise_n });
     }
-    Ok(found)
+    Ok(result)
 }
 
 /// Noise from the median of the absolute values, scaled for a normal distribution: a hit or its
 /// ringing hardly affects it.
 fn noise(values: &[f64]) -> f64 {
-    let mut sizes: Vec<f64> = values.iter().map(|x| x.abs()).collect();
-    let middle = sizes.len() / 2;
-    *sizes.select_nth_unstable_by(middle, f64::total_cmp).1 / 0.674_489_75
+    let mut magnitudes: Vec<f64> = values.iter().map(|x| x.abs()).collect();
+    let median_index = magnitudes.len() / 2;
+    *magnitudes
+        .select_nth_unstable_by(median_index, f64::total_cmp)
+        .1
+        / 0.674_489_75
 }
 
 /// First sample, peak and end of every interval above the edge of its own peak.
@@ -161,22 +164,23 @@ fn pulses(
     largest_n: f64,
     noise_n: f64,
 ) -> Vec<(usize, usize, usize)> {
-    let floor = (search.double * search.trigger * largest_n).max(MIN_NOISE_RATIO * noise_n);
-    let mut found: Vec<(usize, usize, usize)> = Vec::new();
+    let floor =
+        (search.double_hit_ratio * search.trigger * largest_n).max(MIN_NOISE_RATIO * noise_n);
+    let mut result: Vec<(usize, usize, usize)> = Vec::new();
     let mut k = 0;
     while k < values.len() {
         if values[k] < floor {
             k += 1;
             continue;
         }
-        let above = values[k..].iter().take_while(|x| **x >= floor).count();
-        let (start, peak, end) = pulse(values, (k, k + above), search.edge, floor);
-        if found.last().is_none_or(|before| before.1 != peak) {
-            found.push((start, peak, end));
+        let samples_above = values[k..].iter().take_while(|x| **x >= floor).count();
+        let (start, peak, end) = pulse(values, (k, k + samples_above), search.edge_ratio, floor);
+        if result.last().is_none_or(|previous| previous.1 != peak) {
+            result.push((start, peak, end));
         }
-        k = end.max(k + above);
+        k = end.max(k + samples_above);
     }
-    found
+    result
 }
 
 /// First sample, maximum and end of the pulse that contains given samples. Noise may cross the
@@ -185,55 +189,59 @@ fn pulses(
 fn pulse(
     values: &[f64],
     (first, last): (usize, usize),
-    share: f64,
+    edge_ratio: f64,
     floor: f64,
 ) -> (usize, usize, usize) {
-    let highest = |from: usize, to: usize| {
+    let index_of_peak = |from: usize, to: usize| {
         (from..to)
             .max_by(|a, b| values[*a].total_cmp(&values[*b]))
             .unwrap_or(from)
     };
-    let mut peak = highest(first, last);
+    let mut peak = index_of_peak(first, last);
     loop {
-        let edge = (share * values[peak]).min(floor);
+        let threshold = (edge_ratio * values[peak]).min(floor);
         let start = (0..peak)
             .rev()
-            .find(|i| values[*i] < edge)
+            .find(|i| values[*i] < threshold)
             .map_or(0, |i| i + 1);
         let end = (peak..values.len())
-            .find(|i| values[*i] < edge)
+            .find(|i| values[*i] < threshold)
             .unwrap_or(values.len());
-        let top = highest(start, end);
-        if values[top] <= values[peak] {
+        let higher_peak = index_of_peak(start, end);
+        if values[higher_peak] <= values[peak] {
             return (start, peak, end);
         }
-        peak = top;
+        peak = higher_peak;
     }
 }
 
 fn hit(force: &Samples<'_>, search: HitSearch, start: usize, peak: usize, end: usize) -> Hit {
     let values = force.values();
-    let edge = search.edge * values[peak];
-    let first = (0..peak).rev().find(|i| values[*i] < edge);
-    let last = (peak..values.len()).find(|i| values[*i] < edge);
+    let threshold = search.edge_ratio * values[peak];
+    let first = (0..peak).rev().find(|i| values[*i] < threshold);
+    let last = (peak..values.len()).find(|i| values[*i] < threshold);
     // Interpolate linearly between the samples on both sides of the edge.
-    let rise = first.map_or(0.0, |i| {
-        i as f64 + (edge - values[i]) / (values[i + 1] - values[i])
+    let rising_edge = first.map_or(0.0, |i| {
+        i as f64 + (threshold - values[i]) / (values[i + 1] - values[i])
     });
-    let fall = last.map_or(values.len() as f64, |i| {
-        i as f64 - (edge - values[i]) / (values[i - 1] - values[i])
+    let falling_edge = last.map_or(values.len() as f64, |i| {
+        i as f64 - (threshold - values[i]) / (values[i - 1] - values[i])
     });
     let mut warnings = Vec::new();
-    let flat = values[start..end]
+    let flat_samples = values[start..end]
         .iter()
         .filter(|x| **x == values[peak])
         .count();
-    if flat >= MIN_FLAT_SAMPLES {
-        warnings.push(HitWarning::Clipped { samples: flat });
+    if flat_samples >= MIN_FLAT_SAMPLES {
+        warnings.push(HitWarning::Clipped {
+            samples: flat_samples,
+        });
     }
-    let inside = last.unwrap_or(values.len()) - first.map_or(0, |i| i + 1);
-    if inside < MIN_PULSE_SAMPLES {
-        warnings.push(HitWarning::Coarse { samples: inside });
+    let pulse_samples = last.unwrap_or(values.len()) - first.map_or(0, |i| i + 1);
+    if pulse_samples < MIN_PULSE_SAMPLES {
+        warnings.push(HitWarning::Coarse {
+            samples: pulse_samples,
+        });
     }
     if first.is_none() || last.is_none() {
         warnings.push(HitWarning::Cut);
@@ -243,7 +251,7 @@ fn hit(force: &Samples<'_>, search: HitSearch, start: usize, peak: usize, end: u
         peak,
         end,
         peak_force_n: values[peak],
-        contact_time_s: (fall - rise) / force.rate_hz(),
+        contact_time_s: (falling_edge - rising_edge) / force.rate_hz(),
         impulse_n_s: values[start..end].iter().sum::<f64>() / force.rate_hz(),
         warnings,
     }
@@ -271,10 +279,10 @@ mod tests {
     #[test]
     fn half_sines_have_their_known_time_and_impulse() {
         let values = with_pulses(&[(5_000, 80.0), (20_000, 60.0)]);
-        let found = hits(&Samples::new(&values, RATE).unwrap(), HitSearch::default()).unwrap();
-        assert_eq!(found.len(), 2);
+        let result = hits(&Samples::new(&values, RATE).unwrap(), HitSearch::default()).unwrap();
+        assert_eq!(result.len(), 2);
         let time = 1e-3 * (1.0 - 2.0 * 0.1_f64.asin() / PI);
-        for (hit, peak) in found.iter().zip([80.0, 60.0]) {
+        for (hit, peak) in result.iter().zip([80.0, 60.0]) {
             assert!(
                 (hit.contact_time_s / time - 1.0).abs() < 1e-4,
                 "{}",
@@ -290,35 +298,39 @@ mod tests {
     }
 
     #[test]
-    fn double_hits_flat_tops_and_coarse_pulses_are_told() {
-        let double = with_pulses(&[(5_000, 80.0), (5_900, 12.0)]);
-        let found = hits(&Samples::new(&double, RATE).unwrap(), HitSearch::default()).unwrap();
-        assert_eq!(found.len(), 1);
-        let [HitWarning::Double { after_s, force_n }] = found[0].warnings[..] else {
-            panic!("{found:?}")
+    fn double_hits_flat_tops_and_coarse_pulses_are_reported() {
+        let double_hit = with_pulses(&[(5_000, 80.0), (5_900, 12.0)]);
+        let result = hits(
+            &Samples::new(&double_hit, RATE).unwrap(),
+            HitSearch::default(),
+        )
+        .unwrap();
+        assert_eq!(result.len(), 1);
+        let [HitWarning::Double { after_s, force_n }] = result[0].warnings[..] else {
+            panic!("{result:?}")
         };
         assert!((after_s - 9e-3).abs() < 2e-5 && (force_n - 12.0).abs() < 0.1);
         let clipped: Vec<f64> = with_pulses(&[(5_000, 80.0)])
             .into_iter()
             .map(|x| x.min(60.0))
             .collect();
-        let found = hits(&Samples::new(&clipped, RATE).unwrap(), HitSearch::default()).unwrap();
+        let result = hits(&Samples::new(&clipped, RATE).unwrap(), HitSearch::default()).unwrap();
         assert!(
-            matches!(found[0].warnings[..], [HitWarning::Clipped { samples }] if samples > 30),
-            "{found:?}"
+            matches!(result[0].warnings[..], [HitWarning::Clipped { samples }] if samples > 30),
+            "{result:?}"
         );
-        let coarse: Vec<f64> = with_pulses(&[(5_000, 80.0)])
+        let coarse_values: Vec<f64> = with_pulses(&[(5_000, 80.0)])
             .into_iter()
             .step_by(40)
             .collect();
-        let found = hits(
-            &Samples::new(&coarse, RATE / 40.0).unwrap(),
+        let result = hits(
+            &Samples::new(&coarse_values, RATE / 40.0).unwrap(),
             HitSearch::default(),
         )
         .unwrap();
         assert!(
-            matches!(found[0].warnings[..], [HitWarning::Coarse { .. }]),
-            "{found:?}"
+            matches!(result[0].warnings[..], [HitWarning::Coarse { .. }]),
+            "{result:?}"
         );
     }
 
@@ -332,16 +344,16 @@ mod tests {
             let mut stream = jounce_core::drive::RandomStream::new(seed, 0);
             let mut values: Vec<f64> = (0..20_000).map(|_| 3.0 * stream.normal_pair()[0]).collect();
             (0..500).for_each(|k| values[5_000 + k] += 150.0 * (PI * k as f64 / 500.0).sin());
-            let found = hits(&Samples::new(&values, RATE).unwrap(), HitSearch::default()).unwrap();
-            assert_eq!(found.len(), 1, "{seed}: {found:?}");
+            let result = hits(&Samples::new(&values, RATE).unwrap(), HitSearch::default()).unwrap();
+            assert_eq!(result.len(), 1, "{seed}: {result:?}");
             assert!(
-                (found[0].peak_force_n - 150.0).abs() < 12.0,
-                "{seed}: {found:?}"
+                (result[0].peak_force_n - 150.0).abs() < 12.0,
+                "{seed}: {result:?}"
             );
             assert!(
-                (found[0].contact_time_s / time - 1.0).abs() < 0.15,
+                (result[0].contact_time_s / time - 1.0).abs() < 0.15,
                 "{seed}: {}",
-                found[0].contact_time_s / time
+                result[0].contact_time_s / time
             );
         }
     }

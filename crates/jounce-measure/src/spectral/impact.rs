@@ -6,7 +6,7 @@ use realfft::num_complex::Complex;
 use serde::Serialize;
 
 use super::pre_trigger_check::ringing;
-use super::shaker::{goes_on, shaken};
+use super::shaker::{is_continuous, shaker_responses};
 use super::{
     Estimator, FrequencyResponse, Hit, HitSearch, Segments, SpectralError, SpectrumAverages,
     WindowBias, exponential_window, force_window, hits,
@@ -71,7 +71,7 @@ pub struct ImpactResponses {
     /// All detected hits; empty for a continuous force.
     pub hits: Vec<ImpactHit>,
     /// True for a sweep.
-    pub swept: bool,
+    pub is_sweep: bool,
     /// Length of a block, s.
     pub block_s: f64,
     /// Damping that the exponential window adds to every mode, 1/s: the damping ratio of a mode at
@@ -96,11 +96,11 @@ pub fn impact(
     let first = records.first().ok_or(SpectralError::Nothing)?;
     let rate_hz = first.force.rate_hz();
     for record in records {
-        let unequal = record
+        let mismatched = record
             .responses
             .iter()
             .find(|response| response.values().len() != record.force.values().len());
-        if let Some(response) = unequal {
+        if let Some(response) = mismatched {
             return Err(SpectralError::Lengths {
                 force: record.force.values().len(),
                 response: response.values().len(),
@@ -119,17 +119,17 @@ pub fn impact(
             });
         }
     }
-    if settings.shaker || records.iter().all(|record| goes_on(&record.force)) {
-        return shaken(records, settings);
+    if settings.shaker || records.iter().all(|record| is_continuous(&record.force)) {
+        return shaker_responses(records, settings);
     }
-    let found = records
+    let result = records
         .iter()
         .map(|record| hits(&record.force, HitSearch::default()))
         .collect::<Result<Vec<_>, _>>()?;
     let samples = first.force.values().len();
     let length = match settings.block_s {
         Some(block_s) => (block_s * rate_hz).round() as usize,
-        None => usual(records, &found),
+        None => default_block_length(records, &result),
     };
     let segments = Segments::new(length, 0.0, Window::Rectangular)?;
     if records
@@ -146,11 +146,11 @@ pub fn impact(
         None => (vec![1.0; length], 0.0),
     };
     let mut averages = vec![SpectrumAverages::new(length / 2 + 1); first.responses.len()];
-    let (mut listed, mut tails_s) = (Vec::new(), Vec::new());
-    for (number, (record, found)) in records.iter().zip(found).enumerate() {
-        let whole = found.len() == 1 && record.force.values().len() == length;
-        for mut hit in found {
-            let start = if whole {
+    let (mut all_hits, mut tails_s) = (Vec::new(), Vec::new());
+    for (number, (record, result)) in records.iter().zip(result).enumerate() {
+        let is_full_record = result.len() == 1 && record.force.values().len() == length;
+        for mut hit in result {
+            let start = if is_full_record {
                 0
             } else {
                 hit.start
@@ -167,7 +167,7 @@ pub fn impact(
                     average.add(&force, &transform(&segments, response, start, &decay)?)?;
                 }
             }
-            listed.push(ImpactHit {
+            all_hits.push(ImpactHit {
                 record: number,
                 hit,
                 used,
@@ -175,17 +175,17 @@ pub fn impact(
         }
     }
     let frequency_hz = segments.frequency_hz(rate_hz);
-    let sight = WindowBias::Cut {
+    let window_bias = WindowBias::Cut {
         length_s: tails_s.iter().sum::<f64>() / tails_s.len().max(1) as f64,
     };
     let response = |average: &SpectrumAverages| {
-        average.response(frequency_hz.clone(), settings.estimator, sight)
+        average.response(frequency_hz.clone(), settings.estimator, window_bias)
     };
     let responses = averages.iter().map(response).collect::<Result<_, _>>()?;
     Ok(ImpactResponses {
         responses,
-        hits: listed,
-        swept: false,
+        hits: all_hits,
+        is_sweep: false,
         block_s: length as f64 / rate_hz,
         window_decay_per_s,
     })
@@ -193,12 +193,12 @@ pub fn impact(
 
 /// Complete record if each contains one hit, else the shortest distance between hits or from the
 /// last one to the end.
-fn usual(records: &[ImpactRecord<'_>], found: &[Vec<Hit>]) -> usize {
+fn default_block_length(records: &[ImpactRecord<'_>], result: &[Vec<Hit>]) -> usize {
     let lengths = || records.iter().map(|record| record.force.values().len());
-    if found.iter().all(|hits| hits.len() == 1) {
+    if result.iter().all(|hits| hits.len() == 1) {
         return lengths().min().unwrap_or(0);
     }
-    let apart = |(hits, length): (&Vec<Hit>, usize)| {
+    let hit_spacings = |(hits, length): (&Vec<Hit>, usize)| {
         let starts: Vec<usize> = hits.iter().map(|hit| hit.start).chain([length]).collect();
         starts
             .windows(2)
@@ -206,10 +206,10 @@ fn usual(records: &[ImpactRecord<'_>], found: &[Vec<Hit>]) -> usize {
             .collect::<Vec<_>>()
     };
     // The part before a hit shortens the distance to the previous hit.
-    found
+    result
         .iter()
         .zip(lengths())
-        .flat_map(apart)
+        .flat_map(hit_spacings)
         .min()
         .unwrap_or(0)
         / 2
@@ -234,12 +234,12 @@ fn transform(
     start: usize,
     weights: &[f64],
 ) -> Result<Vec<Complex<f64>>, SpectralError> {
-    let weighed: Vec<f64> = samples.values()[start..start + weights.len()]
+    let weighted: Vec<f64> = samples.values()[start..start + weights.len()]
         .iter()
         .zip(weights)
         .map(|(x, w)| x * w)
         .collect();
-    Ok(segments.transform(&Samples::new(&weighed, samples.rate_hz())?, 0, 0.0))
+    Ok(segments.transform(&Samples::new(&weighted, samples.rate_hz())?, 0, 0.0))
 }
 
 #[cfg(test)]
@@ -251,7 +251,7 @@ mod tests {
 
     const RATE: f64 = 1000.0;
 
-    fn struck(at: &[usize], length: usize) -> Vec<f64> {
+    fn hit_force(at: &[usize], length: usize) -> Vec<f64> {
         let mut force = vec![0.0; length];
         for start in at {
             (0..8).for_each(|k| {
@@ -266,32 +266,32 @@ mod tests {
     #[test]
     fn hits_in_a_row_give_the_response_of_the_system() {
         let oscillator = Oscillator::new(40.0, 0.05, RATE);
-        let force = struck(&[200, 2400, 4800], 8000);
-        let response = oscillator.answer(&force);
+        let force = hit_force(&[200, 2400, 4800], 8000);
+        let response = oscillator.simulate(&force);
         let record = ImpactRecord {
             force: Samples::new(&force, RATE).unwrap(),
             responses: vec![Samples::new(&response, RATE).unwrap()],
         };
-        let found = impact(&[record], &ImpactSettings::default()).unwrap();
-        assert_eq!((found.hits.len(), found.block_s), (3, 2.2));
-        let answer = &found.responses[0];
+        let result = impact(&[record], &ImpactSettings::default()).unwrap();
+        assert_eq!((result.hits.len(), result.block_s), (3, 2.2));
+        let measured = &result.responses[0];
         let peak = oscillator.exact(0.04).norm();
-        let error = answer
+        let error = measured
             .frequency_hz
             .iter()
-            .zip(&answer.value)
+            .zip(&measured.value)
             .filter(|(f, _)| **f < 170.0);
         let error = error
             .map(|(f, h)| (h - oscillator.exact(f / RATE)).norm() / peak)
             .fold(0.0, f64::max);
         assert!(error < 1e-10, "{error:e}");
-        assert!(answer.coherence[100] > 1.0 - 1e-9);
+        assert!(measured.coherence[100] > 1.0 - 1e-9);
     }
 
     /// Two hits before the structure is quiet: reported for the second one, with and without noise;
     /// noise alone is not reported.
     #[test]
-    fn a_structure_that_still_rings_is_told() {
+    fn residual_ringing_is_reported() {
         let mut stream = jounce_core::drive::RandomStream::new(5, 0);
         let noise: Vec<f64> = (0..8000).map(|_| stream.normal_pair()[0]).collect();
         for (damping_ratio, level, ringing) in [
@@ -300,10 +300,10 @@ mod tests {
             (0.05, 1e-2, false),
             (0.05, 0.0, false),
         ] {
-            let force = struck(&[200, 4200], 8000);
-            let clean = Oscillator::new(40.0, damping_ratio, RATE).answer(&force);
-            let rms = (clean.iter().map(|x| x * x).sum::<f64>() / 8000.0).sqrt();
-            let response: Vec<f64> = clean
+            let force = hit_force(&[200, 4200], 8000);
+            let exact_response = Oscillator::new(40.0, damping_ratio, RATE).simulate(&force);
+            let rms = (exact_response.iter().map(|x| x * x).sum::<f64>() / 8000.0).sqrt();
+            let response: Vec<f64> = exact_response
                 .iter()
                 .zip(&noise)
                 .map(|(x, n)| x + level * rms * n)
@@ -312,7 +312,7 @@ mod tests {
                 force: Samples::new(&force, RATE).unwrap(),
                 responses: vec![Samples::new(&response, RATE).unwrap()],
             };
-            let found = impact(
+            let result = impact(
                 &[record],
                 &ImpactSettings {
                     block_s: Some(3.5),
@@ -320,18 +320,18 @@ mod tests {
                 },
             )
             .unwrap();
-            let told = |k: usize| {
-                found.hits[k]
+            let is_reported = |k: usize| {
+                result.hits[k]
                     .hit
                     .warnings
                     .iter()
                     .any(|w| matches!(w, HitWarning::Ringing { .. }))
             };
             assert_eq!(
-                (told(0), told(1)),
+                (is_reported(0), is_reported(1)),
                 (false, ringing),
                 "{damping_ratio} {level}: {:?}",
-                found.hits
+                result.hits
             );
         }
     }
@@ -339,10 +339,10 @@ mod tests {
     /// A response that is longer than its block: the exponential window adds its decay to the
     /// damping and returns it. Measured 1.1 %: the nearest line is not at the peak.
     #[test]
-    fn an_exponential_window_tells_the_damping_that_it_adds() {
+    fn exponential_window_reports_its_added_damping() {
         let oscillator = Oscillator::new(40.0, 0.001, RATE);
-        let force = struck(&[20], 2000);
-        let response = oscillator.answer(&force);
+        let force = hit_force(&[20], 2000);
+        let response = oscillator.simulate(&force);
         let record = ImpactRecord {
             force: Samples::new(&force, RATE).unwrap(),
             responses: vec![Samples::new(&response, RATE).unwrap()],
@@ -351,59 +351,55 @@ mod tests {
             end_ratio: Some(1e-4),
             ..ImpactSettings::default()
         };
-        let found = impact(&[record], &settings).unwrap();
+        let result = impact(&[record], &settings).unwrap();
         // exp(-a k) x_k is the response of the oscillator whose poles are moved by a.
-        let damped = 0.001 + found.window_decay_per_s / (std::f64::consts::TAU * 40.0);
-        let highest = found.responses[0].value[60..100]
+        let damped = 0.001 + result.window_decay_per_s / (std::f64::consts::TAU * 40.0);
+        let peak = result.responses[0].value[60..100]
             .iter()
             .map(|h| h.norm())
             .fold(0.0, f64::max);
         let expected = Oscillator::new(40.0, damped, RATE).exact(0.04).norm();
-        assert!(
-            (highest / expected - 1.0).abs() < 0.03,
-            "{}",
-            highest / expected
-        );
+        assert!((peak / expected - 1.0).abs() < 0.03, "{}", peak / expected);
     }
 
     #[test]
     fn records_that_do_not_fit_are_errors() {
-        let force = struck(&[20], 2000);
-        let short = vec![0.0; 1999];
-        let (force, short) = (
+        let force = hit_force(&[20], 2000);
+        let short_response = vec![0.0; 1999];
+        let (force, short_response) = (
             Samples::new(&force, RATE).unwrap(),
-            Samples::new(&short, RATE).unwrap(),
+            Samples::new(&short_response, RATE).unwrap(),
         );
-        let unequal = ImpactRecord {
+        let mismatched_record = ImpactRecord {
             force,
-            responses: vec![short],
+            responses: vec![short_response],
         };
         assert!(matches!(
-            impact(&[unequal], &ImpactSettings::default()),
+            impact(&[mismatched_record], &ImpactSettings::default()),
             Err(SpectralError::Lengths { .. })
         ));
         let record = ImpactRecord {
             force,
             responses: vec![force],
         };
-        let long = ImpactSettings {
+        let long_block = ImpactSettings {
             block_s: Some(3.0),
             ..ImpactSettings::default()
         };
         assert!(matches!(
-            impact(std::slice::from_ref(&record), &long),
+            impact(std::slice::from_ref(&record), &long_block),
             Err(SpectralError::Segment { .. })
         ));
         assert!(matches!(
             impact(&[], &ImpactSettings::default()),
             Err(SpectralError::Nothing)
         ));
-        let silent = ImpactRecord {
-            force: short,
-            responses: vec![short],
+        let zero_record = ImpactRecord {
+            force: short_response,
+            responses: vec![short_response],
         };
         assert!(matches!(
-            impact(&[silent], &ImpactSettings::default()),
+            impact(&[zero_record], &ImpactSettings::default()),
             Err(SpectralError::NoHit { .. })
         ));
     }

@@ -36,7 +36,7 @@ const PERIODIC_VARIANCE_SHARE: f64 = 1e-3;
 /// Information content of a series.
 pub(super) struct LongRunVariance {
     /// Number of independent values.
-    pub effective: f64,
+    pub effective_count: f64,
     /// Variance of one value.
     pub variance: f64,
     /// Half-width of the 95 % confidence interval of the mean, before skewness.
@@ -46,25 +46,25 @@ pub(super) struct LongRunVariance {
 /// Computes the uncertainty of values about their mean.
 pub(super) fn long_run(values: &[f64]) -> LongRunVariance {
     let count = values.len() as f64;
-    let middle = values.iter().sum::<f64>() / count;
-    let row: Vec<f64> = values.iter().map(|x| x - middle).collect();
-    let variance = row.iter().map(|x| x * x).sum::<f64>() / count;
+    let mean = values.iter().sum::<f64>() / count;
+    let deviations: Vec<f64> = values.iter().map(|x| x - mean).collect();
+    let variance = deviations.iter().map(|x| x * x).sum::<f64>() / count;
     if variance <= 0.0 {
         return LongRunVariance {
-            effective: count,
+            effective_count: count,
             variance,
             half_width: 0.0,
         };
     }
-    let at_zero = density_at_zero(&row, variance);
+    let at_zero = density_at_zero(&deviations, variance);
     let independent = count * variance / at_zero;
     let corrected = |by: f64| (by / independent.max(MIN_INDEPENDENT_VALUES)).exp();
-    let careful = at_zero * corrected(CAUTION_FACTOR);
-    let freedom = (FREEDOM_PER_VALUE * count * variance / careful).max(MIN_FREEDOM);
+    let cautious_density = at_zero * corrected(CAUTION_FACTOR);
+    let freedom = (FREEDOM_PER_VALUE * count * variance / cautious_density).max(MIN_FREEDOM);
     LongRunVariance {
-        effective: (independent / corrected(BIAS_FACTOR)).min(count),
+        effective_count: (independent / corrected(BIAS_FACTOR)).min(count),
         variance,
-        half_width: student_95(freedom) * (careful / count).sqrt(),
+        half_width: student_95(freedom) * (cautious_density / count).sqrt(),
     }
 }
 
@@ -72,33 +72,37 @@ pub(super) fn long_run(values: &[f64]) -> LongRunVariance {
 fn density_at_zero(row: &[f64], variance: f64) -> f64 {
     let count = row.len() as f64;
     let (mut forward, mut backward) = (row.to_vec(), row.to_vec());
-    let (mut coefficients, mut left) = (vec![1.0], variance);
-    let (mut least, mut found) = (count * variance.ln(), variance);
+    let (mut coefficients, mut prediction_variance) = (vec![1.0], variance);
+    let (mut least_criterion, mut result) = (count * variance.ln(), variance);
     for order in 1..=MAX_ORDER.min(row.len() / 4) {
         let pairs = || forward[1..].iter().zip(&backward);
-        let (both, squares) = pairs().fold((0.0, 0.0), |(both, squares), (f, b)| {
-            (both + f * b, squares + f * f + b * b)
+        let (cross_sum, power_sum) = pairs().fold((0.0, 0.0), |(cross_sum, power_sum), (f, b)| {
+            (cross_sum + f * b, power_sum + f * f + b * b)
         });
-        if squares <= 0.0 {
+        if power_sum <= 0.0 {
             break;
         }
-        let reflection = -2.0 * both / squares;
+        let reflection = -2.0 * cross_sum / power_sum;
         (forward, backward) = pairs()
             .map(|(f, b)| (f + reflection * b, b + reflection * f))
             .unzip();
         coefficients.push(0.0);
-        let turned: Vec<f64> = coefficients.iter().rev().copied().collect();
+        let reversed: Vec<f64> = coefficients.iter().rev().copied().collect();
         coefficients
             .iter_mut()
-            .zip(turned)
+            .zip(reversed)
             .for_each(|(a, b)| *a += reflection * b);
-        left = (left * (1.0 - reflection * reflection)).max(PERIODIC_VARIANCE_SHARE * variance);
-        let cost = count * left.ln() + count.ln() * order as f64;
-        if cost < least {
-            (least, found) = (cost, left / coefficients.iter().sum::<f64>().powi(2));
+        prediction_variance = (prediction_variance * (1.0 - reflection * reflection))
+            .max(PERIODIC_VARIANCE_SHARE * variance);
+        let criterion = count * prediction_variance.ln() + count.ln() * order as f64;
+        if criterion < least_criterion {
+            (least_criterion, result) = (
+                criterion,
+                prediction_variance / coefficients.iter().sum::<f64>().powi(2),
+            );
         }
     }
-    found
+    result
 }
 
 #[cfg(test)]
@@ -109,7 +113,7 @@ mod tests {
     /// `x_k = 0.8 x_k-1 + e_k`: `n = M (1 - 0.8) / (1 + 0.8)`. Average of 200 series of 900 values,
     /// equivalent to 100: measured 99.
     #[test]
-    fn a_row_that_remembers_is_worth_what_its_process_says() {
+    fn effective_count_of_an_autoregressive_series_is_exact() {
         let row = |seed: u64| {
             let (mut stream, mut x) = (RandomStream::new(seed, 4), 0.0);
             let all: Vec<f64> = (0..1000)
@@ -120,18 +124,21 @@ mod tests {
                 .collect();
             all[100..].to_vec()
         };
-        let worth = (0..200)
-            .map(|seed| long_run(&row(seed)).effective)
+        let effective_count = (0..200)
+            .map(|seed| long_run(&row(seed)).effective_count)
             .sum::<f64>()
             / 200.0;
-        eprintln!("worth {worth:.1}");
-        assert!((worth / 100.0 - 1.0).abs() < 0.1, "{worth}");
+        eprintln!("worth {effective_count:.1}");
+        assert!(
+            (effective_count / 100.0 - 1.0).abs() < 0.1,
+            "{effective_count}"
+        );
     }
 
     #[test]
     fn a_constant_row_is_known_and_a_periodic_one_has_no_density_at_zero() {
         assert!(long_run(&[2.0; 64]).half_width == 0.0);
         let sine: Vec<f64> = (0..256).map(|k| (f64::from(k) * 0.9).sin()).collect();
-        assert!(long_run(&sine).effective > 200.0);
+        assert!(long_run(&sine).effective_count > 200.0);
     }
 }

@@ -81,27 +81,28 @@ pub fn mean_power(
     let mean_voltage_v = voltage.mean();
     let offset = if remove_mean { mean_voltage_v } else { 0.0 };
     let samples = voltage.values();
-    let short = SpectralError::Short {
+    let too_short = SpectralError::Short {
         samples: samples.len(),
         needed: BATCHES[0].0 * MIN_BATCH_SAMPLES,
     };
     if samples.len() < BATCHES[0].0 * MIN_BATCH_SAMPLES {
-        return Err(short);
+        return Err(too_short);
     }
-    let power_w = |part: &[f64]| {
-        part.iter()
+    let power_w = |values: &[f64]| {
+        values
+            .iter()
             .map(|v| (v - offset).powi(2) / resistance_ohm)
             .sum::<f64>()
-            / part.len() as f64
+            / values.len() as f64
     };
     let mean_power_w = power_w(samples);
-    let of = |(batches, quantile): (usize, f64)| {
-        let edge = |k: usize| k * samples.len() / batches;
+    let with_batches = |(batches, quantile): (usize, f64)| {
+        let boundary = |k: usize| k * samples.len() / batches;
         let means: Vec<f64> = (0..batches)
-            .map(|k| power_w(&samples[edge(k)..edge(k + 1)]))
+            .map(|k| power_w(&samples[boundary(k)..boundary(k + 1)]))
             .collect();
-        let (middle, count) = (mean(&means), batches as f64);
-        let variance = means.iter().map(|x| (x - middle).powi(2)).sum::<f64>() / (count - 1.0);
+        let (batch_mean, count) = (mean(&means), batches as f64);
+        let variance = means.iter().map(|x| (x - batch_mean).powi(2)).sum::<f64>() / (count - 1.0);
         let batch_correlation = correlation(&means);
         MeanPower {
             mean_power_w,
@@ -112,38 +113,38 @@ pub fn mean_power(
             // Means that differ only by roundoff are from a periodic record, and their correlation
             // is meaningless.
             correlated: batch_correlation > SIGNIFICANT_DEVIATIONS / count.sqrt()
-                && variance > (POWER_ROUNDOFF * middle).powi(2),
+                && variance > (POWER_ROUNDOFF * batch_mean).powi(2),
             mean_voltage_v,
         }
     };
-    let tried = BATCHES.map(of);
-    let found = tried
+    let candidates = BATCHES.map(with_batches);
+    let result = candidates
         .into_iter()
-        .find(|found| !found.correlated)
-        .or(tried.last().copied())
-        .ok_or(short)?;
+        .find(|result| !result.correlated)
+        .or(candidates.last().copied())
+        .ok_or(too_short)?;
     let count = MEMORY_MEANS.min(samples.len());
     let means: Vec<f64> = (0..count)
         .map(|k| power_w(&samples[k * samples.len() / count..(k + 1) * samples.len() / count]))
         .collect();
-    let row = long_run(&means);
-    let effective_samples = row.effective;
+    let long_run_variance = long_run(&means);
+    let effective_samples = long_run_variance.effective_count;
     if effective_samples >= MANY_INDEPENDENT_VALUES
-        || row.variance <= (POWER_ROUNDOFF * mean_power_w).powi(2)
+        || long_run_variance.variance <= (POWER_ROUNDOFF * mean_power_w).powi(2)
     {
         return Ok(MeanPower {
             effective_samples,
-            ..found
+            ..result
         });
     }
-    let relative = row.half_width / mean_power_w;
-    let half_width_w = row.half_width * (1.0 + SKEW_FACTOR * relative.min(1.0));
+    let relative = long_run_variance.half_width / mean_power_w;
+    let half_width_w = long_run_variance.half_width * (1.0 + SKEW_FACTOR * relative.min(1.0));
     let correlated = effective_samples < MIN_INDEPENDENT_VALUES;
     Ok(MeanPower {
         effective_samples,
-        half_width_w: found.half_width_w.max(half_width_w),
+        half_width_w: result.half_width_w.max(half_width_w),
         correlated,
-        ..found
+        ..result
     })
 }
 
@@ -155,11 +156,15 @@ fn mean(values: &[f64]) -> f64 {
 fn correlation(values: &[f64]) -> f64 {
     let mean = mean(values);
     let variance: f64 = values.iter().map(|x| (x - mean).powi(2)).sum();
-    let both: f64 = values
+    let lag_product: f64 = values
         .windows(2)
         .map(|pair| (pair[0] - mean) * (pair[1] - mean))
         .sum();
-    if variance > 0.0 { both / variance } else { 0.0 }
+    if variance > 0.0 {
+        lag_product / variance
+    } else {
+        0.0
+    }
 }
 
 /// Computes the mean power of a part of a record; `None` if it is too short for an interval.
@@ -173,7 +178,7 @@ pub fn mean_power_if_long(
 ) -> Result<Option<MeanPower>, SpectralError> {
     match mean_power(samples, resistance_ohm, remove_mean) {
         Err(SpectralError::Short { .. }) => Ok(None),
-        found => found.map(Some),
+        result => result.map(Some),
     }
 }
 
@@ -205,15 +210,15 @@ mod tests {
 
     /// The truth lies in the interval in 95 +- 3 % of 400 trials; measured 94 %.
     #[test]
-    fn the_interval_of_correlated_noise_holds_the_truth_as_often_as_it_says() {
+    fn interval_of_correlated_noise_has_its_coverage() {
         let truth = 1.0 / (1.0 - 0.81) / 50.0;
-        let inside = (0..400).filter(|seed| {
+        let covered = (0..400).filter(|seed| {
             let values = voltage(*seed, 8_000);
-            let found = mean_power(&Samples::new(&values, 100.0).unwrap(), 50.0, false).unwrap();
-            (found.mean_power_w - truth).abs() <= found.half_width_w
+            let result = mean_power(&Samples::new(&values, 100.0).unwrap(), 50.0, false).unwrap();
+            (result.mean_power_w - truth).abs() <= result.half_width_w
         });
-        let share = inside.count() as f64 / 400.0;
-        assert!((0.92..=0.98).contains(&share), "{share}");
+        let coverage = covered.count() as f64 / 400.0;
+        assert!((0.92..=0.98).contains(&coverage), "{coverage}");
     }
 
     /// A voltage with a peak of the relative width `2 zeta` at a twentieth of the rate; the
@@ -221,13 +226,13 @@ mod tests {
     fn narrow_band(seed: u64, count: usize, zeta: f64) -> Vec<f64> {
         let mut stream = RandomStream::new(seed, 2);
         let w = TAU * 0.05;
-        let turn = faer::c64::from_polar((-zeta * w).exp(), w);
-        let spread = (1.0 - turn.norm_sqr()).sqrt();
+        let pole = faer::c64::from_polar((-zeta * w).exp(), w);
+        let innovation = (1.0 - pole.norm_sqr()).sqrt();
         let [re, im] = stream.normal_pair();
         let mut state = faer::c64::new(re, im);
         let mut next = || {
             let [re, im] = stream.normal_pair();
-            state = state * turn + faer::c64::new(re, im) * spread;
+            state = state * pole + faer::c64::new(re, im) * innovation;
             state.re
         };
         (0..count).map(|_| next()).collect()
@@ -236,17 +241,17 @@ mod tests {
     const RECORDS: u64 = 1000;
 
     /// Share of 1000 records whose interval contains the truth, and share flagged as too short.
-    fn shares(truth: f64, record: impl Fn(u64) -> Vec<f64> + Sync) -> (f64, f64) {
-        let found = |seed: u64| {
+    fn coverage_and_warnings(truth: f64, record: impl Fn(u64) -> Vec<f64> + Sync) -> (f64, f64) {
+        let result = |seed: u64| {
             mean_power(&Samples::new(&record(seed), 100.0).unwrap(), 1.0, false).unwrap()
         };
-        let all: Vec<MeanPower> = (0..RECORDS).into_par_iter().map(found).collect();
-        let share = |of: &dyn Fn(&&MeanPower) -> bool| {
-            all.iter().filter(of).count() as f64 / RECORDS as f64
+        let all: Vec<MeanPower> = (0..RECORDS).into_par_iter().map(result).collect();
+        let fraction = |predicate: &dyn Fn(&&MeanPower) -> bool| {
+            all.iter().filter(predicate).count() as f64 / RECORDS as f64
         };
         (
-            share(&|one| (one.mean_power_w - truth).abs() <= one.half_width_w),
-            share(&|one| one.correlated),
+            fraction(&|one| (one.mean_power_w - truth).abs() <= one.half_width_w),
+            fraction(&|one| one.correlated),
         )
     }
 
@@ -260,19 +265,22 @@ mod tests {
         let zeta = |number: f64| number / (4000.0 * 2.0 * TAU * 0.05);
         let mut all = [0.0; 2];
         for number in [10.0, 20.0, 50.0, 100.0] {
-            let one = shares(1.0 / 0.19, |seed| voltage(seed, samples(number)));
-            let other = shares(1.0, |seed| narrow_band(seed, 4000, zeta(number)));
-            for (all, (name, (inside, told))) in all
+            let one = coverage_and_warnings(1.0 / 0.19, |seed| voltage(seed, samples(number)));
+            let other = coverage_and_warnings(1.0, |seed| narrow_band(seed, 4000, zeta(number)));
+            for (all, (name, (covered, warned))) in all
                 .iter_mut()
                 .zip([("forgets", one), ("narrow band", other)])
             {
-                eprintln!("{name}, worth {number}: inside {inside:.3}, told {told:.3}");
-                assert!((0.92..=0.98).contains(&inside), "{name} {number}: {inside}");
-                *all += inside / 4.0;
+                eprintln!("{name}, worth {number}: inside {covered:.3}, told {warned:.3}");
+                assert!(
+                    (0.92..=0.98).contains(&covered),
+                    "{name} {number}: {covered}"
+                );
+                *all += covered / 4.0;
             }
         }
         assert!(
-            all.iter().all(|inside| (0.92..=0.98).contains(inside)),
+            all.iter().all(|covered| (0.92..=0.98).contains(covered)),
             "{all:?}"
         );
     }
@@ -280,13 +288,13 @@ mod tests {
     /// For a correlation time above a tenth of the record the flag is set, and hardly ever well
     /// below.
     #[test]
-    fn a_memory_beyond_a_tenth_of_the_record_is_told() {
-        for (number, least, most) in [(5.0, 0.7, 1.0), (50.0, 0.0, 0.1)] {
-            let (inside, told) = shares(1.0, |seed| {
+    fn memory_beyond_a_tenth_of_the_record_is_reported() {
+        for (number, low, high) in [(5.0, 0.7, 1.0), (50.0, 0.0, 0.1)] {
+            let (covered, warned) = coverage_and_warnings(1.0, |seed| {
                 narrow_band(seed, 4000, number / (4000.0 * 2.0 * TAU * 0.05))
             });
-            eprintln!("worth {number}: inside {inside:.3}, told {told:.3}");
-            assert!((least..=most).contains(&told), "{number}: {told}");
+            eprintln!("worth {number}: inside {covered:.3}, told {warned:.3}");
+            assert!((low..=high).contains(&warned), "{number}: {warned}");
         }
         let long = mean_power(
             &Samples::new(&voltage(1, 80_000), 100.0).unwrap(),
@@ -301,22 +309,25 @@ mod tests {
     }
 
     #[test]
-    fn a_sine_has_its_mean_power_and_an_offset_is_kept_or_not() {
+    fn sine_has_its_mean_power_with_and_without_offset() {
         let values: Vec<f64> = (0..16_000)
             .map(|k| 1.0 + 3.0 * (TAU * f64::from(k) * 13.0 / 1000.0).sin())
             .collect();
         let samples = Samples::new(&values, 1000.0).unwrap();
-        let kept = mean_power(&samples, 2.0, false).unwrap();
-        let removed = mean_power(&samples, 2.0, true).unwrap();
+        let with_offset = mean_power(&samples, 2.0, false).unwrap();
+        let without_offset = mean_power(&samples, 2.0, true).unwrap();
         assert!(
-            (kept.mean_power_w - 2.75).abs() < 1e-9 && (removed.mean_power_w - 2.25).abs() < 1e-9,
-            "{kept:?}"
+            (with_offset.mean_power_w - 2.75).abs() < 1e-9
+                && (without_offset.mean_power_w - 2.25).abs() < 1e-9,
+            "{with_offset:?}"
         );
-        assert!(kept.half_width_w < 1e-3 * kept.mean_power_w && !kept.correlated);
+        assert!(
+            with_offset.half_width_w < 1e-3 * with_offset.mean_power_w && !with_offset.correlated
+        );
     }
 
     #[test]
-    fn a_drift_longer_than_the_batches_is_told() {
+    fn drift_longer_than_the_batches_is_reported() {
         let values: Vec<f64> = (0..10_000)
             .map(|k| 1.0 + (TAU * f64::from(k) / 10_000.0).sin())
             .collect();

@@ -33,8 +33,8 @@ pub use impact::{ImpactHit, ImpactRecord, ImpactResponses, ImpactSettings, impac
 pub use mean_power::{MeanPower, mean_power, mean_power_if_long};
 pub use response::{Estimator, FrequencyResponse, LeaveOneOutResponse, SpectrumAverages};
 pub use segments::Segments;
-pub(crate) use shaker::goes_on;
-pub use signal::{first_live, signal};
+pub(crate) use shaker::is_continuous;
+pub use signal::{first_varying, signal};
 pub use spectra::{Spectra, SpectraSettings, spectra, spectra_watched};
 pub use spectrogram::{Spectrogram, spectrogram, spectrogram_watched};
 pub(crate) use student::student_95;

@@ -31,20 +31,25 @@ pub(super) fn ringing(
         let mean = values.iter().sum::<f64>() / values.len() as f64;
         (values.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / values.len() as f64).sqrt()
     };
-    let share = |response: &Samples<'_>| {
-        let before = &response.values()[start..end];
-        let thirds = before
+    let motion_share = |response: &Samples<'_>| {
+        let pre_trigger = &response.values()[start..end];
+        let third_differences = pre_trigger
             .windows(4)
             .map(|x| (x[3] - 3.0 * x[2] + 3.0 * x[1] - x[0]).powi(2))
             .sum::<f64>();
-        let noise = (thirds / 20.0 / (before.len() - 3) as f64).sqrt();
-        let (motion, block) = (rms(before), rms(&response.values()[start..start + length]));
+        let noise = (third_differences / 20.0 / (pre_trigger.len() - 3) as f64).sqrt();
+        let (motion, block) = (
+            rms(pre_trigger),
+            rms(&response.values()[start..start + length]),
+        );
         if motion > MIN_NOISE_RATIO * noise {
             motion / block
         } else {
             0.0
         }
     };
-    let largest = responses.iter().map(share).fold(0.0, f64::max);
-    (largest > MIN_RINGING_SHARE).then_some(HitWarning::Ringing { share: largest })
+    let largest_share = responses.iter().map(motion_share).fold(0.0, f64::max);
+    (largest_share > MIN_RINGING_SHARE).then_some(HitWarning::Ringing {
+        share: largest_share,
+    })
 }

@@ -41,7 +41,7 @@ pub struct SpectrumAverages {
     /// Sums over consecutive blocks, equally many in each part except the last.
     parts: Vec<SpectrumSums>,
     /// Blocks per part.
-    each: usize,
+    blocks_per_part: usize,
 }
 
 /// Sums of products of spectra.
@@ -114,9 +114,9 @@ pub struct FrequencyResponse {
     /// Number of blocks averaged.
     pub blocks: usize,
     /// Window bias on a free decay.
-    pub sight: WindowBias,
+    pub window_bias: WindowBias,
     /// Responses without one part of the blocks, for each of up to 32 parts; empty for one block.
-    pub without: Vec<LeaveOneOutResponse>,
+    pub leave_one_out: Vec<LeaveOneOutResponse>,
 }
 
 /// Response without a part of its blocks.
@@ -134,7 +134,7 @@ impl SpectrumAverages {
         Self {
             all: SpectrumSums::new(lines),
             parts: Vec::new(),
-            each: 1,
+            blocks_per_part: 1,
         }
     }
 
@@ -158,10 +158,10 @@ impl SpectrumAverages {
         if self
             .parts
             .last()
-            .is_none_or(|part| part.blocks == self.each)
+            .is_none_or(|part| part.blocks == self.blocks_per_part)
         {
             if self.parts.len() == 2 * MAX_PARTS {
-                self.halve();
+                self.merge_pairs();
             }
             self.parts.push(SpectrumSums::new(lines));
         }
@@ -172,7 +172,7 @@ impl SpectrumAverages {
     }
 
     /// Joins consecutive parts in pairs.
-    fn halve(&mut self) {
+    fn merge_pairs(&mut self) {
         let mut parts = std::mem::take(&mut self.parts).into_iter();
         while let Some(mut part) = parts.next() {
             if let Some(next) = parts.next() {
@@ -181,7 +181,7 @@ impl SpectrumAverages {
             }
             self.parts.push(part);
         }
-        self.each *= 2;
+        self.blocks_per_part *= 2;
     }
 
     /// Computes the response at frequencies `frequency_hz` for blocks with a given window bias.
@@ -192,37 +192,37 @@ impl SpectrumAverages {
         &self,
         frequency_hz: Vec<f64>,
         estimator: Estimator,
-        sight: WindowBias,
+        window_bias: WindowBias,
     ) -> Result<FrequencyResponse, SpectralError> {
         let all = &self.all;
         if all.blocks == 0 {
             return Err(SpectralError::Nothing);
         }
         let coherence = (0..all.xx.len()).map(|k| {
-            let both = all.xx[k] * all.yy[k];
-            if both > 0.0 {
-                (all.xy[k].norm_sqr() / both).min(1.0)
+            let product = all.xx[k] * all.yy[k];
+            if product > 0.0 {
+                (all.xy[k].norm_sqr() / product).min(1.0)
             } else {
                 0.0
             }
         });
-        let without = |part: &SpectrumSums| {
-            let mut others = all.clone();
-            others.join(part, -1.0);
+        let leave_one_out = |part: &SpectrumSums| {
+            let mut remaining = all.clone();
+            remaining.join(part, -1.0);
             LeaveOneOutResponse {
                 share: part.blocks as f64 / all.blocks as f64,
-                value: others.values(estimator),
+                value: remaining.values(estimator),
             }
         };
-        let several = self.parts.iter().filter(|_| self.parts.len() > 1);
-        let (coherence, without) = (coherence.collect(), several.map(without).collect());
+        let parts = self.parts.iter().filter(|_| self.parts.len() > 1);
+        let (coherence, leave_one_out) = (coherence.collect(), parts.map(leave_one_out).collect());
         Ok(FrequencyResponse {
             frequency_hz,
             value: all.values(estimator),
             coherence,
             blocks: all.blocks,
-            sight,
-            without,
+            window_bias,
+            leave_one_out,
         })
     }
 }
@@ -267,21 +267,21 @@ pub(super) mod tests {
             }
         }
 
-        pub fn answer(&self, force: &[f64]) -> Vec<f64> {
+        pub fn simulate(&self, force: &[f64]) -> Vec<f64> {
             let (mut x, mut y) = ([0.0; 2], [0.0; 2]);
             let step = |f: &f64| {
-                let out = self.b[0] * f + self.b[1] * x[0] + self.b[2] * x[1]
+                let output = self.b[0] * f + self.b[1] * x[0] + self.b[2] * x[1]
                     - self.a[0] * y[0]
                     - self.a[1] * y[1];
-                (x, y) = ([*f, x[0]], [out, y[0]]);
-                out
+                (x, y) = ([*f, x[0]], [output, y[0]]);
+                output
             };
             force.iter().map(step).collect()
         }
 
         /// Displacement per force for exp(+jwt), mass 1.
-        pub fn exact(&self, turns: f64) -> Complex<f64> {
-            let z = Complex::from_polar(1.0, -TAU * turns);
+        pub fn exact(&self, cycles_per_sample: f64) -> Complex<f64> {
+            let z = Complex::from_polar(1.0, -TAU * cycles_per_sample);
             (self.b[0] + self.b[1] * z + self.b[2] * z * z)
                 / (1.0 + self.a[0] * z + self.a[1] * z * z)
         }
@@ -318,13 +318,13 @@ pub(super) mod tests {
     /// A hit whose response decays within the record: the quotient is the exact response. Measured
     /// 2e-14 of the peak.
     #[test]
-    fn the_response_to_a_hit_is_that_of_the_system_with_its_sign() {
+    fn response_to_a_hit_is_that_of_the_system() {
         let oscillator = Oscillator::new(40.0, 0.05, 1000.0);
         let mut force = vec![0.0; 4096];
         for (k, f) in force.iter_mut().enumerate().take(8) {
             *f = (std::f64::consts::PI * k as f64 / 8.0).sin();
         }
-        let response = oscillator.answer(&force);
+        let response = oscillator.simulate(&force);
         let (averages, frequency_hz) = averaged(&force, &response, 4096, Window::Rectangular);
         let peak = oscillator.exact(0.04).norm();
         for estimator in [
@@ -332,21 +332,21 @@ pub(super) mod tests {
             Estimator::H2,
             Estimator::Hv { noise_ratio: 1e-10 },
         ] {
-            let found = averages
+            let result = averages
                 .response(frequency_hz.clone(), estimator, WindowBias::Whole)
                 .unwrap();
             // The half sine of 8 samples has no force at line 768.
             let error = (0..700)
                 .map(|k| {
-                    (found.value[k] - oscillator.exact(frequency_hz[k] / 1000.0)).norm() / peak
+                    (result.value[k] - oscillator.exact(frequency_hz[k] / 1000.0)).norm() / peak
                 })
                 .fold(0.0, f64::max);
             eprintln!("{estimator:?}: {error:.1e} of the peak");
             assert!(error < 1e-12, "{estimator:?} {error:e}");
             // The sign convention: below resonance in phase, at resonance -90 degrees, for exp(+jwt).
             assert!(
-                found.value[4].arg().abs() < 0.02
-                    && (found.value[163].arg() + std::f64::consts::FRAC_PI_2).abs() < 0.05
+                result.value[4].arg().abs() < 0.02
+                    && (result.value[163].arg() + std::f64::consts::FRAC_PI_2).abs() < 0.05
             );
         }
     }
@@ -355,12 +355,14 @@ pub(super) mod tests {
     /// lowers H1 by the coherence. Away from the resonance, 511 blocks: measured 0.4 % low on
     /// average, both.
     #[test]
-    fn estimators_err_where_theory_says() {
+    fn estimators_have_the_errors_of_theory() {
         let oscillator = Oscillator::new(150.0, 0.3, 1000.0);
         let force = noise(1 << 17, 1);
-        let clean = oscillator.answer(&force);
-        let level = (clean.iter().map(|x| x * x).sum::<f64>() / clean.len() as f64).sqrt();
-        let noisy: Vec<f64> = clean
+        let exact_response = oscillator.simulate(&force);
+        let level = (exact_response.iter().map(|x| x * x).sum::<f64>()
+            / exact_response.len() as f64)
+            .sqrt();
+        let noisy: Vec<f64> = exact_response
             .iter()
             .zip(noise(1 << 17, 2))
             .map(|(y, n)| y + 0.5 * level * n)

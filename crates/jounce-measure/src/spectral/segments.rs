@@ -119,7 +119,7 @@ impl Segments {
     }
 
     /// 2 for lines that represent two frequencies, 1 at zero and at half the rate.
-    pub fn sides(&self, line: usize) -> f64 {
+    pub fn side_count(&self, line: usize) -> f64 {
         if line == 0 || 2 * line == self.length {
             1.0
         } else {
@@ -133,14 +133,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn too_few_samples_are_told_by_their_number() {
-        let told = |error: SpectralError| error.to_string();
-        let asked = Segments::new(3, 0.5, Window::Hann)
-            .map_err(told)
+    fn too_few_samples_are_reported_with_their_number() {
+        let message = |error: SpectralError| error.to_string();
+        let error_message = Segments::new(3, 0.5, Window::Hann)
+            .map_err(message)
             .err()
             .unwrap_or_default();
         assert_eq!(
-            asked,
+            error_message,
             "3 samples are too few for a spectrum: a segment, and therefore the record, needs at \
             least 8 samples"
         );

@@ -50,7 +50,7 @@ fn sweeps(force: &Samples<'_>) -> Result<bool, SpectralError> {
         Vec::new(),
     );
     for start in segments.starts(force.values().len())? {
-        let before: f64 = powers.iter().sum();
+        let previous_total: f64 = powers.iter().sum();
         for (k, x) in segments
             .transform(force, start, force.mean())
             .iter()
@@ -59,10 +59,11 @@ fn sweeps(force: &Samples<'_>) -> Result<bool, SpectralError> {
             powers[k] += x.norm_sqr();
             squares[k] += x.norm_sqr().powi(2);
         }
-        totals.push(powers.iter().sum::<f64>() - before);
+        totals.push(powers.iter().sum::<f64>() - previous_total);
     }
-    let share = |power: f64, square: f64| power * power / (square * totals.len() as f64);
-    let steady = share(
+    let occupancy =
+        |power: f64, square_sum: f64| power * power / (square_sum * totals.len() as f64);
+    let steady = occupancy(
         totals.iter().sum(),
         totals.iter().map(|total| total * total).sum(),
     );
@@ -71,33 +72,33 @@ fn sweeps(force: &Samples<'_>) -> Result<bool, SpectralError> {
         .iter()
         .zip(&squares)
         .filter(|(power, _)| **power > MIN_DRIVEN_SHARE * strongest);
-    let mut shares: Vec<f64> = driven
-        .map(|(power, square)| share(*power, *square))
+    let mut occupancies: Vec<f64> = driven
+        .map(|(power, square_sum)| occupancy(*power, *square_sum))
         .collect();
-    shares.sort_by(f64::total_cmp);
+    occupancies.sort_by(f64::total_cmp);
     Ok(steady > MIN_STEADY_SHARE
-        && shares
-            .get(shares.len() / 2)
-            .is_some_and(|share| *share < MAX_SWEEP_SHARE))
+        && occupancies
+            .get(occupancies.len() / 2)
+            .is_some_and(|occupancy| *occupancy < MAX_SWEEP_SHARE))
 }
 
 /// True for a continuous force of both signs: its peak is near its RMS, and tension is similar to
 /// compression.
-pub(crate) fn goes_on(force: &Samples<'_>) -> bool {
+pub(crate) fn is_continuous(force: &Samples<'_>) -> bool {
     let mean = force.mean();
-    let (mut squares, mut push, mut pull) = (0.0, 0.0_f64, 0.0_f64);
+    let (mut squares, mut max_positive, mut max_negative) = (0.0, 0.0_f64, 0.0_f64);
     for x in force.values().iter().map(|x| x - mean) {
         squares += x * x;
-        (push, pull) = (push.max(x), pull.max(-x));
+        (max_positive, max_negative) = (max_positive.max(x), max_negative.max(-x));
     }
     let rms = f64::sqrt(squares / force.values().len() as f64);
     rms > 0.0
-        && push.max(pull) < MIN_HAMMER_CREST * rms
-        && push.min(pull) > MAX_PULL_SHARE * push.max(pull)
+        && max_positive.max(max_negative) < MIN_HAMMER_CREST * rms
+        && max_positive.min(max_negative) > MAX_PULL_SHARE * max_positive.max(max_negative)
 }
 
 /// Averages the blocks of all records, which have equal rates and numbers of responses.
-pub(super) fn shaken(
+pub(super) fn shaker_responses(
     records: &[ImpactRecord<'_>],
     settings: &ImpactSettings,
 ) -> Result<ImpactResponses, SpectralError> {
@@ -106,27 +107,27 @@ pub(super) fn shaken(
     }
     let first = records.first().ok_or(SpectralError::Nothing)?;
     let rate_hz = first.force.rate_hz();
-    let shortest = records
+    let least_length = records
         .iter()
         .map(|record| record.force.values().len())
         .min()
         .unwrap_or(0);
-    let swept = records
+    let is_sweep = records
         .iter()
         .map(|record| sweeps(&record.force))
         .collect::<Result<Vec<_>, _>>()?
         .into_iter()
-        .all(|swept| swept);
-    let whole = swept && settings.block_s.is_none();
-    let usual = if whole {
-        shortest / 2 * 2
+        .all(|is_sweep| is_sweep);
+    let is_single_block = is_sweep && settings.block_s.is_none();
+    let default_length = if is_single_block {
+        least_length / 2 * 2
     } else {
-        shortest / RECORD_PARTS / 2 * 2
+        least_length / RECORD_PARTS / 2 * 2
     };
-    let length = settings
-        .block_s
-        .map_or(usual, |block_s| (block_s * rate_hz).round() as usize);
-    let (overlap, window) = if whole {
+    let length = settings.block_s.map_or(default_length, |block_s| {
+        (block_s * rate_hz).round() as usize
+    });
+    let (overlap, window) = if is_single_block {
         (0.0, Window::Rectangular)
     } else {
         (0.5, Window::Hann)
@@ -135,7 +136,7 @@ pub(super) fn shaken(
     let mut averages = vec![SpectrumAverages::new(length / 2 + 1); first.responses.len()];
     for record in records {
         // The mean of a sweep is not its offset, which affects no line above 0.
-        let mean = |samples: &Samples<'_>| if whole { 0.0 } else { samples.mean() };
+        let mean = |samples: &Samples<'_>| if is_single_block { 0.0 } else { samples.mean() };
         let force_mean = mean(&record.force);
         let means: Vec<f64> = record.responses.iter().map(mean).collect();
         for start in segments.starts(record.force.values().len())? {
@@ -149,19 +150,19 @@ pub(super) fn shaken(
     }
     let frequency_hz = segments.frequency_hz(rate_hz);
     let block_s = length as f64 / rate_hz;
-    let sight = if whole {
+    let window_bias = if is_single_block {
         WindowBias::Whole
     } else {
         WindowBias::Hann { length_s: block_s }
     };
     let response = |average: &SpectrumAverages| {
-        average.response(frequency_hz.clone(), settings.estimator, sight)
+        average.response(frequency_hz.clone(), settings.estimator, window_bias)
     };
     let responses = averages.iter().map(response).collect::<Result<_, _>>()?;
     Ok(ImpactResponses {
         responses,
         hits: Vec::new(),
-        swept,
+        is_sweep,
         block_s,
         window_decay_per_s: 0.0,
     })
@@ -182,7 +183,7 @@ mod tests {
         (0..count / 2).flat_map(|_| stream.normal_pair()).collect()
     }
 
-    fn answer(
+    fn measure(
         force: &[f64],
         response: &[f64],
         settings: &ImpactSettings,
@@ -203,7 +204,7 @@ mod tests {
     /// blocks, and the largest of the dozen lines of the peak is at 2 % to 3 %. Offsets of force
     /// and response have no effect.
     #[test]
-    fn forces_that_go_on_give_the_response_of_the_system() {
+    fn continuous_forces_give_the_response_of_the_system() {
         let oscillator = Oscillator::new(40.0, 0.05, RATE);
         let random = noise(120_000, 3);
         let bursts: Vec<f64> = random
@@ -214,12 +215,12 @@ mod tests {
         let peak = oscillator.exact(0.04).norm();
         for (name, force) in [("random", random), ("bursts", bursts)] {
             let response: Vec<f64> = oscillator
-                .answer(&force)
+                .simulate(&force)
                 .iter()
                 .map(|x| x + 0.1 * peak)
                 .collect();
             let offset: Vec<f64> = force.iter().map(|x| x + 0.5).collect();
-            let found = answer(
+            let result = measure(
                 &offset,
                 &response,
                 &ImpactSettings {
@@ -229,22 +230,22 @@ mod tests {
             )
             .unwrap();
             assert!(
-                found.hits.is_empty() && found.responses[0].blocks == 59,
+                result.hits.is_empty() && result.responses[0].blocks == 59,
                 "{name}"
             );
-            let lines = found.responses[0]
+            let lines = result.responses[0]
                 .frequency_hz
                 .iter()
-                .zip(&found.responses[0].value)
+                .zip(&result.responses[0].value)
                 .filter(|(f, _)| (5.0..170.0).contains(*f));
             let error = lines
                 .map(|(f, h)| (h - oscillator.exact(f / RATE)).norm() / peak)
                 .fold(0.0, f64::max);
             assert!(error < 0.03, "{name}: {error:.4}");
             assert!(
-                found.responses[0].coherence[160] > 0.99,
+                result.responses[0].coherence[160] > 0.99,
                 "{name}: {}",
-                found.responses[0].coherence[160]
+                result.responses[0].coherence[160]
             );
         }
     }
@@ -255,13 +256,13 @@ mod tests {
     fn noise_on_the_force_lowers_the_first_estimator_and_not_the_second() {
         let oscillator = Oscillator::new(40.0, 0.05, RATE);
         let force = noise(400_000, 3);
-        let response = oscillator.answer(&force);
+        let response = oscillator.simulate(&force);
         let noisy: Vec<f64> = force
             .iter()
             .zip(noise(400_000, 4))
             .map(|(f, n)| f + 0.5 * n)
             .collect();
-        for (estimator, share) in [
+        for (estimator, expected) in [
             (super::super::Estimator::H1, 0.8),
             (super::super::Estimator::H2, 1.0),
         ] {
@@ -270,17 +271,17 @@ mod tests {
                 block_s: Some(4.0),
                 ..ImpactSettings::default()
             };
-            let found = answer(&noisy, &response, &settings).unwrap();
-            let lines = found.responses[0]
+            let result = measure(&noisy, &response, &settings).unwrap();
+            let lines = result.responses[0]
                 .frequency_hz
                 .iter()
-                .zip(&found.responses[0].value)
+                .zip(&result.responses[0].value)
                 .filter(|(f, _)| (20.0..80.0).contains(*f));
             let ratios: Vec<f64> = lines
                 .map(|(f, h)| (h / oscillator.exact(f / RATE)).re)
                 .collect();
             let mean = ratios.iter().sum::<f64>() / ratios.len() as f64;
-            assert!((mean - share).abs() < 0.01, "{estimator:?}: {mean}");
+            assert!((mean - expected).abs() < 0.01, "{estimator:?}: {mean}");
         }
     }
 
@@ -290,72 +291,75 @@ mod tests {
     #[test]
     fn a_sweep_is_one_block_without_a_window() {
         let oscillator = Oscillator::new(40.0, 0.005, RATE);
-        let turns = |t: f64| 10.0 * t + 0.5 * 90.0 / 60.0 * t * t;
+        let phase_cycles = |t: f64| 10.0 * t + 0.5 * 90.0 / 60.0 * t * t;
         let force: Vec<f64> = (0..60_000)
-            .map(|k| (std::f64::consts::TAU * turns(f64::from(k) / RATE)).sin())
+            .map(|k| (std::f64::consts::TAU * phase_cycles(f64::from(k) / RATE)).sin())
             .collect();
-        let response = oscillator.answer(&force);
+        let response = oscillator.simulate(&force);
         let peak = oscillator.exact(0.04).norm();
         let error = |settings: &ImpactSettings| {
-            let found = answer(&force, &response, settings).unwrap();
-            assert!(found.swept);
-            let lines = found.responses[0]
+            let result = measure(&force, &response, settings).unwrap();
+            assert!(result.is_sweep);
+            let lines = result.responses[0]
                 .frequency_hz
                 .iter()
-                .zip(&found.responses[0].value)
+                .zip(&result.responses[0].value)
                 .filter(|(f, _)| (15.0..90.0).contains(*f));
             lines
                 .map(|(f, h)| (h - oscillator.exact(f / RATE)).norm() / peak)
                 .fold(0.0, f64::max)
         };
-        let (whole, blocks) = (
+        let (single_block, blocks) = (
             error(&ImpactSettings::default()),
             error(&ImpactSettings {
                 block_s: Some(4.0),
                 ..ImpactSettings::default()
             }),
         );
-        eprintln!("whole {whole:.1e}, Hann blocks {blocks:.1e} of the peak");
-        assert!(whole < 0.01 && blocks > 0.1, "{whole:e} {blocks:e}");
+        eprintln!("whole {single_block:.1e}, Hann blocks {blocks:.1e} of the peak");
+        assert!(
+            single_block < 0.01 && blocks > 0.1,
+            "{single_block:e} {blocks:e}"
+        );
         let random = noise(60_000, 3);
         assert!(
-            !answer(&random, &random, &ImpactSettings::default())
+            !measure(&random, &random, &ImpactSettings::default())
                 .unwrap()
-                .swept
+                .is_sweep
         );
     }
 
     #[test]
-    fn windows_of_hits_are_refused_and_a_hammer_may_be_called_a_shaker() {
+    fn hit_windows_are_refused_and_a_hammer_can_be_treated_as_a_shaker() {
         let force = noise(8_000, 5);
         let windowed = ImpactSettings {
             end_ratio: Some(0.01),
             ..ImpactSettings::default()
         };
         assert_eq!(
-            answer(&force, &force, &windowed),
+            measure(&force, &force, &windowed),
             Err(SpectralError::HitWindow)
         );
         let sine: Vec<f64> = (0..8_000).map(|k| (0.1 * f64::from(k)).sin()).collect();
         assert!(
-            goes_on(&Samples::new(&sine, RATE).unwrap())
-                && !goes_on(&Samples::new(&[0.0; 100], RATE).unwrap())
+            is_continuous(&Samples::new(&sine, RATE).unwrap())
+                && !is_continuous(&Samples::new(&[0.0; 100], RATE).unwrap())
         );
-        let mut struck = vec![0.0; 8_000];
-        (0..8).for_each(|k| struck[200 + k] = 50.0);
+        let mut hits = vec![0.0; 8_000];
+        (0..8).for_each(|k| hits[200 + k] = 50.0);
         assert_eq!(
-            answer(&struck, &struck, &ImpactSettings::default())
+            measure(&hits, &hits, &ImpactSettings::default())
                 .unwrap()
                 .hits
                 .len(),
             1
         );
-        let called = ImpactSettings {
+        let as_shaker = ImpactSettings {
             shaker: true,
             ..ImpactSettings::default()
         };
         assert_eq!(
-            answer(&struck, &struck, &called).unwrap().responses[0].blocks,
+            measure(&hits, &hits, &as_shaker).unwrap().responses[0].blocks,
             15
         );
     }

@@ -23,14 +23,14 @@ pub fn signal(channel: &Channel, rate_hz: f64) -> Result<Samples<'_>, SpectralEr
 
 /// First channel of a quantity with a signal, else the first channel with a signal, else the first
 /// channel of the quantity, else the first channel.
-pub fn first_live(record: &Recording, quantity: Quantity) -> Option<&Channel> {
-    let live = |channel: &&Channel| signal(channel, record.rate()).is_ok();
+pub fn first_varying(record: &Recording, quantity: Quantity) -> Option<&Channel> {
+    let is_varying = |channel: &&Channel| signal(channel, record.rate()).is_ok();
     let all = || record.channels.iter();
     let of_quantity = |channel: &&Channel| channel.quantity == quantity;
     all()
         .filter(of_quantity)
-        .find(live)
-        .or_else(|| all().find(live))
+        .find(is_varying)
+        .or_else(|| all().find(is_varying))
         .or_else(|| all().find(of_quantity))
         .or(record.channels.first())
 }
@@ -42,8 +42,8 @@ mod tests {
     use jounce_data::recording::{Grid, Over};
 
     #[test]
-    fn the_first_live_channel_is_the_default() {
-        let of = |channels: &[(&str, Quantity, f64)]| {
+    fn first_varying_channel_is_the_default() {
+        let default_channel = |channels: &[(&str, Quantity, f64)]| {
             let channel = |(name, quantity, last): &(&str, Quantity, f64)| {
                 Channel::new(name, *quantity, "", vec![1.0, 1.0, *last])
             };
@@ -56,26 +56,27 @@ mod tests {
                 channels,
                 findings: Vec::new(),
             };
-            first_live(&record, Quantity::Voltage).map(|channel| channel.name.clone())
+            first_varying(&record, Quantity::Voltage).map(|channel| channel.name.clone())
         };
         let (volts, motion) = (Quantity::Voltage, Quantity::Acceleration);
         assert_eq!(
-            of(&[("a", motion, 2.0), ("dead", volts, 1.0), ("v", volts, 3.0)]).as_deref(),
+            default_channel(&[("a", motion, 2.0), ("dead", volts, 1.0), ("v", volts, 3.0)])
+                .as_deref(),
             Some("v")
         );
         assert_eq!(
-            of(&[("dead", volts, 1.0), ("a", motion, 2.0)]).as_deref(),
+            default_channel(&[("dead", volts, 1.0), ("a", motion, 2.0)]).as_deref(),
             Some("a")
         );
         assert_eq!(
-            of(&[("a", motion, 1.0), ("dead", volts, 1.0)]).as_deref(),
+            default_channel(&[("a", motion, 1.0), ("dead", volts, 1.0)]).as_deref(),
             Some("dead")
         );
-        assert_eq!(of(&[]), None);
+        assert_eq!(default_channel(&[]), None);
     }
 
     #[test]
-    fn a_channel_that_never_moves_is_no_signal() {
+    fn constant_channel_is_no_signal() {
         let channel = |values: Vec<f64>| Channel::new("mfc", Quantity::Voltage, "V", values);
         assert_eq!(
             signal(&channel(vec![1.5, 1.5, 1.25]), 10.0)
@@ -83,11 +84,11 @@ mod tests {
                 .values(),
             [1.5, 1.5, 1.25]
         );
-        let told = signal(&channel(vec![1.5; 300]), 10.0)
+        let message = signal(&channel(vec![1.5; 300]), 10.0)
             .unwrap_err()
             .to_string();
         assert_eq!(
-            told,
+            message,
             "all 300 samples of mfc are 1.5: there is no signal; is it the right channel, and was its sensor connected?"
         );
         assert!(matches!(

@@ -63,7 +63,7 @@ pub fn spectra_watched(
     control: &Control,
 ) -> Result<Spectra, SpectralError> {
     let (count, rate_hz) = (samples.values().len(), samples.rate_hz());
-    let usual = || {
+    let default_length = || {
         (count / DEFAULT_SEGMENTS)
             .max(MIN_DEFAULT_SEGMENT)
             .min(count)
@@ -75,18 +75,18 @@ pub fn spectra_watched(
     let length = settings
         .segment_s
         .or(cycles_s)
-        .map_or_else(usual, |s| (s * rate_hz).round() as usize)
+        .map_or_else(default_length, |s| (s * rate_hz).round() as usize)
         / 2
         * 2;
     let segments = Segments::new(length, settings.overlap, settings.window)?;
     let orders = match settings.drive_hz {
         None => Vec::new(),
         Some(drive_hz) => {
-            let inside: Vec<f64> = REPORTED_ORDERS
+            let orders_in_range: Vec<f64> = REPORTED_ORDERS
                 .into_iter()
                 .filter(|order| order * drive_hz < 0.5 * rate_hz)
                 .collect();
-            samples.orders(drive_hz, &inside)?.lines
+            samples.orders(drive_hz, &orders_in_range)?.lines
         }
     };
     Ok(Spectra {
@@ -119,7 +119,7 @@ mod tests {
             |k: i32| 2.0 * (TAU * 0.012 * f64::from(k)).sin() + (TAU * 0.006 * f64::from(k)).sin();
         let values: Vec<f64> = (0..20_000).map(value).collect();
         let samples = Samples::new(&values, 1000.0).unwrap();
-        let found = spectra(
+        let result = spectra(
             &samples,
             &SpectraSettings {
                 drive_hz: Some(12.0),
@@ -128,20 +128,20 @@ mod tests {
         )
         .unwrap();
         assert_eq!(
-            (found.segments.length(), found.segments.step()),
+            (result.segments.length(), result.segments.step()),
             (2000, 1000)
         );
-        for line in &found.orders {
-            let exact = if line.order == 1.0 {
+        for line in &result.orders {
+            let expected = if line.order == 1.0 {
                 2.0
             } else {
                 f64::from(u8::from(line.order == 0.5))
             };
-            assert!((line.amplitude_peak - exact).abs() < 1e-9, "{line:?}");
+            assert!((line.amplitude_peak - expected).abs() < 1e-9, "{line:?}");
         }
-        assert!((found.density.variance_between(0.0, 500.0) - 2.5).abs() < 0.01);
-        let undriven = spectra(&samples, &settings()).unwrap();
-        assert!(undriven.orders.is_empty() && undriven.segments.length() == 624);
+        assert!((result.density.variance_between(0.0, 500.0) - 2.5).abs() < 0.01);
+        let without_drive = spectra(&samples, &settings()).unwrap();
+        assert!(without_drive.orders.is_empty() && without_drive.segments.length() == 624);
     }
 
     #[test]

@@ -61,13 +61,13 @@ pub fn spectrogram_watched(
         Ok(bins
             .iter()
             .enumerate()
-            .map(|(k, bin)| segments.sides(k) * bin.norm() / gain)
+            .map(|(k, bin)| segments.side_count(k) * bin.norm() / gain)
             .collect())
     };
-    let middle =
+    let centre =
         |start: &usize| (*start as f64 + segments.length() as f64 / 2.0) / samples.rate_hz();
     Ok(Spectrogram {
-        time_s: starts.iter().map(middle).collect(),
+        time_s: starts.iter().map(centre).collect(),
         frequency_hz: segments.frequency_hz(samples.rate_hz()),
         amplitude_peak: starts.iter().map(spectrum).collect::<Result<_, _>>()?,
         segment_s: segments.length() as f64 / samples.rate_hz(),
@@ -88,7 +88,7 @@ mod tests {
     /// a line; amplitude within 0.10 % with a flat top and 15.2 % with Hann, the loss of the
     /// windows for a frequency between two lines.
     #[test]
-    fn a_chirp_is_seen_at_its_frequency_with_its_amplitude() {
+    fn chirp_appears_at_its_frequency_and_amplitude() {
         let rate = 512.0;
         let value = |k: usize| {
             let t = k as f64 / rate;
@@ -96,31 +96,35 @@ mod tests {
         };
         let values: Vec<f64> = (0..51_200).map(value).collect();
         let samples = Samples::new(&values, rate).unwrap();
-        for (window, most) in [(Window::FlatTop, 0.01), (Window::Hann, 0.17)] {
-            let found = spectrogram(&samples, &Segments::new(512, 0.75, window).unwrap()).unwrap();
+        for (window, limit) in [(Window::FlatTop, 0.01), (Window::Hann, 0.17)] {
+            let result = spectrogram(&samples, &Segments::new(512, 0.75, window).unwrap()).unwrap();
             assert_eq!(
-                (found.segment_s, found.step_s, found.resolution_hz),
+                (result.segment_s, result.step_s, result.resolution_hz),
                 (1.0, 0.25, 1.0)
             );
-            let (mut off_hz, mut low): (f64, f64) = (0.0, 0.0);
-            for (time_s, spectrum) in found.time_s.iter().zip(&found.amplitude_peak) {
+            let (mut frequency_error_hz, mut amplitude_error): (f64, f64) = (0.0, 0.0);
+            for (time_s, spectrum) in result.time_s.iter().zip(&result.amplitude_peak) {
                 let line = (0..spectrum.len())
                     .max_by(|a, b| spectrum[*a].total_cmp(&spectrum[*b]))
                     .unwrap();
-                off_hz = off_hz.max((found.frequency_hz[line] - (10.0 + 0.5 * time_s)).abs());
-                low = low.max((spectrum[line] / 2.0 - 1.0).abs());
+                frequency_error_hz = frequency_error_hz
+                    .max((result.frequency_hz[line] - (10.0 + 0.5 * time_s)).abs());
+                amplitude_error = amplitude_error.max((spectrum[line] / 2.0 - 1.0).abs());
             }
             eprintln!(
-                "{window:?}: frequency off by at most {off_hz:.3} Hz, amplitude by {:.2} %",
-                100.0 * low
+                "{window:?}: frequency off by at most {frequency_error_hz:.3} Hz, amplitude by {:.2} %",
+                100.0 * amplitude_error
             );
-            assert!(off_hz < 0.55 && low < most, "{window:?} {off_hz} {low}");
+            assert!(
+                frequency_error_hz < 0.55 && amplitude_error < limit,
+                "{window:?} {frequency_error_hz} {amplitude_error}"
+            );
         }
     }
 
     /// A tone that changes its frequency in the middle appears at each, with its amplitude.
     #[test]
-    fn a_tone_is_seen_where_and_when_it_is() {
+    fn tones_appear_at_their_times_and_frequencies() {
         let tone = |k: i32| {
             if k < 5_000 {
                 2.0 * (TAU * 0.05 * f64::from(k)).sin()
@@ -129,15 +133,15 @@ mod tests {
             }
         };
         let values: Vec<f64> = (0..10_000).map(tone).collect();
-        let found = spectrogram(
+        let result = spectrogram(
             &Samples::new(&values, 1000.0).unwrap(),
             &Segments::new(400, 0.5, Window::FlatTop).unwrap(),
         )
         .unwrap();
-        for (time, spectrum) in found
+        for (time, spectrum) in result
             .time_s
             .iter()
-            .zip(&found.amplitude_peak)
+            .zip(&result.amplitude_peak)
             .filter(|(t, _)| (**t - 5.0).abs() > 0.4)
         {
             let (line, peak) = if *time < 5.0 { (20, 2.0) } else { (80, 3.0) };

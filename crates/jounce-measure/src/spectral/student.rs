@@ -32,14 +32,14 @@ pub(crate) fn student_95(freedom: f64) -> f64 {
             * step
             / 3.0
     };
-    let wanted = 0.95 * integral(end);
+    let target = 0.95 * integral(end);
     let (mut low, mut high) = (0.0, end);
     for _ in 0..60 {
-        let middle = (low + high) / 2.0;
-        if integral(middle) < wanted {
-            low = middle
+        let centre = (low + high) / 2.0;
+        if integral(centre) < target {
+            low = centre
         } else {
-            high = middle
+            high = centre
         }
     }
     freedom.sqrt() * low.tan()
@@ -60,10 +60,10 @@ mod tests {
             (15.0, 2.131_449_5),
             (1e6, 1.959_966_4),
         ];
-        for (freedom, exact) in table {
-            let off = student_95(freedom) / exact - 1.0;
-            eprintln!("{freedom}: {off:.1e}");
-            assert!(off.abs() < 3e-7, "{freedom} {off}");
+        for (freedom, expected) in table {
+            let relative_error = student_95(freedom) / expected - 1.0;
+            eprintln!("{freedom}: {relative_error:.1e}");
+            assert!(relative_error.abs() < 3e-7, "{freedom} {relative_error}");
         }
         assert!(
             (student_95(2.5) - 3.558).abs() < 0.3

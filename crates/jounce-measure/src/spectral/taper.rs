@@ -3,13 +3,13 @@
 /// Returns a force window: 1 over the hit, then a cosine slope to 0, which removes noise after the
 /// hit.
 ///
-/// `until` is the last sample of the hit and `slope` the length of the slope in samples.
-pub fn force_window(samples: usize, until: usize, slope: usize) -> Vec<f64> {
+/// `end` is the last sample of the hit and `slope` the length of the slope in samples.
+pub fn force_window(samples: usize, end: usize, slope: usize) -> Vec<f64> {
     let weight = |k: usize| {
-        if k <= until {
+        if k <= end {
             1.0
-        } else if k < until + slope {
-            0.5 + 0.5 * (std::f64::consts::PI * (k - until) as f64 / slope as f64).cos()
+        } else if k < end + slope {
+            0.5 + 0.5 * (std::f64::consts::PI * (k - end) as f64 / slope as f64).cos()
         } else {
             0.0
         }

@@ -71,17 +71,21 @@ impl WindowBias {
             Self::Cut { length_s } => constant(s, length_s, end),
             Self::Hann { length_s } => {
                 // A full turn over the length of a block does not change the end.
-                let turn = Complex::new(0.0, TAU / length_s);
-                let of = |s: Complex<f64>| (linear(s, length_s, end), constant(s, length_s, end));
-                let (falling, (below, one), (above, two)) =
-                    (linear(s, length_s, end), of(s - turn), of(s + turn));
+                let line_shift = Complex::new(0.0, TAU / length_s);
+                let linear_and_constant =
+                    |s: Complex<f64>| (linear(s, length_s, end), constant(s, length_s, end));
+                let (centre, (lower, one), (upper, two)) = (
+                    linear(s, length_s, end),
+                    linear_and_constant(s - line_shift),
+                    linear_and_constant(s + line_shift),
+                );
                 let sine = Complex::new(0.0, -1.0 / (2.0 * TAU));
-                let sum = |falling, below, above, one, two| {
-                    falling * (2.0 / 3.0) + (below + above) / 6.0 + (one - two) * sine
+                let sum = |centre, lower, upper, one, two| {
+                    centre * (2.0 / 3.0) + (lower + upper) / 6.0 + (one - two) * sine
                 };
                 (
-                    sum(falling.0, below.0, above.0, one.0, two.0),
-                    sum(falling.1, below.1, above.1, one.1, two.1),
+                    sum(centre.0, lower.0, upper.0, one.0, two.0),
+                    sum(centre.1, lower.1, upper.1, one.1, two.1),
                 )
             }
         }
@@ -103,11 +107,11 @@ fn linear(s: Complex<f64>, t: f64, end: Complex<f64>) -> (Complex<f64>, Complex<
     if is_small(s, t) {
         return series(s, t, 2);
     }
-    let (inverse, past) = (s.inv(), 1.0 - end);
-    let square = inverse * inverse;
+    let (inverse, decayed) = (s.inv(), 1.0 - end);
+    let inverse_squared = inverse * inverse;
     (
-        inverse - past * square / t,
-        past * square * inverse * (2.0 / t) - square - end * square,
+        inverse - decayed * inverse_squared / t,
+        decayed * inverse_squared * inverse * (2.0 / t) - inverse_squared - end * inverse_squared,
     )
 }
 
@@ -120,11 +124,11 @@ fn series(s: Complex<f64>, t: f64, order: u32) -> (Complex<f64>, Complex<f64>) {
     let x = -s * t;
     let (mut value, mut slope) = (Complex::new(0.0, 0.0), Complex::new(0.0, 0.0));
     let mut factorial: f64 = (1..=order).map(f64::from).product();
-    let (mut power, mut before) = (Complex::new(1.0, 0.0), Complex::new(0.0, 0.0));
+    let (mut power, mut previous_power) = (Complex::new(1.0, 0.0), Complex::new(0.0, 0.0));
     for n in 0..SERIES_TERMS {
         value += power / factorial;
-        slope += before * (f64::from(n) / factorial);
-        (before, power) = (power, power * x);
+        slope += previous_power * (f64::from(n) / factorial);
+        (previous_power, power) = (power, power * x);
         factorial *= f64::from(n + 1 + order);
     }
     (value * t, slope * (-t * t))
@@ -167,14 +171,16 @@ mod tests {
         ]
         .map(|(re, im)| Complex::new(re, im));
         for s in numbers {
-            for (sight, left) in [
+            for (window_bias, kernel) in [
                 (WindowBias::Hann { length_s }, hann.clone()),
                 (WindowBias::Cut { length_s }, vec![1.0; count + 1]),
             ] {
                 let step = length_s / count as f64;
                 let integral = |moment: i32| -> Complex<f64> {
                     let at = |k: usize| {
-                        (-(k as f64) * step).powi(moment) * left[k] * (-s * (k as f64 * step)).exp()
+                        (-(k as f64) * step).powi(moment)
+                            * kernel[k]
+                            * (-s * (k as f64 * step)).exp()
                     };
                     let weight = |k: usize| {
                         if k == 0 || k == count {
@@ -185,22 +191,25 @@ mod tests {
                     };
                     (0..=count).map(|k| at(k) * weight(k)).sum::<Complex<f64>>() * (step / 3.0)
                 };
-                let (value, slope) = sight.transform(s);
-                let off = [
+                let (value, slope) = window_bias.transform(s);
+                let errors = [
                     (value - integral(0)).norm() / value.norm(),
                     (slope - integral(1)).norm() / slope.norm(),
                 ];
-                assert!(off[0] < 1e-6 && off[1] < 1e-6, "{sight:?} {s}: {off:?}");
+                assert!(
+                    errors[0] < 1e-6 && errors[1] < 1e-6,
+                    "{window_bias:?} {s}: {errors:?}"
+                );
             }
         }
         // The series and the closed form agree.
-        for sight in [WindowBias::Hann { length_s }, WindowBias::Cut { length_s }] {
+        for window_bias in [WindowBias::Hann { length_s }, WindowBias::Cut { length_s }] {
             let (below, above) = (Complex::new(0.2, 0.149_999), Complex::new(0.2, 0.150_001));
-            let ((a, da), (b, db)) = (sight.transform(below), sight.transform(above));
+            let ((a, da), (b, db)) = (window_bias.transform(below), window_bias.transform(above));
             let slope = Complex::new(0.0, 2e-6) * da;
             assert!(
                 (b - a - slope).norm() < 1e-10 && (db - da).norm() < 1e-4,
-                "{sight:?}"
+                "{window_bias:?}"
             );
         }
     }

@@ -23,12 +23,12 @@ pub(super) fn tables(
         .map(|channel| 1 + usize::from(channel.imaginary.is_some()))
         .sum::<usize>();
     let pieces = recording.places.count().div_ceil(PIECE).max(1);
-    let together = (NUMBERS / width / PIECE).max(1);
-    (0..pieces).step_by(together).map(move |first| {
+    let block_pieces = (NUMBERS / width / PIECE).max(1);
+    (0..pieces).step_by(block_pieces).map(move |first| {
         table(
             recording,
             units_in_names,
-            first..(first + together).min(pieces),
+            first..(first + block_pieces).min(pieces),
         )
     })
 }
@@ -38,7 +38,7 @@ fn table(
     units_in_names: bool,
     pieces: std::ops::Range<usize>,
 ) -> Result<Table, WriteError> {
-    let named = |name: &str, unit: &str| {
+    let column_name = |name: &str, unit: &str| {
         if units_in_names && !unit.is_empty() {
             format!("{name} [{unit}]")
         } else {
@@ -57,20 +57,20 @@ fn table(
         rows(&recording.places, &pieces)?,
     )])?;
     for channel in &recording.channels {
-        let about = [channel.place.as_str(), channel.direction.as_str()].join(" ");
-        let mut push = |name: &str, numbers: &ColumnNumbers| -> Result<(), WriteError> {
+        let position = [channel.place.as_str(), channel.direction.as_str()].join(" ");
+        let mut write_column = |name: &str, numbers: &ColumnNumbers| -> Result<(), WriteError> {
             Ok(table.push(Column::new(
-                &named(name, &channel.unit),
+                &column_name(name, &channel.unit),
                 &channel.unit,
-                about.trim(),
+                position.trim(),
                 rows(numbers, &pieces)?,
             ))?)
         };
         match &channel.imaginary {
-            None => push(&channel.name, &channel.values)?,
+            None => write_column(&channel.name, &channel.values)?,
             Some(imaginary) => {
-                push(&format!("{}.re", channel.name), &channel.values)?;
-                push(&format!("{}.im", channel.name), imaginary)?;
+                write_column(&format!("{}.re", channel.name), &channel.values)?;
+                write_column(&format!("{}.im", channel.name), imaginary)?;
             }
         }
     }
@@ -94,18 +94,20 @@ pub(super) fn manifest(recording: &RecordingSummary) -> Manifest {
     let manifest = Manifest::new("")
         .with("recording", &recording.name)
         .with("findings", findings.join("; "));
-    let told = |channel: &ChannelSummary| {
-        let told = [
+    let attributes_of = |channel: &ChannelSummary| {
+        let attributes = [
             (PLACE, &channel.place),
             (DIRECTION, &channel.direction),
             (REFERENCE, &channel.reference),
         ];
-        told.map(|(key, told)| (format!("{key}{}", channel.name), told.clone()))
+        attributes.map(|(key, value)| (format!("{key}{}", channel.name), value.clone()))
     };
-    let told = recording
+    let attributes = recording
         .channels
         .iter()
-        .flat_map(told)
-        .filter(|(_, told)| !told.is_empty());
-    told.fold(manifest, |manifest, (key, told)| manifest.with(&key, told))
+        .flat_map(attributes_of)
+        .filter(|(_, value)| !value.is_empty());
+    attributes.fold(manifest, |manifest, (key, value)| {
+        manifest.with(&key, value)
+    })
 }

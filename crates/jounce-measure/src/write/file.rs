@@ -91,12 +91,12 @@ pub fn write(recording: &Recording, path: &Path) -> Result<(), WriteError> {
 /// # Errors
 /// Those of [`write()`], and a scratch file that cannot be read.
 pub fn write_surveyed(recording: &RecordingSummary, path: &Path) -> Result<(), WriteError> {
-    match path.extension().and_then(|ending| ending.to_str()) {
+    match path.extension().and_then(|extension| extension.to_str()) {
         Some("uff" | "unv") => uff(recording, path),
-        Some(ending @ ("parquet" | "csv")) => Table::write_joined(
+        Some(extension @ ("parquet" | "csv")) => Table::write_joined(
             path,
             &columns::manifest(recording),
-            columns::tables(recording, ending == "csv"),
+            columns::tables(recording, extension == "csv"),
         ),
         _ => Err(WriteError::Format {
             path: path.to_owned(),
@@ -105,13 +105,13 @@ pub fn write_surveyed(recording: &RecordingSummary, path: &Path) -> Result<(), W
 }
 
 fn uff(recording: &RecordingSummary, path: &Path) -> Result<(), WriteError> {
-    let mut failure = None;
+    let mut first_error = None;
     let stored = store::write_from(path, |file| {
         uff58::encode(recording, BufWriter::new(file)).map_err(|error| {
-            failure = Some(error);
+            first_error = Some(error);
             io::Error::other("the recording could not be written")
         })
     });
-    failure.map_or(Ok(()), Err)?;
+    first_error.map_or(Ok(()), Err)?;
     Ok(stored?)
 }

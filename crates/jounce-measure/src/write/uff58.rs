@@ -12,17 +12,22 @@ use jounce_data::recording::{Over, PIECE, Quantity, Series};
 
 /// Writes one data set for each channel, piece by piece.
 pub(super) fn encode(recording: &RecordingSummary, mut to: impl Write) -> Result<(), WriteError> {
-    fits("the recording", "name", &recording.name, LINE)?;
+    fits("the recording", "name", &recording.name, LINE_COLUMNS)?;
     for (k, channel) in recording.channels.iter().enumerate() {
         finite(channel)?;
-        fits(&channel.name, "name", &channel.name, LINE)?;
-        fits(&channel.name, "unit", &channel.unit, LABEL)?;
-        fits(&channel.name, "place", place(channel, 0).0, PLACE)?;
+        fits(&channel.name, "name", &channel.name, LINE_COLUMNS)?;
+        fits(&channel.name, "unit", &channel.unit, LABEL_COLUMNS)?;
+        fits(
+            &channel.name,
+            "place",
+            node_position(channel, 0).0,
+            NAME_COLUMNS,
+        )?;
         fits(
             &channel.name,
             "place of the force",
             reference(channel).0,
-            PLACE,
+            NAME_COLUMNS,
         )?;
         writeln!(to, "    -1\n    58")?;
         header(&mut to, recording, channel, k + 1)?;
@@ -33,9 +38,9 @@ pub(super) fn encode(recording: &RecordingSummary, mut to: impl Write) -> Result
 }
 
 /// Columns of a line of the header, of a label or a unit, and of the name of a location.
-const LINE: usize = 80;
-const LABEL: usize = 20;
-const PLACE: usize = 10;
+const LINE_COLUMNS: usize = 80;
+const LABEL_COLUMNS: usize = 20;
+const NAME_COLUMNS: usize = 10;
 
 /// Refuses a text that would be truncated or altered.
 fn fits(of: &str, what: &'static str, text: &str, most: usize) -> Result<(), WriteError> {
@@ -64,12 +69,12 @@ fn fits(of: &str, what: &'static str, text: &str, most: usize) -> Result<(), Wri
 /// Refuses a channel with a sample that is not finite.
 fn finite(channel: &ChannelSummary) -> Result<(), WriteError> {
     for numbers in std::iter::once(&channel.values).chain(&channel.imaginary) {
-        let (mut sample, mut odd) = (0, None);
+        let (mut sample, mut first_non_finite) = (0, None);
         numbers.each(|x| {
-            odd = odd.or((!x.is_finite()).then_some((sample, x)));
+            first_non_finite = first_non_finite.or((!x.is_finite()).then_some((sample, x)));
             sample += 1;
         })?;
-        if let Some((sample, value)) = odd {
+        if let Some((sample, value)) = first_non_finite {
             return Err(WriteError::NotFinite {
                 channel: channel.name.clone(),
                 sample,
@@ -94,11 +99,11 @@ fn header(
         (false, _) => 12,
     };
     let kind = if channel.imaginary.is_some() { 6 } else { 4 };
-    let (start, step, even) = match recording.places {
+    let (start, step, is_uniform) = match recording.places {
         SamplePlaces::Even { start, step, .. } => (start, step, 1),
         SamplePlaces::Stamped { .. } => (0.0, 0.0, 0),
     };
-    let (place, node) = place(channel, number);
+    let (place, node) = node_position(channel, number);
     writeln!(
         to,
         "{:<80}\n{:<80}\n{:<80}\n{:<80}\n{:<80}",
@@ -113,7 +118,7 @@ fn header(
     )?;
     writeln!(
         to,
-        "{kind:>10}{:>10}{even:>10} {} {} {}",
+        "{kind:>10}{:>10}{is_uniform:>10} {} {} {}",
         channel.values.count(),
         e12(start),
         e12(step),
@@ -138,7 +143,7 @@ fn axis(to: &mut impl Write, kind: u32, label: &str, unit: &str) -> std::io::Res
         0,
         0,
         0,
-        label.chars().take(LABEL).collect::<String>(),
+        label.chars().take(LABEL_COLUMNS).collect::<String>(),
         unit
     )
 }
@@ -148,30 +153,30 @@ fn data(
     recording: &RecordingSummary,
     channel: &ChannelSummary,
 ) -> std::io::Result<()> {
-    let stamped = matches!(recording.places, SamplePlaces::Stamped { .. });
-    let points_in_line = match (stamped, channel.imaginary.is_some()) {
+    let is_stamped = matches!(recording.places, SamplePlaces::Stamped { .. });
+    let points_in_line = match (is_stamped, channel.imaginary.is_some()) {
         (false, false) => 4,
         (true, true) => 1,
         _ => 2,
     };
     let count = channel.values.count();
     for index in 0..count.div_ceil(PIECE) {
-        let (places, values) = (recording.places.piece(index)?, channel.values.piece(index)?);
+        let (abscissae, values) = (recording.places.piece(index)?, channel.values.piece(index)?);
         let imaginary = channel
             .imaginary
             .as_ref()
             .map(|imaginary| imaginary.piece(index))
             .transpose()?;
         for (k, value) in values.iter().enumerate() {
-            if let (true, Some(place)) = (stamped, places.get(k)) {
+            if let (true, Some(place)) = (is_stamped, abscissae.get(k)) {
                 write!(to, " {}", e12(*place))?;
             }
             write!(to, "{}", e20(*value))?;
             if let Some(imaginary) = imaginary.as_ref().and_then(|imaginary| imaginary.get(k)) {
                 write!(to, "{}", e20(*imaginary))?;
             }
-            let written = index * PIECE + k + 1;
-            if written.is_multiple_of(points_in_line) || written == count {
+            let row = index * PIECE + k + 1;
+            if row.is_multiple_of(points_in_line) || row == count {
                 writeln!(to)?;
             }
         }
@@ -225,7 +230,7 @@ fn node(place: &str) -> Option<usize> {
 
 /// Name and node of a channel: a location is a node, or a name, which would be lost if a number
 /// were also written; a channel without one is a separate node.
-fn place(channel: &ChannelSummary, number: usize) -> (&str, usize) {
+fn node_position(channel: &ChannelSummary, number: usize) -> (&str, usize) {
     match (channel.place.as_str(), node(&channel.place)) {
         ("", _) => ("NONE", number),
         (_, Some(node)) => ("NONE", node),
@@ -236,14 +241,16 @@ fn place(channel: &ChannelSummary, number: usize) -> (&str, usize) {
 /// Name, node and direction of the reference force of a response function.
 fn reference(channel: &ChannelSummary) -> (&str, usize, i32) {
     let text = channel.reference.as_str();
-    let (place, way) = text
+    let (place, sense) = text
         .rsplit_once(' ')
-        .map_or((text, 0), |(place, way)| (place, direction(way)));
-    let place = if way == 0 { text } else { place };
+        .map_or((text, 0), |(place, direction_text)| {
+            (place, direction(direction_text))
+        });
+    let place = if sense == 0 { text } else { place };
     match (place, node(place)) {
         ("", _) => ("NONE", 0, 0),
-        (_, Some(node)) => ("NONE", node, way),
-        (name, None) => (name, 0, way),
+        (_, Some(node)) => ("NONE", node, sense),
+        (name, None) => (name, 0, sense),
     }
 }
 

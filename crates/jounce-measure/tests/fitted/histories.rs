@@ -49,7 +49,7 @@ fn simulated_record(text: &str) -> Recording {
         duration_s: 0.16,
         before_s: 0.0,
         starts: vec![(0.0, start)],
-        wander: Disturbance::NONE,
+        disturbance: Disturbance::NONE,
         accelerometers: Vec::new(),
         sensor: Sensor {
             noise_ratio: 0.03,

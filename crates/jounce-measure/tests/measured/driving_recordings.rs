@@ -86,7 +86,7 @@ fn driven(motion: &Recording, gap: &str) -> (Plant, Recording, MeanPower) {
         duration_s: spec.run.duration_s,
         before_s: 0.0,
         starts: vec![(0.0, StartState::rest(&plant))],
-        wander: Disturbance::NONE,
+        disturbance: Disturbance::NONE,
         accelerometers: Vec::new(),
         sensor: Sensor {
             noise_ratio: 0.0,

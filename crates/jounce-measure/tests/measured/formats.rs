@@ -36,7 +36,7 @@ fn the_unit_of_a_response_gives_its_quantity() {
             ),
             (Quantity::Response, si)
         );
-        let responses = MeasuredResponses::given(&[recording]).expect("responses");
+        let responses = MeasuredResponses::from_functions(&[recording]).expect("responses");
         let band = Band::of(&responses, (10.0, 30.0)).expect("a band");
         let modes = identify(&band, ModalSettings { order: 10 })
             .expect("modes")
@@ -252,7 +252,7 @@ fn the_selected_record_of_several_is_reported() {
     .expect("a file");
     for recording in [
         read::record(&path),
-        read::survey_record(&path).map(|summary| summary.into_recording().expect("in memory")),
+        read::record_summary(&path).map(|summary| summary.into_recording().expect("in memory")),
     ] {
         let recording = recording.unwrap_or_else(|fault| panic!("{fault}"));
         assert!((recording.rate() - 1000.0).abs() < 1e-6);

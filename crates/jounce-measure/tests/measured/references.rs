@@ -60,8 +60,8 @@ fn responses(
             frequency_hz: frequency_hz.clone(),
             value,
             blocks: 1,
-            sight: WindowBias::Whole,
-            without: Vec::new(),
+            window_bias: WindowBias::Whole,
+            leave_one_out: Vec::new(),
         }
     };
     let pairs: Vec<(usize, usize)> = sensors
@@ -266,7 +266,7 @@ fn references_of_a_file_of_response_functions_are_used() {
         written.channels.reverse();
         write(&written, &path).expect("a file");
         let read = read::file(&path).expect("what was written").recordings;
-        let responses = MeasuredResponses::given(&read).expect("responses");
+        let responses = MeasuredResponses::from_functions(&read).expect("responses");
         assert_eq!(
             responses.references,
             [reference(3), reference(0)],
@@ -328,7 +328,7 @@ fn references_without_all_their_functions_are_reported() {
         (unspecified, "unspecified"),
     ] {
         let count = recording.channels.len();
-        let responses = MeasuredResponses::given(&[recording]).expect("responses");
+        let responses = MeasuredResponses::from_functions(&[recording]).expect("responses");
         assert!(
             responses.references.is_empty() && responses.outputs.len() == count,
             "{message}"
@@ -339,7 +339,7 @@ fn references_without_all_their_functions_are_reported() {
             responses.findings
         );
     }
-    let responses = MeasuredResponses::given(&[complete]).expect("responses");
+    let responses = MeasuredResponses::from_functions(&[complete]).expect("responses");
     assert_eq!(
         (
             responses.references.len(),

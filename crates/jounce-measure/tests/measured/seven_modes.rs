@@ -168,8 +168,8 @@ fn voltages_and_accelerations_are_identified_together() {
             value,
             coherence,
             blocks: 1,
-            sight: WindowBias::Whole,
-            without: Vec::new(),
+            window_bias: WindowBias::Whole,
+            leave_one_out: Vec::new(),
         }
     };
     let kind = |position: usize| {

@@ -163,10 +163,10 @@ impl From<SolutionError> for Failure {
                 Self::new("ConvergenceError", &error).with(json!({ "starts": starts }))
             }
             SolutionError::UnknownSolution {
-                ref wanted,
+                ref requested,
                 ref known,
             } => Self {
-                details: json!({ "solution": wanted, "known": known }),
+                details: json!({ "solution": requested, "known": known }),
                 ..Self::new("ArgumentError", &error)
             },
             error => Self::new("ArgumentError", error),

@@ -111,7 +111,7 @@ impl Hammer {
             .iter()
             .all(|recording| recording.over == Over::Frequency)
         {
-            return Ok(MeasuredResponses::given(&recordings)?);
+            return Ok(MeasuredResponses::from_functions(&recordings)?);
         }
         let records = given
             .iter()

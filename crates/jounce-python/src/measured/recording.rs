@@ -170,7 +170,8 @@ pub fn recording_given<'py>(
         None => Grid::from_stamps(stamps).map_err(Failure::from)?,
     };
     let channels = given.channels.iter().map(GivenChannel::raw).collect();
-    let mut recording = read::given(&given.name, over, grid, channels).map_err(Failure::from)?;
+    let mut recording =
+        read::recording_from_arrays(&given.name, over, grid, channels).map_err(Failure::from)?;
     recording.findings.splice(0..0, odd);
     into_python(py, recording)
 }

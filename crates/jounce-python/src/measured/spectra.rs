@@ -8,7 +8,8 @@ use crate::run::PythonResult;
 use jounce_core::signal::Window;
 use jounce_measure::recording::{Channel, Issue, Quantity};
 use jounce_measure::spectral::{
-    Spectra, SpectraSettings, Spectrogram, first_live, signal, spectra_watched, spectrogram_watched,
+    Spectra, SpectraSettings, Spectrogram, first_varying, signal, spectra_watched,
+    spectrogram_watched,
 };
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -61,7 +62,7 @@ pub fn measured_spectra<'py>(
     let found = left_alone(py, move |control| {
         let channel = match &channel {
             Some(name) => record.channel(name)?,
-            None => first_live(&record, Quantity::Voltage).ok_or_else(|| {
+            None => first_varying(&record, Quantity::Voltage).ok_or_else(|| {
                 Failure::new("RecordingError", format!("{} has no channel", record.name))
             })?,
         };

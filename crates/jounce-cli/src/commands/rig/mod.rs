@@ -11,7 +11,7 @@ use crate::spec_arguments::{SpecArguments, frequency_hz};
 use clap::Args;
 use hammer::HammerTestArguments;
 use jounce_core::spec::{Quantity as Unit, Spec};
-use jounce_measure::rig::{Cable, Sensor, carry};
+use jounce_measure::rig::{Cable, Sensor, add_accelerometers};
 use jounce_measure::write::write;
 use shaker::ShakerArguments;
 use std::path::PathBuf;
@@ -110,7 +110,7 @@ impl SensingArguments {
             .wire(spec)?;
         }
         if let Some(text) = &self.sensor_mass {
-            carry(spec, &self.at, positive("--sensor-mass", text, Unit::Mass)?)?;
+            add_accelerometers(spec, &self.at, positive("--sensor-mass", text, Unit::Mass)?)?;
         }
         Ok(())
     }

@@ -113,7 +113,7 @@ impl ShakerArguments {
                 0.0
             },
             starts,
-            wander: if still { Disturbance::NONE } else { wander },
+            disturbance: if still { Disturbance::NONE } else { wander },
             accelerometers: sensing.at.clone(),
             sensor: sensing.sensor(),
             seed: sensing.seed,
@@ -130,7 +130,7 @@ impl ShakerArguments {
             Quantity::Acceleration,
         );
         let number = found.map_err(|error| Failure::usage(format!("--base-channel: {error}")))?;
-        let assumed = heads[number].assumed(Quantity::Acceleration);
+        let assumed = heads[number].assumed_unit_issue(Quantity::Acceleration);
         survey.findings.extend(assumed);
         let recording = loaded(survey, &[number])?;
         let name = &recording.channels[0].name;

@@ -42,23 +42,24 @@ struct RecordingSet {
 /// Builds the recordings of a file of arrays.
 pub(in super::super) fn into_found(mut tree: Tree) -> Result<FormatContents, Damage> {
     let arrays = std::mem::take(&mut tree.arrays);
-    let (singles, arrays): (Vec<Array>, Vec<Array>) = arrays
+    let (scalars, arrays): (Vec<Array>, Vec<Array>) = arrays
         .into_iter()
         .filter(|array| array.length() > 0)
         .partition(is_single);
     if arrays.is_empty() {
-        let told = if tree.findings.is_empty() {
+        let skipped_text = if tree.findings.is_empty() {
             String::new()
         } else {
             format!(" ({})", tree.findings[0].about)
         };
         return Err(Damage::new(format!(
-            "it contains no numeric array that could be a recording{told}; is the file truncated?"
+            "it contains no numeric array that could be a recording{skipped_text}; is the file truncated?"
         )));
     }
-    let spacings = spacings(&singles, &mut tree)?;
-    let lonely = lonely(&arrays)?;
-    let (mut sets, left) = assigned(&tree, SortedArrays::new(arrays)?, &spacings, &lonely);
+    let spacings = spacings(&scalars, &mut tree)?;
+    let is_alone = is_only_in_scope(&arrays)?;
+    let (mut sets, excluded) =
+        assign_to_axes(&tree, SortedArrays::new(arrays)?, &spacings, &is_alone);
     sets.retain(|set| !set.columns.is_empty() || !matches!(set.axis, SampleAxis::Even(_)));
     if sets.iter().any(|set| !set.columns.is_empty()) {
         for set in sets.iter().filter(|set| set.columns.is_empty()) {
@@ -76,10 +77,10 @@ pub(in super::super) fn into_found(mut tree: Tree) -> Result<FormatContents, Dam
         sets.sort_by_key(|set| std::cmp::Reverse(set.length));
         sets.truncate(1);
     }
-    tell_left(&mut tree, &left, &sets);
-    let sets = merged(sets)?;
-    let several = sets.len() > 1;
-    let (findings, mut of_set) = if several {
+    report_excluded(&mut tree, &excluded, &sets);
+    let sets = merge_sets(sets)?;
+    let has_several_sets = sets.len() > 1;
+    let (findings, mut of_set) = if has_several_sets {
         (tree.findings, Vec::new())
     } else {
         (Vec::new(), tree.findings)
@@ -108,7 +109,7 @@ fn is_single(array: &Array) -> bool {
 
 /// True for each array that is the only data array in its struct. Texts of that struct then apply
 /// to it.
-fn lonely(arrays: &[Array]) -> io::Result<HashMap<Path, bool>> {
+fn is_only_in_scope(arrays: &[Array]) -> io::Result<HashMap<Path, bool>> {
     let mut in_scope: HashMap<&[String], usize> = HashMap::new();
     let is_axis = |array: &Array| over_by_name(array).is_some();
     for array in arrays.iter().filter(|array| !is_axis(array)) {
@@ -134,8 +135,9 @@ fn over_by_name(array: &Array) -> Option<Over> {
     } else {
         Over::Frequency
     };
-    let named = over == Over::Time || is_frequency(&name) || is_frequency(array.path.name());
-    (one && named).then_some(over)
+    let has_axis_name =
+        over == Over::Time || is_frequency(&name) || is_frequency(array.path.name());
+    (one && has_axis_name).then_some(over)
 }
 
 /// Arrays of times or frequencies, and all others.
@@ -150,7 +152,7 @@ impl SortedArrays {
         let mut sorted = Self::default();
         for array in arrays {
             match over_by_name(&array) {
-                Some(over) if ascends(&array)? => sorted.axes.push((array, over)),
+                Some(over) if is_ascending(&array)? => sorted.axes.push((array, over)),
                 _ => sorted.channels.push(array),
             }
         }
@@ -158,27 +160,27 @@ impl SortedArrays {
     }
 }
 
-fn ascends(array: &Array) -> io::Result<bool> {
-    let (mut before, mut ascends) = (f64::NEG_INFINITY, true);
+fn is_ascending(array: &Array) -> io::Result<bool> {
+    let (mut previous, mut is_ascending) = (f64::NEG_INFINITY, true);
     array.series[0].each(|x| {
-        ascends &= x > before;
-        before = x;
+        is_ascending &= x > previous;
+        previous = x;
     })?;
-    Ok(ascends)
+    Ok(is_ascending)
 }
 
 /// Assigns each array to a set; returns names and lengths of arrays without one.
-fn assigned(
+fn assign_to_axes(
     tree: &Tree,
     arrays: SortedArrays,
     spacings: &[Spacing],
-    lonely: &HashMap<Path, bool>,
+    is_alone: &HashMap<Path, bool>,
 ) -> (Vec<RecordingSet>, Vec<(String, usize)>) {
     let (mut by_axis, mut timed) = (NearestByName::default(), NearestByName::default());
     let mut sets: Vec<RecordingSet> = Vec::new();
     let columns_of = |array: Array| {
-        let alone = lonely.get(&array.path).copied().unwrap_or_default();
-        columns(tree, array, alone)
+        let is_alone = is_alone.get(&array.path).copied().unwrap_or_default();
+        columns(tree, array, is_alone)
     };
     for (array, over) in arrays.axes {
         let (length, scope) = (array.length(), array.path.scope().to_vec());
@@ -194,17 +196,17 @@ fn assigned(
             columns: Vec::new(),
         });
     }
-    let times = sets.len();
+    let axis_count = sets.len();
     // A number in the struct of a time array gives the rate of that array only.
     let mut free = NearestByName::default();
     for (k, spacing) in spacings
         .iter()
         .enumerate()
-        .filter(|(_, spacing)| timed.inside((), &spacing.scope).is_none())
+        .filter(|(_, spacing)| timed.at_scope((), &spacing.scope).is_none())
     {
         free.insert((), &spacing.scope, k);
     }
-    let mut even = HashMap::<(Option<usize>, usize), usize>::new();
+    let mut uniform_sets = HashMap::<(Option<usize>, usize), usize>::new();
     for array in arrays.channels {
         let (length, scope, path) = (
             array.length(),
@@ -221,7 +223,7 @@ fn assigned(
             .unwrap_or_else(|| {
                 // A number may be an attribute of the array.
                 let spacing = free.nearest(&[()], &path);
-                *even.entry((spacing, length)).or_insert_with(|| {
+                *uniform_sets.entry((spacing, length)).or_insert_with(|| {
                     let axis = spacing.map_or(SampleAxis::Unknown, |k| {
                         SampleAxis::Even(spacings[k].clone())
                     });
@@ -236,13 +238,13 @@ fn assigned(
             });
         sets[at].columns.extend(columns_of(array));
     }
-    let left = longest_only(&mut sets, times);
-    (sets, left)
+    let excluded = keep_longest(&mut sets, axis_count);
+    (sets, excluded)
 }
 
 /// Keeps the longest arrays of each rate, and of those without a rate if nothing else is known;
 /// returns the others.
-fn longest_only(sets: &mut Vec<RecordingSet>, times: usize) -> Vec<(String, usize)> {
+fn keep_longest(sets: &mut Vec<RecordingSet>, axis_count: usize) -> Vec<(String, usize)> {
     let key = |set: &RecordingSet| {
         if let SampleAxis::Even(spacing) = &set.axis {
             Some(spacing.scope.clone())
@@ -250,30 +252,31 @@ fn longest_only(sets: &mut Vec<RecordingSet>, times: usize) -> Vec<(String, usiz
             None
         }
     };
-    let mut longest: HashMap<Option<Vec<String>>, usize> = HashMap::new();
-    for set in &sets[times..] {
-        let length = longest.entry(key(set)).or_default();
+    let mut max_lengths: HashMap<Option<Vec<String>>, usize> = HashMap::new();
+    for set in &sets[axis_count..] {
+        let length = max_lengths.entry(key(set)).or_default();
         *length = set.length.max(*length);
     }
-    let known = sets[..times].iter().any(|set| !set.columns.is_empty())
-        || longest.keys().any(Option::is_some);
-    let mut left = Vec::new();
+    let known = sets[..axis_count].iter().any(|set| !set.columns.is_empty())
+        || max_lengths.keys().any(Option::is_some);
+    let mut excluded = Vec::new();
     let mut number = 0;
     sets.retain(|set| {
         number += 1;
-        let of = key(set);
-        let is_kept = number <= times
-            || (of.is_some() || !known && times == 0) && longest.get(&of) == Some(&set.length);
-        if !is_kept {
-            left.extend(
+        let set_key = key(set);
+        let is_retained = number <= axis_count
+            || (set_key.is_some() || !known && axis_count == 0)
+                && max_lengths.get(&set_key) == Some(&set.length);
+        if !is_retained {
+            excluded.extend(
                 set.columns
                     .iter()
                     .map(|column| (column.name.clone(), set.length)),
             );
         }
-        is_kept
+        is_retained
     });
-    left
+    excluded
 }
 
 /// Lookup by enclosing names: finds the item of a kind that shares the most names with an array,
@@ -297,7 +300,7 @@ impl<K: Copy + Eq + Hash> NearestByName<K> {
     }
 
     /// Returns the first item inside these names.
-    fn inside(&self, kind: K, scope: &[String]) -> Option<usize> {
+    fn at_scope(&self, kind: K, scope: &[String]) -> Option<usize> {
         self.0.get(&(kind, scope.to_vec())).copied()
     }
 
@@ -306,13 +309,13 @@ impl<K: Copy + Eq + Hash> NearestByName<K> {
         (0..=scope.len()).rev().find_map(|depth| {
             kinds
                 .iter()
-                .find_map(|kind| self.inside(*kind, &scope[..depth]))
+                .find_map(|kind| self.at_scope(*kind, &scope[..depth]))
         })
     }
 }
 
-fn columns(tree: &Tree, array: Array, alone: bool) -> Vec<RawColumn> {
-    let heads = heads(tree, &array, alone);
+fn columns(tree: &Tree, array: Array, is_alone: bool) -> Vec<RawColumn> {
+    let heads = heads(tree, &array, is_alone);
     let mut imaginary = array.imaginary.map(|imaginary| imaginary.into_iter());
     let column = |((name, unit), values): ((String, String), _)| RawColumn {
         imaginary: imaginary.as_mut().and_then(Iterator::next),
@@ -322,13 +325,13 @@ fn columns(tree: &Tree, array: Array, alone: bool) -> Vec<RawColumn> {
 }
 
 /// Merges recordings over equal grids.
-fn merged(sets: Vec<RecordingSet>) -> io::Result<Vec<RecordingSet>> {
-    let mut kept: Vec<RecordingSet> = Vec::new();
-    let mut alike: HashMap<(Over, usize, [u64; 3]), Vec<usize>> = HashMap::new();
+fn merge_sets(sets: Vec<RecordingSet>) -> io::Result<Vec<RecordingSet>> {
+    let mut merged: Vec<RecordingSet> = Vec::new();
+    let mut by_key: HashMap<(Over, usize, [u64; 3]), Vec<usize>> = HashMap::new();
     for set in sets {
         let key = match &set.axis {
             SampleAxis::Array(axis, over) => {
-                let (first, last) = axis.values.ends()?.unwrap_or_default();
+                let (first, last) = axis.values.first_and_last()?.unwrap_or_default();
                 (*over, set.length, [first.to_bits(), last.to_bits(), 0])
             }
             SampleAxis::Even(spacing) => {
@@ -341,28 +344,28 @@ fn merged(sets: Vec<RecordingSet>) -> io::Result<Vec<RecordingSet>> {
             }
             SampleAxis::Unknown => (Over::Time, set.length, [0, 0, 2]),
         };
-        let among = alike.entry(key).or_default();
+        let candidates = by_key.entry(key).or_default();
         let mut at = None;
-        for number in among.iter().copied() {
-            if at.is_none() && same(&kept[number].axis, &set.axis)? {
+        for number in candidates.iter().copied() {
+            if at.is_none() && has_equal_axis(&merged[number].axis, &set.axis)? {
                 at = Some(number);
             }
         }
         match at {
-            Some(number) => kept[number].columns.extend(set.columns),
+            Some(number) => merged[number].columns.extend(set.columns),
             None => {
-                among.push(kept.len());
-                kept.push(set);
+                candidates.push(merged.len());
+                merged.push(set);
             }
         }
     }
-    Ok(kept)
+    Ok(merged)
 }
 
-fn same(a: &SampleAxis, b: &SampleAxis) -> io::Result<bool> {
+fn has_equal_axis(a: &SampleAxis, b: &SampleAxis) -> io::Result<bool> {
     match (a, b) {
         (SampleAxis::Array(a, _), SampleAxis::Array(b, _)) => {
-            Ok(a.unit == b.unit && a.values.same(&b.values)?)
+            Ok(a.unit == b.unit && a.values.equals(&b.values)?)
         }
         _ => Ok(true),
     }
@@ -375,14 +378,14 @@ fn raw(set: RecordingSet, rate: Option<Rate>, findings: Vec<Issue>) -> Raw {
         mut columns,
         ..
     } = set;
-    unlike(&mut columns);
+    number_duplicates(&mut columns);
     let title = Path(scope).to_string();
     let (over, stamps) = match axis {
         SampleAxis::Array(axis, over) => {
             columns.insert(0, *axis);
             (
                 over,
-                TimeStamps::Of {
+                TimeStamps::FromColumn {
                     column: 0,
                     rate: rate.filter(|_| over == Over::Time),
                 },
@@ -412,7 +415,7 @@ fn raw(set: RecordingSet, rate: Option<Rate>, findings: Vec<Issue>) -> Raw {
 }
 
 /// Numbers the columns that share a name given by texts of the file.
-fn unlike(columns: &mut [RawColumn]) {
+fn number_duplicates(columns: &mut [RawColumn]) {
     let mut times: HashMap<String, (usize, usize)> = HashMap::new();
     columns
         .iter()
@@ -426,17 +429,21 @@ fn unlike(columns: &mut [RawColumn]) {
 }
 
 /// Records which arrays were left out.
-fn tell_left(tree: &mut Tree, left: &[(String, usize)], sets: &[RecordingSet]) {
+fn report_excluded(tree: &mut Tree, excluded: &[(String, usize)], sets: &[RecordingSet]) {
     let record = match sets {
         [set] => format!("where the recording has {}", set.length),
         _ => "and no time or frequency in the file has the same length".to_owned(),
     };
-    for (name, length) in left.iter().take(MAX_NAMED) {
+    for (name, length) in excluded.iter().take(MAX_NAMED) {
         tree.skip(format!("{name} has {length} samples {record}"));
     }
-    if let Some(more) = left.len().checked_sub(MAX_NAMED).filter(|more| *more > 0) {
-        let about = "arrays of other lengths than the recording were left out".to_owned();
+    if let Some(unlisted) = excluded
+        .len()
+        .checked_sub(MAX_NAMED)
+        .filter(|unlisted| *unlisted > 0)
+    {
+        let message = "arrays of other lengths than the recording were left out".to_owned();
         tree.findings
-            .push(Issue::new(IssueKind::Skipped, more, None, about));
+            .push(Issue::new(IssueKind::Skipped, unlisted, None, message));
     }
 }

@@ -15,9 +15,9 @@ pub(in super::super) struct ArrayLayout {
     /// Sizes, the fastest dimension first.
     dimensions: Vec<u64>,
     /// True where names list the last dimension first.
-    turned: bool,
+    row_major: bool,
     /// Index of the longest dimension.
-    along: usize,
+    axis: usize,
     stride: u64,
     length: u64,
     count: u64,
@@ -25,16 +25,16 @@ pub(in super::super) struct ArrayLayout {
 
 impl ArrayLayout {
     /// Returns the layout of an array whose first dimension is the fastest (MATLAB), or the last
-    /// one (`turned`: C). Returns `None` for more series than could be channels, or more numbers
+    /// one (`row_major`: C). Returns `None` for more series than could be channels, or more numbers
     /// than can be counted.
-    pub fn new(dimensions: &[u64], turned: bool) -> Option<Self> {
-        let fastest_first: Vec<u64> = if turned {
+    pub fn new(dimensions: &[u64], row_major: bool) -> Option<Self> {
+        let fastest_first: Vec<u64> = if row_major {
             dimensions.iter().rev().copied().collect()
         } else {
             dimensions.to_vec()
         };
         let longest = fastest_first.iter().copied().max().unwrap_or(1);
-        let along = fastest_first
+        let axis = fastest_first
             .iter()
             .position(|size| *size == longest)
             .unwrap_or(0);
@@ -45,11 +45,11 @@ impl ArrayLayout {
         };
         let total = product(&fastest_first)?;
         let count = total.checked_div(longest).unwrap_or(0);
-        let stride = product(fastest_first.get(..along).unwrap_or_default())?.max(1);
+        let stride = product(fastest_first.get(..axis).unwrap_or_default())?.max(1);
         (count <= MAX_SERIES).then_some(Self {
             dimensions: fastest_first,
-            turned,
-            along,
+            row_major,
+            axis,
             stride,
             length: longest,
             count,
@@ -67,10 +67,10 @@ impl ArrayLayout {
     /// Not enough memory.
     pub fn series(&self, store: &SampleStore) -> Result<Vec<ColumnNumbers>, Damage> {
         let mut series: Vec<ColumnNumbers> = (0..self.count).map(|_| store.column()).collect();
-        let room = series
+        let has_room = series
             .iter_mut()
             .all(|numbers| usize::try_from(self.length).is_ok_and(|length| numbers.expect(length)));
-        if room {
+        if has_room {
             Ok(series)
         } else {
             Err(Damage::new(format!(
@@ -82,9 +82,9 @@ impl ArrayLayout {
 
     /// Appends a number to its series; `number` counts from 0 in file order.
     pub fn push(&self, series: &mut [ColumnNumbers], number: u64, x: f64) -> std::io::Result<()> {
-        let of = number % self.stride + number / (self.stride * self.length) * self.stride;
+        let index = number % self.stride + number / (self.stride * self.length) * self.stride;
         series
-            .get_mut(of as usize)
+            .get_mut(index as usize)
             .map_or(Ok(()), |numbers| numbers.push(x))
     }
 
@@ -93,24 +93,24 @@ impl ArrayLayout {
         if self.count < 2 {
             return Vec::new();
         }
-        let others: Vec<u64> = self
+        let other_lengths: Vec<u64> = self
             .dimensions
             .iter()
             .enumerate()
-            .filter(|(k, size)| *k != self.along && **size > 1)
+            .filter(|(k, size)| *k != self.axis && **size > 1)
             .map(|(_, size)| *size)
             .collect();
         let label = |series: u64| {
-            let mut left = series;
-            let mut places: Vec<String> = Vec::new();
-            for size in &others {
-                places.push((left % size + 1).to_string());
-                left /= size;
+            let mut remaining = series;
+            let mut indices: Vec<String> = Vec::new();
+            for length in &other_lengths {
+                indices.push((remaining % length + 1).to_string());
+                remaining /= length;
             }
-            if self.turned {
-                places.reverse();
+            if self.row_major {
+                indices.reverse();
             }
-            format!("({})", places.join(","))
+            format!("({})", indices.join(","))
         };
         (0..self.count).map(label).collect()
     }
@@ -126,10 +126,10 @@ mod tests {
     #[test]
     fn series_run_along_the_longest_side() {
         for dimensions in [[5, 2, 3], [2, 5, 3], [2, 3, 5], [5, 1, 1], [1, 1, 5]] {
-            for turned in [false, true] {
-                let layout = ArrayLayout::new(&dimensions, turned).unwrap();
+            for row_major in [false, true] {
+                let layout = ArrayLayout::new(&dimensions, row_major).unwrap();
                 let mut series = layout.series(&SampleStore::Memory).unwrap();
-                let sizes: Vec<u64> = if turned {
+                let sizes: Vec<u64> = if row_major {
                     dimensions.iter().rev().copied().collect()
                 } else {
                     dimensions.to_vec()
@@ -140,27 +140,27 @@ mod tests {
                         n / sizes[0] % sizes[1],
                         n / sizes[0] / sizes[1],
                     ];
-                    if turned {
+                    if row_major {
                         at.reverse();
                     }
                     layout
                         .push(&mut series, n, (100 * at[0] + 10 * at[1] + at[2]) as f64)
                         .unwrap();
                 }
-                let along = dimensions.iter().position(|size| *size == 5).unwrap();
-                let step = [100.0, 10.0, 1.0][along];
+                let axis = dimensions.iter().position(|size| *size == 5).unwrap();
+                let step = [100.0, 10.0, 1.0][axis];
                 for (series, label) in series.iter().zip(layout.labels()) {
                     let values = series.piece(0).unwrap();
                     let rest: Vec<String> = [100.0, 10.0, 1.0]
                         .iter()
                         .enumerate()
-                        .filter(|(k, _)| *k != along && dimensions[*k] > 1)
+                        .filter(|(k, _)| *k != axis && dimensions[*k] > 1)
                         .map(|(_, step)| ((values[0] / step).floor() % 10.0 + 1.0).to_string())
                         .collect();
                     assert_eq!(
                         label,
                         format!("({})", rest.join(",")),
-                        "{dimensions:?} {turned}"
+                        "{dimensions:?} {row_major}"
                     );
                     assert!(
                         values.windows(2).all(|pair| pair[1] - pair[0] == step)

@@ -84,9 +84,9 @@ pub(super) struct Tree {
 
 impl Tree {
     /// Records a skipped item.
-    pub fn skip(&mut self, about: impl Into<String>) {
+    pub fn skip(&mut self, message: impl Into<String>) {
         self.findings
-            .push(Issue::new(IssueKind::Skipped, 1, None, about.into()));
+            .push(Issue::new(IssueKind::Skipped, 1, None, message.into()));
     }
 
     /// Stores trimmed texts unless all are empty.

@@ -5,8 +5,8 @@ use super::spacing::plain;
 use super::{Array, Path, Tree};
 
 /// Names of texts that contain a unit or a channel name, in lower case without underscores.
-const UNITS: [&str; 4] = ["unit", "units", "unitlabel", "yunit"];
-const NAMES: [&str; 7] = [
+const UNIT_KEYS: [&str; 4] = ["unit", "units", "unitlabel", "yunit"];
+const NAME_KEYS: [&str; 7] = [
     "name",
     "names",
     "label",
@@ -16,12 +16,13 @@ const NAMES: [&str; 7] = [
     "channels",
 ];
 
-/// Name and unit of each series of an array. Texts of the struct apply only if the array is `alone`, the only data array in it.
-pub(super) fn heads(tree: &Tree, array: &Array, alone: bool) -> Vec<(String, String)> {
+/// Name and unit of each series of an array. Texts of the struct apply only if the array
+/// `is_alone`, the only data array in it.
+pub(super) fn heads(tree: &Tree, array: &Array, is_alone: bool) -> Vec<(String, String)> {
     let count = array.series.len();
-    let beside = |names: &[&str]| {
-        if alone {
-            beside(tree, array, names, count)
+    let texts_for = |names: &[&str]| {
+        if is_alone {
+            texts_in_scope(tree, array, names, count)
         } else {
             None
         }
@@ -29,13 +30,13 @@ pub(super) fn heads(tree: &Tree, array: &Array, alone: bool) -> Vec<(String, Str
     let quantity = Path(array.path.scope().to_vec()).to("quantity");
     let of_quantity = || {
         tree.text_at(&quantity.0, "label")
-            .filter(|_| alone)
+            .filter(|_| is_alone)
             .cloned()
     };
-    let units = own_unit(tree, array)
-        .or_else(|| beside(&UNITS))
+    let units = unit_of_array(tree, array)
+        .or_else(|| texts_for(&UNIT_KEYS))
         .or_else(of_quantity);
-    let names = beside(&NAMES);
+    let names = texts_for(&NAME_KEYS);
     let head = |k: usize| {
         let label = array.labels.get(k).map_or("", String::as_str);
         let by_name = || name::split(array.path.name()).1;
@@ -57,20 +58,21 @@ pub(super) fn heads(tree: &Tree, array: &Array, alone: bool) -> Vec<(String, Str
 }
 
 /// Unit stored with the array, or in a text `NAME_unit`.
-fn own_unit(tree: &Tree, array: &Array) -> Option<Vec<String>> {
+fn unit_of_array(tree: &Tree, array: &Array) -> Option<Vec<String>> {
     if !array.unit.is_empty() {
         return Some(vec![array.unit.clone()]);
     }
     let name = array.path.name();
-    let told = ["_unit", "_units", "Unit", "Units"]
+    let found_units = ["_unit", "_units", "Unit", "Units"]
         .iter()
-        .find_map(|ending| tree.text_at(array.path.scope(), &format!("{name}{ending}")));
-    told.filter(|units| units.len() == 1 || units.len() == array.series.len())
+        .find_map(|suffix| tree.text_at(array.path.scope(), &format!("{name}{suffix}")));
+    found_units
+        .filter(|units| units.len() == 1 || units.len() == array.series.len())
         .cloned()
 }
 
 /// Returns the texts of one of these names in the same struct, if there are as many as series.
-fn beside(tree: &Tree, array: &Array, names: &[&str], count: usize) -> Option<Vec<String>> {
+fn texts_in_scope(tree: &Tree, array: &Array, names: &[&str], count: usize) -> Option<Vec<String>> {
     let texts = tree.texts.get(array.path.scope())?;
     texts
         .iter()

@@ -9,7 +9,7 @@ use crate::recording::{Issue, IssueKind, Over};
 
 /// Names of scalars that give a rate in Hz, a step in s (Hz over frequency), or a first position;
 /// in lower case without underscores.
-const RATES: [&str; 8] = [
+const RATE_KEYS: [&str; 8] = [
     "fs",
     "samplerate",
     "samplingrate",
@@ -19,7 +19,7 @@ const RATES: [&str; 8] = [
     "samplingfreq",
     "fsamp",
 ];
-const STEPS: [&str; 9] = [
+const STEP_KEYS: [&str; 9] = [
     "dt",
     "deltat",
     "timestep",
@@ -30,8 +30,8 @@ const STEPS: [&str; 9] = [
     "xincrement",
     "wfincrement",
 ];
-const FREQUENCY_STEPS: [&str; 4] = ["df", "deltaf", "frequencystep", "freqstep"];
-const STARTS: [&str; 6] = [
+const FREQUENCY_STEP_KEYS: [&str; 4] = ["df", "deltaf", "frequencystep", "freqstep"];
+const START_KEYS: [&str; 6] = [
     "startvalue",
     "xstart",
     "t0",
@@ -53,54 +53,55 @@ pub(super) struct Spacing {
 
 /// Spacings of all scopes; if scalars of one scope disagree, the first is used and an issue is
 /// added.
-pub(super) fn spacings(singles: &[Array], tree: &mut Tree) -> io::Result<Vec<Spacing>> {
-    let mut found: Vec<Spacing> = Vec::new();
+pub(super) fn spacings(scalars: &[Array], tree: &mut Tree) -> io::Result<Vec<Spacing>> {
+    let mut result: Vec<Spacing> = Vec::new();
     let mut by_scope: HashMap<Vec<String>, usize> = HashMap::new();
-    let starts = starts(singles)?;
-    for single in singles {
-        let Some(mut spacing) = spacing(single, tree)? else {
+    let starts = starts(scalars)?;
+    for scalar in scalars {
+        let Some(mut spacing) = spacing(scalar, tree)? else {
             continue;
         };
-        match by_scope.get(&spacing.scope).map(|known| &found[*known]) {
+        match by_scope.get(&spacing.scope).map(|known| &result[*known]) {
             Some(known) if known.over == spacing.over => {
                 if spacing.rate.differs_from(known.rate.rate_hz) {
                     let [a, b] = [&known.rate, &spacing.rate];
-                    let about = format!(
+                    let message = format!(
                         "{} is a rate of {} Hz, {} one of {} Hz; the first is used",
-                        a.told, a.rate_hz, b.told, b.rate_hz
+                        a.source, a.rate_hz, b.source, b.rate_hz
                     );
                     tree.findings
-                        .push(Issue::new(IssueKind::HeaderDisagrees, 1, None, about));
+                        .push(Issue::new(IssueKind::HeaderDisagrees, 1, None, message));
                 }
             }
             _ => {
                 spacing.start = starts.get(spacing.scope.as_slice()).copied();
-                by_scope.insert(spacing.scope.clone(), found.len());
-                found.push(spacing);
+                by_scope.insert(spacing.scope.clone(), result.len());
+                result.push(spacing);
             }
         }
     }
-    Ok(found)
+    Ok(result)
 }
 
 /// Spacing given by one scalar, recognised by its name.
-fn spacing(single: &Array, tree: &Tree) -> io::Result<Option<Spacing>> {
-    let name = plain(single.path.name());
+fn spacing(scalar: &Array, tree: &Tree) -> io::Result<Option<Spacing>> {
+    let name = plain(scalar.path.name());
     let is = |names: &[&str]| names.contains(&name.as_str());
-    let (is_rate, is_step, is_frequency_step) = (is(&RATES), is(&STEPS), is(&FREQUENCY_STEPS));
-    if single.imaginary.is_some() || !(is_rate || is_step || is_frequency_step) {
+    let (is_rate, is_step, is_frequency_step) =
+        (is(&RATE_KEYS), is(&STEP_KEYS), is(&FREQUENCY_STEP_KEYS));
+    if scalar.imaginary.is_some() || !(is_rate || is_step || is_frequency_step) {
         return Ok(None);
     }
-    let number = value(single)?;
+    let number = value(scalar)?;
     let rate_hz = if is_rate { number } else { 1.0 / number };
-    let scope = single.path.scope().to_vec();
+    let scope = scalar.path.scope().to_vec();
     let over = if is_frequency_step || is_step && is_in_hertz(tree, &scope) {
         Over::Frequency
     } else {
         Over::Time
     };
     let rate = Rate {
-        told: format!("{} = {number}", single.path),
+        source: format!("{} = {number}", scalar.path),
         rate_hz,
     };
     Ok((rate_hz > 0.0 && rate_hz.is_finite()).then_some(Spacing {
@@ -112,12 +113,12 @@ fn spacing(single: &Array, tree: &Tree) -> io::Result<Option<Spacing>> {
 }
 
 /// First positions by scope.
-fn starts(singles: &[Array]) -> io::Result<HashMap<&[String], f64>> {
-    let is_start = |single: &&Array| STARTS.contains(&plain(single.path.name()).as_str());
-    singles
+fn starts(scalars: &[Array]) -> io::Result<HashMap<&[String], f64>> {
+    let is_start = |scalar: &&Array| START_KEYS.contains(&plain(scalar.path.name()).as_str());
+    scalars
         .iter()
         .filter(is_start)
-        .map(|single| Ok((single.path.scope(), value(single)?)))
+        .map(|scalar| Ok((scalar.path.scope(), value(scalar)?)))
         .collect()
 }
 
@@ -136,11 +137,11 @@ fn is_in_hertz(tree: &Tree, scope: &[String]) -> bool {
         .any(|unit| unit.eq_ignore_ascii_case("hz"))
 }
 
-fn value(single: &Array) -> io::Result<f64> {
-    Ok(single
+fn value(scalar: &Array) -> io::Result<f64> {
+    Ok(scalar
         .series
         .first()
-        .map(|numbers| numbers.ends())
+        .map(|numbers| numbers.first_and_last())
         .transpose()?
         .flatten()
         .map_or(f64::NAN, |(number, _)| number))

@@ -8,13 +8,13 @@ const MAX_RATIO: u64 = 1032;
 /// Returns the dimensions of an array that is completely stored; `Err` gives the reason why it
 /// cannot be read.
 pub(super) fn shape(dataset: &Dataset, file_size: u64) -> Result<Vec<u64>, String> {
-    let told = |fault: hdf5_pure::Error| fault.to_string();
-    let shape = dataset.shape().map_err(told)?;
-    let size = dataset.element_size().map_err(told)?;
+    let error_text = |fault: hdf5_pure::Error| fault.to_string();
+    let shape = dataset.shape().map_err(error_text)?;
+    let size = dataset.element_size().map_err(error_text)?;
     let bytes = product(&shape)
         .and_then(|count| count.checked_mul(size))
         .ok_or("it is larger than can be counted")?;
-    match dataset.layout().map_err(told)? {
+    match dataset.layout().map_err(error_text)? {
         Layout::Compact { size } if size < bytes => {
             Err(format!("it needs {bytes} bytes, but {size} are stored"))
         }
@@ -23,12 +23,12 @@ pub(super) fn shape(dataset: &Dataset, file_size: u64) -> Result<Vec<u64>, Strin
             address: Some(address),
             ..
         } => {
-            let there = file_size.saturating_sub(address);
-            if bytes <= there {
+            let available = file_size.saturating_sub(address);
+            if bytes <= available {
                 Ok(shape)
             } else {
                 Err(format!(
-                    "it needs {bytes} bytes, but {there} follow: is the file truncated?"
+                    "it needs {bytes} bytes, but {available} follow: is the file truncated?"
                 ))
             }
         }
@@ -56,41 +56,43 @@ fn chunks(
             "chunks of {chunk_shape:?} do not match an array of {shape:?}"
         ));
     }
-    let sides: Vec<u64> = shape
+    let chunk_counts: Vec<u64> = shape
         .iter()
         .zip(chunk_shape)
-        .map(|(side, part)| side.div_ceil(*part))
+        .map(|(side, chunk_side)| side.div_ceil(*chunk_side))
         .collect();
-    let due = product(&sides).ok_or("it has more chunks than can be counted")?;
+    let expected = product(&chunk_counts).ok_or("it has more chunks than can be counted")?;
     let bytes = product(chunk_shape)
         .and_then(|count| count.checked_mul(size))
         .ok_or("its chunks are larger than can be counted")?;
     // Each chunk takes room in the file, at least in the chunk index.
-    if due > file_size {
-        return Err(format!("it has {due} chunks, more than the file has bytes"));
+    if expected > file_size {
+        return Err(format!(
+            "it has {expected} chunks, more than the file has bytes"
+        ));
     }
     let chunks = dataset.chunks().map_err(|fault| fault.to_string())?;
-    let (mut there, mut stored) = (0_u64, 0_u64);
+    let (mut chunk_count, mut stored) = (0_u64, 0_u64);
     for chunk in &chunks {
-        let inside = chunk.offset.len() == shape.len()
+        let is_inside = chunk.offset.len() == shape.len()
             && chunk
                 .offset
                 .iter()
                 .zip(shape)
                 .all(|(offset, side)| offset < side);
         let end = chunk.address.saturating_add(chunk.storage_size);
-        if !inside || end > file_size || bytes / MAX_RATIO > chunk.storage_size {
+        if !is_inside || end > file_size || bytes / MAX_RATIO > chunk.storage_size {
             return Err(format!(
                 "the chunk at {:?} of {} bytes is impossible: is the file truncated?",
                 chunk.offset, chunk.storage_size
             ));
         }
-        there += 1;
+        chunk_count += 1;
         stored = stored.saturating_add(chunk.storage_size);
     }
-    if there != due {
+    if chunk_count != expected {
         return Err(format!(
-            "{there} of its {due} chunks are stored; the others were never written"
+            "{chunk_count} of its {expected} chunks are stored; the others were never written"
         ));
     }
     if stored > file_size {

@@ -15,13 +15,13 @@ use super::arrays::{Path, Tree, into_found};
 use super::contents::FormatContents;
 use super::error::Damage;
 use super::samples::SampleStore;
-use node::Walk;
+use node::Walker;
 
 const BEGIN: &[u8] = b"\x89HDF\r\n\x1a\n";
 
 /// True where a file begins like HDF5, perhaps after a user block of 512, 1024 or 2048 bytes, as
 /// written by MATLAB.
-pub(super) fn begins(head: &[u8]) -> bool {
+pub(super) fn is_hdf5(head: &[u8]) -> bool {
     [0, 512, 1024, 2048].iter().any(|from| {
         head.get(*from..)
             .is_some_and(|head| head.starts_with(BEGIN))
@@ -30,19 +30,19 @@ pub(super) fn begins(head: &[u8]) -> bool {
 
 pub(super) fn read(path: &FilePath, store: &SampleStore) -> Result<FormatContents, Damage> {
     let size = std::fs::metadata(path).map_err(Damage::cut)?.len();
-    let file = File::open_streaming(path).map_err(|fault| wrong(&fault))?;
-    let mut walk = Walk {
+    let file = File::open_streaming(path).map_err(|fault| hdf5_error(&fault))?;
+    let mut walker = Walker {
         store,
         size,
         tree: Tree::default(),
-        visited: 0,
+        visited_count: 0,
     };
-    walk.group(&file.root(), &Path::default())?;
-    into_found(walk.tree)
+    walker.group(&file.root(), &Path::default())?;
+    into_found(walker.tree)
 }
 
 /// Adds to an error of the library how to convert a file that it cannot read.
-fn wrong(fault: &dyn std::fmt::Display) -> Damage {
+fn hdf5_error(fault: &dyn std::fmt::Display) -> Damage {
     Damage::new(format!(
         "{fault}; is the file truncated? Else convert it in Python: import h5py, numpy; f = \
         h5py.File('FILE'); numpy.savez('FILE.npz', t=f['time'][...].ravel(), \

@@ -9,7 +9,7 @@ use super::super::error::Damage;
 use super::super::samples::SampleStore;
 use super::super::scalar::{Kind, Scalar};
 use super::matlab::{self, Class};
-use super::{checked, wrong};
+use super::{checked, hdf5_error};
 
 /// Maximum depth of nested groups.
 const MAX_DEPTH: usize = 60;
@@ -19,13 +19,13 @@ const BYTES_AT_ONCE: u64 = 4 << 20;
 const MAX_CHARACTERS: u64 = 1 << 16;
 
 /// Traversal state.
-pub(super) struct Walk<'a> {
+pub(super) struct Walker<'a> {
     pub store: &'a SampleStore,
     /// Bytes of the file.
     pub size: u64,
     pub tree: Tree,
     /// Number of groups and arrays visited; limits cyclic references.
-    pub visited: usize,
+    pub visited_count: usize,
 }
 
 /// Layout of numbers in the bytes of an element.
@@ -37,16 +37,16 @@ struct Stored {
     imaginary: Option<usize>,
 }
 
-impl Walk<'_> {
+impl Walker<'_> {
     pub fn group(&mut self, group: &Group, path: &Path) -> Result<(), Damage> {
         if path.0.len() > MAX_DEPTH {
             return Err(Damage::new(format!(
                 "{path} is nested in more than {MAX_DEPTH} groups"
             )));
         }
-        self.visit()?;
+        self.count_visit()?;
         self.attributes(&group.attrs().unwrap_or_default(), path)?;
-        for name in group.datasets().map_err(|fault| wrong(&fault))? {
+        for name in group.datasets().map_err(|fault| hdf5_error(&fault))? {
             match group.dataset(&name) {
                 Ok(dataset) => self.dataset(&dataset, &path.to(&name))?,
                 Err(fault) => self
@@ -54,11 +54,11 @@ impl Walk<'_> {
                     .skip(format!("{} was left out: {fault}", path.to(&name))),
             }
         }
-        for name in group.groups().map_err(|fault| wrong(&fault))? {
+        for name in group.groups().map_err(|fault| hdf5_error(&fault))? {
             // Contents of cells, and objects of MATLAB.
             if !(path.0.is_empty() && name.starts_with('#')) {
                 self.group(
-                    &group.group(&name).map_err(|fault| wrong(&fault))?,
+                    &group.group(&name).map_err(|fault| hdf5_error(&fault))?,
                     &path.to(&name),
                 )?;
             }
@@ -66,9 +66,9 @@ impl Walk<'_> {
         Ok(())
     }
 
-    fn visit(&mut self) -> Result<(), Damage> {
-        self.visited += 1;
-        if self.visited > MAX_ARRAYS {
+    fn count_visit(&mut self) -> Result<(), Damage> {
+        self.visited_count += 1;
+        if self.visited_count > MAX_ARRAYS {
             Err(Damage::new(format!(
                 "it contains more than {MAX_ARRAYS} groups and arrays"
             )))
@@ -125,7 +125,7 @@ impl Walk<'_> {
     }
 
     fn dataset(&mut self, dataset: &Dataset, path: &Path) -> Result<(), Damage> {
-        self.visit()?;
+        self.count_visit()?;
         if path.0.len() > MAX_DEPTH {
             return Err(Damage::new(format!(
                 "{path} is nested in more than {MAX_DEPTH} cells"
@@ -185,43 +185,46 @@ impl Walk<'_> {
                 return Ok(());
             }
         };
-        let several = objects.len() > 1;
+        let has_several = objects.len() > 1;
         for (k, object) in objects.into_iter().enumerate() {
-            let place = match (class, path.0.split_last()) {
+            let object_path = match (class, path.0.split_last()) {
                 (Class::Cell, _) | (_, None) => path.to(format!("{{{}}}", k + 1)),
-                (_, Some((field, around))) if several && !around.is_empty() => {
-                    let mut around = Path(around.to_vec());
-                    around
+                (_, Some((field, parent))) if has_several && !parent.is_empty() => {
+                    let mut parent = Path(parent.to_vec());
+                    parent
                         .0
                         .iter_mut()
                         .next_back()
                         .into_iter()
                         .for_each(|last| last.push_str(&format!("({})", k + 1)));
-                    around.to(field)
+                    parent.to(field)
                 }
-                _ if several => path.to(format!("{{{}}}", k + 1)),
+                _ if has_several => path.to(format!("{{{}}}", k + 1)),
                 _ => path.clone(),
             };
             match object {
-                Object::Group(group) => self.group(&group, &place)?,
-                Object::Dataset(dataset) => self.dataset(&dataset, &place)?,
+                Object::Group(group) => self.group(&group, &object_path)?,
+                Object::Dataset(dataset) => self.dataset(&dataset, &object_path)?,
                 _ => self
                     .tree
-                    .skip(format!("{place} is not an array and was left out")),
+                    .skip(format!("{object_path} is not an array and was left out")),
             }
         }
         Ok(())
     }
 
     fn texts(&mut self, dataset: &Dataset, path: &Path, shape: &[u64]) -> Result<(), Damage> {
-        let few = shape
+        let has_few = shape
             .iter()
             .try_fold(1_u64, |product, side| product.checked_mul(*side))
             .is_some_and(|count| count <= 4096);
-        let short = dataset
+        let is_short = dataset
             .element_size()
             .is_ok_and(|size| size <= MAX_CHARACTERS);
-        if let Some(texts) = (few && short).then(|| dataset.read_string().ok()).flatten() {
+        if let Some(texts) = (has_few && is_short)
+            .then(|| dataset.read_string().ok())
+            .flatten()
+        {
             self.tree.text(path, texts);
         }
         Ok(())
@@ -241,7 +244,7 @@ impl Walk<'_> {
         if count.is_none_or(|count| count > MAX_CHARACTERS) {
             return Ok(());
         }
-        let bytes = dataset.read_raw().map_err(|fault| wrong(&fault))?;
+        let bytes = dataset.read_raw().map_err(|fault| hdf5_error(&fault))?;
         let units: Vec<u16> = bytes
             .chunks_exact(stored.width)
             .map(|unit| stored.scalar.number(unit) as u16)
@@ -273,10 +276,10 @@ impl Walk<'_> {
             .transpose()?;
         let rows = shape.first().copied().unwrap_or(1);
         let row_bytes = layout.total() / rows * stored.width as u64;
-        let at_once = (BYTES_AT_ONCE / row_bytes.max(1)).max(1);
+        let rows_per_read = (BYTES_AT_ONCE / row_bytes.max(1)).max(1);
         let (mut row, mut number) = (0, 0);
         while row < rows {
-            let bytes = match dataset.read_raw_rows(row, at_once.min(rows - row)) {
+            let bytes = match dataset.read_raw_rows(row, rows_per_read.min(rows - row)) {
                 Ok(bytes) => bytes,
                 Err(fault) => {
                     self.tree.skip(format!("{path} was left out: {fault}"));
@@ -284,18 +287,18 @@ impl Walk<'_> {
                 }
             };
             for element in bytes.chunks_exact(stored.width) {
-                let part = |from: usize| {
+                let number_at = |from: usize| {
                     stored
                         .scalar
                         .number(element.get(from..).unwrap_or_default())
                 };
-                layout.push(&mut series, number, part(stored.real))?;
+                layout.push(&mut series, number, number_at(stored.real))?;
                 if let Some((from, series)) = stored.imaginary.zip(imaginary.as_mut()) {
-                    layout.push(series, number, part(from))?;
+                    layout.push(series, number, number_at(from))?;
                 }
                 number += 1;
             }
-            row += at_once;
+            row += rows_per_read;
         }
         if number != layout.total() {
             return Err(Damage::new(format!(
@@ -317,7 +320,7 @@ impl Walk<'_> {
 /// Returns the layout of the numbers of a type, `None` for other types. A pair of numbers is
 /// complex.
 fn stored(datatype: &Datatype) -> Option<Stored> {
-    let plain = |datatype: &Datatype| {
+    let scalar_of = |datatype: &Datatype| {
         let order = |order: &DatatypeByteOrder| match order {
             DatatypeByteOrder::LittleEndian => Some(true),
             DatatypeByteOrder::BigEndian => Some(false),
@@ -329,13 +332,14 @@ fn stored(datatype: &Datatype) -> Option<Stored> {
                 byte_order,
                 layout,
             } => {
-                let whole = layout.bit_offset == 0 && u32::from(layout.bit_precision) == 8 * size;
+                let has_full_precision =
+                    layout.bit_offset == 0 && u32::from(layout.bit_precision) == 8 * size;
                 let kind = if layout.signed {
                     Kind::Signed
                 } else {
                     Kind::Unsigned
                 };
-                Scalar::new(kind, *size as usize, order(byte_order)?).filter(|_| whole)
+                Scalar::new(kind, *size as usize, order(byte_order)?).filter(|_| has_full_precision)
             }
             Datatype::FloatingPoint {
                 size,
@@ -354,7 +358,7 @@ fn stored(datatype: &Datatype) -> Option<Stored> {
         }
     };
     match datatype {
-        Datatype::Enumeration { base_type, .. } => plain(base_type).map(|scalar| Stored {
+        Datatype::Enumeration { base_type, .. } => scalar_of(base_type).map(|scalar| Stored {
             scalar,
             width: scalar.size,
             real: 0,
@@ -362,25 +366,26 @@ fn stored(datatype: &Datatype) -> Option<Stored> {
         }),
         Datatype::Compound { size, members } => {
             let [a, b] = &members[..] else { return None };
-            let scalar = plain(&a.datatype).filter(|scalar| plain(&b.datatype) == Some(*scalar))?;
+            let scalar =
+                scalar_of(&a.datatype).filter(|scalar| scalar_of(&b.datatype) == Some(*scalar))?;
             let (width, real, imaginary) = (
                 *size as usize,
                 a.byte_offset as usize,
                 b.byte_offset as usize,
             );
-            let named = ["r", "re", "real"].contains(&a.name.to_lowercase().as_str());
-            let inside = real
+            let has_real_name = ["r", "re", "real"].contains(&a.name.to_lowercase().as_str());
+            let fits_width = real
                 .max(imaginary)
                 .checked_add(scalar.size)
                 .is_some_and(|end| end <= width);
-            (named && inside).then_some(Stored {
+            (has_real_name && fits_width).then_some(Stored {
                 scalar,
                 width,
                 real,
                 imaginary: Some(imaginary),
             })
         }
-        _ => plain(datatype).map(|scalar| Stored {
+        _ => scalar_of(datatype).map(|scalar| Stored {
             scalar,
             width: scalar.size,
             real: 0,

@@ -22,7 +22,7 @@ pub(super) struct Tag {
     /// Bytes of the data.
     pub length: u64,
     /// Data stored in the tag, at most four bytes.
-    small: Option<[u8; 4]>,
+    inline: Option<[u8; 4]>,
 }
 
 impl Tag {
@@ -32,11 +32,11 @@ impl Tag {
         for word in &mut words {
             source.read_exact(word).map_err(Damage::cut)?;
         }
-        let [kind, length] = words.map(|word| whole(word, little_endian));
+        let [kind, length] = words.map(|word| word_value(word, little_endian));
         Ok(Self {
             kind,
             length: u64::from(length),
-            small: None,
+            inline: None,
         })
     }
 
@@ -59,7 +59,7 @@ impl Tag {
     }
 }
 
-fn whole(bytes: [u8; 4], little_endian: bool) -> u32 {
+fn word_value(bytes: [u8; 4], little_endian: bool) -> u32 {
     if little_endian {
         u32::from_le_bytes(bytes)
     } else {
@@ -71,7 +71,7 @@ fn whole(bytes: [u8; 4], little_endian: bool) -> u32 {
 pub(super) struct Elements<'a> {
     source: &'a mut dyn Read,
     /// Remaining bytes of the matrix.
-    left: u64,
+    remaining: u64,
     pub little_endian: bool,
 }
 
@@ -79,7 +79,7 @@ impl<'a> Elements<'a> {
     pub fn new(source: &'a mut dyn Read, length: u64, little_endian: bool) -> Self {
         Self {
             source,
-            left: length,
+            remaining: length,
             little_endian,
         }
     }
@@ -87,9 +87,9 @@ impl<'a> Elements<'a> {
     /// Reads the next tag; its data must lie inside the matrix.
     pub fn tag(&mut self) -> Result<Tag, Damage> {
         let mut word = [0; 4];
-        self.exact(&mut word)?;
-        let first = whole(word, self.little_endian);
-        self.exact(&mut word)?;
+        self.read_exact(&mut word)?;
+        let first = word_value(word, self.little_endian);
+        self.read_exact(&mut word)?;
         // A length in the upper half marks a small element.
         if first >> 16 != 0 {
             let (kind, length) = (first & 0xffff, u64::from(first >> 16));
@@ -97,27 +97,27 @@ impl<'a> Elements<'a> {
                 Ok(Tag {
                     kind,
                     length,
-                    small: Some(word),
+                    inline: Some(word),
                 })
             } else {
-                Err(outside(length, 4))
+                Err(truncated(length, 4))
             };
         }
-        let length = u64::from(whole(word, self.little_endian));
-        if length > self.left {
-            return Err(outside(length, self.left));
+        let length = u64::from(word_value(word, self.little_endian));
+        if length > self.remaining {
+            return Err(truncated(length, self.remaining));
         }
         Ok(Tag {
             kind: first,
             length,
-            small: None,
+            inline: None,
         })
     }
 
     /// Reads the data of a name or text.
     pub fn bytes(&mut self, tag: &Tag) -> Result<Vec<u8>, Damage> {
-        if let Some(small) = tag.small {
-            return Ok(small[..tag.length.min(4) as usize].to_vec());
+        if let Some(inline) = tag.inline {
+            return Ok(inline[..tag.length.min(4) as usize].to_vec());
         }
         if tag.length > MAX_TEXT_BYTES {
             return Err(Damage::new(format!(
@@ -126,80 +126,80 @@ impl<'a> Elements<'a> {
             )));
         }
         let mut bytes = vec![0; tag.length as usize];
-        self.exact(&mut bytes)?;
+        self.read_exact(&mut bytes)?;
         self.pad(tag)?;
         Ok(bytes)
     }
 
-    /// Passes each number to `take`; the count must match.
+    /// Passes each number to `callback`; the count must match.
     pub fn numbers(
         &mut self,
         tag: &Tag,
-        due: u64,
-        mut take: impl FnMut(u64, f64) -> io::Result<()>,
+        expected: u64,
+        mut callback: impl FnMut(u64, f64) -> io::Result<()>,
     ) -> Result<(), Damage> {
         let scalar = tag.scalar(self.little_endian).ok_or_else(|| {
             Damage::new(format!("expected numbers, not data of type {}", tag.kind))
         })?;
-        let there = tag.length / scalar.size as u64;
-        if there != due {
+        let stored_count = tag.length / scalar.size as u64;
+        if stored_count != expected {
             return Err(Damage::new(format!(
-                "expected {due} numbers, but {there} follow: is the file truncated?"
+                "expected {expected} numbers, but {stored_count} follow: is the file truncated?"
             )));
         }
         let mut number = 0;
-        let mut counted = |x| {
+        let mut with_index = |x| {
             number += 1;
-            take(number - 1, x)
+            callback(number - 1, x)
         };
-        if let Some(small) = tag.small {
-            return scalar.each(&mut small.as_slice(), due, &mut counted);
+        if let Some(inline) = tag.inline {
+            return scalar.each(&mut inline.as_slice(), expected, &mut with_index);
         }
-        let bytes = due * scalar.size as u64;
-        scalar.each(&mut self.source, due, &mut counted)?;
-        self.left = self.left.saturating_sub(bytes);
+        let bytes = expected * scalar.size as u64;
+        scalar.each(&mut self.source, expected, &mut with_index)?;
+        self.remaining = self.remaining.saturating_sub(bytes);
         self.pad(tag)
     }
 
     /// Enters a nested matrix; returns the value that [`Self::leave`] needs.
     pub fn enter(&mut self, tag: &Tag) -> u64 {
-        let outside = self.left - tag.length.min(self.left);
-        self.left -= outside;
-        outside
+        let bytes_after = self.remaining - tag.length.min(self.remaining);
+        self.remaining -= bytes_after;
+        bytes_after
     }
 
     /// Leaves a matrix and skips its unread part.
-    pub fn leave(&mut self, tag: &Tag, outside: u64) -> Result<(), Damage> {
+    pub fn leave(&mut self, tag: &Tag, bytes_after: u64) -> Result<(), Damage> {
         self.skip_rest()?;
-        self.left = outside;
+        self.remaining = bytes_after;
         self.pad(tag)
     }
 
     /// Skips the remaining elements.
     pub fn skip_rest(&mut self) -> Result<(), Damage> {
-        self.skip(self.left)
+        self.skip(self.remaining)
     }
 
     /// True where so many elements of at least eight bytes may follow.
     pub fn may_hold(&self, elements: u64) -> bool {
         elements
             .checked_mul(8)
-            .is_some_and(|bytes| bytes <= self.left)
+            .is_some_and(|bytes| bytes <= self.remaining)
     }
 
     fn pad(&mut self, tag: &Tag) -> Result<(), Damage> {
-        let padding = if tag.small.is_some() {
+        let padding = if tag.inline.is_some() {
             0
         } else {
             tag.length.next_multiple_of(8) - tag.length
         };
-        self.skip(padding.min(self.left))
+        self.skip(padding.min(self.remaining))
     }
 
     fn skip(&mut self, bytes: u64) -> Result<(), Damage> {
         let skipped =
             io::copy(&mut self.source.take(bytes), &mut io::sink()).map_err(Damage::cut)?;
-        self.left = self.left.saturating_sub(bytes);
+        self.remaining = self.remaining.saturating_sub(bytes);
         if skipped < bytes {
             Err(Damage::cut(io::ErrorKind::UnexpectedEof.into()))
         } else {
@@ -207,19 +207,19 @@ impl<'a> Elements<'a> {
         }
     }
 
-    fn exact(&mut self, bytes: &mut [u8]) -> Result<(), Damage> {
-        let due = bytes.len() as u64;
-        if due > self.left {
-            return Err(outside(due, self.left));
+    fn read_exact(&mut self, bytes: &mut [u8]) -> Result<(), Damage> {
+        let expected = bytes.len() as u64;
+        if expected > self.remaining {
+            return Err(truncated(expected, self.remaining));
         }
         self.source.read_exact(bytes).map_err(Damage::cut)?;
-        self.left -= due;
+        self.remaining -= expected;
         Ok(())
     }
 }
 
-fn outside(due: u64, left: u64) -> Damage {
+fn truncated(expected: u64, remaining: u64) -> Damage {
     Damage::new(format!(
-        "expected {due} bytes inside an array that ends after {left}: is the file truncated?"
+        "expected {expected} bytes inside an array that ends after {remaining}: is the file truncated?"
     ))
 }

@@ -46,27 +46,27 @@ pub(super) fn read(
     } else {
         Vec::new()
     };
-    let own = name(elements)?;
+    let own_name = name(elements)?;
     // Only variables have their own name; the unnamed one contains objects in a private format.
-    if depth == 0 && own.is_empty() && is_known {
+    if depth == 0 && own_name.is_empty() && is_known {
         return Ok(None);
     }
-    let path = if depth == 0 { &path.to(own) } else { path };
-    let inside = Inside {
+    let path = if depth == 0 { &path.to(own_name) } else { path };
+    let context = ArrayContext {
         path,
         depth,
         dimensions,
         store,
     };
     match class {
-        CELL => inside.cell(elements, tree)?,
-        STRUCT => inside.fields(elements, tree)?,
+        CELL => context.cell(elements, tree)?,
+        STRUCT => context.fields(elements, tree)?,
         OBJECT => {
             name(elements)?;
-            inside.fields(elements, tree)?;
+            context.fields(elements, tree)?;
         }
-        TEXT => return inside.text(elements, tree),
-        _ if NUMBERS.contains(&class) => inside.numbers(elements, complex, tree)?,
+        TEXT => return context.text(elements, tree),
+        _ if NUMBERS.contains(&class) => context.numbers(elements, complex, tree)?,
         SPARSE => tree.skip(format!(
             "{path} is a sparse matrix and was left out; save full({path})"
         )),
@@ -100,7 +100,7 @@ fn class(elements: &mut Elements<'_>) -> Result<Option<(u8, bool)>, Damage> {
 
 fn dimensions(elements: &mut Elements<'_>) -> Result<Vec<u64>, Damage> {
     let tag = elements.tag()?;
-    let mut found = Vec::new();
+    let mut result = Vec::new();
     let count = tag.length / 4;
     if count > 32 {
         return Err(Damage::new(format!(
@@ -108,15 +108,15 @@ fn dimensions(elements: &mut Elements<'_>) -> Result<Vec<u64>, Damage> {
         )));
     }
     elements.numbers(&tag, count, |_, size| {
-        found.push(size);
+        result.push(size);
         Ok(())
     })?;
-    let wrong = |size: &&f64| !(**size >= 0.0 && size.fract() == 0.0);
-    match found.iter().find(wrong) {
+    let is_invalid = |size: &&f64| !(**size >= 0.0 && size.fract() == 0.0);
+    match result.iter().find(is_invalid) {
         Some(size) => Err(Damage::new(format!(
             "a side has {size} numbers; it must be a whole number, 0 or more"
         ))),
-        None => Ok(found.iter().map(|size| *size as u64).collect()),
+        None => Ok(result.iter().map(|size| *size as u64).collect()),
     }
 }
 
@@ -134,23 +134,23 @@ fn latin(bytes: &[u8]) -> String {
 }
 
 /// Contents after the header of an array.
-struct Inside<'a> {
+struct ArrayContext<'a> {
     path: &'a Path,
     depth: usize,
     dimensions: Vec<u64>,
     store: &'a SampleStore,
 }
 
-impl Inside<'_> {
+impl ArrayContext<'_> {
     /// Returns the number of elements of the array.
-    fn count(&self, elements: &Elements<'_>, each: u64) -> Result<u64, Damage> {
+    fn count(&self, elements: &Elements<'_>, per_element: u64) -> Result<u64, Damage> {
         let count = self
             .dimensions
             .iter()
-            .try_fold(each, |product, size| product.checked_mul(*size));
-        let fits = count.filter(|count| elements.may_hold(*count));
+            .try_fold(per_element, |product, size| product.checked_mul(*size));
+        let possible_count = count.filter(|count| elements.may_hold(*count));
         let path = self.path;
-        fits.ok_or_else(|| {
+        possible_count.ok_or_else(|| {
             Damage::new(format!(
                 "{path} has the size {:?}, but fewer elements follow: is the file truncated?",
                 self.dimensions
@@ -171,9 +171,9 @@ impl Inside<'_> {
                 tag.kind
             )));
         }
-        let outside = elements.enter(&tag);
+        let bytes_after = elements.enter(&tag);
         let text = read(elements, path, self.depth + 1, self.store, tree)?;
-        elements.leave(&tag, outside)?;
+        elements.leave(&tag, bytes_after)?;
         Ok(text)
     }
 
@@ -215,16 +215,16 @@ impl Inside<'_> {
             .chunks(width as usize)
             .map(latin)
             .collect();
-        let several = self.dimensions.iter().any(|size| *size > 1);
+        let has_several = self.dimensions.iter().any(|size| *size > 1);
         self.count(elements, names.len() as u64)?;
         for k in 1..=self.count(elements, 1)? {
-            let around = if several {
+            let parent = if has_several {
                 self.numbered(k)
             } else {
                 self.path.clone()
             };
             for name in &names {
-                self.child(elements, &around.to(name), tree)?;
+                self.child(elements, &parent.to(name), tree)?;
             }
         }
         Ok(())
@@ -297,15 +297,15 @@ impl Inside<'_> {
         if layout.total() == 0 {
             return Ok(());
         }
-        let part = |elements: &mut Elements<'_>| {
+        let read_part = |elements: &mut Elements<'_>| {
             let tag: Tag = elements.tag()?;
             let size = tag
                 .scalar(elements.little_endian)
                 .map_or(1, |scalar| scalar.size as u64);
             if tag.length / size != layout.total() {
-                let (path, due, there) = (self.path, layout.total(), tag.length / size);
+                let (path, expected, stored_count) = (self.path, layout.total(), tag.length / size);
                 return Err(Damage::new(format!(
-                    "{path} has {due} numbers by its size, but {there} follow: is the file \
+                    "{path} has {expected} numbers by its size, but {stored_count} follow: is the file \
                     truncated?"
                 )));
             }
@@ -315,8 +315,12 @@ impl Inside<'_> {
             })?;
             Ok(series)
         };
-        let series = part(elements)?;
-        let imaginary = if complex { Some(part(elements)?) } else { None };
+        let series = read_part(elements)?;
+        let imaginary = if complex {
+            Some(read_part(elements)?)
+        } else {
+            None
+        };
         let path = self.path.clone();
         tree.arrays.push(Array {
             path,

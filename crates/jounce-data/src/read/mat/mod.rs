@@ -42,16 +42,16 @@ pub(super) fn read(path: &FilePath, store: &SampleStore) -> Result<FormatContent
 /// Reads one element of the file, compressed or not, and returns its size in bytes.
 fn element(
     source: &mut impl Read,
-    left: u64,
+    remaining: u64,
     little_endian: bool,
     store: &SampleStore,
     tree: &mut Tree,
 ) -> Result<u64, Damage> {
     let tag = Tag::read(source, little_endian)?;
-    let left = left.saturating_sub(8);
-    if tag.length > left {
+    let remaining = remaining.saturating_sub(8);
+    if tag.length > remaining {
         return Err(Damage::new(format!(
-            "the element at this position is {} bytes long, but {left} follow: is the file \
+            "the element at this position is {} bytes long, but {remaining} follow: is the file \
             truncated?",
             tag.length
         )));
@@ -59,15 +59,15 @@ fn element(
     let mut content = source.by_ref().take(tag.length);
     if tag.kind == COMPRESSED {
         let mut inflated = ZlibDecoder::new(&mut content);
-        let inner = Tag::read(&mut inflated, little_endian)?;
-        if inner.length / MAX_RATIO > tag.length {
+        let inner_tag = Tag::read(&mut inflated, little_endian)?;
+        if inner_tag.length / MAX_RATIO > tag.length {
             let why = format!(
                 "{} bytes cannot be {} compressed ones: is the file truncated?",
-                inner.length, tag.length
+                inner_tag.length, tag.length
             );
             return Err(Damage::new(why));
         }
-        root(&mut inflated, inner, little_endian, store, tree)?;
+        root(&mut inflated, inner_tag, little_endian, store, tree)?;
         // Reading past the last byte verifies the checksum.
         io::copy(&mut inflated.take(1), &mut io::sink()).map_err(Damage::cut)?;
     } else {
@@ -75,12 +75,12 @@ fn element(
     }
     io::copy(&mut content, &mut io::sink()).map_err(Damage::cut)?;
     // Uncompressed data are padded to eight bytes.
-    let whole = if tag.kind == COMPRESSED {
+    let stored_length = if tag.kind == COMPRESSED {
         tag.length
     } else {
         tag.length.next_multiple_of(8)
     };
-    let padding = whole.min(left) - tag.length;
+    let padding = stored_length.min(remaining) - tag.length;
     io::copy(&mut source.by_ref().take(padding), &mut io::sink()).map_err(Damage::cut)?;
     Ok(8 + tag.length + padding)
 }

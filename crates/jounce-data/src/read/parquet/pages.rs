@@ -114,14 +114,14 @@ fn check_runs(mut runs: &[u8], bits: usize, count: usize) -> Result<()> {
             .rev()
             .fold(0_u64, |length, byte| length << 7 | u64::from(byte & 0x7f))
             as usize;
-        let (inside, held) = if length % 2 == 1 {
+        let (body, prefix) = if length % 2 == 1 {
             ((length >> 1) * bits, (length >> 1) * 8)
         } else {
             (bits.div_ceil(8), length >> 1)
         };
-        numbers = numbers.saturating_add(held);
+        numbers = numbers.saturating_add(prefix);
         runs = runs
-            .get((last + 1).saturating_add(inside)..)
+            .get((last + 1).saturating_add(body)..)
             .unwrap_or_default();
     }
     Ok(())

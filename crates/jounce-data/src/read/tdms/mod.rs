@@ -28,7 +28,7 @@ const HAS_DATA: u32 = 1 << 3;
 const IS_INTERLEAVED: u32 = 1 << 5;
 const IS_BIG_ENDIAN: u32 = 1 << 6;
 /// Length of a segment that was not closed.
-const OPEN: u64 = u64::MAX;
+const UNFINISHED_SEGMENT: u64 = u64::MAX;
 
 /// Reader of consecutive segments.
 struct Reader<'a> {
@@ -73,38 +73,43 @@ impl Reader<'_> {
             )));
         }
         let word = |from: usize| u64::from_le_bytes(std::array::from_fn(|k| lead[from + k]));
-        let (marks, next, data) = (word(4) as u32, word(12), word(20));
-        let left = self.size - at - LEAD_IN;
-        let length = if next == OPEN { left } else { next };
-        if length > left || data > length && data != OPEN {
+        let (flags, next, data) = (word(4) as u32, word(12), word(20));
+        let remaining = self.size - at - LEAD_IN;
+        let length = if next == UNFINISHED_SEGMENT {
+            remaining
+        } else {
+            next
+        };
+        if length > remaining || data > length && data != UNFINISHED_SEGMENT {
             return Err(Damage::new(format!(
-                "expected a segment of {length} bytes with data from {data}, but {left} bytes \
+                "expected a segment of {length} bytes with data from {data}, but {remaining} bytes \
                 follow: is the file truncated?"
             )));
         }
-        let little_endian = marks & IS_BIG_ENDIAN == 0;
-        if marks & HAS_METADATA != 0 {
+        let little_endian = flags & IS_BIG_ENDIAN == 0;
+        if flags & HAS_METADATA != 0 {
             let bytes = data.min(length);
             let mut source = (&mut self.source).take(bytes);
             self.metadata
-                .read(&mut source, little_endian, marks & IS_NEW_LIST != 0)?;
+                .read(&mut source, little_endian, flags & IS_NEW_LIST != 0)?;
         }
-        if next == OPEN {
-            let about = "the last segment was not closed, because the program that wrote it ended \
+        if next == UNFINISHED_SEGMENT {
+            let message =
+                "the last segment was not closed, because the program that wrote it ended \
                 early; the existing data are read"
-                .to_owned();
+                    .to_owned();
             self.findings.push(Issue::new(
                 IssueKind::HeaderDisagrees,
                 1,
                 Some(IssuePlace::Byte(at as usize)),
-                about,
+                message,
             ));
         }
-        if marks & HAS_DATA != 0 && data < length {
+        if flags & HAS_DATA != 0 && data < length {
             self.source
                 .seek(SeekFrom::Start(at + LEAD_IN + data))
                 .map_err(Damage::cut)?;
-            self.data(length - data, marks & IS_INTERLEAVED != 0, little_endian)?;
+            self.data(length - data, flags & IS_INTERLEAVED != 0, little_endian)?;
         }
         Ok(at + LEAD_IN + length)
     }
@@ -121,17 +126,17 @@ impl Reader<'_> {
         if interleaved {
             return self.interleaved(&active, bytes, little_endian);
         }
-        let mut left = bytes;
-        while left > 0 {
+        let mut remaining = bytes;
+        while remaining > 0 {
             // The last chunk of an open segment may be truncated, between its channels or inside
             // one.
-            let mut of_chunk = left.min(chunk);
-            left -= of_chunk;
+            let mut chunk_bytes = remaining.min(chunk);
+            remaining -= chunk_bytes;
             for (channel, stored) in &active {
-                let due = stored.bytes().unwrap_or(0);
-                let there = due.min(of_chunk);
-                of_chunk -= there;
-                self.numbers(*channel, *stored, there, little_endian)?;
+                let expected = stored.bytes().unwrap_or(0);
+                let available = expected.min(chunk_bytes);
+                chunk_bytes -= available;
+                self.numbers(*channel, *stored, available, little_endian)?;
             }
         }
         Ok(())
@@ -159,9 +164,9 @@ impl Reader<'_> {
         // Big-endian times begin with the seconds.
         let mut part = usize::from(stored.is_time() && !little_endian);
         scalar.each(&mut self.source, bytes / width * parts as u64, |x| {
-            let pushed = numbers[part].push(x);
+            let result = numbers[part].push(x);
             part = (part + 1) % parts;
-            pushed
+            result
         })?;
         std::io::copy(
             &mut (&mut self.source).take(bytes % width),
@@ -235,7 +240,7 @@ impl Reader<'_> {
                 .map_or_else(String::new, |(_, unit)| unit.clone());
             let (real, unit, imaginary) = if object.is_time {
                 (
-                    since_the_first(&real, &imaginary, self.store)?,
+                    seconds_since_first(&real, &imaginary, self.store)?,
                     "s".to_owned(),
                     None,
                 )
@@ -255,23 +260,23 @@ impl Reader<'_> {
 }
 
 /// Converts timestamps, in units of 2^-64 s and seconds, to seconds since the first one.
-fn since_the_first(
+fn seconds_since_first(
     parts: &ColumnNumbers,
     seconds: &ColumnNumbers,
     store: &SampleStore,
 ) -> std::io::Result<ColumnNumbers> {
-    let mut since = store.column();
+    let mut elapsed = store.column();
     let first = (
-        parts.ends()?.map_or(0.0, |(first, _)| first),
-        seconds.ends()?.map_or(0.0, |(first, _)| first),
+        parts.first_and_last()?.map_or(0.0, |(first, _)| first),
+        seconds.first_and_last()?.map_or(0.0, |(first, _)| first),
     );
     for index in 0..seconds.count().div_ceil(PIECE) {
         let (parts, seconds) = (parts.piece(index)?, seconds.piece(index)?);
         for (part, second) in parts.iter().zip(seconds.iter()) {
-            since.push((second - first.1) + (part - first.0) / 2_f64.powi(64))?;
+            elapsed.push((second - first.1) + (part - first.0) / 2_f64.powi(64))?;
         }
     }
-    Ok(since)
+    Ok(elapsed)
 }
 
 /// Reads numbers and texts stored as properties of an object.

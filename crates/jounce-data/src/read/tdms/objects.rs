@@ -13,8 +13,8 @@ const MAX_TEXT_BYTES: u32 = 1 << 20;
 const TEXT: u32 = 0x20;
 const TIME: u32 = 0x44;
 /// Codes for the layout of raw data: no data, as in the previous segment, and two forms of DAQmx.
-const NONE: u32 = u32::MAX;
-const AS_BEFORE: u32 = 0;
+const NO_DATA_INDEX: u32 = u32::MAX;
+const SAME_DATA_INDEX: u32 = 0;
 const DAQMX: [u32; 2] = [0x1269, 0x1369];
 
 /// File, group or channel.
@@ -88,11 +88,11 @@ impl Metadata {
         if is_new_list {
             self.active.clear();
         }
-        let mut place: HashMap<usize, usize> = self
+        let mut positions: HashMap<usize, usize> = self
             .active
             .iter()
             .enumerate()
-            .map(|(place, (number, _))| (*number, place))
+            .map(|(positions, (number, _))| (*number, positions))
             .collect();
         for _ in 0..values.word()? {
             let path = values.text()?;
@@ -106,9 +106,9 @@ impl Metadata {
             }
             if let Some(stored) = self.stored(&mut values, number)? {
                 self.last.insert(number, stored);
-                let at = *place.entry(number).or_insert(self.active.len());
+                let at = *positions.entry(number).or_insert(self.active.len());
                 match self.active.get_mut(at) {
-                    Some(there) => there.1 = stored,
+                    Some(entry) => entry.1 = stored,
                     None => self.active.push((number, stored)),
                 }
             }
@@ -120,19 +120,19 @@ impl Metadata {
     /// Reads the layout of the raw data of an object, if it has any.
     fn stored(&mut self, values: &mut Values<'_>, number: usize) -> Result<Option<Stored>, Damage> {
         let object = &mut self.objects[number];
-        let told = values.word()?;
-        let stored = match told {
-            NONE => return Ok(None),
-            AS_BEFORE => {
-                let before = self.last.get(&number).copied();
-                before.ok_or_else(|| {
+        let index_word = values.word()?;
+        let stored = match index_word {
+            NO_DATA_INDEX => return Ok(None),
+            SAME_DATA_INDEX => {
+                let previous = self.last.get(&number).copied();
+                previous.ok_or_else(|| {
                     Damage::new(format!(
                         "{} refers to the previous segment, but there is no previous segment",
                         object.names.join("/")
                     ))
                 })?
             }
-            _ if DAQMX.contains(&told) => {
+            _ if DAQMX.contains(&index_word) => {
                 return Err(Damage::new(
                     "its data are raw values of DAQmx; save it again scaled: in LabVIEW with TDMS \
                     Write, in DIAdem, or in Python by nptdms: \
@@ -191,7 +191,7 @@ impl Metadata {
                         ))
                     })?;
                     let mut bytes = vec![0; size as usize];
-                    values.exact(&mut bytes)?;
+                    values.read_exact(&mut bytes)?;
                     if let Some((scalar, 1)) = stored.scalar(values.little_endian) {
                         object.numbers.retain(|(known, _)| *known != name);
                         object.numbers.push((name, scalar.number(&bytes)));
@@ -205,14 +205,14 @@ impl Metadata {
 
 /// Splits a path `/'group'/'channel'` into names; quotes inside are doubled.
 fn names(path: &str) -> Vec<String> {
-    let inside = path
+    let inner = path
         .trim_start_matches('/')
         .trim_start_matches('\'')
         .trim_end_matches('\'');
-    if inside.is_empty() {
+    if inner.is_empty() {
         Vec::new()
     } else {
-        inside
+        inner
             .split("'/'")
             .map(|name| name.replace("''", "'"))
             .collect()
@@ -226,13 +226,13 @@ struct Values<'a> {
 }
 
 impl Values<'_> {
-    fn exact(&mut self, bytes: &mut [u8]) -> Result<(), Damage> {
+    fn read_exact(&mut self, bytes: &mut [u8]) -> Result<(), Damage> {
         self.source.read_exact(bytes).map_err(Damage::cut)
     }
 
     fn word(&mut self) -> Result<u32, Damage> {
         let mut bytes = [0; 4];
-        self.exact(&mut bytes)?;
+        self.read_exact(&mut bytes)?;
         Ok(if self.little_endian {
             u32::from_le_bytes(bytes)
         } else {
@@ -242,7 +242,7 @@ impl Values<'_> {
 
     fn long(&mut self) -> Result<u64, Damage> {
         let mut bytes = [0; 8];
-        self.exact(&mut bytes)?;
+        self.read_exact(&mut bytes)?;
         Ok(if self.little_endian {
             u64::from_le_bytes(bytes)
         } else {
@@ -258,12 +258,12 @@ impl Values<'_> {
             )));
         }
         let mut bytes = vec![0; length as usize];
-        self.exact(&mut bytes)?;
+        self.read_exact(&mut bytes)?;
         Ok(String::from_utf8_lossy(&bytes).into_owned())
     }
 
     fn skip(&mut self, bytes: usize) -> Result<(), Damage> {
-        self.exact(&mut vec![0; bytes])
+        self.read_exact(&mut vec![0; bytes])
     }
 }
 
@@ -292,7 +292,7 @@ mod tests {
     use super::names;
 
     #[test]
-    fn names_are_told_apart_by_their_quotes() {
+    fn names_are_separated_by_their_quotes() {
         assert_eq!(names("/"), Vec::<String>::new());
         assert_eq!(names("/'run 1'"), ["run 1"]);
         assert_eq!(names("/'run 1'/'it''s a/b'"), ["run 1", "it's a/b"]);

@@ -26,16 +26,16 @@ pub(in crate::read) struct ColumnHead {
     /// numbers.
     pub blank: bool,
     /// True for a column before all numbers, where some instruments write their settings.
-    pub beside: bool,
+    pub is_preceding: bool,
     /// True where no line of the text names the column.
-    pub unnamed: bool,
+    pub has_no_name: bool,
 }
 
 impl ColumnHead {
     fn numbered(k: usize) -> Self {
         Self {
             name: format!("column {}", k + 1),
-            unnamed: true,
+            has_no_name: true,
             ..Self::default()
         }
     }
@@ -58,7 +58,7 @@ pub(super) fn heads(
             REDUCTIONS.contains(&field.trim().trim_matches('"').to_lowercase().as_str())
         })
     };
-    let fits = |fields: &Vec<String>| {
+    let is_heading = |fields: &Vec<String>| {
         (used..=count).contains(&fields.len())
             && !is_pair(fields)
             && !is_alone(fields)
@@ -68,7 +68,7 @@ pub(super) fn heads(
         .iter()
         .rev()
         .map(|line| fields_of_head(line, used, count, delimiter))
-        .filter(fits);
+        .filter(is_heading);
     let Some(last) = rows.next() else {
         return ((0..count).map(ColumnHead::numbered).collect(), Vec::new());
     };
@@ -79,15 +79,20 @@ pub(super) fn heads(
         Some(names) => (names, Some(last)),
         None => (last, None),
     };
-    let doubts = if units.is_none() {
-        names.iter().filter_map(|name| name::doubt(name)).collect()
+    let issues = if units.is_none() {
+        names
+            .iter()
+            .filter_map(|name| name::ambiguity_issue(name))
+            .collect()
     } else {
         Vec::new()
     };
     let head = |k: usize| {
         let (name, unit) = name::split(names.get(k).map_or("", String::as_str));
         let unit = match &units {
-            Some(units) => units.get(k).map_or(String::new(), |unit| meant(unit)),
+            Some(units) => units
+                .get(k)
+                .map_or(String::new(), |unit| cleaned_unit(unit)),
             None => unit,
         };
         if name.is_empty() {
@@ -103,7 +108,7 @@ pub(super) fn heads(
             }
         }
     };
-    (distinct((0..count).map(head).collect()), doubts)
+    (with_unique_names((0..count).map(head).collect()), issues)
 }
 
 /// Names that are consecutive numbers from 0 or 1, in a first row whose columns contain other
@@ -113,28 +118,31 @@ pub(super) fn numbered(
     below: &[&str],
     delimiter: Delimiter,
 ) -> Option<Vec<ColumnHead>> {
-    let bare = |fields: &[String]| {
+    let unquoted = |fields: &[String]| {
         fields
             .iter()
             .map(|field| field.trim().trim_matches('"').to_owned())
             .collect::<Vec<String>>()
     };
-    let names = bare(&delimiter.fields(first));
-    let named = names.iter().position(|name| !name.is_empty())?;
-    let from: usize = names[named].parse().ok().filter(|from| *from < 2)?;
-    let in_order = names[named..]
+    let names = unquoted(&delimiter.fields(first));
+    let first_name = names.iter().position(|name| !name.is_empty())?;
+    let from: usize = names[first_name].parse().ok().filter(|from| *from < 2)?;
+    let in_order = names[first_name..]
         .iter()
         .enumerate()
         .all(|(k, name)| *name == (from + k).to_string());
     // An integer in each column could be the next row of counters.
-    let whole = |field: &String| field.parse::<i64>().is_ok();
+    let is_integer = |field: &String| field.parse::<i64>().is_ok();
     let rows: Vec<Vec<String>> = below
         .iter()
-        .map(|line| bare(&delimiter.fields(line)))
+        .map(|line| unquoted(&delimiter.fields(line)))
         .filter(|fields| fields.len() == names.len())
         .collect();
-    let differ = !rows.is_empty() && rows.iter().all(|fields| !fields[named..].iter().any(whole));
-    if named > 1 || names.len() - named < 2 || !in_order || !differ {
+    let rows_differ = !rows.is_empty()
+        && rows
+            .iter()
+            .all(|fields| !fields[first_name..].iter().any(is_integer));
+    if first_name > 1 || names.len() - first_name < 2 || !in_order || !rows_differ {
         return None;
     }
     let head = |(k, name): (usize, &String)| {
@@ -152,7 +160,7 @@ pub(super) fn numbered(
 
 /// True for a line of units: at least one is known, and all others are words found in such lines.
 fn are_units(fields: &[String]) -> bool {
-    let bare = |field: &String| {
+    let cleaned = |field: &String| {
         field
             .trim()
             .trim_matches(['"', '(', ')', '[', ']'])
@@ -163,16 +171,16 @@ fn are_units(fields: &[String]) -> bool {
     fields.iter().any(known)
         && fields
             .iter()
-            .all(|field| known(field) || UNIT_WORDS.contains(&bare(field).as_str()))
+            .all(|field| known(field) || UNIT_WORDS.contains(&cleaned(field).as_str()))
 }
 
 /// Returns a unit from a line of units; empty for words that mean no unit.
-fn meant(unit: &str) -> String {
-    let bare = unit.trim().trim_matches('"').trim();
-    if NO_UNITS.contains(&bare.to_lowercase().as_str()) {
+fn cleaned_unit(unit: &str) -> String {
+    let cleaned = unit.trim().trim_matches('"').trim();
+    if NO_UNITS.contains(&cleaned.to_lowercase().as_str()) {
         String::new()
     } else {
-        bare.to_owned()
+        cleaned.to_owned()
     }
 }
 
@@ -200,29 +208,29 @@ fn fields_of_head(line: &str, used: usize, count: usize, delimiter: Delimiter) -
         if fields.len() == count {
             return fields;
         }
-        let wide: Vec<String> = line
+        let wide_fields: Vec<String> = line
             .split("  ")
             .map(str::trim)
             .filter(|field| !field.is_empty())
             .map(str::to_owned)
             .collect();
-        return if wide.len() == count {
-            wide
+        return if wide_fields.len() == count {
+            wide_fields
         } else {
             Delimiter::Byte(b',').fields(line)
         };
     }
     if fields.len() > used {
-        let kept = fields.iter().take(used).cloned();
+        let leading_fields = fields.iter().take(used).cloned();
         // Numbers beyond the columns are not names but values of a step and a start, below their
         // keys.
         let is_number = |field: &str| field.trim().parse::<f64>().is_ok();
-        let rest = fields
+        let other_fields = fields
             .iter()
             .skip(used)
             .filter(|field| !is_of_time(field) && !is_number(field))
             .cloned();
-        fields = kept.chain(rest).collect();
+        fields = leading_fields.chain(other_fields).collect();
     }
     while fields.len() > used && fields.last().is_some_and(|field| field.trim().is_empty()) {
         fields.pop();
@@ -231,10 +239,10 @@ fn fields_of_head(line: &str, used: usize, count: usize, delimiter: Delimiter) -
 }
 
 /// Appends the column number to duplicate names.
-fn distinct(heads: Vec<ColumnHead>) -> Vec<ColumnHead> {
-    let twice = |name: &str| heads.iter().filter(|head| head.name == name).count() > 1;
+fn with_unique_names(heads: Vec<ColumnHead>) -> Vec<ColumnHead> {
+    let is_repeated = |name: &str| heads.iter().filter(|head| head.name == name).count() > 1;
     let name = |k: usize, name: &str| {
-        if twice(name) {
+        if is_repeated(name) {
             format!("{name} {}", k + 1)
         } else {
             name.to_owned()

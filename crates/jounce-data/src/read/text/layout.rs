@@ -24,13 +24,13 @@ pub(crate) struct TextLayout {
     /// Lines before the first row of numbers.
     pub skip: usize,
     /// Minimum number of fields of a complete row.
-    pub least: usize,
+    pub min_fields: usize,
     /// Name and unit of each column.
     pub heads: Vec<ColumnHead>,
     /// Instrument settings above the rows, or next to them.
     pub preamble: Preamble,
     /// Issues about ambiguous headings.
-    pub doubts: Vec<Issue>,
+    pub issues: Vec<Issue>,
 }
 
 /// Consecutive lines with equally many numbers that mark the beginning of the data; two if there
@@ -94,7 +94,7 @@ impl TextLayout {
             .collect();
         // Rows above with text only in columns that are empty in the first rows belong to the data:
         // some oscilloscopes write settings there.
-        let belongs = |row: &Vec<TextField>| {
+        let is_data_row = |row: &Vec<TextField>| {
             row.len() == count
                 && row
                     .iter()
@@ -104,37 +104,43 @@ impl TextLayout {
         skip -= lines[..skip]
             .iter()
             .rev()
-            .take_while(|line| belongs(&read(line)))
+            .take_while(|line| is_data_row(&read(line)))
             .count();
         let used = blank
             .iter()
             .rposition(|blank| !blank)
             .map_or(count, |last| last + 1);
-        let beside = blank.iter().position(|blank| !blank).unwrap_or(0);
-        let (mut columns, mut doubts) = heads(&lines[..skip], used, count, delimiter);
-        if let Some(named) = lines.get(skip).and_then(|first| {
+        let first_numeric = blank.iter().position(|blank| !blank).unwrap_or(0);
+        let (mut columns, mut issues) = heads(&lines[..skip], used, count, delimiter);
+        if let Some(numbered_heads) = lines.get(skip).and_then(|first| {
             numbered(
                 first,
                 &lines[skip + 1..lines.len().min(skip + 1 + ROWS[0])],
                 delimiter,
             )
         }) {
-            (columns, doubts, skip) = (named, Vec::new(), skip + 1);
+            (columns, issues, skip) = (numbered_heads, Vec::new(), skip + 1);
         }
         for (k, (head, blank)) in columns.iter_mut().zip(&blank).enumerate() {
-            (head.blank, head.beside) = (*blank, k < beside);
+            (head.blank, head.is_preceding) = (*blank, k < first_numeric);
         }
-        let preamble = Preamble::read(&said(lines, skip, beside, delimiter, decimal_comma));
-        doubts.extend(preamble.doubts.iter().cloned());
+        let preamble = Preamble::read(&preamble_fields(
+            lines,
+            skip,
+            first_numeric,
+            delimiter,
+            decimal_comma,
+        ));
+        issues.extend(preamble.issues.iter().cloned());
         Some(Self {
             delimiter,
             decimal_comma,
             line_end,
             skip,
-            least: count,
+            min_fields: count,
             heads: columns,
             preamble,
-            doubts,
+            issues,
         })
     }
 }
@@ -142,79 +148,79 @@ impl TextLayout {
 /// Number of rows that may have settings next to them.
 const SETTINGS_ROWS: usize = 64;
 
-/// Fields of the lines above the rows, and of the columns `beside` the first rows.
-fn said(
+/// Fields of the lines above the rows, and of the columns before `first_numeric` in the first rows.
+fn preamble_fields(
     lines: &[&str],
     skip: usize,
-    beside: usize,
+    first_numeric: usize,
     delimiter: Delimiter,
     decimal_comma: bool,
 ) -> Vec<Vec<String>> {
     // A single column shows no delimiter; use the most frequent one of the lines above.
-    let written = |byte: &u8| {
+    let occurrences = |byte: &u8| {
         lines[..skip]
             .iter()
             .map(|line| line.bytes().filter(|b| b == byte).count())
             .sum::<usize>()
     };
-    let single = delimiter != Delimiter::Blanks
+    let has_one_column = delimiter != Delimiter::Blanks
         && lines
             .get(skip)
             .is_some_and(|row| delimiter.fields(row).len() == 1);
-    let above = [b',', b';', b'\t']
+    let preamble_delimiter = [b',', b';', b'\t']
         .into_iter()
-        .max_by_key(written)
-        .filter(|byte| single && written(byte) > 0)
+        .max_by_key(occurrences)
+        .filter(|byte| has_one_column && occurrences(byte) > 0)
         .map_or(delimiter, Delimiter::Byte);
-    let fields = |line: &&str| match above {
+    let fields = |line: &&str| match preamble_delimiter {
         Delimiter::Blanks if line.contains([':', '=']) => vec![(*line).to_owned()],
-        _ => above.fields(line),
+        _ => preamble_delimiter.fields(line),
     };
-    let beside = |line: &&str| {
+    let leading_text = |line: &&str| {
         delimiter
             .fields(line)
             .into_iter()
-            .take(beside)
+            .take(first_numeric)
             .collect::<Vec<String>>()
     };
     let has_text = |fields: &Vec<String>| fields.iter().any(|field| !field.trim().is_empty());
-    let plain = |fields: Vec<String>| {
+    let with_decimal_point = |fields: Vec<String>| {
         if decimal_comma {
             fields.iter().map(|field| field.replace(',', ".")).collect()
         } else {
             fields
         }
     };
-    let above = lines[..skip].iter().map(fields);
-    above
+    let preamble_lines = lines[..skip].iter().map(fields);
+    preamble_lines
         .chain(
             lines[skip..]
                 .iter()
                 .take(SETTINGS_ROWS)
-                .map(beside)
+                .map(leading_text)
                 .filter(has_text),
         )
-        .map(plain)
+        .map(with_decimal_point)
         .collect()
 }
 
 /// First line, number of columns, delimiter and decimal comma that give the most columns.
 fn most_columns(lines: &[&str], rows: usize) -> Option<(usize, usize, Delimiter, bool)> {
-    let ways = DELIMITERS
+    let candidates = DELIMITERS
         .into_iter()
         .flat_map(|delimiter| [(delimiter, false), (delimiter, true)]);
-    let ways = ways.filter(|way| *way != (Delimiter::Byte(b','), true));
-    let counted: Vec<_> = ways
+    let candidates = candidates.filter(|candidate| *candidate != (Delimiter::Byte(b','), true));
+    let counted_candidates: Vec<_> = candidates
         .map(|(delimiter, comma)| (delimiter, comma, counts(lines, delimiter, comma)))
         .collect();
     // A text may have fewer rows than required, but then under every way of reading it.
-    let longest = counted
+    let max_rows = counted_candidates
         .iter()
         .map(|(.., counts)| counts.iter().filter(|count| **count > 0).count())
         .max()?;
     let mut best: Option<(usize, usize, Delimiter, bool)> = None;
-    for (delimiter, decimal_comma, counts) in counted {
-        let Some((skip, count)) = first_rows(&counts, rows.min(longest).max(1)) else {
+    for (delimiter, decimal_comma, counts) in counted_candidates {
+        let Some((skip, count)) = first_rows(&counts, rows.min(max_rows).max(1)) else {
             continue;
         };
         if best.is_none_or(|(_, most, ..)| count > most) {
@@ -252,7 +258,7 @@ fn counts(lines: &[&str], delimiter: Delimiter, decimal_comma: bool) -> Vec<usiz
 /// First line and width of the first rows with equally many numbers. Equally wide rows above them
 /// belong to them if only numbers are in between.
 fn first_rows(counts: &[usize], rows: usize) -> Option<(usize, usize)> {
-    let begins = |k: &usize| {
+    let starts_row = |k: &usize| {
         counts[*k] > 0
             && counts[*k..]
                 .iter()
@@ -261,7 +267,7 @@ fn first_rows(counts: &[usize], rows: usize) -> Option<(usize, usize)> {
                 .count()
                 == rows
     };
-    let found = (0..counts.len()).find(begins)?;
+    let found = (0..counts.len()).find(starts_row)?;
     let above = (0..found)
         .rev()
         .take_while(|k| counts[*k] > 0)
@@ -281,7 +287,7 @@ mod tests {
         let heads = layout
             .heads
             .iter()
-            .filter(|head| !head.blank || !head.unnamed);
+            .filter(|head| !head.blank || !head.has_no_name);
         let heads = heads.map(|head| {
             if head.unit.is_empty() {
                 head.name.clone()

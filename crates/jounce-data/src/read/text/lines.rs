@@ -10,7 +10,7 @@ pub(in crate::read) fn line_end(head: &[u8]) -> u8 {
 }
 
 /// Lines of the beginning of a text; the last one only if the text ends with it.
-pub(in crate::read) fn whole_lines(text: &str, end: u8, is_all: bool) -> Vec<&str> {
+pub(in crate::read) fn complete_lines(text: &str, end: u8, is_all: bool) -> Vec<&str> {
     let mut lines: Vec<&str> = text
         .split(char::from(end))
         .map(|line| line.trim_end_matches('\r'))
@@ -29,12 +29,12 @@ mod tests {
     fn lines_of_every_kind_are_split_and_a_cut_one_is_left_out() {
         for text in ["a\nb\n", "a\r\nb\r\n", "a\rb\r", "a\nb"] {
             assert_eq!(
-                whole_lines(text, line_end(text.as_bytes()), true),
+                complete_lines(text, line_end(text.as_bytes()), true),
                 ["a", "b"],
                 "{text:?}"
             );
         }
-        assert_eq!(whole_lines("1,2\n3,", b'\n', false), ["1,2"]);
-        assert_eq!(whole_lines("1,2\n", b'\n', false), ["1,2"]);
+        assert_eq!(complete_lines("1,2\n3,", b'\n', false), ["1,2"]);
+        assert_eq!(complete_lines("1,2\n", b'\n', false), ["1,2"]);
     }
 }

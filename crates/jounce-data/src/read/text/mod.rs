@@ -1,10 +1,10 @@
 //! CSV and text with any header.
+mod apply_preamble;
 mod heads;
 mod layout;
 mod lines;
 mod preamble;
 mod rows;
-mod settle;
 
 use std::fs::File;
 use std::io::{BufReader, Read, Seek};
@@ -12,7 +12,7 @@ use std::path::Path;
 
 pub(super) use heads::ColumnHead;
 pub(super) use layout::{Delimiter, TextLayout};
-pub(super) use lines::{line_end, whole_lines};
+pub(super) use lines::{complete_lines, line_end};
 pub(super) use preamble::Preamble;
 pub(super) use rows::{Rows, columns};
 
@@ -32,11 +32,11 @@ const MAX_WINDOW: u64 = 1 << 26;
 /// Reads a text: the layout from its head, then row by row, so memory never holds the complete
 /// text.
 pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, Damage> {
-    let told = |fault: std::io::Error| Damage::new(fault.to_string());
-    let mut file = File::open(path).map_err(told)?;
-    let size = file.metadata().map_err(told)?.len();
-    let (layout, odd_line) = found_layout(&mut file, size)?;
-    file.rewind().map_err(told)?;
+    let io_error = |fault: std::io::Error| Damage::new(fault.to_string());
+    let mut file = File::open(path).map_err(io_error)?;
+    let size = file.metadata().map_err(io_error)?.len();
+    let (layout, invalid_line) = find_layout(&mut file, size)?;
+    file.rewind().map_err(io_error)?;
     let Rows {
         mut columns,
         mut findings,
@@ -46,19 +46,21 @@ pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, D
         &layout,
         store,
     )?;
-    let written = WrittenNotes::beside(path, &columns);
-    written
-        .iter()
-        .for_each(|written| columns.iter_mut().for_each(|column| written.tell(column)));
-    settle::settle(&mut columns, &layout)?;
-    findings.extend(layout.doubts);
-    if let Some(line) = odd_line {
-        let about = "the header is not UTF-8; it was read as Latin-1".to_owned();
+    let written_notes = WrittenNotes::for_file(path, &columns);
+    written_notes.iter().for_each(|written_notes| {
+        columns
+            .iter_mut()
+            .for_each(|column| written_notes.apply_to(column))
+    });
+    apply_preamble::apply_preamble(&mut columns, &layout)?;
+    findings.extend(layout.issues);
+    if let Some(line) = invalid_line {
+        let message = "the header is not UTF-8; it was read as Latin-1".to_owned();
         findings.push(Issue::new(
             IssueKind::Encoding,
             1,
             Some(IssuePlace::Line(line)),
-            about,
+            message,
         ));
     }
     let stamps = match layout.preamble.rate {
@@ -77,24 +79,24 @@ pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, D
 }
 
 /// Finds the layout, and the first line that is not UTF-8.
-fn found_layout(file: &mut File, size: u64) -> Result<(TextLayout, Option<usize>), Damage> {
-    let told = |fault: std::io::Error| Damage::new(fault.to_string());
+fn find_layout(file: &mut File, size: u64) -> Result<(TextLayout, Option<usize>), Damage> {
+    let io_error = |fault: std::io::Error| Damage::new(fault.to_string());
     let (mut head, mut window) = (Vec::new(), INITIAL_WINDOW);
     loop {
-        let missing = window - head.len() as u64;
+        let remaining = window - head.len() as u64;
         file.by_ref()
-            .take(missing)
+            .take(remaining)
             .read_to_end(&mut head)
-            .map_err(told)?;
+            .map_err(io_error)?;
         let is_all = (head.len() as u64) < window || head.len() as u64 >= size;
         let end = line_end(&head);
         let (text, latin) = decoded(&head);
-        if let Some(layout) = TextLayout::find(&whole_lines(&text, end, is_all), end) {
-            let odd = head
+        if let Some(layout) = TextLayout::find(&complete_lines(&text, end, is_all), end) {
+            let invalid = head
                 .split(|b| *b == end)
                 .position(|line| !line.is_ascii())
                 .map_or(1, |line| line + 1);
-            return Ok((layout, latin.then_some(odd)));
+            return Ok((layout, latin.then_some(invalid)));
         }
         if is_all || window >= MAX_WINDOW {
             return Err(Damage::new("it contains no rows of numbers"));

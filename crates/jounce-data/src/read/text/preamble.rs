@@ -9,7 +9,7 @@ use super::super::raw::Rate;
 use crate::recording::{Issue, IssueKind, Quantity, Unit};
 
 /// Keys of a step, in lower case without spaces.
-const STEPS: [&str; 19] = [
+const STEP_KEYS: [&str; 19] = [
     "sampleinterval",
     "samplinginterval",
     "sampleperiod",
@@ -31,7 +31,7 @@ const STEPS: [&str; 19] = [
     "samplingtime",
 ];
 /// Keys of a rate.
-const RATES: [&str; 14] = [
+const RATE_KEYS: [&str; 14] = [
     "samplerate",
     "samplingrate",
     "samplefrequency",
@@ -48,7 +48,7 @@ const RATES: [&str; 14] = [
     "sps",
 ];
 /// Keys of the time of the first sample.
-const STARTS: [&str; 9] = [
+const START_KEYS: [&str; 9] = [
     "start",
     "starttime",
     "xorigin",
@@ -60,7 +60,7 @@ const STARTS: [&str; 9] = [
     "hoffset",
 ];
 /// Keys of the units of channels, of the unit of the time, and of the names of channels.
-const UNITS: [&str; 8] = [
+const UNIT_KEYS: [&str; 8] = [
     "verticalunits",
     "verticalunit",
     "yunits",
@@ -70,7 +70,7 @@ const UNITS: [&str; 8] = [
     "units",
     "unit",
 ];
-const TIME_UNITS: [&str; 7] = [
+const TIME_UNIT_KEYS: [&str; 7] = [
     "horizontalunits",
     "horizontalunit",
     "xunits",
@@ -79,9 +79,9 @@ const TIME_UNITS: [&str; 7] = [
     "timeunits",
     "timeunit",
 ];
-const NAMES: [&str; 4] = ["source", "sources", "tracename", "tracenames"];
+const NAME_KEYS: [&str; 4] = ["source", "sources", "tracename", "tracenames"];
 /// Keys above the rows without needed information; a line with such a key is not a heading line.
-const OTHERS: [&str; 46] = [
+const OTHER_KEYS: [&str; 46] = [
     "recordlength",
     "memorylength",
     "points",
@@ -144,7 +144,7 @@ pub(in crate::read) struct Preamble {
     /// Names of the channels.
     pub names: Vec<String>,
     /// Contradictions.
-    pub doubts: Vec<Issue>,
+    pub issues: Vec<Issue>,
 }
 
 /// Splits a key into the key without brackets and punctuation, and the unit in the brackets.
@@ -177,7 +177,7 @@ fn key(text: &str) -> (String, String) {
 pub(super) fn is_of_time(field: &str) -> bool {
     let name = field.split('=').next().unwrap_or_default();
     let (name, _) = key(name);
-    STEPS.contains(&name.as_str()) || STARTS.contains(&name.as_str())
+    STEP_KEYS.contains(&name.as_str()) || START_KEYS.contains(&name.as_str())
 }
 
 /// True for a line that begins with a key followed by its value.
@@ -186,7 +186,14 @@ pub(super) fn is_pair(fields: &[String]) -> bool {
         return false;
     };
     let (name, _) = key(first);
-    let lists = [&STEPS[..], &RATES, &STARTS, &UNITS, &TIME_UNITS, &OTHERS];
+    let lists = [
+        &STEP_KEYS[..],
+        &RATE_KEYS,
+        &START_KEYS,
+        &UNIT_KEYS,
+        &TIME_UNIT_KEYS,
+        &OTHER_KEYS,
+    ];
     let is_key = lists.iter().any(|list| list.contains(&name.as_str()));
     // `time,model` is a heading line; `Time,12-Mar-2020 14:25:31` is not.
     let is_head = [
@@ -206,7 +213,7 @@ impl Preamble {
         let (mut steps, mut rates) = (Vec::new(), Vec::new());
         for (k, fields) in lines.iter().enumerate() {
             for (j, field) in fields.iter().enumerate() {
-                let (name, rest) = match field
+                let (name, other_fields) = match field
                     .split_once(['=', ':'])
                     .filter(|(_, value)| !value.trim().is_empty())
                 {
@@ -214,13 +221,13 @@ impl Preamble {
                     None if j == 0 => (field.as_str(), fields[1..].to_vec()),
                     None => (field.as_str(), Vec::new()),
                 };
-                let below = lines
+                let field_below = lines
                     .get(k + 1)
-                    .and_then(|below| below.get(j))
-                    .filter(|_| rest.is_empty())
+                    .and_then(|field_below| field_below.get(j))
+                    .filter(|_| other_fields.is_empty())
                     .cloned();
-                let values: Vec<String> = rest.into_iter().chain(below).collect();
-                preamble.take(name, &values, &mut steps, &mut rates);
+                let values: Vec<String> = other_fields.into_iter().chain(field_below).collect();
+                preamble.apply(name, &values, &mut steps, &mut rates);
             }
         }
         preamble.rate = steps.first().or(rates.first()).cloned();
@@ -231,17 +238,17 @@ impl Preamble {
             .iter()
             .chain(&rates)
             .find(|other| other.differs_from(first.rate_hz));
-        preamble.doubts.extend(other.map(|other| {
-            let about = format!(
+        preamble.issues.extend(other.map(|other| {
+            let message = format!(
                 "{} is a rate of {} Hz, {} one of {} Hz; the first is used",
-                first.told, first.rate_hz, other.told, other.rate_hz
+                first.source, first.rate_hz, other.source, other.rate_hz
             );
-            Issue::new(IssueKind::HeaderDisagrees, 1, None, about)
+            Issue::new(IssueKind::HeaderDisagrees, 1, None, message)
         }));
         preamble
     }
 
-    fn take(
+    fn apply(
         &mut self,
         name: &str,
         values: &[String],
@@ -250,61 +257,62 @@ impl Preamble {
     ) {
         let (word, unit) = key(name);
         let word = word.as_str();
-        let told = |value: f64| {
+        let source = |value: f64| {
             format!(
                 "{} = {value}",
                 name.trim().trim_matches(['"', '#', ':']).trim()
             )
         };
-        if STEPS.contains(&word) {
+        if STEP_KEYS.contains(&word) {
             let step = number(values, &unit)
                 .and_then(|(number, unit)| Some((number, number * time_factor(&unit)?)));
-            let usable = step.filter(|(_, step)| *step > 0.0 && step.is_finite());
-            steps.extend(usable.map(|(number, step)| Rate {
-                told: told(number),
+            let valid = step.filter(|(_, step)| *step > 0.0 && step.is_finite());
+            steps.extend(valid.map(|(number, step)| Rate {
+                source: source(number),
                 rate_hz: 1.0 / step,
             }));
-        } else if RATES.contains(&word) {
+        } else if RATE_KEYS.contains(&word) {
             let rate = number(values, &unit)
                 .and_then(|(number, unit)| Some((number, number * rate_factor(&unit)?)));
-            let usable = rate.filter(|(_, rate_hz)| *rate_hz > 0.0 && rate_hz.is_finite());
-            rates.extend(usable.map(|(number, rate_hz)| Rate {
-                told: told(number),
+            let valid = rate.filter(|(_, rate_hz)| *rate_hz > 0.0 && rate_hz.is_finite());
+            rates.extend(valid.map(|(number, rate_hz)| Rate {
+                source: source(number),
                 rate_hz,
             }));
-        } else if STARTS.contains(&word) && (self.start.is_none() || !word.starts_with("start")) {
+        } else if START_KEYS.contains(&word) && (self.start.is_none() || !word.starts_with("start"))
+        {
             // `Start` may be the index of a point if an origin is also given.
             let start =
                 number(values, &unit).and_then(|(number, unit)| Some(number * time_factor(&unit)?));
             self.start = start.filter(|start| start.is_finite()).or(self.start);
-        } else if UNITS.contains(&word) && self.units.is_empty() {
-            self.units = listed(values);
-        } else if TIME_UNITS.contains(&word) {
-            let spelled = |text: &String| {
+        } else if UNIT_KEYS.contains(&word) && self.units.is_empty() {
+            self.units = listed_words(values);
+        } else if TIME_UNIT_KEYS.contains(&word) {
+            let normalised = |text: &String| {
                 text.strip_suffix('S')
                     .map_or_else(|| text.clone(), |prefix| format!("{prefix}s"))
             };
-            self.time_unit = listed(values)
+            self.time_unit = listed_words(values)
                 .first()
-                .map(spelled)
+                .map(normalised)
                 .filter(|unit| time_factor(unit).is_some());
-        } else if NAMES.contains(&word) && self.names.is_empty() {
-            self.names = listed(values);
+        } else if NAME_KEYS.contains(&word) && self.names.is_empty() {
+            self.names = listed_words(values);
         }
     }
 }
 
 /// Splits values of a list: `V,V`, `CH1:V CH2:V`, `V`.
-fn listed(values: &[String]) -> Vec<String> {
+fn listed_words(values: &[String]) -> Vec<String> {
     let words = values.iter().flat_map(|value| value.split_whitespace());
-    let bare = words.map(|word| {
+    let stripped = words.map(|word| {
         word.rsplit(':')
             .next()
             .unwrap_or_default()
             .trim_matches(['"', '(', ')', '[', ']'])
             .to_owned()
     });
-    bare.filter(|word| !word.is_empty()).collect()
+    stripped.filter(|word| !word.is_empty()).collect()
 }
 
 /// First number of values, as in `2.0e-6`, `1 kHz`, `CH1:2e-6 CH2:2e-6`. Its unit is after it, in
@@ -316,21 +324,21 @@ fn number(values: &[String], unit: &str) -> Option<(f64, String)> {
     } else {
         value
     };
-    let longest = (1..=value.len())
+    let prefixes = (1..=value.len())
         .rev()
         .filter(|end| value.is_char_boundary(*end));
-    let (number, behind) = longest
+    let (number, rest) = prefixes
         .map(|end| value.split_at(end))
-        .find_map(|(text, behind)| Some((text.trim().parse::<f64>().ok()?, behind.trim())))?;
+        .find_map(|(text, rest)| Some((text.trim().parse::<f64>().ok()?, rest.trim())))?;
     let next = values
         .get(1)
         .map(|next| next.trim().trim_matches('"'))
         .filter(|next| next.starts_with(char::is_alphabetic));
-    let told = [behind, next.unwrap_or_default(), unit]
+    let unit_text = [rest, next.unwrap_or_default(), unit]
         .into_iter()
         .find(|text| !text.is_empty())
         .unwrap_or_default();
-    Some((number, told.to_owned()))
+    Some((number, unit_text.to_owned()))
 }
 
 /// Seconds per unit of time; `s` if no unit is given.
@@ -339,18 +347,18 @@ fn time_factor(unit: &str) -> Option<f64> {
         return Some(1.0);
     }
     // Seconds may be written `S`.
-    let spelled = unit.strip_suffix('S').map(|prefix| format!("{prefix}s"));
+    let normalised = unit.strip_suffix('S').map(|prefix| format!("{prefix}s"));
     let read = |unit: &str| {
         Unit::read(unit)
             .filter(|unit| unit.quantity == Quantity::Time)
             .map(|unit| unit.factor)
     };
-    read(unit).or_else(|| read(&spelled?))
+    read(unit).or_else(|| read(&normalised?))
 }
 
 /// Hertz per unit of rate: `Hz`, `kHz`, `Sa/s`, `MS/s`, `samples/s`; Hz if no unit is given.
 fn rate_factor(unit: &str) -> Option<f64> {
-    let plain = [
+    let rate_units = [
         "samples/s",
         "Samples/s",
         "Sa/s",
@@ -363,9 +371,9 @@ fn rate_factor(unit: &str) -> Option<f64> {
         "Hz",
         "hz",
     ];
-    let prefix = plain
+    let prefix = rate_units
         .iter()
-        .find_map(|ending| unit.strip_suffix(ending))
+        .find_map(|suffix| unit.strip_suffix(suffix))
         .or(unit.is_empty().then_some(""))?;
     match prefix.trim() {
         "" => Some(1.0),
@@ -410,8 +418,8 @@ mod tests {
             ("Delta_X\t1", f64::NAN, None),
         ];
         for (text, rate_hz, start) in cases {
-            let found = read(text);
-            match found.rate {
+            let result = read(text);
+            match result.rate {
                 Some(rate) => assert!(
                     (rate.rate_hz / rate_hz - 1.0).abs() < 1e-12,
                     "{text}: {}",
@@ -419,7 +427,7 @@ mod tests {
                 ),
                 None => assert!(rate_hz.is_nan(), "{text}"),
             }
-            assert_eq!(found.start, start, "{text}");
+            assert_eq!(result.start, start, "{text}");
         }
         for text in [
             "Sample Interval,0",
@@ -432,16 +440,16 @@ mod tests {
             assert_eq!(read(text).rate, None, "{text}");
         }
         assert_eq!(
-            read("Sample Rate,1000\nSample Interval,0.002").doubts.len(),
+            read("Sample Rate,1000\nSample Interval,0.002").issues.len(),
             1
         );
     }
 
     #[test]
     fn units_and_names_are_listed() {
-        let found = read("Vertical Units,CH1:V CH2:mV\nHorizontal Units,S\nSource,CH1,CH2");
+        let result = read("Vertical Units,CH1:V CH2:mV\nHorizontal Units,S\nSource,CH1,CH2");
         assert_eq!(
-            (found.units, found.time_unit.as_deref(), found.names),
+            (result.units, result.time_unit.as_deref(), result.names),
             (
                 vec!["V".into(), "mV".into()],
                 Some("s"),

@@ -27,9 +27,14 @@ impl LineTally {
         self.0 = Some((count + 1, first));
     }
 
-    fn finding(self, kind: IssueKind, about: &str) -> Option<Issue> {
+    fn issue(self, kind: IssueKind, message: &str) -> Option<Issue> {
         self.0.map(|(count, first)| {
-            Issue::new(kind, count, Some(IssuePlace::Line(first)), about.to_owned())
+            Issue::new(
+                kind,
+                count,
+                Some(IssuePlace::Line(first)),
+                message.to_owned(),
+            )
         })
     }
 }
@@ -51,21 +56,21 @@ pub(in crate::read) fn columns(
     layout: &TextLayout,
     store: &SampleStore,
 ) -> Result<Rows, Damage> {
-    let mut rows = RowTable::below(layout, store);
+    let mut rows = RowTable::new(layout, store);
     let (mut bytes, mut read, mut number) = (Vec::new(), 0, 0);
     loop {
         bytes.clear();
-        let here = |why: String| Damage::at(IssuePlace::Line(number + 1), why);
+        let damage_here = |why: String| Damage::at(IssuePlace::Line(number + 1), why);
         let length = source
             .by_ref()
             .take(MAX_LINE_BYTES)
             .read_until(layout.line_end, &mut bytes)
-            .map_err(|fault| here(fault.to_string()))?;
+            .map_err(|fault| damage_here(fault.to_string()))?;
         if length == 0 {
-            return rows.finished(layout);
+            return rows.into_rows(layout);
         }
         if length as u64 == MAX_LINE_BYTES {
-            return Err(here(
+            return Err(damage_here(
                 "it is longer than 16 MiB; a channel is a column, and each line \
                 contains one sample of each"
                     .to_owned(),
@@ -74,8 +79,9 @@ pub(in crate::read) fn columns(
         number += 1;
         read += length as u64;
         rows.expect(read, size);
-        let mark: &[u8] = if number == 1 { b"\xef\xbb\xbf" } else { b"" };
-        let decoded = String::from_utf8_lossy(bytes.strip_prefix(mark).unwrap_or(&bytes));
+        let byte_order_mark: &[u8] = if number == 1 { b"\xef\xbb\xbf" } else { b"" };
+        let decoded =
+            String::from_utf8_lossy(bytes.strip_prefix(byte_order_mark).unwrap_or(&bytes));
         let line = decoded.trim_end_matches(['\r', '\n']);
         if number > layout.skip && line.trim_start().starts_with(HEADER_ENDS) {
             let why = "the header of another segment begins here; segments may differ in channels \
@@ -102,44 +108,44 @@ struct GrowingColumn {
     /// Count of numbers.
     filled: usize,
     /// True once a moment differs from the first one.
-    moves: bool,
+    changes: bool,
 }
 
 /// Columns that grow row by row, with the issues found so far.
 struct RowTable<'a> {
     store: &'a SampleStore,
     heads: &'a [ColumnHead],
-    least: usize,
+    min_fields: usize,
     columns: Vec<GrowingColumn>,
     /// Count of rows without numbers that may be at the end, and the first of them.
     empty: (usize, usize),
     ragged: LineTally,
     text: LineTally,
-    cut: LineTally,
-    open: LineTally,
+    truncated: LineTally,
+    unterminated: LineTally,
 }
 
 impl<'a> RowTable<'a> {
-    fn below(layout: &'a TextLayout, store: &'a SampleStore) -> Self {
+    fn new(layout: &'a TextLayout, store: &'a SampleStore) -> Self {
         let column = |_: &ColumnHead| GrowingColumn {
             numbers: store.column(),
             imaginary: None,
             clock: None,
             filled: 0,
-            moves: false,
+            changes: false,
         };
         let columns = layout.heads.iter().map(column).collect();
-        let [ragged, text, cut, open] = [(); 4].map(|()| LineTally::default());
+        let [ragged, text, truncated, unterminated] = [(); 4].map(|()| LineTally::default());
         Self {
             store,
             heads: &layout.heads,
-            least: layout.least,
+            min_fields: layout.min_fields,
             columns,
             empty: (0, 0),
             ragged,
             text,
-            cut,
-            open,
+            truncated,
+            unterminated,
         }
     }
 
@@ -164,10 +170,15 @@ impl<'a> RowTable<'a> {
     }
 
     /// Adds a line; only the last line of a text may lack its ending.
-    fn line(&mut self, number: usize, mut fields: Vec<TextField>, ended: bool) -> io::Result<()> {
+    fn line(
+        &mut self,
+        number: usize,
+        mut fields: Vec<TextField>,
+        is_terminated: bool,
+    ) -> io::Result<()> {
         let width = self.columns.len();
         for (field, head) in fields.iter_mut().zip(self.heads) {
-            if head.beside || head.blank && *field == TextField::Text {
+            if head.is_preceding || head.blank && *field == TextField::Text {
                 *field = TextField::Missing;
             }
         }
@@ -193,16 +204,18 @@ impl<'a> RowTable<'a> {
         }
         // A truncated number is still a number, but a wrong one: half a stamp would be earlier than
         // all others.
-        if !ended && (fields.len() < self.least || fields.last() == Some(&TextField::Text)) {
-            self.cut.add(number);
+        if !is_terminated
+            && (fields.len() < self.min_fields || fields.last() == Some(&TextField::Text))
+        {
+            self.truncated.add(number);
             return Ok(());
         }
-        if !ended && fields.last().is_some_and(|field| field.is_value()) {
-            self.open.add(number);
+        if !is_terminated && fields.last().is_some_and(|field| field.is_value()) {
+            self.unterminated.add(number);
         }
         // A delimiter at the end of a line is harmless.
         let trailing = fields.len() == width + 1 && fields[width] == TextField::Missing;
-        if !(self.least..=width).contains(&fields.len()) && !trailing {
+        if !(self.min_fields..=width).contains(&fields.len()) && !trailing {
             self.ragged.add(number);
         } else if has_text {
             self.text.add(number);
@@ -222,7 +235,7 @@ impl<'a> RowTable<'a> {
             .try_for_each(|(k, column)| column.push(fields.get(k), store))
     }
 
-    fn finished(self, layout: &TextLayout) -> Result<Rows, Damage> {
+    fn into_rows(self, layout: &TextLayout) -> Result<Rows, Damage> {
         let rows = self
             .columns
             .first()
@@ -247,16 +260,16 @@ impl<'a> RowTable<'a> {
         let ragged =
             "lines differ in number of fields from the first row; missing fields are not a number";
         let text = "lines contain text among the numbers; the text was left out";
-        let cut = "the file ends inside a row (is it truncated?); that row was left out";
-        let open = "the last line has no end; its last number is read as complete, but may be \
+        let truncated = "the file ends inside a row (is it truncated?); that row was left out";
+        let unterminated = "the last line has no end; its last number is read as complete, but may be \
             truncated";
         let empty = LineTally((self.empty.0 > 0).then_some(self.empty));
         let mut findings: Vec<Issue> = [
-            self.ragged.finding(IssueKind::Ragged, ragged),
-            self.text.finding(IssueKind::Skipped, text),
-            self.cut.finding(IssueKind::Skipped, cut),
-            self.open.finding(IssueKind::Assumed, open),
-            empty.finding(
+            self.ragged.issue(IssueKind::Ragged, ragged),
+            self.text.issue(IssueKind::Skipped, text),
+            self.truncated.issue(IssueKind::Skipped, truncated),
+            self.unterminated.issue(IssueKind::Assumed, unterminated),
+            empty.issue(
                 IssueKind::Skipped,
                 "rows without a number at the end were left out",
             ),
@@ -268,7 +281,7 @@ impl<'a> RowTable<'a> {
             .heads
             .iter()
             .zip(self.columns)
-            .map(|(head, column)| column.finished(head, &mut findings))
+            .map(|(head, column)| column.into_column(head, &mut findings))
             .collect();
         Ok(Rows { columns, findings })
     }
@@ -281,7 +294,7 @@ impl GrowingColumn {
             (Some(TextField::Real(value)), None) => (*value, 0.0),
             (Some(TextField::Complex(re, im)), None) => (*re, *im),
             (Some(TextField::Moment(moment)), Some((clock, first))) => {
-                self.moves |= moment != first;
+                self.changes |= moment != first;
                 (clock.seconds(*moment), 0.0)
             }
             (Some(TextField::Moment(moment)), None) if self.filled == 0 => {
@@ -303,26 +316,26 @@ impl GrowingColumn {
     }
 
     /// Returns the column under its heading. An empty column or a constant date is not a channel.
-    fn finished(self, head: &ColumnHead, findings: &mut Vec<Issue>) -> RawColumn {
+    fn into_column(self, head: &ColumnHead, findings: &mut Vec<Issue>) -> RawColumn {
         let mut column = RawColumn {
             imaginary: self.imaginary,
             ..RawColumn::new(&head.name, &head.unit, self.numbers)
         };
         if let Some((_, first)) = self.clock {
             "s".clone_into(&mut column.unit);
-            if self.moves {
-                let about = format!(
+            if self.changes {
+                let message = format!(
                     "dates and times of day were converted to seconds since the first, \
                         {first}"
                 );
                 findings.push(
-                    Issue::new(IssueKind::Converted, self.filled, None, about).of(&head.name),
+                    Issue::new(IssueKind::Converted, self.filled, None, message).of(&head.name),
                 );
             } else {
                 column.left_out = Some(format!("{first} is in all rows"));
             }
         } else if self.filled == 0 && head.blank {
-            column.left_out = Some(if head.unnamed {
+            column.left_out = Some(if head.has_no_name {
                 String::new()
             } else {
                 "no row has a number in it".to_owned()

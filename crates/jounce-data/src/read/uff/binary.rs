@@ -20,9 +20,9 @@ pub(super) fn numbers(
     store: &SampleStore,
 ) -> Result<ColumnNumbers, String> {
     let (points, width) = (header.points, header.width());
-    let size = if header.double { 8 } else { 4 };
-    let mixed = points.checked_mul(4 + (width - 1) * size);
-    let single_abscissa = header.double && !header.even && Some(length) == mixed;
+    let size = if header.is_double { 8 } else { 4 };
+    let mixed_length = points.checked_mul(4 + (width - 1) * size);
+    let single_abscissa = header.is_double && !header.is_uniform && Some(length) == mixed_length;
     if Some(length) != points.checked_mul(width * size) && !single_abscissa {
         return Err(format!(
             "expected {points} points of {width} numbers of {size} bytes, but {length} bytes follow"
@@ -33,30 +33,30 @@ pub(super) fn numbers(
     } else {
         width * size
     };
-    let (mut found, mut bytes, mut read) = (store.column(), Vec::new(), 0);
+    let (mut result, mut bytes, mut read) = (store.column(), Vec::new(), 0);
     while read < length {
         bytes.clear();
-        let due = (length - read).min(BYTES_AT_ONCE / point * point);
+        let expected = (length - read).min(BYTES_AT_ONCE / point * point);
         source
             .by_ref()
-            .take(due as u64)
+            .take(expected as u64)
             .read_to_end(&mut bytes)
             .map_err(|fault| fault.to_string())?;
         read += bytes.len();
-        if bytes.len() < due {
+        if bytes.len() < expected {
             return Err(format!(
                 "expected {length} bytes of data, but {read} follow: is the file truncated?"
             ));
         }
         for point in bytes.chunks_exact(point) {
-            let (single, whole) = point.split_at(if single_abscissa { 4 } else { 0 });
-            let all = single.chunks_exact(4).chain(whole.chunks_exact(size));
+            let (single, rest) = point.split_at(if single_abscissa { 4 } else { 0 });
+            let all = single.chunks_exact(4).chain(rest.chunks_exact(size));
             all.map(|number| number_of(number, little_endian))
-                .try_for_each(|x| found.push(x))
+                .try_for_each(|x| result.push(x))
                 .map_err(|fault| Damage::from(fault).why)?;
         }
     }
-    Ok(found)
+    Ok(result)
 }
 
 fn number_of(bytes: &[u8], little_endian: bool) -> f64 {

@@ -33,11 +33,11 @@ pub(super) enum Data {
     Binary(ColumnNumbers),
 }
 
-/// Passes each data set of a file to `take` in turn, so that the store contains one.
+/// Passes each data set of a file to `callback` in turn, so that the store contains one.
 pub(super) fn blocks(
     source: impl BufRead,
     store: &SampleStore,
-    mut take: impl FnMut(Block) -> Result<(), Damage>,
+    mut callback: impl FnMut(Block) -> Result<(), Damage>,
 ) -> Result<(), Damage> {
     let mut cursor = Cursor {
         source,
@@ -53,12 +53,12 @@ pub(super) fn blocks(
                 IssuePlace::Byte(start),
                 format!(
                     "expected a line with -1 before a data set, not {:?}",
-                    shown(&cursor.line)
+                    line_text(&cursor.line)
                 ),
             ));
         }
         if let Some(block) = block(&mut cursor, start, store)? {
-            take(block)?;
+            callback(block)?;
         }
     }
     Ok(())
@@ -66,10 +66,10 @@ pub(super) fn blocks(
 
 fn block(
     cursor: &mut Cursor<impl BufRead>,
-    opening: usize,
+    first_line: usize,
     store: &SampleStore,
 ) -> Result<Option<Block>, Damage> {
-    let cut = |at: usize| {
+    let truncated = |at: usize| {
         Damage::at(
             IssuePlace::Byte(at),
             "the data set does not end with a line -1: is the file truncated?",
@@ -77,13 +77,13 @@ fn block(
     };
     let Some(start) = cursor.next()? else {
         // A stray -1 at the end opens no data set.
-        return if opening == 0 {
-            Err(cut(opening))
+        return if first_line == 0 {
+            Err(truncated(first_line))
         } else {
             Ok(None)
         };
     };
-    let head = shown(&cursor.line);
+    let head = line_text(&cursor.line);
     let word = head.split_whitespace().next().unwrap_or_default();
     let binary = word.ends_with(['b', 'B']);
     let number = word.trim_end_matches(['b', 'B']).parse::<u32>();
@@ -105,28 +105,28 @@ fn block(
     }
     loop {
         let Some(at) = cursor.next()? else {
-            return Err(cut(start));
+            return Err(truncated(start));
         };
         if cursor.trimmed() == b"-1" {
             return Ok(Some(block));
         }
         match &mut block.data {
             Data::Binary(_) if cursor.trimmed().is_empty() => {}
-            Data::Binary(_) if !cursor.line.ends_with(b"\n") => return Err(cut(start)),
+            Data::Binary(_) if !cursor.line.ends_with(b"\n") => return Err(truncated(start)),
             Data::Binary(_) => {
                 return Err(Damage::at(
                     IssuePlace::Byte(at),
                     "more bytes follow the binary data than its header specifies",
                 ));
             }
-            Data::Lines(found, wrong) if number == 58 && block.lines.len() == LINES => {
-                if wrong.is_none() {
+            Data::Lines(result, error) if number == 58 && block.lines.len() == LINES => {
+                if error.is_none() {
                     row.clear();
-                    *wrong = numbers(&shown(&cursor.line), &mut row).err();
-                    row.iter().try_for_each(|x| found.push(*x))?;
+                    *error = numbers(&line_text(&cursor.line), &mut row).err();
+                    row.iter().try_for_each(|x| result.push(*x))?;
                 }
             }
-            Data::Lines(..) => block.lines.push(shown(&cursor.line)),
+            Data::Lines(..) => block.lines.push(line_text(&cursor.line)),
         }
     }
 }
@@ -139,46 +139,46 @@ fn binary_part(
     store: &SampleStore,
 ) -> Result<(), Damage> {
     let start = block.start;
-    let wrong = |why: String| Damage::at(IssuePlace::Byte(start), why);
+    let damage = |why: String| Damage::at(IssuePlace::Byte(start), why);
     let fields: Vec<usize> = head
         .split_whitespace()
         .skip(1)
         .map_while(|field| field.parse().ok())
         .collect();
     let [order, format, lines, length, ..] = fields[..] else {
-        return Err(wrong(format!(
+        return Err(damage(format!(
             "expected byte order, number format, header lines and length after 58b, not {:?}",
             head.trim()
         )));
     };
     if format != 2 || !matches!(order, 1 | 2) {
-        return Err(wrong(format!(
+        return Err(damage(format!(
             "byte order {order} and number format {format}: only IEEE 754 (2) in order 1 or 2 can be read"
         )));
     }
     for _ in 0..lines {
         cursor.next()?.ok_or_else(|| {
-            wrong(format!(
+            damage(format!(
                 "its {lines} header lines are incomplete: is the file truncated?"
             ))
         })?;
-        block.lines.push(shown(&cursor.line));
+        block.lines.push(line_text(&cursor.line));
     }
-    let found = binary::numbers(
+    let result = binary::numbers(
         &mut cursor.source,
         &Header::read(block)?,
         length,
         order == 1,
         store,
     )
-    .map_err(wrong)?;
+    .map_err(damage)?;
     cursor.at += length;
-    block.data = Data::Binary(found);
+    block.data = Data::Binary(result);
     Ok(())
 }
 
 /// Decodes a line; if it is not UTF-8, bytes outside ASCII are read as Latin-1.
-fn shown(line: &[u8]) -> String {
+fn line_text(line: &[u8]) -> String {
     let latin = || line.iter().map(|b| char::from(*b)).collect();
     std::str::from_utf8(line)
         .map_or_else(|_| latin(), str::to_owned)
@@ -199,13 +199,14 @@ impl<S: BufRead> Cursor<S> {
     fn next(&mut self) -> Result<Option<usize>, Damage> {
         let start = self.at;
         self.line.clear();
-        let told = |fault: std::io::Error| Damage::at(IssuePlace::Byte(start), fault.to_string());
+        let io_error =
+            |fault: std::io::Error| Damage::at(IssuePlace::Byte(start), fault.to_string());
         let length = self
             .source
             .by_ref()
             .take(MAX_LINE_BYTES)
             .read_until(b'\n', &mut self.line)
-            .map_err(told)?;
+            .map_err(io_error)?;
         if length as u64 == MAX_LINE_BYTES {
             return Err(Damage::at(
                 IssuePlace::Byte(start),

@@ -11,42 +11,42 @@ use super::header::{Dof, Header};
 use crate::recording::{IssuePlace, Over, PIECE, Series};
 
 /// Function types over time: time response, auto- and cross-correlation, shock.
-const OVER_TIME: [u32; 4] = [1, 5, 7, 24];
+const TIME_FUNCTIONS: [u32; 4] = [1, 5, 7, 24];
 
 pub(super) fn read(block: Block, store: &SampleStore) -> Result<Raw, Damage> {
     let header = Header::read(&block)?;
     let numbers = match block.data {
-        Data::Binary(found) => found,
-        Data::Lines(found, wrong) => {
-            checked(&found, wrong, &header)
+        Data::Binary(result) => result,
+        Data::Lines(result, error) => {
+            check_numbers(&result, error, &header)
                 .map_err(|why| Damage::at(IssuePlace::Byte(block.start), why))?;
-            found
+            result
         }
     };
     let over = match header.abscissa.kind {
         17 => Over::Time,
         18 => Over::Frequency,
         _ if header.abscissa.unit.eq_ignore_ascii_case("hz") => Over::Frequency,
-        _ if OVER_TIME.contains(&header.function) || header.function == 0 => Over::Time,
+        _ if TIME_FUNCTIONS.contains(&header.function) || header.function == 0 => Over::Time,
         _ => Over::Frequency,
     };
-    let mut columns = parted(numbers, header.points, header.width(), store)?.into_iter();
+    let mut columns = split_columns(numbers, header.points, header.width(), store)?.into_iter();
     let mut next = || columns.next().unwrap_or_else(|| Vec::new().into());
-    let stamps = if header.even {
+    let stamps = if header.is_uniform {
         TimeStamps::Even {
             start: header.start,
             step: header.step,
         }
     } else {
-        TimeStamps::Given(next())
+        TimeStamps::Explicit(next())
     };
     let column = RawColumn {
         name: name(&header),
         unit: unit(&header),
-        place: place(&header.response),
+        place: position(&header.response),
         direction: direction(&header.response),
         reference: if over == Over::Frequency {
-            told(&header.reference)
+            reference_text(&header.reference)
         } else {
             String::new()
         },
@@ -64,7 +64,7 @@ pub(super) fn read(block: Block, store: &SampleStore) -> Result<Raw, Damage> {
 }
 
 /// Splits points into one column per number; padding of the last line is left out.
-fn parted(
+fn split_columns(
     numbers: ColumnNumbers,
     points: usize,
     width: usize,
@@ -74,15 +74,15 @@ fn parted(
         return Ok(vec![numbers]);
     }
     let mut columns: Vec<ColumnNumbers> = (0..width).map(|_| store.column()).collect();
-    let mut place = 0;
+    let mut sample_index = 0;
     for index in 0..numbers.count().div_ceil(PIECE) {
         for x in numbers
             .piece(index)?
             .iter()
-            .take((points * width).saturating_sub(place))
+            .take((points * width).saturating_sub(sample_index))
         {
-            columns[place % width].push(*x)?;
-            place += 1;
+            columns[sample_index % width].push(*x)?;
+            sample_index += 1;
         }
     }
     Ok(columns)
@@ -93,13 +93,13 @@ fn parted(
 pub(super) fn grouped(sets: Vec<Raw>) -> Result<Vec<Raw>, Damage> {
     let mut groups: Vec<Raw> = Vec::new();
     for set in sets {
-        let mut together = None;
+        let mut matching = None;
         for (index, group) in groups.iter().enumerate() {
-            if together.is_none() && same_grid(group, &set)? {
-                together = Some(index);
+            if matching.is_none() && same_grid(group, &set)? {
+                matching = Some(index);
             }
         }
-        match together.and_then(|index| groups.get_mut(index)) {
+        match matching.and_then(|index| groups.get_mut(index)) {
             Some(group) => group.columns.extend(set.columns),
             None => groups.push(set),
         }
@@ -140,7 +140,7 @@ fn same_grid(a: &Raw, b: &Raw) -> io::Result<bool> {
             },
             TimeStamps::Even { start, step },
         ) => Ok(from == start && by == step),
-        (TimeStamps::Given(a), TimeStamps::Given(b)) => a.same(b),
+        (TimeStamps::Explicit(a), TimeStamps::Explicit(b)) => a.equals(b),
         _ => Ok(false),
     }
 }
@@ -156,14 +156,18 @@ fn rename(columns: &mut [RawColumn], new: impl Fn(&RawColumn, usize) -> String) 
 }
 
 /// Refuses text lines with a word that is not a number, or with too few numbers.
-fn checked(found: &ColumnNumbers, wrong: Option<String>, header: &Header) -> Result<(), String> {
-    if let Some(word) = wrong {
+fn check_numbers(
+    result: &ColumnNumbers,
+    error: Option<String>,
+    header: &Header,
+) -> Result<(), String> {
+    if let Some(word) = error {
         return Err(format!("{word:?} among the data is not a number"));
     }
-    let (due, count) = (header.points.saturating_mul(header.width()), found.count());
-    if count < due {
+    let (expected, count) = (header.points.saturating_mul(header.width()), result.count());
+    if count < expected {
         Err(format!(
-            "expected {due} numbers, but {count} follow: is the file truncated?"
+            "expected {expected} numbers, but {count} follow: is the file truncated?"
         ))
     } else {
         Ok(())
@@ -172,29 +176,29 @@ fn checked(found: &ColumnNumbers, wrong: Option<String>, header: &Header) -> Res
 
 /// Returns the label of the ordinate, or the name of the response.
 fn name(header: &Header) -> String {
-    let named = [&header.ordinate.label, &header.response.name]
+    let has_name = [&header.ordinate.label, &header.response.name]
         .into_iter()
         .find(|name| !name.is_empty() && *name != "NONE");
-    named
+    has_name
         .cloned()
         .unwrap_or_else(|| format!("function {}", header.function))
 }
 
 fn unit(header: &Header) -> String {
-    let (unit, below) = (&header.ordinate.unit, &header.denominator.unit);
+    let (unit, denominator) = (&header.ordinate.unit, &header.denominator.unit);
     // Some programs write the complete quotient as unit of the ordinate.
-    if below.is_empty()
-        || unit.contains('/') && unit.ends_with(below.as_str())
+    if denominator.is_empty()
+        || unit.contains('/') && unit.ends_with(denominator.as_str())
         || header.function != 4
     {
         unit.clone()
     } else {
-        format!("{unit}/{below}")
+        format!("{unit}/{denominator}")
     }
 }
 
 /// Node, or without a node number the name of the entity.
-fn place(dof: &Dof) -> String {
+fn position(dof: &Dof) -> String {
     match (dof.node, dof.name.as_str()) {
         (0, "NONE") => String::new(),
         (0, name) => name.to_owned(),
@@ -203,12 +207,14 @@ fn place(dof: &Dof) -> String {
 }
 
 /// Node and direction of a degree of freedom as text; empty if not given.
-fn told(dof: &Dof) -> String {
-    let place = place(dof);
-    if place.is_empty() {
-        place
+fn reference_text(dof: &Dof) -> String {
+    let position = position(dof);
+    if position.is_empty() {
+        position
     } else {
-        format!("{place} {}", direction(dof)).trim_end().to_owned()
+        format!("{position} {}", direction(dof))
+            .trim_end()
+            .to_owned()
     }
 }
 

@@ -11,10 +11,10 @@ pub(super) struct Header {
     pub function: u32,
     pub response: Dof,
     pub reference: Dof,
-    pub double: bool,
+    pub is_double: bool,
     pub complex: bool,
     pub points: usize,
-    pub even: bool,
+    pub is_uniform: bool,
     pub start: f64,
     pub step: f64,
     pub abscissa: Axis,
@@ -43,20 +43,20 @@ pub(super) const LINES: usize = 11;
 
 impl Header {
     pub(super) fn read(block: &Block) -> Result<Self, Damage> {
-        let wrong = |line: usize, why: String| {
+        let damage = |line: usize, why: String| {
             Damage::at(
                 IssuePlace::Byte(block.start),
                 format!("line {} of the data set: {why}", line + 1),
             )
         };
         if block.lines.len() < LINES {
-            return Err(wrong(
+            return Err(damage(
                 block.lines.len(),
                 format!("its header has {LINES} lines; is the file truncated?"),
             ));
         }
         let dofs = dofs(&block.lines[5]).ok_or_else(|| {
-            wrong(
+            damage(
                 5,
                 format!("no function at degrees of freedom: {:?}", block.lines[5]),
             )
@@ -68,14 +68,14 @@ impl Header {
             let why = read
                 .err()
                 .map_or_else(String::new, |word| format!("; {word:?} is not a number"));
-            return Err(wrong(
+            return Err(damage(
                 6,
                 format!("expected type, number of points, spacing, start and step{why}"),
             ));
         };
         let kind_known = [2.0, 4.0, 5.0, 6.0].contains(&kind);
         if !kind_known || points < 0.0 || points.fract() != 0.0 || points > 1e12 {
-            return Err(wrong(
+            return Err(damage(
                 6,
                 format!("{points} points of type {kind}: types 2, 4, 5 and 6 can be read"),
             ));
@@ -89,21 +89,21 @@ impl Header {
             function,
             response,
             reference,
-            double: kind == 4.0 || kind == 6.0,
+            is_double: kind == 4.0 || kind == 6.0,
             complex: kind >= 5.0,
             points: points as usize,
-            even: even == 1.0,
+            is_uniform: even == 1.0,
             start,
             step,
             abscissa: axis(&block.lines[7]),
-            ordinate: uncut(axis(&block.lines[8]), block.lines[3].trim()),
+            ordinate: without_truncation(axis(&block.lines[8]), block.lines[3].trim()),
             denominator: axis(&block.lines[9]),
         })
     }
 
     /// Number of values per point.
     pub(super) fn width(&self) -> usize {
-        usize::from(!self.even) + 1 + usize::from(self.complex)
+        usize::from(!self.is_uniform) + 1 + usize::from(self.complex)
     }
 }
 
@@ -152,12 +152,12 @@ const LABEL: usize = 20;
 
 /// Restores a label that was truncated at its width: the fourth line may contain the complete name,
 /// as in files of jounce.
-fn uncut(axis: Axis, whole: &str) -> Axis {
-    let kept: String = whole.chars().take(LABEL).collect();
-    let cut = whole.chars().count() > LABEL && kept.trim_end() == axis.label;
-    if cut {
+fn without_truncation(axis: Axis, full_text: &str) -> Axis {
+    let label_start: String = full_text.chars().take(LABEL).collect();
+    let is_truncated = full_text.chars().count() > LABEL && label_start.trim_end() == axis.label;
+    if is_truncated {
         Axis {
-            label: whole.to_owned(),
+            label: full_text.to_owned(),
             ..axis
         }
     } else {
@@ -172,10 +172,10 @@ fn axis(line: &str) -> Axis {
         .next()
         .and_then(|word| word.parse().ok())
         .unwrap_or(0);
-    let told = |text: String| if text == "NONE" { String::new() } else { text };
+    let unless_none = |text: String| if text == "NONE" { String::new() } else { text };
     Axis {
         kind,
-        label: told(columns(line, 26, 46)),
-        unit: told(columns(line, 47, 67)),
+        label: unless_none(columns(line, 26, 46)),
+        unit: unless_none(columns(line, 47, 67)),
     }
 }

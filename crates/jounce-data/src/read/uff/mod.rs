@@ -23,22 +23,22 @@ use crate::recording::{Issue, IssueKind, IssuePlace};
 
 pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, Damage> {
     let file = File::open(path).map_err(|fault| Damage::new(fault.to_string()))?;
-    let mut found = FormatContents {
+    let mut result = FormatContents {
         sets: Vec::new(),
         shapes: Vec::new(),
         findings: Vec::new(),
     };
-    let mut left_out: BTreeMap<u32, (usize, usize)> = BTreeMap::new();
+    let mut skipped_counts: BTreeMap<u32, (usize, usize)> = BTreeMap::new();
     blocks::blocks(BufReader::with_capacity(1 << 20, file), store, |block| {
         match block.number {
-            58 => found.sets.push(function::read(block, store)?),
-            55 => found.shapes.push(nodes::read(&block)?),
-            other => left_out.entry(other).or_insert((0, block.start)).0 += 1,
+            58 => result.sets.push(function::read(block, store)?),
+            55 => result.shapes.push(nodes::read(&block)?),
+            other => skipped_counts.entry(other).or_insert((0, block.start)).0 += 1,
         }
         Ok(())
     })?;
-    found.sets = function::grouped(found.sets)?;
-    if found.sets.is_empty() && found.shapes.is_empty() {
+    result.sets = function::grouped(result.sets)?;
+    if result.sets.is_empty() && result.shapes.is_empty() {
         let times = |(number, (count, _)): (&u32, &(usize, usize))| {
             if *count == 1 {
                 number.to_string()
@@ -46,28 +46,28 @@ pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, D
                 format!("{number} ({count} times)")
             }
         };
-        let others: Vec<String> = left_out.iter().map(times).collect();
-        let others = if others.is_empty() {
+        let skipped: Vec<String> = skipped_counts.iter().map(times).collect();
+        let skipped = if skipped.is_empty() {
             "nothing".to_owned()
         } else {
-            others.join(", ")
+            skipped.join(", ")
         };
         return Err(Damage::new(format!(
-            "it contains no data set 55 or 58 (mode shapes or recordings), only {others}: \
+            "it contains no data set 55 or 58 (mode shapes or recordings), only {skipped}: \
             geometry, units, headers or computed results"
         )));
     }
-    for (number, (count, start)) in left_out {
-        let about = format!(
+    for (number, (count, start)) in skipped_counts {
+        let message = format!(
             "data set {number} is neither a recording nor a mode shape and was \
             left out"
         );
-        found.findings.push(Issue::new(
+        result.findings.push(Issue::new(
             IssueKind::Skipped,
             count,
             Some(IssuePlace::Byte(start)),
-            about,
+            message,
         ));
     }
-    Ok(found)
+    Ok(result)
 }

@@ -10,32 +10,32 @@ use crate::recording::IssuePlace;
 const LINES: usize = 8;
 
 pub(super) fn read(block: &Block) -> Result<ModeShape, Damage> {
-    let wrong = |line: usize, why: String| {
+    let damage = |line: usize, why: String| {
         Damage::at(
             IssuePlace::Byte(block.start),
             format!("line {} of the data set: {why}", line + 1),
         )
     };
     let row = |line: usize| {
-        let mut found = Vec::new();
+        let mut result = Vec::new();
         let text = block
             .lines
             .get(line)
-            .ok_or_else(|| wrong(line, "it is missing: is the file truncated?".to_owned()))?;
-        numbers(text, &mut found)
-            .map_err(|word| wrong(line, format!("{word:?} is not a number")))?;
-        Ok::<_, Damage>(found)
+            .ok_or_else(|| damage(line, "it is missing: is the file truncated?".to_owned()))?;
+        numbers(text, &mut result)
+            .map_err(|word| damage(line, format!("{word:?} is not a number")))?;
+        Ok::<_, Damage>(result)
     };
     let kind = row(5)?;
     let [_, analysis, _, _, data, per_node, ..] = kind[..] else {
-        return Err(wrong(
+        return Err(damage(
             5,
             format!("expected six whole numbers, found {}", kind.len()),
         ));
     };
     let complex = data == 5.0;
     if !(complex || data == 2.0) || !(1.0..=6.0).contains(&per_node) {
-        return Err(wrong(
+        return Err(damage(
             5,
             format!(
                 "{per_node} values of type {data} at each node: 1 to 6 of type 2 or 5 can be read"
@@ -45,16 +45,16 @@ pub(super) fn read(block: &Block) -> Result<ModeShape, Damage> {
     let per_node = per_node as usize;
     let (frequency_hz, damping_ratio) = frequency(analysis, &row(7)?);
     let (mut nodes, mut real, mut imaginary) = (Vec::new(), Vec::new(), Vec::new());
-    let due = per_node * (1 + usize::from(complex));
+    let expected = per_node * (1 + usize::from(complex));
     let mut line = LINES;
     while line < block.lines.len() {
         let node = row(line)?;
         let [node] = node[..] else {
-            return Err(wrong(line, "expected the number of a node".to_owned()));
+            return Err(damage(line, "expected the number of a node".to_owned()));
         };
         line += 1;
         let mut values = Vec::new();
-        while values.len() < due {
+        while values.len() < expected {
             values.extend(row(line)?);
             line += 1;
         }
@@ -105,7 +105,7 @@ mod tests {
     use super::frequency;
 
     #[test]
-    fn modes_tell_their_damping_in_each_form() {
+    fn modes_give_their_damping_in_each_form() {
         assert_eq!(frequency(2.0, &[12.5, 1.0, 0.013, 0.0]), (12.5, 0.013));
         assert_eq!(frequency(2.0, &[12.5, 1.0, 0.0, 0.04]), (12.5, 0.02));
         assert_eq!(frequency(2.0, &[12.5, 1.0, 0.0]), (12.5, 0.0));

@@ -3,15 +3,15 @@
 use std::io;
 
 use super::super::raw::{Rate, RawColumn};
-use super::super::time::{even_step, is_counter, is_time_column};
+use super::super::time::{is_counter, is_time_column, uniform_step};
 use super::TextLayout;
 use crate::recording::Series as _;
 
 /// Gives columns the names and units of the preamble. If no column is named as time, selects one
 /// with the step of the preamble.
-pub(super) fn settle(columns: &mut [RawColumn], layout: &TextLayout) -> io::Result<()> {
+pub(super) fn apply_preamble(columns: &mut [RawColumn], layout: &TextLayout) -> io::Result<()> {
     let preamble = &layout.preamble;
-    let unnamed = |k: usize| layout.heads.get(k).is_some_and(|head| head.unnamed);
+    let has_no_name = |k: usize| layout.heads.get(k).is_some_and(|head| head.has_no_name);
     let mut time =
         (0..columns.len()).find(|k| columns[*k].left_out.is_none() && is_time_column(&columns[*k]));
     if let (None, Some(rate)) = (time, &preamble.rate) {
@@ -22,7 +22,7 @@ pub(super) fn settle(columns: &mut [RawColumn], layout: &TextLayout) -> io::Resu
             if is_time {
                 columns[k].unit = "s".to_owned();
             }
-            if is_time && unnamed(k) {
+            if is_time && has_no_name(k) {
                 columns[k].name = "Time".to_owned();
             }
             time = is_time.then_some(k);
@@ -40,9 +40,9 @@ pub(super) fn settle(columns: &mut [RawColumn], layout: &TextLayout) -> io::Resu
             channels.push(k);
         }
     }
-    for (place, k) in channels.iter().enumerate() {
+    for (index, k) in channels.iter().enumerate() {
         let unit = if preamble.units.len() == channels.len() {
-            preamble.units.get(place)
+            preamble.units.get(index)
         } else {
             preamble.units.first()
         };
@@ -53,7 +53,7 @@ pub(super) fn settle(columns: &mut [RawColumn], layout: &TextLayout) -> io::Resu
         }
         if let Some(name) = preamble
             .names
-            .get(place)
+            .get(index)
             .filter(|_| preamble.names.len() == channels.len())
         {
             columns[*k].name.clone_from(name);
@@ -63,5 +63,5 @@ pub(super) fn settle(columns: &mut [RawColumn], layout: &TextLayout) -> io::Resu
 }
 
 fn has_step(column: &RawColumn, rate: &Rate) -> io::Result<bool> {
-    Ok(even_step(&column.values)?.is_some_and(|step| !rate.differs_from(1.0 / step)))
+    Ok(uniform_step(&column.values)?.is_some_and(|step| !rate.differs_from(1.0 / step)))
 }
