@@ -14,7 +14,7 @@ __all__ = [
     "FitError",
     "Interrupted",
     "JounceError",
-    "MarchError",
+    "IntegrationError",
     "OrbitError",
     "PlantError",
     "RecordingError",
@@ -94,7 +94,7 @@ class StartError(JounceError):
     """A start state that cannot be read or does not match the harvester."""
 
 
-class MarchError(JounceError):
+class IntegrationError(JounceError):
     """An integration that could not continue."""
 
 

@@ -234,7 +234,7 @@ def test_files_that_cannot_be_read_or_written(harvester, tmp_path):
 
 
 def test_the_tree_of_exceptions():
-    for kind in (jounce.ArgumentError, jounce.SpecError, jounce.MarchError, jounce.ConvergenceError, jounce.FileError):
+    for kind in (jounce.ArgumentError, jounce.SpecError, jounce.IntegrationError, jounce.ConvergenceError, jounce.FileError):
         assert issubclass(kind, jounce.JounceError)
     assert issubclass(jounce.SpecError, ValueError) and issubclass(jounce.FileError, OSError)
     assert issubclass(jounce.Interrupted, KeyboardInterrupt) and not issubclass(jounce.Interrupted, Exception)

@@ -90,7 +90,7 @@ impl From<ReadError> for Failure {
 impl From<AnalysisError> for Failure {
     fn from(error: AnalysisError) -> Self {
         match &error {
-            AnalysisError::Run(jounce_core::run::RunError::March(_)) => {
+            AnalysisError::Run(jounce_core::run::RunError::Integration(_)) => {
                 Failure::NotConverged(error.to_string())
             }
             _ => Failure::Input(error.to_string()),
@@ -107,7 +107,7 @@ impl From<OrbitError<AnalysisError>> for Failure {
             | OrbitError::Impulsive { .. }
             | OrbitError::Rectified { .. }
             | OrbitError::Free => Failure::Input(error.to_string()),
-            OrbitError::March(_) | OrbitError::Multipliers { .. } => {
+            OrbitError::Integration(_) | OrbitError::Multipliers { .. } => {
                 Failure::NotConverged(error.to_string())
             }
         }

@@ -104,7 +104,7 @@ pub fn respond(
             .put("findings", record.issues);
     }
     if matches!(request, ExcitationRequest::Noise { .. }) {
-        let linear = Random::new(&spec).and_then(|random| random.answer());
+        let linear = Random::new(&spec).and_then(|random| random.response());
         frame.put(
             "linear_power_w",
             linear.map_or(f64::NAN, |result| result.mean_power_w),

@@ -63,7 +63,7 @@ fn answered(
         return Err(Failure::new("ArgumentError", why).with(details));
     }
     let frequency_hz = random.frequencies_hz(low, high, points);
-    let answer = random.answer()?;
+    let answer = random.response()?;
     let densities = random.densities_until(&frequency_hz, &|| control.is_stopped())?;
     Failure::unless_stopped(
         control,

@@ -103,7 +103,7 @@ impl Error {
     pub fn kind(&self) -> ErrorKind {
         match self {
             Self::Analysis(error) | Self::Orbit(OrbitError::Harvester(error)) => kind_of(error),
-            Self::Orbit(OrbitError::March(_) | OrbitError::Multipliers { .. }) => {
+            Self::Orbit(OrbitError::Integration(_) | OrbitError::Multipliers { .. }) => {
                 ErrorKind::NotConverged
             }
             Self::Stopped => ErrorKind::Stopped,
@@ -114,8 +114,10 @@ impl Error {
 
 fn kind_of(error: &AnalysisError) -> ErrorKind {
     match error {
-        AnalysisError::Run(RunError::March(IntegrationError::Stopped { .. })) => ErrorKind::Stopped,
-        AnalysisError::Run(RunError::March(_)) => ErrorKind::NotConverged,
+        AnalysisError::Run(RunError::Integration(IntegrationError::Stopped { .. })) => {
+            ErrorKind::Stopped
+        }
+        AnalysisError::Run(RunError::Integration(_)) => ErrorKind::NotConverged,
         _ => ErrorKind::Input,
     }
 }

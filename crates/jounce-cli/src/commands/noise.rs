@@ -34,7 +34,7 @@ impl Noise {
         let spec = self.spec.spec()?;
         let random = Random::new(&spec)?;
         let frequency_hz = self.frequencies(&random)?;
-        let answer = random.answer()?;
+        let answer = random.response()?;
         if let Some(folder) = &self.output.out {
             self.write(
                 folder,

@@ -231,7 +231,9 @@ fn unless_stopped(
     point: Result<SweepPoint, AnalysisError>,
 ) -> Result<Option<SweepPoint>, AnalysisError> {
     match point {
-        Err(AnalysisError::Run(RunError::March(IntegrationError::Stopped { .. }))) => Ok(None),
+        Err(AnalysisError::Run(RunError::Integration(IntegrationError::Stopped { .. }))) => {
+            Ok(None)
+        }
         point => point.map(Some),
     }
 }

@@ -34,12 +34,12 @@ pub enum RandomError {
     Plant(#[from] PlantError),
     /// No noise.
     #[error(
-        "no drive has signal = \"noise\", so that there is no random answer; `jounce frf` tells what a sinusoid does"
+        "no drive has signal = \"noise\", so there is no random response; use `jounce frf` for sinusoids"
     )]
     NoNoise,
     /// A circuit that is not linear.
     #[error(
-        "circuit.{circuit}.interface is not linear, so that no formula gives its answer to noise; march it with `jounce ensemble`, or give interface = \"resistor\""
+        "circuit.{circuit}.interface is not linear, so no formula gives its response to noise; use `jounce ensemble`, or give interface = \"resistor\""
     )]
     Rectified {
         /// Name of the circuit.
@@ -47,7 +47,7 @@ pub enum RandomError {
     },
     /// A response that never becomes stationary.
     #[error(
-        "drive.{drive} excites a mode at {mode_hz} Hz that nothing damps or brings back, so that its answer never becomes stationary; give the mode a damping ratio, or march it with `jounce ensemble`"
+        "drive.{drive} excites a mode at {mode_hz} Hz without damping or stiffness, so its response never becomes stationary; give the mode a damping ratio, or use `jounce ensemble`"
     )]
     Unsteady {
         /// Name of the drive.
@@ -123,7 +123,7 @@ impl Random {
     ///
     /// # Errors
     /// [`RandomError::Plant`] where a quadrature meets an undamped mode.
-    pub fn answer(&self) -> Result<RandomResponse, RandomError> {
+    pub fn response(&self) -> Result<RandomResponse, RandomError> {
         let modes = &self.plant.system.modes;
         let loads = (0..self.plant.system.loads.len())
             .map(|load| self.load(load))

@@ -10,7 +10,7 @@ pub enum OrbitError<H: std::error::Error> {
     Harvester(H),
     /// The integration over a period failed.
     #[error(transparent)]
-    March(#[from] SensitivityError),
+    Integration(#[from] SensitivityError),
     /// No periodic drive, or drives without a common period.
     #[error(
         "{}",

@@ -99,10 +99,10 @@ impl<H: ParametricModel> Shooting<'_, H> {
         let mut sum_j = 0.0;
         for _ in 0..self.cycles {
             let mut integrator = Integrator::new(kernel, &y, 0.0, self.tolerance)
-                .map_err(SensitivityError::March)?;
+                .map_err(SensitivityError::Integration)?;
             integrator
                 .advance_to(cycle_s)
-                .map_err(SensitivityError::March)?;
+                .map_err(SensitivityError::Integration)?;
             sum_j += integrator.energies().delivered_j();
             y = integrator.state();
         }

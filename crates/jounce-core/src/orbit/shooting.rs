@@ -124,8 +124,14 @@ impl<'h, H: ParametricModel> Shooting<'h, H> {
             vec![0.0; plant.system.loads.len() + plant.system.bridges.len()],
         );
         for _ in 0..self.cycles {
-            let cycle =
-                FlowSensitivity::march(&kernel, &y, 0.0, cycle_s, self.tolerance, &change.drift)?;
+            let cycle = FlowSensitivity::integrate(
+                &kernel,
+                &y,
+                0.0,
+                cycle_s,
+                self.tolerance,
+                &change.drift,
+            )?;
             by_parameter =
                 propagated_derivative(&cycle, &by_parameter, cycle_s * change.period_relative);
             map = Some(map.map_or_else(

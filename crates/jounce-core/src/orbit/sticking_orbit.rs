@@ -35,25 +35,25 @@ impl<H: ParametricModel> Shooting<'_, H> {
         let mut y = plant.from_physical(physical, 0.0);
         // An integration that starts at rest may impact once by roundoff; its continuation does
         // not.
-        let mut cycle_integrator =
-            Integrator::new(&kernel, &y, 0.0, self.tolerance).map_err(SensitivityError::March)?;
+        let mut cycle_integrator = Integrator::new(&kernel, &y, 0.0, self.tolerance)
+            .map_err(SensitivityError::Integration)?;
         cycle_integrator
             .advance_to(period_s)
-            .map_err(SensitivityError::March)?;
+            .map_err(SensitivityError::Integration)?;
         cycle_integrator.reset_statistics();
         cycle_integrator
             .advance_to(2.0 * period_s)
-            .map_err(SensitivityError::March)?;
+            .map_err(SensitivityError::Integration)?;
         let statistics = cycle_integrator.statistics();
         let (mut strobe_states, mut trajectories) = (vec![self.unknown(physical)], Vec::new());
         let mut loads_w = vec![0.0; plant.system.loads.len() + plant.system.bridges.len()];
         for _ in 0..self.cycles {
             let mut integrator = Integrator::new(&kernel, &y, 0.0, self.tolerance)
-                .map_err(SensitivityError::March)?;
+                .map_err(SensitivityError::Integration)?;
             integrator.start_record();
             integrator
                 .advance_to(cycle_s)
-                .map_err(SensitivityError::March)?;
+                .map_err(SensitivityError::Integration)?;
             let energies = integrator.energies();
             let rectified = energies
                 .rectified

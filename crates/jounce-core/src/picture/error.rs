@@ -44,7 +44,7 @@ pub enum PictureError {
         height: f64,
     },
     /// A file name whose extension is not a known format.
-    #[error("cannot tell the format of \"{path}\" from its name; use .svg or .png")]
+    #[error("the extension of \"{path}\" is not a known format; use .svg or .png")]
     Format {
         /// Path.
         path: PathBuf,

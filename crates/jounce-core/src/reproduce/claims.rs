@@ -185,8 +185,8 @@ fn hardening(computed: &Impact) -> Claim {
     let printed: Vec<String> = levels.iter().map(print_level).collect();
     let evidence = format!(
         "Stepped up, the peak lies at {}. Criterion: the peak rises with the force and lies above the linear one, at each level a step of \
-         0.1 Hz changes the power at least twofold, and at one level or more both ways, marched on for {LONG_RUN_S} s at the frequency where \
-         they differ most, still differ at least 1.5-fold.",
+         0.1 Hz changes the power at least twofold, and at one level or more the two directions still differ at least 1.5-fold after a further {LONG_RUN_S} s at the \
+         frequency where they differ most.",
         printed.join("; ")
     );
     let claim = "S7: Impact hardens: the peak moves up with the force, with jumps, and near them several solutions exist.";

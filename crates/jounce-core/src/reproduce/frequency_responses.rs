@@ -41,11 +41,7 @@ impl HammerTest {
                 re: result.value.iter().map(|z| z.re).collect(),
                 im: result.value.iter().map(|z| z.im).collect(),
             });
-        let mut next = || {
-            curves
-                .next()
-                .expect("frf answers every response that is asked for")
-        };
+        let mut next = || curves.next().expect("frf returns every requested response");
         Ok(Self {
             acceleration: next(),
             voltage: next(),

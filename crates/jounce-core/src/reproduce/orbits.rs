@@ -88,7 +88,7 @@ impl PaperOrbits {
             Axis::linear("Drive frequency", "Hz"),
             Axis::log("Mean power per force squared", "W/N²"),
         );
-        let mut figure = branches("Branches of periodic answers", x, y, &lines, &marks);
+        let mut figure = branches("Branches of periodic orbits", x, y, &lines, &marks);
         for (k, level) in swept.levels.iter().enumerate() {
             for sweep_branch in [&level.up, &level.down] {
                 let points = Series::points(
@@ -102,8 +102,8 @@ impl PaperOrbits {
                     .for_each(|panel| panel.series.push(points.clone().colour(Colour::nth(k))));
             }
         }
-        let caption = "Figure 6 with the periodic answers of one to four drive cycles: stable stretches solid, unstable ones dashed. The \
-                       points are those of the stepped sweeps.";
+        let caption = "Figure 6 with the periodic orbits of one to four drive cycles: stable segments solid, unstable ones dashed. The \
+                       points are from the stepped sweeps.";
         NamedFigure::new("figure-6-branches", caption, figure)
     }
 
@@ -124,11 +124,11 @@ impl PaperOrbits {
             Axis::linear("Drive frequency", "Hz"),
             Axis::linear("Gap", "mm"),
         );
-        let caption = "Frequencies at which the answer jumps at 50 N, against the gap: the harvester is tuned by moving its stop.";
+        let caption = "Frequencies of the jumps at 50 N over the gap: the position of the stop tunes the harvester.";
         NamedFigure::new(
             "jumps-over-gap",
             caption,
-            bifurcations("Where the answer jumps", x, y, &lines),
+            bifurcations("Bifurcation curves", x, y, &lines),
         )
     }
 
@@ -224,7 +224,7 @@ impl PaperOrbits {
         Ok(vec![
             NamedTable::new(
                 "figure-6-branches",
-                "Periodic answers under figure 6.",
+                "Periodic orbits of figure 6.",
                 5,
                 branches,
             ),

@@ -68,8 +68,8 @@ pub(super) fn page(of: &Reproduction) -> Result<Document, ReproduceError> {
     figures(&mut page, of, &["figure-6", "figure-6-branches"])?;
     page.section("Tuning by the gap");
     page.paragraph(
-        "The paper closes with the idea of tuning the harvester by its gap. Between its folds the answer depends on where it comes from; below the \
-         grazing the stop is out of reach.",
+        "The paper closes with the idea of tuning the harvester by its gap. Between its folds the response depends on the initial state; below the \
+         grazing curve the beam does not reach the stop.",
     );
     figures(&mut page, of, &["jumps-over-gap"])?;
     page.section("Figure 7: voltage at 13 Hz and 200 N");

@@ -75,7 +75,7 @@ pub struct WorstExcess {
     /// Index of its result.
     pub place: usize,
     /// Number of results that exceed the limit.
-    pub answers: usize,
+    pub results_over: usize,
 }
 
 impl WorstExcess {
@@ -95,7 +95,7 @@ impl WorstExcess {
                     == (&exceeded.patch, exceeded.quantity)
             }) {
                 Some(known) => {
-                    known.answers += 1;
+                    known.results_over += 1;
                     if exceeded.excess() > known.exceeded.excess() {
                         (known.exceeded, known.place) = (exceeded.clone(), index);
                     }
@@ -103,7 +103,7 @@ impl WorstExcess {
                 None => worst.push(Self {
                     exceeded: exceeded.clone(),
                     place: index,
-                    answers: 1,
+                    results_over: 1,
                 }),
             }
         }
@@ -118,7 +118,7 @@ impl WorstExcess {
         describe: impl Fn(usize) -> String,
     ) -> Vec<String> {
         let sentence = |worst: Self| {
-            let (count, of) = (worst.answers, results.len());
+            let (count, of) = (worst.results_over, results.len());
             format!(
                 "{}; {count} of {of} {noun} pass the limit, worst at {}",
                 worst.exceeded,
@@ -313,7 +313,7 @@ mod tests {
             [WorstExcess {
                 exceeded: worse,
                 place: 2,
-                answers: 2
+                results_over: 2
             }]
         );
     }

@@ -85,7 +85,7 @@ impl RunPlan {
 pub enum RunError {
     /// See [`IntegrationError`].
     #[error(transparent)]
-    March(#[from] IntegrationError),
+    Integration(#[from] IntegrationError),
     /// The start state does not fit the harvester.
     #[error(
         "the start state has {modes} modes, {patches} electrical states and {drives} drives, or a value that is not finite; this harvester has {wanted_modes} modes, {wanted_patches} electrical states and {wanted_drives} drives"

@@ -43,7 +43,7 @@ pub enum Warning {
     },
     /// The energy balance does not close.
     #[error(
-        "the energy residual is {residual_relative:.1e} of the largest energy: roundoff rules these answers; look for a dimension or a number that is far from the others (`jounce show` draws the harvester to scale)"
+        "the energy residual is {residual_relative:.1e} of the largest energy: roundoff dominates these results; look for a dimension or a number that differs widely from the others (`jounce show` draws the harvester to scale)"
     )]
     Unbalanced {
         /// Energy residual over the largest energy.

@@ -35,7 +35,7 @@ pub enum SignalError {
     },
     /// The record is too short to resolve the lines.
     #[error(
-        "the record lasts {duration_s} s; to tell these orders apart it must last at least {needed_s} s"
+        "the record lasts {duration_s} s; to resolve these orders it must last at least {needed_s} s"
     )]
     Short {
         /// Length of the record, s.

@@ -285,7 +285,7 @@ fn ensemble(
 
 /// Evaluates the noise response at the first load and the first stop; NaN if there is none.
 fn noise(model: &Model) -> Result<Vec<f64>, RandomError> {
-    let response = Random::new(&model.spec)?.answer()?;
+    let response = Random::new(&model.spec)?.response()?;
     let of_load = |value: fn(&RandomLoad) -> f64| response.loads.first().map_or(f64::NAN, value);
     let of_stop = |value: fn(&RandomStop) -> f64| response.stops.first().map_or(f64::NAN, value);
     Ok(vec![

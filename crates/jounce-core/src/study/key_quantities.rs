@@ -82,7 +82,7 @@ pub(super) fn diagram(
     let highest = points
         .iter()
         .max_by(|a, b| a.mean_power_w.total_cmp(&b.mean_power_w))
-        .ok_or("every march failed")?;
+        .ok_or("every run failed")?;
     let aperiodic = points
         .iter()
         .filter(|visit| visit.motion != AttractorKind::Orbit)

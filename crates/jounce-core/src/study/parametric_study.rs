@@ -182,7 +182,7 @@ impl Study {
         columns.push(Column::new(
             "failure",
             "",
-            "why there is no answer; empty where there is one",
+            "reason of a failure; empty for a result",
             reason,
         ));
         Ok(Some(Table::new(columns)?))

@@ -254,7 +254,7 @@ fn diagram() -> Vec<Measure> {
             "",
             "share of the motions without a period",
         ),
-        count("lost", "marches that failed"),
+        count("lost", "runs that failed"),
     ]
 }
 
@@ -304,7 +304,7 @@ fn basins() -> Vec<Measure> {
             "",
             "share of the starts for which no attractor was proved",
         ),
-        count("lost", "marches that failed"),
+        count("lost", "runs that failed"),
     ]
 }
 

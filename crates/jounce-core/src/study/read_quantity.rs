@@ -129,7 +129,7 @@ impl QuantityTable<'_> {
             .spec()
             .is_ok_and(|spec| !spec.drive.values().any(noisy))
         {
-            let reason = "noise needs a drive with signal = \"noise\"; \"run\" and \"frf\" tell what other drives do";
+            let reason = "noise needs a drive with signal = \"noise\"; use \"run\" or \"frf\" for other drives";
             reader.fault("quantity.command", self.span("command"), reason);
         }
         Quantity::Noise

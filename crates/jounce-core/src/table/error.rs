@@ -27,7 +27,7 @@ pub enum TableError {
         column: String,
     },
     /// The file extension is not a known format.
-    #[error("cannot tell the format of \"{path}\" from its name; use .csv, .parquet or .json")]
+    #[error("the extension of \"{path}\" is not a known format; use .csv, .parquet or .json")]
     Format {
         /// Path of the file.
         path: PathBuf,

@@ -72,7 +72,7 @@ fn a_gap_that_noise_carries_away_has_no_rate() {
         let spec = Spec::from_toml(&text(base, frame)).unwrap_or_else(|faults| panic!("{faults}"));
         Random::new(&spec)
             .unwrap()
-            .answer()
+            .response()
             .unwrap()
             .stops
             .remove(0)

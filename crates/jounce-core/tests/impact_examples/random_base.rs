@@ -20,7 +20,7 @@ fn powers_w(file: &str, settings: &[(&str, &str)]) -> [f64; 2] {
     let short = [("run.duration", "12 s"), ("run.average_over", "10 s")];
     let base = Model::new(spec(EXAMPLE, file, &[settings, &short].concat())).unwrap();
     let start = base.start(Path::new("")).unwrap();
-    let linear = Random::new(&base.spec).unwrap().answer().unwrap();
+    let linear = Random::new(&base.spec).unwrap().response().unwrap();
     assert!(
         linear
             .loads

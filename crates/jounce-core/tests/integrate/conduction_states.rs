@@ -24,7 +24,7 @@ const CAPACITOR: Storage = Storage::Capacitor {
 /// of changes and contacts.
 fn sensitivity_errors(kernel: &Kernel) -> (f64, f64, usize, u64) {
     let (y, period_s) = state_after_contacts(kernel);
-    let sensitivity = FlowSensitivity::march(
+    let sensitivity = FlowSensitivity::integrate(
         kernel,
         &y,
         0.0,
@@ -85,7 +85,7 @@ fn diodes_that_conduct_at_once_after_a_switch() {
     let kernel = kernel(system);
     let (error, rate, changes, _) = sensitivity_errors(&kernel);
     let (y, period_s) = state_after_contacts(&kernel);
-    let sensitivity = FlowSensitivity::march(
+    let sensitivity = FlowSensitivity::integrate(
         &kernel,
         &y,
         0.0,
@@ -164,7 +164,7 @@ fn determinant_of_a_switch() {
         Storage::Battery { voltage_v: 1e3 },
     ));
     let y = kernel.plant.from_physical(&[0.3, 0.2, -0.1], 0.0);
-    let sensitivity = FlowSensitivity::march(
+    let sensitivity = FlowSensitivity::integrate(
         &kernel,
         &y,
         0.0,

@@ -165,7 +165,7 @@ fn a_soft_stop_is_struck_at_the_rate_of_rice() {
     let base = spec(
         "[stop.wall]\nat = \"cell.mass\"\nlaw = \"spring\"\nstiffness = \"1e-6 N/m\"\ngap = \"120 um\"\n",
     );
-    let exact = Random::new(&base.spec).unwrap().answer().unwrap();
+    let exact = Random::new(&base.spec).unwrap().response().unwrap();
     let result = run_with(&base, 24, None, true).unwrap();
     let (stop, rice) = (&result.stops[0], &exact.stops[0]);
     let (rice_hz, rice_share) = rice.reached_hz.zip(rice.share_beyond).unwrap();

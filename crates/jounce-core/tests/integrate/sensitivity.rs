@@ -39,7 +39,7 @@ fn with_law(mut system: System, law: Law) -> System {
 /// Largest error of the Jacobian against central differences, relative to its largest entry, on an
 /// interval with contacts.
 fn jacobian_error(kernel: &Kernel, y: &[f64], duration_s: f64) -> f64 {
-    let sensitivity = FlowSensitivity::march(
+    let sensitivity = FlowSensitivity::integrate(
         kernel,
         y,
         START_S,
@@ -234,7 +234,7 @@ fn jacobian_is_the_difference_of_flows_under_gravity() {
     ] {
         let (y, period_s) = state_after_contacts(&kernel);
         let largest_error = jacobian_error(&kernel, &y, period_s);
-        let rate = FlowSensitivity::march(
+        let rate = FlowSensitivity::integrate(
             &kernel,
             &y,
             START_S,
@@ -269,7 +269,7 @@ fn jacobian_is_the_difference_of_flows_under_gravity() {
 fn determinant_is_that_of_the_plant() {
     let kernel = kernel(bench(50.0, 11.0));
     let (y, period_s) = state_after_contacts(&kernel);
-    let sensitivity = FlowSensitivity::march(
+    let sensitivity = FlowSensitivity::integrate(
         &kernel,
         &y,
         START_S,
@@ -312,7 +312,7 @@ fn rigid_impact_has_the_multipliers_of_the_closed_form() {
         )
         .unwrap();
         integrator.advance_to(0.4 * period_s).unwrap();
-        let sensitivity = FlowSensitivity::march(
+        let sensitivity = FlowSensitivity::integrate(
             &kernel,
             &integrator.state(),
             0.4 * period_s,
@@ -406,7 +406,7 @@ fn drift_is_the_difference_of_flows_of_changed_systems() {
     ];
     for (name, change, step, drift) in cases {
         let expected = changed(&change, step);
-        let sensitivity = FlowSensitivity::march(&at, &y, START_S, period_s, 1e-12, &drift)
+        let sensitivity = FlowSensitivity::integrate(&at, &y, START_S, period_s, 1e-12, &drift)
             .unwrap()
             .drift;
         let size = expected.iter().fold(0.0_f64, |max, v| max.max(v.abs()));

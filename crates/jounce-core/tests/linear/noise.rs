@@ -177,7 +177,7 @@ fn a_spec_is_evaluated_without_its_stop() {
     let spec =
         Spec::from_toml(include_str!("../../../../examples/random-base/shaker.toml")).unwrap();
     let random = Random::new(&spec).unwrap();
-    let result = random.answer().unwrap();
+    let result = random.response().unwrap();
     let (load, stop) = (&result.loads[0], &result.stops[0]);
     eprintln!("{load:?} {stop:?}");
     assert!(

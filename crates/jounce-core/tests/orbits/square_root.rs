@@ -90,7 +90,7 @@ fn one_cycle_from_the_steady_motion_leaves_it_by_the_square_root() {
             below,
             integrator.state().iter().map(|y| y * y).sum::<f64>().sqrt(),
         ));
-        let flow = FlowSensitivity::march(
+        let flow = FlowSensitivity::integrate(
             &kernel,
             &rest_state,
             0.0,

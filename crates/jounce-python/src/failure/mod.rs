@@ -207,7 +207,7 @@ impl From<UnknownKind> for Failure {
 impl From<RunError> for Failure {
     fn from(error: RunError) -> Self {
         match error {
-            RunError::March(error) => Self::of("MarchError", &error),
+            RunError::Integration(error) => Self::of("IntegrationError", &error),
             RunError::Plant(error) => error.into(),
             RunError::StateDoesNotFit { .. } | RunError::StartsInside { .. } => {
                 Self::of("StartError", &error)
@@ -279,8 +279,10 @@ impl From<OrbitError<AnalysisError>> for Failure {
     fn from(error: OrbitError<AnalysisError>) -> Self {
         match error {
             OrbitError::Harvester(error) => error.into(),
-            OrbitError::March(SensitivityError::March(error)) => Self::of("MarchError", &error),
-            OrbitError::March(error) => Self::new("MarchError", error),
+            OrbitError::Integration(SensitivityError::Integration(error)) => {
+                Self::of("IntegrationError", &error)
+            }
+            OrbitError::Integration(error) => Self::new("IntegrationError", error),
             OrbitError::Frequencies { frequencies } | OrbitError::Summed { frequencies } => {
                 Self::new("OrbitError", &error).with(json!({ "frequencies": frequencies }))
             }

@@ -316,8 +316,9 @@ impl BranchTracer {
         let evaluation = method.shot(&last.step.local)?;
         let distance_m = nearest_extremum_m(evaluation).map_or(f64::INFINITY, f64::abs);
         let (parameter, reason) = (last.point.parameter, error.to_string());
-        if let ContinuationError::Family(OrbitError::March(SensitivityError::Rests {
-            stop, ..
+        if let ContinuationError::Family(OrbitError::Integration(SensitivityError::Rests {
+            stop,
+            ..
         })) = error
         {
             branch.bifurcations.push(Bifurcation {

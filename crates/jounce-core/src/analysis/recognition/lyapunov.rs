@@ -58,7 +58,7 @@ pub fn largest_exponent(
     for block in 0..=EXPONENT_BLOCKS {
         let mut growth = 0.0;
         for _ in 0..per_block {
-            let step = FlowSensitivity::march(
+            let step = FlowSensitivity::integrate(
                 kernel,
                 &y,
                 0.0,

@@ -87,7 +87,7 @@ impl<H: ParametricModel> OrbitSearch<'_, H> {
             Ok(found) => found,
             // The flow has no derivative where a point comes to rest, or where two rigid stops are
             // struck simultaneously.
-            Err(ContinuationError::Family(OrbitError::March(
+            Err(ContinuationError::Family(OrbitError::Integration(
                 SensitivityError::Rests { .. } | SensitivityError::StruckTogether { .. },
             ))) => {
                 return self
@@ -114,7 +114,9 @@ impl<H: ParametricModel> OrbitSearch<'_, H> {
             let ends = [tolerance, TOLERANCE_REDUCTION * tolerance]
                 .map(|tolerance| self.end(&shooting, &from, tolerance));
             let [coarse, fine] = ends.map(|end| {
-                end.map_err(|error| ContinuationError::Family(OrbitError::March(error.into())))
+                end.map_err(|error| {
+                    ContinuationError::Family(OrbitError::Integration(error.into()))
+                })
             });
             let error = coarse?.iter().zip(fine?).map(|(a, b)| a - b).collect();
             Ok(PeriodRun {

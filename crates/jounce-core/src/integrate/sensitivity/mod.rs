@@ -73,7 +73,7 @@ pub struct FlowSensitivity {
 pub enum SensitivityError {
     /// The integration failed.
     #[error(transparent)]
-    March(#[from] IntegrationError),
+    Integration(#[from] IntegrationError),
     /// The motion sticks to a rigid stop.
     #[error(
         "at t = {time_s} s the point comes to rest on the rigid stop `{stop}`, where the derivative of the flow loses rank; use a compliant law or a larger restitution"
@@ -100,7 +100,7 @@ impl FlowSensitivity {
     ///
     /// # Errors
     /// [`SensitivityError`].
-    pub fn march(
+    pub fn integrate(
         kernel: &Kernel,
         start: &[f64],
         start_s: f64,

@@ -79,7 +79,7 @@ impl<'h, H: ParametricModel> HarmonicBalance<'h, H> {
         parameter: f64,
     ) -> Result<BalanceEvaluation, OrbitError<H::Error>> {
         if setting.kernel.control.is_stopped() {
-            return Err(OrbitError::March(SensitivityError::March(
+            return Err(OrbitError::Integration(SensitivityError::Integration(
                 IntegrationError::Stopped { time_s: 0.0 },
             )));
         }

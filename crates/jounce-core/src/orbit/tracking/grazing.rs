@@ -141,7 +141,7 @@ fn flow_until(
         let physical: Vec<f64> = state.iter().zip(scale).map(|(u, w)| u / w).collect();
         let until_s = cycle_s * (phase - cycle as f64).min(1.0);
         let start = plant.from_physical(&physical, 0.0);
-        flow = &FlowSensitivity::march(
+        flow = &FlowSensitivity::integrate(
             &evaluation.kernel,
             &start,
             0.0,
