@@ -2,7 +2,7 @@
 
 use crate::output::print;
 use jounce::{Error, ErrorKind};
-use jounce_core::analysis::AnalysisError;
+use jounce_core::analysis::{AnalysisError, GridError};
 use jounce_core::orbit::OrbitError;
 use jounce_core::spec::{Fault, ReadError};
 use std::path::{Path, PathBuf};
@@ -128,6 +128,9 @@ impl From<Error> for Failure {
                 "--{} is {value}; {expected}",
                 option.replace('_', "-")
             )),
+            (_, Error::Grid(error)) if error != GridError::NoStop => {
+                Failure::Usage(format!("--grid: {error}"))
+            }
             (ErrorKind::NotConverged, error) => Failure::NotConverged(error.to_string()),
             (ErrorKind::Stopped, error) => Failure::Interrupted(error.to_string()),
             (ErrorKind::Input, error) => Failure::Input(error.to_string()),

@@ -1,7 +1,8 @@
 //! The harvester of a spec.
 
-use crate::{Control, Error};
+use crate::error::Error;
 use jounce_core::analysis::Model;
+use jounce_core::integrate::Control;
 use jounce_core::spec::{NumericKey, Spec, SpecFile};
 use jounce_data::recording::Issue;
 use std::path::{Path, PathBuf};

@@ -1,7 +1,7 @@
 //! Options: each is one field, with its default and its line of help. The command line reads the
 //! fields as arguments, Python as keyword arguments.
 
-use crate::Error;
+use crate::error::Error;
 use clap::{ArgMatches, Args, Command, FromArgMatches};
 use jounce_core::spec::Quantity;
 

@@ -1,6 +1,7 @@
 //! Conditions of periodic orbits: a drive that moves, and a common period of all drives.
 
-use crate::{Error, Harvester};
+use crate::error::Error;
+use crate::harvester::Harvester;
 use jounce_core::analysis::AnalysisError;
 use jounce_core::orbit::OrbitError;
 use jounce_core::plant::Plant;

@@ -7,8 +7,10 @@ mod result;
 pub use options::BasinsOptions;
 pub use result::{AttractorResult, BasinsResult, FailedStart, StartPoint};
 
+use crate::error::Error;
+use crate::harvester::Harvester;
 use crate::options::on_threads;
-use crate::{Error, Harvester, periodic};
+use crate::periodic;
 use jounce_core::analysis::{Basins, InitialStates, Parameter, SectionPoint};
 use jounce_core::plant::Plant;
 use jounce_core::run::WorstExcess;

@@ -1,6 +1,6 @@
 //! Options of basins of attraction.
 
-use crate::Error;
+use crate::error::Error;
 use crate::options::{check_tolerance, defaults};
 use jounce_core::analysis::{Cloud, Grid, InitialStates, Recognition};
 use serde::{Deserialize, Serialize};

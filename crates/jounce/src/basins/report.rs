@@ -1,7 +1,7 @@
 //! Tables and figure of basins of attraction.
 
 use super::{AttractorResult, BasinsResult, StartPoint};
-use crate::Error;
+use crate::error::Error;
 use jounce_core::analysis::GridAxis;
 use jounce_core::picture::{Axis, Colour, Figure, Marker, Panel, Series};
 use jounce_core::table::{Column, Table, Values};

@@ -9,7 +9,8 @@ pub use history::{History, HistorySamples};
 pub use options::RunOptions;
 pub use result::{LoadResult, PatchResult, RunResult};
 
-use crate::{Error, Harvester};
+use crate::error::Error;
+use crate::harvester::Harvester;
 use jounce_core::integrate::Kernel;
 use jounce_core::run::{RunPlan, Warning, charges, simulate, voltage_peaks};
 

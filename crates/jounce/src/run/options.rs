@@ -1,6 +1,6 @@
 //! Options of a run.
 
-use crate::Error;
+use crate::error::Error;
 use crate::options::{defaults, frequency_hz, time_s};
 use jounce_core::run::StartState;
 use serde::{Deserialize, Serialize};

@@ -1,7 +1,7 @@
 //! Table and figures of the stored end of a run.
 
 use super::{History, RunResult};
-use crate::Error;
+use crate::error::Error;
 use jounce_core::picture::{Figure, Scale, SpectrumLine, Trace, spectra, time_histories};
 use jounce_core::signal::{Samples, Window};
 use jounce_core::table::{Column, Table};
