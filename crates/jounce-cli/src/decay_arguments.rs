@@ -1,7 +1,7 @@
 //! Arguments of tests without a measured force: free decays and output-only tests.
 
 use crate::failure::Failure;
-use crate::measured_file::{ends, manifest, positive, print_issues, record};
+use crate::measured_file::{manifest, parse_interval, parse_positive, print_issues, record};
 use clap::Args;
 use jounce_core::spec::Quantity as Unit;
 use jounce_core::table::Manifest;
@@ -48,7 +48,11 @@ impl DecayArguments {
                 .iter()
                 .map(|file| record(file))
                 .collect::<Result<Vec<_>, _>>()?;
-            return Ok(reported(Decays::free(&records, responses, self.span_s()?)?));
+            return Ok(print_decay_issues(Decays::free(
+                &records,
+                responses,
+                self.span_s()?,
+            )?));
         }
         let [file] = files else {
             return Err(Failure::usage(format!(
@@ -61,20 +65,22 @@ impl DecayArguments {
             .first()
             .filter(|recording| recording.over == Over::Frequency)
         {
-            return Ok(reported(Decays::of_spectrum(spectrum, responses)?));
+            return Ok(print_decay_issues(Decays::of_spectrum(
+                spectrum, responses,
+            )?));
         }
         let record = record(file)?;
         let lags_s = self
             .lags
             .as_ref()
-            .map(|text| positive("--lags", text, Unit::Time))
+            .map(|text| parse_positive("--lags", text, Unit::Time))
             .transpose()?;
         let settings = AmbientSettings {
             responses: responses.to_vec(),
             references: self.reference.clone(),
             lags_s,
         };
-        Ok(reported(Decays::ambient(&record, &settings)?))
+        Ok(print_decay_issues(Decays::ambient(&record, &settings)?))
     }
 
     /// Returns the manifest of a result.
@@ -87,18 +93,18 @@ impl DecayArguments {
                 "output only"
             },
         );
-        let told = |given: &Option<String>| given.clone().unwrap_or_default();
+        let text_or_empty = |option: &Option<String>| option.clone().unwrap_or_default();
         Ok(manifest
-            .with("span", told(&self.span))
+            .with("span", text_or_empty(&self.span))
             .with("reference", self.reference.join(" "))
-            .with("lags", told(&self.lags)))
+            .with("lags", text_or_empty(&self.lags)))
     }
 
     fn span_s(&self) -> Result<Option<(f64, f64)>, Failure> {
         let Some(text) = &self.span else {
             return Ok(None);
         };
-        let (from_s, to_s) = ends("--span", text, Unit::Time)?;
+        let (from_s, to_s) = parse_interval("--span", text, Unit::Time)?;
         if from_s >= 0.0 {
             Ok(Some((from_s, to_s)))
         } else {
@@ -110,13 +116,13 @@ impl DecayArguments {
 }
 
 /// Prints the issues of the channels in use.
-fn reported(decays: Decays) -> Decays {
-    let used: Vec<&str> = decays
+fn print_decay_issues(decays: Decays) -> Decays {
+    let used_channels: Vec<&str> = decays
         .outputs
         .iter()
         .chain(&decays.references)
         .map(String::as_str)
         .collect();
-    print_issues(&decays.findings, Some(&used));
+    print_issues(&decays.findings, Some(&used_channels));
     decays
 }

@@ -60,8 +60,10 @@ impl Failure {
             Failure::Input(text) => (4, text, Vec::new()),
             Failure::Interrupted(text) => (INTERRUPTED, text, Vec::new()),
             Failure::Faults(path, faults) => {
-                let lines: Vec<String> =
-                    faults.iter().map(|fault| described(&path, fault)).collect();
+                let lines: Vec<String> = faults
+                    .iter()
+                    .map(|fault| fault_line(&path, fault))
+                    .collect();
                 (4, lines.join("\n"), faults)
             }
         };
@@ -74,7 +76,7 @@ impl Failure {
 }
 
 /// Formats a fault with the name of its file.
-pub fn described(path: &Path, fault: &Fault) -> String {
+pub fn fault_line(path: &Path, fault: &Fault) -> String {
     match fault.set {
         Some(_) => fault.to_string(),
         None => format!("{}:{fault}", path.display()),

@@ -1,7 +1,7 @@
 //! Arguments of a hammer or shaker test, which `frf --measured` and `modes --measured` share.
 
 use crate::failure::Failure;
-use crate::measured_file::{manifest, positive, print_issues, record};
+use crate::measured_file::{manifest, parse_positive, print_issues, record};
 use crate::output::line;
 use clap::{Args, ValueEnum};
 use jounce_core::spec::Quantity as Unit;
@@ -100,14 +100,14 @@ impl HammerArguments {
     pub fn responses(&self) -> Result<MeasuredResponses, Failure> {
         let settings = self.settings()?;
         if let [file] = &self.measured[..] {
-            let recordings = self.prepared(read::file(file)?.recordings)?;
+            let recordings = self.prepare(read::file(file)?.recordings)?;
             if recordings
                 .iter()
                 .all(|recording| recording.over == Over::Frequency)
             {
-                let found = MeasuredResponses::from_functions(&recordings)?;
-                print_issues(&found.findings, None);
-                return Ok(found);
+                let responses = MeasuredResponses::from_functions(&recordings)?;
+                print_issues(&responses.findings, None);
+                return Ok(responses);
             }
         }
         let records = self
@@ -120,33 +120,37 @@ impl HammerArguments {
             (None, Some(channel)) => Excitation::Force(channel.clone()),
             (None, None) => Excitation::FirstForce,
         };
-        let chosen = ChannelChoice {
+        let channels = ChannelChoice {
             excitation,
             responses: self.response.clone(),
         };
-        let found = MeasuredResponses::of_hits(&records, &chosen, &settings)?;
-        let used: Vec<&str> = found
+        let responses = MeasuredResponses::of_hits(&records, &channels, &settings)?;
+        let used_channels: Vec<&str> = responses
             .outputs
             .iter()
-            .chain([&found.input])
+            .chain([&responses.input])
             .map(String::as_str)
             .collect();
-        print_issues(&found.findings, Some(&used));
-        Ok(found)
+        print_issues(&responses.findings, Some(&used_channels));
+        Ok(responses)
     }
 
     /// Returns recordings with their columns paired and their lines interpolated as requested.
-    fn prepared(&self, recordings: Vec<Recording>) -> Result<Vec<Recording>, Failure> {
+    fn prepare(&self, recordings: Vec<Recording>) -> Result<Vec<Recording>, Failure> {
         let parts = self.functions.map(|functions| match functions {
             Functions::ReIm => ComplexParts::ReIm,
             Functions::SizeDegrees => ComplexParts::SizeDegrees,
             Functions::SizeRadians => ComplexParts::SizeRadians,
         });
-        let found = match parts {
+        let recordings = match parts {
             Some(parts) => paired(recordings, parts)?,
             None => recordings,
         };
-        Ok(if self.bridge { bridged(found) } else { found })
+        Ok(if self.bridge {
+            bridged(recordings)
+        } else {
+            recordings
+        })
     }
 
     /// Returns the manifest of a result.
@@ -186,7 +190,7 @@ impl HammerArguments {
         let block_s = self
             .block
             .as_ref()
-            .map(|text| positive("--block", text, Unit::Time))
+            .map(|text| parse_positive("--block", text, Unit::Time))
             .transpose()?;
         Ok(ImpactSettings {
             estimator,
@@ -213,23 +217,23 @@ pub fn print_hits(responses: &MeasuredResponses) {
                 "continuous input (shaker): {blocks} blocks of {block_s:.6} s averaged, half overlapping, Hann"
             ));
         } else {
-            let used = responses.hits.iter().filter(|hit| hit.used).count();
+            let used_count = responses.hits.iter().filter(|hit| hit.used).count();
             line(format!(
-                "{used} hits of {} averaged, blocks of {block_s:.6} s",
+                "{used_count} hits of {} averaged, blocks of {block_s:.6} s",
                 responses.hits.len()
             ));
         }
     }
     print_warnings(&responses.hits);
-    let left: Vec<usize> = (1..)
+    let unused: Vec<usize> = (1..)
         .zip(&responses.hits)
         .filter(|(_, hit)| !hit.used)
         .map(|(number, _)| number)
         .collect();
-    if !left.is_empty() {
+    if !unused.is_empty() {
         line(format!(
             "left out: {}, whose blocks would extend beyond the record",
-            numbered(&left)
+            hit_list(&unused)
         ));
     }
 }
@@ -252,36 +256,36 @@ fn print_warnings(hits: &[ImpactHit]) {
             }
         }
     }
-    for (fault, found) in faults {
-        found
+    for (fault, messages) in faults {
+        messages
             .iter()
             .take(MAX_LISTED_HITS)
-            .for_each(|(_, about)| line(about));
-        let more: Vec<usize> = found
+            .for_each(|(_, message)| line(message));
+        let other_hits: Vec<usize> = messages
             .iter()
             .skip(MAX_LISTED_HITS)
             .map(|(number, _)| *number)
             .collect();
-        if !more.is_empty() {
-            line(format!("warning: also {fault}: {}", numbered(&more)));
+        if !other_hits.is_empty() {
+            line(format!("warning: also {fault}: {}", hit_list(&other_hits)));
         }
     }
 }
 
 /// `hit 4, 5, 6 and 20 more`.
-fn numbered(hits: &[usize]) -> String {
-    let first: Vec<String> = hits
+fn hit_list(hits: &[usize]) -> String {
+    let numbers: Vec<String> = hits
         .iter()
         .take(MAX_LISTED_HITS)
         .map(ToString::to_string)
         .collect();
-    let more = hits.len().saturating_sub(MAX_LISTED_HITS);
-    let rest = if more > 0 {
-        format!(" and {more} more")
+    let remaining_count = hits.len().saturating_sub(MAX_LISTED_HITS);
+    let suffix = if remaining_count > 0 {
+        format!(" and {remaining_count} more")
     } else {
         String::new()
     };
-    format!("hit {}{rest}", first.join(", "))
+    format!("hit {}{suffix}", numbers.join(", "))
 }
 
 fn fault(warning: HitWarning) -> &'static str {

@@ -7,8 +7,8 @@ use jounce_core::integrate::Control;
 /// Lets Ctrl-C end the work of a control. Only one handler can be set; without it the default
 /// remains, which ends at once.
 pub fn install(control: &Control) {
-    let asked = control.clone();
-    let _ = ctrlc::set_handler(move || asked.stop());
+    let handler_control = control.clone();
+    let _ = ctrlc::set_handler(move || handler_control.stop());
 }
 
 /// Ends a command whose result is printed: `finished` names the finished part where the work was

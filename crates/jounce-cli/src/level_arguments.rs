@@ -23,6 +23,6 @@ impl LevelArguments {
             .map(|text| QuantityLevel::parse(text, plant));
         levels
             .collect::<Result<_, _>>()
-            .map_err(|why| Failure::usage(format!("--level {why}")))
+            .map_err(|reason| Failure::usage(format!("--level {reason}")))
     }
 }

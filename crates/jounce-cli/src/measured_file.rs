@@ -25,7 +25,7 @@ pub struct MeasuredFile {
 
 impl MeasuredFile {
     /// Returns the [`summary()`] of the file.
-    pub fn survey(&self) -> Result<RecordingSummary, Failure> {
+    pub fn summary(&self) -> Result<RecordingSummary, Failure> {
         summary(&self.file)
     }
 
@@ -61,10 +61,10 @@ pub fn manifest(command: &str, files: &[PathBuf]) -> Result<Manifest, Failure> {
 /// Computes the SHA-256 of a file, read in blocks.
 fn hash_hex(file: &Path) -> Result<String, Failure> {
     let fault = |reason: std::io::Error| Failure::Input(format!("{}: {reason}", file.display()));
-    let mut from = std::fs::File::open(file).map_err(fault)?;
-    let (mut hash, mut piece) = (Sha256::new(), vec![0; 1 << 16]);
+    let mut input = std::fs::File::open(file).map_err(fault)?;
+    let (mut hash, mut buffer) = (Sha256::new(), vec![0; 1 << 16]);
     loop {
-        let count = from.read(&mut piece).map_err(fault)?;
+        let count = input.read(&mut buffer).map_err(fault)?;
         if count == 0 {
             return Ok(hash
                 .finalize()
@@ -72,7 +72,7 @@ fn hash_hex(file: &Path) -> Result<String, Failure> {
                 .map(|byte| format!("{byte:02x}"))
                 .collect());
         }
-        hash.update(&piece[..count]);
+        hash.update(&buffer[..count]);
     }
 }
 
@@ -80,16 +80,16 @@ fn hash_hex(file: &Path) -> Result<String, Failure> {
 /// first of a quantity. If the channel has no unit, the assumption is added to the findings.
 pub fn channel(
     recording: &mut RecordingSummary,
-    wanted: Option<&str>,
+    name: Option<&str>,
     quantity: Quantity,
     option: &str,
 ) -> Result<usize, Failure> {
-    let found = choose_channel(&recording.name, &recording.heads(), wanted, quantity);
-    if found.is_err() {
+    let choice = choose_channel(&recording.name, &recording.heads(), name, quantity);
+    if choice.is_err() {
         // The message names the recording, which may be the wrong one.
         print_issues(&recording.findings, Some(&[]));
     }
-    let number = found.map_err(|error| match error {
+    let number = choice.map_err(|error| match error {
         ChannelError::Missing(error) => error.into(),
         error @ ChannelError::Unnamed { .. } => Failure::usage(format!("{option}: {error}")),
         error @ ChannelError::Unit { .. } => Failure::Input(format!("{option}: {error}")),
@@ -102,30 +102,39 @@ pub fn channel(
 }
 
 /// Returns the number of the channel of a name or number, of any quantity.
-pub fn any_channel(recording: &RecordingSummary, wanted: &str) -> Result<usize, Failure> {
-    Ok(find_channel(&recording.name, &recording.heads(), wanted)?)
+pub fn any_channel(recording: &RecordingSummary, name_or_number: &str) -> Result<usize, Failure> {
+    Ok(find_channel(
+        &recording.name,
+        &recording.heads(),
+        name_or_number,
+    )?)
 }
 
 /// Returns the first varying channel of a quantity, else the first varying channel, else the first
 /// channel of the quantity.
 pub fn first_live(recording: &RecordingSummary, quantity: Quantity) -> Option<usize> {
-    let still = |name: &str| {
+    let is_constant = |name: &str| {
         recording
             .findings
             .iter()
             .any(|f| f.kind == IssueKind::Constant && f.channel.as_deref() == Some(name))
     };
-    let live =
-        |channel: &&(usize, &ChannelSummary)| channel.1.sizes.peak > 0.0 && !still(&channel.1.name);
-    let all: Vec<(usize, &ChannelSummary)> = recording.channels.iter().enumerate().collect();
-    let found = all
+    let is_live = |channel: &&(usize, &ChannelSummary)| {
+        channel.1.sizes.peak > 0.0 && !is_constant(&channel.1.name)
+    };
+    let channels: Vec<(usize, &ChannelSummary)> = recording.channels.iter().enumerate().collect();
+    let preferred = channels
         .iter()
-        .filter(live)
+        .filter(is_live)
         .find(|(_, channel)| channel.quantity == quantity);
-    found
-        .or_else(|| all.iter().find(live))
-        .or_else(|| all.iter().find(|(_, channel)| channel.quantity == quantity))
-        .or(all.first())
+    preferred
+        .or_else(|| channels.iter().find(is_live))
+        .or_else(|| {
+            channels
+                .iter()
+                .find(|(_, channel)| channel.quantity == quantity)
+        })
+        .or(channels.first())
         .map(|(k, _)| *k)
 }
 
@@ -137,17 +146,20 @@ pub fn summary(file: &Path) -> Result<RecordingSummary, Failure> {
 /// Loads channels of a recording at even times and without missing samples; the others are not
 /// loaded. Prints on stderr the issues of these channels and of the recording, and the corrections
 /// made.
-pub fn loaded(recording: RecordingSummary, channels: &[usize]) -> Result<Recording, Failure> {
-    let kept = recording
+pub fn load_channels(
+    recording: RecordingSummary,
+    channels: &[usize],
+) -> Result<Recording, Failure> {
+    let recording = recording
         .into_recording_of(channels)
         .map_err(|fault| Failure::Input(format!("the scratch file cannot be read: {fault}")))?;
-    let even = kept.into_even()?;
-    print_issues(&even.findings, None);
-    Ok(even)
+    let uniform = recording.into_even()?;
+    print_issues(&uniform.findings, None);
+    Ok(uniform)
 }
 
 /// Reads a positive quantity of an option.
-pub fn positive(option: &str, text: &str, quantity: Unit) -> Result<f64, Failure> {
+pub fn parse_positive(option: &str, text: &str, quantity: Unit) -> Result<f64, Failure> {
     let fault = |reason: String| Failure::usage(format!("{option} {text}: {reason}"));
     let value = quantity
         .read(text)
@@ -160,18 +172,18 @@ pub fn positive(option: &str, text: &str, quantity: Unit) -> Result<f64, Failure
 }
 
 /// Reads two quantities of an option, as in `0.2s:3s`.
-pub fn ends(option: &str, text: &str, quantity: Unit) -> Result<(f64, f64), Failure> {
+pub fn parse_interval(option: &str, text: &str, quantity: Unit) -> Result<(f64, f64), Failure> {
     let example = if quantity == Unit::Time {
         "0.2s:3s"
     } else {
         "500Hz:4300Hz"
     };
-    let wrong = || {
+    let usage_error = || {
         Failure::usage(format!(
             "{option} {text}: write FROM:TO, as in {example}, the smaller one first"
         ))
     };
-    let (from, to) = text.split_once(':').ok_or_else(wrong)?;
+    let (from, to) = text.split_once(':').ok_or_else(usage_error)?;
     let read = |text: &str| {
         quantity
             .read(text)
@@ -181,7 +193,7 @@ pub fn ends(option: &str, text: &str, quantity: Unit) -> Result<(f64, f64), Fail
     if from < to {
         Ok((from, to))
     } else {
-        Err(wrong())
+        Err(usage_error())
     }
 }
 
@@ -189,23 +201,23 @@ pub fn ends(option: &str, text: &str, quantity: Unit) -> Result<(f64, f64), Fail
 /// channels). A sentence is printed once, with the number of recordings it holds for. An issue that
 /// changes no number of a result is a note.
 pub fn print_issues(findings: &[Issue], used: Option<&[&str]>) {
-    let concerns = |finding: &&Issue| match (&finding.channel, used) {
+    let is_relevant = |finding: &&Issue| match (&finding.channel, used) {
         (Some(channel), Some(used)) => used.contains(&channel.as_str()),
         _ => true,
     };
-    let mut told: Vec<(String, usize)> = Vec::new();
-    for finding in findings.iter().filter(concerns) {
+    let mut messages: Vec<(String, usize)> = Vec::new();
+    for finding in findings.iter().filter(is_relevant) {
         let text = if finding.kind.is_note() {
             format!("note: {finding}")
         } else {
             finding.to_string()
         };
-        match told.iter_mut().find(|(known, _)| *known == text) {
+        match messages.iter_mut().find(|(message, _)| *message == text) {
             Some((_, times)) => *times += 1,
-            None => told.push((text, 1)),
+            None => messages.push((text, 1)),
         }
     }
-    for (text, times) in told {
+    for (text, times) in messages {
         if times > 1 {
             eprintln!("{text} (in {times} recordings)");
         } else {

@@ -41,14 +41,14 @@ const PLAIN: std::ops::RangeInclusive<i32> = -3..=5;
 /// Formats a value with the half width of its interval, both to the second digit of the half width:
 /// `(6.9 +- 4.9)e-6 W`.
 pub fn with_uncertainty(value: f64, half_width: f64, unit: &str) -> String {
-    let behind = if unit.is_empty() {
+    let unit_suffix = if unit.is_empty() {
         String::new()
     } else {
         format!(" {unit}")
     };
     let largest = value.abs().max(half_width.abs());
     if !(value.is_finite() && half_width.is_finite() && largest > 0.0) {
-        return format!("{value} +- {half_width}{behind}");
+        return format!("{value} +- {half_width}{unit_suffix}");
     }
     let power = |x: f64| x.abs().log10().floor() as i32;
     let exponent = if PLAIN.contains(&power(largest)) {
@@ -58,17 +58,17 @@ pub fn with_uncertainty(value: f64, half_width: f64, unit: &str) -> String {
     };
     let scale = 10f64.powi(-exponent);
     // An uncertainty of zero needs no more digits than a number has.
-    let last = power(half_width.max(largest * 1e-12)) - exponent;
-    let digits = usize::try_from(1 - last).unwrap_or(0);
+    let last_digit = power(half_width.max(largest * 1e-12)) - exponent;
+    let digits = usize::try_from(1 - last_digit).unwrap_or(0);
     let numbers = format!(
         "{:.digits$} +- {:.digits$}",
         value * scale,
         half_width * scale
     );
     if exponent == 0 {
-        format!("{numbers}{behind}")
+        format!("{numbers}{unit_suffix}")
     } else {
-        format!("({numbers})e{exponent}{behind}")
+        format!("({numbers})e{exponent}{unit_suffix}")
     }
 }
 
@@ -122,8 +122,8 @@ mod tests {
             (1.5, f64::NAN, "W", "1.5 +- NaN W"),
             (-2.5e-5, 1.0e-7, "V", "(-2.500 +- 0.010)e-5 V"),
         ];
-        for (value, half_width, unit, told) in cases {
-            assert_eq!(with_uncertainty(value, half_width, unit), told);
+        for (value, half_width, unit, expected) in cases {
+            assert_eq!(with_uncertainty(value, half_width, unit), expected);
         }
         assert!(
             with_uncertainty(2.5, 0.0, "W").starts_with("2.5000000"),
@@ -134,7 +134,7 @@ mod tests {
 
     #[test]
     fn a_small_value_keeps_its_digits() {
-        let told = [
+        let texts = [
             12.321_816_8,
             0.240_718_53,
             1.000_01e-3,
@@ -144,7 +144,7 @@ mod tests {
         ]
         .map(key_value);
         assert_eq!(
-            told,
+            texts,
             [
                 "12.321817",
                 "0.240719",

@@ -14,12 +14,12 @@ const LINE_INTERVAL: Duration = Duration::from_secs(10);
 
 /// Returns a bar for a number of points.
 pub fn bar(points: usize) -> ProgressBar {
-    counted(points, "points")
+    counting_bar(points, "points")
 }
 
 /// Returns a bar for a number of items of one name.
-pub fn counted(things: usize, name: &'static str) -> ProgressBar {
-    let bar = ProgressBar::with_draw_target(Some(things as u64), ProgressDrawTarget::stderr());
+pub fn counting_bar(length: usize, name: &'static str) -> ProgressBar {
+    let bar = ProgressBar::with_draw_target(Some(length as u64), ProgressDrawTarget::stderr());
     let style = ProgressStyle::with_template(&format!(
         "{{bar:30}} {{pos}}/{{len}} {name}  {{per_sec}}  {{eta}} left  {{msg}}"
     ));
@@ -30,8 +30,8 @@ pub fn counted(things: usize, name: &'static str) -> ProgressBar {
 
 /// Shows the finished parts that a control counts, of one name, while `work` runs.
 pub fn with_parts<T>(name: &'static str, control: &Control, work: impl FnOnce() -> T) -> T {
-    let bar = counted(0, name);
-    polled(bar, &|bar| set_parts(bar, control), work)
+    let bar = counting_bar(0, name);
+    with_polling(bar, &|bar| set_parts(bar, control), work)
 }
 
 fn set_parts(bar: &ProgressBar, control: &Control) {
@@ -58,28 +58,28 @@ pub fn with_count<T>(
     ));
     let bar = bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_spinner()));
     lines_without_terminal(&bar, name);
-    polled(bar, &|bar| bar.set_position(count()), work)
+    with_polling(bar, &|bar| bar.set_position(count()), work)
 }
 
 /// Updates a bar while `work` runs.
-fn polled<T>(
+fn with_polling<T>(
     bar: ProgressBar,
     update: &(dyn Fn(&ProgressBar) + Sync),
     work: impl FnOnce() -> T,
 ) -> T {
-    let (end, ended) = std::sync::mpsc::channel::<()>();
+    let (finish_sender, finish_receiver) = std::sync::mpsc::channel::<()>();
     std::thread::scope(|scope| {
         scope.spawn(move || {
-            while ended.recv_timeout(POLL_INTERVAL)
+            while finish_receiver.recv_timeout(POLL_INTERVAL)
                 == Err(std::sync::mpsc::RecvTimeoutError::Timeout)
             {
                 update(&bar);
             }
             bar.finish_and_clear();
         });
-        let answer = work();
-        drop(end);
-        answer
+        let result = work();
+        drop(finish_sender);
+        result
     })
 }
 
@@ -96,26 +96,26 @@ fn lines_without_terminal(bar: &ProgressBar, name: &'static str) {
 fn print_lines(
     bar: &ProgressBar,
     name: &'static str,
-    every: Duration,
-    say: impl Fn(String) + Send + 'static,
+    interval: Duration,
+    write_line: impl Fn(String) + Send + 'static,
 ) {
     let bar = bar.downgrade();
     std::thread::spawn(move || {
         let clock = Instant::now();
-        let (mut next, mut before) = (every, None);
+        let (mut next_report, mut first_position) = (interval, None);
         loop {
-            std::thread::sleep(POLL_INTERVAL.min(every));
+            std::thread::sleep(POLL_INTERVAL.min(interval));
             let Some(bar) = bar.upgrade().filter(|bar| !bar.is_finished()) else {
                 return;
             };
             // Work of an earlier run does not count in the rate.
-            let before = *before.get_or_insert(bar.position());
-            if clock.elapsed() >= next {
-                next += every;
-                say(line(
+            let first_position = *first_position.get_or_insert(bar.position());
+            if clock.elapsed() >= next_report {
+                next_report += interval;
+                write_line(line(
                     name,
                     bar.position(),
-                    before,
+                    first_position,
                     bar.length(),
                     clock.elapsed(),
                 ));
@@ -126,20 +126,28 @@ fn print_lines(
 
 /// Formats `"120 of 400 points, 12 per s, 23 s left"`; without an end `"120 orbits computed, 12 per
 /// s, 10 s so far"`.
-fn line(name: &str, position: u64, before: u64, end: Option<u64>, elapsed: Duration) -> String {
+fn line(
+    name: &str,
+    position: u64,
+    first_position: u64,
+    length: Option<u64>,
+    elapsed: Duration,
+) -> String {
     let seconds = elapsed.as_secs_f64();
-    let rate = position.saturating_sub(before) as f64 / seconds;
+    let rate = position.saturating_sub(first_position) as f64 / seconds;
     let per_s = if rate >= 1.0 || rate == 0.0 {
         format!("{rate:.0} per s")
     } else {
         format!("{:.0} s each", 1.0 / rate)
     };
-    match end {
+    match length {
         None => format!("{position} {name}, {per_s}, {seconds:.0} s so far"),
-        Some(end) if rate == 0.0 => format!("{position} of {end} {name}, {seconds:.0} s so far"),
-        Some(end) => format!(
-            "{position} of {end} {name}, {per_s}, {:.0} s left",
-            end.saturating_sub(position) as f64 / rate
+        Some(length) if rate == 0.0 => {
+            format!("{position} of {length} {name}, {seconds:.0} s so far")
+        }
+        Some(length) => format!(
+            "{position} of {length} {name}, {per_s}, {:.0} s left",
+            length.saturating_sub(position) as f64 / rate
         ),
     }
 }
@@ -150,57 +158,60 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_line_tells_rate_and_time_left() {
-        let at = |position, before, end, seconds| {
+    fn a_line_holds_rate_and_remaining_time() {
+        let line_at = |position, first_position, length, seconds| {
             line(
                 "points",
                 position,
-                before,
-                end,
+                first_position,
+                length,
                 Duration::from_secs(seconds),
             )
         };
         assert_eq!(
-            at(220, 100, Some(400), 10),
+            line_at(220, 100, Some(400), 10),
             "220 of 400 points, 12 per s, 15 s left"
         );
-        assert_eq!(at(5, 0, Some(6), 20), "5 of 6 points, 4 s each, 4 s left");
-        assert_eq!(at(3, 3, Some(400), 10), "3 of 400 points, 10 s so far");
-        assert_eq!(at(50, 0, None, 10), "50 points, 5 per s, 10 s so far");
+        assert_eq!(
+            line_at(5, 0, Some(6), 20),
+            "5 of 6 points, 4 s each, 4 s left"
+        );
+        assert_eq!(line_at(3, 3, Some(400), 10), "3 of 400 points, 10 s so far");
+        assert_eq!(line_at(50, 0, None, 10), "50 points, 5 per s, 10 s so far");
     }
 
     /// Lines are printed until the bar is finished, and hold no control characters.
     #[test]
-    fn lines_come_until_the_bar_is_finished() {
-        let (said, heard) = std::sync::mpsc::channel();
+    fn lines_are_printed_until_the_bar_is_finished() {
+        let (sender, receiver) = std::sync::mpsc::channel();
         let bar = ProgressBar::with_draw_target(Some(10), ProgressDrawTarget::hidden());
         print_lines(&bar, "points", Duration::from_millis(20), move |line| {
-            drop(said.send(line))
+            drop(sender.send(line))
         });
-        let first = heard.recv_timeout(Duration::from_secs(60)).unwrap();
+        let first_line = receiver.recv_timeout(Duration::from_secs(60)).unwrap();
         bar.inc(4);
         // Some lines may have been printed before.
-        let later = std::iter::from_fn(|| heard.recv_timeout(Duration::from_secs(60)).ok())
+        let later_line = std::iter::from_fn(|| receiver.recv_timeout(Duration::from_secs(60)).ok())
             .find(|line| !line.starts_with("0 of 10"));
         assert!(
-            first.starts_with("0 of 10 points")
-                && later
+            first_line.starts_with("0 of 10 points")
+                && later_line
                     .as_ref()
                     .is_some_and(|line| line.starts_with("4 of 10 points")),
-            "{later:?}"
+            "{later_line:?}"
         );
         assert!(
-            later
+            later_line
                 .iter()
                 .all(|line| line.chars().all(|c| !c.is_control()))
         );
         bar.finish_and_clear();
         // The channel closes when the thread ends.
-        while let Ok(line) = heard.recv_timeout(Duration::from_secs(60)) {
+        while let Ok(line) = receiver.recv_timeout(Duration::from_secs(60)) {
             assert!(line.contains("points"));
         }
         assert_eq!(
-            heard.recv_timeout(Duration::from_millis(1)),
+            receiver.recv_timeout(Duration::from_millis(1)),
             Err(std::sync::mpsc::RecvTimeoutError::Disconnected)
         );
     }

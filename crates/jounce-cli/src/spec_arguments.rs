@@ -63,7 +63,7 @@ impl SpecArguments {
     /// Reads the spec with its overrides; prints the issues of the recordings of its drives on
     /// stderr.
     pub fn read(&self, file: &SpecFile) -> Result<Spec, Failure> {
-        let spec = self.checked(file.spec())?;
+        let spec = self.map_faults(file.spec())?;
         print_recording_issues(&spec);
         Ok(spec)
     }
@@ -85,7 +85,7 @@ impl SpecArguments {
     }
 
     /// Adds the name of the file to faults.
-    pub fn checked<T>(&self, result: Result<T, Faults>) -> Result<T, Failure> {
+    pub fn map_faults<T>(&self, result: Result<T, Faults>) -> Result<T, Failure> {
         result.map_err(|faults| Failure::faults(&self.spec, faults.as_slice().to_vec()))
     }
 
@@ -95,17 +95,17 @@ impl SpecArguments {
         file: &SpecFile,
         over: &str,
     ) -> Result<(NumericKey, (f64, f64)), Failure> {
-        let wrong = || {
+        let usage_error = || {
             Failure::usage(format!(
                 "{over}: write KEY=FROM:TO, as in drive.shaker.frequency=4Hz:20Hz"
             ))
         };
-        let (name, text) = over.split_once('=').ok_or_else(wrong)?;
+        let (name, text) = over.split_once('=').ok_or_else(usage_error)?;
         let (from, to) = text
             .split_once(':')
             .filter(|(_, to)| !to.contains(':'))
-            .ok_or_else(wrong)?;
-        let key = self.checked(file.numeric_key(name.trim()))?;
+            .ok_or_else(usage_error)?;
+        let key = self.map_faults(file.numeric_key(name.trim()))?;
         let range = KeyRange::parse(key.clone(), &format!("{from},{to}"))
             .map_err(|fault| Failure::faults(&self.spec, vec![fault]))?;
         match range.values() {
@@ -177,12 +177,12 @@ pub fn check_drive(spec: &SpecArguments, plant: &Plant, what: &str) -> Result<()
         }
         .into());
     }
-    let moving = plant
+    let has_moving_drive = plant
         .system
         .drives
         .iter()
         .any(|drive| drive.amplitude_n != 0.0);
-    match (plant.period_s(), moving) {
+    match (plant.period_s(), has_moving_drive) {
         (Some(_), true) => Ok(()),
         (Some(_), false) => Err(Failure::Input(format!(
             "{}: drive.amplitude is 0, but {what} needs a drive that moves: give it an amplitude greater than 0",

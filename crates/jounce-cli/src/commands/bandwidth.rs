@@ -19,7 +19,7 @@ pub fn print(width: &Bandwidth, unit: &str) {
         "largest stable",
         key_value(peak.parameter),
         peak.mean_power_w,
-        why(peak.at)
+        limit_name(peak.at)
     ));
     line(format!(
         "  {:<16} {:>12} {unit}  +- {:.1e}",
@@ -32,15 +32,15 @@ pub fn print(width: &Bandwidth, unit: &str) {
         line(format!(
             "    from {} ({}) to {} {unit} ({})",
             key_value(from.parameter),
-            why(from.at),
+            limit_name(from.at),
             key_value(to.parameter),
-            why(to.at)
+            limit_name(to.at)
         ));
     }
 }
 
 /// Describes a limit of a band.
-fn why(limit: BandLimit) -> &'static str {
+fn limit_name(limit: BandLimit) -> &'static str {
     match limit {
         BandLimit::Maximum => "maximum",
         BandLimit::HalfPower => "half power",
@@ -54,12 +54,12 @@ type Row<'w> = (String, &'w Bandwidth, IntervalEdge, IntervalEdge);
 
 /// Returns a table with one row for each interval of each branch, and of all branches combined.
 pub fn table(key: &NumericKey, widths: &Bandwidths) -> Result<Table, Failure> {
-    let own = widths
+    let branch_widths = widths
         .branches
         .iter()
         .enumerate()
         .map(|(k, width)| (k.to_string(), width));
-    let all: Vec<Row> = (own.chain([("all".to_owned(), &widths.together)]))
+    let rows: Vec<Row> = (branch_widths.chain([("all".to_owned(), &widths.together)]))
         .filter_map(|(name, width)| Some((name, width.as_ref()?)))
         .flat_map(|(name, width)| {
             width
@@ -73,7 +73,7 @@ pub fn table(key: &NumericKey, widths: &Bandwidths) -> Result<Table, Failure> {
             name,
             unit,
             about,
-            all.iter().map(value).collect::<Vec<f64>>(),
+            rows.iter().map(value).collect::<Vec<f64>>(),
         )
     };
     let text = |name: &str, about: &str, value: &dyn Fn(&Row) -> String| {
@@ -81,7 +81,7 @@ pub fn table(key: &NumericKey, widths: &Bandwidths) -> Result<Table, Failure> {
             name,
             "",
             about,
-            all.iter().map(value).collect::<Vec<String>>(),
+            rows.iter().map(value).collect::<Vec<String>>(),
         )
     };
     let unit = key.unit();
@@ -113,7 +113,7 @@ pub fn table(key: &NumericKey, widths: &Bandwidths) -> Result<Table, Failure> {
             &|row| row.2.parameter_error,
         ),
         text("from_at", "limit at the lower end", &|row| {
-            why(row.2.at).to_owned()
+            limit_name(row.2.at).to_owned()
         }),
         number("to", &unit, "upper end of the range", &|row| {
             row.3.parameter
@@ -125,7 +125,7 @@ pub fn table(key: &NumericKey, widths: &Bandwidths) -> Result<Table, Failure> {
             &|row| row.3.parameter_error,
         ),
         text("to_at", "limit at the upper end", &|row| {
-            why(row.3.at).to_owned()
+            limit_name(row.3.at).to_owned()
         }),
     ])?)
 }

@@ -29,13 +29,13 @@ impl Basins {
         let work = || harvester.basins(&self.options);
         let result = progress::with_parts("starts", &control, work);
         let result = result.map_err(|error| self.spec.failure(error))?;
-        if let Some(first) = result.failed.first() {
+        if let Some(first_failure) = result.failed.first() {
             let (failed, finished) = (result.failed.len(), result.finished);
             if failed == finished {
-                let text = format!("every run failed; the first: {}", first.reason);
+                let text = format!("every run failed; the first: {}", first_failure.reason);
                 return Err(Failure::NotConverged(text));
             }
-            let (start, reason) = (first.start, &first.reason);
+            let (start, reason) = (first_failure.start, &first_failure.reason);
             eprintln!("{failed} of {finished} runs failed; start {start}: {reason}");
         }
         result
@@ -73,18 +73,18 @@ impl Basins {
 /// Prints the result as lines of text.
 fn print_lines(result: &BasinsResult) {
     line("attractor      period  contacts    mean_power_w  share (95 %)");
-    for own in &result.attractors {
-        let mirror = own.mirror_of.as_ref();
+    for attractor in &result.attractors {
+        let mirror = attractor.mirror_of.as_ref();
         let mirror = mirror.map_or_else(String::new, |id| format!("  mirror image of {id}"));
         line(format!(
             "{:<13} {:>7} {:>9}    {:.6e}  {:.3} ({:.3} to {:.3}){mirror}",
-            own.id,
-            own.period_cycles,
-            own.contacts_per_period,
-            own.mean_power_w,
-            own.fraction,
-            own.fraction_low,
-            own.fraction_high
+            attractor.id,
+            attractor.period_cycles,
+            attractor.contacts_per_period,
+            attractor.mean_power_w,
+            attractor.fraction,
+            attractor.fraction_low,
+            attractor.fraction_high
         ));
     }
     line(format!(

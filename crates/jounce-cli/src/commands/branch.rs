@@ -87,7 +87,7 @@ impl Branch {
         let spec = self.spec.read(&file)?;
         let (key, range) = self.spec.key_and_ends(&file, &self.over)?;
         let base = Model::new(spec)?;
-        let shown = OrbitQuantityShown::of(&base.kernel.plant.system)?;
+        let quantity = OrbitQuantity::of(&base.kernel.plant.system)?;
         let parameter = Parameter::new(&base, &key, range.1 - range.0);
         let search = BranchSearch {
             base: &base,
@@ -108,22 +108,22 @@ impl Branch {
         let limits = Limits::of(&base.spec, &base.kernel.plant);
         let work = || -> Result<_, OrbitError<AnalysisError>> {
             let branches = search.run_with(&options)?;
-            let passed: Result<Vec<_>, AnalysisError> = branches
+            let exceeded: Result<Vec<_>, AnalysisError> = branches
                 .iter()
                 .map(|branch| branch.exceeded(&parameter, &limits, self.tolerance))
                 .collect();
-            let passed = match passed {
+            let exceeded = match exceeded {
                 // The branches found so far are returned without their warnings.
                 Err(_) if base.kernel.control.is_stopped() => branches
                     .iter()
                     .map(|branch| vec![Vec::new(); branch.points.len()])
                     .collect(),
-                passed => passed.map_err(OrbitError::Harvester)?,
+                exceeded => exceeded.map_err(OrbitError::Harvester)?,
             };
-            Ok((width.run(&branches), passed, branches))
+            Ok((width.run(&branches), exceeded, branches))
         };
         interruption::install(&base.kernel.control);
-        let (widths, passed, branches) =
+        let (widths, exceeded, branches) =
             progress::with_progress(&base.kernel.control, || self.threads.run(work))??;
         if branches.is_empty() && base.kernel.control.is_stopped() {
             return Err(Failure::Interrupted(
@@ -137,17 +137,23 @@ impl Branch {
             );
             return Err(Failure::NotConverged(text));
         }
-        self.tell_doubts(&branches, key.unit().as_ref());
+        self.print_warnings(&branches, key.unit().as_ref());
         let values: Vec<f64> = branches
             .iter()
             .flat_map(|branch| &branch.points)
             .map(|point| point.parameter)
             .collect();
-        let all: Vec<&[ExceededLimit]> = passed.iter().flatten().map(Vec::as_slice).collect();
-        limit_warnings::warn(&all, "points", |place| {
-            format!("{} = {:.6} {}", key.path(), values[place], key.unit())
+        let all_exceeded: Vec<&[ExceededLimit]> =
+            exceeded.iter().flatten().map(Vec::as_slice).collect();
+        limit_warnings::warn(&all_exceeded, "points", |index| {
+            format!("{} = {:.6} {}", key.path(), values[index], key.unit())
         });
-        self.tell((&base.spec, shown), &key, (&branches, &passed), &widths)?;
+        self.print_result(
+            (&base.spec, quantity),
+            &key,
+            (&branches, &exceeded),
+            &widths,
+        )?;
         interruption::end(&base.kernel.control, || {
             format!("the {} branches that were finished", branches.len())
         })?;
@@ -197,12 +203,12 @@ impl Branch {
     }
 
     /// Prints branches that end early, and large error estimates.
-    fn tell_doubts(&self, branches: &[Curve], unit: &str) {
+    fn print_warnings(&self, branches: &[Curve], unit: &str) {
         for (branch, ending) in branches
             .iter()
             .flat_map(|branch| branch.endings.iter().map(move |ending| (branch, ending)))
         {
-            let (what, why, parameter) = match ending {
+            let (event_text, why, parameter) = match ending {
                 Termination::Failed { why, parameter } => ("ends", why, parameter),
                 Termination::Grazing { why, parameter } => (
                     "has a sharp kink at a grazing point and ends",
@@ -223,23 +229,25 @@ impl Branch {
                 Termination::Range | Termination::Closed | Termination::Merged => continue,
             };
             eprintln!(
-                "a branch of period {} {what} at {parameter} {}: {why}",
+                "a branch of period {} {event_text} at {parameter} {}: {why}",
                 branch.period_cycles, unit
             );
         }
-        let not_followed: usize = branches.iter().map(|branch| branch.not_followed).sum();
-        if not_followed > 0 {
+        let skipped: usize = branches.iter().map(|branch| branch.not_followed).sum();
+        if skipped > 0 {
             eprintln!(
-                "warning: the branches of {not_followed} period doublings were not continued: the --budget of {} is used up, or Newton iteration found no first orbit",
+                "warning: the branches of {skipped} period doublings were not continued: the --budget of {} is used up, or Newton iteration found no first orbit",
                 self.budget
             );
         }
-        for (branch, part) in branches
-            .iter()
-            .flat_map(|branch| branch.not_proved.iter().map(move |part| (branch, part)))
-        {
+        for (branch, interval) in branches.iter().flat_map(|branch| {
+            branch
+                .not_proved
+                .iter()
+                .map(move |interval| (branch, interval))
+        }) {
             let (cycles, event, NotProved { from, to, why, .. }) =
-                (branch.period_cycles, part.event.name(), part);
+                (branch.period_cycles, interval.event.name(), interval);
             eprintln!(
                 "warning: a branch of period {cycles} may hold two more events `{event}` from {from} to {to} {unit}: {why}"
             );
@@ -248,43 +256,43 @@ impl Branch {
             .iter()
             .flat_map(|branch| &branch.points)
             .map(|point| (point.orbit.error_estimate, point.parameter));
-        if let Some((worst, parameter)) = estimates
+        if let Some((max_error, parameter)) = estimates
             .max_by(|a, b| a.0.total_cmp(&b.0))
-            .filter(|(worst, _)| *worst > 1e-3)
+            .filter(|(max_error, _)| *max_error > 1e-3)
         {
-            let other = if self.method == OrbitMethod::Shooting {
+            let method_hint = if self.method == OrbitMethod::Shooting {
                 ""
             } else {
                 " or --method shooting"
             };
             eprintln!(
-                "the largest error estimate is {worst:.1e}, at {parameter} {}: try a smaller --tolerance{other}",
+                "the largest error estimate is {max_error:.1e}, at {parameter} {}: try a smaller --tolerance{method_hint}",
                 unit
             );
         }
     }
 
-    fn tell(
+    fn print_result(
         &self,
-        (spec, shown): (&Spec, OrbitQuantityShown),
+        (spec, quantity): (&Spec, OrbitQuantity),
         key: &NumericKey,
-        (branches, passed): (&[Curve], &[Vec<Vec<ExceededLimit>>]),
+        (branches, exceeded): (&[Curve], &[Vec<Vec<ExceededLimit>>]),
         widths: &Bandwidths,
     ) -> Result<(), Failure> {
         if let Some(folder) = &self.output.out {
-            self.write(folder, (spec, shown), key, branches, widths)?;
+            self.write(folder, (spec, quantity), key, branches, widths)?;
         }
         if self.output.json {
-            let listed: Vec<_> = (branches.iter().zip(passed).zip(&widths.branches))
-                .map(|((branch, passed), width)| branch_to_json(branch, passed, width.as_ref()))
+            let branch_list: Vec<_> = (branches.iter().zip(exceeded).zip(&widths.branches))
+                .map(|((branch, exceeded), width)| branch_to_json(branch, exceeded, width.as_ref()))
                 .collect();
-            let together = widths.together.as_ref();
+            let overall = widths.together.as_ref();
             print(&serde_json::json!({
                 "over": key.path(),
                 "unit": key.unit(),
-                "branches": listed,
-                "peak": together.map(|width| width.peak),
-                "half_power_bandwidth": together.map(bandwidth::to_json),
+                "branches": branch_list,
+                "peak": overall.map(|width| width.peak),
+                "half_power_bandwidth": overall.map(bandwidth::to_json),
                 "note": self.note(),
             }));
             return Ok(());
@@ -300,27 +308,27 @@ impl Branch {
                 .iter()
                 .filter(|point| point.orbit.is_stability_undecided())
                 .count();
-            let doubt = if undecided > 0 {
+            let undecided_note = if undecided > 0 {
                 format!(", {undecided} of undecided stability")
             } else {
                 String::new()
             };
             line(format!(
-                "branch of period {}: {} points, {stable} of them stable{doubt}",
+                "branch of period {}: {} points, {stable} of them stable{undecided_note}",
                 branch.period_cycles,
                 branch.points.len()
             ));
-            for found in &branch.bifurcations {
-                let (at, unit) = (&found.at, key.unit());
-                let (value, of) = (shown.value(at), shown.unit());
-                let name = found
+            for bifurcation in &branch.bifurcations {
+                let (at, unit) = (&bifurcation.at, key.unit());
+                let (value, quantity_unit) = (quantity.value(at), quantity.unit());
+                let name = bifurcation
                     .level
                     .as_ref()
-                    .or(found.stop.as_ref())
+                    .or(bifurcation.stop.as_ref())
                     .map_or_else(String::new, |name| format!("  {name}"));
                 line(format!(
-                    "  {:<16} {:>12} {unit}  {value:.6e} {of}{name}",
-                    found.kind.name(),
+                    "  {:<16} {:>12} {unit}  {value:.6e} {quantity_unit}{name}",
+                    bifurcation.kind.name(),
                     output::key_value(at.parameter)
                 ));
             }
@@ -328,9 +336,9 @@ impl Branch {
                 .iter()
                 .for_each(|width| bandwidth::print(width, &key.unit()));
         }
-        if let Some(together) = widths.together.as_ref().filter(|_| branches.len() > 1) {
+        if let Some(overall) = widths.together.as_ref().filter(|_| branches.len() > 1) {
             line("all branches together");
-            bandwidth::print(together, &key.unit());
+            bandwidth::print(overall, &key.unit());
         }
         line(self.note());
         Ok(())
@@ -339,7 +347,7 @@ impl Branch {
     fn write(
         &self,
         folder: &Path,
-        (spec, shown): (&Spec, OrbitQuantityShown),
+        (spec, quantity): (&Spec, OrbitQuantity),
         key: &NumericKey,
         branches: &[Curve],
         widths: &Bandwidths,
@@ -364,13 +372,16 @@ impl Branch {
         )?;
         let lines: Vec<BranchLine> = branches
             .iter()
-            .map(|branch| branch_line(branch, shown))
+            .map(|branch| branch_line(branch, quantity))
             .collect();
-        let marks = branches
-            .iter()
-            .flat_map(|branch| branch.bifurcations.iter().map(|found| mark(found, shown)));
+        let marks = branches.iter().flat_map(|branch| {
+            branch
+                .bifurcations
+                .iter()
+                .map(|bifurcation| mark(bifurcation, quantity))
+        });
         let marks: Vec<BranchMark> = marks.collect();
-        let (x, y) = (Axis::linear(key.path(), &key.unit()), shown.axis());
+        let (x, y) = (Axis::linear(key.path(), &key.unit()), quantity.axis());
         let title = format!("Branches of periodic orbits over {}", key.path());
         output::figure(
             folder,
@@ -382,14 +393,14 @@ impl Branch {
 
 /// Quantity of an orbit that is printed and drawn over the parameter.
 #[derive(Debug, Clone, Copy)]
-enum OrbitQuantityShown {
+enum OrbitQuantity {
     /// Mean power.
     Power,
     /// Displacement amplitude at the first stop, for a harvester without a circuit.
     Displacement,
 }
 
-impl OrbitQuantityShown {
+impl OrbitQuantity {
     fn of(system: &System) -> Result<Self, Failure> {
         match (system.loads.is_empty() && system.bridges.is_empty(), system.stops.is_empty()) {
             (false, _) => Ok(Self::Power),
@@ -423,14 +434,14 @@ impl OrbitQuantityShown {
     }
 }
 
-fn branch_line(branch: &Curve, shown: OrbitQuantityShown) -> BranchLine {
+fn branch_line(branch: &Curve, quantity: OrbitQuantity) -> BranchLine {
     BranchLine {
         label: format!("period {}", branch.period_cycles),
         parameter: branch.points.iter().map(|point| point.parameter).collect(),
         value: branch
             .points
             .iter()
-            .map(|point| shown.value(point))
+            .map(|point| quantity.value(point))
             .collect(),
         stable: branch
             .points
@@ -440,14 +451,14 @@ fn branch_line(branch: &Curve, shown: OrbitQuantityShown) -> BranchLine {
     }
 }
 
-fn mark(found: &Bifurcation, shown: OrbitQuantityShown) -> BranchMark {
-    let kind = found
+fn mark(bifurcation: &Bifurcation, quantity: OrbitQuantity) -> BranchMark {
+    let kind = bifurcation
         .level
         .clone()
-        .unwrap_or_else(|| found.kind.name().to_owned());
+        .unwrap_or_else(|| bifurcation.kind.name().to_owned());
     BranchMark {
         kind,
-        parameter: found.at.parameter,
-        value: shown.value(&found.at),
+        parameter: bifurcation.at.parameter,
+        value: quantity.value(&bifurcation.at),
     }
 }

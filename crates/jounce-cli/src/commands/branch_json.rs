@@ -7,14 +7,14 @@ use jounce_core::run::ExceededLimit;
 /// Converts a branch with its points and bifurcations.
 pub fn branch_to_json(
     branch: &Curve,
-    passed: &[Vec<ExceededLimit>],
+    exceeded: &[Vec<ExceededLimit>],
     width: Option<&Bandwidth>,
 ) -> serde_json::Value {
     let points: Vec<_> = branch
         .points
         .iter()
-        .zip(passed)
-        .map(|(point, passed)| point_to_json(point, passed))
+        .zip(exceeded)
+        .map(|(point, exceeded)| point_to_json(point, exceeded))
         .collect();
     let bifurcations: Vec<_> = branch
         .bifurcations
@@ -33,7 +33,7 @@ pub fn branch_to_json(
     })
 }
 
-fn point_to_json(point: &BranchPoint, passed: &[ExceededLimit]) -> serde_json::Value {
+fn point_to_json(point: &BranchPoint, exceeded: &[ExceededLimit]) -> serde_json::Value {
     let orbit = &point.orbit;
     serde_json::json!({
         "parameter": point.parameter,
@@ -46,22 +46,22 @@ fn point_to_json(point: &BranchPoint, passed: &[ExceededLimit]) -> serde_json::V
         "max_penetration_m": orbit.max_penetration_m,
         "displacement_peak_m": orbit.displacement_peak_m,
         "error_estimate": orbit.error_estimate,
-        "warnings": passed,
+        "warnings": exceeded,
     })
 }
 
-fn bifurcation_to_json(found: &Bifurcation) -> serde_json::Value {
-    let mut listed = serde_json::json!({
-        "kind": found.kind,
-        "parameter": found.at.parameter,
-        "mean_power_w": found.at.orbit.mean_power_w,
-        "displacement_peak_m": found.at.orbit.displacement_peak_m,
-        "contacts_per_period": found.at.orbit.contacts,
+fn bifurcation_to_json(bifurcation: &Bifurcation) -> serde_json::Value {
+    let mut value = serde_json::json!({
+        "kind": bifurcation.kind,
+        "parameter": bifurcation.at.parameter,
+        "mean_power_w": bifurcation.at.orbit.mean_power_w,
+        "displacement_peak_m": bifurcation.at.orbit.displacement_peak_m,
+        "contacts_per_period": bifurcation.at.orbit.contacts,
     });
-    for (key, name) in [("level", &found.level), ("stop", &found.stop)] {
+    for (key, name) in [("level", &bifurcation.level), ("stop", &bifurcation.stop)] {
         if let Some(name) = name {
-            listed[key] = name.as_str().into();
+            value[key] = name.as_str().into();
         }
     }
-    listed
+    value
 }

@@ -7,7 +7,7 @@ use jounce_core::table::{Column, Table};
 
 /// Returns the table of every point of every branch.
 pub fn points_table(key: &NumericKey, branches: &[Curve]) -> Result<Table, Failure> {
-    let all: Vec<(usize, &Curve, &BranchPoint)> = branches
+    let rows: Vec<(usize, &Curve, &BranchPoint)> = branches
         .iter()
         .enumerate()
         .flat_map(|(k, branch)| branch.points.iter().map(move |point| (k, branch, point)))
@@ -17,13 +17,18 @@ pub fn points_table(key: &NumericKey, branches: &[Curve]) -> Result<Table, Failu
             name,
             unit,
             about,
-            all.iter()
+            rows.iter()
                 .map(|(_, _, point)| value(point))
                 .collect::<Vec<f64>>(),
         )
     };
     let count = |name: &str, about: &str, value: fn(&(usize, &Curve, &BranchPoint)) -> u64| {
-        Column::new(name, "", about, all.iter().map(value).collect::<Vec<u64>>())
+        Column::new(
+            name,
+            "",
+            about,
+            rows.iter().map(value).collect::<Vec<u64>>(),
+        )
     };
     Ok(Table::new(vec![
         count("branch", "number of the branch, from 0", |(k, _, _)| {
@@ -48,7 +53,7 @@ pub fn points_table(key: &NumericKey, branches: &[Curve]) -> Result<Table, Failu
             "stable",
             "",
             "attracts",
-            all.iter()
+            rows.iter()
                 .map(|(_, _, p)| p.orbit.is_stable())
                 .collect::<Vec<bool>>(),
         ),
@@ -56,7 +61,7 @@ pub fn points_table(key: &NumericKey, branches: &[Curve]) -> Result<Table, Failu
             "stability_undecided",
             "",
             "a Floquet multiplier has modulus one within its error",
-            all.iter()
+            rows.iter()
                 .map(|(_, _, p)| p.orbit.is_stability_undecided())
                 .collect::<Vec<bool>>(),
         ),
@@ -92,14 +97,14 @@ pub fn points_table(key: &NumericKey, branches: &[Curve]) -> Result<Table, Failu
 
 /// Returns the table of every bifurcation.
 pub fn bifurcations_table(key: &NumericKey, branches: &[Curve]) -> Result<Table, Failure> {
-    let all: Vec<(u64, &Bifurcation)> = branches
+    let rows: Vec<(u64, &Bifurcation)> = branches
         .iter()
         .enumerate()
         .flat_map(|(k, branch)| {
             branch
                 .bifurcations
                 .iter()
-                .map(move |found| (k as u64, found))
+                .map(move |bifurcation| (k as u64, bifurcation))
         })
         .collect();
     let number = |name: &str, unit: &str, about: &str, value: fn(&BranchPoint) -> f64| {
@@ -107,8 +112,8 @@ pub fn bifurcations_table(key: &NumericKey, branches: &[Curve]) -> Result<Table,
             name,
             unit,
             about,
-            all.iter()
-                .map(|(_, found)| value(&found.at))
+            rows.iter()
+                .map(|(_, bifurcation)| value(&bifurcation.at))
                 .collect::<Vec<f64>>(),
         )
     };
@@ -117,14 +122,14 @@ pub fn bifurcations_table(key: &NumericKey, branches: &[Curve]) -> Result<Table,
             "branch",
             "",
             "number of the branch, from 0",
-            all.iter().map(|(k, _)| *k).collect::<Vec<u64>>(),
+            rows.iter().map(|(k, _)| *k).collect::<Vec<u64>>(),
         ),
         Column::new(
             "kind",
             "",
             "kind of the bifurcation",
-            all.iter()
-                .map(|(_, found)| found.kind.name().to_owned())
+            rows.iter()
+                .map(|(_, bifurcation)| bifurcation.kind.name().to_owned())
                 .collect::<Vec<_>>(),
         ),
         number("parameter", &key.unit(), key.path(), |p| p.parameter),

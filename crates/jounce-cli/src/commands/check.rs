@@ -1,6 +1,6 @@
 //! `jounce check SPEC`
 
-use crate::failure::{Failure, described};
+use crate::failure::{Failure, fault_line};
 use crate::output::{line, print};
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
@@ -23,15 +23,15 @@ impl Check {
             Err(Failure::Faults(path, faults)) if self.output.json => {
                 faults
                     .iter()
-                    .for_each(|fault| eprintln!("{}", described(&path, fault)));
+                    .for_each(|fault| eprintln!("{}", fault_line(&path, fault)));
                 print(&serde_json::json!({ "valid": false, "faults": faults }));
                 // The faults are printed; only the exit code remains.
                 std::process::exit(4);
             }
-            other => other?,
+            result => result?,
         };
-        let noticed = |(drive, finding): (&str, &Issue)| serde_json::json!({ "drive": drive, "finding": finding });
-        let findings: Vec<_> = spec.findings().map(noticed).collect();
+        let finding_json = |(drive, finding): (&str, &Issue)| serde_json::json!({ "drive": drive, "finding": finding });
+        let findings: Vec<_> = spec.findings().map(finding_json).collect();
         Model::new(spec)?;
         if self.output.json {
             print(&serde_json::json!({ "valid": true, "faults": [], "findings": findings }));

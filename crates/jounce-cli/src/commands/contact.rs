@@ -1,7 +1,7 @@
 //! `jounce contact FILE`
 
 use crate::failure::Failure;
-use crate::measured_file::{MeasuredFile, channel, loaded, positive};
+use crate::measured_file::{MeasuredFile, channel, load_channels, parse_positive};
 use crate::output::{self, line, print};
 use clap::Args;
 use jounce_core::signal::Samples;
@@ -37,38 +37,38 @@ impl Contact {
         let mass_kg = self
             .mass
             .as_ref()
-            .map(|text| positive("--mass", text, Unit::Mass))
+            .map(|text| parse_positive("--mass", text, Unit::Mass))
             .transpose()?;
-        let mut survey = self.file.survey()?;
+        let mut summary = self.file.summary()?;
         let number = channel(
-            &mut survey,
+            &mut summary,
             self.force.as_deref(),
             Quantity::Force,
             "--force",
         )?;
-        let record = loaded(survey, &[number])?;
+        let record = load_channels(summary, &[number])?;
         let force = &record.channels[0];
         let samples = Samples::new(&force.values, record.rate())?;
-        let found = hits(&samples, HitSearch::default())?;
-        let fits: Vec<Result<ContactFit, String>> = found
+        let contact_hits = hits(&samples, HitSearch::default())?;
+        let fits: Vec<Result<ContactFit, String>> = contact_hits
             .iter()
             .map(|hit| fit(&samples, hit, mass_kg).map_err(|fault| fault.to_string()))
             .collect();
         if let Some(folder) = &self.file.output.out {
-            self.write(folder, &samples, &found, &fits)?;
+            self.write(folder, &samples, &contact_hits, &fits)?;
         }
         if self.file.output.json {
-            let one = |(hit, fitted): (&Hit, &Result<ContactFit, String>)| match fitted {
+            let hit_json = |(hit, fitted): (&Hit, &Result<ContactFit, String>)| match fitted {
                 Ok(law) => serde_json::json!({ "hit": hit, "law": law }),
-                Err(why) => serde_json::json!({ "hit": hit, "law": null, "why": why }),
+                Err(reason) => serde_json::json!({ "hit": hit, "law": null, "why": reason }),
             };
-            let listed: Vec<_> = found.iter().zip(&fits).map(one).collect();
+            let hit_list: Vec<_> = contact_hits.iter().zip(&fits).map(hit_json).collect();
             print(
-                &serde_json::json!({ "channel": force.name, "hits": listed, "findings": record.findings }),
+                &serde_json::json!({ "channel": force.name, "hits": hit_list, "findings": record.findings }),
             );
             return Ok(());
         }
-        for (hit, fitted) in found.iter().zip(&fits) {
+        for (hit, fitted) in contact_hits.iter().zip(&fits) {
             print_hit(hit, fitted, record.rate());
         }
         Ok(())
@@ -78,13 +78,14 @@ impl Contact {
         &self,
         folder: &Path,
         force: &Samples<'_>,
-        found: &[Hit],
+        contact_hits: &[Hit],
         fits: &[Result<ContactFit, String>],
     ) -> Result<(), Failure> {
-        let hit = |of: &dyn Fn(&Hit) -> f64| found.iter().map(of).collect::<Vec<f64>>();
-        let law = |of: &dyn Fn(&ContactFit) -> f64| {
+        let hit =
+            |value: &dyn Fn(&Hit) -> f64| contact_hits.iter().map(value).collect::<Vec<f64>>();
+        let law = |value: &dyn Fn(&ContactFit) -> f64| {
             fits.iter()
-                .map(|law| law.as_ref().map_or(f64::NAN, of))
+                .map(|law| law.as_ref().map_or(f64::NAN, value))
                 .collect::<Vec<f64>>()
         };
         let mut table = Table::new(vec![
@@ -116,7 +117,7 @@ impl Contact {
                 "warnings",
                 "",
                 "number of warnings",
-                found
+                contact_hits
                     .iter()
                     .map(|hit| hit.warnings.len() as u64)
                     .collect::<Vec<_>>(),
@@ -181,14 +182,19 @@ impl Contact {
                 "upper end of the 95 % interval of the stiffness",
                 high,
             ))?;
-            for (name, unit, about, held) in LAWS {
+            for (name, unit, about, fixed_law) in LAWS {
                 let stiffness = law(&|law| {
-                    held(law)
-                        .and_then(|held| held.stiffness)
+                    fixed_law(law)
+                        .and_then(|fixed_law| fixed_law.stiffness)
                         .unwrap_or(f64::NAN)
                 });
                 let [low, high] = [0, 1].map(|end| {
-                    law(&|law| end_95(held(law).and_then(|held| held.stiffness_95), end))
+                    law(&|law| {
+                        end_95(
+                            fixed_law(law).and_then(|fixed_law| fixed_law.stiffness_95),
+                            end,
+                        )
+                    })
                 });
                 let about = format!("stiffness of {about}; NaN where the pulse does not allow it");
                 table.push(Column::new(
@@ -218,7 +224,7 @@ impl Contact {
             ))?;
         }
         output::table(folder, "contact", &table, &self.file.manifest("contact")?)?;
-        let drawn: Vec<PulseFigure> = found
+        let figures: Vec<PulseFigure> = contact_hits
             .iter()
             .zip(fits)
             .take(MAX_SHOWN_PULSES)
@@ -227,7 +233,7 @@ impl Contact {
         output::figure(
             folder,
             "contact-pulses",
-            &pulses("Force pulses and the laws fitted to them", &drawn),
+            &pulses("Force pulses and the laws fitted to them", &figures),
         )
     }
 }
@@ -255,9 +261,9 @@ fn end_95(interval: Option<(f64, f64)>, end: usize) -> f64 {
 const MAX_LISTED_WARNINGS: usize = 3;
 
 fn print_hit(hit: &Hit, fitted: &Result<ContactFit, String>, rate_hz: f64) {
-    let at = hit.peak as f64 / rate_hz;
+    let time_s = hit.peak as f64 / rate_hz;
     line(format!(
-        "hit at {at:.6} s: peak {:.4} N, {:.4e} s above a tenth of it ({:.4} N), impulse {:.4e} N s",
+        "hit at {time_s:.6} s: peak {:.4} N, {:.4e} s above a tenth of it ({:.4} N), impulse {:.4e} N s",
         hit.peak_force_n,
         hit.contact_time_s,
         HitSearch::default().edge_ratio * hit.peak_force_n,
@@ -274,7 +280,7 @@ fn print_hit(hit: &Hit, fitted: &Result<ContactFit, String>, rate_hz: f64) {
         ));
     }
     match fitted {
-        Err(why) => line(format!("  no law: {why}")),
+        Err(reason) => line(format!("  no law: {reason}")),
         Ok(law) => {
             line(format!(
                 "  law, 95 %: exponent {:.3} +- {:.3}, restitution {:.3} +- {:.3}, contact time {:.4e} s",
@@ -292,9 +298,10 @@ fn print_hit(hit: &Hit, fitted: &Result<ContactFit, String>, rate_hz: f64) {
                     "  stiffness {stiffness:.4e} {unit}, 95 % from {low:.4e} to {high:.4e}, speed {speed:.4} m/s"
                 ));
             }
-            for (_, unit, about, held) in LAWS {
-                let held = held(law).and_then(|held| held.stiffness.zip(held.stiffness_95));
-                if let Some((stiffness, (low, high))) = held {
+            for (_, unit, about, fixed_law) in LAWS {
+                let fixed_law = fixed_law(law)
+                    .and_then(|fixed_law| fixed_law.stiffness.zip(fixed_law.stiffness_95));
+                if let Some((stiffness, (low, high))) = fixed_law {
                     line(format!(
                         "  as {about}: stiffness {stiffness:.4e} {unit}, 95 % from {low:.4e} to {high:.4e}"
                     ));

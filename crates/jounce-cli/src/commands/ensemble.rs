@@ -79,14 +79,14 @@ impl Ensemble {
             with_spectrum: self.spectrum,
         };
         interruption::install(&base.kernel.control);
-        let bar = progress::counted(self.members, "members");
-        let done = |member: &Member| {
+        let bar = progress::counting_bar(self.members, "members");
+        let advance = |member: &Member| {
             bar.set_length((member.index / self.members + 1) as u64 * self.members as u64);
             bar.inc(1);
         };
-        let answer = self.threads.run(|| study.run(&done))??;
+        let result = self.threads.run(|| study.run(&advance))??;
         bar.finish_and_clear();
-        if answer.members.is_empty() {
+        if result.members.is_empty() {
             return Err(Failure::Interrupted(
                 "stopped before the first member was finished".to_owned(),
             ));
@@ -94,26 +94,26 @@ impl Ensemble {
         for warning in Warning::of_recordings(&base.spec, &RunPlan::of(&base.spec.run, 0.0)) {
             eprintln!("warning: {warning}");
         }
-        let passed: Vec<&[ExceededLimit]> = answer
+        let exceeded: Vec<&[ExceededLimit]> = result
             .members
             .iter()
             .map(|member| member.exceeded.as_slice())
             .collect();
-        limit_warnings::warn(&passed, "members", |place| {
-            format!("member {}", answer.members[place].index)
+        limit_warnings::warn(&exceeded, "members", |index| {
+            format!("member {}", result.members[index].index)
         });
         if let Some(folder) = &self.output.out {
-            self.write(folder, &base, &answer)?;
+            self.write(folder, &base, &result)?;
         }
-        self.tell(&answer);
+        self.print_result(&result);
         interruption::end(&base.kernel.control, || {
-            format!("the {} finished members", answer.members.len())
+            format!("the {} finished members", result.members.len())
         })
     }
 
-    fn tell(&self, answer: &EnsembleResult) {
-        let power = &answer.power_w;
-        let worst = answer.members.iter().fold(0.0_f64, |max, member| {
+    fn print_result(&self, result: &EnsembleResult) {
+        let power = &result.power_w;
+        let max_residual = result.members.iter().fold(0.0_f64, |max, member| {
             max.max(member.energy_residual_relative.abs())
         });
         if self.output.json {
@@ -122,41 +122,41 @@ impl Ensemble {
                 "mean_power_half_width_w": finite(power.half_width),
                 "relative_width": finite(power.relative_width()),
                 "interval_over": power.interval,
-                "reached": answer.reached,
-                "contact_rate_hz": answer.contact_rate_hz.mean,
-                "contact_rate_half_width_hz": finite(answer.contact_rate_hz.half_width),
-                "mean_impact_velocity_m_s": answer.mean_impact_velocity_m_s,
-                "max_impact_velocity_m_s": answer.max_impact_velocity_m_s,
-                "mean_contact_duration_s": answer.mean_contact_duration_s,
-                "stops": answer.stops.iter().map(stop_json).collect::<Vec<_>>(),
-                "bandwidths_hz": answer.spectra.iter().map(bandwidth_json).collect::<serde_json::Map<_, _>>(),
-                "energy_residual_relative": worst,
-                "members": answer.members,
+                "reached": result.reached,
+                "contact_rate_hz": result.contact_rate_hz.mean,
+                "contact_rate_half_width_hz": finite(result.contact_rate_hz.half_width),
+                "mean_impact_velocity_m_s": result.mean_impact_velocity_m_s,
+                "max_impact_velocity_m_s": result.max_impact_velocity_m_s,
+                "mean_contact_duration_s": result.mean_contact_duration_s,
+                "stops": result.stops.iter().map(stop_json).collect::<Vec<_>>(),
+                "bandwidths_hz": result.spectra.iter().map(bandwidth_json).collect::<serde_json::Map<_, _>>(),
+                "energy_residual_relative": max_residual,
+                "members": result.members,
                 "seed": self.seed,
             }));
             return;
         }
-        let over = if power.interval == IntervalOver::Members {
+        let interval_text = if power.interval == IntervalOver::Members {
             "over members"
         } else {
             "over batches of the members"
         };
         line(format!(
-            "mean power         {:.6e} W +- {:.1e} W (95 %, {over})",
+            "mean power         {:.6e} W +- {:.1e} W (95 %, {interval_text})",
             power.mean, power.half_width
         ));
         line(format!(
             "members            {}, seed {}",
-            answer.members.len(),
+            result.members.len(),
             self.seed
         ));
-        if !answer.reached {
+        if !result.reached {
             line(format!(
                 "NOT reached        the relative width is {:.3}; give more --members",
                 power.relative_width()
             ));
         }
-        let rate = &answer.contact_rate_hz;
+        let rate = &result.contact_rate_hz;
         if rate.mean > 0.0 {
             line(format!(
                 "contacts           {:.4} per second +- {:.2}",
@@ -164,15 +164,15 @@ impl Ensemble {
             ));
             line(format!(
                 "impacts            {:.4e} m/s in the mean, {:.4e} m/s at most, {:.4e} s each",
-                answer.mean_impact_velocity_m_s,
-                answer.max_impact_velocity_m_s,
-                answer.mean_contact_duration_s
+                result.mean_impact_velocity_m_s,
+                result.max_impact_velocity_m_s,
+                result.mean_contact_duration_s
             ));
         }
-        for stop in &answer.stops {
+        for stop in &result.stops {
             print_stop(stop);
         }
-        for spectrum in &answer.spectra {
+        for spectrum in &result.spectra {
             let (mean, width) = (spectrum.bandwidth_hz.mean, spectrum.bandwidth_hz.half_width);
             line(format!(
                 "bandwidth of V     {mean:.4e} Hz +- {width:.1e} Hz (statistical, patch {})",
@@ -180,26 +180,26 @@ impl Ensemble {
             ));
         }
         line(format!(
-            "energy residual    {worst:.1e} of the largest energy"
+            "energy residual    {max_residual:.1e} of the largest energy"
         ));
     }
 
-    fn write(&self, folder: &Path, base: &Model, answer: &EnsembleResult) -> Result<(), Failure> {
+    fn write(&self, folder: &Path, base: &Model, result: &EnsembleResult) -> Result<(), Failure> {
         let manifest = self
             .spec
             .manifest(&base.spec, "ensemble")
             .with("seed", self.seed)
-            .with("members", answer.members.len());
-        output::table(folder, "ensemble", &table(&answer.members)?, &manifest)?;
-        self.write_spectra(folder, base, answer)?;
-        let powers: Vec<f64> = answer
+            .with("members", result.members.len());
+        output::table(folder, "ensemble", &table(&result.members)?, &manifest)?;
+        self.write_spectra(folder, base, result)?;
+        let powers: Vec<f64> = result
             .members
             .iter()
             .map(|member| member.mean_power_w)
             .collect();
         let (low, high) = (
-            answer.power_w.mean - answer.power_w.half_width,
-            answer.power_w.mean + answer.power_w.half_width,
+            result.power_w.mean - result.power_w.half_width,
+            result.power_w.mean + result.power_w.half_width,
         );
         output::figure(
             folder,
@@ -214,9 +214,9 @@ impl Ensemble {
         &self,
         folder: &Path,
         base: &Model,
-        answer: &EnsembleResult,
+        result: &EnsembleResult,
     ) -> Result<(), Failure> {
-        let Some(first) = answer.spectra.first() else {
+        let Some(first) = result.spectra.first() else {
             return Ok(());
         };
         let mut table = Table::new(vec![Column::new(
@@ -226,10 +226,14 @@ impl Ensemble {
             first.frequency_hz.clone(),
         )])?;
         let mut lines = Vec::new();
-        for spectrum in &answer.spectra {
-            let column =
-                |of: fn(&Estimate) -> f64| spectrum.density.iter().map(of).collect::<Vec<f64>>();
-            let (mean, width) = (column(|own| own.mean), column(|own| own.half_width));
+        for spectrum in &result.spectra {
+            let column = |value: fn(&Estimate) -> f64| {
+                spectrum.density.iter().map(value).collect::<Vec<f64>>()
+            };
+            let (mean, width) = (
+                column(|estimate| estimate.mean),
+                column(|estimate| estimate.half_width),
+            );
             let name = |what: &str| format!("{}.{what}", spectrum.patch);
             table.push(Column::new(
                 &name("voltage.psd"),
@@ -243,22 +247,22 @@ impl Ensemble {
                 "half width of its 95 % interval",
                 width,
             ))?;
-            let ends = [
-                column(|own| own.mean - own.half_width),
-                column(|own| own.mean + own.half_width),
+            let bounds = [
+                column(|estimate| estimate.mean - estimate.half_width),
+                column(|estimate| estimate.mean + estimate.half_width),
             ];
             lines.push(DensityLine {
                 quantity: name("voltage"),
                 unit: "V^2/Hz".to_owned(),
                 density: mean,
-                interval: ends,
+                interval: bounds,
             });
         }
         let manifest = self
             .spec
             .manifest(&base.spec, "ensemble")
             .with("seed", self.seed)
-            .with("members", answer.members.len());
+            .with("members", result.members.len());
         output::figure(
             folder,
             "ensemble-spectrum",
@@ -336,7 +340,7 @@ fn table(members: &[Member]) -> Result<Table, Failure> {
             members.iter().map(value).collect::<Vec<f64>>(),
         )
     };
-    let whole = |name: &str, about: &str, value: fn(&Member) -> u64| {
+    let integer = |name: &str, about: &str, value: fn(&Member) -> u64| {
         Column::new(
             name,
             "",
@@ -345,13 +349,13 @@ fn table(members: &[Member]) -> Result<Table, Failure> {
         )
     };
     Ok(Table::new(vec![
-        whole("member", "number of the realisation under its seed", |m| {
+        integer("member", "number of the realisation under its seed", |m| {
             m.index as u64
         }),
         number("mean_power_w", "W", "mean power of all loads", |m| {
             m.mean_power_w
         }),
-        whole("contacts", "contacts that began", |m| m.contacts),
+        integer("contacts", "contacts that began", |m| m.contacts),
         number("contact_rate_hz", "Hz", "contacts per second", |m| {
             m.contact_rate_hz
         }),

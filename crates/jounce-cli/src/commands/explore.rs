@@ -29,13 +29,18 @@ pub struct Explore {
 impl Explore {
     /// Serves the page until it is interrupted.
     pub fn run(&self) -> Result<(), Failure> {
-        let pair = |text: &String| match text.split_once('=') {
+        let key_and_value = |text: &String| match text.split_once('=') {
             Some((key, value)) => Ok((key.to_owned(), value.to_owned())),
             None => Err(Failure::usage(format!(
                 "--set {text}: write KEY=VALUE, as in --set stop.tip.gap=\"0.5 mm\""
             ))),
         };
-        let set = self.spec.set.iter().map(pair).collect::<Result<_, _>>()?;
+        let set = self
+            .spec
+            .set
+            .iter()
+            .map(key_and_value)
+            .collect::<Result<_, _>>()?;
         let options = ServerOptions {
             spec: Source::File(self.spec.spec.clone()),
             set,
@@ -52,20 +57,20 @@ impl Explore {
             )),
         }
         // The file that leads the browser to the page is deleted with this variable.
-        let mut opened = None;
+        let mut page_file = None;
         if !self.no_browser {
             match open_in_browser(&page) {
-                Ok(file) => opened = Some(file),
+                Ok(file) => page_file = Some(file),
                 Err(error) => {
                     eprintln!("no browser could be started ({error}); open the address yourself")
                 }
             }
         }
         let stopper = explorer.stopper();
-        let handled = ctrlc::set_handler(move || stopper.stop());
-        handled.map_err(|error| Failure::Input(format!("Ctrl-C cannot be handled: {error}")))?;
+        let handler = ctrlc::set_handler(move || stopper.stop());
+        handler.map_err(|error| Failure::Input(format!("Ctrl-C cannot be handled: {error}")))?;
         explorer.run()?;
-        drop(opened);
+        drop(page_file);
         Ok(())
     }
 }

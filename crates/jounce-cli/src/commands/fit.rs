@@ -53,20 +53,20 @@ impl Fit {
         let file = self.spec.file()?;
         let spec = self.spec.read(&file)?;
         let control = Control::default();
-        let (answer, _) =
+        let (result, _) =
             progress::with_count("models computed", &|| control.progress().0, || {
                 fit(&file, &spec, &features, &self.spec.folder(), &control)
             })?;
         if let Some(folder) = &self.output.out {
-            self.write(folder, file, &spec, &answer)?;
+            self.write(folder, file, &spec, &result)?;
         }
         if self.output.json {
             print(
-                &serde_json::to_value(&answer)
+                &serde_json::to_value(&result)
                     .map_err(|error| Failure::Input(error.to_string()))?,
             );
         } else {
-            print_fit(&answer);
+            print_fit(&result);
         }
         Ok(())
     }
@@ -76,18 +76,19 @@ impl Fit {
         folder: &Path,
         mut file: SpecFile,
         spec: &Spec,
-        answer: &FitResult,
+        result: &FitResult,
     ) -> Result<(), Failure> {
-        let key = |of: &dyn Fn(&FittedKey) -> f64| answer.keys.iter().map(of).collect::<Vec<f64>>();
-        let feature = |of: &dyn Fn(&FittedFeature) -> f64| {
-            answer.features.iter().map(of).collect::<Vec<f64>>()
+        let key =
+            |value: &dyn Fn(&FittedKey) -> f64| result.keys.iter().map(value).collect::<Vec<f64>>();
+        let feature = |value: &dyn Fn(&FittedFeature) -> f64| {
+            result.features.iter().map(value).collect::<Vec<f64>>()
         };
         let table = Table::new(vec![
             Column::new(
                 "key",
                 "",
                 "the key",
-                answer
+                result
                     .keys
                     .iter()
                     .map(|key| key.key.clone())
@@ -97,7 +98,7 @@ impl Fit {
                 "unit",
                 "",
                 "unit of the next columns",
-                answer
+                result
                     .keys
                     .iter()
                     .map(|key| key.unit.clone())
@@ -128,7 +129,7 @@ impl Fit {
                 "feature",
                 "",
                 "the feature",
-                answer
+                result
                     .features
                     .iter()
                     .map(|f| f.name.clone())
@@ -178,7 +179,7 @@ impl Fit {
             ),
         ])?;
         output::table(folder, "fit-features", &table, &manifest)?;
-        for (number, curve) in answer.curves.iter().enumerate() {
+        for (number, curve) in result.curves.iter().enumerate() {
             let name = format!("fit-curve-{}", number + 1);
             output::table(
                 folder,
@@ -192,10 +193,10 @@ impl Fit {
             "fit",
             &fitted(
                 "Model against measurement, before and after the fit",
-                answer,
+                result,
             ),
         )?;
-        for key in &answer.keys {
+        for key in &result.keys {
             let value = format!("{:?} {}", key.after, key.unit);
             file.set(&key.key, value.trim())
                 .map_err(|fault| Failure::faults(&self.spec.spec, vec![fault]))?;
@@ -230,20 +231,20 @@ fn curve_table(curve: &FittedCurve) -> Result<Table, Failure> {
     ])?)
 }
 
-fn print_fit(answer: &FitResult) {
-    for key in &answer.keys {
+fn print_fit(result: &FitResult) {
+    for key in &result.keys {
         let (path, unit) = (&key.key, &key.unit);
         line(format!(
             "{path}: {:.6e} {unit} -> {:.6e} {unit}, 95 % from {:.6e} to {:.6e}",
             key.before, key.after, key.low, key.high
         ));
     }
-    if !answer.features.is_empty() {
+    if !result.features.is_empty() {
         line(
             "feature                    measured        before   error %         after   error %   +- 95 %",
         );
     }
-    for feature in &answer.features {
+    for feature in &result.features {
         let (before, after) = feature.errors();
         line(format!(
             "{:<22} {:>12.6e} {:>13.6e} {:>9.3} {:>13.6e} {:>9.3} {:>9.3}",
@@ -256,7 +257,7 @@ fn print_fit(answer: &FitResult) {
             50.0 * (feature.high - feature.low) / feature.measured
         ));
     }
-    for curve in &answer.curves {
+    for curve in &result.curves {
         let (before, after) = curve.errors();
         line(format!(
             "{}, {} points: rms error {:.3} % before and {:.3} % after",
@@ -266,15 +267,15 @@ fn print_fit(answer: &FitResult) {
             100.0 * after
         ));
     }
-    for found in &answer.deviations {
-        if let Some(freedom) = found.degrees_of_freedom {
+    for deviation in &result.deviations {
+        if let Some(freedom) = deviation.degrees_of_freedom {
             line(format!(
                 "deviation of {} from residuals: {:.3e}, {freedom:.1} degrees of freedom",
-                found.name, found.deviation
+                deviation.name, deviation.deviation
             ));
         }
     }
-    answer
+    result
         .warnings
         .iter()
         .for_each(|warning| line(format!("warning: {warning}")));

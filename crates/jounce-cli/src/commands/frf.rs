@@ -54,10 +54,10 @@ impl Frf {
         if !self.hammer.measured.is_empty() {
             return measured_frf::run(&self.hammer, &self.output);
         }
-        let arguments = self.spec.as_ref().ok_or_else(neither)?;
+        let arguments = self.spec.as_ref().ok_or_else(missing_input)?;
         let mut spec = arguments.spec()?;
         let frequency_hz = self.frequencies()?;
-        let held = fixed_bodies(&self.hold, self.fixed_table, &spec);
+        let held_bodies = fixed_bodies(&self.hold, self.fixed_table, &spec);
         let forced = spec
             .drive
             .values()
@@ -67,8 +67,8 @@ impl Frf {
             (Some(point), _) => FrfInput::Force(point.clone()),
             (None, Some(drive)) => FrfInput::Force(drive.at.clone()),
             (None, None) => {
-                let why = "this spec has no force: name the excitation point with --input POINT, or excite the base with --base";
-                return Err(Failure::usage(why.into()));
+                let reason = "this spec has no force: name the excitation point with --input POINT, or excite the base with --base";
+                return Err(Failure::usage(reason.into()));
             }
         };
         if self.base
@@ -77,9 +77,9 @@ impl Frf {
                 .iter()
                 .find(|(_, modal)| modal.participation_sqrt_kg.is_empty())
         {
-            let why = "is missing: it gives the excitation of this structure by the base";
+            let reason = "is missing: it gives the excitation of this structure by the base";
             return Err(Failure::Input(format!(
-                "modal.{name}.participation_sqrt_kg {why}"
+                "modal.{name}.participation_sqrt_kg {reason}"
             )));
         }
         if self.open_circuit {
@@ -88,7 +88,7 @@ impl Frf {
         spec.take_drives_away();
         spec.gravity = Gravity::default();
         spec.stop.clear();
-        let modes = structure::modes_holding(&spec, &held)?;
+        let modes = structure::modes_holding(&spec, &held_bodies)?;
         let motion = if self.base {
             FrfResponse::Displacement
         } else {
@@ -105,29 +105,29 @@ impl Frf {
             .map(|load| FrfResponse::LoadVoltage(load.clone()));
         let responses: Vec<FrfResponse> = points.chain(patches).chain(loads).collect();
         let plant = Plant::new(System::assemble(&spec, modes)?)?;
-        let answers = linear::frf(&plant, &input, &responses, &frequency_hz)?;
+        let functions = linear::frf(&plant, &input, &responses, &frequency_hz)?;
         if let Some(folder) = &self.output.out {
             write(
                 folder,
                 &arguments.manifest(&spec, "frf"),
                 &frequency_hz,
-                &answers,
+                &functions,
                 &input,
             )?;
         }
-        self.tell(&input, &held, &frequency_hz, &answers);
+        self.print_result(&input, &held_bodies, &frequency_hz, &functions);
         Ok(())
     }
 
-    fn tell(
+    fn print_result(
         &self,
         input: &FrfInput,
-        held: &[String],
+        held_bodies: &[String],
         frequency_hz: &[f64],
-        answers: &[linear::Frf],
+        functions: &[linear::Frf],
     ) {
         if self.output.json {
-            let listed: serde_json::Map<String, serde_json::Value> = (answers.iter())
+            let response_map: serde_json::Map<String, serde_json::Value> = (functions.iter())
                 .map(|frf| {
                     let re: Vec<f64> = frf.value.iter().map(|v| v.re).collect();
                     let im: Vec<f64> = frf.value.iter().map(|v| v.im).collect();
@@ -138,23 +138,23 @@ impl Frf {
                 })
                 .collect();
             print(
-                &serde_json::json!({ "input": shown(input), "held": held, "frequency_hz": frequency_hz, "responses": listed }),
+                &serde_json::json!({ "input": input_name(input), "held": held_bodies, "frequency_hz": frequency_hz, "responses": response_map }),
             );
             return;
         }
-        for frf in answers {
+        for frf in functions {
             let highest = frf
                 .value
                 .iter()
                 .map(|v| v.norm())
                 .enumerate()
                 .max_by(|a, b| a.1.total_cmp(&b.1));
-            if let Some((place, size)) = highest {
+            if let Some((index, size)) = highest {
                 line(format!(
                     "{}: highest {size:.5e} {} at {:.4} Hz",
                     frf.response.name(),
                     frf.response.unit(input),
-                    frequency_hz[place]
+                    frequency_hz[index]
                 ));
             }
         }
@@ -187,7 +187,7 @@ fn write(
     folder: &Path,
     manifest: &Manifest,
     frequency_hz: &[f64],
-    answers: &[linear::Frf],
+    functions: &[linear::Frf],
     input: &FrfInput,
 ) -> Result<(), Failure> {
     let mut table = Table::new(vec![Column::new(
@@ -196,7 +196,7 @@ fn write(
         "frequency",
         frequency_hz.to_vec(),
     )])?;
-    for frf in answers {
+    for frf in functions {
         let (name, unit) = (frf.response.name(), frf.response.unit(input));
         let (re, im): (Vec<f64>, Vec<f64>) = frf.value.iter().map(|v| (v.re, v.im)).unzip();
         table.push(Column::new(
@@ -224,11 +224,11 @@ fn write(
 }
 
 /// Returns the failure where neither a spec nor recordings are given.
-pub fn neither() -> Failure {
+pub fn missing_input() -> Failure {
     Failure::usage("give a SPEC, or recordings of a hammer test with --measured FILE...".to_owned())
 }
 
-fn shown(input: &FrfInput) -> &str {
+fn input_name(input: &FrfInput) -> &str {
     match input {
         FrfInput::Force(point) => point,
         FrfInput::BaseAcceleration => "base",

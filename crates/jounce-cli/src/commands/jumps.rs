@@ -79,17 +79,17 @@ impl Jumps {
         let curves = progress::with_progress(&base.kernel.control, || {
             self.threads.run(|| search.run_with(&options))
         })??;
-        for (curve, why) in curves
+        for (curve, reason) in curves
             .iter()
-            .flat_map(|curve| curve.failures.iter().map(move |why| (curve, why)))
+            .flat_map(|curve| curve.failures.iter().map(move |reason| (curve, reason)))
         {
             eprintln!(
-                "a curve of kind {} ends early in {}: {why}",
+                "a curve of kind {} ends early in {}: {reason}",
                 name(curve),
                 key_2.path()
             );
         }
-        self.tell(&base.spec, [&key, &key_2], &curves)?;
+        self.print_result(&base.spec, [&key, &key_2], &curves)?;
         interruption::end(&base.kernel.control, || {
             format!("the {} finished curves", curves.len())
         })?;
@@ -101,7 +101,7 @@ impl Jumps {
         ))
     }
 
-    fn tell(
+    fn print_result(
         &self,
         spec: &Spec,
         keys: [&NumericKey; 2],
@@ -182,20 +182,20 @@ fn name(curve: &BifurcationCurve) -> &str {
 }
 
 fn to_json(curve: &BifurcationCurve) -> serde_json::Value {
-    let mut listed = serde_json::json!({
+    let mut curve_json = serde_json::json!({
         "kind": curve.kind,
         "period_cycles": curve.period_cycles,
         "points": curve.points,
         "failures": curve.failures,
     });
     if let Some(level) = &curve.level {
-        listed["level"] = level.as_str().into();
+        curve_json["level"] = level.as_str().into();
     }
-    listed
+    curve_json
 }
 
 fn table(keys: [&NumericKey; 2], curves: &[BifurcationCurve]) -> Result<Table, Failure> {
-    let all: Vec<(u64, &BifurcationCurve, &BifurcationCurvePoint)> = curves
+    let rows: Vec<(u64, &BifurcationCurve, &BifurcationCurvePoint)> = curves
         .iter()
         .enumerate()
         .flat_map(|(k, curve)| {
@@ -210,7 +210,7 @@ fn table(keys: [&NumericKey; 2], curves: &[BifurcationCurve]) -> Result<Table, F
             name,
             unit,
             about,
-            all.iter()
+            rows.iter()
                 .map(|(_, _, point)| value(point))
                 .collect::<Vec<f64>>(),
         )
@@ -220,13 +220,13 @@ fn table(keys: [&NumericKey; 2], curves: &[BifurcationCurve]) -> Result<Table, F
             "curve",
             "",
             "number of the curve, from 0",
-            all.iter().map(|(k, ..)| *k).collect::<Vec<u64>>(),
+            rows.iter().map(|(k, ..)| *k).collect::<Vec<u64>>(),
         ),
         Column::new(
             "kind",
             "",
             "kind of the bifurcation, or the level",
-            all.iter()
+            rows.iter()
                 .map(|(_, curve, _)| name(curve).to_owned())
                 .collect::<Vec<_>>(),
         ),
@@ -234,7 +234,7 @@ fn table(keys: [&NumericKey; 2], curves: &[BifurcationCurve]) -> Result<Table, F
             "period_cycles",
             "",
             "period in drive cycles",
-            all.iter()
+            rows.iter()
                 .map(|(_, curve, _)| u64::from(curve.period_cycles))
                 .collect::<Vec<_>>(),
         ),

@@ -28,13 +28,13 @@ impl Materials {
                 material.density_kg_m3
             ));
             if let Some(active) = material.active {
-                let which = if active.electrode_spacing_m.is_some() {
+                let marker = if active.electrode_spacing_m.is_some() {
                     "d33"
                 } else {
                     "d31"
                 };
                 line(format!(
-                    "    {which} {} pC/N, permittivity at constant strain {} nF/m",
+                    "    {marker} {} pC/N, permittivity at constant strain {} nF/m",
                     decimals(active.charge_coefficient_m_per_v * 1e12),
                     decimals(active.permittivity_f_m * 1e9)
                 ));

@@ -12,48 +12,52 @@ use std::path::Path;
 
 /// Prints the responses of a hammer test.
 pub fn run(hammer: &HammerArguments, output: &OutputArguments) -> Result<(), Failure> {
-    let found = hammer.responses()?;
+    let responses = hammer.responses()?;
     if let Some(folder) = &output.out {
-        write(folder, hammer, &found)?;
+        write(folder, hammer, &responses)?;
     }
     if output.json {
-        let references = found.references.len().max(1);
-        let one = |(k, function): (usize, &FrequencyResponse)| {
+        let references = responses.references.len().max(1);
+        let response_json = |(k, function): (usize, &FrequencyResponse)| {
             let (re, im): (Vec<f64>, Vec<f64>) =
                 function.value.iter().map(|h| (h.re, h.im)).unzip();
-            let told = serde_json::json!({
+            let response = serde_json::json!({
                 "re": re,
                 "im": im,
-                "unit": found.units[k],
-                "per_g": found.per_g(k).map(|(factor, unit)| serde_json::json!({ "factor": factor, "unit": unit })),
-                "transmissibility": found.is_transmissibility(k),
+                "unit": responses.units[k],
+                "per_g": responses.per_g(k).map(|(factor, unit)| serde_json::json!({ "factor": factor, "unit": unit })),
+                "transmissibility": responses.is_transmissibility(k),
                 "coherence": function.coherence,
-                "output": found.outputs[k / references],
-                "reference": found.references.get(k % references),
+                "output": responses.outputs[k / references],
+                "reference": responses.references.get(k % references),
             });
-            (found.names[k].clone(), told)
+            (responses.names[k].clone(), response)
         };
-        let listed: serde_json::Map<String, serde_json::Value> =
-            found.functions.iter().enumerate().map(one).collect();
+        let response_map: serde_json::Map<String, serde_json::Value> = responses
+            .functions
+            .iter()
+            .enumerate()
+            .map(response_json)
+            .collect();
         print(&serde_json::json!({
-            "frequency_hz": found.functions[0].frequency_hz,
-            "responses": listed,
-            "input": found.input,
-            "outputs": found.outputs,
-            "references": found.references,
-            "hits": found.hits,
-            "block_s": found.block_s,
-            "window_decay_per_s": found.window_decay_per_s,
-            "findings": found.findings,
+            "frequency_hz": responses.functions[0].frequency_hz,
+            "responses": response_map,
+            "input": responses.input,
+            "outputs": responses.outputs,
+            "references": responses.references,
+            "hits": responses.hits,
+            "block_s": responses.block_s,
+            "window_decay_per_s": responses.window_decay_per_s,
+            "findings": responses.findings,
         }));
         return Ok(());
     }
-    print_hits(&found);
-    for (number, ((name, unit), function)) in found
+    print_hits(&responses);
+    for (number, ((name, unit), function)) in responses
         .names
         .iter()
-        .zip(&found.units)
-        .zip(&found.functions)
+        .zip(&responses.units)
+        .zip(&responses.functions)
         .enumerate()
     {
         let lines = function.value.iter().enumerate().skip(1);
@@ -63,12 +67,12 @@ pub fn run(hammer: &HammerArguments, output: &OutputArguments) -> Result<(), Fai
                 function.coherence[k],
                 highest.norm(),
             );
-            let per_g = found
+            let per_g = responses
                 .per_g(number)
                 .map_or_else(String::new, |(factor, unit)| {
                     format!(" ({:.5e} {unit})", size * factor)
                 });
-            let unit = if found.is_transmissibility(number) {
+            let unit = if responses.is_transmissibility(number) {
                 "(transmissibility)"
             } else {
                 unit
@@ -84,16 +88,21 @@ pub fn run(hammer: &HammerArguments, output: &OutputArguments) -> Result<(), Fai
 fn write(
     folder: &Path,
     hammer: &HammerArguments,
-    found: &MeasuredResponses,
+    responses: &MeasuredResponses,
 ) -> Result<(), Failure> {
-    let frequency_hz = found.functions[0].frequency_hz.clone();
+    let frequency_hz = responses.functions[0].frequency_hz.clone();
     let mut table = Table::new(vec![Column::new(
         "frequency_hz",
         "Hz",
         "frequency",
         frequency_hz,
     )])?;
-    for ((name, unit), function) in found.names.iter().zip(&found.units).zip(&found.functions) {
+    for ((name, unit), function) in responses
+        .names
+        .iter()
+        .zip(&responses.units)
+        .zip(&responses.functions)
+    {
         let (re, im): (Vec<f64>, Vec<f64>) = function.value.iter().map(|h| (h.re, h.im)).unzip();
         table.push(Column::new(&format!("{name}.re"), unit, "real part", re))?;
         table.push(Column::new(
@@ -113,6 +122,6 @@ fn write(
     output::figure(
         folder,
         "frf",
-        &measured_responses("Measured frequency responses", found),
+        &measured_responses("Measured frequency responses", responses),
     )
 }

@@ -3,7 +3,7 @@
 use crate::decay_arguments::DecayArguments;
 use crate::failure::Failure;
 use crate::hammer_arguments::{HammerArguments, print_hits};
-use crate::measured_file::ends;
+use crate::measured_file::parse_interval;
 use crate::output::{self, line, print, with_uncertainty};
 use crate::spec_arguments::OutputArguments;
 use clap::Args;
@@ -33,7 +33,7 @@ impl BandArguments {
         let Some(text) = &self.between else {
             return Ok((0.0, highest));
         };
-        ends("--between", text, Unit::Frequency)
+        parse_interval("--between", text, Unit::Frequency)
     }
 }
 
@@ -64,9 +64,10 @@ pub fn run(
         )));
     }
     let settings = ModalSettings { order: band.order };
-    let (taken, found) = if decay.are_given() {
+    let (source, identification) = if decay.are_given() {
         let decays = decay.decays(&hammer.measured, &hammer.response)?;
-        let found = identify_decays(&decays, band.between_hz(0.5 * decays.rate_hz)?, settings)?;
+        let identification =
+            identify_decays(&decays, band.between_hz(0.5 * decays.rate_hz)?, settings)?;
         (
             ModeSource {
                 functions: decays.names(),
@@ -75,7 +76,7 @@ pub fn run(
                 responses: None,
                 findings: decays.findings,
             },
-            found,
+            identification,
         )
     } else {
         let responses = hammer.responses()?;
@@ -84,8 +85,9 @@ pub fn run(
             .last()
             .copied()
             .unwrap_or(0.0);
-        let mut found = identify(&Band::of(&responses, band.between_hz(highest)?)?, settings)?;
-        found
+        let mut identification =
+            identify(&Band::of(&responses, band.between_hz(highest)?)?, settings)?;
+        identification
             .modes
             .iter_mut()
             .for_each(|mode| mode.without_decay(responses.window_decay_per_s));
@@ -108,19 +110,19 @@ pub fn run(
                 responses: Some(responses),
                 findings,
             },
-            found,
+            identification,
         )
     };
     if let Some(folder) = &output.out {
-        write(folder, hammer, decay, &taken, &found)?;
+        write(folder, hammer, decay, &source, &identification)?;
     }
     if output.json {
-        print(&to_json(&taken, &found));
+        print(&to_json(&source, &identification));
         return Ok(());
     }
-    taken.responses.iter().for_each(print_hits);
+    source.responses.iter().for_each(print_hits);
     line("mode  frequency_hz +- 95 %         damping_ratio +- 95 %");
-    for (k, mode) in found.modes.iter().enumerate() {
+    for (k, mode) in identification.modes.iter().enumerate() {
         let frequency = with_uncertainty(mode.frequency_hz, mode.frequency_half_width_hz(), "");
         line(format!(
             "{:>4}  {frequency:<28}  {}",
@@ -128,26 +130,26 @@ pub fn run(
             with_uncertainty(mode.damping_ratio, mode.damping_half_width(), "")
         ));
     }
-    if !taken.references.is_empty() {
+    if !source.references.is_empty() {
         line(format!(
             "the force acts at {} points, which by reciprocity are also points of the shapes: {}",
-            taken.references.len(),
-            taken.references.join(", ")
+            source.references.len(),
+            source.references.join(", ")
         ));
     }
-    print_doubt(&found);
-    print_unexplained(&found);
-    if let Some(responses) = &taken.responses {
-        print_trust(responses, &found);
-        print_participation(responses, &found);
+    print_doubtful_modes(&identification);
+    print_unexplained(&identification);
+    if let Some(responses) = &source.responses {
+        print_model_check(responses, &identification);
+        print_participation(responses, &identification);
     }
     Ok(())
 }
 
 /// Prints the participation of the base in each mode at each output.
-fn print_participation(responses: &MeasuredResponses, found: &Identification) {
-    for (k, mode) in (1..).zip(&found.modes) {
-        for (output, of) in responses
+fn print_participation(responses: &MeasuredResponses, identification: &Identification) {
+    for (k, mode) in (1..).zip(&identification.modes) {
+        for (output, value) in responses
             .outputs
             .iter()
             .zip(mode.base_participation(responses).unwrap_or_default())
@@ -155,7 +157,7 @@ fn print_participation(responses: &MeasuredResponses, found: &Identification) {
             line(
                 format!(
                     "mode {k}: participation of the base at {output} {:.5} {}",
-                    of.re, of.unit
+                    value.re, value.unit
                 )
                 .trim_end(),
             );
@@ -163,17 +165,17 @@ fn print_participation(responses: &MeasuredResponses, found: &Identification) {
     }
 }
 
-fn print_doubt(found: &Identification) {
-    let doubtful: Vec<String> = (1..)
-        .zip(&found.modes)
+fn print_doubtful_modes(identification: &Identification) {
+    let doubtful_modes: Vec<String> = (1..)
+        .zip(&identification.modes)
         .filter(|(_, mode)| mode.is_doubtful())
         .map(|(k, _)| k.to_string())
         .collect();
-    if !doubtful.is_empty() {
+    if !doubtful_modes.is_empty() {
         line(format!(
             "warning: the damping of mode {} is statistically indistinguishable from zero, so it may be noise; try a smaller --order or a narrower \
              --between: if the mode disappears, it is noise",
-            doubtful.join(", ")
+            doubtful_modes.join(", ")
         ));
     }
 }
@@ -181,20 +183,23 @@ fn print_doubt(found: &Identification) {
 /// Maximum number of peaks that are listed.
 const MAX_LISTED_PEAKS: usize = 8;
 
-fn print_unexplained(found: &Identification) {
-    let peaks: Vec<String> = found
+fn print_unexplained(identification: &Identification) {
+    let peaks: Vec<String> = identification
         .unexplained
         .iter()
         .take(MAX_LISTED_PEAKS)
         .map(|peak| format!("{:.6}", peak.frequency_hz))
         .collect();
     if !peaks.is_empty() {
-        let more = found.unexplained.len().saturating_sub(MAX_LISTED_PEAKS);
+        let remaining_count = identification
+            .unexplained
+            .len()
+            .saturating_sub(MAX_LISTED_PEAKS);
         line(format!(
             "warning: the responses have peaks at {}{} Hz that no mode explains; try a --between around them, or a larger --order",
             peaks.join(", "),
-            if more > 0 {
-                format!(" and {more} more")
+            if remaining_count > 0 {
+                format!(" and {remaining_count} more")
             } else {
                 String::new()
             }
@@ -202,7 +207,7 @@ fn print_unexplained(found: &Identification) {
     }
 }
 
-fn print_trust(responses: &MeasuredResponses, found: &Identification) {
+fn print_model_check(responses: &MeasuredResponses, identification: &Identification) {
     if responses.window_decay_per_s > 0.0 {
         line(format!(
             "damping of the exponential window, {:.5} 1/s, was subtracted",
@@ -214,20 +219,21 @@ fn print_trust(responses: &MeasuredResponses, found: &Identification) {
             "response functions contain no noise estimate; the intervals are computed from the residual of each line",
         );
     }
-    if found.misfit > 1.0 && responses.block_s.is_some() {
+    if identification.misfit > 1.0 && responses.block_s.is_some() {
         line(format!(
             "the residual of the modes is {:.1} times that expected from the coherence; the intervals are widened by this factor",
-            found.misfit.sqrt()
+            identification.misfit.sqrt()
         ));
     }
 }
 
 /// Converts the modes with their shapes, normalised to 1 at the largest response.
-fn to_json(taken: &ModeSource, found: &Identification) -> serde_json::Value {
+fn to_json(source: &ModeSource, identification: &Identification) -> serde_json::Value {
     let mode = |mode: &Mode| {
         let (re, im): (Vec<f64>, Vec<f64>) = mode.shape().iter().map(|s| (s.re, s.im)).unzip();
-        let moved = mode.participation.iter().take(taken.references.len());
-        let (moved_re, moved_im): (Vec<f64>, Vec<f64>) = moved.map(|b| (b.re, b.im)).unzip();
+        let participation = mode.participation.iter().take(source.references.len());
+        let (participation_re, participation_im): (Vec<f64>, Vec<f64>) =
+            participation.map(|b| (b.re, b.im)).unzip();
         serde_json::json!({
             "frequency_hz": mode.frequency_hz,
             "frequency_deviation_hz": mode.frequency_deviation_hz,
@@ -236,22 +242,22 @@ fn to_json(taken: &ModeSource, found: &Identification) -> serde_json::Value {
             "quantile_95": mode.quantile_95,
             "doubtful": mode.is_doubtful(),
             "shape": { "re": re, "im": im },
-            "participation": { "re": moved_re, "im": moved_im },
-            "base_participation": taken.responses.as_ref().and_then(|responses| mode.base_participation(responses)),
+            "participation": { "re": participation_re, "im": participation_im },
+            "base_participation": source.responses.as_ref().and_then(|responses| mode.base_participation(responses)),
         })
     };
     serde_json::json!({
-        "modes": found.modes.iter().map(mode).collect::<Vec<_>>(),
-        "responses": taken.outputs,
-        "references": taken.references,
-        "mac": mac_matrix(&found.modes),
-        "misfit": found.misfit,
-        "unexplained": found.unexplained,
-        "stabilisation": found.diagram,
-        "hits": taken.responses.as_ref().map_or(&[][..], |responses| &responses.hits),
-        "block_s": taken.responses.as_ref().and_then(|responses| responses.block_s),
-        "window_decay_per_s": taken.responses.as_ref().map_or(0.0, |responses| responses.window_decay_per_s),
-        "findings": taken.findings,
+        "modes": identification.modes.iter().map(mode).collect::<Vec<_>>(),
+        "responses": source.outputs,
+        "references": source.references,
+        "mac": mac_matrix(&identification.modes),
+        "misfit": identification.misfit,
+        "unexplained": identification.unexplained,
+        "stabilisation": identification.diagram,
+        "hits": source.responses.as_ref().map_or(&[][..], |responses| &responses.hits),
+        "block_s": source.responses.as_ref().and_then(|responses| responses.block_s),
+        "window_decay_per_s": source.responses.as_ref().map_or(0.0, |responses| responses.window_decay_per_s),
+        "findings": source.findings,
     })
 }
 
@@ -259,15 +265,16 @@ fn write(
     folder: &Path,
     hammer: &HammerArguments,
     decay: &DecayArguments,
-    taken: &ModeSource,
-    found: &Identification,
+    source: &ModeSource,
+    identification: &Identification,
 ) -> Result<(), Failure> {
     let manifest = if decay.are_given() {
         decay.manifest(&hammer.measured)?
     } else {
         hammer.manifest("modes")?
     };
-    let number = |of: &dyn Fn(&Mode) -> f64| found.modes.iter().map(of).collect::<Vec<f64>>();
+    let number =
+        |value: &dyn Fn(&Mode) -> f64| identification.modes.iter().map(value).collect::<Vec<f64>>();
     let mut table = Table::new(vec![
         Column::new(
             "frequency_hz",
@@ -300,7 +307,7 @@ fn write(
             number(&|mode| mode.quantile_95),
         ),
     ])?;
-    for (k, name) in taken.outputs.iter().enumerate() {
+    for (k, name) in source.outputs.iter().enumerate() {
         let about = "shape, normalised to 1 at the largest response";
         table.push(Column::new(
             &format!("{name}.shape.re"),
@@ -315,7 +322,7 @@ fn write(
             number(&|mode| mode.shape()[k].im),
         ))?;
     }
-    for (k, name) in taken.references.iter().enumerate() {
+    for (k, name) in source.references.iter().enumerate() {
         let about = "participation of a force, by reciprocity the shape at its point, normalised to 1 at the largest";
         table.push(Column::new(
             &format!("{name}.participation.re"),
@@ -337,7 +344,7 @@ fn write(
         "undamped natural frequency",
         number(&|mode| mode.frequency_hz),
     )])?;
-    for (k, row) in (1..).zip(mac_matrix(&found.modes)) {
+    for (k, row) in (1..).zip(mac_matrix(&identification.modes)) {
         mac.push(Column::new(
             &format!("mode_{k}"),
             "",
@@ -351,7 +358,7 @@ fn write(
         Stability::Frequency => "frequency",
         Stability::Pole => "pole",
     };
-    let diagram = &found.diagram;
+    let diagram = &identification.diagram;
     let table = Table::new(vec![
         Column::new(
             "order",
@@ -394,9 +401,9 @@ fn write(
     output::figure(
         folder,
         "modes-stabilisation",
-        &stabilisation("Stabilisation diagram", found),
+        &stabilisation("Stabilisation diagram", identification),
     )?;
-    let title = match &taken.responses {
+    let title = match &source.responses {
         None => "One-sided spectra",
         Some(responses)
             if responses
@@ -413,8 +420,8 @@ fn write(
         "modes-fit",
         &modal_fit(
             &format!("{title}: measured and reconstructed from the modes"),
-            &taken.functions,
-            found,
+            &source.functions,
+            identification,
         ),
     )
 }

@@ -1,6 +1,6 @@
 //! `jounce modes SPEC`
 
-use super::frf::neither;
+use super::frf::missing_input;
 use super::measured_modes::{self, BandArguments};
 use crate::decay_arguments::DecayArguments;
 use crate::failure::Failure;
@@ -55,10 +55,10 @@ impl Modes {
         if !self.hammer.measured.is_empty() {
             return measured_modes::run(&self.hammer, &self.decay, &self.band, &self.output);
         }
-        let arguments = self.spec.as_ref().ok_or_else(neither)?;
+        let arguments = self.spec.as_ref().ok_or_else(missing_input)?;
         let spec = arguments.spec()?;
-        let held = fixed_bodies(&self.hold, self.fixed_table, &spec);
-        let modes = structure::modes_holding(&spec, &held)?;
+        let held_bodies = fixed_bodies(&self.hold, self.fixed_table, &spec);
+        let modes = structure::modes_holding(&spec, &held_bodies)?;
         let frequency_hz: Vec<f64> = modes.frequency_rad_s.iter().map(|w| w / TAU).collect();
         let couplings = couplings(&modes);
         if let Some(folder) = &self.output.out {
@@ -83,7 +83,7 @@ impl Modes {
                 ),
             ])?;
             output::table(folder, "modes", &table, &arguments.manifest(&spec, "modes"))?;
-            self.draw(folder, &spec, &held, &frequency_hz)?;
+            self.draw(folder, &spec, &held_bodies, &frequency_hz)?;
         }
         if self.output.json {
             let list: Vec<_> = (0..modes.len())
@@ -95,7 +95,9 @@ impl Modes {
                     })
                 })
                 .collect();
-            print(&serde_json::json!({ "modes": list, "couplings": couplings, "held": held }));
+            print(
+                &serde_json::json!({ "modes": list, "couplings": couplings, "held": held_bodies }),
+            );
             return Ok(());
         }
         line("mode  frequency_hz  damping_ratio");
@@ -122,15 +124,15 @@ impl Modes {
         &self,
         folder: &std::path::Path,
         spec: &Spec,
-        held: &[String],
+        held_bodies: &[String],
         frequency_hz: &[f64],
     ) -> Result<(), Failure> {
-        for (name, along) in structure::shapes_along_beams(spec, held, 200)? {
+        for (name, beam_shapes) in structure::shapes_along_beams(spec, held_bodies, 200)? {
             let shapes: Vec<ModeShape> = (0..frequency_hz.len().min(5))
                 .filter_map(|mode| {
                     Some(ModeShape {
                         label: format!("{}: {:.2} Hz", mode + 1, frequency_hz[mode]),
-                        displacement: along.mode(mode)?,
+                        displacement: beam_shapes.mode(mode)?,
                     })
                 })
                 .collect();
@@ -144,7 +146,7 @@ impl Modes {
                 .collect();
             let figure = mode_shapes(
                 &format!("Mode shapes of {name}"),
-                &along.place_m,
+                &beam_shapes.place_m,
                 &shapes,
                 &patches,
             );

@@ -34,11 +34,11 @@ impl New {
         match &self.out {
             Some(path) => {
                 if !self.force && path.symlink_metadata().is_ok() {
-                    let told = format!(
+                    let message = format!(
                         "{} already exists; choose another name, or replace it with --force",
                         path.display()
                     );
-                    return Err(Failure::Input(told));
+                    return Err(Failure::Input(message));
                 }
                 starter.write(path, self.force)?;
                 match self.json {
@@ -59,13 +59,13 @@ impl New {
             print(&serde_json::json!({ "kinds": kinds }));
             return;
         }
-        let room = STARTERS
+        let width = STARTERS
             .iter()
             .map(|starter| starter.kind.len())
             .max()
             .unwrap_or(0);
         STARTERS
             .iter()
-            .for_each(|starter| line(format!("{:room$}  {}", starter.kind, starter.summary)));
+            .for_each(|starter| line(format!("{:width$}  {}", starter.kind, starter.summary)));
     }
 }

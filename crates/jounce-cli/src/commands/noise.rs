@@ -34,7 +34,7 @@ impl Noise {
         let spec = self.spec.spec()?;
         let random = Random::new(&spec)?;
         let frequency_hz = self.frequencies(&random)?;
-        let answer = random.response()?;
+        let response = random.response()?;
         if let Some(folder) = &self.output.out {
             self.write(
                 folder,
@@ -45,22 +45,25 @@ impl Noise {
         }
         if self.output.json {
             print(
-                &serde_json::to_value(&answer)
+                &serde_json::to_value(&response)
                     .map_err(|error| Failure::Input(error.to_string()))?,
             );
         } else {
-            print_response(&answer);
+            print_response(&response);
         }
         Ok(())
     }
 
     fn frequencies(&self, random: &Random) -> Result<Vec<f64>, Failure> {
         let [low, high] = random.usual_band_hz();
-        let read = |option: &str, text: &Option<String>, default: f64| {
+        let frequency = |option: &str, text: &Option<String>, default: f64| {
             text.as_ref()
                 .map_or(Ok(default), |text| frequency_hz(option, text))
         };
-        let (from, to) = (read("from", &self.from, low)?, read("to", &self.to, high)?);
+        let (from, to) = (
+            frequency("from", &self.from, low)?,
+            frequency("to", &self.to, high)?,
+        );
         if from >= to || !(2..=1_000_000).contains(&self.points) {
             return Err(Failure::usage(
                 "noise needs --from below --to, and 2 to 1000000 --points".into(),
@@ -107,9 +110,12 @@ impl Noise {
     }
 }
 
-fn print_response(answer: &RandomResponse) {
-    line(format!("mean power         {:.6e} W", answer.mean_power_w));
-    for load in &answer.loads {
+fn print_response(response: &RandomResponse) {
+    line(format!(
+        "mean power         {:.6e} W",
+        response.mean_power_w
+    ));
+    for load in &response.loads {
         line(format!(
             "load {:<12}  {:.6} V rms, {:.9e} W by the Lyapunov equation",
             load.name, load.voltage_rms_v, load.mean_power_w
@@ -118,7 +124,7 @@ fn print_response(answer: &RandomResponse) {
         line(format!(
             "  by quadrature    {spectral_w:.9e} W, relative difference {difference:.1e}"
         ));
-        for (drive, bandwidth_hz) in answer.drives.iter().zip(&load.noise_bandwidth_hz) {
+        for (drive, bandwidth_hz) in response.drives.iter().zip(&load.noise_bandwidth_hz) {
             line(format!(
                 "  noise bandwidth  {bandwidth_hz:.6e} Hz per unit of drive {drive}"
             ));
@@ -128,26 +134,26 @@ fn print_response(answer: &RandomResponse) {
             load.statistical_bandwidth_hz
         ));
     }
-    for patch in &answer.patches {
+    for patch in &response.patches {
         line(format!(
             "patch {:<12} {:.6} V rms",
             patch.name, patch.voltage_rms_v
         ));
     }
-    for point in &answer.points {
+    for point in &response.points {
         line(format!(
             "point {:<12} {:.6e} m rms, {:.6e} m/s rms",
             point.name, point.displacement_rms_m, point.velocity_rms_m_s
         ));
     }
-    for name in &answer.left_out {
+    for name in &response.left_out {
         line(format!(
             "LEFT OUT           drive {name}: not a stationary noise"
         ));
     }
-    for stop in &answer.stops {
+    for stop in &response.stops {
         let (name, gap_m) = (&stop.name, stop.gap_m);
-        let told = match stop.reached_hz.zip(stop.share_beyond) {
+        let reason = match stop.reached_hz.zip(stop.share_beyond) {
             Some((reached_hz, share)) => {
                 format!(
                     "without contact its gap of {gap_m:.4e} m is reached {reached_hz:.4e} times per second and exceeded {:.3} % of the time",
@@ -161,6 +167,6 @@ fn print_response(answer: &RandomResponse) {
                 )
             }
         };
-        line(format!("LEFT OUT           stop {name}: {told}"));
+        line(format!("LEFT OUT           stop {name}: {reason}"));
     }
 }

@@ -1,7 +1,7 @@
 //! `jounce power FILE... --resistance R...`
 
 use crate::failure::Failure;
-use crate::measured_file::{channel, loaded, manifest, positive, summary};
+use crate::measured_file::{channel, load_channels, manifest, parse_positive, summary};
 use crate::output::{self, line, print, with_uncertainty};
 use crate::spec_arguments::OutputArguments;
 use clap::Args;
@@ -61,54 +61,54 @@ struct PowerResult {
 impl Power {
     /// Computes and reports.
     pub fn run(&self) -> Result<(), Failure> {
-        let read = |text: &String| positive("--resistance", text, Unit::Resistance);
+        let parse = |text: &String| parse_positive("--resistance", text, Unit::Resistance);
         let mut resistances = self
             .resistance
             .iter()
-            .map(read)
+            .map(parse)
             .collect::<Result<Vec<_>, _>>()?;
         if resistances.len() == 1 {
             resistances.resize(self.files.len(), resistances[0]);
         }
         if resistances.len() != self.files.len() {
-            let (given, files) = (resistances.len(), self.files.len());
+            let (value_count, files) = (resistances.len(), self.files.len());
             return Err(Failure::usage(format!(
-                "{given} values of --resistance for {files} recordings: give one for all, or one for each"
+                "{value_count} values of --resistance for {files} recordings: give one for all, or one for each"
             )));
         }
         let drive_hz = self
             .drive
             .as_ref()
-            .map(|text| positive("--drive", text, Unit::Frequency))
+            .map(|text| parse_positive("--drive", text, Unit::Frequency))
             .transpose()?;
-        let answers = self
+        let results = self
             .files
             .iter()
             .zip(resistances)
-            .map(|(file, ohm)| self.answer(file, ohm, drive_hz));
-        let answers = answers.collect::<Result<Vec<_>, _>>()?;
+            .map(|(file, ohm)| self.evaluate(file, ohm, drive_hz));
+        let results = results.collect::<Result<Vec<_>, _>>()?;
         if let Some(folder) = &self.output.out {
-            self.write(folder, &answers, drive_hz)?;
+            self.write(folder, &results, drive_hz)?;
         }
         if self.output.json {
             print(
-                &serde_json::json!({ "records": answers.iter().map(to_json).collect::<Vec<_>>() }),
+                &serde_json::json!({ "records": results.iter().map(to_json).collect::<Vec<_>>() }),
             );
         } else {
-            answers.iter().for_each(|answer| self.tell(answer));
+            results.iter().for_each(|result| self.print_result(result));
         }
         Ok(())
     }
 
-    fn answer(
+    fn evaluate(
         &self,
         file: &Path,
         resistance_ohm: f64,
         drive_hz: Option<f64>,
     ) -> Result<PowerResult, Failure> {
-        let mut survey = summary(file)?;
+        let mut recording = summary(file)?;
         let voltage = channel(
-            &mut survey,
+            &mut recording,
             self.voltage.as_deref(),
             Quantity::Voltage,
             "--voltage",
@@ -116,10 +116,10 @@ impl Power {
         let base = self
             .base
             .as_ref()
-            .map(|name| channel(&mut survey, Some(name), Quantity::Acceleration, "--base"))
+            .map(|name| channel(&mut recording, Some(name), Quantity::Acceleration, "--base"))
             .transpose()?;
-        let wanted: Vec<usize> = std::iter::once(voltage).chain(base).collect();
-        let record = loaded(survey, &wanted)?;
+        let channels: Vec<usize> = std::iter::once(voltage).chain(base).collect();
+        let record = load_channels(recording, &channels)?;
         let voltage = &record.channels[0];
         let samples = signal(voltage, record.rate())?;
         let power = mean_power(&samples, resistance_ohm, self.remove_mean)?;
@@ -133,11 +133,11 @@ impl Power {
         let orders = match drive_hz {
             None => Vec::new(),
             Some(drive_hz) => {
-                let inside: Vec<f64> = REPORTED_ORDERS
+                let resolved_orders: Vec<f64> = REPORTED_ORDERS
                     .into_iter()
                     .filter(|order| order * drive_hz < 0.5 * record.rate())
                     .collect();
-                samples.orders(drive_hz, &inside)?.lines
+                samples.orders(drive_hz, &resolved_orders)?.lines
             }
         };
         let spectrum = self.output.out.is_some().then(|| {
@@ -165,10 +165,10 @@ impl Power {
         })
     }
 
-    fn tell(&self, answer: &PowerResult) {
-        let power = answer.power;
+    fn print_result(&self, result: &PowerResult) {
+        let power = result.power;
         if self.files.len() > 1 {
-            line(format!("{}, {} ohm", answer.name, answer.resistance_ohm));
+            line(format!("{}, {} ohm", result.name, result.resistance_ohm));
         }
         let mean = with_uncertainty(power.mean_power_w, power.half_width_w, "W");
         line(format!(
@@ -184,13 +184,13 @@ impl Power {
                 "retained"
             }
         ));
-        if let Some(square) = answer.mean_square {
+        if let Some(square) = result.mean_square {
             line(format!(
                 "per mean square of the base's acceleration: {:.6e} W/(m/s^2)^2",
                 power.mean_power_w / square
             ));
         }
-        for order in &answer.orders {
+        for order in &result.orders {
             line(format!(
                 "order {:>4}, {:>10.4} Hz: {:.5e} V peak",
                 order.order, order.frequency_hz, order.amplitude_peak
@@ -206,17 +206,17 @@ impl Power {
     fn write(
         &self,
         folder: &Path,
-        answers: &[PowerResult],
+        results: &[PowerResult],
         drive_hz: Option<f64>,
     ) -> Result<(), Failure> {
         let numbers =
-            |of: &dyn Fn(&PowerResult) -> f64| answers.iter().map(of).collect::<Vec<f64>>();
+            |value: &dyn Fn(&PowerResult) -> f64| results.iter().map(value).collect::<Vec<f64>>();
         let mut table = Table::new(vec![
             Column::new(
                 "recording",
                 "",
                 "name of the recording",
-                answers.iter().map(|a| a.name.clone()).collect::<Vec<_>>(),
+                results.iter().map(|a| a.name.clone()).collect::<Vec<_>>(),
             ),
             Column::new(
                 "resistance_ohm",
@@ -243,7 +243,7 @@ impl Power {
                 numbers(&|a| a.power.mean_voltage_v),
             ),
         ])?;
-        let squares: Option<Vec<f64>> = answers.iter().map(|answer| answer.mean_square).collect();
+        let squares: Option<Vec<f64>> = results.iter().map(|result| result.mean_square).collect();
         if let Some(squares) = &squares {
             let about = "mean square of the base's acceleration about its mean";
             table.push(Column::new(
@@ -255,19 +255,19 @@ impl Power {
         }
         let manifest = manifest("power", &self.files)?.with("remove_mean", self.remove_mean);
         output::table(folder, "power", &table, &manifest)?;
-        let point = |(k, answer): (usize, &PowerResult)| {
-            let per = squares.as_ref().map_or(1.0, |squares| squares[k]);
+        let point = |(k, result): (usize, &PowerResult)| {
+            let divisor = squares.as_ref().map_or(1.0, |squares| squares[k]);
             let (power, half_width) = (
-                answer.power.mean_power_w / per,
-                answer.power.half_width_w / per,
+                result.power.mean_power_w / divisor,
+                result.power.half_width_w / divisor,
             );
             LoadPoint {
-                resistance_ohm: answer.resistance_ohm,
+                resistance_ohm: result.resistance_ohm,
                 power,
                 half_width,
             }
         };
-        let points: Vec<LoadPoint> = answers.iter().enumerate().map(point).collect();
+        let points: Vec<LoadPoint> = results.iter().enumerate().map(point).collect();
         let unit = if squares.is_some() {
             "W/(m/s^2)^2"
         } else {
@@ -278,9 +278,9 @@ impl Power {
             "power-load",
             &power_over_load("Measured mean power", unit, &points),
         )?;
-        let lines: Vec<SpectrumLine> = answers
+        let lines: Vec<SpectrumLine> = results
             .iter()
-            .filter_map(|answer| answer.spectrum.clone())
+            .filter_map(|result| result.spectrum.clone())
             .collect();
         let figure = spectra(
             "Voltage spectrum, Hann window",
@@ -294,16 +294,16 @@ impl Power {
     }
 }
 
-fn to_json(answer: &PowerResult) -> serde_json::Value {
+fn to_json(result: &PowerResult) -> serde_json::Value {
     let order = |order: &OrderLine| serde_json::json!({ "order": order.order, "frequency_hz": order.frequency_hz, "amplitude_peak_v": order.amplitude_peak });
     serde_json::json!({
-        "recording": answer.name,
-        "channel": answer.channel,
-        "resistance_ohm": answer.resistance_ohm,
-        "power": answer.power,
-        "mean_square_base_acceleration_m2_s4": answer.mean_square,
-        "mean_power_per_mean_square_base_acceleration": answer.mean_square.map(|square| answer.power.mean_power_w / square),
-        "orders": answer.orders.iter().map(order).collect::<Vec<_>>(),
-        "findings": answer.findings,
+        "recording": result.name,
+        "channel": result.channel,
+        "resistance_ohm": result.resistance_ohm,
+        "power": result.power,
+        "mean_square_base_acceleration_m2_s4": result.mean_square,
+        "mean_power_per_mean_square_base_acceleration": result.mean_square.map(|square| result.power.mean_power_w / square),
+        "orders": result.orders.iter().map(order).collect::<Vec<_>>(),
+        "findings": result.findings,
     })
 }

@@ -1,7 +1,7 @@
 //! `jounce read FILE`
 
 use crate::failure::Failure;
-use crate::measured_file::{MeasuredFile, any_channel, ends, positive};
+use crate::measured_file::{MeasuredFile, any_channel, parse_interval, parse_positive};
 use crate::output::{self, line, print};
 use clap::Args;
 use jounce_core::picture::{Axis, Figure, Line, Panel, Series, Trace, time_histories};
@@ -50,7 +50,7 @@ impl Read {
     pub fn run(&self) -> Result<(), Failure> {
         let mut notes = Notes::for_file(&self.file.file)?;
         if let Some(rate) = &self.rate {
-            notes.rate_hz = Some(positive("--rate", rate, Unit::Frequency)?);
+            notes.rate_hz = Some(parse_positive("--rate", rate, Unit::Frequency)?);
         }
         let contents = summary_with_notes(&self.file.file, &notes)?;
         if let Some(path) = &self.to {
@@ -97,7 +97,7 @@ impl Read {
 
     /// Writes the first recording to another file; lists the others.
     fn write_first(&self, path: &Path, contents: &FileSummary) -> Result<(), Failure> {
-        let Some((first, others)) = contents.recordings.split_first() else {
+        let Some((recording, other_recordings)) = contents.recordings.split_first() else {
             return Err(Failure::Input(format!(
                 "--to {}: {} contains no recording to write, only {} mode shapes; --to writes recordings",
                 path.display(),
@@ -105,67 +105,72 @@ impl Read {
                 contents.shapes.len()
             )));
         };
-        let part = self.part(first)?;
-        write_surveyed(part.as_ref().unwrap_or(first), path)?;
-        let added = part
+        let part = self.selection(recording)?;
+        write_surveyed(part.as_ref().unwrap_or(recording), path)?;
+        let new_issues = part
             .iter()
             .flat_map(|part| &part.findings)
-            .filter(|finding| !first.findings.contains(finding));
-        added.for_each(|told| eprintln!("{}: {told}", path.display()));
-        let mut left: Vec<String> = others
+            .filter(|finding| !recording.findings.contains(finding));
+        new_issues.for_each(|issue| eprintln!("{}: {issue}", path.display()));
+        let mut unwritten: Vec<String> = other_recordings
             .iter()
             .map(|recording| recording.name.clone())
             .collect();
         if !contents.shapes.is_empty() {
-            left.push(format!("{} mode shapes", contents.shapes.len()));
+            unwritten.push(format!("{} mode shapes", contents.shapes.len()));
         }
-        if !left.is_empty() {
+        if !unwritten.is_empty() {
             eprintln!(
                 "{}: {} is written; left out: {}",
                 path.display(),
-                first.name,
-                left.join(", ")
+                recording.name,
+                unwritten.join(", ")
             );
         }
         Ok(())
     }
 
     /// Returns the selected part of a recording; `None` where all of it is selected.
-    fn part(&self, recording: &RecordingSummary) -> Result<Option<RecordingSummary>, Failure> {
+    fn selection(&self, recording: &RecordingSummary) -> Result<Option<RecordingSummary>, Failure> {
         if self.span.is_none() && self.channel.is_empty() && !self.even {
             return Ok(None);
         }
-        let all = (f64::NEG_INFINITY, f64::INFINITY);
+        let full_range = (f64::NEG_INFINITY, f64::INFINITY);
         let span = self
             .span
             .as_ref()
-            .map_or(Ok(all), |span| span_of(recording, span))?;
-        let named = self
+            .map_or(Ok(full_range), |span| span_of(recording, span))?;
+        let numbers = self
             .channel
             .iter()
             .map(|channel| any_channel(recording, channel))
             .collect::<Result<Vec<_>, _>>()?;
-        let channels = if named.is_empty() {
+        let channels = if numbers.is_empty() {
             (0..recording.channels.len()).collect()
         } else {
-            named
+            numbers
         };
-        let lost = |fault| Failure::Input(format!("the scratch file cannot be used: {fault}"));
+        let scratch_error =
+            |fault| Failure::Input(format!("the scratch file cannot be used: {fault}"));
         let nothing = || {
             Failure::usage(format!(
                 "--span: {} has no sample in this range",
                 recording.name
             ))
         };
-        let part = recording
+        let selection = recording
             .slice(span, &channels)
-            .map_err(lost)?
+            .map_err(scratch_error)?
             .ok_or_else(nothing)?;
         if !self.even {
-            return Ok(Some(part));
+            return Ok(Some(selection));
         }
         Ok(Some(
-            part.into_recording().map_err(lost)?.into_even()?.into(),
+            selection
+                .into_recording()
+                .map_err(scratch_error)?
+                .into_even()?
+                .into(),
         ))
     }
 
@@ -182,14 +187,17 @@ impl Read {
                     .map(move |channel| (recording, channel))
             })
             .collect();
-        let text = |of: &dyn Fn(&RecordingSummary, &ChannelSummary) -> String| {
+        let text = |value: &dyn Fn(&RecordingSummary, &ChannelSummary) -> String| {
             channels
                 .iter()
-                .map(|(r, c)| of(r, c))
+                .map(|(r, c)| value(r, c))
                 .collect::<Vec<String>>()
         };
-        let number = |of: &dyn Fn(&RecordingSummary, &ChannelSummary) -> f64| {
-            channels.iter().map(|(r, c)| of(r, c)).collect::<Vec<f64>>()
+        let number = |value: &dyn Fn(&RecordingSummary, &ChannelSummary) -> f64| {
+            channels
+                .iter()
+                .map(|(r, c)| value(r, c))
+                .collect::<Vec<f64>>()
         };
         let table = Table::new(vec![
             Column::new(
@@ -237,10 +245,10 @@ impl Read {
             .flat_map(|r| &r.findings)
             .chain(&contents.findings)
             .collect();
-        let told = |of: &dyn Fn(&Issue) -> String| {
+        let issue_texts = |value: &dyn Fn(&Issue) -> String| {
             findings
                 .iter()
-                .map(|finding| of(finding))
+                .map(|finding| value(finding))
                 .collect::<Vec<String>>()
         };
         let counts: Vec<u64> = findings
@@ -252,7 +260,7 @@ impl Read {
                 "channel",
                 "",
                 "the channel; empty for all channels",
-                told(&|f| f.channel.clone().unwrap_or_default()),
+                issue_texts(&|f| f.channel.clone().unwrap_or_default()),
             ),
             Column::new(
                 "count",
@@ -260,7 +268,12 @@ impl Read {
                 "number of samples, time stamps or lines",
                 counts,
             ),
-            Column::new("about", "", "description", told(&ToString::to_string)),
+            Column::new(
+                "about",
+                "",
+                "description",
+                issue_texts(&ToString::to_string),
+            ),
         ])?;
         output::table(folder, "read-findings", &table, &manifest)?;
         for (k, recording) in contents.recordings.iter().enumerate() {
@@ -277,36 +290,36 @@ fn span_of(recording: &RecordingSummary, span: &str) -> Result<(f64, f64), Failu
     } else {
         (Unit::Frequency, "Hz")
     };
-    let (from, to) = ends("--span", span, quantity)?;
-    let lost = |fault| Failure::Input(format!("the scratch file cannot be used: {fault}"));
-    let last = |of: &dyn Fn(f64, f64) -> f64| {
-        let mut found = f64::NAN;
+    let (from, to) = parse_interval("--span", span, quantity)?;
+    let scratch_error = |fault| Failure::Input(format!("the scratch file cannot be used: {fault}"));
+    let extreme_position = |select: &dyn Fn(f64, f64) -> f64| {
+        let mut extreme = f64::NAN;
         recording
             .places
-            .each(|place| found = of(found, place))
-            .map(|()| found)
-            .map_err(lost)
+            .each(|position| extreme = select(extreme, position))
+            .map(|()| extreme)
+            .map_err(scratch_error)
     };
-    let [least, most] = [last(&f64::min)?, last(&f64::max)?];
-    let nothing = || {
+    let [lowest, highest] = [extreme_position(&f64::min)?, extreme_position(&f64::max)?];
+    let empty_range = || {
         Failure::usage(format!(
-            "--span {span}: no sample in this range; {} extends from {least} {unit} to {most} {unit}",
+            "--span {span}: no sample in this range; {} extends from {lowest} {unit} to {highest} {unit}",
             recording.name
         ))
     };
-    if from <= most && to >= least {
+    if from <= highest && to >= lowest {
         Ok((from, to))
     } else {
-        Err(nothing())
+        Err(empty_range())
     }
 }
 
 /// Draws the first channels over time, or their magnitudes over frequency.
 fn figure(recording: &RecordingSummary) -> Result<Figure, Failure> {
-    let outline = recording
+    let decimated = recording
         .decimate(MAX_SHOWN_CHANNELS, MAX_DRAWN_POINTS)
         .map_err(|fault| Failure::Input(format!("the scratch file cannot be read: {fault}")))?;
-    let shown = recording.channels.iter().zip(outline.channels);
+    let channels = recording.channels.iter().zip(decimated.channels);
     if recording.over == Over::Time {
         let trace = |(channel, values): (&ChannelSummary, _)| Trace {
             quantity: channel.name.clone(),
@@ -315,8 +328,8 @@ fn figure(recording: &RecordingSummary) -> Result<Figure, Failure> {
         };
         return Ok(time_histories(
             &recording.name,
-            &outline.places,
-            &shown.map(trace).collect::<Vec<_>>(),
+            &decimated.places,
+            &channels.map(trace).collect::<Vec<_>>(),
         ));
     }
     let panel = |(channel, size): (&ChannelSummary, _)| {
@@ -325,22 +338,22 @@ fn figure(recording: &RecordingSummary) -> Result<Figure, Failure> {
             Axis::log(&channel.name, &channel.unit),
         )
         .high(200.0);
-        axes.with(Series::line(outline.places.clone(), size).style(Line::Thin))
+        axes.with(Series::line(decimated.places.clone(), size).style(Line::Thin))
     };
     Ok(Figure {
-        panels: shown.map(panel).collect(),
+        panels: channels.map(panel).collect(),
         ..Figure::new(&recording.name)
     })
 }
 
 fn print_recording(recording: &RecordingSummary) {
-    let (rate, over) = if recording.over == Over::Time {
+    let (rate, unit) = if recording.over == Over::Time {
         ("Hz", "over time")
     } else {
         ("lines per Hz", "over frequency")
     };
     line(format!(
-        "{}: {} samples {over}, {:.6} {rate}",
+        "{}: {} samples {unit}, {:.6} {rate}",
         recording.name,
         recording.places.count(),
         recording.rate()
@@ -357,17 +370,17 @@ fn print_recording(recording: &RecordingSummary) {
         } else {
             ""
         };
-        let place = format!("{} {}", channel.place, channel.direction);
-        let from = if channel.reference.is_empty() {
+        let position = format!("{} {}", channel.place, channel.direction);
+        let reference = if channel.reference.is_empty() {
             String::new()
         } else {
             format!("  from {}", channel.reference)
         };
         line(format!(
-            "  {:>3}  {}  rms {rms:.5e}, peak {peak:.5e}, mean {mean:.5e} {unit}{kind}  {}{from}",
+            "  {:>3}  {}  rms {rms:.5e}, peak {peak:.5e}, mean {mean:.5e} {unit}{kind}  {}{reference}",
             k + 1,
             channel.name,
-            place.trim()
+            position.trim()
         ));
     }
     recording

@@ -29,7 +29,7 @@ impl Reproduce {
         );
         let chapters = jounce_measure::experiment::chapters(&simulated, &control)?;
         let reproduction = chapters.into_iter().fold(simulated, Reproduction::with);
-        let written = reproduction.write(&self.out)?;
+        let files = reproduction.write(&self.out)?;
         let names = |paths: &[PathBuf]| {
             paths
                 .iter()
@@ -41,9 +41,9 @@ impl Reproduce {
             .collect();
         if self.json {
             print(&serde_json::json!({
-                "report": written.report.display().to_string(),
-                "tables": names(&written.tables),
-                "figures": names(&written.figures),
+                "report": files.report.display().to_string(),
+                "tables": names(&files.tables),
+                "figures": names(&files.figures),
                 "claims": claims,
             }));
             return Ok(());
@@ -60,7 +60,7 @@ impl Reproduce {
                 claim.evidence
             ));
         }
-        line(format!("report: {}", written.report.display()));
+        line(format!("report: {}", files.report.display()));
         Ok(())
     }
 }

@@ -213,8 +213,8 @@ fn print_charge(charge: &ChargeResult) {
 
 /// Prints the contacts of one stop; of `several` also the values that `print_lines` prints of a
 /// single stop.
-fn print_stop(stop: &StopResult, several: bool) {
-    if several {
+fn print_stop(stop: &StopResult, is_labelled: bool) {
+    if is_labelled {
         let (contacts, depth, force) = (
             stop.contacts,
             stop.max_penetration_m,

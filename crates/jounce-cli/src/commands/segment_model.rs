@@ -45,7 +45,7 @@ impl ModelArguments {
         samples: &Samples<'_>,
         drive_hz: f64,
         resistance_ohm: Option<f64>,
-        stretches: &[RecordSegment],
+        segments: &[RecordSegment],
     ) -> Result<Vec<SegmentMatches>, Failure> {
         let Some(path) = &self.model else {
             return Ok(Vec::new());
@@ -67,26 +67,28 @@ impl ModelArguments {
             load: self.load.clone(),
             ..SolutionSearch::default()
         };
-        let found = solutions(&spec, &search, &Control::default())?;
-        Ok(stretches
+        let known_solutions = solutions(&spec, &search, &Control::default())?;
+        Ok(segments
             .iter()
-            .map(|stretch| match_segments(samples, drive_hz, stretch, &found, self.within))
+            .map(|segment| {
+                match_segments(samples, drive_hz, segment, &known_solutions, self.within)
+            })
             .collect())
     }
 }
 
 /// Prints the match of a segment.
-pub fn print_match(shown: &SegmentMatches) {
-    let Some(first) = shown.candidates.first() else {
+pub fn print_match(matches: &SegmentMatches) {
+    let Some(best) = matches.candidates.first() else {
         return;
     };
-    let words = match shown.fits {
-        SegmentMatch::One => format!("solution {}", first.id),
+    let verdict = match matches.fits {
+        SegmentMatch::One => format!("solution {}", best.id),
         SegmentMatch::Several => "several solutions match equally well".to_owned(),
         SegmentMatch::None => "no solution of the model matches".to_owned(),
     };
-    line(format!("{:>29}{words}", ""));
-    for candidate in &shown.candidates {
+    line(format!("{:>29}{verdict}", ""));
+    for candidate in &matches.candidates {
         let number = |value: Option<f64>| {
             value.map_or_else(|| "-".to_owned(), |value| format!("{value:.3}"))
         };
@@ -108,18 +110,24 @@ pub fn print_match(shown: &SegmentMatches) {
 }
 
 /// Adds the match of each segment to the table of segments; nothing without a model.
-pub fn columns(table: &mut Table, shown: &[SegmentMatches]) -> Result<(), Failure> {
-    if shown.is_empty() {
+pub fn columns(table: &mut Table, matches: &[SegmentMatches]) -> Result<(), Failure> {
+    if matches.is_empty() {
         return Ok(());
     }
-    let first = |of: &dyn Fn(&Candidate) -> Option<f64>| {
-        shown
+    let best = |value: &dyn Fn(&Candidate) -> Option<f64>| {
+        matches
             .iter()
-            .map(|shown| shown.candidates.first().and_then(of).unwrap_or(f64::NAN))
+            .map(|matches| {
+                matches
+                    .candidates
+                    .first()
+                    .and_then(value)
+                    .unwrap_or(f64::NAN)
+            })
             .collect::<Vec<f64>>()
     };
-    let ids = shown.iter().map(|shown| match shown.fits {
-        SegmentMatch::One => shown.id().unwrap_or_default().to_owned(),
+    let ids = matches.iter().map(|matches| match matches.fits {
+        SegmentMatch::One => matches.id().unwrap_or_default().to_owned(),
         SegmentMatch::Several => "several".to_owned(),
         SegmentMatch::None => "none".to_owned(),
     });
@@ -133,19 +141,19 @@ pub fn columns(table: &mut Table, shown: &[SegmentMatches]) -> Result<(), Failur
         "waveform_distance",
         "",
         "waveform distance of the nearest solution",
-        first(&|c| c.waveform_distance),
+        best(&|c| c.waveform_distance),
     ))?;
     table.push(Column::new(
         "spectrum_distance",
         "",
         "spectrum distance of the nearest solution",
-        first(&|c| c.spectrum_distance),
+        best(&|c| c.spectrum_distance),
     ))?;
     table.push(Column::new(
         "model_power_w",
         "W",
         "mean power of the nearest solution",
-        first(&|c| Some(c.mean_power_w)),
+        best(&|c| Some(c.mean_power_w)),
     ))?;
     Ok(())
 }

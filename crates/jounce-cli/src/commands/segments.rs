@@ -2,7 +2,7 @@
 
 use super::segment_model::{self, ModelArguments};
 use crate::failure::Failure;
-use crate::measured_file::{MeasuredFile, any_channel, channel, loaded, positive};
+use crate::measured_file::{MeasuredFile, any_channel, channel, load_channels, parse_positive};
 use crate::output::{self, line, print, with_uncertainty};
 use clap::Args;
 use jounce_core::signal::Samples;
@@ -38,74 +38,75 @@ pub struct Segments {
 impl Segments {
     /// Segments and reports.
     pub fn run(&self) -> Result<(), Failure> {
-        let drive_hz = positive("--drive", &self.drive, Unit::Frequency)?;
+        let drive_hz = parse_positive("--drive", &self.drive, Unit::Frequency)?;
         let resistance = self
             .resistance
             .as_ref()
-            .map(|text| positive("--resistance", text, Unit::Resistance))
+            .map(|text| parse_positive("--resistance", text, Unit::Resistance))
             .transpose()?;
-        let mut survey = self.file.survey()?;
+        let mut summary = self.file.summary()?;
         let number = match &self.channel {
             // Any quantity can be segmented; only a voltage has a power.
-            Some(name) if resistance.is_none() => any_channel(&survey, name)?,
-            wanted => channel(
-                &mut survey,
-                wanted.as_deref(),
+            Some(name) if resistance.is_none() => any_channel(&summary, name)?,
+            name => channel(
+                &mut summary,
+                name.as_deref(),
                 Quantity::Voltage,
                 "--channel",
             )?,
         };
-        let record = loaded(survey, &[number])?;
+        let record = load_channels(summary, &[number])?;
         let channel = &record.channels[0];
-        let found = regimes(&Samples::new(&channel.values, record.rate())?, drive_hz)?;
-        let power = |stretch: &RecordSegment| -> Result<Option<MeanPower>, Failure> {
+        let segmentation = regimes(&Samples::new(&channel.values, record.rate())?, drive_hz)?;
+        let power = |segment: &RecordSegment| -> Result<Option<MeanPower>, Failure> {
             let Some(ohm) = resistance else {
                 return Ok(None);
             };
-            let part = Samples::new(&channel.values[stretch.start..stretch.end], record.rate())?;
-            Ok(mean_power_if_long(&part, ohm, false)?)
+            let samples_of_segment =
+                Samples::new(&channel.values[segment.start..segment.end], record.rate())?;
+            Ok(mean_power_if_long(&samples_of_segment, ohm, false)?)
         };
-        let powers = found
+        let powers = segmentation
             .stretches
             .iter()
             .map(power)
             .collect::<Result<Vec<_>, _>>()?;
         let samples = Samples::new(&channel.values, record.rate())?;
-        let shown = self
-            .model
-            .correspondences(&samples, drive_hz, resistance, &found.stretches)?;
+        let matches =
+            self.model
+                .correspondences(&samples, drive_hz, resistance, &segmentation.stretches)?;
         if let Some(folder) = &self.file.output.out {
             self.write(
                 folder,
                 (channel, &samples),
-                &found,
+                &segmentation,
                 &powers,
-                &shown,
+                &matches,
                 drive_hz,
             )?;
         }
         if self.file.output.json {
             print(&serde_json::json!({
                 "channel": channel.name,
-                "regimes": found,
+                "regimes": segmentation,
                 "powers": powers,
-                "correspondences": shown,
+                "correspondences": matches,
                 "findings": record.findings,
             }));
             return Ok(());
         }
         print_segments(
-            &found,
+            &segmentation,
             &channel.unit,
-            &self.powers_in_words(&powers),
-            &shown,
+            &self.power_texts(&powers),
+            &matches,
         );
         Ok(())
     }
 
     /// Formats the power of each segment; empty without a resistance.
-    fn powers_in_words(&self, powers: &[Option<MeanPower>]) -> Vec<String> {
-        let words = |power: &Option<MeanPower>| match power {
+    fn power_texts(&self, powers: &[Option<MeanPower>]) -> Vec<String> {
+        let text = |power: &Option<MeanPower>| match power {
             _ if self.resistance.is_none() => String::new(),
             Some(power) => format!(
                 ", {}",
@@ -113,22 +114,26 @@ impl Segments {
             ),
             None => ", too short for a power with a confidence interval".to_owned(),
         };
-        powers.iter().map(words).collect()
+        powers.iter().map(text).collect()
     }
 
     fn write(
         &self,
         folder: &Path,
         (channel, samples): (&Channel, &Samples<'_>),
-        found: &Segmentation,
+        segmentation: &Segmentation,
         powers: &[Option<MeanPower>],
-        shown: &[SegmentMatches],
+        matches: &[SegmentMatches],
         drive_hz: f64,
     ) -> Result<(), Failure> {
-        let numbers = |of: &dyn Fn(&RecordSegment) -> f64| {
-            found.stretches.iter().map(of).collect::<Vec<f64>>()
+        let numbers = |value: &dyn Fn(&RecordSegment) -> f64| {
+            segmentation
+                .stretches
+                .iter()
+                .map(value)
+                .collect::<Vec<f64>>()
         };
-        let cycles: Vec<u64> = found
+        let cycles: Vec<u64> = segmentation
             .stretches
             .iter()
             .map(|s| s.period.cycles.map_or(0, |cycles| cycles as u64))
@@ -180,7 +185,7 @@ impl Segments {
                 half,
             ))?;
         }
-        segment_model::columns(&mut table, shown)?;
+        segment_model::columns(&mut table, matches)?;
         output::table(
             folder,
             "regimes",
@@ -192,7 +197,7 @@ impl Segments {
             &channel.name,
             &channel.unit,
             samples,
-            found,
+            segmentation,
         );
         output::figure(folder, "regimes-time", &figure)?;
         let figure = segment_section(
@@ -200,7 +205,7 @@ impl Segments {
             &channel.name,
             &channel.unit,
             samples,
-            found,
+            segmentation,
             drive_hz,
         );
         output::figure(folder, "regimes-section", &figure)?;
@@ -210,7 +215,7 @@ impl Segments {
             &channel.name,
             &channel.unit,
             samples,
-            found,
+            segmentation,
             drive_hz,
         )?;
         output::figure(folder, "regimes-spectra", &figure)
@@ -218,33 +223,38 @@ impl Segments {
 }
 
 /// Prints the segments and the changes that are not changes of solution, one line each.
-fn print_segments(found: &Segmentation, unit: &str, powers: &[String], shown: &[SegmentMatches]) {
-    let count = found.stretches.len();
-    let stretches = if count == 1 { "segment" } else { "segments" };
+fn print_segments(
+    segmentation: &Segmentation,
+    unit: &str,
+    powers: &[String],
+    matches: &[SegmentMatches],
+) {
+    let count = segmentation.stretches.len();
+    let noun = if count == 1 { "segment" } else { "segments" };
     line(format!(
-        "{count} {stretches}; uncertainty of a change {:.3} s",
-        found.uncertainty_s
+        "{count} {noun}; uncertainty of a change {:.3} s",
+        segmentation.uncertainty_s
     ));
-    for joint in &found.joints {
-        let told = match joint.reason {
+    for joint in &segmentation.joints {
+        let reason = match joint.reason {
             MergeReason::NoiseChanged => "change of the noise",
             MergeReason::Drifts => "drift of the amplitude",
             MergeReason::Glitch => "short disturbance",
         };
-        line(format!("{:>10.3} s: {told}, same solution", joint.at_s));
+        line(format!("{:>10.3} s: {reason}, same solution", joint.at_s));
     }
-    for (k, (stretch, power)) in found.stretches.iter().zip(powers).enumerate() {
-        let period = stretch.period.cycles.map_or_else(
+    for (k, (segment, power)) in segmentation.stretches.iter().zip(powers).enumerate() {
+        let period = segment.period.cycles.map_or_else(
             || format!("period longer than {MAX_PERIOD_CYCLES} cycles, or not periodic"),
             |cycles| format!("period {cycles} cycles"),
         );
-        let (start, end, rms) = (stretch.start_s, stretch.end_s, stretch.rms);
+        let (start, end, rms) = (segment.start_s, segment.end_s, segment.rms);
         line(format!(
             "{start:>10.3} s to {end:>10.3} s  rms {rms:.5e} {}, {period} (mismatch {:.3}){power}",
-            unit, stretch.period.mismatch
+            unit, segment.period.mismatch
         ));
-        if let Some(shown) = shown.get(k) {
-            segment_model::print_match(shown);
+        if let Some(matches) = matches.get(k) {
+            segment_model::print_match(matches);
         }
     }
 }

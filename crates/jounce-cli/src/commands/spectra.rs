@@ -1,7 +1,7 @@
 //! `jounce spectra FILE`
 
 use crate::failure::Failure;
-use crate::measured_file::{MeasuredFile, any_channel, first_live, loaded, positive};
+use crate::measured_file::{MeasuredFile, any_channel, first_live, load_channels, parse_positive};
 use crate::output::{self, line, print};
 use clap::{Args, ValueEnum};
 use jounce_core::signal::{OrderLine, Samples, Window};
@@ -10,7 +10,7 @@ use jounce_core::table::{Column, Table};
 use jounce_measure::draw::{densities_of, spectrogram_of};
 use jounce_measure::recording::{Channel, Quantity};
 use jounce_measure::spectral::{
-    Spectra as Found, SpectraSettings, density_unit, signal, spectra, spectrogram,
+    Spectra as MeasuredSpectra, SpectraSettings, density_unit, signal, spectra, spectrogram,
 };
 use std::path::Path;
 
@@ -57,7 +57,7 @@ pub struct Spectra {
 struct SpectraResult<'a> {
     channel: &'a Channel,
     samples: Samples<'a>,
-    found: Found,
+    spectra: MeasuredSpectra,
 }
 
 impl SpectraResult<'_> {
@@ -73,20 +73,20 @@ impl Spectra {
         let drive_hz = self
             .drive
             .as_ref()
-            .map(|text| positive("--drive", text, Unit::Frequency))
+            .map(|text| parse_positive("--drive", text, Unit::Frequency))
             .transpose()?;
         let segment_s = self
             .segment
             .as_ref()
-            .map(|text| positive("--segment", text, Unit::Time))
+            .map(|text| parse_positive("--segment", text, Unit::Time))
             .transpose()?;
-        let survey = self.file.survey()?;
+        let summary = self.file.summary()?;
         let number = match &self.channel {
-            Some(name) => any_channel(&survey, name)?,
-            None => first_live(&survey, Quantity::Voltage)
-                .ok_or_else(|| Failure::Input(format!("{} has no channel", survey.name)))?,
+            Some(name) => any_channel(&summary, name)?,
+            None => first_live(&summary, Quantity::Voltage)
+                .ok_or_else(|| Failure::Input(format!("{} has no channel", summary.name)))?,
         };
-        let record = loaded(survey, &[number])?;
+        let record = load_channels(summary, &[number])?;
         let channel = &record.channels[0];
         let samples = signal(channel, record.rate())?;
         let window = match self.window {
@@ -94,7 +94,7 @@ impl Spectra {
             WindowName::FlatTop => Window::FlatTop,
             WindowName::Rectangular => Window::Rectangular,
         };
-        let found = spectra(
+        let spectra = spectra(
             &samples,
             &SpectraSettings {
                 drive_hz,
@@ -103,58 +103,58 @@ impl Spectra {
                 window,
             },
         )?;
-        let answer = SpectraResult {
+        let result = SpectraResult {
             channel,
             samples,
-            found,
+            spectra,
         };
         if let Some(folder) = &self.file.output.out {
-            self.write(folder, &answer, drive_hz)?;
+            self.write(folder, &result, drive_hz)?;
         }
         if self.file.output.json {
-            print(&self.listed(&answer, &record.findings));
+            print(&self.to_json(&result, &record.findings));
         } else {
-            self.tell(&answer);
+            self.print_result(&result);
         }
         Ok(())
     }
 
     /// Describes window, overlap and amplitude.
-    fn convention(&self, answer: &SpectraResult<'_>) -> String {
-        let Found {
+    fn convention(&self, result: &SpectraResult<'_>) -> String {
+        let MeasuredSpectra {
             density, segments, ..
-        } = &answer.found;
+        } = &result.spectra;
         let window = format!("{:?}", self.window)
             .to_lowercase()
             .replace("flattop", "flat-top");
         format!(
             "{} segments of {:.4} s, {} window, overlap {}: lines {:.4} Hz apart; amplitudes are zero to peak, densities one-sided, per Hz",
             density.segments,
-            answer.seconds(segments.length()),
+            result.seconds(segments.length()),
             window,
             self.overlap,
             density.resolution_hz
         )
     }
 
-    fn tell(&self, answer: &SpectraResult<'_>) {
-        let (unit, squared) = (&answer.channel.unit, density_unit(&answer.channel.unit));
+    fn print_result(&self, result: &SpectraResult<'_>) {
+        let (unit, squared) = (&result.channel.unit, density_unit(&result.channel.unit));
         line(format!(
             "{}: {}",
-            answer.channel.name,
-            self.convention(answer)
+            result.channel.name,
+            self.convention(result)
         ));
         line(format!(
             "mean {:.5e} {unit}, subtracted before the density",
-            answer.found.density.mean
+            result.spectra.density.mean
         ));
-        for peak in answer.found.peaks(REPORTED_PEAKS) {
+        for peak in result.spectra.peaks(REPORTED_PEAKS) {
             line(format!(
                 "peak at {:>10.4} Hz: {:.4e} {squared}",
                 peak.frequency_hz, peak.density
             ));
         }
-        for order in &answer.found.orders {
+        for order in &result.spectra.orders {
             line(format!(
                 "order {:>6.4}, {:>10.4} Hz: {:.5e} {unit} peak",
                 order.order, order.frequency_hz, order.amplitude_peak
@@ -162,28 +162,28 @@ impl Spectra {
         }
     }
 
-    fn listed(
+    fn to_json(
         &self,
-        answer: &SpectraResult<'_>,
+        result: &SpectraResult<'_>,
         findings: &[jounce_measure::recording::Issue],
     ) -> serde_json::Value {
         let order = |order: &OrderLine| serde_json::json!({ "order": order.order, "frequency_hz": order.frequency_hz, "amplitude_peak": order.amplitude_peak });
-        let Found {
+        let MeasuredSpectra {
             density, segments, ..
-        } = &answer.found;
+        } = &result.spectra;
         serde_json::json!({
-            "channel": answer.channel.name,
-            "unit": answer.channel.unit,
-            "convention": self.convention(answer),
-            "segment_s": answer.seconds(segments.length()),
-            "step_s": answer.seconds(segments.step()),
+            "channel": result.channel.name,
+            "unit": result.channel.unit,
+            "convention": self.convention(result),
+            "segment_s": result.seconds(segments.length()),
+            "step_s": result.seconds(segments.step()),
             "segments": density.segments,
             "resolution_hz": density.resolution_hz,
             "mean": density.mean,
-            "peaks": answer.found.peaks(REPORTED_PEAKS),
+            "peaks": result.spectra.peaks(REPORTED_PEAKS),
             "frequency_hz": density.frequency_hz,
             "density": density.density,
-            "orders": answer.found.orders.iter().map(order).collect::<Vec<_>>(),
+            "orders": result.spectra.orders.iter().map(order).collect::<Vec<_>>(),
             "findings": findings,
         })
     }
@@ -191,15 +191,15 @@ impl Spectra {
     fn write(
         &self,
         folder: &Path,
-        answer: &SpectraResult<'_>,
+        result: &SpectraResult<'_>,
         drive_hz: Option<f64>,
     ) -> Result<(), Failure> {
-        let (channel, density) = (answer.channel, &answer.found.density);
-        let found = spectrogram(&answer.samples, &answer.found.segments)?;
+        let (channel, density) = (result.channel, &result.spectra.density);
+        let spectrogram = spectrogram(&result.samples, &result.spectra.segments)?;
         let manifest = self
             .file
             .manifest("spectra")?
-            .with("convention", self.convention(answer))
+            .with("convention", self.convention(result))
             .with("channel", channel.name.clone());
         let squared = density_unit(&channel.unit);
         let table = Table::new(vec![
@@ -218,10 +218,10 @@ impl Spectra {
         ])?;
         output::table(folder, "spectra", &table, &manifest)?;
         let cells = || {
-            found
+            spectrogram
                 .time_s
                 .iter()
-                .flat_map(|t| found.frequency_hz.iter().map(move |f| (*t, *f)))
+                .flat_map(|t| spectrogram.frequency_hz.iter().map(move |f| (*t, *f)))
         };
         let table = Table::new(vec![
             Column::new(
@@ -240,7 +240,7 @@ impl Spectra {
                 "amplitude_peak",
                 &channel.unit,
                 "peak amplitude",
-                found.amplitude_peak.concat(),
+                spectrogram.amplitude_peak.concat(),
             ),
         ])?;
         output::table(folder, "spectrogram", &table, &manifest)?;
@@ -258,10 +258,10 @@ impl Spectra {
             folder,
             "spectrogram",
             &spectrogram_of(
-                &self.convention(answer),
+                &self.convention(result),
                 &channel.name,
                 &channel.unit,
-                &found,
+                &spectrogram,
                 drive_hz,
             ),
         )

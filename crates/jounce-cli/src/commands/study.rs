@@ -93,11 +93,11 @@ impl Run {
         let folder = Folder::of(&self.out, &study)?;
         let control = Control::default();
         interruption::install(&control);
-        let own = (0..study.parts())
+        let point_count = (0..study.parts())
             .filter(|part| self.shard.takes(*part))
             .map(|part| study.points(part).len())
             .sum();
-        let bar = progress::bar(own);
+        let bar = progress::bar(point_count);
         self.threads.run(|| {
             folder.run(&study, self.shard, &control, &|points| {
                 bar.inc(points as u64)

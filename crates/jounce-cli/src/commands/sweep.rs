@@ -63,7 +63,7 @@ impl Sweep {
                 .map_err(|fault| Failure::faults(&self.spec.spec, vec![fault]))?;
         }
         let spec = self.spec.read(&file)?;
-        let range = self.spec.checked(file.range(&self.over))?;
+        let range = self.spec.map_faults(file.range(&self.over))?;
         let direction = match self.direction {
             Order::Up => SweepOrder::Up,
             Order::Down => SweepOrder::Down,
@@ -98,12 +98,17 @@ impl Sweep {
             );
             return Err(Failure::Interrupted(text));
         }
-        self.tell(&spec, &range, &points)?;
+        self.print_result(&spec, &range, &points)?;
         journal.finish()?;
         Ok(())
     }
 
-    fn tell(&self, spec: &Spec, range: &KeyRange, points: &[SweepPoint]) -> Result<(), Failure> {
+    fn print_result(
+        &self,
+        spec: &Spec,
+        range: &KeyRange,
+        points: &[SweepPoint],
+    ) -> Result<(), Failure> {
         let repeats = spec
             .drive
             .values()
@@ -118,16 +123,16 @@ impl Sweep {
                 points.len()
             );
         }
-        let passed: Vec<&[ExceededLimit]> = points
+        let exceeded: Vec<&[ExceededLimit]> = points
             .iter()
             .map(|point| point.exceeded.as_slice())
             .collect();
         let key = range.key();
-        limit_warnings::warn(&passed, "points", |place| {
+        limit_warnings::warn(&exceeded, "points", |index| {
             format!(
                 "{} = {:.6} {}",
                 key.path(),
-                points[place].parameter,
+                points[index].parameter,
                 key.unit()
             )
         });
@@ -135,9 +140,9 @@ impl Sweep {
             self.write(folder, spec, range, points)?;
         }
         if self.output.json {
-            let listed: Vec<_> = points.iter().map(to_json).collect();
+            let point_list: Vec<_> = points.iter().map(to_json).collect();
             print(
-                &serde_json::json!({ "over": range.key().path(), "unit": range.key().unit(), "points": listed }),
+                &serde_json::json!({ "over": range.key().path(), "unit": range.key().unit(), "points": point_list }),
             );
             return Ok(());
         }
@@ -237,9 +242,9 @@ impl Sweep {
             SweepDirection::Independent,
         ]
         .into_iter()
-        .filter_map(|way| sweep_line(points, way))
+        .filter_map(|direction| sweep_line(points, direction))
         .collect();
-        let look = SweepLook {
+        let style = SweepLook {
             parameter: Axis::linear(range.key().path(), &unit),
             value: Axis::log("Mean power", "W"),
         };
@@ -248,7 +253,7 @@ impl Sweep {
             "sweep",
             &picture::sweep(
                 &format!("Mean power over {}", range.key().path()),
-                &look,
+                &style,
                 &lines,
             ),
         )
@@ -271,22 +276,22 @@ fn to_json(point: &SweepPoint) -> serde_json::Value {
     })
 }
 
-fn sweep_line(points: &[SweepPoint], way: SweepDirection) -> Option<SweepLine> {
-    let mut own: Vec<&SweepPoint> = points
+fn sweep_line(points: &[SweepPoint], direction: SweepDirection) -> Option<SweepLine> {
+    let mut selected: Vec<&SweepPoint> = points
         .iter()
-        .filter(|point| point.direction == way)
+        .filter(|point| point.direction == direction)
         .collect();
-    own.sort_by(|a, b| a.parameter.total_cmp(&b.parameter));
-    let direction = match way {
+    selected.sort_by(|a, b| a.parameter.total_cmp(&b.parameter));
+    let direction = match direction {
         SweepDirection::Up => picture::LineDirection::Up,
         SweepDirection::Down => picture::LineDirection::Down,
         SweepDirection::Independent => picture::LineDirection::Independent,
     };
-    (!own.is_empty()).then(|| SweepLine {
+    (!selected.is_empty()).then(|| SweepLine {
         label: "mean power".into(),
         direction,
-        parameter: own.iter().map(|p| p.parameter).collect(),
-        value: own.iter().map(|p| p.mean_power_w).collect(),
-        settled: own.iter().map(|p| p.settled).collect(),
+        parameter: selected.iter().map(|p| p.parameter).collect(),
+        value: selected.iter().map(|p| p.mean_power_w).collect(),
+        settled: selected.iter().map(|p| p.settled).collect(),
     })
 }

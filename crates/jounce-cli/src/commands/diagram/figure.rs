@@ -13,13 +13,13 @@ use jounce_core::spec::NumericKey;
 pub fn figure(
     (base, parameter): (&Model, &Parameter),
     key: &NumericKey,
-    answer: &DiagramResult,
+    result: &DiagramResult,
 ) -> Result<Figure, Failure> {
     let mut displacements = Vec::new();
-    for branch in &answer.branches {
+    for branch in &result.branches {
         displacements.extend(sections((base, parameter), branch)?);
     }
-    let powers = answer.branches.iter().map(|branch| {
+    let powers = result.branches.iter().map(|branch| {
         line(
             branch,
             branch
@@ -33,8 +33,8 @@ pub fn figure(
         DiagramView {
             value: Axis::linear("Displacement once per cycle", "m"),
             lines: displacements,
-            dots: dots(answer, |visit| {
-                visit
+            dots: dots(result, |point| {
+                point
                     .section
                     .iter()
                     .map(|point| point.displacement_m)
@@ -44,7 +44,7 @@ pub fn figure(
         DiagramView {
             value: Axis::log("Mean power", "W"),
             lines: powers.collect(),
-            dots: dots(answer, |visit| vec![visit.mean_power_w]),
+            dots: dots(result, |point| vec![point.mean_power_w]),
         },
     ];
     Ok(picture::diagram(
@@ -59,20 +59,21 @@ fn sections(
     (base, parameter): (&Model, &Parameter),
     branch: &Branch,
 ) -> Result<Vec<BranchLine>, AnalysisError> {
-    let along = |point: &jounce_core::analysis::BranchPoint| {
+    let section_of = |point: &jounce_core::analysis::BranchPoint| {
         SectionPoint::of_orbit(base, parameter, point.parameter, &point.orbit)
     };
-    let all = branch
+    let sections_by_point = branch
         .points
         .iter()
-        .map(along)
+        .map(section_of)
         .collect::<Result<Vec<_>, _>>()?;
     let cycles = branch.period_cycles as usize;
     Ok((0..cycles)
         .map(|cycle| {
             line(
                 branch,
-                all.iter()
+                sections_by_point
+                    .iter()
                     .map(|section| section[cycle].displacement_m)
                     .collect(),
             )
@@ -94,30 +95,30 @@ fn line(branch: &Branch, value: Vec<f64>) -> BranchLine {
 }
 
 /// Returns the points by direction, or by attractor where it is known.
-fn dots(answer: &DiagramResult, values: impl Fn(&DiagramPoint) -> Vec<f64>) -> Vec<DiagramDots> {
-    let own = |label: &str, belongs: &dyn Fn(usize, &DiagramPoint) -> bool| {
+fn dots(result: &DiagramResult, values: impl Fn(&DiagramPoint) -> Vec<f64>) -> Vec<DiagramDots> {
+    let dots_of = |label: &str, is_selected: &dyn Fn(usize, &DiagramPoint) -> bool| {
         let mut dots = DiagramDots {
             label: label.to_owned(),
             parameter: Vec::new(),
             value: Vec::new(),
         };
-        for (_, visit) in answer
-            .visits
+        for (_, point) in result
+            .points
             .iter()
             .enumerate()
-            .filter(|(k, visit)| belongs(*k, visit))
+            .filter(|(k, point)| is_selected(*k, point))
         {
-            let values = values(visit);
+            let values = values(point);
             dots.parameter
-                .extend(std::iter::repeat_n(visit.parameter, values.len()));
+                .extend(std::iter::repeat_n(point.parameter, values.len()));
             dots.value.extend(values);
         }
         (!dots.value.is_empty()).then_some(dots)
     };
-    match &answer.history {
+    match &result.history {
         Some(history) => (history.attractors.iter().enumerate())
-            .filter_map(|(home, attractor)| {
-                own(&attractor.id, &|k, _| history.homes[k] == Some(home))
+            .filter_map(|(index, attractor)| {
+                dots_of(&attractor.id, &|k, _| history.homes[k] == Some(index))
             })
             .collect(),
         None => [
@@ -125,7 +126,7 @@ fn dots(answer: &DiagramResult, values: impl Fn(&DiagramPoint) -> Vec<f64>) -> V
             (SweepDirection::Down, "stepped down"),
         ]
         .into_iter()
-        .filter_map(|(way, label)| own(label, &|_, visit| visit.direction == way))
+        .filter_map(|(direction, label)| dots_of(label, &|_, point| point.direction == direction))
         .collect(),
     }
 }

@@ -80,7 +80,7 @@ pub struct Diagram {
 
 /// Result of a diagram.
 struct DiagramResult {
-    visits: Vec<DiagramPoint>,
+    points: Vec<DiagramPoint>,
     history: Option<AttractorTracks>,
     branches: Vec<Branch>,
 }
@@ -92,7 +92,7 @@ impl Diagram {
         let order = self.order()?;
         let file = self.spec.file()?;
         let spec = self.spec.read(&file)?;
-        let range = self.spec.checked(file.range(&self.over))?;
+        let range = self.spec.map_faults(file.range(&self.over))?;
         let values = range.values();
         if values.windows(2).any(|pair| pair[0] >= pair[1]) {
             return Err(Failure::usage(format!(
@@ -117,11 +117,11 @@ impl Diagram {
             cycles: self.cycles,
             tolerance: self.tolerance,
         };
-        let visits = self.marched(&study, &spec)?;
+        let points = self.integrate(&study, &spec)?;
         let history = match order {
             DiagramOrder::Starts(_) => {
                 Some(progress::with_progress(&base.kernel.control, || {
-                    self.threads.run(|| study.history(&visits))
+                    self.threads.run(|| study.history(&points))
                 })??)
             }
             DiagramOrder::Up | DiagramOrder::Down | DiagramOrder::Both => None,
@@ -135,17 +135,17 @@ impl Diagram {
             seeds: 4,
             longest_period: self.longest_period,
         };
-        let wanted = !self.no_branches && high > low;
-        let branches = if wanted {
+        let with_branches = !self.no_branches && high > low;
+        let branches = if with_branches {
             progress::with_progress(&base.kernel.control, || self.threads.run(|| search.run()))??
         } else {
             Vec::new()
         };
-        self.tell(
+        self.print_result(
             &spec,
             (&base, &parameter, &range),
             &DiagramResult {
-                visits,
+                points,
                 history,
                 branches,
             },
@@ -164,12 +164,12 @@ impl Diagram {
                 "--spread {spread}: give a number greater than 0"
             )));
         }
-        let given = [
+        let cloud_options = [
             ("--starts", self.starts.is_some()),
             ("--seed", self.seed.is_some()),
             ("--spread", self.spread.is_some()),
         ];
-        if let Some((option, _)) = given
+        if let Some((option, _)) = cloud_options
             .into_iter()
             .find(|(_, is_given)| *is_given && self.direction != Direction::Starts)
         {
@@ -190,7 +190,7 @@ impl Diagram {
     }
 
     /// Computes the runs, and continues an interrupted call of the same command.
-    fn marched(&self, study: &Study, spec: &Spec) -> Result<Vec<DiagramPoint>, Failure> {
+    fn integrate(&self, study: &Study, spec: &Spec) -> Result<Vec<DiagramPoint>, Failure> {
         let options = format!(
             "diagram {} {:?} {} {}",
             self.over, study.order, self.cycles, self.tolerance
@@ -199,30 +199,30 @@ impl Diagram {
             &cache::folder(),
             &cache::key(&spec.hash_hex(), &options),
         )?;
-        let bar = progress::counted(study.len(), "runs");
+        let bar = progress::counting_bar(study.len(), "runs");
         bar.set_position(journal.found().len() as u64);
         if !journal.found().is_empty() {
             eprintln!("continuing after {} finished runs", journal.found().len());
         }
         interruption::install(&study.base.kernel.control);
-        let visits = self
+        let points = self
             .threads
             .run(|| study.run(Some(&journal), &|_| bar.inc(1)))??;
         bar.finish_and_clear();
-        if visits.len() < study.len() {
+        if points.len() < study.len() {
             let text = format!(
                 "stopped after {} of {} runs; the same command continues from there",
-                visits.len(),
+                points.len(),
                 study.len()
             );
             return Err(Failure::Interrupted(text));
         }
         journal.finish()?;
-        let lost = visits
+        let lost = points
             .iter()
-            .filter(|visit| visit.motion == AttractorKind::Lost)
+            .filter(|point| point.motion == AttractorKind::Lost)
             .count();
-        if lost == visits.len() {
+        if lost == points.len() {
             return Err(Failure::NotConverged(
                 "every run failed; try a larger --tolerance or another range".to_owned(),
             ));
@@ -230,17 +230,17 @@ impl Diagram {
         if lost > 0 {
             eprintln!(
                 "{lost} of {} runs failed; their motion is `lost`",
-                visits.len()
+                points.len()
             );
         }
-        Ok(visits)
+        Ok(points)
     }
 
-    fn tell(
+    fn print_result(
         &self,
         spec: &Spec,
         (base, parameter, range): (&Model, &Parameter, &KeyRange),
-        answer: &DiagramResult,
+        result: &DiagramResult,
     ) -> Result<(), Failure> {
         if let Some(folder) = &self.output.out {
             let manifest = self
@@ -251,10 +251,10 @@ impl Diagram {
             output::table(
                 folder,
                 "diagram",
-                &report::points(range.key(), answer)?,
+                &report::points(range.key(), result)?,
                 &manifest,
             )?;
-            if let Some(history) = &answer.history {
+            if let Some(history) = &result.history {
                 output::table(
                     folder,
                     "attractors",
@@ -265,13 +265,13 @@ impl Diagram {
             output::figure(
                 folder,
                 "diagram",
-                &figure::figure((base, parameter), range.key(), answer)?,
+                &figure::figure((base, parameter), range.key(), result)?,
             )?;
         }
         if self.output.json {
-            report::json(range.key(), answer);
+            report::json(range.key(), result);
         } else {
-            report::text(range.key(), answer);
+            report::text(range.key(), result);
         }
         Ok(())
     }

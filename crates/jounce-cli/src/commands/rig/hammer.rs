@@ -2,7 +2,7 @@
 
 use super::SensingArguments;
 use crate::failure::Failure;
-use crate::measured_file::positive;
+use crate::measured_file::parse_positive;
 use clap::Args;
 use jounce_core::linear::FrfResponse;
 use jounce_core::plant::{Plant, System};
@@ -39,17 +39,17 @@ impl HammerTestArguments {
     }
 
     /// Returns the recording of the test.
-    pub fn struck(
+    pub fn record(
         &self,
         mut spec: Spec,
         point: &str,
-        held: &[String],
+        held_bodies: &[String],
         sensing: &SensingArguments,
     ) -> Result<Recording, Failure> {
         spec.take_drives_away();
         spec.stop.clear();
         spec.gravity = Gravity::default();
-        let modes = structure::modes_holding(&spec, held)?;
+        let modes = structure::modes_holding(&spec, held_bodies)?;
         let points: Vec<String> = if sensing.at.is_empty() {
             modes.shape.keys().cloned().collect()
         } else {
@@ -69,9 +69,9 @@ impl HammerTestArguments {
             point: point.to_owned(),
             responses,
             hits: self.hits,
-            block_s: positive("--block", &self.block, Unit::Time)?,
-            peak_force_n: positive("--peak", &self.peak, Unit::Force)?,
-            contact_time_s: positive("--contact", &self.contact, Unit::Time)?,
+            block_s: parse_positive("--block", &self.block, Unit::Time)?,
+            peak_force_n: parse_positive("--peak", &self.peak, Unit::Force)?,
+            contact_time_s: parse_positive("--contact", &self.contact, Unit::Time)?,
             rate_hz: sensing.rate_hz()?,
             sensor: sensing.sensor(),
             seed: sensing.seed,

@@ -5,7 +5,7 @@ mod shaker;
 
 use super::modes::fixed_bodies;
 use crate::failure::Failure;
-use crate::measured_file::positive;
+use crate::measured_file::parse_positive;
 use crate::output::{line, print};
 use crate::spec_arguments::{SpecArguments, frequency_hz};
 use clap::Args;
@@ -87,21 +87,20 @@ impl SensingArguments {
     }
 
     /// Returns the names of the fixed bodies.
-    pub fn held(&self, spec: &Spec) -> Vec<String> {
+    pub fn held_bodies(&self, spec: &Spec) -> Vec<String> {
         fixed_bodies(&self.hold, self.fixed_table, spec)
     }
 
     /// Adds cables and accelerometers to the spec.
     fn fit(&self, spec: &mut Spec) -> Result<(), Failure> {
         if self.cable.is_some() || self.cable_leakage.is_some() {
-            let capacitance_f = self
-                .cable
-                .as_ref()
-                .map_or(Ok(0.0), |text| positive("--cable", text, Unit::Capacitance))?;
+            let capacitance_f = self.cable.as_ref().map_or(Ok(0.0), |text| {
+                parse_positive("--cable", text, Unit::Capacitance)
+            })?;
             let leakage_ohm = self
                 .cable_leakage
                 .as_ref()
-                .map(|text| positive("--cable-leakage", text, Unit::Resistance))
+                .map(|text| parse_positive("--cable-leakage", text, Unit::Resistance))
                 .transpose()?;
             Cable {
                 capacitance_f,
@@ -110,7 +109,11 @@ impl SensingArguments {
             .wire(spec)?;
         }
         if let Some(text) = &self.sensor_mass {
-            add_accelerometers(spec, &self.at, positive("--sensor-mass", text, Unit::Mass)?)?;
+            add_accelerometers(
+                spec,
+                &self.at,
+                parse_positive("--sensor-mass", text, Unit::Mass)?,
+            )?;
         }
         Ok(())
     }
@@ -121,13 +124,15 @@ impl Rig {
     pub fn run(&self) -> Result<(), Failure> {
         let mut spec = self.spec.spec()?;
         // Masses of the model are fixed, masses of the instruments are free.
-        let held = self.sensing.held(&spec);
+        let held_bodies = self.sensing.held_bodies(&spec);
         self.sensing.fit(&mut spec)?;
         let recording = match self.hammer.point() {
-            Some(point) => self.hammer.struck(spec, point, &held, &self.sensing)?,
+            Some(point) => self
+                .hammer
+                .record(spec, point, &held_bodies, &self.sensing)?,
             None => self
                 .shaker
-                .shaken(spec, &held, &self.sensing, &self.spec.folder())?,
+                .record(spec, &held_bodies, &self.sensing, &self.spec.folder())?,
         };
         write(&recording, &self.to)?;
         let names: Vec<&str> = recording

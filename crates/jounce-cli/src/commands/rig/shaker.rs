@@ -2,7 +2,7 @@
 
 use super::SensingArguments;
 use crate::failure::Failure;
-use crate::measured_file::{loaded, positive, summary};
+use crate::measured_file::{load_channels, parse_positive, summary};
 use clap::Args;
 use jounce_core::integrate::Control;
 use jounce_core::run::StartState;
@@ -77,10 +77,10 @@ pub struct ShakerArguments {
 
 impl ShakerArguments {
     /// Returns the recording of the test.
-    pub fn shaken(
+    pub fn record(
         &self,
         mut spec: Spec,
-        held: &[String],
+        held_bodies: &[String],
         sensing: &SensingArguments,
         folder: &Path,
     ) -> Result<Recording, Failure> {
@@ -88,22 +88,22 @@ impl ShakerArguments {
             self.move_base(&mut spec, file)?;
         }
         let (duration_s, average_over_s) = (spec.run.duration_s, spec.run.average_over_s);
-        let modes = structure::modes_holding(&spec, held)?;
+        let modes = structure::modes_holding(&spec, held_bodies)?;
         let starts = match &self.solution[..] {
             [] => vec![(0.0, start_of_run(&spec, &modes, folder)?)],
-            wanted => self.solutions(&spec, wanted)?,
+            requested => self.solutions(&spec, requested)?,
         };
-        let wander = Disturbance {
+        let disturbance = Disturbance {
             amplitude_ratio: self.amplitude_wander,
             frequency_ratio: self.frequency_wander,
-            memory_s: positive("--wander-time", &self.wander_time, Unit::Time)?,
+            memory_s: parse_positive("--wander-time", &self.wander_time, Unit::Time)?,
             amplitude_drift: self.amplitude_drift,
             frequency_drift: self.frequency_drift,
         };
-        let still = Disturbance {
-            memory_s: wander.memory_s,
+        let is_zero = Disturbance {
+            memory_s: disturbance.memory_s,
             ..Disturbance::NONE
-        } == wander;
+        } == disturbance;
         let test = ShakerTest {
             rate_hz: sensing.rate_hz()?,
             duration_s: average_over_s,
@@ -113,7 +113,11 @@ impl ShakerArguments {
                 0.0
             },
             starts,
-            disturbance: if still { Disturbance::NONE } else { wander },
+            disturbance: if is_zero {
+                Disturbance::NONE
+            } else {
+                disturbance
+            },
             accelerometers: sensing.at.clone(),
             sensor: sensing.sensor(),
             seed: sensing.seed,
@@ -122,34 +126,38 @@ impl ShakerArguments {
     }
 
     fn move_base(&self, spec: &mut Spec, file: &Path) -> Result<(), Failure> {
-        let mut survey = summary(file)?;
-        let heads = survey.heads();
+        let mut recording_summary = summary(file)?;
+        let heads = recording_summary.heads();
         let found = driving_channel(
-            (&survey.name, &heads, &survey.findings),
+            (&recording_summary.name, &heads, &recording_summary.findings),
             self.base_channel.as_deref(),
             Quantity::Acceleration,
         );
         let number = found.map_err(|error| Failure::usage(format!("--base-channel: {error}")))?;
         let assumed = heads[number].assumed_unit_issue(Quantity::Acceleration);
-        survey.findings.extend(assumed);
-        let recording = loaded(survey, &[number])?;
-        let name = &recording.channels[0].name;
-        let mean = on_recorded_base(spec, &recording, name, self.keep_mean)?;
-        let words = if self.keep_mean {
+        recording_summary.findings.extend(assumed);
+        let base_recording = load_channels(recording_summary, &[number])?;
+        let name = &base_recording.channels[0].name;
+        let mean = on_recorded_base(spec, &base_recording, name, self.keep_mean)?;
+        let mean_treatment = if self.keep_mean {
             "retained"
         } else {
             "subtracted"
         };
         eprintln!(
-            "the base moves as {name} of {}; its mean of {mean:.5} m/s^2 is {words}",
-            recording.name
+            "the base moves as {name} of {}; its mean of {mean:.5} m/s^2 is {mean_treatment}",
+            base_recording.name
         );
         Ok(())
     }
 
     /// Returns times and states of the requested solutions.
-    fn solutions(&self, spec: &Spec, wanted: &[String]) -> Result<Vec<(f64, StartState)>, Failure> {
-        let found = solutions(
+    fn solutions(
+        &self,
+        spec: &Spec,
+        requested: &[String],
+    ) -> Result<Vec<(f64, StartState)>, Failure> {
+        let known_solutions = solutions(
             spec,
             &SolutionSearch {
                 starts: self.starts,
@@ -158,12 +166,12 @@ impl ShakerArguments {
             },
             &Control::default(),
         )?;
-        let one = |(number, text): (usize, &String)| {
-            let (id, at) = text
+        let start = |(number, text): (usize, &String)| {
+            let (id, time) = text
                 .split_once('@')
-                .map_or((text.as_str(), None), |(id, at)| (id, Some(at)));
-            let at_s = match at {
-                Some(at) => positive("--solution", at, Unit::Time)?,
+                .map_or((text.as_str(), None), |(id, time)| (id, Some(time)));
+            let at_s = match time {
+                Some(time) => parse_positive("--solution", time, Unit::Time)?,
                 None if number == 0 => 0.0,
                 None => {
                     return Err(Failure::usage(format!(
@@ -172,10 +180,10 @@ impl ShakerArguments {
                 }
             };
             let at_s = if number == 0 { 0.0 } else { at_s };
-            let start = start_of(&found, id)
+            let start = start_of(&known_solutions, id)
                 .map_err(|error| Failure::usage(format!("--solution {text}: {error}")))?;
             Ok((at_s, start))
         };
-        wanted.iter().enumerate().map(one).collect()
+        requested.iter().enumerate().map(start).collect()
     }
 }
