@@ -8,7 +8,7 @@
 # %% [markdown]
 # # Branches and basins
 #
-# A sweep shows the answers that it happens to meet. A branch shows every periodic answer, stable or not, and a basin how likely each is.
+# A sweep shows the solutions that it happens to reach. A branch shows every periodic orbit, stable or not, and a basin its probability.
 
 # %%
 import jounce
@@ -26,7 +26,7 @@ sweep = harvester.sweep("drive.shaker.frequency", "11 Hz:14 Hz:0.25 Hz", directi
 sweep.plot_sweep(ax)
 
 # %% [markdown]
-# At 12.2 Hz there are several answers. From a hundred random starts, how often does each come?
+# At 12.2 Hz there are several attractors. From a hundred random starts, how often does each come?
 
 # %%
 basins = harvester.changed({"drive.shaker.frequency": "12.2 Hz"}).basins(starts=100)

@@ -62,7 +62,7 @@ ode45_s = time.perf_counter() - begun
 ode45_w = np.trapezoid(solution.y[-1] ** 2, times) / resistance
 
 # %% [markdown]
-# The same in jounce: the spec says all of it.
+# The same in jounce: the spec holds all of it.
 
 # %%
 run = harvester.run(record="1 s")

@@ -24,7 +24,7 @@ harvester.plot_harvester()
 harvester.modes(hold="table")
 
 # %% [markdown]
-# Mean power over the drive frequency, swept up and down. Where the two differ, the harvester has more than one answer.
+# Mean power over the drive frequency, swept up and down. Where the two differ, the harvester has more than one solution.
 
 # %%
 ax = None

@@ -9,7 +9,7 @@
 # # Your own rig
 #
 # From recordings of a test rig to a model that agrees with them. The rig is a virtual one here, so that the truth is known: a beam that is
-# 1 % thicker than its drawing says, and sensors with noise. Put your files in its place.
+# 1 % thicker than in its drawing, and sensors with noise. Put your files in its place.
 
 # %%
 import tempfile
@@ -26,7 +26,7 @@ built = harvester.changed({"beam.beam.thickness": f"{1.01 * harvester.si('beam.b
 # %% [markdown]
 # ## A hammer test
 #
-# Four hits on the clamped beam, an accelerometer near its end. What a logger writes is read with its units; everything odd is told.
+# Four hits on the clamped beam, an accelerometer near its end. jounce reads logger files with their units and reports every issue.
 
 # %%
 clamped = {"hammer": "beam.hammer", "at": ["beam.tip"], "hold": ["table"], "rate": "1024 Hz"}
@@ -70,7 +70,7 @@ power
 # %% [markdown]
 # ## Stretches of one solution each
 #
-# Somebody turns the shaker up while the logger runs. The arrays of two records make one.
+# The shaker level is raised while the logger runs. The arrays of two records make one.
 
 # %%
 quiet = shaken.changed({"drive.shaker.amplitude": "20 N"}).rig(rate="1 kHz", noise=0.01)
