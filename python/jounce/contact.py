@@ -67,7 +67,7 @@ class ContactResult(Result):
     speed_m_s: Annotated[Floats, Along("hit", "m/s", "speed of the hammer")]
     relative_error: Annotated[Floats, Along("hit", "1", "rms residual of the law relative to the largest force")]
     #: Laws that a pulse allows, at 95 %: ``"neither"``, ``"linear"``, ``"hertz"``, ``"both"``; empty where no law could be fitted.
-    told: list[str]
+    allowed_laws: list[str]
     #: Reason why no law could be fitted; empty where one was fitted.
     why: list[str]
     #: Warnings of each hit: ``"double"``, ``"clipped"``, ``"coarse"``, ``"cut"``.
@@ -80,7 +80,7 @@ class ContactResult(Result):
 
     def _summary(self) -> list[tuple[str, str]]:
         lines = [("channel", self.channel)]
-        for k, kind in enumerate(self.told):
+        for k, kind in enumerate(self.allowed_laws):
             hit = f"{self.peak_force_n[k]:.4f} N, {self.contact_time_s[k]:.4e} s above a tenth of it, impulse {self.impulse_n_s[k]:.4e} N s"
             lines.append((f"hit at {self.time_s[k]:.6f} s", ", ".join([hit, *self.warnings[k]])))
             if kind:
@@ -103,17 +103,19 @@ class ContactResult(Result):
 
     def _repr_html_(self) -> str:
         columns = (self.time_s, self.peak_force_n, self.contact_time_s, self.exponent, self.restitution)
-        rows = [[*(f"{one[k]:.5g}" for one in columns), LAW_DESCRIPTIONS.get(kind, self.why[k])] for k, kind in enumerate(self.told)]
+        rows = [
+            [*(f"{one[k]:.5g}" for one in columns), LAW_DESCRIPTIONS.get(kind, self.why[k])] for k, kind in enumerate(self.allowed_laws)
+        ]
         return html_table("Hits", ["time [s]", "peak force [N]", "contact [s]", "exponent", "restitution", ""], rows)
 
     def to_xarray(self) -> Any:
         """Returns an ``xarray.Dataset`` over ``hit``."""
-        variables = {**self._variables(), "told": Variable(("hit",), self.told, "", "laws that the pulse allows")}
+        variables = {**self._variables(), "allowed_laws": Variable(("hit",), self.allowed_laws, "", "laws that the pulse allows")}
         return self._dataset(variables, {"hit": Variable(("hit",), np.arange(len(self)), "1", "number of the hit")})
 
     def to_pandas(self) -> Any:
         """Returns a ``pandas.DataFrame`` with a row for each hit."""
-        return self._frame({**self._columns("hit"), "told": self.told, "why": self.why})
+        return self._frame({**self._columns("hit"), "allowed_laws": self.allowed_laws, "why": self.why})
 
     def plot_contact(self, ax: Any = None, hits: int = 6) -> Any:
         """Draws the first pulses with the laws fitted to them."""
@@ -148,7 +150,7 @@ def contact(record: Measured, *, sample_rate_hz: Any = None, force: str | None =
         law_contact_time_s=column(laws, "contact_time_s"),
         time_s=column(hits, "peak") / result["rate_hz"],
         **{name: column(hits, name) for name in ("peak_force_n", "contact_time_s", "impulse_n_s")},
-        told=[law.get("told", "") for law in laws],
+        allowed_laws=[law.get("allowed_laws", "") for law in laws],
         why=result["why"],
         warnings=[[kind_of(one) for one in hit["warnings"]] for hit in hits],
         pulses=[Pulse(*one) for one in result["pulses"]],

@@ -77,8 +77,8 @@ class SpecOnRig(SpecText):
         recording, for its duration, instead of the drives: a :class:`Recording`, a file or SEP005 time series. Its ``base_channel`` is by
         default the first acceleration, its mean is subtracted unless ``keep_mean``.
 
-        Raises :class:`ArgumentError` for a number out of range or an unknown name or solution, :class:`IntegrationError` for an integration that
-        could not continue. Source of the fluctuation: D. Gillespie, Phys. Rev. E 54 (1996) 2084, equation 1.9.
+        Raises :class:`ArgumentError` for a number out of range or an unknown name or solution, :class:`IntegrationError` for a failed
+        integration. Source of the fluctuation: D. Gillespie, Phys. Rev. E 54 (1996) 2084, equation 1.9.
         """
         check_integers(bits=bits, seed=seed, hits=hits, starts=starts, starts_seed=starts_seed)
         sensors: dict[str, Any] = {"rate_hz": positive_si("frequency", rate, "rate"), "noise": noise, "bits": bits, "seed": seed}

@@ -168,14 +168,14 @@ class RunResult(Result):
 
     def to_xarray(self) -> Any:
         """Returns an ``xarray.Dataset`` of the means over loads, patches, circuits and stops, without the record."""
-        told = {
+        settling = {
             "settled": Variable((), bool(self.settled), "1", "settled when averaged"),
             "period_cycles": Variable((), self.period_cycles or 0, "1", "period in drive cycles, 0 without a period"),
         }
         coords = {
             name: Variable((name,), getattr(self, name), "", name) for name in ("load", "patch", "rectified", "charge", "leak", "stop")
         }
-        return self._dataset({**self._variables(), **told}, coords)
+        return self._dataset({**self._variables(), **settling}, coords)
 
     def to_pandas(self) -> Any:
         """Returns a ``pandas.DataFrame`` with one row."""

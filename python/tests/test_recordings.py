@@ -26,8 +26,8 @@ def run_recording():
 
 def test_the_rig_is_that_of_the_command_line(hits, run_recording, command_line, tmp_path):
     hits.write(tmp_path / "own.parquet")
-    command_line("rig", *HITS_OPTIONS, f"--to={tmp_path / 'told.parquet'}")
-    actual, expected = (jounce.read_recordings(tmp_path / name)[0] for name in ("own.parquet", "told.parquet"))
+    command_line("rig", *HITS_OPTIONS, f"--to={tmp_path / 'command_line.parquet'}")
+    actual, expected = (jounce.read_recordings(tmp_path / name)[0] for name in ("own.parquet", "command_line.parquet"))
     assert_identical(actual.places, expected.places)
     for name in ("force", "beam.tip.acceleration"):
         assert_identical(actual[name], expected[name])
@@ -171,12 +171,12 @@ def test_contacts_are_those_of_the_command_line(command_line, tmp_path):
     recording.write(tmp_path / "pulses.csv")
     expected = command_line("contact", "--mass=0.1kg", spec=tmp_path / "pulses.csv")
     result = jounce.contact(recording, mass="100 g")
-    for name in ("exponent", "exponent_deviation", "restitution", "stiffness", "speed_m_s", "relative_error", "told"):
+    for name in ("exponent", "exponent_deviation", "restitution", "stiffness", "speed_m_s", "relative_error", "allowed_laws"):
         assert_identical(getattr(result, name), [one["law"][name] for one in expected["hits"]])
     assert_identical(result.peak_force_n, [one["hit"]["peak_force_n"] for one in expected["hits"]])
     # The law is linear, gives all of the speed back, and its stiffness is m w^2: off by 9e-8, 3e-10 and 7e-7.
     assert result.exponent == pytest.approx([1.0, 1.0], abs=1e-6) and result.restitution == pytest.approx([1.0, 1.0], abs=1e-8)
-    assert result.stiffness == pytest.approx([0.1 * (np.pi / 3e-3) ** 2] * 2, rel=1e-5) and result.told == ["linear", "linear"]
+    assert result.stiffness == pytest.approx([0.1 * (np.pi / 3e-3) ** 2] * 2, rel=1e-5) and result.allowed_laws == ["linear", "linear"]
     assert result.linear_stiffness == pytest.approx([0.1 * (np.pi / 3e-3) ** 2] * 2, rel=1e-5) and np.isnan(result.hertz_stiffness).all()
     assert_identical(result.linear_stiffness_low, [one["law"]["linear"]["stiffness_95"][0] for one in expected["hits"]])
     assert_identical(result.stiffness_high, [one["law"]["stiffness_95"][1] for one in expected["hits"]])
@@ -212,7 +212,7 @@ def test_modes_of_a_hammer_test_are_those_of_the_model_and_of_the_command_line(h
     # The truth is known: with 1 Mohm the frequencies are nearly those of the open patch, which are off by 8e-5, 3e-5 and 3e-6.
     truth = harvester.modes(hold=["table"]).open_circuit_hz[0]
     assert result.frequency_hz == pytest.approx(truth[(truth > 20.0) & (truth < 350.0)], rel=2e-4)
-    # The responses as arrays go the same way, without what the coherence told: off by 6.6e-5.
+    # The responses as arrays go the same way, without the noise given by the coherence: off by 6.6e-5.
     frf = result.frf
     recording = jounce.Recording.of(frf.responses, frequency_hz=frf.frequency_hz)
     repeated = jounce.measured_modes(recording, between=("20 Hz", "350 Hz"))

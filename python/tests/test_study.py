@@ -245,7 +245,7 @@ def test_two_processes_at_one_study_lose_nothing(study, table, tmp_path):
         return subprocess.run([sys.executable, "-c", code], input=payload, stdout=subprocess.PIPE, check=True).stdout.decode()
 
     with ThreadPoolExecutor(2) as pool:
-        # Two at the whole of it: the second is told of the first, or comes when that is done.
+        # Two processes on the complete study: the second fails with the name of the first, or starts when that is done.
         outputs = list(pool.map(run_shard, ["1/1", "1/1"]))
         assert all(text == "" or "another process works on shard 1/1" in text for text in outputs) and "" in outputs
         assert (tmp_path / "out/study.parquet").read_bytes() == table

@@ -78,13 +78,13 @@ export class Basins {
         });
         this.chart.show({ words: "Displacement", unit: "m" }, { words: "Velocity", unit: "m/s" }, curves);
         const share = (value: number) => `${digits(100 * value, 3)} %`;
-        const told = attractors.map((a, k) => {
+        const legend = attractors.map((a, k) => {
             const item = document.createElement("li");
             item.dataset.colour = String(k % 6);
             item.textContent = `${a.id}: ${share(a.fraction)} of the starts (${share(a.low)} to ${share(a.high)}), ${quantity(a.mean_power_w, "W")}`;
             return item;
         });
-        find("attractors").replaceChildren(...told);
-        this.chart.host.setAttribute("aria-label", `Attractors of ${x.length} starts. ${told.map((item) => item.textContent).join("; ")}`);
+        find("attractors").replaceChildren(...legend);
+        this.chart.host.setAttribute("aria-label", `Attractors of ${x.length} starts. ${legend.map((item) => item.textContent).join("; ")}`);
     }
 }

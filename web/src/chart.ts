@@ -114,7 +114,7 @@ export class Chart {
             ticks: { show: false },
             // uPlot 1.6.32 loops forever where a logarithmic axis begins just below a power of ten.
             ...(axis.log ? { splits: (_: uPlot, __: number, low: number, high: number) => decades(low, high) } : {}),
-            values: (_, splits) => splits.map((value) => (value === null || !told(value, axis) ? "" : digits(value / step, 5))),
+            values: (_, splits) => splits.map((value) => (value === null || !isLabelled(value, axis) ? "" : digits(value / step, 5))),
         };
     }
 
@@ -183,7 +183,7 @@ function drawable([low, high]: [number, number], log = false): [number, number] 
 }
 
 /** On a logarithmic axis 1, 2 and 5 have a label, and only 1 over many decades. */
-function told(value: number, { log, ends }: Axis): boolean {
+function isLabelled(value: number, { log, ends }: Axis): boolean {
     if (!log) return true;
     const mantissa = Math.round((1e6 * value) / 10 ** Math.floor(Math.log10(value) + 1e-9)) / 1e6;
     const many = (ends ? Math.log10(ends[1] / ends[0]) : 0) > 2.5;

@@ -307,7 +307,7 @@ fn print_hit(hit: &Hit, fitted: &Result<ContactFit, String>, rate_hz: f64) {
                     ));
                 }
             }
-            line(match law.told {
+            line(match law.allowed_laws {
                 AllowedLaws::Neither => "  neither a linear spring nor Hertz's law fits",
                 AllowedLaws::Linear => "  a linear spring fits, Hertz's law does not",
                 AllowedLaws::Hertz => "  Hertz's law fits, a linear spring does not",

@@ -37,7 +37,7 @@ pub struct ContactFit {
     /// RMS residual of the law relative to the peak force.
     pub relative_error: f64,
     /// Laws that the pulse allows.
-    pub told: AllowedLaws,
+    pub allowed_laws: AllowedLaws,
     /// Fit of a linear spring; `None` where the pulse does not allow it.
     pub linear: Option<FixedExponentLaw>,
     /// Fit of Hertz's law; `None` where the pulse does not allow it.
@@ -153,7 +153,7 @@ pub fn fit(
         stiffness_95: stiffness.as_ref().map(Stiffness::interval_95),
         speed_m_s: hammer_mass_kg.map(|mass_kg| speed_m_s(&problem, mass_kg)),
         relative_error: relative_error(squared, &time_s, hit),
-        told: laws,
+        allowed_laws: laws,
         linear: fixed_law(&[AllowedLaws::Linear, AllowedLaws::Both], 1.0)?,
         hertz: fixed_law(&[AllowedLaws::Hertz, AllowedLaws::Both], 1.5)?,
         units: PulseUnits {
@@ -300,7 +300,7 @@ mod tests {
         let (values, _) = record(1.2, 0.3, 1e-6, 1);
         let no_law = fitted(&values);
         assert_eq!(
-            (no_law.told, no_law.linear, no_law.hertz),
+            (no_law.allowed_laws, no_law.linear, no_law.hertz),
             (AllowedLaws::Neither, None, None)
         );
         let (values, stiffness) = record(1.5, 0.4, 40.0, 3);
@@ -390,7 +390,7 @@ mod tests {
 
     #[test]
     fn laws_are_distinguished_under_little_noise_only() {
-        assert_eq!(fitted(&record(1.5, 0.4, 0.5, 3).0).told, AllowedLaws::Hertz);
+        assert_eq!(fitted(&record(1.5, 0.4, 0.5, 3).0).allowed_laws, AllowedLaws::Hertz);
         let noisy: Vec<f64> = record(1.5, 0.4, 40.0, 3).0.into_iter().step_by(5).collect();
         let samples = Samples::new(&noisy, RATE / 5.0).unwrap();
         let result = fit(
@@ -399,7 +399,7 @@ mod tests {
             None,
         )
         .unwrap();
-        assert_eq!(result.told, AllowedLaws::Both, "{result:?}");
+        assert_eq!(result.allowed_laws, AllowedLaws::Both, "{result:?}");
         let (values, _) = record(1.5, 0.4, 0.5, 3);
         let coarse_values: Vec<f64> = values.into_iter().step_by(20).collect();
         let samples = Samples::new(&coarse_values, RATE / 20.0).unwrap();

@@ -271,7 +271,7 @@ mod tests {
                 .iter_mut()
                 .zip([("forgets", one), ("narrow band", other)])
             {
-                eprintln!("{name}, worth {number}: inside {covered:.3}, told {warned:.3}");
+                eprintln!("{name}, worth {number}: inside {covered:.3}, warned {warned:.3}");
                 assert!(
                     (0.92..=0.98).contains(&covered),
                     "{name} {number}: {covered}"
@@ -293,7 +293,7 @@ mod tests {
             let (covered, warned) = coverage_and_warnings(1.0, |seed| {
                 narrow_band(seed, 4000, number / (4000.0 * 2.0 * TAU * 0.05))
             });
-            eprintln!("worth {number}: inside {covered:.3}, told {warned:.3}");
+            eprintln!("worth {number}: inside {covered:.3}, warned {warned:.3}");
             assert!((low..=high).contains(&warned), "{number}: {warned}");
         }
         let long = mean_power(

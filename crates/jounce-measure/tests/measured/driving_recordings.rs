@@ -48,7 +48,7 @@ fn motion(of: &Motion) -> Option<Recording> {
                 .findings
                 .iter()
                 .any(|finding| finding.kind == *trap),
-            "{}: {trap:?} is not told",
+            "{}: {trap:?} is not reported",
             of.file
         );
     }
