@@ -390,7 +390,10 @@ mod tests {
 
     #[test]
     fn laws_are_distinguished_under_little_noise_only() {
-        assert_eq!(fitted(&record(1.5, 0.4, 0.5, 3).0).allowed_laws, AllowedLaws::Hertz);
+        assert_eq!(
+            fitted(&record(1.5, 0.4, 0.5, 3).0).allowed_laws,
+            AllowedLaws::Hertz
+        );
         let noisy: Vec<f64> = record(1.5, 0.4, 40.0, 3).0.into_iter().step_by(5).collect();
         let samples = Samples::new(&noisy, RATE / 5.0).unwrap();
         let result = fit(

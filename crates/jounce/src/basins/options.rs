@@ -26,7 +26,7 @@ pub struct BasinsOptions {
     #[arg(long, value_name = "SIDE=FROM:TO:Nx", allow_hyphen_values = true)]
     pub grid: Vec<String>,
     /// Relative tolerance of the integration.
-    #[arg(long, default_value_t = 1e-8)]
+    #[arg(long, default_value = "1e-8")]
     pub tolerance: f64,
     /// Longest period of an attractor, in drive cycles.
     #[arg(long, default_value_t = 64, value_parser = clap::value_parser!(u32).range(1..))]

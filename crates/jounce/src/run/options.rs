@@ -39,12 +39,12 @@ impl RunOptions {
         let (record_s, rate_hz) = (self.record_s, self.sample_rate_hz);
         if !(0.0..=duration_s).contains(&record_s) {
             let expected = format!("it must be from 0 s to run.duration = {duration_s} s");
-            return Err(Error::option("record", record_s, expected));
+            return Err(Error::option("record", format!("{record_s} s"), expected));
         }
         if !(rate_hz > 0.0 && rate_hz.is_finite()) {
             return Err(Error::option(
                 "sample_rate",
-                rate_hz,
+                format!("{rate_hz} Hz"),
                 "it must be greater than 0 Hz",
             ));
         }
@@ -53,7 +53,11 @@ impl RunOptions {
                 "with record = {record_s} s that is {:e} samples; at most {MAX_SAMPLES:e} are stored",
                 record_s * rate_hz
             );
-            return Err(Error::option("sample_rate", rate_hz, expected));
+            return Err(Error::option(
+                "sample_rate",
+                format!("{rate_hz} Hz"),
+                expected,
+            ));
         }
         Ok(())
     }
