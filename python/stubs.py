@@ -27,7 +27,6 @@ from numpy.typing import NDArray
 SIMPLE_TYPES = {
     "()": "None",
     "[u8]": "bytes",
-    "Given": "dict[str, Any]",
     "PyAny": "Any",
     "PyBytes": "bytes",
     "PyDict": "dict[str, Any]",

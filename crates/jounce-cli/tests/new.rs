@@ -23,8 +23,8 @@ fn jounce(folder: &Path, arguments: &[&str]) -> (i32, String, String) {
 }
 
 fn kinds(folder: &Path) -> Vec<String> {
-    let (code, out, _) = jounce(folder, &["new", "--json"]);
-    let json: Value = serde_json::from_str(&out).unwrap();
+    let (code, stdout, _) = jounce(folder, &["new", "--json"]);
+    let json: Value = serde_json::from_str(&stdout).unwrap();
     assert_eq!(code, 0);
     json["kinds"]
         .as_array()
@@ -35,28 +35,28 @@ fn kinds(folder: &Path) -> Vec<String> {
 }
 
 #[test]
-fn every_kind_is_listed_checked_marched_and_drawn() {
+fn every_kind_is_listed_checked_integrated_and_drawn() {
     let folder = tempfile::tempdir().unwrap();
     let (_, listing, _) = jounce(folder.path(), &["new"]);
     let kinds = kinds(folder.path());
     assert_eq!((kinds.len(), listing.lines().count()), (5, 5));
     for kind in &kinds {
         let file = format!("{kind}.toml");
-        let (code, out, told) = jounce(folder.path(), &["new", kind, "--out", &file]);
-        assert_eq!((code, out.trim()), (0, file.as_str()), "{told}");
+        let (code, stdout, stderr) = jounce(folder.path(), &["new", kind, "--out", &file]);
+        assert_eq!((code, stdout.trim()), (0, file.as_str()), "{stderr}");
         assert!(
             listing.lines().any(|line| line.starts_with(kind.as_str())),
             "{listing}"
         );
-        let (code, _, told) = jounce(folder.path(), &["check", &file]);
-        assert_eq!((code, told.as_str()), (0, ""), "{kind}");
-        let drawn = format!("{kind}.png");
+        let (code, _, stderr) = jounce(folder.path(), &["check", &file]);
+        assert_eq!((code, stderr.as_str()), (0, ""), "{kind}");
+        let picture = format!("{kind}.png");
         assert_eq!(
-            jounce(folder.path(), &["show", &file, "--out", &drawn]).0,
+            jounce(folder.path(), &["show", &file, "--out", &picture]).0,
             0,
             "{kind}"
         );
-        let (code, out, told) = jounce(
+        let (code, stdout, stderr) = jounce(
             folder.path(),
             &[
                 "run",
@@ -68,26 +68,26 @@ fn every_kind_is_listed_checked_marched_and_drawn() {
                 "run.average_over=1 s",
             ],
         );
-        let json: Value = serde_json::from_str(&out).unwrap();
+        let json: Value = serde_json::from_str(&stdout).unwrap();
         let strikes = json["contacts"].as_u64().unwrap() > 0;
         // Measured: at most 4e-12 of the largest energy.
         let closed = json["energy_residual_relative"].as_f64().unwrap().abs() < 1e-8;
         assert!(
             code == 0 && json["mean_power_w"].as_f64().unwrap() > 1e-6 && closed,
-            "{kind}: {json} {told}"
+            "{kind}: {json} {stderr}"
         );
         assert_eq!(strikes, kind != "bimorph-with-rectifier", "{kind}: {json}");
     }
 }
 
 #[test]
-fn the_random_one_is_marched_as_an_ensemble() {
+fn the_random_template_runs_as_an_ensemble() {
     let folder = tempfile::tempdir().unwrap();
     jounce(
         folder.path(),
         &["new", "random-base", "--out", "random.toml"],
     );
-    let short = [
+    let run_arguments = [
         "ensemble",
         "random.toml",
         "--members",
@@ -98,58 +98,66 @@ fn the_random_one_is_marched_as_an_ensemble() {
         "--set",
         "run.average_over=1 s",
     ];
-    let (code, out, told) = jounce(folder.path(), &short);
-    assert!(code == 0 && out.contains("mean_power_w"), "{out} {told}");
+    let (code, stdout, stderr) = jounce(folder.path(), &run_arguments);
+    assert!(
+        code == 0 && stdout.contains("mean_power_w"),
+        "{stdout} {stderr}"
+    );
 }
 
 #[test]
 fn without_a_file_the_spec_goes_to_stdout() {
     let folder = tempfile::tempdir().unwrap();
-    let (code, out, _) = jounce(folder.path(), &["new", "ball"]);
+    let (code, stdout, _) = jounce(folder.path(), &["new", "ball"]);
     assert!(
-        code == 0 && out.starts_with("# ") && out.contains("\n[mass.ball]\n"),
-        "{out}"
+        code == 0 && stdout.starts_with("# ") && stdout.contains("\n[mass.ball]\n"),
+        "{stdout}"
     );
     let json: Value =
         serde_json::from_str(&jounce(folder.path(), &["new", "ball", "--json"]).1).unwrap();
-    assert_eq!(json["spec"].as_str().unwrap(), out);
+    assert_eq!(json["spec"].as_str().unwrap(), stdout);
     assert!(std::fs::read_dir(folder.path()).unwrap().next().is_none());
 }
 
 #[test]
-fn what_stands_in_the_way_is_told_and_left_alone() {
+fn an_existing_file_is_reported_and_not_overwritten() {
     let folder = tempfile::tempdir().unwrap();
-    let (code, _, told) = jounce(folder.path(), &["new", "two-beam"]);
+    let (code, _, stderr) = jounce(folder.path(), &["new", "two-beam"]);
     assert!(
-        code == 2 && told.contains("did you mean \"two-beams\"") && told.lines().count() == 1,
-        "{code}: {told}"
+        code == 2 && stderr.contains("did you mean \"two-beams\"") && stderr.lines().count() == 1,
+        "{code}: {stderr}"
     );
-    let mine = folder.path().join("mine.toml");
-    std::fs::write(&mine, "mine").unwrap();
-    let again = ["new", "ball", "--out", "mine.toml"];
-    let (code, _, told) = jounce(folder.path(), &again);
+    let user_file = folder.path().join("mine.toml");
+    std::fs::write(&user_file, "mine").unwrap();
+    let arguments = ["new", "ball", "--out", "mine.toml"];
+    let (code, _, stderr) = jounce(folder.path(), &arguments);
     assert!(
-        code == 4 && told.contains("mine.toml already exists") && told.contains("--force"),
-        "{code}: {told}"
+        code == 4 && stderr.contains("mine.toml already exists") && stderr.contains("--force"),
+        "{code}: {stderr}"
     );
-    assert_eq!(std::fs::read_to_string(&mine).unwrap(), "mine");
+    assert_eq!(std::fs::read_to_string(&user_file).unwrap(), "mine");
     assert_eq!(
-        jounce(folder.path(), &[&again[..], &["--force"]].concat()).0,
+        jounce(folder.path(), &[&arguments[..], &["--force"]].concat()).0,
         0
     );
     assert!(
-        std::fs::read_to_string(&mine)
+        std::fs::read_to_string(&user_file)
             .unwrap()
             .contains("[mass.ball]")
     );
-    let (code, out, told) = jounce(
+    let (code, stdout, stderr) = jounce(
         folder.path(),
         &["new", "ball", "--json", "--out", "no/such/folder.toml"],
     );
     assert!(
-        code == 4 && told.contains("is not a folder; create it first") && told.lines().count() == 1,
-        "{code}: {told}"
+        code == 4
+            && stderr.contains("is not a folder; create it first")
+            && stderr.lines().count() == 1,
+        "{code}: {stderr}"
     );
-    assert_eq!(serde_json::from_str::<Value>(&out).unwrap()["exit_code"], 4);
+    assert_eq!(
+        serde_json::from_str::<Value>(&stdout).unwrap()["exit_code"],
+        4
+    );
     assert_eq!(jounce(folder.path(), &["new", "--out", "a.toml"]).0, 2);
 }

@@ -38,7 +38,7 @@ fn jounce(folder: &Path, arguments: &[&str]) -> (i32, Value, String) {
     )
 }
 
-fn written(folder: &Path, names: &[&str]) {
+fn assert_written(folder: &Path, names: &[&str]) {
     names
         .iter()
         .for_each(|name| assert!(folder.join(name).is_file(), "{name} is missing"));
@@ -47,7 +47,7 @@ fn written(folder: &Path, names: &[&str]) {
 /// A record of 20 s at 1536 Hz, noise of 1 %, a shaker that wanders, a jump from one solution to the other at 9 s. Measured: the change
 /// within 0.1 s of the jump, the right solution in both stretches, waveforms within 0.004, powers within 0.2 %.
 #[test]
-fn a_switch_between_two_solutions_is_cut_and_each_is_named() {
+fn a_switch_between_two_solutions_is_segmented_and_identified() {
     let folder = tempfile::tempdir().unwrap();
     let solutions = [
         "--solution",
@@ -61,7 +61,7 @@ fn a_switch_between_two_solutions_is_cut_and_each_is_named() {
         "--noise",
         "0.01",
     ];
-    let wander = [
+    let disturbance_options = [
         "--amplitude-wander",
         "0.002",
         "--frequency-wander",
@@ -72,7 +72,7 @@ fn a_switch_between_two_solutions_is_cut_and_each_is_named() {
     ];
     let (code, json, stderr) = jounce(
         folder.path(),
-        &[&["rig", SPEC], &CASE[..], &solutions, &wander].concat(),
+        &[&["rig", SPEC], &CASE[..], &solutions, &disturbance_options].concat(),
     );
     assert!(code == 0 && stderr.contains("not modelled"), "{stderr}");
     assert_eq!(
@@ -87,7 +87,7 @@ fn a_switch_between_two_solutions_is_cut_and_each_is_named() {
         "--starts",
         "8",
     ];
-    let cut = [
+    let segment_arguments = [
         "regimes",
         "switch.parquet",
         "--drive",
@@ -98,12 +98,12 @@ fn a_switch_between_two_solutions_is_cut_and_each_is_named() {
         "--out",
         "out",
     ];
-    let (code, json, stderr) = jounce(folder.path(), &[&cut[..], &model].concat());
+    let (code, json, stderr) = jounce(folder.path(), &[&segment_arguments[..], &model].concat());
     assert_eq!(code, 0, "{stderr}");
-    let stretches = json["regimes"]["stretches"].as_array().unwrap();
-    assert_eq!(stretches.len(), 2, "{json}");
+    let segments = json["regimes"]["stretches"].as_array().unwrap();
+    assert_eq!(segments.len(), 2, "{json}");
     assert!(
-        (stretches[1]["start_s"].as_f64().unwrap() - 9.0).abs()
+        (segments[1]["start_s"].as_f64().unwrap() - 9.0).abs()
             < json["regimes"]["uncertainty_s"].as_f64().unwrap(),
         "{json}"
     );
@@ -111,27 +111,26 @@ fn a_switch_between_two_solutions_is_cut_and_each_is_named() {
         .into_iter()
         .enumerate()
     {
-        let shown = &json["correspondences"][k];
-        let first = &shown["candidates"][0];
+        let match_json = &json["correspondences"][k];
+        let best = &match_json["candidates"][0];
         assert_eq!(
-            (&shown["fits"], &first["id"], &first["period_cycles"]),
+            (&match_json["fits"], &best["id"], &best["period_cycles"]),
             (&"one".into(), &id.into(), &cycles.into()),
-            "{shown}"
+            "{match_json}"
         );
         let number = |value: &Value| value.as_f64().unwrap();
         eprintln!(
             "{id}: waveform {:.4} away, spectrum {:.4}",
-            number(&first["waveform_distance"]),
-            number(&first["spectrum_distance"])
+            number(&best["waveform_distance"]),
+            number(&best["spectrum_distance"])
         );
         assert!(
-            number(&first["waveform_distance"]) < 0.02
-                && number(&first["spectrum_distance"]) < 0.02,
-            "{first}"
+            number(&best["waveform_distance"]) < 0.02 && number(&best["spectrum_distance"]) < 0.02,
+            "{best}"
         );
         assert!(
-            number(&shown["candidates"][1]["waveform_distance"]) > 0.3,
-            "{shown}"
+            number(&match_json["candidates"][1]["waveform_distance"]) > 0.3,
+            "{match_json}"
         );
         assert!(
             (number(&json["powers"][k]["mean_power_w"]) / power_w - 1.0).abs() < 0.01,
@@ -139,7 +138,7 @@ fn a_switch_between_two_solutions_is_cut_and_each_is_named() {
             json["powers"]
         );
     }
-    written(
+    assert_written(
         &folder.path().join("out"),
         &[
             "regimes.csv",
@@ -154,7 +153,7 @@ fn a_switch_between_two_solutions_is_cut_and_each_is_named() {
         "{table}"
     );
     // The linear harvester has one solution: the second stretch is none of it.
-    let other = [
+    let other_model = [
         "--model",
         SPEC,
         "--set",
@@ -164,21 +163,24 @@ fn a_switch_between_two_solutions_is_cut_and_each_is_named() {
         "--starts",
         "2",
     ];
-    let (_, json, _) = jounce(folder.path(), &[&cut[..7], &other].concat());
+    let (_, json, _) = jounce(
+        folder.path(),
+        &[&segment_arguments[..7], &other_model].concat(),
+    );
     let fits: Vec<&Value> = json["correspondences"]
         .as_array()
         .unwrap()
         .iter()
-        .map(|shown| &shown["fits"])
+        .map(|match_json| &match_json["fits"])
         .collect();
     assert_eq!(fits, ["one", "none"], "{json}");
 }
 
 /// The order lines of the first stretch are those of one period; the spectrogram and its convention are written.
 #[test]
-fn spectra_tell_their_convention_and_mark_the_orders() {
+fn spectra_print_their_convention_and_mark_the_orders() {
     let folder = tempfile::tempdir().unwrap();
-    let short = [
+    let short_options = [
         "--solution",
         "3a",
         "--starts",
@@ -194,7 +196,7 @@ fn spectra_tell_their_convention_and_mark_the_orders() {
             &["rig", SPEC],
             &CASE[..],
             &["--set", "run.average_over=6 s"],
-            &short,
+            &short_options,
         ]
         .concat(),
     );
@@ -206,10 +208,12 @@ fn spectra_tell_their_convention_and_mark_the_orders() {
         ],
     );
     assert_eq!(code, 0, "{stderr}");
-    let words = json["convention"].as_str().unwrap();
+    let convention = json["convention"].as_str().unwrap();
     assert!(
-        words.contains("hann") && words.contains("zero to peak") && words.contains("overlap 0.5"),
-        "{words}"
+        convention.contains("hann")
+            && convention.contains("zero to peak")
+            && convention.contains("overlap 0.5"),
+        "{convention}"
     );
     let density = json["density"].as_array().unwrap();
     let spacing = json["resolution_hz"].as_f64().unwrap();
@@ -222,7 +226,7 @@ fn spectra_tell_their_convention_and_mark_the_orders() {
         .map(|o| o["amplitude_peak"].as_f64().unwrap().powi(2) / 2.0)
         .sum();
     assert!((sum / orders - 1.0).abs() < 0.02, "{sum} {orders}");
-    written(
+    assert_written(
         &folder.path().join("out"),
         &[
             "spectra.csv",
@@ -241,15 +245,15 @@ fn spectra_tell_their_convention_and_mark_the_orders() {
 
 /// Wrong options end with one clear sentence; hits before the structure is quiet are told by the rig and by the analysis.
 #[test]
-fn what_cannot_be_recorded_is_told() {
+fn an_impossible_test_is_reported() {
     let folder = tempfile::tempdir().unwrap();
-    let rig = |more: &[&str]| {
+    let rig = |options: &[&str]| {
         jounce(
             folder.path(),
-            &[&["rig", SPEC, "--to", "a.csv"], more].concat(),
+            &[&["rig", SPEC, "--to", "a.csv"], options].concat(),
         )
     };
-    for (arguments, code, words) in [
+    for (arguments, code, convention) in [
         (vec!["--at", "beam.tpi"], 4, "beam.tip"),
         (
             vec!["--solution", "9z", "--starts", "2"],
@@ -271,10 +275,10 @@ fn what_cannot_be_recorded_is_told() {
         ),
         (vec!["--sensor-mass", "1g"], 2, "--at"),
     ] {
-        let (found, _, stderr) = rig(&arguments);
+        let (exit_code, _, stderr) = rig(&arguments);
         assert!(
-            found == code && stderr.contains(words) && !stderr.contains("panicked"),
-            "{arguments:?}: {found} {stderr}"
+            exit_code == code && stderr.contains(convention) && !stderr.contains("panicked"),
+            "{arguments:?}: {exit_code} {stderr}"
         );
     }
     let hits = [
@@ -298,6 +302,11 @@ fn what_cannot_be_recorded_is_told() {
         "{stderr}"
     );
     let (code, json, _) = jounce(folder.path(), &["frf", "--measured", "a.csv", "--json"]);
-    let told = |k: usize| json["hits"][k]["warnings"].to_string().contains("ringing");
-    assert!(code == 0 && !told(0) && told(1), "{}", json["hits"]);
+    let has_ringing_warning =
+        |k: usize| json["hits"][k]["warnings"].to_string().contains("ringing");
+    assert!(
+        code == 0 && !has_ringing_warning(0) && has_ringing_warning(1),
+        "{}",
+        json["hits"]
+    );
 }

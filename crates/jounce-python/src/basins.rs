@@ -21,10 +21,10 @@ pub fn basins<'py>(
     progress: Option<Bound<'py, PyAny>>,
 ) -> PythonResult<'py> {
     let options: BasinsOptions = flat::options(options)?;
-    let found = cancellable(py, progress.as_ref(), |control| {
+    let outcome = cancellable(py, progress.as_ref(), |control| {
         Ok(spec.harvester.with_control(control).basins(&options)?)
     });
-    let told = match options.grid.is_empty() {
+    let manifest_options = match options.grid.is_empty() {
         true => vec![
             ("starts", options.starts.to_string()),
             ("seed", options.seed.to_string()),
@@ -32,8 +32,8 @@ pub fn basins<'py>(
         ],
         false => vec![("grid", options.grid.join(" "))],
     };
-    let manifest = spec.manifest("basins", &told);
-    to_python_result(py, found, |result| into_python(py, &result, manifest))
+    let manifest = spec.manifest("basins", &manifest_options);
+    to_python_result(py, outcome, |result| into_python(py, &result, manifest))
 }
 
 fn into_python<'py>(
@@ -43,7 +43,7 @@ fn into_python<'py>(
 ) -> PyResult<Bound<'py, PyDict>> {
     let points: &[StartPoint] = &result.points;
     let number = |point: &StartPoint| point.attractor.map_or(NONE, |number| number as i64);
-    let dict = flat::dict_of(py, result, "attractors")?
+    let dict = flat::dict_with_main(py, result, "attractors")?
         .with("warnings", result.warnings())?
         .each("attractor_index", points, number)?
         .each("start_displacement_m", points, |point| point.displacement_m)?

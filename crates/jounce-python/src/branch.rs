@@ -30,10 +30,10 @@ fn method_of(name: &str, harmonics: Option<usize>) -> Result<OrbitMethodKind, Fa
     match (name, harmonics) {
         ("shooting", None) => Ok(OrbitMethodKind::Shooting),
         ("shooting", Some(harmonics)) => {
-            let why = format!(
+            let reason = format!(
                 "harmonics is {harmonics}; shooting has no harmonics: give method=\"harmonic-balance\" or leave harmonics out"
             );
-            Err(Failure::new("ArgumentError", why)
+            Err(Failure::new("ArgumentError", reason)
                 .with(serde_json::json!({ "harmonics": harmonics, "method": name })))
         }
         ("harmonic-balance", harmonics) => Ok(OrbitMethodKind::HarmonicBalance {
@@ -81,7 +81,7 @@ pub fn checked_seeds(seeds: usize) -> Result<usize, Failure> {
 pub fn checked_levels(levels: &[String], plant: &Plant) -> Result<Vec<QuantityLevel>, Failure> {
     let read = |text: &String| {
         QuantityLevel::parse(text, plant)
-            .map_err(|why| Failure::new("ArgumentError", format!("levels: {why}")))
+            .map_err(|reason| Failure::new("ArgumentError", format!("levels: {reason}")))
     };
     levels.iter().map(read).collect()
 }
@@ -119,21 +119,21 @@ pub fn branch<'py>(
     threads: Option<usize>,
     progress: Option<Bound<'py, PyAny>>,
 ) -> PythonResult<'py> {
-    let (way, tolerance, seeds) = (
+    let (method_kind, tolerance, seeds) = (
         method_of(method, harmonics)?,
         checked_tolerance(tolerance)?,
         checked_seeds(seeds)?,
     );
-    let over = format!("{key}={}:{}", range.0, range.1);
-    let (found_key, range) = spec.ends(key, range)?;
-    let found = cancellable(py, progress.as_ref(), |control| {
+    let range_text = format!("{key}={}:{}", range.0, range.1);
+    let (numeric_key, range) = spec.value_range(key, range)?;
+    let outcome = cancellable(py, progress.as_ref(), |control| {
         let base = spec.model(control)?;
-        let parameter = Parameter::new(&base, &found_key, range.1 - range.0);
+        let parameter = Parameter::new(&base, &numeric_key, range.1 - range.0);
         let search = BranchSearch {
             base: &base,
             parameter: &parameter,
             range,
-            method: way,
+            method: method_kind,
             tolerance,
             seeds,
             longest_period,
@@ -161,25 +161,25 @@ pub fn branch<'py>(
         })
     });
     let options = [
-        ("over", over),
+        ("over", range_text),
         ("method", method.to_owned()),
         ("tolerance", tolerance.to_string()),
         ("seeds", seeds.to_string()),
     ];
     let manifest = spec.manifest("branch", &options);
-    to_python_result(py, found, |(widths, branches, warnings)| {
-        let each = branches.iter().zip(&widths.branches);
-        let listed = each
-            .map(|(branch, width)| one(py, branch, width.as_ref()))
+    to_python_result(py, outcome, |(widths, branches, warnings)| {
+        let branches_with_widths = branches.iter().zip(&widths.branches);
+        let branch_dicts = branches_with_widths
+            .map(|(branch, width)| branch_dict(py, branch, width.as_ref()))
             .collect::<PyResult<Vec<_>>>()?;
-        let answer = PythonDict::new(py)
+        let dict = PythonDict::new(py)
             .with("key", key)?
-            .with("unit", found_key.unit())?
-            .with("branches", listed)?;
-        let answer = answer
+            .with("unit", numeric_key.unit())?
+            .with("branches", branch_dicts)?;
+        let dict = dict
             .with("warnings", warnings)?
             .with("half_power", json(&widths.together.as_ref())?)?;
-        Ok(answer.with("manifest", manifest)?.dict())
+        Ok(dict.with("manifest", manifest)?.dict())
     })
 }
 
@@ -191,19 +191,20 @@ fn warnings(
     tolerance: f64,
 ) -> Result<Vec<String>, Failure> {
     let limits = Limits::of(&base.spec, &base.kernel.plant);
-    let passed = branches
+    let exceeded = branches
         .iter()
         .map(|branch| branch.exceeded(parameter, &limits, tolerance))
         .collect::<Result<Vec<_>, AnalysisError>>()?;
-    let all: Vec<&[ExceededLimit]> = passed.iter().flatten().map(Vec::as_slice).collect();
+    let all_exceeded: Vec<&[ExceededLimit]> =
+        exceeded.iter().flatten().map(Vec::as_slice).collect();
     let values: Vec<f64> = branches
         .iter()
         .flat_map(|branch| &branch.points)
         .map(|point| point.parameter)
         .collect();
     let (path, unit) = (parameter.key().path(), parameter.key().unit());
-    Ok(WorstExcess::messages(&all, "points", |place| {
-        format!("{path} = {:.6} {unit}", values[place])
+    Ok(WorstExcess::messages(&all_exceeded, "points", |index| {
+        format!("{path} = {:.6} {unit}", values[index])
     }))
 }
 
@@ -213,14 +214,14 @@ pub fn json(value: &impl serde::Serialize) -> PyResult<String> {
 }
 
 /// Converts one branch to a dictionary.
-pub fn one<'py>(
+pub fn branch_dict<'py>(
     py: Python<'py>,
     branch: &Branch,
     width: Option<&Bandwidth>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let points: &[BranchPoint] = &branch.points;
     let bifurcations: &[Bifurcation] = &branch.bifurcations;
-    let answer = PythonDict::new(py)
+    let dict = PythonDict::new(py)
         .with("period_cycles", branch.period_cycles)?
         .each("parameter", points, |p| p.parameter)?
         .each("mean_power_w", points, |p| p.orbit.mean_power_w)?
@@ -240,28 +241,30 @@ pub fn one<'py>(
             "bifurcation_kind",
             bifurcations
                 .iter()
-                .map(|found| found.kind.name())
+                .map(|bifurcation| bifurcation.kind.name())
                 .collect::<Vec<_>>(),
         )?
         .with(
             "bifurcation_name",
             bifurcations
                 .iter()
-                .map(|found| found.level.clone().or(found.stop.clone()))
+                .map(|bifurcation| bifurcation.level.clone().or(bifurcation.stop.clone()))
                 .collect::<Vec<_>>(),
         )?
-        .each("bifurcation_parameter", bifurcations, |found| {
-            found.at.parameter
+        .each("bifurcation_parameter", bifurcations, |bifurcation| {
+            bifurcation.at.parameter
         })?
-        .each("bifurcation_power_w", bifurcations, |found| {
-            found.at.orbit.mean_power_w
+        .each("bifurcation_power_w", bifurcations, |bifurcation| {
+            bifurcation.at.orbit.mean_power_w
         })?
-        .each("bifurcation_displacement_peak_m", bifurcations, |found| {
-            found.at.orbit.displacement_peak_m
-        })?
+        .each(
+            "bifurcation_displacement_peak_m",
+            bifurcations,
+            |bifurcation| bifurcation.at.orbit.displacement_peak_m,
+        )?
         .with("not_proved", json(&branch.not_proved)?)?
         .with("not_followed", branch.not_followed)?
         .with("endings", json(&branch.endings)?)?
         .with("half_power", json(&width)?)?;
-    Ok(answer.dict())
+    Ok(dict.dict())
 }

@@ -26,37 +26,37 @@ pub fn cancellable<T: Send>(
 ) -> (T, Option<PyErr>) {
     let control = Control::default();
     let (sender, mut receiver) = channel::<()>();
-    let mut teller = ProgressReporter::new(progress.map(|progress| progress.clone().unbind()));
+    let mut reporter = ProgressReporter::new(progress.map(|progress| progress.clone().unbind()));
     std::thread::scope(|scope| {
-        let inside = control.clone();
+        let control_of_work = control.clone();
         let worker = scope.spawn(move || {
-            let answer = work(&inside);
+            let result = work(&control_of_work);
             let _ = sender.send(());
-            answer
+            result
         });
-        let mut ended = None;
+        let mut interruption = None;
         loop {
-            let heard;
-            (receiver, heard) = py.detach(move || {
-                let heard = receiver.recv_timeout(POLL_INTERVAL);
-                (receiver, heard)
+            let message;
+            (receiver, message) = py.detach(move || {
+                let message = receiver.recv_timeout(POLL_INTERVAL);
+                (receiver, message)
             });
-            let waits = heard == Err(RecvTimeoutError::Timeout);
-            if ended.is_none() {
-                ended = py
+            let is_running = message == Err(RecvTimeoutError::Timeout);
+            if interruption.is_none() {
+                interruption = py
                     .check_signals()
-                    .and_then(|()| teller.tell(py, &control, !waits))
+                    .and_then(|()| reporter.report(py, &control, !is_running))
                     .err();
             }
-            if !waits {
+            if !is_running {
                 break;
             }
-            if ended.is_some() {
+            if interruption.is_some() {
                 control.stop();
             }
         }
         match worker.join() {
-            Ok(answer) => (answer, ended),
+            Ok(result) => (result, interruption),
             Err(panic) => std::panic::resume_unwind(panic),
         }
     })
@@ -64,26 +64,26 @@ pub fn cancellable<T: Send>(
 
 /// Runs work with long parts that do not check for cancellation. The work owns its data: at Ctrl-C
 /// it is abandoned, and its result is discarded.
-pub fn left_alone<T: Send + 'static>(
+pub fn detached<T: Send + 'static>(
     py: Python<'_>,
     work: impl FnOnce(&Control) -> Result<T, Failure> + Send + 'static,
 ) -> (Result<T, Failure>, Option<PyErr>) {
     let control = Control::default();
-    let inside = control.clone();
+    let control_of_work = control.clone();
     let (sender, mut receiver) = channel();
-    let worker = std::thread::spawn(move || sender.send(work(&inside)));
+    let worker = std::thread::spawn(move || sender.send(work(&control_of_work)));
     loop {
-        let heard;
-        (receiver, heard) = py.detach(move || {
-            let heard = receiver.recv_timeout(POLL_INTERVAL);
-            (receiver, heard)
+        let message;
+        (receiver, message) = py.detach(move || {
+            let message = receiver.recv_timeout(POLL_INTERVAL);
+            (receiver, message)
         });
-        match heard {
-            Ok(answer) => return (answer, None),
+        match message {
+            Ok(result) => return (result, None),
             Err(RecvTimeoutError::Timeout) => {
-                if let Err(ended) = py.check_signals() {
+                if let Err(interruption) = py.check_signals() {
                     control.stop();
-                    return (Err(Failure::stopped()), Some(ended));
+                    return (Err(Failure::stopped()), Some(interruption));
                 }
             }
             Err(RecvTimeoutError::Disconnected) => match worker.join() {
@@ -96,93 +96,97 @@ pub fn left_alone<T: Send + 'static>(
 
 /// Runs one integration on this thread: it ends before another thread would have started, or checks
 /// between its steps.
-pub fn visited<T: Send>(
+pub fn on_this_thread<T: Send>(
     py: Python<'_>,
     progress: Option<&Bound<'_, PyAny>>,
     work: impl FnOnce(&Control) -> T + Send,
 ) -> (T, Option<PyErr>) {
-    let visit = Arc::new(Mutex::new(Visit {
-        looked: Instant::now(),
-        ended: None,
-        teller: ProgressReporter::new(progress.map(|own| own.clone().unbind())),
+    let callback_state = Arc::new(Mutex::new(CallbackState {
+        last_check: Instant::now(),
+        interruption: None,
+        reporter: ProgressReporter::new(progress.map(|progress| progress.clone().unbind())),
     }));
-    let inside = Arc::clone(&visit);
+    let shared_state = Arc::clone(&callback_state);
     let control = Control::with_callback(move |control| {
-        inside
+        shared_state
             .lock()
             .unwrap_or_else(PoisonError::into_inner)
-            .look(control)
+            .poll(control)
     });
-    let answer = py.detach(|| work(&control));
-    let mut visit = visit.lock().unwrap_or_else(PoisonError::into_inner);
-    let ended = visit.ended.take().or_else(|| {
+    let result = py.detach(|| work(&control));
+    let mut callback_state = callback_state
+        .lock()
+        .unwrap_or_else(PoisonError::into_inner);
+    let interruption = callback_state.interruption.take().or_else(|| {
         py.check_signals()
-            .and_then(|()| visit.teller.tell(py, &control, true))
+            .and_then(|()| callback_state.reporter.report(py, &control, true))
             .err()
     });
-    (answer, ended)
+    (result, interruption)
 }
 
 /// Check from within the work.
-struct Visit {
-    looked: Instant,
-    ended: Option<PyErr>,
-    teller: ProgressReporter,
+struct CallbackState {
+    last_check: Instant,
+    interruption: Option<PyErr>,
+    reporter: ProgressReporter,
 }
 
-impl Visit {
-    fn look(&mut self, control: &Control) {
-        if self.ended.is_some() || self.looked.elapsed() < POLL_INTERVAL {
+impl CallbackState {
+    fn poll(&mut self, control: &Control) {
+        if self.interruption.is_some() || self.last_check.elapsed() < POLL_INTERVAL {
             return;
         }
-        self.ended = Python::attach(|py| {
+        self.interruption = Python::attach(|py| {
             py.check_signals()
-                .and_then(|()| self.teller.tell(py, control, false))
+                .and_then(|()| self.reporter.report(py, control, false))
         })
         .err();
-        if self.ended.is_some() {
+        if self.interruption.is_some() {
             control.stop();
         }
-        self.looked = Instant::now();
+        self.last_check = Instant::now();
     }
 }
 
 /// Reports progress to Python.
 struct ProgressReporter {
     progress: Option<Py<PyAny>>,
-    begun: Instant,
-    told: Instant,
-    last: (u64, u64),
+    start: Instant,
+    last_report: Instant,
+    last_progress: (u64, u64),
 }
 
 impl ProgressReporter {
     fn new(progress: Option<Py<PyAny>>) -> Self {
         Self {
             progress,
-            begun: Instant::now(),
-            told: Instant::now(),
-            last: (0, 0),
+            start: Instant::now(),
+            last_report: Instant::now(),
+            last_progress: (0, 0),
         }
     }
 
-    fn tell(&mut self, py: Python<'_>, control: &Control, at_the_end: bool) -> PyResult<()> {
+    fn report(&mut self, py: Python<'_>, control: &Control, is_final: bool) -> PyResult<()> {
         let Some(progress) = &self.progress else {
             return Ok(());
         };
         // The progress requested here is read at the next check.
         control.request_progress();
-        let now = control.progress();
-        let due = at_the_end || self.told.elapsed() >= REPORT_INTERVAL;
-        if now == self.last || !due {
+        let current = control.progress();
+        let is_due = is_final || self.last_report.elapsed() >= REPORT_INTERVAL;
+        if current == self.last_progress || !is_due {
             return Ok(());
         }
-        (self.last, self.told) = (now, Instant::now());
-        let (done, expected) = now;
+        (self.last_progress, self.last_report) = (current, Instant::now());
+        let (done, expected) = current;
         // Without a known end no time left is estimated.
-        let left_s = (done > 0 && expected > 0).then(|| {
-            self.begun.elapsed().as_secs_f64() * expected.saturating_sub(done) as f64 / done as f64
+        let remaining_s = (done > 0 && expected > 0).then(|| {
+            self.start.elapsed().as_secs_f64() * expected.saturating_sub(done) as f64 / done as f64
         });
-        progress.call1(py, (done, expected, left_s)).map(|_| ())
+        progress
+            .call1(py, (done, expected, remaining_s))
+            .map(|_| ())
     }
 }
 
@@ -207,12 +211,12 @@ pub fn on_threads<T: Send>(
 /// is returned.
 pub fn to_python_result<'py, T>(
     py: Python<'py>,
-    (answer, ended): (Result<T, Failure>, Option<PyErr>),
-    told: impl FnOnce(T) -> PyResult<Bound<'py, pyo3::types::PyDict>>,
+    (result, interruption): (Result<T, Failure>, Option<PyErr>),
+    into_python: impl FnOnce(T) -> PyResult<Bound<'py, pyo3::types::PyDict>>,
 ) -> PyResult<(Option<Bound<'py, pyo3::types::PyDict>>, Option<PyErr>)> {
-    match (answer, ended) {
-        (Ok(answer), ended) => Ok((Some(told(answer)?), ended)),
-        (Err(_), Some(ended)) => Ok((None, Some(ended))),
-        (Err(failure), None) => Err(failure.raised(py)),
+    match (result, interruption) {
+        (Ok(result), interruption) => Ok((Some(into_python(result)?), interruption)),
+        (Err(_), Some(interruption)) => Ok((None, Some(interruption))),
+        (Err(failure), None) => Err(failure.into_exception(py)),
     }
 }

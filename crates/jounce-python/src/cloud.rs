@@ -30,26 +30,27 @@ impl CloudOptions {
         if (1..=MAX_STARTS).contains(&starts) && spread > 0.0 && spread.is_finite() {
             return Ok(cloud);
         }
-        let why = format!(
+        let reason = format!(
             "starts is {starts} and spread {spread}; starts must be from 1 to {MAX_STARTS}, spread greater than 0 and finite"
         );
         let details = serde_json::json!({ "starts": starts, "least_starts": 1, "most_starts": MAX_STARTS, "spread": spread });
-        Err(Failure::new("ArgumentError", why).with(details))
+        Err(Failure::new("ArgumentError", reason).with(details))
     }
 
-    /// Refuses the options where there is no cloud; `else_try` names the option that needs one.
-    pub fn refuse(self, else_try: &str) -> Result<(), Failure> {
-        let given = [
+    /// Refuses the options where there is no cloud; `alternative` names the option that needs one.
+    pub fn refuse_options(self, alternative: &str) -> Result<(), Failure> {
+        let options = [
             ("starts", self.starts.is_some()),
             ("seed", self.seed.is_some()),
             ("spread", self.spread.is_some()),
         ];
-        match given.into_iter().find(|(_, is_given)| *is_given) {
+        match options.into_iter().find(|(_, is_given)| *is_given) {
             None => Ok(()),
             Some((option, _)) => {
-                let why =
-                    format!("{option} needs a cloud of starts: {else_try} or leave {option} out");
-                Err(Failure::new("ArgumentError", why)
+                let reason = format!(
+                    "{option} needs a cloud of starts: {alternative} or leave {option} out"
+                );
+                Err(Failure::new("ArgumentError", reason)
                     .with(serde_json::json!({ "option": option })))
             }
         }

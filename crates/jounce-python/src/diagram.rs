@@ -1,7 +1,7 @@
 //! Bifurcation diagrams.
 
 use crate::arrays::PythonDict;
-use crate::branch::{checked_tolerance, json, one};
+use crate::branch::{branch_dict, checked_tolerance, json};
 use crate::cancellable::{cancellable, on_threads, to_python_result};
 use crate::cloud::CloudOptions;
 use crate::driven;
@@ -40,7 +40,7 @@ struct DiagramOptions {
 }
 
 struct DiagramResult {
-    visits: Vec<DiagramPoint>,
+    points: Vec<DiagramPoint>,
     history: Option<AttractorTracks>,
     branches: Vec<Branch>,
 }
@@ -68,12 +68,12 @@ pub fn diagram<'py>(
     progress: Option<Bound<'py, PyAny>>,
 ) -> PythonResult<'py> {
     if let Some(longest_period) = longest_period.filter(|_| !branches) {
-        let why = format!(
+        let reason = format!(
             "longest_period is {longest_period}, and there are no continued branches: leave it or branches=False out"
         );
-        return Err(Failure::new("ArgumentError", why)
+        return Err(Failure::new("ArgumentError", reason)
             .with(serde_json::json!({ "longest_period": longest_period }))
-            .raised(py));
+            .into_exception(py));
     }
     let order = order_of(
         direction,
@@ -85,9 +85,11 @@ pub fn diagram<'py>(
     )?;
     let longest_period = longest_period.unwrap_or(DEFAULT_MAX_PERIOD);
     if !(1..=100_000).contains(&cycles) {
-        let why = format!("cycles is {cycles}; it must be from 1 to 100000");
+        let reason = format!("cycles is {cycles}; it must be from 1 to 100000");
         let details = serde_json::json!({ "cycles": cycles, "least": 1, "most": 100_000 });
-        return Err(Failure::new("ArgumentError", why).with(details).raised(py));
+        return Err(Failure::new("ArgumentError", reason)
+            .with(details)
+            .into_exception(py));
     }
     let options = DiagramOptions {
         order,
@@ -103,21 +105,21 @@ pub fn diagram<'py>(
             "ArgumentError",
             format!("{key}: the values of a diagram must increase"),
         )
-        .raised(py));
+        .into_exception(py));
     }
-    let found = cancellable(py, progress.as_ref(), |control| {
-        marched(spec, &range, &options, control)
+    let outcome = cancellable(py, progress.as_ref(), |control| {
+        integrate(spec, &range, &options, control)
     });
-    let mut told_options = vec![
+    let mut manifest_options = vec![
         ("over", format!("{key}={values}")),
         ("direction", direction.to_owned()),
     ];
     if let DiagramOrder::Starts(cloud) = order {
-        told_options.push(("seed", cloud.seed.to_string()));
+        manifest_options.push(("seed", cloud.seed.to_string()));
     }
-    let manifest = spec.manifest("diagram", &told_options);
-    to_python_result(py, found, |found| {
-        into_python(py, (key, range.key().unit(), manifest), &found)
+    let manifest = spec.manifest("diagram", &manifest_options);
+    to_python_result(py, outcome, |result| {
+        into_python(py, (key, range.key().unit(), manifest), &result)
     })
 }
 
@@ -128,17 +130,17 @@ fn order_of(direction: &str, cloud: CloudOptions) -> Result<DiagramOrder, Failur
         "both" => DiagramOrder::Both,
         "starts" => return Ok(DiagramOrder::Starts(cloud.cloud(STARTS)?)),
         _ => {
-            let why = format!(
+            let reason = format!(
                 "direction is \"{direction}\"; it must be \"up\", \"down\", \"both\" or \"starts\""
             );
-            return Err(Failure::new("ArgumentError", why));
+            return Err(Failure::new("ArgumentError", reason));
         }
     };
-    cloud.refuse("add direction=\"starts\"")?;
+    cloud.refuse_options("add direction=\"starts\"")?;
     Ok(order)
 }
 
-fn marched(
+fn integrate(
     spec: &Spec,
     range: &KeyRange,
     options: &DiagramOptions,
@@ -180,18 +182,22 @@ fn marched(
         longest_period,
     };
     on_threads(options.threads, || {
-        let visits = study.run(None, &|_| ())?;
-        let matched = matches!(order, DiagramOrder::Starts(_)) && !control.is_stopped();
-        let history = if matched {
-            Some(study.history(&visits)?)
+        let points = study.run(None, &|_| ())?;
+        let with_history = matches!(order, DiagramOrder::Starts(_)) && !control.is_stopped();
+        let history = if with_history {
+            Some(study.history(&points)?)
         } else {
             None
         };
-        let followed = options.branches && high > low && !control.is_stopped();
-        let branches = if followed { search.run()? } else { Vec::new() };
+        let with_branches = options.branches && high > low && !control.is_stopped();
+        let branches = if with_branches {
+            search.run()?
+        } else {
+            Vec::new()
+        };
         // A history of interrupted runs is incomplete.
         Ok(DiagramResult {
-            visits,
+            points,
             history: history.filter(|_| !control.is_stopped()),
             branches,
         })
@@ -201,60 +207,67 @@ fn marched(
 fn into_python<'py>(
     py: Python<'py>,
     (key, unit, manifest): (&str, String, String),
-    found: &DiagramResult,
+    result: &DiagramResult,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let visits: &[DiagramPoint] = &found.visits;
-    let section: Vec<(i64, &SectionPoint)> = visits
+    let points: &[DiagramPoint] = &result.points;
+    let section: Vec<(i64, &SectionPoint)> = points
         .iter()
         .enumerate()
-        .flat_map(|(k, visit)| visit.section.iter().map(move |point| (k as i64, point)))
+        .flat_map(|(k, point)| {
+            point
+                .section
+                .iter()
+                .map(move |section_point| (k as i64, section_point))
+        })
         .collect();
-    let homes = match &found.history {
+    let attractor_indices = match &result.history {
         Some(history) => history
             .homes
             .iter()
-            .map(|home| home.map_or(NOWHERE, |home| home as i64))
+            .map(|index| index.map_or(NOWHERE, |index| index as i64))
             .collect(),
-        None => vec![NOWHERE; visits.len()],
+        None => vec![NOWHERE; points.len()],
     };
-    let branches = found
+    let branches = result
         .branches
         .iter()
-        .map(|branch| one(py, branch, None))
+        .map(|branch| branch_dict(py, branch, None))
         .collect::<PyResult<Vec<_>>>()?;
-    let attractors = found.history.as_ref().map(|history| &history.attractors);
-    let answer = PythonDict::new(py)
+    let attractors = result.history.as_ref().map(|history| &history.attractors);
+    let dict = PythonDict::new(py)
         .with("key", key)?
         .with("unit", unit)?
-        .each("parameter", visits, |v| v.parameter)?
+        .each("parameter", points, |v| v.parameter)?
         .with(
             "direction",
-            visits
+            points
                 .iter()
                 .map(|v| v.direction.name())
                 .collect::<Vec<_>>(),
         )?
-        .each("start", visits, |v| v.start as i64)?
+        .each("start", points, |v| v.start as i64)?
         .with(
             "motion",
-            visits.iter().map(|v| v.motion.name()).collect::<Vec<_>>(),
+            points.iter().map(|v| v.motion.name()).collect::<Vec<_>>(),
         )?
-        .each("period_cycles", visits, |v| i64::from(v.period_cycles))?
-        .each("contacts_per_period", visits, |v| {
+        .each("period_cycles", points, |v| i64::from(v.period_cycles))?
+        .each("contacts_per_period", points, |v| {
             v.contacts_per_period as i64
         })?
-        .each("mean_power_w", visits, |v| v.mean_power_w)?
-        .array("attractor_number", homes)?
-        .each("section_visit", &section, |(visit, _)| *visit)?
-        .each("section_displacement_m", &section, |(_, point)| {
-            point.displacement_m
+        .each("mean_power_w", points, |v| v.mean_power_w)?
+        .array("attractor_number", attractor_indices)?
+        .each("section_visit", &section, |(index, _)| *index)?
+        .each("section_displacement_m", &section, |(_, section_point)| {
+            section_point.displacement_m
         })?
-        .each("section_velocity_m_s", &section, |(_, point)| {
-            point.velocity_m_per_s
+        .each("section_velocity_m_s", &section, |(_, section_point)| {
+            section_point.velocity_m_per_s
         })?
-        .each("section_voltage_v", &section, |(_, point)| point.voltage_v)?
+        .each("section_voltage_v", &section, |(_, section_point)| {
+            section_point.voltage_v
+        })?
         .with("attractors", json(&attractors)?)?
         .with("branches", branches)?
         .with("manifest", manifest)?;
-    Ok(answer.dict())
+    Ok(dict.dict())
 }

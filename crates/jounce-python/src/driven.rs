@@ -13,12 +13,12 @@ pub fn check(plant: &Plant, what: &str) -> Result<(), Failure> {
         }
         .into());
     }
-    let moving = plant
+    let has_moving_drive = plant
         .system
         .drives
         .iter()
         .any(|drive| drive.amplitude_n != 0.0);
-    match (plant.period_s(), moving) {
+    match (plant.period_s(), has_moving_drive) {
         (Some(_), true) => Ok(()),
         (Some(_), false) => Err(Failure::new(
             "ArgumentError",

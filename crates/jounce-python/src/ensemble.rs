@@ -41,20 +41,24 @@ pub fn ensemble<'py>(
         || relative_width.is_some_and(|width| !(width > 0.0 && width < 1.0))
     {
         let width = relative_width.map_or_else(|| "None".to_owned(), |width| width.to_string());
-        let why = format!(
+        let reason = format!(
             "members is {members} and relative_width {width}; members must be from 1 to {MAX_MEMBERS}, relative_width between 0 and 1"
         );
         let details = serde_json::json!({ "members": members, "relative_width": relative_width, "least_members": 1, "most_members": MAX_MEMBERS });
-        return Err(Failure::new("ArgumentError", why).with(details).raised(py));
+        return Err(Failure::new("ArgumentError", reason)
+            .with(details)
+            .into_exception(py));
     }
     if spectrum && members < 2 {
-        let why = "spectrum needs at least two members to estimate the scatter of the density";
+        let reason = "spectrum needs at least two members to estimate the scatter of the density";
         let details = serde_json::json!({ "members": members, "least_members": 2 });
-        return Err(Failure::new("ArgumentError", why).with(details).raised(py));
+        return Err(Failure::new("ArgumentError", reason)
+            .with(details)
+            .into_exception(py));
     }
-    let own = spec.with_tolerance(tolerance)?;
-    let spec = own.as_ref().unwrap_or(spec);
-    let found = cancellable(py, progress.as_ref(), |control| {
+    let tightened = spec.with_tolerance(tolerance)?;
+    let spec = tightened.as_ref().unwrap_or(spec);
+    let outcome = cancellable(py, progress.as_ref(), |control| {
         let base = spec.model(control)?;
         let start = base.start(&spec.folder())?;
         let most_rounds = if relative_width.is_some() {
@@ -79,60 +83,60 @@ pub fn ensemble<'py>(
         ("spectrum", spectrum.to_string()),
     ];
     let manifest = spec.manifest("ensemble", &options);
-    to_python_result(py, found, |answer| into_python(py, &answer, manifest))
+    to_python_result(py, outcome, |result| into_python(py, &result, manifest))
 }
 
 fn into_python<'py>(
     py: Python<'py>,
-    found: &EnsembleResult,
+    result: &EnsembleResult,
     manifest: String,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let all: &[Member] = &found.members;
-    let over = if found.power_w.interval == IntervalOver::Members {
+    let members: &[Member] = &result.members;
+    let interval_text = if result.power_w.interval == IntervalOver::Members {
         "members"
     } else {
         "batches"
     };
-    let answer = PythonDict::new(py)
-        .with("mean_power_w", found.power_w.mean)?
-        .with("mean_power_half_width_w", found.power_w.half_width)?
-        .with("interval_over", over)?
-        .with("reached", found.reached)?
-        .with("contact_rate_hz", found.contact_rate_hz.mean)?
+    let dict = PythonDict::new(py)
+        .with("mean_power_w", result.power_w.mean)?
+        .with("mean_power_half_width_w", result.power_w.half_width)?
+        .with("interval_over", interval_text)?
+        .with("reached", result.reached)?
+        .with("contact_rate_hz", result.contact_rate_hz.mean)?
         .with(
             "contact_rate_half_width_hz",
-            found.contact_rate_hz.half_width,
+            result.contact_rate_hz.half_width,
         )?
-        .with("mean_impact_velocity_m_s", found.mean_impact_velocity_m_s)?
-        .with("max_impact_velocity_m_s", found.max_impact_velocity_m_s)?
-        .with("mean_contact_duration_s", found.mean_contact_duration_s)?
-        .each("member", all, |m| m.index as i64)?
-        .each("member_power_w", all, |m| m.mean_power_w)?
-        .each("member_contacts", all, |m| m.contacts as i64)?
-        .each("member_contact_rate_hz", all, |m| m.contact_rate_hz)?
-        .each("member_mean_impact_velocity_m_s", all, |m| {
+        .with("mean_impact_velocity_m_s", result.mean_impact_velocity_m_s)?
+        .with("max_impact_velocity_m_s", result.max_impact_velocity_m_s)?
+        .with("mean_contact_duration_s", result.mean_contact_duration_s)?
+        .each("member", members, |m| m.index as i64)?
+        .each("member_power_w", members, |m| m.mean_power_w)?
+        .each("member_contacts", members, |m| m.contacts as i64)?
+        .each("member_contact_rate_hz", members, |m| m.contact_rate_hz)?
+        .each("member_mean_impact_velocity_m_s", members, |m| {
             m.mean_impact_velocity_m_s
         })?
-        .each("member_max_impact_velocity_m_s", all, |m| {
+        .each("member_max_impact_velocity_m_s", members, |m| {
             m.max_impact_velocity_m_s
         })?
-        .each("member_mean_contact_duration_s", all, |m| {
+        .each("member_mean_contact_duration_s", members, |m| {
             m.mean_contact_duration_s
         })?
-        .each("member_max_penetration_m", all, |m| m.max_penetration_m)?
-        .each("member_energy_residual_relative", all, |m| {
+        .each("member_max_penetration_m", members, |m| m.max_penetration_m)?
+        .each("member_energy_residual_relative", members, |m| {
             m.energy_residual_relative
         })?
-        .with("warnings", warnings(all))?
+        .with("warnings", warnings(members))?
         .with("manifest", manifest)?;
-    spectra(stops(answer, &found.stops)?, &found.spectra).map(PythonDict::dict)
+    spectra(stops(dict, &result.stops)?, &result.spectra).map(PythonDict::dict)
 }
 
 /// Names of a mean and of its half width, and the estimate.
 type Named = (&'static str, &'static str, fn(&StopEstimates) -> &Estimate);
 
 /// Adds the contacts of each stop.
-fn stops<'py>(answer: PythonDict<'py>, stops: &[StopEstimates]) -> PyResult<PythonDict<'py>> {
+fn stops<'py>(dict: PythonDict<'py>, stops: &[StopEstimates]) -> PyResult<PythonDict<'py>> {
     let estimates: [Named; 4] = [
         (
             "stop_contact_rate_hz",
@@ -155,75 +159,74 @@ fn stops<'py>(answer: PythonDict<'py>, stops: &[StopEstimates]) -> PyResult<Pyth
             |stop| &stop.contact_duty,
         ),
     ];
-    let answer = estimates
+    let dict = estimates
         .into_iter()
-        .try_fold(answer, |answer, (mean, half_width, of)| {
-            answer
-                .each(mean, stops, |stop| of(stop).mean)?
-                .each(half_width, stops, |stop| of(stop).half_width)
+        .try_fold(dict, |dict, (mean, half_width, estimate)| {
+            dict.each(mean, stops, |stop| estimate(stop).mean)?
+                .each(half_width, stops, |stop| estimate(stop).half_width)
         })?;
-    answer
-        .with(
-            "stop",
-            stops
-                .iter()
-                .map(|stop| stop.name.as_str())
-                .collect::<Vec<_>>(),
-        )?
-        .each("stop_max_impact_velocity_m_s", stops, |stop| {
-            stop.max_impact_velocity_m_s
-        })?
-        .each("stop_max_contact_duration_s", stops, |stop| {
-            stop.max_contact_duration_s
-        })?
-        .each("stop_max_contact_force_n", stops, |stop| {
-            stop.max_contact_force_n
-        })?
-        .each("stop_max_penetration_m", stops, |stop| {
-            stop.max_penetration_m
-        })
+    dict.with(
+        "stop",
+        stops
+            .iter()
+            .map(|stop| stop.name.as_str())
+            .collect::<Vec<_>>(),
+    )?
+    .each("stop_max_impact_velocity_m_s", stops, |stop| {
+        stop.max_impact_velocity_m_s
+    })?
+    .each("stop_max_contact_duration_s", stops, |stop| {
+        stop.max_contact_duration_s
+    })?
+    .each("stop_max_contact_force_n", stops, |stop| {
+        stop.max_contact_force_n
+    })?
+    .each("stop_max_penetration_m", stops, |stop| {
+        stop.max_penetration_m
+    })
 }
 
 /// Adds the densities of the voltages, a row for each patch.
-fn spectra<'py>(answer: PythonDict<'py>, spectra: &[VoltageSpectrum]) -> PyResult<PythonDict<'py>> {
+fn spectra<'py>(dict: PythonDict<'py>, spectra: &[VoltageSpectrum]) -> PyResult<PythonDict<'py>> {
     let frequency_hz = spectra
         .first()
         .map_or_else(Vec::new, |first| first.frequency_hz.clone());
-    let rows = |of: fn(&Estimate) -> f64| {
+    let rows = |estimate: fn(&Estimate) -> f64| {
         spectra
             .iter()
-            .map(|own| own.density.iter().map(of).collect())
+            .map(|spectrum| spectrum.density.iter().map(estimate).collect())
             .collect::<Vec<Vec<f64>>>()
     };
     let bins = frequency_hz.len();
-    answer
-        .with(
-            "patch",
-            spectra
-                .iter()
-                .map(|own| own.patch.as_str())
-                .collect::<Vec<_>>(),
-        )?
-        .array("frequency_hz", frequency_hz)?
-        .rows("voltage_psd_v2_hz", &rows(|bin| bin.mean), bins)?
-        .rows(
-            "voltage_psd_half_width_v2_hz",
-            &rows(|bin| bin.half_width),
-            bins,
-        )?
-        .each("bandwidth_hz", spectra, |own| own.bandwidth_hz.mean)?
-        .each("bandwidth_half_width_hz", spectra, |own| {
-            own.bandwidth_hz.half_width
-        })
+    dict.with(
+        "patch",
+        spectra
+            .iter()
+            .map(|spectrum| spectrum.patch.as_str())
+            .collect::<Vec<_>>(),
+    )?
+    .array("frequency_hz", frequency_hz)?
+    .rows("voltage_psd_v2_hz", &rows(|bin| bin.mean), bins)?
+    .rows(
+        "voltage_psd_half_width_v2_hz",
+        &rows(|bin| bin.half_width),
+        bins,
+    )?
+    .each("bandwidth_hz", spectra, |spectrum| {
+        spectrum.bandwidth_hz.mean
+    })?
+    .each("bandwidth_half_width_hz", spectra, |spectrum| {
+        spectrum.bandwidth_hz.half_width
+    })
 }
 
 /// Returns warnings about exceeded limits of patches in members.
-fn warnings(all: &[Member]) -> Vec<String> {
-    let passed: Vec<&[ExceededLimit]> = all
+fn warnings(members: &[Member]) -> Vec<String> {
+    let exceeded: Vec<&[ExceededLimit]> = members
         .iter()
         .map(|member| member.exceeded.as_slice())
         .collect();
-    WorstExcess::messages(&passed, "members", |place| {
-        format!("member {}", all[place].index)
+    WorstExcess::messages(&exceeded, "members", |index| {
+        format!("member {}", members[index].index)
     })
 }

@@ -24,7 +24,7 @@ pub struct Explorer {
     stopper: Stopper,
     running: Mutex<Option<JoinHandle<Result<(), ExploreError>>>>,
     /// File that leads the browser to the page; it is deleted with this value.
-    opened: Mutex<Option<Box<dyn Any + Send>>>,
+    page_file: Mutex<Option<Box<dyn Any + Send>>>,
 }
 
 #[pymethods]
@@ -50,13 +50,13 @@ impl Explorer {
                 ));
             }
         };
-        let wrong =
+        let message =
             |text: &str| format!("listen is \"{text}\"; write ADDRESS:PORT, as in 127.0.0.1:8080");
-        let parsed = |text: &str| {
+        let parse = |text: &str| {
             text.parse::<SocketAddr>()
-                .map_err(|_| Failure::new("ArgumentError", wrong(text)))
+                .map_err(|_| Failure::new("ArgumentError", message(text)))
         };
-        let listen = listen.map(parsed).transpose()?;
+        let listen = listen.map(parse).transpose()?;
         let server = Server::bind(ServerOptions {
             spec: source,
             set: Vec::new(),
@@ -70,7 +70,7 @@ impl Explorer {
             address,
             stopper,
             running,
-            opened: Mutex::new(None),
+            page_file: Mutex::new(None),
         })
     }
 
@@ -93,15 +93,18 @@ impl Explorer {
     /// Opens the page in the browser.
     fn open(&self, py: Python<'_>) -> PyResult<()> {
         let file = py.detach(|| open_in_browser(&self.address))?;
-        *self.opened.lock().unwrap_or_else(PoisonError::into_inner) = Some(Box::new(file));
+        *self
+            .page_file
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner) = Some(Box::new(file));
         Ok(())
     }
 
     /// Stops the server; it may have stopped before.
     fn stop(&self, py: Python<'_>) -> PyResult<()> {
         self.stopper.stop();
-        let ended = py.detach(|| {
-            self.opened
+        let thread_result = py.detach(|| {
+            self.page_file
                 .lock()
                 .unwrap_or_else(PoisonError::into_inner)
                 .take();
@@ -112,8 +115,8 @@ impl Explorer {
                 .take();
             thread.map(JoinHandle::join)
         });
-        match ended {
-            Some(Ok(Err(error))) => Err(Failure::from(error).raised(py)),
+        match thread_result {
+            Some(Ok(Err(error))) => Err(Failure::from(error).into_exception(py)),
             Some(Err(panic)) => std::panic::resume_unwind(panic),
             Some(Ok(Ok(()))) | None => Ok(()),
         }

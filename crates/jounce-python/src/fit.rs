@@ -25,9 +25,9 @@ pub fn fit<'py>(
     match cancellable(py, progress.as_ref(), |control| {
         fitted(spec, text, path, control)
     }) {
-        (Ok(answer), ended) => Ok((Some(json(&answer)?), ended)),
-        (Err(_), Some(ended)) => Ok((None, Some(ended))),
-        (Err(failure), None) => Err(failure.raised(py)),
+        (Ok(result), interruption) => Ok((Some(json(&result)?), interruption)),
+        (Err(_), Some(interruption)) => Ok((None, Some(interruption))),
+        (Err(failure), None) => Err(failure.into_exception(py)),
     }
 }
 

@@ -22,12 +22,12 @@ pub fn options<O: serde::de::DeserializeOwned>(json: &str) -> PyResult<O> {
         Ok(options) => return Ok(options),
         Err(error) => error,
     };
-    let given: Map<String, Value> = serde_json::from_str(json).unwrap_or_default();
+    let fields: Map<String, Value> = serde_json::from_str(json).unwrap_or_default();
     let message = |(name, value): (String, Value)| {
-        let alone = serde_json::from_value::<O>(serde_json::json!({ &name: value }));
-        alone.err().map(|error| format!("{name}: {error}"))
+        let option_result = serde_json::from_value::<O>(serde_json::json!({ &name: value }));
+        option_result.err().map(|error| format!("{name}: {error}"))
     };
-    let message = given
+    let message = fields
         .into_iter()
         .find_map(message)
         .unwrap_or_else(|| error.to_string());
@@ -39,11 +39,11 @@ pub fn options<O: serde::de::DeserializeOwned>(json: &str) -> PyResult<O> {
 
 /// Returns a result as a dictionary of numbers, texts and arrays.
 pub fn dict<'py>(py: Python<'py>, result: &impl serde::Serialize) -> PyResult<PythonDict<'py>> {
-    dict_of(py, result, "")
+    dict_with_main(py, result, "")
 }
 
 /// Returns a result as a dictionary; the arrays of its `main` list are named after the fields alone.
-pub fn dict_of<'py>(
+pub fn dict_with_main<'py>(
     py: Python<'py>,
     result: &impl serde::Serialize,
     main: &str,
@@ -55,7 +55,7 @@ pub fn dict_of<'py>(
         .as_object()
         .into_iter()
         .flatten()
-        .filter(|own| own.0 != "warnings")
+        .filter(|entry| entry.0 != "warnings")
     {
         dict = match value.as_array() {
             Some(items) if items.iter().all(Value::is_object) => {
@@ -74,7 +74,7 @@ fn records<'py>(
     items: &[Value],
     is_main: bool,
 ) -> PyResult<PythonDict<'py>> {
-    let one = singular(list);
+    let item_name = singular(list);
     let fields = items
         .first()
         .and_then(Value::as_object)
@@ -83,9 +83,9 @@ fn records<'py>(
     let mut dict = dict;
     for field in fields.filter(|field| *field != "warnings") {
         let name = match field.as_str() {
-            "name" | "id" => one.clone(),
+            "name" | "id" => item_name.clone(),
             _ if is_main => field.clone(),
-            _ => format!("{one}_{field}"),
+            _ => format!("{item_name}_{field}"),
         };
         let values: Vec<&Value> = items.iter().map(|item| &item[field]).collect();
         dict = column(dict, &name, &values)?;
@@ -125,10 +125,11 @@ fn column<'py>(dict: PythonDict<'py>, name: &str, values: &[&Value]) -> PyResult
 
 fn singular(list: &str) -> String {
     let ends = [("patches", "patch"), ("s", "")];
-    let found = ends
-        .iter()
-        .find_map(|(end, by)| list.strip_suffix(end).map(|begin| format!("{begin}{by}")));
-    found.unwrap_or_else(|| list.to_owned())
+    let renamed = ends.iter().find_map(|(suffix, replacement)| {
+        list.strip_suffix(suffix)
+            .map(|stem| format!("{stem}{replacement}"))
+    });
+    renamed.unwrap_or_else(|| list.to_owned())
 }
 
 /// Returns a value as `json.loads` does.
@@ -138,7 +139,7 @@ fn object<'py>(py: Python<'py>, value: &Value) -> PyResult<Bound<'py, PyAny>> {
         Value::Bool(value) => value.into_pyobject(py)?.to_owned().into_any(),
         Value::String(text) => text.into_pyobject(py)?.into_any(),
         Value::Number(number) => match (number.as_i64(), number.as_f64()) {
-            (Some(whole), _) => whole.into_pyobject(py)?.into_any(),
+            (Some(integer), _) => integer.into_pyobject(py)?.into_any(),
             (None, value) => value.unwrap_or(f64::NAN).into_pyobject(py)?.into_any(),
         },
         Value::Array(items) => {

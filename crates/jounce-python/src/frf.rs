@@ -28,19 +28,19 @@ pub fn frf<'py>(
 ) -> PythonResult<'py> {
     let frequency_hz = frequency_hz.as_array().to_vec();
     let input = input_of(spec, input, base)?;
-    let found = cancellable(py, None, |control| {
-        let found = responses(spec, &frequency_hz, &input, &hold, open_circuit, control)?;
-        Failure::unless_stopped(control, found)
+    let outcome = cancellable(py, None, |control| {
+        let functions = responses(spec, &frequency_hz, &input, &hold, open_circuit, control)?;
+        Failure::unless_stopped(control, functions)
     });
     let options = [
         ("input", input_name(&input)),
         ("hold", hold.join(" ")),
         ("open_circuit", open_circuit.to_string()),
     ];
-    to_python_result(py, found, |answers| {
+    to_python_result(py, outcome, |functions| {
         into_python(
             py,
-            answers,
+            functions,
             &input,
             hold,
             frequency_hz,
@@ -51,20 +51,20 @@ pub fn frf<'py>(
 
 fn into_python<'py>(
     py: Python<'py>,
-    answers: Vec<Frf>,
+    functions: Vec<Frf>,
     input: &FrfInput,
     hold: Vec<String>,
     frequency_hz: Vec<f64>,
     manifest: String,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let all = PyDict::new(py);
-    for frf in answers {
+    let response_dict = PyDict::new(py);
+    for frf in functions {
         let values: Vec<Complex64> = frf
             .value
             .iter()
             .map(|value| Complex64::new(value.re, value.im))
             .collect();
-        all.set_item(
+        response_dict.set_item(
             frf.response.name(),
             (
                 numpy::PyArray1::from_vec(py, values),
@@ -72,12 +72,12 @@ fn into_python<'py>(
             ),
         )?;
     }
-    let answer = PythonDict::new(py)
+    let dict = PythonDict::new(py)
         .with("input", input_name(input))?
         .with("held", hold)?
-        .with("responses", all)?
+        .with("responses", response_dict)?
         .with("manifest", manifest)?;
-    Ok(answer.array("frequency_hz", frequency_hz)?.dict())
+    Ok(dict.array("frequency_hz", frequency_hz)?.dict())
 }
 
 fn input_name(input: &FrfInput) -> String {
@@ -88,11 +88,11 @@ fn input_name(input: &FrfInput) -> String {
 }
 
 /// Returns the excitation: by default the point of the first force.
-fn input_of(spec: &Spec, named: Option<String>, base: bool) -> Result<FrfInput, Failure> {
-    let wrong = |why: String| Err(Failure::new("ArgumentError", why));
+fn input_of(spec: &Spec, point_name: Option<String>, base: bool) -> Result<FrfInput, Failure> {
+    let argument_error = |message: String| Err(Failure::new("ArgumentError", message));
     if base {
-        if named.is_some() {
-            return wrong("input and base are both given; give one of them".to_owned());
+        if point_name.is_some() {
+            return argument_error("input and base are both given; give one of them".to_owned());
         }
         return match spec
             .spec()
@@ -101,20 +101,20 @@ fn input_of(spec: &Spec, named: Option<String>, base: bool) -> Result<FrfInput, 
             .find(|(_, modal)| modal.participation_sqrt_kg.is_empty())
         {
             None => Ok(FrfInput::BaseAcceleration),
-            Some((name, _)) => wrong(format!(
+            Some((name, _)) => argument_error(format!(
                 "modal.{name}.participation_sqrt_kg is missing: it gives the excitation of this structure by the base"
             )),
         };
     }
-    let forced = spec
+    let force_drive = spec
         .spec()
         .drive
         .values()
         .find(|drive| drive.kind == DriveKind::Force);
-    match named.or_else(|| forced.map(|drive| drive.at.clone())) {
+    match point_name.or_else(|| force_drive.map(|drive| drive.at.clone())) {
         Some(point) => Ok(FrfInput::Force(point)),
         None => {
-            wrong("this spec has no force: name the excitation point with input=\"POINT\", or excite the base with base=True".to_owned())
+            argument_error("this spec has no force: name the excitation point with input=\"POINT\", or excite the base with base=True".to_owned())
         }
     }
 }
@@ -149,12 +149,12 @@ fn responses(
         .circuit
         .keys()
         .map(|load| FrfResponse::LoadVoltage(load.clone()));
-    let wanted: Vec<FrfResponse> = points.chain(patches).chain(loads).collect();
+    let responses: Vec<FrfResponse> = points.chain(patches).chain(loads).collect();
     let plant = Plant::new(System::assemble(&spec, modes)?)?;
     Ok(linear::frf_until(
         &plant,
         input,
-        &wanted,
+        &responses,
         frequency_hz,
         &|| control.is_stopped(),
     )?)

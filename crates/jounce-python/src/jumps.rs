@@ -38,18 +38,20 @@ pub fn jumps<'py>(
             "ArgumentError",
             format!("both keys are {}; give two different ones", keys.0),
         )
-        .raised(py));
+        .into_exception(py));
     }
-    let named = |key: &str, (from, to): &(String, String)| format!("{key}={from}:{to}");
+    let range_text = |key: &str, (from, to): &(String, String)| format!("{key}={from}:{to}");
     let options = [
-        ("over", named(&keys.0, &over)),
-        ("against", named(&keys.1, &against)),
+        ("over", range_text(&keys.0, &over)),
+        ("against", range_text(&keys.1, &against)),
         ("tolerance", tolerance.to_string()),
     ];
     let manifest = spec.manifest("jumps", &options);
-    let ((key, range), (key_2, range_2)) =
-        (spec.ends(&keys.0, over)?, spec.ends(&keys.1, against)?);
-    let found = cancellable(py, progress.as_ref(), |control| {
+    let ((key, range), (key_2, range_2)) = (
+        spec.value_range(&keys.0, over)?,
+        spec.value_range(&keys.1, against)?,
+    );
+    let outcome = cancellable(py, progress.as_ref(), |control| {
         let base = spec.model(control)?;
         let search = BifurcationSearch {
             base: &base,
@@ -66,25 +68,25 @@ pub fn jumps<'py>(
         };
         on_threads(threads, || Ok(search.run_with(&options)?))
     });
-    to_python_result(py, found, |curves| {
-        let listed = curves
+    to_python_result(py, outcome, |curves| {
+        let curve_dicts = curves
             .iter()
-            .map(|curve| one(py, curve))
+            .map(|curve| curve_dict(py, curve))
             .collect::<PyResult<Vec<_>>>()?;
-        let answer = PythonDict::new(py)
+        let dict = PythonDict::new(py)
             .with("keys", keys)?
             .with("units", (key.unit(), key_2.unit()))?
-            .with("curves", listed)?;
-        Ok(answer.with("manifest", manifest)?.dict())
+            .with("curves", curve_dicts)?;
+        Ok(dict.with("manifest", manifest)?.dict())
     })
 }
 
 /// Stability where it is not computed: on all curves except peaks.
 const UNKNOWN: i64 = -1;
 
-fn one<'py>(py: Python<'py>, curve: &BifurcationCurve) -> PyResult<Bound<'py, PyDict>> {
+fn curve_dict<'py>(py: Python<'py>, curve: &BifurcationCurve) -> PyResult<Bound<'py, PyDict>> {
     let points: &[BifurcationCurvePoint] = &curve.points;
-    let answer = PythonDict::new(py)
+    let dict = PythonDict::new(py)
         .with("kind", curve.kind.name())?
         .with("level", curve.level.clone())?
         .with("period_cycles", curve.period_cycles)?
@@ -93,5 +95,5 @@ fn one<'py>(py: Python<'py>, curve: &BifurcationCurve) -> PyResult<Bound<'py, Py
         .each("mean_power_w", points, |p| p.mean_power_w)?
         .each("stable", points, |p| p.stable.map_or(UNKNOWN, i64::from))?
         .with("failures", curve.failures.clone())?;
-    Ok(answer.dict())
+    Ok(dict.dict())
 }

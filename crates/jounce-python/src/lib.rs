@@ -63,7 +63,7 @@ mod _core {
     use super::measured::power::measured_power;
     #[pymodule_export]
     use super::measured::recording::{
-        recording_even, recording_given, recording_read, recording_write,
+        recording_even, recording_from_arrays, recording_read, recording_write,
     };
     #[pymodule_export]
     use super::measured::segments::measured_regimes;

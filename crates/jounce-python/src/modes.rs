@@ -21,7 +21,9 @@ pub fn modes<'py>(py: Python<'py>, spec: &Spec, hold: Vec<String>) -> PyResult<B
             shapes_along_beams(spec.spec(), &hold, PLACES)?,
         ))
     };
-    let (modes, beams) = py.detach(solve).map_err(|failure| failure.raised(py))?;
+    let (modes, beams) = py
+        .detach(solve)
+        .map_err(|failure| failure.into_exception(py))?;
     let patches: Vec<&String> = modes.patch.keys().collect();
     let mut open_circuit = vec![vec![f64::NAN; modes.len()]; patches.len()];
     let mut squared = open_circuit.clone();
@@ -32,12 +34,12 @@ pub fn modes<'py>(py: Python<'py>, spec: &Spec, hold: Vec<String>) -> PyResult<B
         open_circuit[patch][coupling.mode] = coupling.open_circuit_hz;
         squared[patch][coupling.mode] = coupling.coupling_squared;
     }
-    let along = PyDict::new(py);
+    let shape_dict = PyDict::new(py);
     for (name, beam) in &beams {
         let rows: Vec<Vec<f64>> = (0..modes.len())
             .filter_map(|mode| beam.mode(mode))
             .collect();
-        along.set_item(
+        shape_dict.set_item(
             name,
             (
                 numpy::PyArray1::from_slice(py, &beam.place_m),
@@ -45,7 +47,7 @@ pub fn modes<'py>(py: Python<'py>, spec: &Spec, hold: Vec<String>) -> PyResult<B
             ),
         )?;
     }
-    let answer = PythonDict::new(py)
+    let dict = PythonDict::new(py)
         .each("frequency_hz", &modes.frequency_rad_s, |w| w / TAU)?
         .with("point", modes.shape.keys().collect::<Vec<_>>())?
         .rows(
@@ -65,13 +67,13 @@ pub fn modes<'py>(py: Python<'py>, spec: &Spec, hold: Vec<String>) -> PyResult<B
                 .collect::<Vec<_>>(),
             modes.len(),
         )?
-        .with("beams", along)?
+        .with("beams", shape_dict)?
         .with("held", &hold)?
         .with(
             "manifest",
             spec.manifest("modes", &[("hold", hold.join(" "))]),
         )?;
-    Ok(answer
+    Ok(dict
         .array("damping_ratio", modes.damping_ratio)?
         .array("discretisation_error", modes.discretisation_error)?
         .dict())

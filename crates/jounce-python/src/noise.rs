@@ -17,7 +17,7 @@ const POINTS: RangeInclusive<usize> = 2..=1_000_000;
 
 /// Response of a spec to its noises.
 struct NoiseResult {
-    answer: RandomResponse,
+    response: RandomResponse,
     frequency_hz: Vec<f64>,
     densities: Vec<Density>,
 }
@@ -32,19 +32,19 @@ pub fn noise<'py>(
     high_hz: Option<f64>,
     points: usize,
 ) -> PythonResult<'py> {
-    let found = cancellable(py, None, |control| {
-        answered(spec, low_hz, high_hz, points, control)
+    let outcome = cancellable(py, None, |control| {
+        compute(spec, low_hz, high_hz, points, control)
     });
-    to_python_result(py, found, |found| {
+    to_python_result(py, outcome, |result| {
         into_python(
             py,
-            found,
+            result,
             spec.manifest("noise", &[("points", points.to_string())]),
         )
     })
 }
 
-fn answered(
+fn compute(
     spec: &Spec,
     low_hz: Option<f64>,
     high_hz: Option<f64>,
@@ -55,20 +55,20 @@ fn answered(
     let [low, high] = random.usual_band_hz();
     let (low, high) = (low_hz.unwrap_or(low), high_hz.unwrap_or(high));
     if !(low > 0.0 && low < high && high.is_finite() && POINTS.contains(&points)) {
-        let (least, most) = POINTS.into_inner();
-        let why = format!(
-            "low is {low} Hz, high {high} Hz and points {points}; low must be above 0 Hz and below high, points from {least} to {most}"
+        let (min_points, max_points) = POINTS.into_inner();
+        let reason = format!(
+            "low is {low} Hz, high {high} Hz and points {points}; low must be above 0 Hz and below high, points from {min_points} to {max_points}"
         );
-        let details = serde_json::json!({ "low_hz": low, "high_hz": high, "points": points, "least_points": least, "most_points": most });
-        return Err(Failure::new("ArgumentError", why).with(details));
+        let details = serde_json::json!({ "low_hz": low, "high_hz": high, "points": points, "least_points": min_points, "most_points": max_points });
+        return Err(Failure::new("ArgumentError", reason).with(details));
     }
     let frequency_hz = random.frequencies_hz(low, high, points);
-    let answer = random.response()?;
+    let response = random.response()?;
     let densities = random.densities_until(&frequency_hz, &|| control.is_stopped())?;
     Failure::unless_stopped(
         control,
         NoiseResult {
-            answer,
+            response,
             densities,
             frequency_hz,
         },
@@ -77,17 +77,17 @@ fn answered(
 
 fn into_python<'py>(
     py: Python<'py>,
-    found: NoiseResult,
+    result: NoiseResult,
     manifest: String,
 ) -> PyResult<Bound<'py, PyDict>> {
     let NoiseResult {
-        answer,
+        response,
         frequency_hz,
         densities,
-    } = found;
-    let all = PyDict::new(py);
+    } = result;
+    let density_dict = PyDict::new(py);
     for density in densities {
-        all.set_item(
+        density_dict.set_item(
             density.name,
             (PyArray1::from_vec(py, density.value), density.unit),
         )?;
@@ -98,16 +98,20 @@ fn into_python<'py>(
         points,
         stops,
         ..
-    } = &answer;
+    } = &response;
     let bandwidths: Vec<Vec<f64>> = loads
         .iter()
         .map(|load| load.noise_bandwidth_hz.clone())
         .collect();
-    let told = PythonDict::new(py)
-        .rows("load_noise_bandwidth_hz", &bandwidths, answer.drives.len())?
-        .with("drive", &answer.drives)?
-        .with("left_out", &answer.left_out)?
-        .with("mean_power_w", answer.mean_power_w)?
+    let dict = PythonDict::new(py)
+        .rows(
+            "load_noise_bandwidth_hz",
+            &bandwidths,
+            response.drives.len(),
+        )?
+        .with("drive", &response.drives)?
+        .with("left_out", &response.left_out)?
+        .with("mean_power_w", response.mean_power_w)?
         .with(
             "load",
             loads
@@ -164,7 +168,7 @@ fn into_python<'py>(
             stop.share_beyond.unwrap_or(f64::NAN)
         })?
         .array("frequency_hz", frequency_hz)?
-        .with("densities", all)?
+        .with("densities", density_dict)?
         .with("manifest", manifest)?;
-    Ok(told.dict())
+    Ok(dict.dict())
 }

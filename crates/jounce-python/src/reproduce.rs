@@ -18,15 +18,15 @@ pub fn reproduce<'py>(
     threads: Option<usize>,
     progress: Option<Bound<'py, PyAny>>,
 ) -> PythonResult<'py> {
-    let found = cancellable(py, progress.as_ref(), |control| {
-        on_threads(threads, || written(&out, control))
+    let outcome = cancellable(py, progress.as_ref(), |control| {
+        on_threads(threads, || write_report(&out, control))
     });
-    to_python_result(py, found, |(written, claims)| {
-        into_python(py, &written, &claims)
+    to_python_result(py, outcome, |(files, claims)| {
+        into_python(py, &files, &claims)
     })
 }
 
-fn written(out: &Path, control: &Control) -> Result<(Written, Vec<Claim>), Failure> {
+fn write_report(out: &Path, control: &Control) -> Result<(Written, Vec<Claim>), Failure> {
     folders(out)?;
     let simulated = jounce_core::reproduce::reproduce(control, &|_| ())?;
     let chapters = jounce_measure::experiment::chapters(&simulated, control)?;
@@ -36,13 +36,13 @@ fn written(out: &Path, control: &Control) -> Result<(Written, Vec<Claim>), Failu
 
 fn into_python<'py>(
     py: Python<'py>,
-    written: &Written,
+    files: &Written,
     claims: &[Claim],
 ) -> PyResult<Bound<'py, PyDict>> {
-    let answer = PythonDict::new(py)
-        .with("report", &written.report)?
-        .with("tables", &written.tables)?
-        .with("figures", &written.figures)?
+    let dict = PythonDict::new(py)
+        .with("report", &files.report)?
+        .with("tables", &files.tables)?
+        .with("figures", &files.figures)?
         .with(
             "claim",
             claims
@@ -58,5 +58,5 @@ fn into_python<'py>(
                 .map(|claim| claim.evidence.clone())
                 .collect::<Vec<_>>(),
         )?;
-    Ok(answer.dict())
+    Ok(dict.dict())
 }

@@ -2,7 +2,7 @@
 
 use crate::cancellable::{cancellable, to_python_result};
 use crate::failure::Failure;
-use crate::measured::recording::{GivenRecording, into_python};
+use crate::measured::recording::{RecordingInput, into_python};
 use crate::run::PythonResult;
 use crate::spec::Spec;
 use jounce_core::integrate::Control;
@@ -90,8 +90,8 @@ impl Sensors {
 }
 
 impl Shaker {
-    fn wander(&self) -> Disturbance {
-        let wander = Disturbance {
+    fn disturbance(&self) -> Disturbance {
+        let disturbance = Disturbance {
             amplitude_ratio: self.amplitude_wander,
             frequency_ratio: self.frequency_wander,
             memory_s: self.wander_time_s,
@@ -99,11 +99,15 @@ impl Shaker {
             frequency_drift: self.frequency_drift,
         };
         // A correlation time of zero means no fluctuation.
-        let still = Disturbance {
-            memory_s: wander.memory_s,
+        let is_zero = Disturbance {
+            memory_s: disturbance.memory_s,
             ..Disturbance::NONE
-        } == wander;
-        if still { Disturbance::NONE } else { wander }
+        } == disturbance;
+        if is_zero {
+            Disturbance::NONE
+        } else {
+            disturbance
+        }
     }
 
     /// Returns times and states of the requested solutions.
@@ -112,7 +116,7 @@ impl Shaker {
         spec: &jounce_core::spec::Spec,
         control: &Control,
     ) -> Result<Vec<(f64, StartState)>, Failure> {
-        let found = solutions(
+        let known_solutions = solutions(
             spec,
             &SolutionSearch {
                 starts: self.starts,
@@ -123,7 +127,7 @@ impl Shaker {
         )?;
         self.solution
             .iter()
-            .map(|(id, at_s)| Ok((*at_s, start_of(&found, id)?)))
+            .map(|(id, at_s)| Ok((*at_s, start_of(&known_solutions, id)?)))
             .collect()
     }
 }
@@ -136,29 +140,29 @@ pub fn rig_shaken<'py>(
     spec: &Spec,
     sensors: Sensors,
     shaker: Shaker,
-    base: Option<GivenRecording<'py>>,
+    base: Option<RecordingInput<'py>>,
 ) -> PythonResult<'py> {
     let base = base.map(|base| base.even()).transpose()?;
-    let found = cancellable(py, None, |control| {
-        shaken(spec, &sensors, &shaker, base.as_ref(), control)
+    let outcome = cancellable(py, None, |control| {
+        record_shaker_test(spec, &sensors, &shaker, base.as_ref(), control)
     });
-    to_python_result(py, found, |recording| into_python(py, recording))
+    to_python_result(py, outcome, |recording| into_python(py, recording))
 }
 
-fn shaken(
-    own: &Spec,
+fn record_shaker_test(
+    base_spec: &Spec,
     sensors: &Sensors,
     shaker: &Shaker,
     base: Option<&Recording>,
     control: &Control,
 ) -> Result<Recording, Failure> {
-    let mut spec = own.spec().clone();
+    let mut spec = base_spec.spec().clone();
     sensors.fit(&mut spec)?;
     if let Some(base) = base {
-        let wanted = shaker.base_channel.as_deref();
+        let channel_name = shaker.base_channel.as_deref();
         let number = driving_channel(
             (&base.name, &base.heads(), &base.findings),
-            wanted,
+            channel_name,
             Quantity::Acceleration,
         )
         .map_err(RigError::from)?;
@@ -173,7 +177,7 @@ fn shaken(
     let run = &spec.run;
     let (starts, before_s) = match shaker.solution.is_empty() {
         true => (
-            vec![(0.0, start_of_run(&spec, &modes, &own.folder())?)],
+            vec![(0.0, start_of_run(&spec, &modes, &base_spec.folder())?)],
             run.duration_s - run.average_over_s,
         ),
         false => (shaker.solutions(&spec, control)?, 0.0),
@@ -183,7 +187,7 @@ fn shaken(
         duration_s: run.average_over_s,
         before_s,
         starts,
-        disturbance: shaker.wander(),
+        disturbance: shaker.disturbance(),
         accelerometers: sensors.at.clone(),
         sensor: sensors.sensor(),
         seed: sensors.seed,
@@ -200,21 +204,21 @@ pub fn rig_struck<'py>(
     sensors: Sensors,
     hits: Hits,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let found = py
-        .detach(|| struck(spec, &sensors, hits))
-        .map_err(|failure| failure.raised(py))?;
-    into_python(py, found)
+    let recording = py
+        .detach(|| record_hammer_test(spec, &sensors, hits))
+        .map_err(|failure| failure.into_exception(py))?;
+    into_python(py, recording)
 }
 
-fn struck(spec: &Spec, sensors: &Sensors, hits: Hits) -> Result<Recording, Failure> {
+fn record_hammer_test(spec: &Spec, sensors: &Sensors, hits: Hits) -> Result<Recording, Failure> {
     let mut spec = spec.spec().clone();
     sensors.fit(&mut spec)?;
     spec.take_drives_away();
     spec.stop.clear();
     spec.gravity = Gravity::default();
     let modes = modes_holding(&spec, &sensors.hold)?;
-    let everywhere = sensors.at.is_empty();
-    let points: Vec<String> = if everywhere {
+    let at_all_points = sensors.at.is_empty();
+    let points: Vec<String> = if at_all_points {
         modes.shape.keys().cloned().collect()
     } else {
         sensors.at.clone()
@@ -222,7 +226,7 @@ fn struck(spec: &Spec, sensors: &Sensors, hits: Hits) -> Result<Recording, Failu
     let patches = modes
         .patch
         .keys()
-        .filter(|_| everywhere)
+        .filter(|_| at_all_points)
         .map(|patch| FrfResponse::Voltage(patch.clone()));
     let responses = points
         .into_iter()

@@ -1,6 +1,6 @@
 //! One run.
 
-use crate::cancellable::{to_python_result, visited};
+use crate::cancellable::{on_this_thread, to_python_result};
 use crate::failure::Failure;
 use crate::spec::Spec;
 use crate::{flat, history};
@@ -27,11 +27,11 @@ pub fn run<'py>(
         start,
         ..flat::options(options)?
     };
-    let found = visited(py, progress.as_ref(), |control| {
+    let outcome = on_this_thread(py, progress.as_ref(), |control| {
         Ok(spec.harvester.with_control(control).run(&options)?)
     });
     let manifest = spec.manifest("run", &[]);
-    to_python_result(py, found, |result| into_python(py, result, manifest))
+    to_python_result(py, outcome, |result| into_python(py, result, manifest))
 }
 
 fn into_python(

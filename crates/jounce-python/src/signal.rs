@@ -16,14 +16,14 @@ pub fn spectrum<'py>(
     sample_rate_hz: f64,
 ) -> PyResult<(Row<'py>, Row<'py>)> {
     let values = values.as_array().to_vec();
-    let found = py.detach(|| {
+    let result = py.detach(|| {
         Ok::<_, jounce_core::signal::SignalError>(
             Samples::new(&values, sample_rate_hz)?.spectrum(Window::Hann),
         )
     });
-    let found = found.map_err(|error| Failure::of("ArgumentError", &error).raised(py))?;
+    let result = result.map_err(|error| Failure::of("ArgumentError", &error).into_exception(py))?;
     Ok((
-        PyArray1::from_vec(py, found.frequency_hz),
-        PyArray1::from_vec(py, found.amplitude_peak),
+        PyArray1::from_vec(py, result.frequency_hz),
+        PyArray1::from_vec(py, result.amplitude_peak),
     ))
 }

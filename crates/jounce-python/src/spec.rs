@@ -78,8 +78,8 @@ impl Spec {
 
     /// Returns the value of a key with a number, SI, and its unit.
     fn number(&self, key: &str) -> Result<(f64, String), Failure> {
-        let found = NumericKey::find(self.spec(), key)?;
-        Ok((found.get(self.spec())?, found.unit()))
+        let numeric_key = NumericKey::find(self.spec(), key)?;
+        Ok((numeric_key.get(self.spec())?, numeric_key.unit()))
     }
 
     /// Draws the harvester to scale: as SVG, and as PNG at twice its size.
@@ -91,7 +91,7 @@ impl Spec {
         let drawing = jounce_core::show::drawing(title, self.spec());
         let png = py
             .detach(|| drawing.to_png(2.0))
-            .map_err(|error| Failure::new("ArgumentError", error).raised(py))?;
+            .map_err(|error| Failure::new("ArgumentError", error).into_exception(py))?;
         Ok((drawing.to_svg(), PyBytes::new(py, &png)))
     }
 
@@ -137,21 +137,21 @@ impl Spec {
     }
 
     /// Returns a key and the two ends of its range.
-    pub fn ends(
+    pub fn value_range(
         &self,
         key: &str,
         range: (String, String),
     ) -> Result<(NumericKey, (f64, f64)), Failure> {
-        let found = KeyRange::parse(self.key(key)?, &format!("{},{}", range.0, range.1))?;
-        match found.values() {
-            [low, high] if low < high => Ok((found.key().clone(), (*low, *high))),
-            ends => {
-                let why = format!(
+        let key_range = KeyRange::parse(self.key(key)?, &format!("{},{}", range.0, range.1))?;
+        match key_range.values() {
+            [low, high] if low < high => Ok((key_range.key().clone(), (*low, *high))),
+            values => {
+                let reason = format!(
                     "{key}: the range is {} to {}; its first value must be below the second",
                     range.0, range.1
                 );
-                Err(Failure::new("ArgumentError", why)
-                    .with(serde_json::json!({ "key": key, "ends": ends })))
+                Err(Failure::new("ArgumentError", reason)
+                    .with(serde_json::json!({ "key": key, "ends": values })))
             }
         }
     }

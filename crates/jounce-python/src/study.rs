@@ -69,11 +69,13 @@ impl Study {
     /// Returns a part as the bytes of its file, computed on one thread.
     fn part<'py>(&self, py: Python<'py>, part: usize) -> PythonResult<'py> {
         if part >= self.0.parts() {
-            let why = format!("there is no part {part}; the study has {}", self.0.parts());
+            let reason = format!("there is no part {part}; the study has {}", self.0.parts());
             let details = serde_json::json!({ "part": part, "parts": self.0.parts() });
-            return Err(Failure::new("ArgumentError", why).with(details).raised(py));
+            return Err(Failure::new("ArgumentError", reason)
+                .with(details)
+                .into_exception(py));
         }
-        let found = cancellable(py, None, |control| {
+        let outcome = cancellable(py, None, |control| {
             let table = self.0.part(part, control)?;
             let bytes = table
                 .map(|table| table.to_parquet(&self.0.part_manifest(part)))
@@ -83,7 +85,7 @@ impl Study {
                 .map(|bytes| (bytes, control.wall_time_s()))
                 .ok_or_else(|| Failure::new("JounceError", "stopped"))
         });
-        to_python_result(py, found, |(bytes, wall_time_s)| {
+        to_python_result(py, outcome, |(bytes, wall_time_s)| {
             Ok(PythonDict::new(py)
                 .with("bytes", PyBytes::new(py, &bytes))?
                 .with("wall_time_s", wall_time_s)?
@@ -102,15 +104,15 @@ impl Study {
     ) -> PythonResult<'py> {
         let shard: Shard = shard
             .parse()
-            .map_err(|error: String| Failure::new("ArgumentError", error).raised(py))?;
-        let found = cancellable(py, progress.as_ref(), |control| {
+            .map_err(|error: String| Failure::new("ArgumentError", error).into_exception(py))?;
+        let outcome = cancellable(py, progress.as_ref(), |control| {
             let folder = Folder::of(&folder, &self.0)?;
             on_threads(threads, || {
                 Ok(folder.run(&self.0, shard, control, &|_| ())?)
             })?;
             Ok(control.wall_time_s())
         });
-        to_python_result(py, found, |wall_time_s| {
+        to_python_result(py, outcome, |wall_time_s| {
             Ok(PythonDict::new(py).with("wall_time_s", wall_time_s)?.dict())
         })
     }
@@ -118,13 +120,14 @@ impl Study {
     /// Returns the numbers of the parts that a folder lacks; a missing folder is created.
     fn missing(&self, py: Python<'_>, folder: PathBuf) -> PyResult<Vec<usize>> {
         py.detach(|| Ok::<_, Failure>(Folder::of(&folder, &self.0)?.missing()))
-            .map_err(|failure| failure.raised(py))
+            .map_err(|failure| failure.into_exception(py))
     }
 
     /// Stores a part that was computed elsewhere.
     fn keep(&self, py: Python<'_>, folder: PathBuf, part: usize, bytes: &[u8]) -> PyResult<()> {
-        let kept = py.detach(|| Ok::<_, Failure>(Folder::of(&folder, &self.0)?.keep(part, bytes)?));
-        kept.map_err(|failure| failure.raised(py))
+        let result =
+            py.detach(|| Ok::<_, Failure>(Folder::of(&folder, &self.0)?.keep(part, bytes)?));
+        result.map_err(|failure| failure.into_exception(py))
     }
 }
 
@@ -132,7 +135,7 @@ impl Study {
 #[pyfunction]
 pub fn study_merge(py: Python<'_>, folder: PathBuf) -> PyResult<PathBuf> {
     py.detach(|| Ok::<_, Failure>(Folder::open(&folder)?.merge()?))
-        .map_err(|failure| failure.raised(py))
+        .map_err(|failure| failure.into_exception(py))
 }
 
 /// Returns the progress of the study in a folder, as JSON.
@@ -140,7 +143,7 @@ pub fn study_merge(py: Python<'_>, folder: PathBuf) -> PyResult<PathBuf> {
 pub fn study_status(py: Python<'_>, folder: PathBuf) -> PyResult<String> {
     let status = py
         .detach(|| Ok::<_, Failure>(Folder::open(&folder)?.status()))
-        .map_err(|failure| failure.raised(py))?;
+        .map_err(|failure| failure.into_exception(py))?;
     Ok(serde_json::to_string(&status).map_err(|error| Failure::new("JounceError", error))?)
 }
 
@@ -151,11 +154,11 @@ pub fn table_read<'py>(
     py: Python<'py>,
     path: PathBuf,
 ) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyDict>, String)> {
-    let read = py
+    let table = py
         .detach(|| Table::read(&path))
-        .map_err(|error| Failure::from(error).raised(py))?;
+        .map_err(|error| Failure::from(error).into_exception(py))?;
     let (columns, notes) = (PyDict::new(py), PyDict::new(py));
-    for column in read.0.columns() {
+    for column in table.0.columns() {
         notes.set_item(&column.name, (&column.unit, &column.about))?;
         match &column.values {
             Values::Float(values) => {
@@ -175,6 +178,6 @@ pub fn table_read<'py>(
         }
     }
     let manifest =
-        serde_json::to_string(&read.1).map_err(|error| Failure::new("JounceError", error))?;
+        serde_json::to_string(&table.1).map_err(|error| Failure::new("JounceError", error))?;
     Ok((columns, notes, manifest))
 }

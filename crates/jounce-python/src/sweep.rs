@@ -27,8 +27,8 @@ pub fn sweep<'py>(
     threads: Option<usize>,
     progress: Option<Bound<'py, PyAny>>,
 ) -> PythonResult<'py> {
-    let own = spec.with_tolerance(tolerance)?;
-    let spec = own.as_ref().unwrap_or(spec);
+    let tightened = spec.with_tolerance(tolerance)?;
+    let spec = tightened.as_ref().unwrap_or(spec);
     let range = spec.range(key, values)?;
     let order = match direction {
         "up" => SweepOrder::Up,
@@ -36,10 +36,10 @@ pub fn sweep<'py>(
         "both" => SweepOrder::Both,
         "independent" => SweepOrder::Independent,
         _ => {
-            let why = format!(
+            let reason = format!(
                 "direction is \"{direction}\"; it must be \"up\", \"down\", \"both\" or \"independent\""
             );
-            return Err(Failure::new("ArgumentError", why).raised(py));
+            return Err(Failure::new("ArgumentError", reason).into_exception(py));
         }
     };
     let study = Sweep {
@@ -49,7 +49,7 @@ pub fn sweep<'py>(
         fixed_duration,
         folder: spec.folder(),
     };
-    let found = cancellable(py, progress.as_ref(), |control| {
+    let outcome = cancellable(py, progress.as_ref(), |control| {
         on_threads(threads, || Ok(study.run(None, control, &|_| ())?))
     });
     let options = [
@@ -58,7 +58,7 @@ pub fn sweep<'py>(
         ("fixed_duration", fixed_duration.to_string()),
     ];
     let manifest = spec.manifest("sweep", &options);
-    to_python_result(py, found, |points| {
+    to_python_result(py, outcome, |points| {
         into_python(py, (key, &range.key().unit(), manifest), &points)
     })
 }
@@ -68,7 +68,7 @@ fn into_python<'py>(
     (key, unit, manifest): (&str, &str, String),
     points: &[SweepPoint],
 ) -> PyResult<Bound<'py, PyDict>> {
-    let answer = PythonDict::new(py)
+    let dict = PythonDict::new(py)
         .with("key", key)?
         .with("unit", unit)?
         .each("parameter", points, |p| p.parameter)?
@@ -91,16 +91,16 @@ fn into_python<'py>(
         .each("simulated_time_s", points, |p| p.simulated_time_s)?
         .with("warnings", warnings(key, unit, points))?
         .with("manifest", manifest)?;
-    Ok(answer.dict())
+    Ok(dict.dict())
 }
 
 /// Returns warnings about exceeded limits of patches at points.
 fn warnings(key: &str, unit: &str, points: &[SweepPoint]) -> Vec<String> {
-    let passed: Vec<&[ExceededLimit]> = points
+    let exceeded: Vec<&[ExceededLimit]> = points
         .iter()
         .map(|point| point.exceeded.as_slice())
         .collect();
-    WorstExcess::messages(&passed, "points", |place| {
-        format!("{key} = {:.6} {unit}", points[place].parameter)
+    WorstExcess::messages(&exceeded, "points", |index| {
+        format!("{key} = {:.6} {unit}", points[index].parameter)
     })
 }

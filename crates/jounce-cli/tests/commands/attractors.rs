@@ -1,18 +1,18 @@
 //! Basins and diagrams.
 
-use crate::{PLANT, has, jounce};
+use crate::{PLANT, assert_keys, jounce};
 
 #[test]
-fn basins_answer_with_every_key_and_shares_that_add_up() {
-    let at = "drive.shaker.frequency=\"14 Hz\"";
+fn basins_print_every_key_and_fractions_of_sum_one() {
+    let setting = "drive.shaker.frequency=\"14 Hz\"";
     let (code, json, _) = jounce(&[
-        "basins", PLANT, "--starts", "12", "--seed", "3", "--set", at, "--json",
+        "basins", PLANT, "--starts", "12", "--seed", "3", "--set", setting, "--json",
     ]);
     assert_eq!(code, 0);
-    has(&json, &["attractors", "expected_power_w"]);
+    assert_keys(&json, &["attractors", "expected_power_w"]);
     let attractors = json["attractors"].as_array().unwrap();
     attractors.iter().for_each(|a| {
-        has(
+        assert_keys(
             a,
             &[
                 "id",
@@ -77,18 +77,22 @@ fn a_diagram_has_its_points_and_its_attractors() {
             .iter()
             .any(|attractor| attractor["id"] == "1a")
     );
-    for seen in json["attractors"]
+    for attractor in json["attractors"]
         .as_array()
         .unwrap()
         .iter()
         .flat_map(|attractor| attractor["seen"].as_array().unwrap())
     {
-        let [share, low, high] =
-            ["fraction", "fraction_low", "fraction_high"].map(|key| seen[key].as_f64().unwrap());
+        let [share, low, high] = ["fraction", "fraction_low", "fraction_high"]
+            .map(|key| attractor[key].as_f64().unwrap());
         // Ends of Wilson's interval solve its equation, for 6 starts.
-        for end in [low, high] {
-            let left = (share - end).powi(2) - 1.959_964_f64.powi(2) * end * (1.0 - end) / 6.0;
-            assert!(left.abs() < 1e-6 && low <= share && share <= high, "{seen}");
+        for bound in [low, high] {
+            let residual =
+                (share - bound).powi(2) - 1.959_964_f64.powi(2) * bound * (1.0 - bound) / 6.0;
+            assert!(
+                residual.abs() < 1e-6 && low <= share && share <= high,
+                "{attractor}"
+            );
         }
     }
     for name in [
@@ -130,14 +134,14 @@ fn basins_start_from_a_plane() {
     );
     assert_eq!((code, json["starts"].as_u64()), (0, Some(12)));
     assert!(folder.path().join("starts.csv").exists() && folder.path().join("basins.png").exists());
-    for (wrong, told) in [
+    for (invalid_grid, message) in [
         ("speed=1:2:3x", "unknown"),
         ("velocity=1m:2m:3x", "not a velocity"),
         ("displacement=1mm:2mm:1x", "2x or more"),
     ] {
-        let (code, json, _) = jounce(&["basins", PLANT, "--json", "--grid", wrong]);
+        let (code, json, _) = jounce(&["basins", PLANT, "--json", "--grid", invalid_grid]);
         assert!(
-            code == 2 && json["error"].as_str().unwrap().contains(told),
+            code == 2 && json["error"].as_str().unwrap().contains(message),
             "{json}"
         );
     }

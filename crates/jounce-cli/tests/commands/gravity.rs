@@ -8,7 +8,7 @@ const TABLE: &str = "[mass.ball]\non = \"nothing\"\nmass = \"1 g\"\n\
     [gravity]\nacceleration = \"-1 g\"\n[drive.b]\nkind = \"base-acceleration\"\namplitude = \"0.9 g\"\nfrequency = \"10 Hz\"\n[reduction]\nmodes = 1\n";
 
 #[test]
-fn the_ball_on_a_table_is_followed_by_shooting() {
+fn shooting_continues_the_ball_on_a_table() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("table.toml");
     std::fs::write(&path, TABLE).unwrap();
@@ -53,7 +53,7 @@ fn the_ball_on_a_table_is_followed_by_shooting() {
 /// Without power the branch tells how far the ball flies: of a period one with one impact that leaves at `v`, `T = 2 v / g`, it rises by
 /// `g T^2 / 8` over the table, which moves little beside that.
 #[test]
-fn a_branch_without_power_tells_the_displacement() {
+fn a_branch_without_power_prints_the_displacement() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("table.toml");
     std::fs::write(&path, TABLE).unwrap();
@@ -80,9 +80,9 @@ fn a_branch_without_power_tells_the_displacement() {
     let (_, _, text) = jounce(&branch);
     assert!(!text.contains("-0.0"), "{text}");
     // Nothing to strike and nothing to harvest: a linear answer.
-    let bare = "[mass.m]\non = \"ground\"\nmass = \"1 g\"\nstiffness = \"1 N/m\"\ndamping_ratio = 0.02\n\
+    let spec_text = "[mass.m]\non = \"ground\"\nmass = \"1 g\"\nstiffness = \"1 N/m\"\ndamping_ratio = 0.02\n\
         [drive.b]\nkind = \"base-acceleration\"\namplitude = \"0.9 g\"\nfrequency = \"10 Hz\"\n";
-    std::fs::write(&path, bare).unwrap();
+    std::fs::write(&path, spec_text).unwrap();
     let (code, _, text) = jounce(&branch);
     assert!(
         code == 4 && text.contains("neither a stop nor a circuit"),

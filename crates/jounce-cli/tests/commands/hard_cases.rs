@@ -4,7 +4,7 @@ use crate::{PLANT, jounce};
 
 /// Hard cases of orbits from the outside: each ends soon, with an answer or with one clear error.
 #[test]
-fn hard_cases_end_with_an_answer_or_a_clear_error() {
+fn hard_cases_end_with_a_result_or_a_clear_error() {
     let over = |range: &str| format!("drive.shaker.frequency={range}");
     let branch = |range: &str, set: &str| {
         let over = over(range);
@@ -30,10 +30,10 @@ fn hard_cases_end_with_an_answer_or_a_clear_error() {
         ("13.3401238Hz:13.5Hz", ""),
         ("13.2Hz:13.5Hz", "stop.tip.stiffness=1e10 N/m^1.5"),
     ] {
-        let (code, json, told) = branch(range, set);
+        let (code, json, stderr) = branch(range, set);
         assert!(
             code == 0 && !json["branches"][0]["points"].as_array().unwrap().is_empty(),
-            "{set}: {told}"
+            "{set}: {stderr}"
         );
         let contacts = json["branches"][0]["points"][0]["contacts_per_period"]
             .as_u64()
@@ -48,7 +48,7 @@ fn hard_cases_end_with_an_answer_or_a_clear_error() {
         code == 4 && json["error"].as_str().unwrap().contains("1 uHz"),
         "{json}"
     );
-    let too_fine = [
+    let fine_range = [
         "branch",
         PLANT,
         "--over",
@@ -57,7 +57,7 @@ fn hard_cases_end_with_an_answer_or_a_clear_error() {
         "1e-17",
         "--json",
     ];
-    let (code, json, _) = jounce(&too_fine);
+    let (code, json, _) = jounce(&fine_range);
     assert!(
         code == 2 && json["error"].as_str().unwrap().contains("1e-14"),
         "{json}"
@@ -105,12 +105,12 @@ fn negative_numbers_are_refused_by_name() {
             ],
         ),
     ] {
-        let (code, _, told) = jounce(&[command, &[&format!("--{option}"), "-1"]].concat());
+        let (code, _, stderr) = jounce(&[command, &[&format!("--{option}"), "-1"]].concat());
         assert!(
             code == 2
-                && told.contains(&format!("--{option}"))
-                && !told.contains("unexpected argument"),
-            "{code} {told}"
+                && stderr.contains(&format!("--{option}"))
+                && !stderr.contains("unexpected argument"),
+            "{code} {stderr}"
         );
     }
 }
@@ -156,9 +156,9 @@ fn keys_without_orbits_are_refused_with_their_reason() {
 
 /// A branch that ends where it cannot be followed is told with its points, and where no branch is complete the command has not succeeded.
 #[test]
-fn a_command_without_a_whole_branch_ends_with_3() {
+fn a_command_without_a_complete_branch_ends_with_3() {
     let over = "drive.shaker.frequency=13.2Hz:13.5Hz";
-    let rock = [
+    let arguments = [
         "branch",
         PLANT,
         "--over",
@@ -171,13 +171,13 @@ fn a_command_without_a_whole_branch_ends_with_3() {
         "--set",
         "stop.tip.stiffness=1e12 N/m^1.5",
     ];
-    let (code, json, told) = jounce(&rock);
+    let (code, json, stderr) = jounce(&arguments);
     let branch = &json["branches"][0];
     assert!(
         code == 3
-            && told.contains("no branch is complete")
-            && told.contains("give a shorter range"),
-        "{code} {told}"
+            && stderr.contains("no branch is complete")
+            && stderr.contains("give a shorter range"),
+        "{code} {stderr}"
     );
     assert!(
         branch["endings"][0]["how"] == "points"

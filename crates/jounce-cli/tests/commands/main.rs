@@ -35,7 +35,7 @@ fn jounce(arguments: &[&str]) -> (i32, Value, String) {
     )
 }
 
-fn has(value: &Value, keys: &[&str]) {
+fn assert_keys(value: &Value, keys: &[&str]) {
     keys.iter()
         .for_each(|key| assert!(!value[*key].is_null(), "{key} is missing in {value}"));
 }

@@ -1,10 +1,10 @@
 //! Branches and jumps.
 
-use crate::{PLANT, has, jounce};
+use crate::{PLANT, assert_keys, jounce};
 use serde_json::Value;
 
 #[test]
-fn branch_answers_with_every_key_by_both_methods() {
+fn branch_prints_every_key_by_both_methods() {
     for method in ["shooting", "harmonic-balance"] {
         let over = "drive.shaker.frequency=11Hz:13Hz";
         let (code, json, _) = jounce(&[
@@ -12,7 +12,7 @@ fn branch_answers_with_every_key_by_both_methods() {
         ]);
         assert_eq!(code, 0);
         let branch = &json["branches"][0];
-        has(branch, &["period_cycles", "points", "bifurcations"]);
+        assert_keys(branch, &["period_cycles", "points", "bifurcations"]);
         let keys = [
             "parameter",
             "mean_power_w",
@@ -23,15 +23,18 @@ fn branch_answers_with_every_key_by_both_methods() {
             "contacts_per_period",
             "error_estimate",
         ];
-        has(&branch["points"][0], &keys);
-        let all: Vec<&Value> = json["branches"]
+        assert_keys(&branch["points"][0], &keys);
+        let bifurcations: Vec<&Value> = json["branches"]
             .as_array()
             .unwrap()
             .iter()
             .flat_map(|b| b["bifurcations"].as_array().unwrap())
             .collect();
-        let fold = all.iter().find(|found| found["kind"] == "fold").unwrap();
-        has(fold, &["kind", "parameter", "mean_power_w"]);
+        let fold = bifurcations
+            .iter()
+            .find(|bifurcation| bifurcation["kind"] == "fold")
+            .unwrap();
+        assert_keys(fold, &["kind", "parameter", "mean_power_w"]);
         assert!(
             (fold["parameter"].as_f64().unwrap() - 12.3218).abs() < 1e-3,
             "{method}: {fold}"
@@ -41,7 +44,7 @@ fn branch_answers_with_every_key_by_both_methods() {
 
 /// A level is labelled with its own text, in JSON and in words; a wrong one and a wrong step are one clear error.
 #[test]
-fn branch_labels_levels_and_refuses_wrong_ones() {
+fn branch_labels_levels_and_refuses_invalid_ones() {
     let call = [
         "branch",
         PLANT,
@@ -60,32 +63,33 @@ fn branch_labels_levels_and_refuses_wrong_ones() {
             .all(|branch| branch["not_proved"].as_array().is_some_and(Vec::is_empty)),
         "{json}"
     );
-    let all: Vec<&Value> = branches
+    let bifurcations: Vec<&Value> = branches
         .iter()
         .flat_map(|branch| branch["bifurcations"].as_array().unwrap())
         .collect();
-    let labels: Vec<&&Value> = all
+    let labels: Vec<&&Value> = bifurcations
         .iter()
-        .filter(|found| found["kind"] == "level")
+        .filter(|bifurcation| bifurcation["kind"] == "level")
         .collect();
-    let power = |found: &Value| found["mean_power_w"].as_f64().unwrap();
+    let power = |bifurcation: &Value| bifurcation["mean_power_w"].as_f64().unwrap();
     assert!(
         !labels.is_empty()
             && labels
                 .iter()
-                .all(|found| found["level"] == level && (power(found) / 1e-3 - 1.0).abs() < 1e-6),
+                .all(|bifurcation| bifurcation["level"] == level
+                    && (power(bifurcation) / 1e-3 - 1.0).abs() < 1e-6),
         "{json}"
     );
-    for wrong in [
+    for invalid_options in [
         ["--level", "power=50 uW"],
         ["--level", "mean_power=50 V"],
         ["--level", "strain.mfc=1 mm"],
         ["--largest-step", "2"],
     ] {
-        let (code, _, text) = jounce(&[&call[..], &wrong].concat());
+        let (code, _, text) = jounce(&[&call[..], &invalid_options].concat());
         assert!(
-            code == 2 && text.contains(wrong[0]) && text.trim().lines().count() == 1,
-            "{wrong:?}: {code} {text}"
+            code == 2 && text.contains(invalid_options[0]) && text.trim().lines().count() == 1,
+            "{invalid_options:?}: {code} {text}"
         );
     }
     let (_, _, text) = jounce(&[&call[..], &["--level", "power=50 uW"]].concat());
@@ -96,7 +100,7 @@ fn branch_labels_levels_and_refuses_wrong_ones() {
 }
 
 #[test]
-fn jumps_answers_with_every_key() {
+fn jumps_print_every_key() {
     let (over, against) = (
         "drive.shaker.frequency=11Hz:13Hz",
         "stop.tip.gap=0.9mm:1.1mm",
@@ -121,33 +125,37 @@ fn jumps_answers_with_every_key() {
     let points: Vec<&Value> = folds
         .flat_map(|fold| fold["points"].as_array().unwrap())
         .collect();
-    has(points[0], &["parameter", "parameter_2", "mean_power_w"]);
-    let own = points
+    assert_keys(points[0], &["parameter", "parameter_2", "mean_power_w"]);
+    let owner = points
         .iter()
         .filter(|point| (point["parameter_2"].as_f64().unwrap() - 1e-3).abs() < 1e-12);
     assert!(
-        own.clone()
+        owner
+            .clone()
             .any(|point| (point["parameter"].as_f64().unwrap() - 12.3218).abs() < 1e-3),
         "{json}"
     );
 }
 
 /// The plant between its stop and another behind it.
-fn between_stops(folder: &tempfile::TempDir) -> String {
-    let behind = "[stop.behind]\nat = \"harvester.tip\"\nframe = \"ground\"\nside = \"negative\"\nlaw = \"hertz\"\ngap = \"1.5 mm\"\nstiffness = \"2000 N/m^1.5\"\n";
+fn write_two_sided_spec(folder: &tempfile::TempDir) -> String {
+    let negative_stop = "[stop.behind]\nat = \"harvester.tip\"\nframe = \"ground\"\nside = \"negative\"\nlaw = \"hertz\"\ngap = \"1.5 mm\"\nstiffness = \"2000 N/m^1.5\"\n";
     let path = folder.path().join("between.toml");
     std::fs::write(
         &path,
-        format!("{}\n{behind}", std::fs::read_to_string(PLANT).unwrap()),
+        format!(
+            "{}\n{negative_stop}",
+            std::fs::read_to_string(PLANT).unwrap()
+        ),
     )
     .unwrap();
     path.to_str().unwrap().to_owned()
 }
 
 #[test]
-fn two_stops_are_marched_followed_and_told_apart() {
+fn two_stops_are_integrated_continued_and_distinguished() {
     let folder = tempfile::tempdir().unwrap();
-    let spec = between_stops(&folder);
+    let spec = write_two_sided_spec(&folder);
     let (code, json, text) = jounce(&[
         "run",
         &spec,
@@ -160,7 +168,7 @@ fn two_stops_are_marched_followed_and_told_apart() {
     assert_eq!(code, 0, "{text}");
     let stops = json["stops"].as_array().unwrap();
     stops.iter().for_each(|stop| {
-        has(
+        assert_keys(
             stop,
             &[
                 "name",
@@ -204,7 +212,8 @@ fn two_stops_are_marched_followed_and_told_apart() {
             .any(|point| point["contacts_per_period"].as_u64().unwrap() >= 2),
         "{json}"
     );
-    let (code, other, text) = jounce(&[&branch[..], &["--method", "harmonic-balance"]].concat());
+    let (code, balance_json, text) =
+        jounce(&[&branch[..], &["--method", "harmonic-balance"]].concat());
     assert_eq!(code, 0, "{text}");
     let power = |json: &Value| {
         json["branches"][0]["points"][0]["mean_power_w"]
@@ -212,9 +221,9 @@ fn two_stops_are_marched_followed_and_told_apart() {
             .unwrap()
     };
     assert!(
-        (power(&other) / power(&json) - 1.0).abs() < 1e-5,
+        (power(&balance_json) / power(&json) - 1.0).abs() < 1e-5,
         "{} {}",
-        power(&other),
+        power(&balance_json),
         power(&json)
     );
     let (code, json, text) = jounce(&["basins", &spec, "--starts", "6", "--seed", "3", "--json"]);
@@ -226,7 +235,7 @@ fn two_stops_are_marched_followed_and_told_apart() {
 
 /// A drive that comes down to nothing: the branch begins there at rest, without a word of failure.
 #[test]
-fn a_branch_follows_its_drive_down_to_nothing() {
+fn a_branch_reaches_zero_drive() {
     for method in ["shooting", "harmonic-balance"] {
         let over = "drive.shaker.amplitude=0N:20N";
         let spec = [
@@ -245,32 +254,32 @@ fn a_branch_follows_its_drive_down_to_nothing() {
         let branch = &json["branches"][0];
         let points = branch["points"].as_array().unwrap();
         let value = |point: &Value, key: &str| point[key].as_f64().unwrap();
-        let by_drive =
+        let compare_drive =
             |a: &Value, b: &Value| value(a, "parameter").total_cmp(&value(b, "parameter"));
-        let (rest, moving): (Vec<&Value>, Vec<&Value>) = points
+        let (resting, driven): (Vec<&Value>, Vec<&Value>) = points
             .iter()
             .partition(|point| value(point, "parameter") == 0.0);
         assert!(
-            rest.len() == 1 && value(rest[0], "mean_power_w") == 0.0 && points.len() < 150,
-            "{method}: {rest:?}, {}",
+            resting.len() == 1 && value(resting[0], "mean_power_w") == 0.0 && points.len() < 150,
+            "{method}: {resting:?}, {}",
             points.len()
         );
-        let least = moving
+        let smallest = driven
             .iter()
             .copied()
-            .min_by(|a, b| by_drive(a, b))
+            .min_by(|a, b| compare_drive(a, b))
             .unwrap();
-        let most = moving
+        let largest = driven
             .iter()
             .copied()
-            .max_by(|a, b| by_drive(a, b))
+            .max_by(|a, b| compare_drive(a, b))
             .unwrap();
-        assert!(value(least, "parameter") < 0.05, "{method}: {least}");
+        assert!(value(smallest, "parameter") < 0.05, "{method}: {smallest}");
         // Without contact power goes with the square of the drive.
         let rate = |point: &Value| value(point, "mean_power_w") / value(point, "parameter").powi(2);
         assert!(
-            (rate(least) / rate(most) - 1.0).abs() < 1e-6,
-            "{method}: {least} {most}"
+            (rate(smallest) / rate(largest) - 1.0).abs() < 1e-6,
+            "{method}: {smallest} {largest}"
         );
         assert_eq!(branch["endings"][0]["how"], "range");
     }
@@ -330,7 +339,7 @@ fn options_that_would_be_ignored_are_refused() {
 }
 
 #[test]
-fn a_branch_says_what_its_seeds_may_have_missed() {
+fn a_branch_notes_that_seeds_may_miss_solutions() {
     let over = "drive.shaker.frequency=14Hz:14.2Hz";
     let (code, json, _) = jounce(&[
         "branch",
@@ -354,7 +363,7 @@ fn a_branch_says_what_its_seeds_may_have_missed() {
 }
 
 #[test]
-fn a_branch_tells_its_peak_and_its_bandwidth() {
+fn a_branch_prints_its_peak_and_its_bandwidth() {
     let folder = tempfile::tempdir().unwrap();
     let over = "drive.shaker.frequency=11.5Hz:12.5Hz";
     let arguments = [
@@ -370,9 +379,9 @@ fn a_branch_tells_its_peak_and_its_bandwidth() {
         "--threads",
     ];
     let out = folder.path().to_str().unwrap();
-    let (code, one, _) = jounce(&[&arguments[..], &["1", "--out", out]].concat());
+    let (code, json, _) = jounce(&[&arguments[..], &["1", "--out", out]].concat());
     assert_eq!(code, 0);
-    let branch = &one["branches"][0];
+    let branch = &json["branches"][0];
     assert!(
         (branch["peak"]["parameter"].as_f64().unwrap() - 12.3119).abs() < 1e-3,
         "{}",
@@ -383,9 +392,9 @@ fn a_branch_tells_its_peak_and_its_bandwidth() {
         assert!(!width[key].is_null(), "{key} is missing in {width}");
     }
     assert_eq!(width["intervals"][0]["to"]["at"], "stability");
-    assert_eq!(one["half_power_bandwidth"], *width);
+    assert_eq!(json["half_power_bandwidth"], *width);
     assert!(folder.path().join("bandwidths.csv").exists());
-    assert_eq!(one, jounce(&[&arguments[..], &["3"]].concat()).1);
+    assert_eq!(json, jounce(&[&arguments[..], &["3"]].concat()).1);
 }
 
 #[test]
@@ -413,9 +422,9 @@ fn jumps_give_the_curve_of_peaks() {
     );
     assert_eq!(code, 0);
     let curves = json["curves"].as_array().unwrap();
-    let of = |kind: &str| curves.iter().filter(|curve| curve["kind"] == kind).count();
+    let curve_count = |kind: &str| curves.iter().filter(|curve| curve["kind"] == kind).count();
     assert!(
-        of("peak") >= 1 && of("fold") >= 1,
+        curve_count("peak") >= 1 && curve_count("fold") >= 1,
         "{:?}",
         curves
             .iter()
@@ -423,14 +432,15 @@ fn jumps_give_the_curve_of_peaks() {
             .collect::<Vec<_>>()
     );
     let peak = curves.iter().find(|curve| curve["kind"] == "peak").unwrap();
-    let at_50 = peak["points"]
+    let point_at_50 = peak["points"]
         .as_array()
         .unwrap()
         .iter()
         .find(|point| point["parameter_2"] == 50.0)
         .unwrap();
     assert!(
-        (at_50["parameter"].as_f64().unwrap() - 12.311_867).abs() < 1e-5 && at_50["stable"] == true,
-        "{at_50}"
+        (point_at_50["parameter"].as_f64().unwrap() - 12.311_867).abs() < 1e-5
+            && point_at_50["stable"] == true,
+        "{point_at_50}"
     );
 }

@@ -3,7 +3,7 @@
 use crate::{SPEC, jounce};
 
 #[test]
-fn run_answers_with_every_key() {
+fn run_prints_every_key() {
     let (code, json, _) = jounce(&[
         "run",
         SPEC,
@@ -54,17 +54,17 @@ fn the_library_and_the_command_line_give_the_same_bits() {
     ]);
     assert_eq!(code, 0);
     let mut library = serde_json::to_value(&result).unwrap();
-    for own in ["wall_time_s"] {
-        library[own] = json[own].clone();
+    for key in ["wall_time_s"] {
+        library[key] = json[key].clone();
     }
     assert_eq!(library, json);
 }
 
 #[test]
-fn a_run_in_two_parts_is_the_run_in_one() {
+fn a_run_in_two_parts_equals_the_full_run() {
     let folder = tempfile::tempdir().unwrap();
     let state = folder.path().join("half.json");
-    let whole = [
+    let full_run = [
         "run",
         SPEC,
         "--json",
@@ -86,15 +86,18 @@ fn a_run_in_two_parts_is_the_run_in_one() {
         "--set",
         "run.average_over=1 s",
     ];
-    let (_, one, _) = jounce(&whole);
+    let (_, full_json, _) = jounce(&full_run);
     let path = state.to_str().unwrap();
     jounce(&[&half[..], &["--save-state", path]].concat());
-    let (_, two, _) = jounce(&[&half[..], &["--start", path]].concat());
-    let (one, two) = (
-        one["mean_power_w"].as_f64().unwrap(),
-        two["mean_power_w"].as_f64().unwrap(),
+    let (_, resumed_json, _) = jounce(&[&half[..], &["--start", path]].concat());
+    let (full_json, resumed_json) = (
+        full_json["mean_power_w"].as_f64().unwrap(),
+        resumed_json["mean_power_w"].as_f64().unwrap(),
     );
-    assert!((one / two - 1.0).abs() < 1e-9, "{one} {two}");
+    assert!(
+        (full_json / resumed_json - 1.0).abs() < 1e-9,
+        "{full_json} {resumed_json}"
+    );
 }
 
 #[test]
@@ -127,8 +130,8 @@ fn sweep_gives_the_same_bits_for_any_number_of_threads() {
         )
         .1
     };
-    let one = sweep("1");
-    assert_eq!(one["points"].as_array().unwrap().len(), 5);
+    let full_json = sweep("1");
+    assert_eq!(full_json["points"].as_array().unwrap().len(), 5);
     for key in [
         "parameter",
         "direction",
@@ -136,13 +139,13 @@ fn sweep_gives_the_same_bits_for_any_number_of_threads() {
         "voltage_rms_v",
         "settled",
     ] {
-        assert!(!one["points"][0][key].is_null(), "{key} is missing");
+        assert!(!full_json["points"][0][key].is_null(), "{key} is missing");
     }
-    assert_eq!(one, sweep("3"));
+    assert_eq!(full_json, sweep("3"));
 }
 
 #[test]
-fn modes_and_frequency_responses_answer_with_every_key() {
+fn modes_and_frequency_responses_print_every_key() {
     let (code, json, _) = jounce(&["modes", SPEC, "--fixed-table", "--json"]);
     assert_eq!((code, json["modes"].as_array().unwrap().len()), (0, 7));
     assert!((json["modes"][0]["frequency_hz"].as_f64().unwrap() - 8.66343).abs() < 1e-5);
@@ -172,10 +175,10 @@ fn modes_and_frequency_responses_answer_with_every_key() {
 #[test]
 fn bad_input_ends_with_its_code_and_one_clear_sentence() {
     let folder = tempfile::tempdir().unwrap();
-    let here = folder.path().to_str().unwrap();
-    for (arguments, code, words) in [
+    let folder_path = folder.path().to_str().unwrap();
+    for (arguments, code, message) in [
         (vec!["check", "missing.toml"], 4, "missing.toml"),
-        (vec!["check", here], 4, here),
+        (vec!["check", folder_path], 4, folder_path),
         (
             vec!["run", SPEC, "--set", "stop.tip.gpa=\"1 mm\""],
             4,
@@ -199,10 +202,10 @@ fn bad_input_ends_with_its_code_and_one_clear_sentence() {
         (vec!["run"], 2, "SPEC"),
         (vec!["frf", SPEC, "--from", "3 mm"], 2, "--from"),
     ] {
-        let (found, _, stderr) = jounce(&arguments);
-        assert_eq!(found, code, "{arguments:?}: {stderr}");
+        let (exit_code, _, stderr) = jounce(&arguments);
+        assert_eq!(exit_code, code, "{arguments:?}: {stderr}");
         assert!(
-            stderr.contains(words) && !stderr.contains("panicked"),
+            stderr.contains(message) && !stderr.contains("panicked"),
             "{arguments:?}: {stderr}"
         );
     }

@@ -1,12 +1,12 @@
 //! Studies and ensembles.
 
-use crate::{PLANT, SPEC, has, jounce};
+use crate::{PLANT, SPEC, assert_keys, jounce};
 use assert_cmd::Command;
 
 /// Killed at five moments and taken up again, a study has the bytes of one that ran through.
 #[cfg(unix)]
 #[test]
-fn a_study_that_is_killed_goes_on() {
+fn a_killed_study_resumes() {
     let folder = tempfile::tempdir().unwrap();
     let text = format!(
         "spec = {SPEC:?}\npoints_per_part = 3\n[set]\n\"run.duration\" = \"1 s\"\n\"run.average_over\" = \"0.5 s\"\n\
@@ -14,14 +14,14 @@ fn a_study_that_is_killed_goes_on() {
     );
     let file = folder.path().join("study.toml");
     std::fs::write(&file, text).unwrap();
-    let out = |name: &str| folder.path().join(name);
+    let output_path = |name: &str| folder.path().join(name);
     let arguments = |name: &str| {
         [
             "study".into(),
             "run".into(),
             file.clone(),
             "--out".into(),
-            out(name),
+            output_path(name),
         ]
     };
     Command::cargo_bin("jounce")
@@ -29,15 +29,17 @@ fn a_study_that_is_killed_goes_on() {
         .args(arguments("whole"))
         .assert()
         .success();
-    let parts = || std::fs::read_dir(out("killed").join("parts")).map_or(0, |found| found.count());
+    let parts = || {
+        std::fs::read_dir(output_path("killed").join("parts")).map_or(0, |entries| entries.count())
+    };
     for _ in 0..5 {
-        let before = parts();
+        let count_before = parts();
         let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_jounce"))
             .args(arguments("killed"))
             .spawn()
             .unwrap();
         // At work: there is more than before, if only the begin of a file.
-        while parts() == before && child.try_wait().unwrap().is_none() {
+        while parts() == count_before && child.try_wait().unwrap().is_none() {
             std::thread::sleep(std::time::Duration::from_millis(1));
         }
         child.kill().unwrap();
@@ -48,7 +50,7 @@ fn a_study_that_is_killed_goes_on() {
         "run",
         file.to_str().unwrap(),
         "--out",
-        out("killed").to_str().unwrap(),
+        output_path("killed").to_str().unwrap(),
         "--json",
     ]);
     assert_eq!(
@@ -56,7 +58,7 @@ fn a_study_that_is_killed_goes_on() {
         (0, &serde_json::json!(100), &serde_json::json!(true)),
         "{errors}"
     );
-    let read = |name: &str| std::fs::read(out(name).join("study.parquet")).unwrap();
+    let read = |name: &str| std::fs::read(output_path(name).join("study.parquet")).unwrap();
     assert!(read("whole") == read("killed"));
     let (code, json, _) = jounce(&["study", "status", folder.path().to_str().unwrap(), "--json"]);
     assert!(
@@ -66,7 +68,7 @@ fn a_study_that_is_killed_goes_on() {
 }
 
 #[test]
-fn noise_and_ensembles_answer_with_every_key() {
+fn noise_and_ensembles_print_every_key() {
     const SHAKER: &str = concat!(
         env!("CARGO_MANIFEST_DIR"),
         "/../../examples/random-base/shaker.toml"
@@ -75,7 +77,7 @@ fn noise_and_ensembles_answer_with_every_key() {
     let out = folder.path().to_str().unwrap();
     let (code, json, stderr) = jounce(&["noise", SHAKER, "--json", "--out", out]);
     assert_eq!(code, 0, "{stderr}");
-    has(
+    assert_keys(
         &json,
         &[
             "mean_power_w",
@@ -86,7 +88,7 @@ fn noise_and_ensembles_answer_with_every_key() {
             "left_out",
         ],
     );
-    has(
+    assert_keys(
         &json["loads"][0],
         &[
             "spectral_power_w",
@@ -95,7 +97,7 @@ fn noise_and_ensembles_answer_with_every_key() {
             "statistical_bandwidth_hz",
         ],
     );
-    has(
+    assert_keys(
         &json["stops"][0],
         &["reached_hz", "share_beyond", "displacement_rms_m"],
     );
@@ -104,7 +106,7 @@ fn noise_and_ensembles_answer_with_every_key() {
             .iter()
             .all(|name| folder.path().join(name).exists())
     );
-    let short = [
+    let short_run = [
         "--set",
         "run.duration=0.6 s",
         "--set",
@@ -120,9 +122,9 @@ fn noise_and_ensembles_answer_with_every_key() {
         "--out",
         out,
     ];
-    let (code, json, stderr) = jounce(&[&members[..], &short].concat());
+    let (code, json, stderr) = jounce(&[&members[..], &short_run].concat());
     assert_eq!(code, 0, "{stderr}");
-    has(
+    assert_keys(
         &json["stops"][0],
         &[
             "contact_rate_hz",
@@ -131,13 +133,13 @@ fn noise_and_ensembles_answer_with_every_key() {
             "contact_duty",
         ],
     );
-    has(&json["bandwidths_hz"]["mfc"], &["mean", "interval"]);
+    assert_keys(&json["bandwidths_hz"]["mfc"], &["mean", "interval"]);
     assert!(
         ["ensemble-spectrum.csv", "ensemble-spectrum.svg"]
             .iter()
             .all(|name| folder.path().join(name).exists())
     );
-    for (arguments, words) in [
+    for (arguments, message) in [
         (vec!["noise", SPEC], "no drive has signal"),
         (
             vec!["ensemble", SHAKER, "--members", "1", "--spectrum"],
@@ -147,7 +149,7 @@ fn noise_and_ensembles_answer_with_every_key() {
     ] {
         let (code, _, stderr) = jounce(&arguments);
         assert!(
-            code != 0 && stderr.contains(words),
+            code != 0 && stderr.contains(message),
             "{arguments:?}: {stderr}"
         );
     }
@@ -156,12 +158,12 @@ fn noise_and_ensembles_answer_with_every_key() {
 /// What was finished is told, as one object, and the exit code is that of every command that is interrupted.
 #[cfg(unix)]
 #[test]
-fn what_is_interrupted_tells_what_is_finished_and_ends_with_130() {
+fn an_interrupted_command_prints_finished_results_and_ends_with_130() {
     const SHAKER: &str = concat!(
         env!("CARGO_MANIFEST_DIR"),
         "/../../examples/random-base/shaker.toml"
     );
-    let short = [
+    let short_run = [
         "--set",
         "run.duration=0.6 s",
         "--set",
@@ -169,20 +171,20 @@ fn what_is_interrupted_tells_what_is_finished_and_ends_with_130() {
     ];
     let ensemble = [
         &["ensemble", SHAKER, "--members", "1000000", "--json"][..],
-        &short,
+        &short_run,
     ]
     .concat();
     let basins = vec!["basins", PLANT, "--starts", "1000000", "--json"];
-    for (arguments, list, words) in [
+    for (arguments, list, message) in [
         (ensemble, "members", "finished members"),
         (basins, "attractors", "of 1000000 starts"),
     ] {
         let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_jounce"));
-        let piped = || std::process::Stdio::piped();
+        let pipe = || std::process::Stdio::piped();
         let child = command
             .args(&arguments)
-            .stdout(piped())
-            .stderr(piped())
+            .stdout(pipe())
+            .stderr(pipe())
             .spawn()
             .unwrap();
         std::thread::sleep(std::time::Duration::from_secs(3));
@@ -198,7 +200,7 @@ fn what_is_interrupted_tells_what_is_finished_and_ends_with_130() {
         assert_eq!(output.status.code(), Some(130), "{errors}");
         let json = json.unwrap();
         assert!(
-            !json[list].as_array().unwrap().is_empty() && errors.contains(words),
+            !json[list].as_array().unwrap().is_empty() && errors.contains(message),
             "{json} {errors}"
         );
     }
@@ -206,7 +208,7 @@ fn what_is_interrupted_tells_what_is_finished_and_ends_with_130() {
 
 /// A harvester whose base has a name answers every linear question as one on the ground does: its base is the ground once no drive moves it.
 #[test]
-fn a_named_base_answers_as_the_ground_does() {
+fn a_named_base_gives_the_result_of_the_ground() {
     let folder = tempfile::tempdir().unwrap();
     let spec = |base: &str| {
         let patch = "[patch.p]\non = \"arm\"\nmaterial = \"PZT-5A\"\nstart = \"0 mm\"\nlength = \"30 mm\"\nwidth = \"20 mm\"\nthickness = \"0.2 mm\"\n";
@@ -222,8 +224,8 @@ fn a_named_base_answers_as_the_ground_does() {
         file.to_str().unwrap().to_owned()
     };
     let (head, ground) = (spec("head"), spec("ground"));
-    let struck = folder.path().join("struck.parquet");
-    for words in [
+    let struck_file = folder.path().join("struck.parquet");
+    for command in [
         &["frf", "--base", "--from", "10Hz", "--to", "200Hz"][..],
         &[
             "frf", "--input", "arm.end", "--from", "10Hz", "--to", "200Hz",
@@ -241,20 +243,20 @@ fn a_named_base_answers_as_the_ground_does() {
             "--block",
             "1 s",
             "--to",
-            struck.to_str().unwrap(),
+            struck_file.to_str().unwrap(),
         ],
     ] {
-        let answer = |file: &str| {
-            let arguments: Vec<&str> = [words[0], file]
+        let output = |file: &str| {
+            let arguments: Vec<&str> = [command[0], file]
                 .into_iter()
-                .chain(words[1..].iter().copied())
+                .chain(command[1..].iter().copied())
                 .chain(["--json"])
                 .collect();
             let (code, mut json, errors) = jounce(&arguments);
-            assert_eq!(code, 0, "{words:?} {file}: {errors}");
+            assert_eq!(code, 0, "{command:?} {file}: {errors}");
             json.as_object_mut().unwrap().remove("manifest");
             json
         };
-        assert_eq!(answer(&head), answer(&ground), "{words:?}");
+        assert_eq!(output(&head), output(&ground), "{command:?}");
     }
 }

@@ -12,14 +12,14 @@ const SINE: &str =
     "[drive.b]\nkind = \"base-acceleration\"\namplitude = \"20 g\"\nfrequency = \"33 Hz\"\n";
 const NOISE: &str = "[drive.b]\nkind = \"base-acceleration\"\nsignal = \"noise\"\npsd = \"20 g^2/Hz\"\nhigh = \"60 Hz\"\n";
 
-fn written(folder: &tempfile::TempDir, text: &str) -> String {
+fn write_spec(folder: &tempfile::TempDir, text: &str) -> String {
     let path = folder.path().join("spec.toml");
     std::fs::write(&path, text).unwrap();
     path.to_str().unwrap().to_owned()
 }
 
-fn strains(answer: &Value) -> bool {
-    answer["warnings"]
+fn exceeds_strain(result: &Value) -> bool {
+    result["warnings"]
         .as_array()
         .unwrap()
         .iter()
@@ -27,12 +27,12 @@ fn strains(answer: &Value) -> bool {
 }
 
 #[test]
-fn limits_warn_in_every_command_that_marches() {
+fn every_integrating_command_warns_about_limits() {
     let folder = tempfile::tempdir().unwrap();
-    let spec = written(&folder, &format!("{STRIP}{SINE}"));
+    let spec = write_spec(&folder, &format!("{STRIP}{SINE}"));
     let (code, run, text) = jounce(&["run", &spec, "--json"]);
     assert!(
-        code == 0 && strains(&run) && run["warnings"][0]["warning"] == "limit",
+        code == 0 && exceeds_strain(&run) && run["warnings"][0]["warning"] == "limit",
         "{text} {run}"
     );
     let (code, sweep, text) = jounce(&[
@@ -44,7 +44,10 @@ fn limits_warn_in_every_command_that_marches() {
     ]);
     assert_eq!(code, 0, "{text}");
     let points = sweep["points"].as_array().unwrap();
-    assert!(!strains(&points[0]) && strains(&points[1]), "{sweep}");
+    assert!(
+        !exceeds_strain(&points[0]) && exceeds_strain(&points[1]),
+        "{sweep}"
+    );
     let message = "600 ppm are recommended; 1 of 2 points pass the limit, worst at drive.b.amplitude = 196.133000 m/s^2";
     assert!(
         text.contains("warning: patch m: its strain reaches") && text.contains(message),
@@ -62,11 +65,11 @@ fn limits_warn_in_every_command_that_marches() {
     assert_eq!(code, 0, "{text}");
     let points = branch["branches"][0]["points"].as_array().unwrap();
     assert!(
-        !strains(&points[0]) && strains(points.last().unwrap()),
+        !exceeds_strain(&points[0]) && exceeds_strain(points.last().unwrap()),
         "{branch}"
     );
     // The same orbit by march and by shooting.
-    let reached = |answer: &Value| answer["warnings"][0]["reached"].as_f64().unwrap().abs();
+    let reached = |result: &Value| result["warnings"][0]["reached"].as_f64().unwrap().abs();
     assert!((reached(points.last().unwrap()) / reached(&run) - 1.0).abs() < 1e-3);
     assert!(
         text.contains("points pass the limit, worst at drive.b.amplitude = 196.133000 m/s^2"),
@@ -74,7 +77,7 @@ fn limits_warn_in_every_command_that_marches() {
     );
     let (code, basins, text) = jounce(&["basins", &spec, "--starts", "2", "--json"]);
     assert!(
-        code == 0 && strains(&basins["attractors"][0]),
+        code == 0 && exceeds_strain(&basins["attractors"][0]),
         "{text} {basins}"
     );
     assert!(
@@ -84,33 +87,33 @@ fn limits_warn_in_every_command_that_marches() {
 }
 
 #[test]
-fn limits_warn_under_noise_too() {
+fn limits_warn_under_noise() {
     let folder = tempfile::tempdir().unwrap();
-    let spec = written(
+    let spec = write_spec(
         &folder,
         &format!("{STRIP}{NOISE}").replace("start = \"linear\"\n", ""),
     );
     let (code, ensemble, text) = jounce(&["ensemble", &spec, "--members", "2", "--json"]);
     assert_eq!(code, 0, "{text}");
     let members = ensemble["members"].as_array().unwrap();
-    let passed = |member: &Value| {
+    let exceeds_strain = |member: &Value| {
         member["exceeded"]
             .as_array()
             .unwrap()
             .iter()
-            .any(|own| own["quantity"] == "strain")
+            .any(|warning| warning["quantity"] == "strain")
     };
     assert!(
-        members.iter().all(passed)
+        members.iter().all(exceeds_strain)
             && text.contains("2 of 2 members pass the limit, worst at member"),
         "{text} {ensemble}"
     );
     let (code, run, text) = jounce(&["run", &spec, "--json"]);
-    assert!(code == 0 && strains(&run), "{text} {run}");
+    assert!(code == 0 && exceeds_strain(&run), "{text} {run}");
 }
 
 #[test]
-fn a_recording_that_ends_before_the_run_is_told() {
+fn a_recording_shorter_than_the_run_gives_a_warning() {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(
         folder.path().join("road.csv"),
@@ -119,7 +122,7 @@ fn a_recording_that_ends_before_the_run_is_told() {
     .unwrap();
     let text = "[mass.m]\nmass = \"1 kg\"\nfrequency = \"3 Hz\"\ndamping_ratio = 0.1\n[drive.road]\nkind = \"base-acceleration\"\nsignal = \"recording\"\n\
         file = \"road.csv\"\nmean = \"kept\"\n[run]\nduration = \"3 s\"\naverage_over = \"1 s\"\n";
-    let spec = written(&folder, text);
+    let spec = write_spec(&folder, text);
     let (code, run, text) = jounce(&["run", &spec, "--json"]);
     let warning = &run["warnings"][0];
     assert!(

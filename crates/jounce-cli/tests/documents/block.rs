@@ -28,17 +28,17 @@ const KNOWN: [&str; 9] = [
 
 impl Block {
     /// `document:line`.
-    pub fn place(&self) -> String {
+    pub fn location(&self) -> String {
         format!("{}:{}", self.document, self.line)
     }
 
     /// Why the block is none of the kinds that are checked.
     pub fn fault(&self) -> Option<String> {
-        let known = KNOWN.contains(&self.info.as_str());
-        (!known).then(|| {
+        let is_known = KNOWN.contains(&self.info.as_str());
+        (!is_known).then(|| {
             format!(
                 "{}: a block is marked `{}`; allowed are {}",
-                self.place(),
+                self.location(),
                 self.info,
                 KNOWN.join(", ")
             )
@@ -63,47 +63,47 @@ impl Block {
 
 /// The blocks of a document, in order.
 pub fn blocks(document: &str, markdown: &str) -> Vec<Block> {
-    let mut found = Vec::new();
+    let mut blocks_read = Vec::new();
     let mut open: Option<(String, usize, Block)> = None;
     for (index, line) in markdown.lines().enumerate() {
-        let bare = line.trim_start();
+        let trimmed = line.trim_start();
         match &mut open {
             None => {
-                let fence = fence(bare);
+                let fence = fence(trimmed);
                 if !fence.is_empty() {
-                    let info = bare[fence.len()..].trim().to_owned();
+                    let info = trimmed[fence.len()..].trim().to_owned();
                     let block = Block {
                         document: document.to_owned(),
                         line: index + 1,
                         info,
                         text: String::new(),
                     };
-                    open = Some((fence, line.len() - bare.len(), block));
+                    open = Some((fence, line.len() - trimmed.len(), block));
                 }
             }
             Some((fence, indent, block)) => {
-                if bare.trim_end().starts_with(fence.as_str())
-                    && bare.trim_end().chars().all(|c| fence.starts_with(c))
+                if trimmed.trim_end().starts_with(fence.as_str())
+                    && trimmed.trim_end().chars().all(|c| fence.starts_with(c))
                 {
-                    found.extend(open.take().map(|(_, _, block)| block));
+                    blocks_read.extend(open.take().map(|(_, _, block)| block));
                 } else {
                     block
                         .text
-                        .push_str(&line[(*indent).min(line.len() - bare.len())..]);
+                        .push_str(&line[(*indent).min(line.len() - trimmed.len())..]);
                     block.text.push('\n');
                 }
             }
         }
     }
-    found.extend(open.map(|(_, _, block)| block));
-    found
+    blocks_read.extend(open.map(|(_, _, block)| block));
+    blocks_read
 }
 
 /// The fence that a line starts with, empty without one.
 fn fence(line: &str) -> String {
-    let mark = line.chars().next().unwrap_or(' ');
-    let fence: String = line.chars().take_while(|c| *c == mark).collect();
-    if matches!(mark, '`' | '~') && fence.len() >= 3 {
+    let marker = line.chars().next().unwrap_or(' ');
+    let fence: String = line.chars().take_while(|c| *c == marker).collect();
+    if matches!(marker, '`' | '~') && fence.len() >= 3 {
         fence
     } else {
         String::new()
@@ -115,15 +115,15 @@ mod tests {
     use super::blocks;
 
     #[test]
-    fn finds_blocks_with_their_place_indented_and_nested_ones_too() {
+    fn finds_indented_and_nested_blocks_with_their_location() {
         let markdown = "a\n```sh\njounce --help\n```\n\n1. b\n   ````text\n   ```\n     c\n   ````\n~~~toml spec\n[run]\n~~~\n`x`\n";
-        let found = blocks("a.md", markdown);
-        let seen: Vec<_> = found
+        let blocks_read = blocks("a.md", markdown);
+        let summaries: Vec<_> = blocks_read
             .iter()
-            .map(|block| (block.place(), block.info.as_str(), block.text.as_str()))
+            .map(|block| (block.location(), block.info.as_str(), block.text.as_str()))
             .collect();
         assert_eq!(
-            seen,
+            summaries,
             [
                 ("a.md:2".to_owned(), "sh", "jounce --help\n"),
                 ("a.md:7".to_owned(), "text", "```\n  c\n"),
@@ -133,9 +133,9 @@ mod tests {
     }
 
     #[test]
-    fn a_block_that_says_nothing_or_something_else_is_a_fault() {
-        let told = |info: &str| blocks("a.md", &format!("```{info}\nx\n```\n"))[0].fault();
-        assert_eq!(told("sh"), None);
-        assert!(told("").is_some() && told("toml").is_some() && told("bash").is_some());
+    fn a_block_without_a_known_language_is_a_fault() {
+        let fault_of = |info: &str| blocks("a.md", &format!("```{info}\nx\n```\n"))[0].fault();
+        assert_eq!(fault_of("sh"), None);
+        assert!(fault_of("").is_some() && fault_of("toml").is_some() && fault_of("bash").is_some());
     }
 }

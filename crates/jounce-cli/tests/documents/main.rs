@@ -36,7 +36,7 @@ fn empty_folder(name: &str) -> PathBuf {
 
 /// README and every page of the book, by paths from the root.
 fn documents() -> Vec<String> {
-    let mut found = vec!["README.md".to_owned()];
+    let mut documents = vec!["README.md".to_owned()];
     let mut folders = vec![PathBuf::from("book/src")];
     while let Some(folder) = folders.pop() {
         for entry in std::fs::read_dir(root().join(&folder)).expect("the book is there") {
@@ -44,23 +44,23 @@ fn documents() -> Vec<String> {
             if root().join(&path).is_dir() {
                 folders.push(path);
             } else if path.extension().is_some_and(|extension| extension == "md") {
-                found.push(path.to_string_lossy().replace('\\', "/"));
+                documents.push(path.to_string_lossy().replace('\\', "/"));
             }
         }
     }
-    found.sort();
-    found
+    documents.sort();
+    documents
 }
 
 /// The blocks of every document with a property.
-fn all_blocks(wanted: impl Fn(&Block) -> bool) -> Vec<Block> {
+fn all_blocks(is_selected: impl Fn(&Block) -> bool) -> Vec<Block> {
     let read = |document: &String| {
         std::fs::read_to_string(root().join(document)).expect("documents are UTF-8")
     };
     documents()
         .iter()
         .flat_map(|document| blocks(document, &read(document)))
-        .filter(wanted)
+        .filter(is_selected)
         .collect()
 }
 
@@ -69,7 +69,7 @@ fn assert_none(faults: Vec<String>) {
 }
 
 #[test]
-fn every_block_says_what_it_is() {
+fn every_block_names_its_language() {
     assert_none(
         all_blocks(|_| true)
             .iter()
@@ -80,14 +80,14 @@ fn every_block_says_what_it_is() {
 
 #[test]
 fn every_command_works() {
-    let found = all_blocks(Block::is_shell);
+    let selected = all_blocks(Block::is_shell);
     assert!(
-        found.iter().any(|block| block.document == "README.md"),
+        selected.iter().any(|block| block.document == "README.md"),
         "README shows no command"
     );
     let mut faults = Vec::new();
     for document in documents() {
-        let blocks: Vec<&Block> = found
+        let blocks: Vec<&Block> = selected
             .iter()
             .filter(|block| block.document == document)
             .collect();
@@ -106,13 +106,13 @@ fn every_command_works() {
 
 #[test]
 fn every_spec_is_valid() {
-    let found = all_blocks(Block::is_spec);
-    assert!(!found.is_empty(), "no document shows a spec");
+    let selected = all_blocks(Block::is_spec);
+    assert!(!selected.is_empty(), "no document shows a spec");
     let folder = empty_folder("specs");
     let base = root().join("examples/impact-harvester-2019/harvester.toml");
     let base = std::fs::read_to_string(base).expect("the paper's spec is there");
     assert_none(
-        found
+        selected
             .iter()
             .filter_map(|block| specs::fault(block, &base, &folder))
             .collect(),
@@ -121,14 +121,17 @@ fn every_spec_is_valid() {
 
 #[test]
 fn every_study_is_valid() {
-    let beside = root().join("examples/impact-harvester-2019");
-    let refused = |block: Block| {
-        let error = jounce_core::study::Study::parse(&block.text, &beside).err()?;
-        Some(format!("{}: this study is refused\n{error}", block.place()))
+    let base_folder = root().join("examples/impact-harvester-2019");
+    let study_fault = |block: Block| {
+        let error = jounce_core::study::Study::parse(&block.text, &base_folder).err()?;
+        Some(format!(
+            "{}: this study is refused\n{error}",
+            block.location()
+        ))
     };
-    let found = all_blocks(|block| block.info == "toml study");
-    assert!(!found.is_empty(), "no document shows a study");
-    assert_none(found.into_iter().filter_map(refused).collect());
+    let selected = all_blocks(|block| block.info == "toml study");
+    assert!(!selected.is_empty(), "no document shows a study");
+    assert_none(selected.into_iter().filter_map(study_fault).collect());
 }
 
 #[test]

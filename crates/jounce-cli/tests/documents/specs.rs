@@ -7,7 +7,7 @@ use std::process::Command;
 /// Why `jounce check` refuses the spec of a block.
 pub fn fault(block: &Block, base: &str, folder: &Path) -> Option<String> {
     let text = if block.info == "toml part" {
-        grafted(base, &block.text)
+        merge_part(base, &block.text)
     } else {
         block.text.clone()
     };
@@ -17,31 +17,31 @@ pub fn fault(block: &Block, base: &str, folder: &Path) -> Option<String> {
         block.line
     ));
     std::fs::write(&path, text).expect("a file can be written in the target folder");
-    let done = Command::new(env!("CARGO_BIN_EXE_jounce"))
+    let output = Command::new(env!("CARGO_BIN_EXE_jounce"))
         .arg("check")
         .arg(&path)
         .output()
         .expect("jounce starts");
-    let told = || {
+    let message = || {
         format!(
             "{}: this spec is refused\n{}",
-            block.place(),
-            String::from_utf8_lossy(&done.stderr)
+            block.location(),
+            String::from_utf8_lossy(&output.stderr)
         )
     };
-    (!done.status.success()).then(told)
+    (!output.status.success()).then(message)
 }
 
 /// A spec with the tables of a part in place of its own.
-pub fn grafted(base: &str, part: &str) -> String {
-    let replaced: Vec<&str> = part.lines().filter_map(header).collect();
-    let mut keep = true;
+pub fn merge_part(base: &str, part: &str) -> String {
+    let replaced_headers: Vec<&str> = part.lines().filter_map(header).collect();
+    let mut is_retained = true;
     let mut text = String::new();
     for line in base.lines() {
         if let Some(header) = header(line) {
-            keep = !replaced.contains(&header);
+            is_retained = !replaced_headers.contains(&header);
         }
-        if keep {
+        if is_retained {
             text.push_str(line);
             text.push('\n');
         }
@@ -59,22 +59,22 @@ fn header(line: &str) -> Option<&str> {
 mod tests {
     use super::super::block::blocks;
     use super::super::empty_folder;
-    use super::{fault, grafted};
+    use super::{fault, merge_part};
 
     #[test]
-    fn a_part_takes_the_place_of_its_table() {
+    fn a_part_replaces_its_table() {
         let base =
             "# all\n[run]\nstart = \"rest\" # so\n[stop.tip] # it\ngap = 1\n[stop.top]\ngap = 2\n";
         assert_eq!(
-            grafted(base, "[stop.tip]\ngap = 3\n"),
+            merge_part(base, "[stop.tip]\ngap = 3\n"),
             "# all\n[run]\nstart = \"rest\" # so\n[stop.top]\ngap = 2\n[stop.tip]\ngap = 3\n"
         );
     }
 
     #[test]
-    fn a_spec_that_is_wrong_is_told() {
+    fn an_invalid_spec_is_reported() {
         let block = &blocks("a.md", "```toml spec\n[rum]\n```\n")[0];
-        let told = fault(block, "", &empty_folder("wrong-spec"));
-        assert!(told.is_some_and(|told| told.starts_with("a.md:1: this spec is refused")));
+        let message = fault(block, "", &empty_folder("wrong-spec"));
+        assert!(message.is_some_and(|message| message.starts_with("a.md:1: this spec is refused")));
     }
 }

@@ -1,11 +1,11 @@
 //! What commands on recordings say: responses to a base, warnings in words, findings once, peaks by height.
 
-use super::{csv, jounce, switching};
+use super::{csv, jounce, write_switching_recording};
 use assert_cmd::Command;
 use std::f64::consts::TAU;
 use std::path::Path;
 
-fn printed(folder: &Path, arguments: &[&str]) -> (i32, String, String) {
+fn outputs(folder: &Path, arguments: &[&str]) -> (i32, String, String) {
     let output = Command::cargo_bin("jounce")
         .unwrap()
         .args(arguments)
@@ -21,7 +21,7 @@ fn printed(folder: &Path, arguments: &[&str]) -> (i32, String, String) {
 }
 
 /// A base and a voltage of 2 V per m/s^2, both in units of their own, beside a dead channel.
-fn shaken(folder: &Path) {
+fn write_shaker_recording(folder: &Path) {
     let base = |k: u32| (f64::from(k) * 0.7).sin() + (f64::from(k).powi(2) * 1e-4).sin();
     let row = |k: u32| {
         vec![
@@ -41,7 +41,7 @@ fn shaken(folder: &Path) {
 #[test]
 fn a_base_is_an_input_in_its_own_unit() {
     let folder = tempfile::tempdir().unwrap();
-    shaken(folder.path());
+    write_shaker_recording(folder.path());
     let measured = [
         "frf",
         "--measured",
@@ -67,7 +67,7 @@ fn a_base_is_an_input_in_its_own_unit() {
         "{}",
         piezo["re"][112]
     );
-    let (code, text, stderr) = printed(folder.path(), &measured);
+    let (code, text, stderr) = outputs(folder.path(), &measured);
     assert!(
         code == 0 && text.contains("V/(m/s^2) (1.96133e1 V/g)"),
         "{text} {stderr}"
@@ -77,9 +77,9 @@ fn a_base_is_an_input_in_its_own_unit() {
         !stderr.contains("dead") && stderr.contains("note: base: values in g"),
         "{stderr}"
     );
-    let (code, _, stderr) = printed(folder.path(), &["frf", "--measured", "shaken.csv"]);
+    let (code, _, stderr) = outputs(folder.path(), &["frf", "--measured", "shaken.csv"]);
     assert!(code == 4 && stderr.contains("--input"), "{code} {stderr}");
-    let (code, _, stderr) = printed(
+    let (code, _, stderr) = outputs(
         folder.path(),
         &[
             "frf",
@@ -92,7 +92,7 @@ fn a_base_is_an_input_in_its_own_unit() {
         ],
     );
     assert!(code == 2, "{code} {stderr}");
-    let (code, _, stderr) = printed(folder.path(), &["modes", "spec.toml", "--input", "base"]);
+    let (code, _, stderr) = outputs(folder.path(), &["modes", "spec.toml", "--input", "base"]);
     assert!(
         code == 2 && stderr.contains("--measured"),
         "{code} {stderr}"
@@ -101,10 +101,10 @@ fn a_base_is_an_input_in_its_own_unit() {
 
 /// The same file twice: each sentence once, with the number of recordings.
 #[test]
-fn findings_are_told_once() {
+fn issues_are_printed_once() {
     let folder = tempfile::tempdir().unwrap();
-    shaken(folder.path());
-    let (code, _, stderr) = printed(
+    write_shaker_recording(folder.path());
+    let (code, _, stderr) = outputs(
         folder.path(),
         &[
             "frf",
@@ -128,7 +128,7 @@ fn findings_are_told_once() {
         (1, 1, 2),
         "{stderr}"
     );
-    let (code, _, stderr) = printed(
+    let (code, _, stderr) = outputs(
         folder.path(),
         &["spectra", "shaken.csv", "--channel", "piezo"],
     );
@@ -141,9 +141,9 @@ fn findings_are_told_once() {
 #[test]
 fn a_warning_of_a_contact_is_a_sentence() {
     let folder = tempfile::tempdir().unwrap();
-    let pulse = |x: f64, from: f64, peak: f64| {
-        if (from..from + 1e-3).contains(&x) {
-            peak * (TAU * 500.0 * (x - from)).sin()
+    let pulse = |x: f64, start: f64, peak: f64| {
+        if (start..start + 1e-3).contains(&x) {
+            peak * (TAU * 500.0 * (x - start)).sin()
         } else {
             0.0
         }
@@ -160,7 +160,7 @@ fn a_warning_of_a_contact_is_a_sentence() {
         "time [s],hammer [N]",
         (0..10_000).map(row),
     );
-    let (code, text, stderr) = printed(folder.path(), &["contact", "double.csv"]);
+    let (code, text, stderr) = outputs(folder.path(), &["contact", "double.csv"]);
     assert!(
         code == 0 && text.contains("warning: the hit is double: 1") && !text.contains("Double {"),
         "{text} {stderr}"
@@ -203,10 +203,10 @@ fn spectra_take_a_live_channel_and_list_peaks_by_height() {
 
 /// Power is told of the stretches that are long enough, with its uncertainty at one digit.
 #[test]
-fn a_stretch_too_short_for_an_interval_does_not_fail_the_others() {
+fn a_segment_too_short_for_an_interval_does_not_fail_the_others() {
     let folder = tempfile::tempdir().unwrap();
-    switching(folder.path());
-    let (code, text, stderr) = printed(
+    write_switching_recording(folder.path());
+    let (code, text, stderr) = outputs(
         folder.path(),
         &[
             "regimes",
@@ -251,8 +251,8 @@ fn a_stretch_too_short_for_an_interval_does_not_fail_the_others() {
         "{} stretches, powers {}",
         json["regimes"]["stretches"], json["powers"]
     );
-    let stretches = json["regimes"]["stretches"].as_array().unwrap().len();
-    assert_eq!(json["powers"].as_array().unwrap().len(), stretches);
+    let segment_count = json["regimes"]["stretches"].as_array().unwrap().len();
+    assert_eq!(json["powers"].as_array().unwrap().len(), segment_count);
     assert!(
         std::fs::read_to_string(folder.path().join("out/regimes.csv"))
             .unwrap()
@@ -301,12 +301,15 @@ fn response_functions_without_a_header_are_read_and_their_gaps_bridged() {
     assert_eq!(code, 0, "{stderr}");
     assert!(stderr.contains("interpolated linearly"), "{stderr}");
     let mode = &json["modes"][0];
-    let off = [
+    let relative_errors = [
         mode["frequency_hz"].as_f64().unwrap() / 20.0 - 1.0,
         mode["damping_ratio"].as_f64().unwrap() / 0.02 - 1.0,
     ];
-    eprintln!("{:.1e} {:.1e} off", off[0], off[1]);
-    assert!(off[0].abs() < 1e-4 && off[1].abs() < 1e-2, "{off:?}");
+    eprintln!("{:.1e} {:.1e} off", relative_errors[0], relative_errors[1]);
+    assert!(
+        relative_errors[0].abs() < 1e-4 && relative_errors[1].abs() < 1e-2,
+        "{relative_errors:?}"
+    );
     let (code, _, stderr) = jounce(
         folder.path(),
         &["modes", "--measured", "bare.csv", "--json"],

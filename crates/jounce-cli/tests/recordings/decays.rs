@@ -1,6 +1,6 @@
 //! `jounce modes --measured` without a measured force.
 
-use super::{csv, has, jounce, written};
+use super::{assert_keys, assert_written, csv, jounce};
 use jounce_core::drive::RandomStream;
 use std::f64::consts::TAU;
 use std::path::Path;
@@ -10,7 +10,7 @@ const RATE: f64 = 200.0;
 const MODES: [(f64, f64, f64); 2] = [(11.0, 0.01, 0.6), (37.0, 0.006, -0.8)];
 
 /// Decays of two modes at two places; the first 0.1 s the structure is still held.
-fn released(folder: &Path, name: &str, noise: f64) {
+fn write_free_decay(folder: &Path, name: &str, noise: f64) {
     let mut stream = RandomStream::new(4, 0);
     let mut row = |k: usize| {
         let t = k as f64 / RATE;
@@ -23,11 +23,11 @@ fn released(folder: &Path, name: &str, noise: f64) {
             }
         };
         let [a, b] = stream.normal_pair();
-        let [one, two] = [0, 1].map(|k| mode(&MODES[k]));
+        let [first_mode, second_mode] = [0, 1].map(|k| mode(&MODES[k]));
         vec![
             t,
-            one + two + noise * a,
-            MODES[0].2 * one + MODES[1].2 * two + noise * b,
+            first_mode + second_mode + noise * a,
+            MODES[0].2 * first_mode + MODES[1].2 * second_mode + noise * b,
         ]
     };
     csv(
@@ -38,26 +38,26 @@ fn released(folder: &Path, name: &str, noise: f64) {
 }
 
 /// The same structure under white noise for 300 s.
-fn shaken_by_noise(folder: &Path, name: &str) {
+fn write_noise_response(folder: &Path, name: &str) {
     let mut stream = RandomStream::new(7, 0);
     let (mut state, mut rows) = ([[0.0_f64; 2]; 2], Vec::new());
     for k in 0..60_000 {
         for (q, (f, zeta, _)) in state.iter_mut().zip(MODES) {
-            let (size, turn) = (
+            let (size, angle) = (
                 (-zeta * TAU * f / RATE).exp(),
                 TAU * f * (1.0 - zeta * zeta).sqrt() / RATE,
             );
             let [a, b] = stream.normal_pair();
             *q = [
-                size * (turn.cos() * q[0] - turn.sin() * q[1]) + a,
-                size * (turn.sin() * q[0] + turn.cos() * q[1]) + b,
+                size * (angle.cos() * q[0] - angle.sin() * q[1]) + a,
+                size * (angle.sin() * q[0] + angle.cos() * q[1]) + b,
             ];
         }
-        let [one, two] = [state[0][0], state[1][0]];
+        let [first_mode, second_mode] = [state[0][0], state[1][0]];
         rows.push(vec![
             f64::from(k) / RATE,
-            one + two,
-            MODES[0].2 * one + MODES[1].2 * two,
+            first_mode + second_mode,
+            MODES[0].2 * first_mode + MODES[1].2 * second_mode,
         ]);
     }
     csv(
@@ -68,12 +68,12 @@ fn shaken_by_noise(folder: &Path, name: &str) {
 }
 
 /// Largest errors of frequencies and damping ratios, relative, and of the shape at the second place.
-fn errors(json: &serde_json::Value) -> [f64; 3] {
+fn max_relative_errors(json: &serde_json::Value) -> [f64; 3] {
     let modes = json["modes"].as_array().unwrap();
     assert_eq!(modes.len(), 2, "{json}");
-    let mut worst = [0.0_f64; 3];
+    let mut max_errors = [0.0_f64; 3];
     for (mode, (frequency_hz, damping_ratio, share)) in modes.iter().zip(MODES) {
-        has(
+        assert_keys(
             mode,
             &[
                 "frequency_hz",
@@ -83,26 +83,26 @@ fn errors(json: &serde_json::Value) -> [f64; 3] {
                 "shape",
             ],
         );
-        let off = |key: &str, truth: f64| mode[key].as_f64().unwrap() / truth - 1.0;
+        let relative_error = |key: &str, truth: f64| mode[key].as_f64().unwrap() / truth - 1.0;
         let shape = mode["shape"]["re"][1].as_f64().unwrap()
             / mode["shape"]["re"][0].as_f64().unwrap()
             - share;
-        for (worst, off) in worst.iter_mut().zip([
-            off("frequency_hz", frequency_hz),
-            off("damping_ratio", damping_ratio),
+        for (max_errors, relative_error) in max_errors.iter_mut().zip([
+            relative_error("frequency_hz", frequency_hz),
+            relative_error("damping_ratio", damping_ratio),
             shape,
         ]) {
-            *worst = worst.max(off.abs());
+            *max_errors = max_errors.max(relative_error.abs());
         }
     }
-    worst
+    max_errors
 }
 
 /// Measured with noise of 1 % of the release: frequencies within 1.1e-5, damping ratios 6.2e-3, shapes 2.5e-3.
 #[test]
 fn modes_come_from_free_decays() {
     let folder = tempfile::tempdir().unwrap();
-    released(folder.path(), "decay.csv", 0.01);
+    write_free_decay(folder.path(), "decay.csv", 0.01);
     let arguments = [
         "modes",
         "--measured",
@@ -118,7 +118,7 @@ fn modes_come_from_free_decays() {
     ];
     let (code, json, stderr) = jounce(folder.path(), &arguments);
     assert_eq!(code, 0, "{stderr}");
-    has(
+    assert_keys(
         &json,
         &[
             "modes",
@@ -132,12 +132,12 @@ fn modes_come_from_free_decays() {
             "findings",
         ],
     );
-    let [frequency, damping, shape] = errors(&json);
+    let [frequency, damping, shape] = max_relative_errors(&json);
     eprintln!(
         "free decays: frequencies {frequency:.1e}, damping ratios {damping:.1e}, shapes {shape:.1e} off"
     );
     assert!(frequency < 2e-4 && damping < 0.02 && shape < 0.01, "{json}");
-    written(
+    assert_written(
         &folder.path().join("out"),
         &["modes", "modes-stabilisation"],
         &["modes-stabilisation", "modes-fit"],
@@ -148,7 +148,7 @@ fn modes_come_from_free_decays() {
 #[test]
 fn modes_come_from_outputs_alone() {
     let folder = tempfile::tempdir().unwrap();
-    shaken_by_noise(folder.path(), "ambient.csv");
+    write_noise_response(folder.path(), "ambient.csv");
     let arguments = [
         "modes",
         "--measured",
@@ -164,7 +164,7 @@ fn modes_come_from_outputs_alone() {
     ];
     let (code, json, stderr) = jounce(folder.path(), &arguments);
     assert_eq!(code, 0, "{stderr}");
-    let [frequency, damping, shape] = errors(&json);
+    let [frequency, damping, shape] = max_relative_errors(&json);
     eprintln!(
         "outputs alone: frequencies {frequency:.1e}, damping ratios {damping:.1e}, shapes {shape:.1e} off"
     );
@@ -172,10 +172,10 @@ fn modes_come_from_outputs_alone() {
 }
 
 #[test]
-fn what_holds_no_decay_is_told() {
+fn a_recording_without_decay_is_reported() {
     let folder = tempfile::tempdir().unwrap();
-    released(folder.path(), "decay.csv", 0.0);
-    for (arguments, code, words) in [
+    write_free_decay(folder.path(), "decay.csv", 0.0);
+    for (arguments, code, message) in [
         (vec!["--free-decay", "--span", "3s:1s"], 2, "--span"),
         (vec!["--free-decay", "--span", "3.45s:4s"], 4, "samples"),
         (vec!["--free-decay", "--response", "tap"], 4, "tip"),
@@ -185,13 +185,13 @@ fn what_holds_no_decay_is_told() {
         (vec!["--output-only", "--reference", "hammer"], 4, "middle"),
         (vec!["decay.csv", "--output-only"], 2, "--output-only"),
     ] {
-        let (found, _, stderr) = jounce(
+        let (exit_code, _, stderr) = jounce(
             folder.path(),
             &[&["modes", "--measured", "decay.csv"], &arguments[..]].concat(),
         );
         assert!(
-            found == code && stderr.contains(words) && !stderr.contains("panicked"),
-            "{arguments:?} {found}: {stderr}"
+            exit_code == code && stderr.contains(message) && !stderr.contains("panicked"),
+            "{arguments:?} {exit_code}: {stderr}"
         );
     }
 }

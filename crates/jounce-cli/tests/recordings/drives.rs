@@ -11,7 +11,7 @@ const SPEC: &str = concat!(
 );
 
 /// Steps of a walker as a logger writes them: stamps in whole milliseconds, three axes in g, one of them dead, gravity on the last, a lost sample.
-fn steps(folder: &Path) -> PathBuf {
+fn write_steps(folder: &Path) -> PathBuf {
     let mut text = "time (ms),ax (g),ay (g),az (g)\n".to_owned();
     for k in (0..2000).filter(|k| *k != 777) {
         let phase = std::f64::consts::TAU * 1.87e-2 * f64::from(k);
@@ -25,7 +25,7 @@ fn steps(folder: &Path) -> PathBuf {
 }
 
 /// The spec with its drive replaced by one line, for as long as the recording lasts.
-fn driven(folder: &Path, file: &str, keys: &str, duration_s: f64) -> PathBuf {
+fn write_driven_spec(folder: &Path, file: &str, keys: &str, duration_s: f64) -> PathBuf {
     let spec = std::fs::read_to_string(SPEC).unwrap();
     let shaker = "[drive.shaker]\nat = \"table\"\nkind = \"force\"\namplitude = \"200 N\"\nfrequency = \"13 Hz\"\n";
     let floor = format!(
@@ -40,7 +40,7 @@ fn driven(folder: &Path, file: &str, keys: &str, duration_s: f64) -> PathBuf {
 }
 
 /// What a command prints; it must not fail.
-fn answer(folder: &Path, arguments: &[&str]) -> Value {
+fn json_output(folder: &Path, arguments: &[&str]) -> Value {
     let (code, json, stderr) = jounce(folder, arguments);
     assert_eq!(code, 0, "{arguments:?}: {stderr}");
     json
@@ -53,7 +53,7 @@ fn number(value: &Value) -> f64 {
 }
 
 /// Mean power of the load that `rig --base` and `power` give, for a gap.
-fn by_rig(folder: &Path, recording: &str, options: &[&str], gap: &str) -> f64 {
+fn power_by_rig(folder: &Path, recording: &str, options: &[&str], gap: &str) -> f64 {
     let set = format!("stop.tip.gap={gap}");
     let rig = [
         "rig",
@@ -67,22 +67,22 @@ fn by_rig(folder: &Path, recording: &str, options: &[&str], gap: &str) -> f64 {
         "--set",
         &set,
     ];
-    answer(folder, &[&rig[..], options].concat());
-    let found = answer(
+    json_output(folder, &[&rig[..], options].concat());
+    let power_json = json_output(
         folder,
         &["power", "rig.parquet", "--resistance", "1Mohm", "--json"],
     );
-    number(&found["records"][0]["power"]["mean_power_w"])
+    number(&power_json["records"][0]["power"]["mean_power_w"])
 }
 
 #[test]
-fn a_recording_by_one_line_gives_the_powers_of_the_rig() {
+fn a_recorded_drive_gives_the_powers_of_the_rig() {
     let folder = tempfile::tempdir().unwrap();
-    steps(folder.path());
-    driven(folder.path(), "steps.csv", ", channel = \"az\"", 19.99);
-    let json = |arguments: &[&str]| answer(folder.path(), arguments);
-    let due: Vec<f64> = ["0.5 mm", "2 mm"]
-        .map(|gap| by_rig(folder.path(), "steps.csv", &["--base-channel", "az"], gap))
+    write_steps(folder.path());
+    write_driven_spec(folder.path(), "steps.csv", ", channel = \"az\"", 19.99);
+    let json = |arguments: &[&str]| json_output(folder.path(), arguments);
+    let expected: Vec<f64> = ["0.5 mm", "2 mm"]
+        .map(|gap| power_by_rig(folder.path(), "steps.csv", &["--base-channel", "az"], gap))
         .to_vec();
     let run = json(&[
         "run",
@@ -91,7 +91,7 @@ fn a_recording_by_one_line_gives_the_powers_of_the_rig() {
         "stop.tip.gap=0.5 mm",
         "--json",
     ]);
-    let ratio = number(&run["mean_power_w"]) / due[0];
+    let ratio = number(&run["mean_power_w"]) / expected[0];
     eprintln!("run over rig {ratio:.6}");
     assert!((ratio - 1.0).abs() < 1e-3, "{ratio}");
     let sweep = json(&[
@@ -103,27 +103,30 @@ fn a_recording_by_one_line_gives_the_powers_of_the_rig() {
         "independent",
         "--json",
     ]);
-    for (point, due) in sweep["points"].as_array().unwrap().iter().zip(&due) {
-        let ratio = number(&point["mean_power_w"]) / due;
+    for (point, expected) in sweep["points"].as_array().unwrap().iter().zip(&expected) {
+        let ratio = number(&point["mean_power_w"]) / expected;
         assert!((ratio - 1.0).abs() < 1e-3, "{point}: {ratio}");
     }
     let study = "spec = \"driven.toml\"\n\n[vary]\n\"stop.tip.gap\" = \"0.5mm,2mm\"\n\n[quantity]\ncommand = \"run\"\n";
     std::fs::write(folder.path().join("gaps.toml"), study).unwrap();
-    answer(
+    json_output(
         folder.path(),
         &["study", "run", "gaps.toml", "--out", "gaps"],
     );
     let (table, _) =
         jounce_core::table::Table::read(&folder.path().join("gaps/study.parquet")).unwrap();
-    for (power_w, due) in table.floats("mean_power_w").unwrap().iter().zip(&due) {
-        assert!((power_w / due - 1.0).abs() < 1e-3, "{power_w} {due}");
+    for (power_w, expected) in table.floats("mean_power_w").unwrap().iter().zip(&expected) {
+        assert!(
+            (power_w / expected - 1.0).abs() < 1e-3,
+            "{power_w} {expected}"
+        );
     }
     let check = json(&["check", "driven.toml", "--json"]);
     let kinds: Vec<&str> = check["findings"]
         .as_array()
         .unwrap()
         .iter()
-        .filter_map(|one| one["finding"]["kind"].as_str())
+        .filter_map(|issue| issue["finding"]["kind"].as_str())
         .collect();
     assert!(
         kinds.contains(&"bridged") && kinds.contains(&"mean-removed"),

@@ -1,6 +1,6 @@
 //! `jounce fit` from the outside.
 
-use super::{has, jounce};
+use super::{assert_keys, jounce};
 
 const SPEC: &str = concat!(
     env!("CARGO_MANIFEST_DIR"),
@@ -29,7 +29,7 @@ fn fit_brings_every_measured_frequency_of_the_paper_within_half_a_percent() {
     ];
     let (code, json, stderr) = jounce(folder.path(), &arguments);
     assert_eq!(code, 0, "{stderr}");
-    has(
+    assert_keys(
         &json,
         &[
             "keys",
@@ -44,7 +44,7 @@ fn fit_brings_every_measured_frequency_of_the_paper_within_half_a_percent() {
             "evaluations",
         ],
     );
-    has(
+    assert_keys(
         &json["keys"][0],
         &[
             "key",
@@ -58,7 +58,7 @@ fn fit_brings_every_measured_frequency_of_the_paper_within_half_a_percent() {
         ],
     );
     let features = json["features"].as_array().unwrap();
-    has(
+    assert_keys(
         &features[0],
         &[
             "name",
@@ -78,7 +78,7 @@ fn fit_brings_every_measured_frequency_of_the_paper_within_half_a_percent() {
             feature["after"].as_f64().unwrap() / feature["measured"].as_f64().unwrap() - 1.0;
         assert!(error.abs() < 5e-3, "{feature}");
     }
-    has(
+    assert_keys(
         &json["deviations"][0],
         &["name", "deviation", "degrees_of_freedom"],
     );
@@ -110,14 +110,14 @@ fn fit_brings_every_measured_frequency_of_the_paper_within_half_a_percent() {
         code == 0 && (0..7).all(|k| fitted(k).abs() < 1e-9),
         "{modes}"
     );
-    let there = [
+    let file_names = [
         "fit-keys.csv",
         "fit-keys.parquet",
         "fit-features.json",
         "fit.svg",
         "fit.png",
     ];
-    there
+    file_names
         .iter()
         .for_each(|name| assert!(folder.path().join("fit").join(name).is_file(), "{name}"));
 }
@@ -134,10 +134,10 @@ fn the_example_of_the_help_is_fitted() {
         .unwrap();
     let help = String::from_utf8(output.stdout).unwrap();
     let (_, example) = help.split_once("FEATURES, a small one:").unwrap();
-    let (example, rest) = example.split_once("Deviations are").unwrap();
+    let (example, following_text) = example.split_once("Deviations are").unwrap();
     assert!(
-        rest.contains("measured.md") && rest.contains("[[history]]"),
-        "{rest}"
+        following_text.contains("measured.md") && following_text.contains("[[history]]"),
+        "{following_text}"
     );
     std::fs::write(folder.path().join("features.toml"), example).unwrap();
     let (code, json, stderr) = jounce(
@@ -155,18 +155,18 @@ fn the_example_of_the_help_is_fitted() {
     assert_eq!(code, 0, "{stderr}");
     let key = &json["keys"][1];
     assert_eq!(key["key"], "damping.ratios.1");
-    let (before, after) = (
+    let (value_before, value_after) = (
         key["before"].as_f64().unwrap(),
         key["after"].as_f64().unwrap(),
     );
-    let share = (after / before).ln() / (0.002 / before).ln();
+    let share = (value_after / value_before).ln() / (0.002 / value_before).ln();
     assert!((share - 0.25 / 0.26).abs() < 1e-3, "{share} {key}");
     let fitted = std::fs::read_to_string(folder.path().join("fit/fitted.toml")).unwrap();
     let ratios = fitted
         .lines()
         .find(|line| line.starts_with("ratios"))
         .unwrap();
-    let first: f64 = ratios
+    let first_ratio: f64 = ratios
         .split(['[', ','])
         .nth(1)
         .unwrap()
@@ -174,14 +174,14 @@ fn the_example_of_the_help_is_fitted() {
         .parse()
         .unwrap();
     assert!(
-        (first / after - 1.0).abs() < 1e-12 && ratios.matches(',').count() >= 6,
+        (first_ratio / value_after - 1.0).abs() < 1e-12 && ratios.matches(',').count() >= 6,
         "{ratios}"
     );
 }
 
 /// Every option says what holds without it, and every one that takes something says what.
 #[test]
-fn options_of_fit_and_modes_tell_their_defaults() {
+fn options_of_fit_and_modes_state_their_defaults() {
     for command in ["fit", "modes"] {
         let output = assert_cmd::Command::cargo_bin("jounce")
             .unwrap()
@@ -195,9 +195,9 @@ fn options_of_fit_and_modes_tell_their_defaults() {
             .1
             .split_once("FEATURES,")
             .map_or(help.as_str(), |(options, _)| options);
-        let told: Vec<&str> = options.split("\n      --").skip(1).collect();
-        assert!(told.len() >= 4, "{help}");
-        for option in told {
+        let option_texts: Vec<&str> = options.split("\n      --").skip(1).collect();
+        assert!(option_texts.len() >= 4, "{help}");
+        for option in option_texts {
             let option = option.split("-h, --help").next().unwrap();
             assert!(option.contains("default"), "{command} --{option}");
         }
@@ -205,9 +205,9 @@ fn options_of_fit_and_modes_tell_their_defaults() {
 }
 
 #[test]
-fn a_fit_that_cannot_be_done_says_why() {
+fn an_impossible_fit_gives_the_reason() {
     let folder = tempfile::tempdir().unwrap();
-    for (text, words) in [
+    for (text, message) in [
         ("[free]\n\"beam.beam.lenght\" = 0.1\n", "beam.beam.length"),
         ("[free]\n\"beam.beam.length\" = \"1 %\"\n", "number above 0"),
         (
@@ -223,7 +223,7 @@ fn a_fit_that_cannot_be_done_says_why() {
         std::fs::write(folder.path().join("features.toml"), format!("{text}{mode}")).unwrap();
         let (code, _, stderr) = jounce(folder.path(), &["fit", SPEC, "--to", "features.toml"]);
         assert!(
-            code == 4 && stderr.contains(words) && !stderr.contains("panicked"),
+            code == 4 && stderr.contains(message) && !stderr.contains("panicked"),
             "{code}: {stderr}"
         );
     }
@@ -234,7 +234,7 @@ fn a_fit_that_cannot_be_done_says_why() {
 /// Modes of a harvester whose base moves, measured with the base held: every frequency meets the number of another mode, and the first of them is
 /// the second of the model.
 #[test]
-fn a_fit_to_the_modes_of_another_support_says_so() {
+fn a_fit_to_the_modes_of_another_support_gives_a_warning() {
     let folder = tempfile::tempdir().unwrap();
     let text = include_str!("../../../../examples/impact-harvester-2019/measured.toml")
         .replace("hold = [\"table\"]", "");
@@ -279,14 +279,14 @@ average_over = "0.1 s"
 #[test]
 fn powers_and_responses_are_fitted_from_a_readable_file() {
     let folder = tempfile::tempdir().unwrap();
-    let here = folder.path();
-    std::fs::write(here.join("small.toml"), [HARVESTER, RUN].concat()).unwrap();
-    let truth = ["--set", "patch.mfc.capacitance=50nF", "--json"];
+    let folder_path = folder.path();
+    std::fs::write(folder_path.join("small.toml"), [HARVESTER, RUN].concat()).unwrap();
+    let true_values = ["--set", "patch.mfc.capacitance=50nF", "--json"];
     let power = |load: &str| {
         let set = format!("circuit.load.resistance={load}");
         let (code, json, stderr) = jounce(
-            here,
-            &[&["run", "small.toml", "--set", &set], &truth[..]].concat(),
+            folder_path,
+            &[&["run", "small.toml", "--set", &set], &true_values[..]].concat(),
         );
         assert_eq!(code, 0, "{stderr}");
         json["mean_power_w"].as_f64().unwrap()
@@ -303,7 +303,7 @@ fn powers_and_responses_are_fitted_from_a_readable_file() {
         "--points",
         "3",
     ];
-    let (code, json, stderr) = jounce(here, &[&response[..], &truth[..]].concat());
+    let (code, json, stderr) = jounce(folder_path, &[&response[..], &true_values[..]].concat());
     assert_eq!(code, 0, "{stderr}");
     let list = |part: &str| json["responses"]["mfc.voltage"][part].to_string();
     let at: Vec<String> = json["frequency_hz"]
@@ -320,9 +320,9 @@ fn powers_and_responses_are_fitted_from_a_readable_file() {
         list("re"),
         list("im")
     );
-    std::fs::write(here.join("features.toml"), features).unwrap();
+    std::fs::write(folder_path.join("features.toml"), features).unwrap();
     let (code, json, stderr) = jounce(
-        here,
+        folder_path,
         &[
             "fit",
             "small.toml",
@@ -334,10 +334,10 @@ fn powers_and_responses_are_fitted_from_a_readable_file() {
         ],
     );
     assert_eq!(code, 0, "{stderr}");
-    let off = json["keys"][0]["after"].as_f64().unwrap() / 50e-9 - 1.0;
-    eprintln!("{off:.1e} off");
-    assert!(off.abs() < 1e-7, "{json}");
-    has(
+    let relative_error = json["keys"][0]["after"].as_f64().unwrap() / 50e-9 - 1.0;
+    eprintln!("{relative_error:.1e} off");
+    assert!(relative_error.abs() < 1e-7, "{json}");
+    assert_keys(
         &json["curves"][0],
         &[
             "name", "unit", "over", "at", "measured", "before", "after", "low", "high",
@@ -350,9 +350,9 @@ fn powers_and_responses_are_fitted_from_a_readable_file() {
         "fit.svg",
         "fitted.toml",
     ] {
-        assert!(here.join("fit").join(name).is_file(), "{name}");
+        assert!(folder_path.join("fit").join(name).is_file(), "{name}");
     }
-    for (text, words) in [
+    for (text, message) in [
         (
             "[[power]]\nover = \"circuit.load.resistence\"\nvalues = [\"1 kohm\"]\nmean_power_w = [1]\ndeviation = 1\n",
             "resistance",
@@ -375,13 +375,13 @@ fn powers_and_responses_are_fitted_from_a_readable_file() {
         ),
     ] {
         std::fs::write(
-            here.join("wrong.toml"),
+            folder_path.join("wrong.toml"),
             format!("[free]\n\"patch.mfc.capacitance\" = 0.3\n{text}"),
         )
         .unwrap();
-        let (code, _, stderr) = jounce(here, &["fit", "small.toml", "--to", "wrong.toml"]);
+        let (code, _, stderr) = jounce(folder_path, &["fit", "small.toml", "--to", "wrong.toml"]);
         assert!(
-            code == 4 && stderr.contains(words) && !stderr.contains("panicked"),
+            code == 4 && stderr.contains(message) && !stderr.contains("panicked"),
             "{code}: {stderr}"
         );
     }

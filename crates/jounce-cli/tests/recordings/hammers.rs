@@ -1,13 +1,13 @@
 //! `frf --measured` and `modes --measured` of hammer and shaker tests.
 
-use super::{csv, has, jounce, written};
+use super::{assert_keys, assert_written, csv, jounce};
 use serde_json::Value;
 use std::f64::consts::{PI, TAU};
 use std::path::Path;
 
 /// Three hits of 4 s each at 500 Hz on a structure of two modes, 20 Hz with 2 % and 57 Hz with 1 % damping, seen at two places. The
 /// recursion has the poles of the structure exactly.
-fn hammer_test(folder: &Path, name: &str, change: impl Fn(usize, f64) -> f64) {
+fn write_hammer_test(folder: &Path, name: &str, change: impl Fn(usize, f64) -> f64) {
     const RATE: f64 = 500.0;
     let pulse = |k: usize| {
         if k % 2000 >= 40 && k % 2000 < 44 {
@@ -19,16 +19,16 @@ fn hammer_test(folder: &Path, name: &str, change: impl Fn(usize, f64) -> f64) {
     let force: Vec<f64> = (0..6000).map(|k| change(k, pulse(k))).collect();
     let mode = |frequency_hz: f64, damping_ratio: f64| {
         let w = TAU * frequency_hz;
-        let (size, turn) = (
+        let (size, angle) = (
             (-damping_ratio * w / RATE).exp(),
             w * (1.0 - damping_ratio * damping_ratio).sqrt() / RATE,
         );
-        let (mut one, mut two, mut before) = (0.0, 0.0, 0.0);
+        let (mut last, mut second_last, mut last_force) = (0.0, 0.0, 0.0);
         let step = |f: &f64| {
-            let now = 2.0 * size * turn.cos() * one - size * size * two
-                + size * turn.sin() / (w * RATE) * before;
-            (two, one, before) = (one, now, *f);
-            now
+            let value = 2.0 * size * angle.cos() * last - size * size * second_last
+                + size * angle.sin() / (w * RATE) * last_force;
+            (second_last, last, last_force) = (last, value, *f);
+            value
         };
         force.iter().map(step).collect::<Vec<f64>>()
     };
@@ -52,7 +52,7 @@ fn hammer_test(folder: &Path, name: &str, change: impl Fn(usize, f64) -> f64) {
 #[test]
 fn frf_and_modes_of_a_hammer_test_are_those_of_the_structure() {
     let folder = tempfile::tempdir().unwrap();
-    hammer_test(folder.path(), "hits.csv", |_, force| force);
+    write_hammer_test(folder.path(), "hits.csv", |_, force| force);
     let (code, json, stderr) = jounce(
         folder.path(),
         &[
@@ -66,7 +66,7 @@ fn frf_and_modes_of_a_hammer_test_are_those_of_the_structure() {
         ],
     );
     assert_eq!(code, 0, "{stderr}");
-    has(
+    assert_keys(
         &json,
         &[
             "frequency_hz",
@@ -77,7 +77,7 @@ fn frf_and_modes_of_a_hammer_test_are_those_of_the_structure() {
             "findings",
         ],
     );
-    has(
+    assert_keys(
         &json["responses"]["tip"],
         &["re", "im", "unit", "coherence"],
     );
@@ -88,7 +88,7 @@ fn frf_and_modes_of_a_hammer_test_are_those_of_the_structure() {
         ),
         (3, &Value::from("m/N"))
     );
-    written(&folder.path().join("frf"), &["frf"], &["frf"]);
+    assert_written(&folder.path().join("frf"), &["frf"], &["frf"]);
     let arguments = [
         "modes",
         "--measured",
@@ -103,7 +103,7 @@ fn frf_and_modes_of_a_hammer_test_are_those_of_the_structure() {
     ];
     let (code, json, stderr) = jounce(folder.path(), &arguments);
     assert_eq!(code, 0, "{stderr}");
-    has(
+    assert_keys(
         &json,
         &[
             "modes",
@@ -122,7 +122,7 @@ fn frf_and_modes_of_a_hammer_test_are_those_of_the_structure() {
     for (mode, (frequency_hz, damping_ratio, ratio)) in
         modes.iter().zip([(20.0, 0.02, 0.6), (57.0, 0.01, -0.8)])
     {
-        has(
+        assert_keys(
             mode,
             &[
                 "frequency_hz",
@@ -156,7 +156,7 @@ fn frf_and_modes_of_a_hammer_test_are_those_of_the_structure() {
         (json["mac"][0][1].as_f64().unwrap() - 0.121_234).abs() < 1e-3
             && (json["mac"][1][1].as_f64().unwrap() - 1.0).abs() < 1e-12
     );
-    written(
+    assert_written(
         &folder.path().join("modes"),
         &["modes", "modes-stabilisation"],
         &["modes-stabilisation", "modes-fit"],
@@ -164,9 +164,9 @@ fn frf_and_modes_of_a_hammer_test_are_those_of_the_structure() {
 }
 
 #[test]
-fn bad_hits_are_told() {
+fn faulty_hits_are_reported() {
     let folder = tempfile::tempdir().unwrap();
-    hammer_test(folder.path(), "double.csv", |k, force| {
+    write_hammer_test(folder.path(), "double.csv", |k, force| {
         if k == 2050 { 20.0 } else { force }
     });
     let (code, json, _) = jounce(
@@ -179,7 +179,7 @@ fn bad_hits_are_told() {
         "{}",
         json["hits"]
     );
-    hammer_test(folder.path(), "clipped.csv", |_, force| force.min(15.0));
+    write_hammer_test(folder.path(), "clipped.csv", |_, force| force.min(15.0));
     let (code, json, _) = jounce(
         folder.path(),
         &["frf", "--measured", "clipped.csv", "--json"],
@@ -193,17 +193,17 @@ fn bad_hits_are_told() {
 
 /// A random force of both signs is a shaker's, without being told so: 15 blocks, and the response 2 of a scale.
 #[test]
-fn a_force_that_goes_on_is_a_shaker() {
+fn a_continuous_force_is_a_shaker() {
     let folder = tempfile::tempdir().unwrap();
-    let here = folder.path();
+    let folder_path = folder.path();
     let force = |k: u32| (f64::from(k) * 0.7).sin() + (f64::from(k).powi(2) * 1e-4).sin();
     csv(
-        &here.join("shaken.csv"),
+        &folder_path.join("shaken.csv"),
         "time [s],force [N],a [m/s^2]",
         (0..8_000).map(|k| vec![f64::from(k) / 1000.0, force(k), 2.0 * force(k)]),
     );
-    let (code, json, told) = jounce(here, &["frf", "--measured", "shaken.csv", "--json"]);
-    assert_eq!(code, 0, "{told}");
+    let (code, json, stderr) = jounce(folder_path, &["frf", "--measured", "shaken.csv", "--json"]);
+    assert_eq!(code, 0, "{stderr}");
     assert_eq!(
         (
             json["block_s"].as_f64(),
@@ -216,23 +216,23 @@ fn a_force_that_goes_on_is_a_shaker() {
         "{}",
         json["responses"]["a"]["re"][112]
     );
-    let (code, _, told) = jounce(
-        here,
+    let (code, _, stderr) = jounce(
+        folder_path,
         &["frf", "--measured", "shaken.csv", "--end-ratio", "0.01"],
     );
-    assert!(code != 0 && told.contains("is continuous"), "{told}");
+    assert!(code != 0 && stderr.contains("is continuous"), "{stderr}");
 }
 
 /// Hits at two places and two sensors, one file for each place, as CSV whose notes keep the places: one matrix of responses, and modes whose
 /// participation at the places is, by reciprocity, their shape at the sensors there.
 #[test]
-fn hits_at_two_places_give_a_matrix_and_modes_of_both() {
+fn hits_at_two_points_give_a_matrix_and_modes_of_both() {
     let folder = tempfile::tempdir().unwrap();
     let spec = concat!(
         env!("CARGO_MANIFEST_DIR"),
         "/../../examples/impact-harvester-2019/harvester.toml"
     );
-    for (point, to) in [("beam.hammer", "one.csv"), ("beam.tip", "two.csv")] {
+    for (point, file) in [("beam.hammer", "one.csv"), ("beam.tip", "two.csv")] {
         let test = [
             "--hammer",
             point,
@@ -246,7 +246,7 @@ fn hits_at_two_places_give_a_matrix_and_modes_of_both() {
             "--block",
             "8s",
         ];
-        let more = [
+        let rig_options = [
             "--rate",
             "1024Hz",
             "--contact",
@@ -256,9 +256,12 @@ fn hits_at_two_places_give_a_matrix_and_modes_of_both() {
             "--noise",
             "0.0001",
             "--to",
-            to,
+            file,
         ];
-        let (code, _, stderr) = jounce(folder.path(), &[&["rig", spec], &test[..], &more].concat());
+        let (code, _, stderr) = jounce(
+            folder.path(),
+            &[&["rig", spec], &test[..], &rig_options].concat(),
+        );
         assert_eq!(code, 0, "{stderr}");
     }
     let measured = [
@@ -285,24 +288,24 @@ fn hits_at_two_places_give_a_matrix_and_modes_of_both() {
         (4, 2)
     );
     // Reciprocity: the tip under a hit at the other point answers as that point under a hit at the tip.
-    let of = |name: &str| {
+    let function_values = |name: &str| {
         (
             json["responses"][name]["re"].as_array().unwrap().clone(),
             json["responses"][name]["reference"].clone(),
         )
     };
-    let (there, from) = of("beam.tip.acceleration from beam.hammer");
-    let (back, _) = of("beam.hammer.acceleration from beam.tip");
-    assert_eq!(from, "beam.hammer");
+    let (values, reference) = function_values("beam.tip.acceleration from beam.hammer");
+    let (reciprocal_values, _) = function_values("beam.hammer.acceleration from beam.tip");
+    assert_eq!(reference, "beam.hammer");
     let number = |value: &Value| value.as_f64().unwrap();
-    let largest = there.iter().map(|x| number(x).abs()).fold(0.0, f64::max);
-    let off = there[1..800]
+    let largest = values.iter().map(|x| number(x).abs()).fold(0.0, f64::max);
+    let difference = values[1..800]
         .iter()
-        .zip(&back[1..800])
+        .zip(&reciprocal_values[1..800])
         .map(|(a, b)| (number(a) - number(b)).abs() / largest)
         .fold(0.0, f64::max);
-    eprintln!("off by {off:.1e} of the largest");
-    assert!(off < 0.02, "{off}");
+    eprintln!("off by {difference:.1e} of the largest");
+    assert!(difference < 0.02, "{difference}");
     let (code, json, stderr) = jounce(
         folder.path(),
         &[
@@ -318,12 +321,13 @@ fn hits_at_two_places_give_a_matrix_and_modes_of_both() {
         serde_json::json!(["beam.hammer", "beam.tip"])
     );
     for mode in json["modes"].as_array().unwrap() {
-        let (shape, moved) = (&mode["shape"]["re"], &mode["participation"]["re"]);
-        eprintln!("{} Hz: {shape} {moved}", mode["frequency_hz"]);
+        let (shape, participation) = (&mode["shape"]["re"], &mode["participation"]["re"]);
+        eprintln!("{} Hz: {shape} {participation}", mode["frequency_hz"]);
         // Sensors stand at tip and hammer, hits at hammer and tip.
-        let off =
-            (number(&shape[0]) * number(&moved[0]) - number(&shape[1]) * number(&moved[1])).abs();
-        assert!(off < 0.02, "{mode}");
+        let difference = (number(&shape[0]) * number(&participation[0])
+            - number(&shape[1]) * number(&participation[1]))
+        .abs();
+        assert!(difference < 0.02, "{mode}");
     }
     let head = std::fs::read_to_string(folder.path().join("out/modes.csv")).unwrap();
     assert!(

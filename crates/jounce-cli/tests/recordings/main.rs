@@ -31,27 +31,29 @@ fn jounce(folder: &Path, arguments: &[&str]) -> (i32, Value, String) {
     )
 }
 
-fn has(value: &Value, keys: &[&str]) {
+fn assert_keys(value: &Value, keys: &[&str]) {
     keys.iter()
         .for_each(|key| assert!(value.get(*key).is_some(), "{key} is missing in {value}"));
 }
 
 /// Every table and picture of these names.
-fn written(folder: &Path, tables: &[&str], pictures: &[&str]) {
-    let there = |name: &str, ending: &str| {
+fn assert_written(folder: &Path, tables: &[&str], pictures: &[&str]) {
+    let assert_file = |name: &str, extension: &str| {
         assert!(
-            folder.join(format!("{name}.{ending}")).is_file(),
-            "{name}.{ending} is missing"
+            folder.join(format!("{name}.{extension}")).is_file(),
+            "{name}.{extension} is missing"
         )
     };
     tables.iter().for_each(|name| {
         ["csv", "manifest.json", "parquet", "json"]
             .iter()
-            .for_each(|ending| there(name, ending))
+            .for_each(|extension| assert_file(name, extension))
     });
-    pictures
-        .iter()
-        .for_each(|name| ["svg", "png"].iter().for_each(|ending| there(name, ending)));
+    pictures.iter().for_each(|name| {
+        ["svg", "png"]
+            .iter()
+            .for_each(|extension| assert_file(name, extension))
+    });
     for table in tables {
         let manifest =
             std::fs::read_to_string(folder.join(format!("{table}.manifest.json"))).unwrap();
@@ -74,7 +76,7 @@ fn csv(path: &Path, head: &str, rows: impl Iterator<Item = Vec<f64>>) {
 }
 
 /// 20 s at 512 Hz under 8 Hz: 1 V peak, from the middle on 3 V with a subharmonic of 1 V; the base moves with 2 m/s^2 peak.
-fn switching(folder: &Path) {
+fn write_switching_recording(folder: &Path) {
     let value = |k: u32| {
         let t = f64::from(k) / 512.0;
         let voltage = if k < 5120 {
@@ -92,11 +94,11 @@ fn switching(folder: &Path) {
 }
 
 /// Two half sines of 1 ms, 40 N and 30 N, at 50 kHz: a hammer on a linear spring.
-fn struck(folder: &Path) {
+fn write_contact_recording(folder: &Path) {
     let force = |k: u32| {
-        let pulse = |from: u32, peak: f64| {
-            let x = f64::from(k.wrapping_sub(from)) / 50.0;
-            if k >= from && x < 1.0 {
+        let pulse = |start: u32, peak: f64| {
+            let x = f64::from(k.wrapping_sub(start)) / 50.0;
+            if k >= start && x < 1.0 {
                 peak * (PI * x).sin()
             } else {
                 0.0
@@ -113,7 +115,7 @@ fn struck(folder: &Path) {
         "time [s],hammer [N]",
         (0..20_000).map(force),
     );
-    let answered = |k: u32| {
+    let row = |k: u32| {
         let [time_s, force_n] = force(k)[..] else {
             unreachable!("a time and a force")
         };
@@ -122,15 +124,15 @@ fn struck(folder: &Path) {
     csv(
         &folder.join("answered.csv"),
         "time [s],hammer [N],answer [m/s^2]",
-        (0..20_000).map(answered),
+        (0..20_000).map(row),
     );
 }
 
 /// 1 V peak for one half, 3 V and 1 V peak for the other, over 1 kohm: (0.5 + 5) / 2 mW. The base's mean square is 2.
 #[test]
-fn power_is_told_for_each_load() {
+fn power_is_printed_for_each_load() {
     let folder = tempfile::tempdir().unwrap();
-    switching(folder.path());
+    write_switching_recording(folder.path());
     let loads = [
         "--resistance",
         "1kohm",
@@ -165,8 +167,8 @@ fn power_is_told_for_each_load() {
         "orders",
         "findings",
     ];
-    has(&records[0], &keys);
-    has(
+    assert_keys(&records[0], &keys);
+    assert_keys(
         &records[0]["power"],
         &[
             "mean_power_w",
@@ -177,23 +179,24 @@ fn power_is_told_for_each_load() {
             "mean_voltage_v",
         ],
     );
-    has(
+    assert_keys(
         &records[0]["orders"][0],
         &["order", "frequency_hz", "amplitude_peak_v"],
     );
     for (record, expected) in records.iter().zip([2.75e-3, 2.75e-3 / 4.0]) {
         let power = record["power"]["mean_power_w"].as_f64().unwrap();
-        let per = record["mean_power_per_mean_square_base_acceleration"]
+        let normalised_power = record["mean_power_per_mean_square_base_acceleration"]
             .as_f64()
             .unwrap();
         assert!(
-            (power / expected - 1.0).abs() < 1e-9 && (per / expected * 2.0 - 1.0).abs() < 1e-9,
-            "{power} {per}"
+            (power / expected - 1.0).abs() < 1e-9
+                && (normalised_power / expected * 2.0 - 1.0).abs() < 1e-9,
+            "{power} {normalised_power}"
         );
     }
     // Half of the record has another power: that the interval is too narrow must be said.
     assert_eq!(records[0]["power"]["correlated"], true);
-    written(
+    assert_written(
         &folder.path().join("out"),
         &["power"],
         &["power-load", "power-spectrum"],
@@ -203,7 +206,7 @@ fn power_is_told_for_each_load() {
 #[test]
 fn regimes_find_the_switch_and_its_subharmonic() {
     let folder = tempfile::tempdir().unwrap();
-    switching(folder.path());
+    write_switching_recording(folder.path());
     let arguments = [
         "regimes",
         "switch.csv",
@@ -217,19 +220,19 @@ fn regimes_find_the_switch_and_its_subharmonic() {
     ];
     let (code, json, stderr) = jounce(folder.path(), &arguments);
     assert_eq!(code, 0, "{stderr}");
-    has(&json, &["channel", "regimes", "powers", "findings"]);
-    has(&json["regimes"], &["stretches", "uncertainty_s"]);
-    let stretches = json["regimes"]["stretches"].as_array().unwrap();
-    assert_eq!(stretches.len(), 2, "{json}");
-    has(
-        &stretches[0],
+    assert_keys(&json, &["channel", "regimes", "powers", "findings"]);
+    assert_keys(&json["regimes"], &["stretches", "uncertainty_s"]);
+    let segments = json["regimes"]["stretches"].as_array().unwrap();
+    assert_eq!(segments.len(), 2, "{json}");
+    assert_keys(
+        &segments[0],
         &["start_s", "end_s", "start", "end", "rms", "period"],
     );
-    assert!((stretches[1]["start_s"].as_f64().unwrap() - 10.0).abs() < 0.75);
+    assert!((segments[1]["start_s"].as_f64().unwrap() - 10.0).abs() < 0.75);
     assert_eq!(
         (
-            &stretches[0]["period"]["cycles"],
-            &stretches[1]["period"]["cycles"]
+            &segments[0]["period"]["cycles"],
+            &segments[1]["period"]["cycles"]
         ),
         (&Value::from(1), &Value::from(2))
     );
@@ -237,7 +240,7 @@ fn regimes_find_the_switch_and_its_subharmonic() {
         (json["powers"][1]["mean_power_w"].as_f64().unwrap() / 5e-3 - 1.0).abs() < 0.1,
         "{json}"
     );
-    written(
+    assert_written(
         &folder.path().join("out"),
         &["regimes"],
         &["regimes-time", "regimes-spectra"],
@@ -248,7 +251,7 @@ fn regimes_find_the_switch_and_its_subharmonic() {
 #[test]
 fn contact_gives_the_spring_that_made_the_pulses() {
     let folder = tempfile::tempdir().unwrap();
-    struck(folder.path());
+    write_contact_recording(folder.path());
     let (code, json, stderr) = jounce(
         folder.path(),
         &[
@@ -262,10 +265,10 @@ fn contact_gives_the_spring_that_made_the_pulses() {
         ],
     );
     assert_eq!(code, 0, "{stderr}");
-    has(&json, &["channel", "hits", "findings"]);
+    assert_keys(&json, &["channel", "hits", "findings"]);
     let hits = json["hits"].as_array().unwrap();
     assert_eq!(hits.len(), 2);
-    has(
+    assert_keys(
         &hits[0]["hit"],
         &[
             "start",
@@ -289,7 +292,7 @@ fn contact_gives_the_spring_that_made_the_pulses() {
     ];
     for (hit, peak) in hits.iter().zip([40.0, 30.0]) {
         let law = &hit["law"];
-        has(law, &keys);
+        assert_keys(law, &keys);
         let number = |key: &str| law[key].as_f64().unwrap();
         assert!(
             (number("exponent") - 1.0).abs() < 5e-3 && (number("restitution") - 1.0).abs() < 5e-3,
@@ -304,7 +307,7 @@ fn contact_gives_the_spring_that_made_the_pulses() {
             "{law}"
         );
         let spring = &law["linear"];
-        has(
+        assert_keys(
             spring,
             &[
                 "exponent",
@@ -316,17 +319,17 @@ fn contact_gives_the_spring_that_made_the_pulses() {
             ],
         );
         let [low, high] = [0, 1].map(|end| spring["stiffness_95"][end].as_f64().unwrap());
-        let truth = 0.1 * (PI / 1e-3).powi(2);
+        let expected_stiffness = 0.1 * (PI / 1e-3).powi(2);
         assert!(
             (low..=high).contains(&spring["stiffness"].as_f64().unwrap())
-                && (spring["stiffness"].as_f64().unwrap() / truth - 1.0).abs() < 5e-3
+                && (spring["stiffness"].as_f64().unwrap() / expected_stiffness - 1.0).abs() < 5e-3
         );
     }
     let table = std::fs::read_to_string(folder.path().join("out/contact.csv")).unwrap();
     for column in ["stiffness_low", "linear_stiffness_high", "hertz_stiffness"] {
         assert!(table.lines().next().unwrap().contains(column), "{table}");
     }
-    written(
+    assert_written(
         &folder.path().join("out"),
         &["contact"],
         &["contact-pulses"],

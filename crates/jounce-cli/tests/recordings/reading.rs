@@ -1,12 +1,12 @@
 //! `jounce read`: what is told of a recording, and what is written of it.
 
-use super::{has, jounce, switching, written};
+use super::{assert_keys, assert_written, jounce, write_switching_recording};
 use serde_json::Value;
 
 #[test]
-fn read_tells_channels_and_findings_and_writes_them() {
+fn read_prints_and_writes_channels_and_issues() {
     let folder = tempfile::tempdir().unwrap();
-    switching(folder.path());
+    write_switching_recording(folder.path());
     let (code, json, _) = jounce(
         folder.path(),
         &[
@@ -20,12 +20,12 @@ fn read_tells_channels_and_findings_and_writes_them() {
         ],
     );
     assert_eq!(code, 0);
-    has(
+    assert_keys(
         &json,
         &["recordings", "shape_frequencies_hz", "shapes", "findings"],
     );
     let recording = &json["recordings"][0];
-    has(
+    assert_keys(
         recording,
         &["name", "over", "samples", "rate", "channels", "findings"],
     );
@@ -33,7 +33,7 @@ fn read_tells_channels_and_findings_and_writes_them() {
         (&recording["samples"], &recording["channels"][0]["unit"]),
         (&Value::from(10_240), &Value::from("V"))
     );
-    has(
+    assert_keys(
         &recording["channels"][0],
         &[
             "name",
@@ -47,14 +47,14 @@ fn read_tells_channels_and_findings_and_writes_them() {
             "mean",
         ],
     );
-    written(
+    assert_written(
         &folder.path().join("out"),
         &["read", "read-findings"],
         &["read-1"],
     );
-    let (_, again, _) = jounce(folder.path(), &["read", "again.uff", "--json"]);
+    let (_, copy_json, _) = jounce(folder.path(), &["read", "again.uff", "--json"]);
     assert_eq!(
-        again["recordings"][0]["channels"][1]["quantity"],
+        copy_json["recordings"][0]["channels"][1]["quantity"],
         "acceleration"
     );
 }
@@ -63,15 +63,15 @@ fn read_tells_channels_and_findings_and_writes_them() {
 #[test]
 fn a_part_of_a_recording_is_written_for_other_commands() {
     let folder = tempfile::tempdir().unwrap();
-    switching(folder.path());
+    write_switching_recording(folder.path());
     for name in ["part.csv", "part.parquet", "part.uff"] {
-        let (code, _, told) = jounce(
+        let (code, _, stderr) = jounce(
             folder.path(),
             &["read", "switch.csv", "--to", name, "--span", "12s:18s"],
         );
         assert!(
-            code == 0 && told.contains("3073 of 10240 samples"),
-            "{told}"
+            code == 0 && stderr.contains("3073 of 10240 samples"),
+            "{stderr}"
         );
         let (_, json, _) = jounce(
             folder.path(),
@@ -82,18 +82,18 @@ fn a_part_of_a_recording_is_written_for_other_commands() {
             .unwrap();
         assert!((power_w / 5e-3 - 1.0).abs() < 1e-3, "{name}: {power_w}");
     }
-    for (span, why) in [
+    for (span, message) in [
         ("30s:40s", "extends from 0 s to 19.998"),
         ("8s:2s", "the smaller one first"),
         ("1Hz:2Hz", "Hz"),
     ] {
-        let (code, _, told) = jounce(
+        let (code, _, stderr) = jounce(
             folder.path(),
             &["read", "switch.csv", "--to", "none.csv", "--span", span],
         );
         assert!(
-            code == 2 && told.contains(why) && !folder.path().join("none.csv").exists(),
-            "{span}: {code} {told}"
+            code == 2 && stderr.contains(message) && !folder.path().join("none.csv").exists(),
+            "{span}: {code} {stderr}"
         );
     }
 }

@@ -1,45 +1,45 @@
 //! Input that is wrong, and what a command leaves out.
 
-use super::{csv, jounce, struck, switching};
+use super::{csv, jounce, write_contact_recording, write_switching_recording};
 use std::path::Path;
 
 /// Recordings that a command or another refuses.
-fn odd_files(here: &Path) {
-    switching(here);
-    struck(here);
+fn write_invalid_files(folder_path: &Path) {
+    write_switching_recording(folder_path);
+    write_contact_recording(folder_path);
     std::fs::write(
-        here.join("cut.npy"),
+        folder_path.join("cut.npy"),
         &b"\x93NUMPY\x01\x00v\x00{'descr': '<f8'"[..],
     )
     .unwrap();
-    let whole: String = (0..20).map(|k| format!("{k},{}\n", k % 3)).collect();
+    let rows: String = (0..20).map(|k| format!("{k},{}\n", k % 3)).collect();
     std::fs::write(
-        here.join("ragged.csv"),
-        format!("time [s],piezo [V]\n{whole}20\n21,3,4\n"),
+        folder_path.join("ragged.csv"),
+        format!("time [s],piezo [V]\n{rows}20\n21,3,4\n"),
     )
     .unwrap();
     std::fs::write(
-        here.join("timeless.csv"),
+        folder_path.join("timeless.csv"),
         "piezo [V],other\n5,1\n3,2\n4,3\n",
     )
     .unwrap();
     csv(
-        &here.join("still.csv"),
+        &folder_path.join("still.csv"),
         "time [s],piezo [V],force [N]",
         (0..4000).map(|k| vec![f64::from(k) * 1e-2, 3.0, 0.0]),
     );
     csv(
-        &here.join("dead.csv"),
+        &folder_path.join("dead.csv"),
         "time [s],piezo [V],base [g]",
         (0..400).map(|k| vec![f64::from(k) * 1e-2, f64::from(k % 3), 0.0]),
     );
     csv(
-        &here.join("odd.csv"),
+        &folder_path.join("odd.csv"),
         "time [s],piezo [furlong]",
         (0..400).map(|k| vec![f64::from(k) * 1e-2, f64::from(k % 3)]),
     );
     csv(
-        &here.join("short.csv"),
+        &folder_path.join("short.csv"),
         "time [s],piezo [V]",
         (0..12).map(|k| vec![f64::from(k) * 1e-2, f64::from(k % 3)]),
     );
@@ -48,9 +48,9 @@ fn odd_files(here: &Path) {
 #[test]
 fn wrong_input_ends_with_its_code_and_one_clear_sentence() {
     let folder = tempfile::tempdir().unwrap();
-    let here = folder.path();
-    odd_files(here);
-    for (arguments, code, words) in [
+    let folder_path = folder.path();
+    write_invalid_files(folder_path);
+    for (arguments, code, message) in [
         (vec!["read", "missing.csv"], 4, "missing.csv"),
         (vec!["read", "."], 4, "not a file"),
         (vec!["read", "cut.npy"], 4, "NPY"),
@@ -239,14 +239,14 @@ fn wrong_input_ends_with_its_code_and_one_clear_sentence() {
             "widen the band",
         ),
     ] {
-        let (found, _, stderr) = jounce(here, &arguments);
-        assert_eq!(found, code, "{arguments:?}: {stderr}");
+        let (exit_code, _, stderr) = jounce(folder_path, &arguments);
+        assert_eq!(exit_code, code, "{arguments:?}: {stderr}");
         assert!(
-            stderr.contains(words) && !stderr.contains("panicked"),
+            stderr.contains(message) && !stderr.contains("panicked"),
             "{arguments:?}: {stderr}"
         );
     }
-    let (code, json, _) = jounce(here, &["read", "ragged.csv", "--json"]);
+    let (code, json, _) = jounce(folder_path, &["read", "ragged.csv", "--json"]);
     let kinds: Vec<&str> = json["recordings"][0]["findings"]
         .as_array()
         .unwrap()
@@ -258,7 +258,7 @@ fn wrong_input_ends_with_its_code_and_one_clear_sentence() {
         "{json}"
     );
     let (code, json, _) = jounce(
-        here,
+        folder_path,
         &["power", "timeless.csv", "--resistance", "1ohm", "--json"],
     );
     assert!(
@@ -269,9 +269,9 @@ fn wrong_input_ends_with_its_code_and_one_clear_sentence() {
 
 /// A mode shape is no recording: `--to` refuses it instead of writing nothing. Of two recordings the one left out is told.
 #[test]
-fn what_is_not_written_is_told() {
+fn recordings_that_are_not_written_are_reported() {
     let folder = tempfile::tempdir().unwrap();
-    let here = folder.path();
+    let folder_path = folder.path();
     let function = |points: u32| {
         let line = |text: &str| format!("{text:<80}\n");
         let mut set = line("    -1") + &line("    58") + &"NONE\n".repeat(5);
@@ -285,21 +285,21 @@ fn what_is_not_written_is_told() {
             .collect::<String>();
         set + &line("    -1")
     };
-    std::fs::write(here.join("two.uff"), function(20) + &function(30)).unwrap();
-    let (code, _, told) = jounce(here, &["read", "two.uff", "--to", "one.csv"]);
+    std::fs::write(folder_path.join("two.uff"), function(20) + &function(30)).unwrap();
+    let (code, _, stderr) = jounce(folder_path, &["read", "two.uff", "--to", "one.csv"]);
     assert!(
-        code == 0 && here.join("one.csv").is_file() && told.contains("left out"),
-        "{code} {told}"
+        code == 0 && folder_path.join("one.csv").is_file() && stderr.contains("left out"),
+        "{code} {stderr}"
     );
     for command in [
         vec!["power", "two.uff", "--resistance", "1ohm"],
         vec!["spectra", "two.uff"],
         vec!["regimes", "two.uff", "--drive", "1Hz"],
     ] {
-        let (_, _, told) = jounce(here, &command);
+        let (_, _, stderr) = jounce(folder_path, &command);
         assert!(
-            told.contains("is used") && told.contains("left out: two 2"),
-            "{command:?}: {told}"
+            stderr.contains("is used") && stderr.contains("left out: two 2"),
+            "{command:?}: {stderr}"
         );
     }
 }

@@ -68,11 +68,11 @@ impl Failure {
     }
 
     /// Returns a result if it is complete.
-    pub fn unless_stopped<T>(control: &Control, found: T) -> Result<T, Self> {
+    pub fn unless_stopped<T>(control: &Control, result: T) -> Result<T, Self> {
         if control.is_stopped() {
             Err(Self::stopped())
         } else {
-            Ok(found)
+            Ok(result)
         }
     }
 
@@ -96,7 +96,7 @@ impl Failure {
     }
 
     /// Returns the exception.
-    pub fn raised(self, py: Python<'_>) -> PyErr {
+    pub fn into_exception(self, py: Python<'_>) -> PyErr {
         let make = || -> PyResult<PyErr> {
             let details = py
                 .import("json")?
@@ -110,7 +110,7 @@ impl Failure {
 
 impl From<Failure> for PyErr {
     fn from(failure: Failure) -> Self {
-        Python::attach(|py| failure.raised(py))
+        Python::attach(|py| failure.into_exception(py))
     }
 }
 
@@ -233,8 +233,8 @@ impl From<AnalysisError> for Failure {
                 Self::new("ArgumentError", &error).with(json!({ "key": key }))
             }
             AnalysisError::NoNoise => {
-                let why = "an ensemble needs noise: give a drive `signal = \"noise\"`; for other drives use Spec.run";
-                Self::new("ArgumentError", why)
+                let reason = "an ensemble needs noise: give a drive `signal = \"noise\"`; for other drives use Spec.run";
+                Self::new("ArgumentError", reason)
             }
         }
     }

@@ -1,6 +1,6 @@
 //! Force pulses of a hammer and the contact laws fitted to them.
 
-use super::recording::{GivenRecording, findings};
+use super::recording::{RecordingInput, findings};
 use crate::arrays::PythonDict;
 use crate::branch::json;
 use crate::failure::Failure;
@@ -17,12 +17,12 @@ use pyo3::types::PyDict;
 #[pyfunction]
 pub fn measured_contact<'py>(
     py: Python<'py>,
-    given: GivenRecording<'py>,
+    recording: RecordingInput<'py>,
     force: Option<String>,
     mass_kg: Option<f64>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let record = given.even()?;
-    let found = py.detach(|| {
+    let record = recording.even()?;
+    let analysis = py.detach(|| {
         let force = record.choose(force.as_deref(), Quantity::Force)?;
         let samples = Samples::new(&force.values, record.rate())?;
         let hits = hits(&samples, HitSearch::default())?;
@@ -34,9 +34,9 @@ pub fn measured_contact<'py>(
             .collect();
         Ok::<_, Failure>((force.name.clone(), hits, fits, pulses))
     });
-    let (channel, hits, fits, pulses) = found.map_err(|failure| failure.raised(py))?;
+    let (channel, hits, fits, pulses) = analysis.map_err(|failure| failure.into_exception(py))?;
     let laws: Vec<_> = fits.iter().map(|law| law.as_ref().ok()).collect();
-    let why: Vec<String> = fits
+    let reasons: Vec<String> = fits
         .iter()
         .map(|law| {
             law.as_ref()
@@ -56,13 +56,13 @@ pub fn measured_contact<'py>(
             )
         })
         .collect();
-    let answer = PythonDict::new(py)
+    let dict = PythonDict::new(py)
         .with("channel", channel)?
         .with("rate_hz", record.rate())?
         .with("hits", json(&hits)?)?
         .with("laws", json(&laws)?)?
-        .with("why", why)?
+        .with("why", reasons)?
         .with("pulses", pulses)?
         .with("findings", findings(&record.findings)?)?;
-    Ok(answer.dict())
+    Ok(dict.dict())
 }

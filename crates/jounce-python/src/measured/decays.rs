@@ -1,7 +1,7 @@
 //! Modes of structures without a measured force: free decays and output-only tests.
 
-use super::modes::{check_order, identified};
-use super::recording::{GivenRecording, findings};
+use super::modes::{check_order, identification_dict};
+use super::recording::{RecordingInput, findings};
 use crate::failure::Failure;
 use jounce_measure::modal::{ModalSettings, identify_decays};
 use jounce_measure::recording::Over;
@@ -22,29 +22,32 @@ pub struct Unforced {
 }
 
 impl Unforced {
-    fn decays(&self, py: Python<'_>, given: &[GivenRecording<'_>]) -> Result<Decays, Failure> {
+    fn decays(&self, py: Python<'_>, recordings: &[RecordingInput<'_>]) -> Result<Decays, Failure> {
         if self.free {
-            let records = given
+            let records = recordings
                 .iter()
-                .map(GivenRecording::even)
+                .map(RecordingInput::even)
                 .collect::<Result<Vec<_>, _>>()?;
             return py.detach(|| Ok(Decays::free(&records, &self.responses, self.span_s)?));
         }
-        let [one] = given else {
+        let [recording] = recordings else {
             return Err(Failure::new(
                 "ArgumentError",
                 format!(
                     "output_only takes one recording, but {} are given",
-                    given.len()
+                    recordings.len()
                 ),
             ));
         };
-        let recording = one.recording()?;
+        let recording = recording.recording()?;
         if recording.over == Over::Frequency {
             return py.detach(|| Ok(Decays::of_spectrum(&recording, &self.responses)?));
         }
-        let (record, responses, references) =
-            (one.even()?, self.responses.clone(), self.references.clone());
+        let (record, responses, references) = (
+            recording.even()?,
+            self.responses.clone(),
+            self.references.clone(),
+        );
         py.detach(|| {
             Ok(Decays::ambient(
                 &record,
@@ -63,22 +66,22 @@ impl Unforced {
 #[pyfunction]
 pub fn measured_decays<'py>(
     py: Python<'py>,
-    given: Vec<GivenRecording<'py>>,
+    recordings: Vec<RecordingInput<'py>>,
     unforced: Unforced,
     between_hz: Option<(f64, f64)>,
     order: usize,
 ) -> PyResult<Bound<'py, PyDict>> {
     check_order(order)?;
-    let decays = unforced.decays(py, &given)?;
+    let decays = unforced.decays(py, &recordings)?;
     let between_hz = between_hz.unwrap_or((0.0, 0.5 * decays.rate_hz));
-    let found = py.detach(|| {
+    let identification = py.detach(|| {
         Ok::<_, Failure>(identify_decays(
             &decays,
             between_hz,
             ModalSettings { order },
         )?)
     });
-    let found = found.map_err(|failure| failure.raised(py))?;
-    let answer = identified(py, (&decays.outputs, &[]), &decays.names(), &found)?;
-    Ok(answer.with("findings", findings(&decays.findings)?)?.dict())
+    let identification = identification.map_err(|failure| failure.into_exception(py))?;
+    let dict = identification_dict(py, (&decays.outputs, &[]), &decays.names(), &identification)?;
+    Ok(dict.with("findings", findings(&decays.findings)?)?.dict())
 }

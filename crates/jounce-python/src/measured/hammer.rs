@@ -1,7 +1,7 @@
 //! Frequency responses and modes of a hammer test.
 
-use super::modes::{check_order, identified};
-use super::recording::{GivenRecording, findings};
+use super::modes::{check_order, identification_dict};
+use super::recording::{RecordingInput, findings};
 use crate::arrays::PythonDict;
 use crate::branch::json;
 use crate::failure::Failure;
@@ -34,9 +34,9 @@ pub struct Hammer {
 
 impl Hammer {
     fn settings(&self) -> Result<ImpactSettings, Failure> {
-        let wrong = |why: String| Err(Failure::new("ArgumentError", why));
+        let argument_error = |reason: String| Err(Failure::new("ArgumentError", reason));
         if !(self.noise_ratio > 0.0 && self.noise_ratio.is_finite()) {
-            return wrong(format!(
+            return argument_error(format!(
                 "noise_ratio is {}; it must be above 0",
                 self.noise_ratio
             ));
@@ -45,7 +45,7 @@ impl Hammer {
             .end_ratio
             .filter(|ratio| !(*ratio > 0.0 && *ratio < 1.0))
         {
-            return wrong(format!(
+            return argument_error(format!(
                 "end_ratio is {ratio}; it must be between 0 and 1; try 0.01"
             ));
         }
@@ -55,9 +55,9 @@ impl Hammer {
             "hv" => Estimator::Hv {
                 noise_ratio: self.noise_ratio,
             },
-            other => {
-                return wrong(format!(
-                    "estimator is \"{other}\"; it must be \"h1\", \"h2\" or \"hv\""
+            name => {
+                return argument_error(format!(
+                    "estimator is \"{name}\"; it must be \"h1\", \"h2\" or \"hv\""
                 ));
             }
         };
@@ -78,33 +78,37 @@ impl Hammer {
     }
 
     /// Returns recordings with their columns paired and their lines interpolated as requested.
-    fn prepared(&self, recordings: Vec<Recording>) -> Result<Vec<Recording>, Failure> {
-        let found = match self.functions.as_deref() {
+    fn prepare(&self, recordings: Vec<Recording>) -> Result<Vec<Recording>, Failure> {
+        let recordings = match self.functions.as_deref() {
             None => recordings,
             Some("re-im") => paired(recordings, ComplexParts::ReIm)?,
             Some("size-degrees") => paired(recordings, ComplexParts::SizeDegrees)?,
             Some("size-radians") => paired(recordings, ComplexParts::SizeRadians)?,
-            Some(other) => {
-                let why = format!(
-                    "functions is \"{other}\"; it must be \"re-im\", \"size-degrees\" or \"size-radians\""
+            Some(name) => {
+                let reason = format!(
+                    "functions is \"{name}\"; it must be \"re-im\", \"size-degrees\" or \"size-radians\""
                 );
-                return Err(Failure::new("ArgumentError", why));
+                return Err(Failure::new("ArgumentError", reason));
             }
         };
-        Ok(if self.bridge { bridged(found) } else { found })
+        Ok(if self.bridge {
+            bridged(recordings)
+        } else {
+            recordings
+        })
     }
 
     /// Returns the responses of recordings over time; those over frequency are returned unchanged.
     fn responses(
         &self,
         py: Python<'_>,
-        given: &[GivenRecording<'_>],
+        inputs: &[RecordingInput<'_>],
     ) -> Result<MeasuredResponses, Failure> {
         let settings = self.settings()?;
-        let recordings = self.prepared(
-            given
+        let recordings = self.prepare(
+            inputs
                 .iter()
-                .map(GivenRecording::recording)
+                .map(RecordingInput::recording)
                 .collect::<Result<Vec<_>, _>>()?,
         )?;
         if recordings
@@ -113,9 +117,9 @@ impl Hammer {
         {
             return Ok(MeasuredResponses::from_functions(&recordings)?);
         }
-        let records = given
+        let records = inputs
             .iter()
-            .map(GivenRecording::even)
+            .map(RecordingInput::even)
             .collect::<Result<Vec<_>, _>>()?;
         let excitation = match (&self.input, &self.force) {
             (Some(_), Some(_)) => {
@@ -128,11 +132,11 @@ impl Hammer {
             (None, Some(channel)) => Excitation::Force(channel.clone()),
             (None, None) => Excitation::FirstForce,
         };
-        let chosen = ChannelChoice {
+        let channels = ChannelChoice {
             excitation,
             responses: self.responses.clone(),
         };
-        py.detach(|| Ok(MeasuredResponses::of_hits(&records, &chosen, &settings)?))
+        py.detach(|| Ok(MeasuredResponses::of_hits(&records, &channels, &settings)?))
     }
 }
 
@@ -140,57 +144,58 @@ impl Hammer {
 #[pyfunction]
 pub fn measured_frf<'py>(
     py: Python<'py>,
-    given: Vec<GivenRecording<'py>>,
+    recordings: Vec<RecordingInput<'py>>,
     hammer: Hammer,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let found = hammer.responses(py, &given)?;
-    Ok(into_python(py, &found)?.dict())
+    let responses = hammer.responses(py, &recordings)?;
+    Ok(into_python(py, &responses)?.dict())
 }
 
 /// Identifies the modes of a hammer test between two frequencies; by default over all lines.
 #[pyfunction]
 pub fn measured_modes<'py>(
     py: Python<'py>,
-    given: Vec<GivenRecording<'py>>,
+    recordings: Vec<RecordingInput<'py>>,
     hammer: Hammer,
     between_hz: Option<(f64, f64)>,
     order: usize,
 ) -> PyResult<Bound<'py, PyDict>> {
     check_order(order)?;
-    let responses = hammer.responses(py, &given)?;
+    let responses = hammer.responses(py, &recordings)?;
     let highest = responses.functions[0]
         .frequency_hz
         .last()
         .copied()
         .unwrap_or(0.0);
     let between_hz = between_hz.unwrap_or((0.0, highest));
-    let found = py.detach(|| {
-        let mut found = identify(&Band::of(&responses, between_hz)?, ModalSettings { order })?;
-        found
+    let identification = py.detach(|| {
+        let mut identification =
+            identify(&Band::of(&responses, between_hz)?, ModalSettings { order })?;
+        identification
             .modes
             .iter_mut()
             .for_each(|mode| mode.without_decay(responses.window_decay_per_s));
-        Ok::<_, Failure>(found)
+        Ok::<_, Failure>(identification)
     });
-    let found = found.map_err(|failure| failure.raised(py))?;
+    let identification = identification.map_err(|failure| failure.into_exception(py))?;
     let references = if responses.references.len() > 1 {
         &responses.references[..]
     } else {
         &[]
     };
-    let answer = identified(
+    let dict = identification_dict(
         py,
         (&responses.outputs, references),
         &responses.names,
-        &found,
+        &identification,
     )?;
-    let base = found
+    let participation = identification
         .modes
         .iter()
         .map(|mode| base_participation(py, mode, &responses))
         .collect::<Vec<_>>();
-    Ok(answer
-        .with("base_participation", base)?
+    Ok(dict
+        .with("base_participation", participation)?
         .with("frf", into_python(py, &responses)?.dict())?
         .dict())
 }
@@ -212,10 +217,15 @@ fn base_participation<'py>(
 }
 
 /// Converts responses for Python.
-fn into_python<'py>(py: Python<'py>, found: &MeasuredResponses) -> PyResult<PythonDict<'py>> {
-    let all = PyDict::new(py);
-    for ((name, unit), function) in found.names.iter().zip(&found.units).zip(&found.functions) {
-        all.set_item(
+fn into_python<'py>(py: Python<'py>, responses: &MeasuredResponses) -> PyResult<PythonDict<'py>> {
+    let response_dict = PyDict::new(py);
+    for ((name, unit), function) in responses
+        .names
+        .iter()
+        .zip(&responses.units)
+        .zip(&responses.functions)
+    {
+        response_dict.set_item(
             name,
             (
                 PyArray1::from_slice(py, &function.value),
@@ -227,23 +237,23 @@ fn into_python<'py>(py: Python<'py>, found: &MeasuredResponses) -> PyResult<Pyth
     PythonDict::new(py)
         .array(
             "frequency_hz",
-            found
+            responses
                 .functions
                 .first()
                 .map_or_else(Vec::new, |function| function.frequency_hz.clone()),
         )?
-        .with("responses", all)?
-        .with("input", &found.input)?
+        .with("responses", response_dict)?
+        .with("input", &responses.input)?
         .with(
             "per_g",
-            (0..found.names.len())
-                .map(|k| found.per_g(k))
+            (0..responses.names.len())
+                .map(|k| responses.per_g(k))
                 .collect::<Vec<_>>(),
         )?
-        .with("outputs", &found.outputs)?
-        .with("references", &found.references)?
-        .with("hits", json(&found.hits)?)?
-        .with("block_s", found.block_s)?
-        .with("window_decay_per_s", found.window_decay_per_s)?
-        .with("findings", findings(&found.findings)?)
+        .with("outputs", &responses.outputs)?
+        .with("references", &responses.references)?
+        .with("hits", json(&responses.hits)?)?
+        .with("block_s", responses.block_s)?
+        .with("window_decay_per_s", responses.window_decay_per_s)?
+        .with("findings", findings(&responses.findings)?)
 }

@@ -24,13 +24,13 @@ pub fn check_order(order: usize) -> Result<(), Failure> {
 
 /// Converts modes at outputs with the functions they were identified from: responses of a hammer
 /// test, or decays, one or more for each output. References are named where there are several.
-pub fn identified<'py>(
+pub fn identification_dict<'py>(
     py: Python<'py>,
     (outputs, references): (&[String], &[String]),
     functions: &[String],
-    found: &Identification,
+    identification: &Identification,
 ) -> PyResult<PythonDict<'py>> {
-    let (modes, diagram) = (&found.modes, &found.diagram);
+    let (modes, diagram) = (&identification.modes, &identification.diagram);
     let rows = |rows: &[Vec<Complex64>]| {
         rows.iter()
             .map(|row| PyArray1::from_slice(py, row))
@@ -70,8 +70,8 @@ pub fn identified<'py>(
                 .collect::<Vec<_>>(),
         )?
         .rows("mac", &mac_matrix(modes), modes.len())?
-        .with("misfit", found.misfit)?
-        .each("unexplained_hz", &found.unexplained, |peak| {
+        .with("misfit", identification.misfit)?
+        .each("unexplained_hz", &identification.unexplained, |peak| {
             peak.frequency_hz
         })?
         .each("pole_order", diagram, |pole| pole.order as i64)?
@@ -80,7 +80,7 @@ pub fn identified<'py>(
             pole.pole.damping_ratio
         })?
         .with("pole_stable", stable)?
-        .array("line_hz", found.frequency_hz.clone())?
-        .with("measured", rows(&found.measured))?
-        .with("model", rows(&found.model))
+        .array("line_hz", identification.frequency_hz.clone())?
+        .with("measured", rows(&identification.measured))?
+        .with("model", rows(&identification.model))
 }

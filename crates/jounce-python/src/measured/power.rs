@@ -1,9 +1,9 @@
 //! Mean power of a recorded voltage.
 
-use super::recording::{GivenRecording, findings};
+use super::recording::{RecordingInput, findings};
 use crate::arrays::PythonDict;
 use crate::branch::json;
-use crate::cancellable::{left_alone, to_python_result};
+use crate::cancellable::{detached, to_python_result};
 use crate::failure::Failure;
 use crate::run::PythonResult;
 use jounce_core::signal::{OrderLine, Window};
@@ -32,7 +32,7 @@ struct PowerData {
 )]
 pub fn measured_power<'py>(
     py: Python<'py>,
-    given: GivenRecording<'py>,
+    recording: RecordingInput<'py>,
     resistance_ohm: f64,
     voltage: Option<String>,
     base: Option<String>,
@@ -40,8 +40,8 @@ pub fn measured_power<'py>(
     orders: Vec<f64>,
     remove_mean: bool,
 ) -> PythonResult<'py> {
-    let record = given.even()?;
-    let found = left_alone(py, move |control| {
+    let record = recording.even()?;
+    let outcome = detached(py, move |control| {
         let voltage = record.choose(voltage.as_deref(), Quantity::Voltage)?;
         let samples = signal(voltage, record.rate())?;
         let mean_square = match &base {
@@ -54,7 +54,7 @@ pub fn measured_power<'py>(
                 base.rms().powi(2) - base.mean().powi(2)
             }
         };
-        let inside = |drive_hz: f64| {
+        let resolved_orders = |drive_hz: f64| {
             orders
                 .iter()
                 .copied()
@@ -64,7 +64,7 @@ pub fn measured_power<'py>(
         Failure::unless_stopped(control, ())?;
         let orders = match drive_hz {
             None => Vec::new(),
-            Some(drive_hz) => samples.orders(drive_hz, &inside(drive_hz))?.lines,
+            Some(drive_hz) => samples.orders(drive_hz, &resolved_orders(drive_hz))?.lines,
         };
         Failure::unless_stopped(control, ())?;
         let power = mean_power(&samples, resistance_ohm, remove_mean)?;
@@ -79,23 +79,23 @@ pub fn measured_power<'py>(
             findings: record.findings.clone(),
         })
     });
-    to_python_result(py, found, |found| into_python(py, found))
+    to_python_result(py, outcome, |result| into_python(py, result))
 }
 
-fn into_python<'py>(py: Python<'py>, found: PowerData) -> PyResult<Bound<'py, PyDict>> {
-    let answer = PythonDict::new(py)
-        .with("channel", found.channel)?
-        .with("power", json(&found.power)?)?
-        .with("mean_square_base_acceleration_m2_s4", found.mean_square)?
-        .each("order", &found.orders, |line| line.order)?
-        .each("order_frequency_hz", &found.orders, |line| {
+fn into_python<'py>(py: Python<'py>, result: PowerData) -> PyResult<Bound<'py, PyDict>> {
+    let dict = PythonDict::new(py)
+        .with("channel", result.channel)?
+        .with("power", json(&result.power)?)?
+        .with("mean_square_base_acceleration_m2_s4", result.mean_square)?
+        .each("order", &result.orders, |line| line.order)?
+        .each("order_frequency_hz", &result.orders, |line| {
             line.frequency_hz
         })?
-        .each("order_amplitude_peak_v", &found.orders, |line| {
+        .each("order_amplitude_peak_v", &result.orders, |line| {
             line.amplitude_peak
         })?
-        .array("frequency_hz", found.spectrum.frequency_hz)?
-        .array("amplitude_peak", found.spectrum.amplitude_peak)?
-        .with("findings", findings(&found.findings)?)?;
-    Ok(answer.dict())
+        .array("frequency_hz", result.spectrum.frequency_hz)?
+        .array("amplitude_peak", result.spectrum.amplitude_peak)?
+        .with("findings", findings(&result.findings)?)?;
+    Ok(dict.dict())
 }

@@ -17,20 +17,20 @@ type Row<'py> = PyReadonlyArray1<'py, f64>;
 /// Recording as passed from Python.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
-pub struct GivenRecording<'py> {
+pub struct RecordingInput<'py> {
     name: String,
     over: String,
     /// Times or frequencies of the samples, s or Hz.
     places: Row<'py>,
     /// Step between samples; `None` where each sample has its own stamp.
     step: Option<f64>,
-    channels: Vec<GivenChannel<'py>>,
+    channels: Vec<ChannelInput<'py>>,
 }
 
 /// Channel of a recording.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
-struct GivenChannel<'py> {
+struct ChannelInput<'py> {
     name: String,
     /// Name of the quantity; `None` for samples in the unit of an instrument.
     quantity: Option<String>,
@@ -42,13 +42,13 @@ struct GivenChannel<'py> {
     imaginary: Option<Row<'py>>,
 }
 
-impl GivenRecording<'_> {
+impl RecordingInput<'_> {
     /// Converts to a recording of the library, with values in SI.
     pub fn recording(&self) -> Result<Recording, Failure> {
         let channels = self
             .channels
             .iter()
-            .map(GivenChannel::channel)
+            .map(ChannelInput::channel)
             .collect::<Result<_, Failure>>()?;
         Ok(Recording {
             name: self.name.clone(),
@@ -95,7 +95,7 @@ impl GivenRecording<'_> {
     }
 }
 
-impl GivenChannel<'_> {
+impl ChannelInput<'_> {
     fn raw(&self) -> RawChannel {
         RawChannel {
             name: self.name.clone(),
@@ -109,9 +109,9 @@ impl GivenChannel<'_> {
     }
 
     fn channel(&self) -> Result<Channel, Failure> {
-        let named = serde_json::Value::from(self.quantity.as_deref().unwrap_or("unknown"));
-        let quantity: Quantity =
-            serde_json::from_value(named).map_err(|error| Failure::new("ArgumentError", error))?;
+        let quantity_name = serde_json::Value::from(self.quantity.as_deref().unwrap_or("unknown"));
+        let quantity: Quantity = serde_json::from_value(quantity_name)
+            .map_err(|error| Failure::new("ArgumentError", error))?;
         let RawChannel {
             name,
             unit,
@@ -139,40 +139,45 @@ impl GivenChannel<'_> {
 pub fn recording_read(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, PyDict>> {
     let contents = py
         .detach(|| read::file(&path))
-        .map_err(|error| Failure::from(error).raised(py))?;
+        .map_err(|error| Failure::from(error).into_exception(py))?;
     let recordings = contents
         .recordings
         .into_iter()
-        .map(|one| into_python(py, one))
+        .map(|recording| into_python(py, recording))
         .collect::<PyResult<Vec<_>>>()?;
     let shapes = contents
         .shapes
         .iter()
-        .map(|one| shape(py, one))
+        .map(|mode_shape| shape(py, mode_shape))
         .collect::<PyResult<Vec<_>>>()?;
-    let answer = PythonDict::new(py)
+    let dict = PythonDict::new(py)
         .with("recordings", recordings)?
         .with("shapes", shapes)?;
-    Ok(answer
-        .with("findings", findings(&contents.findings)?)?
-        .dict())
+    Ok(dict.with("findings", findings(&contents.findings)?)?.dict())
 }
 
 /// Converts samples with units of instruments to a recording in SI.
 #[pyfunction]
-pub fn recording_given<'py>(
+pub fn recording_from_arrays<'py>(
     py: Python<'py>,
-    given: GivenRecording<'py>,
+    recording_input: RecordingInput<'py>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let (over, stamps) = (given.over()?, given.places.as_array().to_vec());
-    let (grid, odd) = match given.step {
-        Some(_) => (given.grid()?, Vec::new()),
+    let (over, stamps) = (
+        recording_input.over()?,
+        recording_input.places.as_array().to_vec(),
+    );
+    let (grid, stamp_issues) = match recording_input.step {
+        Some(_) => (recording_input.grid()?, Vec::new()),
         None => Grid::from_stamps(stamps).map_err(Failure::from)?,
     };
-    let channels = given.channels.iter().map(GivenChannel::raw).collect();
-    let mut recording =
-        read::recording_from_arrays(&given.name, over, grid, channels).map_err(Failure::from)?;
-    recording.findings.splice(0..0, odd);
+    let channels = recording_input
+        .channels
+        .iter()
+        .map(ChannelInput::raw)
+        .collect();
+    let mut recording = read::recording_from_arrays(&recording_input.name, over, grid, channels)
+        .map_err(Failure::from)?;
+    recording.findings.splice(0..0, stamp_issues);
     into_python(py, recording)
 }
 
@@ -180,21 +185,25 @@ pub fn recording_given<'py>(
 #[pyfunction]
 pub fn recording_even<'py>(
     py: Python<'py>,
-    given: GivenRecording<'py>,
+    recording_input: RecordingInput<'py>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let recording = given.recording()?;
-    let even = py
+    let recording = recording_input.recording()?;
+    let uniform = py
         .detach(|| recording.even())
-        .map_err(|error| Failure::from(error).raised(py))?;
-    into_python(py, even)
+        .map_err(|error| Failure::from(error).into_exception(py))?;
+    into_python(py, uniform)
 }
 
 /// Writes a recording in the format of the ending of the path.
 #[pyfunction]
-pub fn recording_write(py: Python<'_>, given: GivenRecording<'_>, path: PathBuf) -> PyResult<()> {
-    let recording = given.recording()?;
+pub fn recording_write(
+    py: Python<'_>,
+    recording_input: RecordingInput<'_>,
+    path: PathBuf,
+) -> PyResult<()> {
+    let recording = recording_input.recording()?;
     py.detach(|| write(&recording, &path))
-        .map_err(|error| Failure::from(error).raised(py))
+        .map_err(|error| Failure::from(error).into_exception(py))
 }
 
 /// Converts a recording for Python.
@@ -203,7 +212,7 @@ pub fn into_python(py: Python<'_>, recording: Recording) -> PyResult<Bound<'_, P
         Grid::Even { step, .. } => Some(*step),
         Grid::Stamped(_) => None,
     };
-    let answer = PythonDict::new(py)
+    let dict = PythonDict::new(py)
         .with(
             "over",
             if recording.over == Over::Time {
@@ -220,13 +229,13 @@ pub fn into_python(py: Python<'_>, recording: Recording) -> PyResult<Bound<'_, P
     let channels = recording
         .channels
         .into_iter()
-        .map(|one| channel(py, one))
+        .map(|item| channel(py, item))
         .collect::<PyResult<Vec<_>>>()?;
-    Ok(answer.with("channels", channels)?.dict())
+    Ok(dict.with("channels", channels)?.dict())
 }
 
 fn channel(py: Python<'_>, channel: Channel) -> PyResult<Bound<'_, PyDict>> {
-    let answer = PythonDict::new(py)
+    let dict = PythonDict::new(py)
         .with("quantity", json(&channel.quantity)?.trim_matches('"'))?
         .with("name", channel.name)?
         .with("unit", channel.unit)?
@@ -240,18 +249,18 @@ fn channel(py: Python<'_>, channel: Channel) -> PyResult<Bound<'_, PyDict>> {
                 .map(|imaginary| PyArray1::from_vec(py, imaginary)),
         )?
         .array("values", channel.values)?;
-    Ok(answer.dict())
+    Ok(dict.dict())
 }
 
 fn shape<'py>(py: Python<'py>, shape: &ModeShape) -> PyResult<Bound<'py, PyDict>> {
     let width = shape.real.first().map_or(0, Vec::len);
-    let answer = PythonDict::new(py)
+    let dict = PythonDict::new(py)
         .with("frequency_hz", shape.frequency_hz)?
         .with("damping_ratio", shape.damping_ratio)?
         .array("node", shape.nodes.clone())?
         .rows("real", &shape.real, width)?;
     let zeros = vec![vec![0.0; width]; shape.real.len()];
-    Ok(answer
+    Ok(dict
         .rows(
             "imaginary",
             shape.imaginary.as_ref().unwrap_or(&zeros),
@@ -261,8 +270,8 @@ fn shape<'py>(py: Python<'py>, shape: &ModeShape) -> PyResult<Bound<'py, PyDict>
 }
 
 /// Formats findings as JSON, each with its message.
-pub fn findings(found: &[Issue]) -> PyResult<String> {
-    let one = |finding: &Issue| {
+pub fn findings(issues: &[Issue]) -> PyResult<String> {
+    let issue_json = |finding: &Issue| {
         serde_json::json!({
             "kind": finding.kind,
             "channel": finding.channel,
@@ -271,5 +280,5 @@ pub fn findings(found: &[Issue]) -> PyResult<String> {
             "text": finding.to_string(),
         })
     };
-    json(&found.iter().map(one).collect::<Vec<_>>())
+    json(&issues.iter().map(issue_json).collect::<Vec<_>>())
 }

@@ -1,6 +1,6 @@
 //! Segmentation of a long record into steady-state responses.
 
-use super::recording::{GivenRecording, findings};
+use super::recording::{RecordingInput, findings};
 use crate::arrays::PythonDict;
 use crate::branch::json;
 use crate::cancellable::{cancellable, to_python_result};
@@ -29,10 +29,10 @@ pub struct ModelComparison {
 /// Result of a segmentation.
 struct SegmentationData {
     channel: Channel,
-    found: Segmentation,
+    segmentation: Segmentation,
     /// `None` where a segment is too short for an interval; empty without a resistance.
     powers: Vec<Option<MeanPower>>,
-    shown: Vec<SegmentMatches>,
+    matches: Vec<SegmentMatches>,
 }
 
 /// Segments a channel under a drive. Returns the mean power of each segment where the channel is
@@ -40,56 +40,68 @@ struct SegmentationData {
 #[pyfunction]
 pub fn measured_regimes<'py>(
     py: Python<'py>,
-    given: GivenRecording<'py>,
+    recording: RecordingInput<'py>,
     drive_hz: f64,
     channel: Option<String>,
     resistance_ohm: Option<f64>,
     model: Option<&Spec>,
-    compared: ModelComparison,
+    comparison: ModelComparison,
 ) -> PythonResult<'py> {
-    let record = given.even()?;
-    let found = cancellable(py, None, |control| {
+    let record = recording.even()?;
+    let outcome = cancellable(py, None, |control| {
         let channel = match &channel {
             // Any quantity can be segmented; only a voltage has a power.
             Some(name) if resistance_ohm.is_none() => record.channel(name)?,
-            wanted => record.choose(wanted.as_deref(), Quantity::Voltage)?,
+            name => record.choose(name.as_deref(), Quantity::Voltage)?,
         };
-        let found = regimes_watched(
+        let segmentation = regimes_watched(
             &Samples::new(&channel.values, record.rate())?,
             drive_hz,
             control,
         )?;
         let mut powers = Vec::new();
-        for stretch in found.stretches.iter().filter(|_| resistance_ohm.is_some()) {
-            let part = Samples::new(&channel.values[stretch.start..stretch.end], record.rate())?;
+        for segment in segmentation
+            .stretches
+            .iter()
+            .filter(|_| resistance_ohm.is_some())
+        {
+            let samples_of_segment =
+                Samples::new(&channel.values[segment.start..segment.end], record.rate())?;
             powers.push(mean_power_if_long(
-                &part,
+                &samples_of_segment,
                 resistance_ohm.unwrap_or(f64::NAN),
                 false,
             )?);
         }
         let samples = Samples::new(&channel.values, record.rate())?;
-        let shown = match model {
+        let matches = match model {
             None => Vec::new(),
             Some(model) => {
-                let known = compared.solutions(model, drive_hz, resistance_ohm, control)?;
-                found
+                let known_solutions =
+                    comparison.solutions(model, drive_hz, resistance_ohm, control)?;
+                segmentation
                     .stretches
                     .iter()
-                    .map(|stretch| {
-                        match_segments(&samples, drive_hz, stretch, &known, compared.within)
+                    .map(|segment| {
+                        match_segments(
+                            &samples,
+                            drive_hz,
+                            segment,
+                            &known_solutions,
+                            comparison.within,
+                        )
                     })
                     .collect()
             }
         };
         Ok::<_, Failure>(SegmentationData {
             channel: channel.clone(),
-            found,
+            segmentation,
             powers,
-            shown,
+            matches,
         })
     });
-    to_python_result(py, found, |found| into_python(py, &record, found))
+    to_python_result(py, outcome, |data| into_python(py, &record, data))
 }
 
 impl ModelComparison {
@@ -102,12 +114,12 @@ impl ModelComparison {
         control: &Control,
     ) -> Result<Vec<Solution>, Failure> {
         if !(self.within > 0.0 && self.within <= 1.0) || self.starts == 0 {
-            let why = format!(
+            let reason = format!(
                 "within is {} and starts {}; within must be above 0 and at most 1, starts above 0",
                 self.within, self.starts
             );
             let details = serde_json::json!({ "within": self.within, "starts": self.starts });
-            return Err(Failure::new("ArgumentError", why).with(details));
+            return Err(Failure::new("ArgumentError", reason).with(details));
         }
         let mut spec = model.spec().clone();
         as_recorded(&mut spec, drive_hz, resistance_ohm, self.load.as_deref());
@@ -117,33 +129,33 @@ impl ModelComparison {
             load: self.load.clone(),
             ..SolutionSearch::default()
         };
-        let found = solutions(&spec, &search, control)?;
+        let known_solutions = solutions(&spec, &search, control)?;
         // A stopped search is incomplete.
-        Failure::unless_stopped(control, found)
+        Failure::unless_stopped(control, known_solutions)
     }
 }
 
 fn into_python<'py>(
     py: Python<'py>,
     record: &Recording,
-    told: SegmentationData,
+    data: SegmentationData,
 ) -> PyResult<Bound<'py, PyDict>> {
     let SegmentationData {
         channel,
-        found,
+        segmentation,
         powers,
-        shown,
-    } = told;
-    let answer = PythonDict::new(py)
+        matches,
+    } = data;
+    let dict = PythonDict::new(py)
         .with("channel", channel.name)?
         .with("unit", channel.unit)?
-        .with("uncertainty_s", found.uncertainty_s)?
-        .with("stretches", json(&found.stretches)?)?
-        .with("joints", json(&found.joints)?)?
+        .with("uncertainty_s", segmentation.uncertainty_s)?
+        .with("stretches", json(&segmentation.stretches)?)?
+        .with("joints", json(&segmentation.joints)?)?
         .with("powers", json(&powers)?)?
-        .with("correspondences", json(&shown)?)?
+        .with("correspondences", json(&matches)?)?
         .array("time_s", record.grid.places())?
         .array("values", channel.values)?
         .with("findings", findings(&record.findings)?)?;
-    Ok(answer.dict())
+    Ok(dict.dict())
 }

@@ -1,8 +1,8 @@
 //! Spectra of a recorded channel.
 
-use super::recording::{GivenRecording, findings};
+use super::recording::{RecordingInput, findings};
 use crate::arrays::PythonDict;
-use crate::cancellable::{left_alone, to_python_result};
+use crate::cancellable::{detached, to_python_result};
 use crate::failure::Failure;
 use crate::run::PythonResult;
 use jounce_core::signal::Window;
@@ -33,11 +33,11 @@ impl SegmentOptions {
             "hann" => Window::Hann,
             "flat-top" => Window::FlatTop,
             "rectangular" => Window::Rectangular,
-            other => {
-                let why = format!(
-                    "window is \"{other}\"; it must be \"hann\", \"flat-top\" or \"rectangular\""
+            name => {
+                let reason = format!(
+                    "window is \"{name}\"; it must be \"hann\", \"flat-top\" or \"rectangular\""
                 );
-                return Err(Failure::new("ArgumentError", why));
+                return Err(Failure::new("ArgumentError", reason));
             }
         };
         Ok(SpectraSettings {
@@ -54,12 +54,12 @@ impl SegmentOptions {
 #[pyfunction]
 pub fn measured_spectra<'py>(
     py: Python<'py>,
-    given: GivenRecording<'py>,
+    recording: RecordingInput<'py>,
     channel: Option<String>,
-    cut: SegmentOptions,
+    segment_options: SegmentOptions,
 ) -> PythonResult<'py> {
-    let (record, settings) = (given.even()?, cut.settings()?);
-    let found = left_alone(py, move |control| {
+    let (record, settings) = (recording.even()?, segment_options.settings()?);
+    let outcome = detached(py, move |control| {
         let channel = match &channel {
             Some(name) => record.channel(name)?,
             None => first_varying(&record, Quantity::Voltage).ok_or_else(|| {
@@ -67,21 +67,21 @@ pub fn measured_spectra<'py>(
             })?,
         };
         let samples = signal(channel, record.rate())?;
-        let found = spectra_watched(&samples, &settings, control)?;
-        let over_time = spectrogram_watched(&samples, &found.segments, control)?;
-        Ok::<_, Failure>((channel.clone(), record.findings, found, over_time))
+        let spectra = spectra_watched(&samples, &settings, control)?;
+        let spectrogram = spectrogram_watched(&samples, &spectra.segments, control)?;
+        Ok::<_, Failure>((channel.clone(), record.findings, spectra, spectrogram))
     });
-    to_python_result(py, found, |found| into_python(py, found))
+    to_python_result(py, outcome, |data| into_python(py, data))
 }
 
 fn into_python<'py>(
     py: Python<'py>,
-    (channel, told_of, found, spectrogram): (Channel, Vec<Issue>, Spectra, Spectrogram),
+    (channel, issues, spectra, spectrogram): (Channel, Vec<Issue>, Spectra, Spectrogram),
 ) -> PyResult<Bound<'py, PyDict>> {
-    let peaks = found.peaks(PEAKS);
-    let (density, lines) = (found.density, found.orders);
+    let peaks = spectra.peaks(PEAKS);
+    let (density, lines) = (spectra.density, spectra.orders);
     let width = spectrogram.frequency_hz.len();
-    let answer = PythonDict::new(py)
+    let dict = PythonDict::new(py)
         .with("channel", channel.name)?
         .with("unit", channel.unit)?
         .with("mean", density.mean)?
@@ -97,6 +97,6 @@ fn into_python<'py>(
         .each("order", &lines, |line| line.order)?
         .each("order_frequency_hz", &lines, |line| line.frequency_hz)?
         .each("order_amplitude_peak", &lines, |line| line.amplitude_peak)?
-        .with("findings", findings(&told_of)?)?;
-    Ok(answer.dict())
+        .with("findings", findings(&issues)?)?;
+    Ok(dict.dict())
 }
