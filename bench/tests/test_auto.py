@@ -38,7 +38,7 @@ class Files(unittest.TestCase):
     def test_largest_multiplier_is_of_the_last_list_and_without_the_trivial_one(self) -> None:
         self.assertEqual(auto.largest_multipliers(LOG, (5.1, 10.5)), {10.5: 0.993458})
 
-    def test_a_branch_that_stops_early_is_told_from_one_that_reaches_the_end(self) -> None:
+    def test_a_branch_that_stops_early_is_distinguished_from_a_complete_one(self) -> None:
         found = read_auto(DIAGRAM, LOG)
         self.assertFalse(found.reached)
         self.assertEqual(found.folds(), [(5.5208302785, 2.0921809063e-05)])

@@ -1,4 +1,4 @@
-//! Gathers the specs under `examples/` into a table, and tells the linker that Python's symbols come later.
+//! Gathers the specs under `examples/` into a table, and declares to the linker that Python's symbols come later.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};

@@ -93,7 +93,9 @@ class Recording(Result):
         from .inputs import recording_from_arrays
 
         grid = {"sample_rate_hz": sample_rate_hz, "time_s": time_s, "frequency_hz": frequency_hz}
-        return cls._from_core_recording(_core.recording_from_arrays(recording_from_arrays(values, grid, units, name)), make_manifest("read"))
+        return cls._from_core_recording(
+            _core.recording_from_arrays(recording_from_arrays(values, grid, units, name)), make_manifest("read")
+        )
 
     def __len__(self) -> int:
         return len(self.places)

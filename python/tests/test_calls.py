@@ -106,7 +106,7 @@ def test_ctrl_c_ends_a_call_at_once_and_returns_the_finished_part(name, tmp_path
     assert done.returncode == 0, done.stderr
     cpu_time_s, wall_time_s, kind, count = done.stdout.split()
     # A tenth of a second for each thread at work. Measured on two cores that ten other jobs shared: 0.001 s to 0.02 s. With a signal half a
-    # second late `run` uses 0.16 s even so; a process that gets little of a busy machine uses less, so that only an idle one tells all.
+    # second late `run` uses 0.16 s even so; a process that gets little of a busy machine uses less, so only an idle machine is conclusive.
     threads = 2 if "threads=2" in call else 1
     assert float(cpu_time_s) < 0.1 * threads, f"{cpu_time_s} s of processor time, {wall_time_s} s in all"
     # Waiting without work uses no processor time; no machine should be so busy that this fails of itself.

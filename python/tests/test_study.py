@@ -35,7 +35,7 @@ def test_a_study_is_a_table(study, tmp_path):
     study_table = result.table()
     assert len(study_table) == 32 == len(study) and study.parts == 8 and study_table.keys == list(VARY)
     assert list(study_table["stop.tip.gap"][:4]) == [0.5e-3, *np.linspace(0.5e-3, 1.5e-3, 4)[1:]]
-    # What is there already is not marched again.
+    # Finished runs are not repeated.
     assert result.wall_time_s > 0.0 and study.run(tmp_path).wall_time_s == 0.0
     # A row is the run of the changed spec, bit by bit.
     gap, frequency, load = study.point(13)

@@ -1,4 +1,4 @@
-//! `jounce new`: every starter is checked, marched and drawn as written; what stands in its way is one clear error.
+//! `jounce new`: every starter is checked, run and drawn as written; an obstacle is one clear error.
 
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 

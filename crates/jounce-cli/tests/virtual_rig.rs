@@ -243,7 +243,7 @@ fn spectra_print_their_convention_and_mark_the_orders() {
     );
 }
 
-/// Wrong options end with one clear sentence; hits before the structure is quiet are told by the rig and by the analysis.
+/// Wrong options end with one clear sentence; rig and analysis report hits before the structure is at rest.
 #[test]
 fn an_impossible_test_is_reported() {
     let folder = tempfile::tempdir().unwrap();

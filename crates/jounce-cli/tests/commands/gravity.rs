@@ -50,7 +50,7 @@ fn shooting_continues_the_ball_on_a_table() {
     );
 }
 
-/// Without power the branch tells how far the ball flies: of a period one with one impact that leaves at `v`, `T = 2 v / g`, it rises by
+/// Without power the branch gives the flight height of the ball: of a period one with one impact that leaves at `v`, `T = 2 v / g`, it rises by
 /// `g T^2 / 8` over the table, which moves little beside that.
 #[test]
 fn a_branch_without_power_prints_the_displacement() {

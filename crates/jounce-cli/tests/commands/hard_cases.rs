@@ -115,7 +115,7 @@ fn negative_numbers_are_refused_by_name() {
     }
 }
 
-/// What periodic answers do not depend on, and drives that have a common period at both ends of the range only: told at once.
+/// Keys without influence on periodic orbits, and drives with a common period at both ends of the range only, are refused at once.
 #[test]
 fn keys_without_orbits_are_refused_with_their_reason() {
     for key in ["run.tolerance=1e-9:1e-7", "run.average_over=1s:5s"] {
@@ -154,7 +154,7 @@ fn keys_without_orbits_are_refused_with_their_reason() {
     );
 }
 
-/// A branch that ends where it cannot be followed is told with its points, and where no branch is complete the command has not succeeded.
+/// A branch that ends early is printed with its points. Without a complete branch the command fails.
 #[test]
 fn a_command_without_a_complete_branch_ends_with_3() {
     let over = "drive.shaker.frequency=13.2Hz:13.5Hz";

@@ -155,7 +155,7 @@ fn noise_and_ensembles_print_every_key() {
     }
 }
 
-/// What was finished is told, as one object, and the exit code is that of every command that is interrupted.
+/// The finished part is printed as one object, with the exit code of an interrupted command.
 #[cfg(unix)]
 #[test]
 fn an_interrupted_command_prints_finished_results_and_ends_with_130() {

@@ -201,7 +201,7 @@ fn spectra_take_a_live_channel_and_list_peaks_by_height() {
     assert_eq!(peaks, [90.0, 30.0]);
 }
 
-/// Power is told of the stretches that are long enough, with its uncertainty at one digit.
+/// Segments that are long enough have a power, with its uncertainty at one digit.
 #[test]
 fn a_segment_too_short_for_an_interval_does_not_fail_the_others() {
     let folder = tempfile::tempdir().unwrap();

@@ -191,7 +191,7 @@ fn faulty_hits_are_reported() {
     );
 }
 
-/// A random force of both signs is a shaker's, without being told so: 15 blocks, and the response 2 of a scale.
+/// A random force of both signs is recognised as a shaker: 15 blocks, and the response 2 of a scale.
 #[test]
 fn a_continuous_force_is_a_shaker() {
     let folder = tempfile::tempdir().unwrap();

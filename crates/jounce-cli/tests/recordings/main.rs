@@ -288,7 +288,7 @@ fn contact_gives_the_spring_that_made_the_pulses() {
         "restitution_deviation",
         "stiffness",
         "speed_m_s",
-        "told",
+        "allowed_laws",
     ];
     for (hit, peak) in hits.iter().zip([40.0, 30.0]) {
         let law = &hit["law"];

@@ -1,4 +1,4 @@
-//! `jounce read`: what is told of a recording, and what is written of it.
+//! `jounce read`: its printed summary and its files.
 
 use super::{assert_keys, assert_written, jounce, write_switching_recording};
 use serde_json::Value;

@@ -267,7 +267,7 @@ fn wrong_input_ends_with_its_code_and_one_clear_sentence() {
     );
 }
 
-/// A mode shape is no recording: `--to` refuses it instead of writing nothing. Of two recordings the one left out is told.
+/// A mode shape is no recording: `--to` refuses it instead of writing nothing. An omitted second recording is reported.
 #[test]
 fn recordings_that_are_not_written_are_reported() {
     let folder = tempfile::tempdir().unwrap();

@@ -67,7 +67,7 @@ fn closed_and_preloaded_gaps_have_the_power_of_integration() {
         };
         let run = simulate(&kernel, &StartState::rest(&kernel.plant), &plan).unwrap();
         eprintln!(
-            "gap {gap}: {:.9e} W, marched {:.9e} W",
+            "gap {gap}: {:.9e} W, integrated {:.9e} W",
             first.orbit.mean_power_w, run.mean_power_w
         );
         assert!(

@@ -213,7 +213,7 @@ fn loaded_mode(mode: &Mode, ohm: f64) -> ModeFeature {
     }
 }
 
-/// Lines of a flank with the deviation that their coherence tells.
+/// Lines of a flank with the deviation by their coherence.
 fn flank_feature(
     responses: &MeasuredResponses,
     (low, high): (f64, f64),
