@@ -1,17 +1,17 @@
 //! Runs of jounce as a library: `peer-jounce SPEC warm|first|each|balance|orbits KEY=VALUE...` prints JSON lines.
 //!
 //! Keys of the spec are set as with `--set` on the command line, as in `"drive.shaker.frequency=11 Hz"`.
-//! `cpu_s` is CPU time of the one thread that works during `simulate`, from a fresh state at rest to the answer; under a limit of CPU time
+//! `cpu_s` is CPU time of the one thread that works during `simulate`, from a fresh state at rest to the result; under a limit of CPU time
 //! that of a process moves by ticks of 4 ms on some kernels. With `first`
-//! nothing was marched before. With `warm` the same run was marched before on the same kernel, so that its step tables are there, as for
-//! every run of a sweep but its first; a millisecond being short, it is marched many times more, and the times are those of the median.
-//! `wall_s` is the wall time of the same run, `wall_time_s` that of the march alone.
+//! nothing was run before. With `warm` the same run was done before on the same kernel, so that its step tables are there, as for
+//! every run of a sweep but its first; a millisecond being short, it is repeated many times, and the times are those of the median.
+//! `wall_s` is the wall time of the same run, `wall_time_s` that of the integration alone.
 //!
 //! With `balance` the branch of period 1 is followed upwards from 10.5 to 12 Hz by the equations of harmonic balance alone, with 64 harmonics,
-//! without stability and without the march that checks them: `points` and the CPU time of all, the median of many walks. With `orbits` the
+//! without stability and without the integration that checks them: `points` and the CPU time of all, the median of many walks. With `orbits` the
 //! same walk makes an orbit of every point: its multipliers and its error by the exact flow.
 //!
-//! With `each` the run is marched before and once for every line on stdin. `simulate_s` is the wall time of `simulate`, `run_s` that of
+//! With `each` the run is done before and once for every line on stdin. `simulate_s` is the wall time of `simulate`, `run_s` that of
 //! all that the command `run` asks of the library once a spec is prepared: the kernel of the run, `simulate`, peak voltages, charges and
 //! warnings.
 
