@@ -96,7 +96,7 @@ fn limits_warn_under_noise() {
     let (code, ensemble, text) = jounce(&["ensemble", &spec, "--members", "2", "--json"]);
     assert_eq!(code, 0, "{text}");
     let members = ensemble["members"].as_array().unwrap();
-    let exceeds_strain = |member: &Value| {
+    let member_exceeds_strain = |member: &Value| {
         member["exceeded"]
             .as_array()
             .unwrap()
@@ -104,7 +104,7 @@ fn limits_warn_under_noise() {
             .any(|warning| warning["quantity"] == "strain")
     };
     assert!(
-        members.iter().all(exceeds_strain)
+        members.iter().all(member_exceeds_strain)
             && text.contains("2 of 2 members pass the limit, worst at member"),
         "{text} {ensemble}"
     );

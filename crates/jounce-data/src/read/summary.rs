@@ -109,7 +109,7 @@ impl RecordingSummary {
         self.places.rate()
     }
 
-    /// Properties by which channels are selected: see [`crate::recording::chosen`].
+    /// Properties by which channels are selected: see [`crate::recording::choose_channel`].
     pub fn heads(&self) -> Vec<ChannelHead<'_>> {
         self.channels.iter().map(ChannelSummary::head).collect()
     }
