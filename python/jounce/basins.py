@@ -52,8 +52,8 @@ class BasinsResult(Result):
     start_voltage_v: Annotated[Floats, Along("start", "V", "voltage of the first patch")]
 
     @classmethod
-    def _from_core(cls, answer: dict[str, Any]) -> Self:
-        return super()._from_core(cls._filled(answer))
+    def _from_core(cls, fields: dict[str, Any]) -> Self:
+        return super()._from_core(cls._filled(fields))
 
     def __len__(self) -> int:
         return len(self.attractor)

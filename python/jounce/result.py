@@ -87,18 +87,18 @@ class Result(Data):
         return cls(**{**fields, "manifest": json.loads(fields["manifest"])})
 
     @classmethod
-    def _filled(cls, answer: dict[str, Any]) -> dict[str, Any]:
+    def _filled(cls, fields: dict[str, Any]) -> dict[str, Any]:
         """Returns a dict of the library with NaN for missing numbers, and empty lists and arrays for parts that a harvester lacks."""
         hints = get_type_hints(cls, include_extras=False)
-        made = dict(answer)
+        filled = dict(fields)
         for name, hint in hints.items():
-            if hint is float and made.get(name, 0.0) is None:
-                made[name] = np.nan
-            elif name not in made and get_origin(hint) is list:
-                made[name] = []
-            elif name not in made and get_origin(hint) is np.ndarray:
-                made[name] = np.array([], dtype=get_args(get_args(hint)[1])[0])
-        return made
+            if hint is float and filled.get(name, 0.0) is None:
+                filled[name] = np.nan
+            elif name not in filled and get_origin(hint) is list:
+                filled[name] = []
+            elif name not in filled and get_origin(hint) is np.ndarray:
+                filled[name] = np.array([], dtype=get_args(get_args(hint)[1])[0])
+        return filled
 
     @classmethod
     def _from_core_call(cls, core_result: CoreResult) -> Self:

@@ -132,12 +132,12 @@ class RunResult(Result):
     wall_time_s: float = dataclasses.field(compare=False)
 
     @classmethod
-    def _from_core(cls, answer: dict[str, Any]) -> Self:
-        answer, history = dict(answer), answer["history"]
+    def _from_core(cls, fields: dict[str, Any]) -> Self:
+        fields, history = dict(fields), fields["history"]
         if history is not None:
-            history = History._from_core({**history, "manifest": answer["manifest"]})
-        energies = _sums(answer.pop("energies"))
-        return super()._from_core({**cls._filled(answer), "energies_j": energies, "history": history, "end": State(answer["end"])})
+            history = History._from_core({**history, "manifest": fields["manifest"]})
+        energies = _sums(fields.pop("energies"))
+        return super()._from_core({**cls._filled(fields), "energies_j": energies, "history": history, "end": State(fields["end"])})
 
     def _peaks(self) -> list[tuple[str, float]]:
         """Returns the largest voltage of each load, and of each patch without a load."""

@@ -3,9 +3,6 @@
 use crate::failure::Failure;
 use clap::Args;
 use jounce::{Error, Harvester};
-use jounce_core::analysis::AnalysisError;
-use jounce_core::orbit::OrbitError;
-use jounce_core::plant::Plant;
 use jounce_core::spec::{Faults, KeyRange, NumericKey, Quantity, Spec, SpecFile};
 use jounce_core::table::Manifest;
 use std::path::{Path, PathBuf};
@@ -153,44 +150,5 @@ pub fn frequency_hz(option: &str, text: &str) -> Result<f64, Failure> {
         Ok(value)
     } else {
         Err(fault("a frequency must be above 0 Hz".into()))
-    }
-}
-
-/// Checks a tolerance for orbits; double precision allows no smaller one than the limit.
-pub fn check_tolerance(tolerance: f64) -> Result<(), Failure> {
-    let fits = (1e-14..1e-2).contains(&tolerance);
-    if fits {
-        Ok(())
-    } else {
-        Err(Failure::usage(format!(
-            "--tolerance {tolerance:e}: give a number from 1e-14 to 0.01"
-        )))
-    }
-}
-
-/// Checks that the drives have a common period and a nonzero amplitude. Without them the only
-/// attractor is rest.
-pub fn check_drive(spec: &SpecArguments, plant: &Plant, what: &str) -> Result<(), Failure> {
-    if let Some(drive) = plant.system.aperiodic() {
-        return Err(AnalysisError::Aperiodic {
-            drive: drive.to_owned(),
-        }
-        .into());
-    }
-    let has_moving_drive = plant
-        .system
-        .drives
-        .iter()
-        .any(|drive| drive.amplitude_n != 0.0);
-    match (plant.period_s(), has_moving_drive) {
-        (Some(_), true) => Ok(()),
-        (Some(_), false) => Err(Failure::Input(format!(
-            "{}: drive.amplitude is 0, but {what} needs a drive that moves: give it an amplitude greater than 0",
-            spec.spec.display()
-        ))),
-        (None, _) => Err(OrbitError::<AnalysisError>::Frequencies {
-            frequencies: plant.tones.len(),
-        }
-        .into()),
     }
 }

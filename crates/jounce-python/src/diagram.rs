@@ -4,7 +4,6 @@ use crate::arrays::PythonDict;
 use crate::branch::{branch_dict, checked_tolerance, json};
 use crate::cancellable::{cancellable, on_threads, to_python_result};
 use crate::cloud::CloudOptions;
-use crate::driven;
 use crate::failure::Failure;
 use crate::run::PythonResult;
 use crate::spec::Spec;
@@ -147,7 +146,7 @@ fn integrate(
     control: &Control,
 ) -> Result<DiagramResult, Failure> {
     let base = spec.model(control)?;
-    driven::check(&base.kernel.plant, "a diagram")?;
+    jounce::check_drives(&base.kernel.plant, "a diagram")?;
     let values = range.values();
     let (low, high) = (values[0], values[values.len() - 1]);
     let width = if high > low {

@@ -7,7 +7,6 @@ mod branch;
 mod cancellable;
 mod cloud;
 mod diagram;
-mod driven;
 mod ensemble;
 mod examples;
 mod explore;

@@ -29,7 +29,8 @@ pub use error::{Error, ErrorKind};
 pub use harvester::{Harvester, KeyValue};
 pub use jounce_core::integrate::Control;
 pub use jounce_core::run::StartState;
-pub use options::{OptionDefinition, definitions};
+pub use options::{OptionDefinition, check_tolerance, definitions};
+pub use periodic::check_drives;
 pub use run::{History, HistorySamples, LoadResult, PatchResult, RunOptions, RunResult};
 
 /// Rust code of the README, compiled with the documentation tests.

@@ -79,8 +79,11 @@ pub(crate) fn frequency_hz(text: &str) -> Result<f64, String> {
         .map_err(|error| error.to_string())
 }
 
-/// Refuses a tolerance that double precision does not allow.
-pub(crate) fn check_tolerance(tolerance: f64) -> Result<(), Error> {
+/// Checks the tolerance of an orbit; double precision allows no smaller one than the limit.
+///
+/// # Errors
+/// [`Error::Option`].
+pub fn check_tolerance(tolerance: f64) -> Result<(), Error> {
     if (1e-14..1e-2).contains(&tolerance) {
         return Ok(());
     }

@@ -23,8 +23,12 @@ pub fn frequency(harvester: &Harvester, what: &'static str) -> Result<(NumericKe
     ))
 }
 
-/// Refuses a harvester whose only orbit is rest, or whose drives have no common period.
-pub fn check(plant: &Plant, what: &'static str) -> Result<(), Error> {
+/// Checks that a drive moves and that all drives have a common period; `what` needs both.
+///
+/// # Errors
+/// [`Error::DriveAtRest`]: the only orbit is rest. [`Error::Analysis`] and [`Error::Orbit`]: there is
+/// no common period.
+pub fn check_drives(plant: &Plant, what: &'static str) -> Result<(), Error> {
     if let Some(drive) = plant.system.aperiodic() {
         return Err(AnalysisError::Aperiodic {
             drive: drive.to_owned(),

@@ -9,7 +9,7 @@ use crate::level_arguments::LevelArguments;
 use crate::limit_warnings;
 use crate::output::{self, line, print};
 use crate::progress;
-use crate::spec_arguments::{OutputArguments, SpecArguments, check_tolerance};
+use crate::spec_arguments::{OutputArguments, SpecArguments};
 use crate::threads::ThreadsArgument;
 use clap::{Args, ValueEnum};
 use jounce_core::analysis::{
@@ -81,7 +81,7 @@ pub struct Branch {
 impl Branch {
     /// Continues the branches and reports.
     pub fn run(&self) -> Result<(), Failure> {
-        check_tolerance(self.tolerance)?;
+        jounce::check_tolerance(self.tolerance)?;
         let method = self.method()?;
         let file = self.spec.file()?;
         let spec = self.spec.read(&file)?;

@@ -5,7 +5,7 @@ use crate::interruption;
 use crate::level_arguments::LevelArguments;
 use crate::output::{self, line, print};
 use crate::progress;
-use crate::spec_arguments::{OutputArguments, SpecArguments, check_tolerance};
+use crate::spec_arguments::{OutputArguments, SpecArguments};
 use crate::threads::ThreadsArgument;
 use clap::Args;
 use jounce_core::analysis::{
@@ -51,7 +51,7 @@ pub struct Jumps {
 impl Jumps {
     /// Continues the bifurcation curves and reports.
     pub fn run(&self) -> Result<(), Failure> {
-        check_tolerance(self.tolerance)?;
+        jounce::check_tolerance(self.tolerance)?;
         let file = self.spec.file()?;
         let base = Model::new(self.spec.read(&file)?)?;
         let (key, range) = self.spec.key_and_ends(&file, &self.over)?;

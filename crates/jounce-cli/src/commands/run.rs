@@ -33,8 +33,8 @@ impl Run {
         if let Some(path) = &self.start {
             options.start = Some(StartState::read(path).map_err(Error::from)?);
         }
-        if self.output.out.is_some() && options.record_s == 0.0 {
-            options.record_s = harvester.spec().run.average_over_s;
+        if self.output.out.is_some() {
+            options = options.with_record(harvester.spec());
         }
         let result = harvester
             .run(&options)

@@ -122,8 +122,8 @@ fn write_contact_recording(folder: &Path) {
         vec![time_s, force_n, 2.0 * force_n]
     };
     csv(
-        &folder.join("answered.csv"),
-        "time [s],hammer [N],answer [m/s^2]",
+        &folder.join("motion.csv"),
+        "time [s],hammer [N],motion [m/s^2]",
         (0..20_000).map(row),
     );
 }

@@ -207,7 +207,7 @@ fn wrong_input_ends_with_its_code_and_one_clear_sentence() {
             "cannot respond to itself",
         ),
         (
-            vec!["frf", "--measured", "answered.csv", "--block", "3s"],
+            vec!["frf", "--measured", "motion.csv", "--block", "3s"],
             4,
             "segments",
         ),
@@ -217,24 +217,12 @@ fn wrong_input_ends_with_its_code_and_one_clear_sentence() {
             "--end-ratio",
         ),
         (
-            vec![
-                "modes",
-                "--measured",
-                "answered.csv",
-                "--between",
-                "9Hz:3Hz",
-            ],
+            vec!["modes", "--measured", "motion.csv", "--between", "9Hz:3Hz"],
             2,
             "--between",
         ),
         (
-            vec![
-                "modes",
-                "--measured",
-                "answered.csv",
-                "--between",
-                "1Hz:20Hz",
-            ],
+            vec!["modes", "--measured", "motion.csv", "--between", "1Hz:20Hz"],
             4,
             "widen the band",
         ),

@@ -36,7 +36,7 @@ impl Harvester {
         let starts = options.initial_states(self.spec().stop.len())?;
         let (key, value) = periodic::frequency(self, "a basin")?;
         let base = self.model()?;
-        periodic::check(&base.kernel.plant, "a basin")?;
+        periodic::check_drives(&base.kernel.plant, "a basin")?;
         let parameter = Parameter::new(&base, &key, value);
         let study = Basins {
             base: &base,

@@ -3,10 +3,13 @@
 use crate::error::Error;
 use crate::options::{defaults, frequency_hz, time_s};
 use jounce_core::run::StartState;
+use jounce_core::spec::Spec;
 use serde::{Deserialize, Serialize};
 
 /// Largest number of samples of a record.
 const MAX_SAMPLES: f64 = 1e8;
+/// Smallest number of samples of a recorded averaging window.
+const MIN_SAMPLES: f64 = 1024.0;
 
 /// Options of [`crate::Harvester::run`].
 #[derive(Debug, Clone, PartialEq, clap::Args, Serialize, Deserialize)]
@@ -34,6 +37,22 @@ impl Default for RunOptions {
 }
 
 impl RunOptions {
+    /// Records the averaging window of a spec, unless a record is requested; a short window has a
+    /// higher sampling rate.
+    #[must_use]
+    pub fn with_record(self, spec: &Spec) -> Self {
+        if self.record_s > 0.0 {
+            return self;
+        }
+        let record_s = spec.run.average_over_s;
+        let sample_rate_hz = self.sample_rate_hz.max(MIN_SAMPLES / record_s);
+        Self {
+            record_s,
+            sample_rate_hz,
+            ..self
+        }
+    }
+
     /// Checks the record against the duration of the run, s.
     pub(super) fn check(&self, duration_s: f64) -> Result<(), Error> {
         let (record_s, rate_hz) = (self.record_s, self.sample_rate_hz);

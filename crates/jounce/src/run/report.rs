@@ -67,7 +67,9 @@ impl RunResult {
 
 fn spectrum(voltage: &Trace, history: &History) -> Result<Figure, Error> {
     let (rate_hz, drive_hz) = (history.sample_rate_hz, history.drive_frequency_hz);
-    let spectrum = Samples::new(&voltage.values, rate_hz)?.spectrum(Window::Hann);
+    // A record of whole periods ends at the phase of its first sample.
+    let samples = &voltage.values[..voltage.values.len().saturating_sub(1)];
+    let spectrum = Samples::new(samples, rate_hz)?.spectrum(Window::Hann);
     let highest_hz = drive_hz.map_or(DRAWN_SHARE * rate_hz, |drive_hz| DRAWN_HARMONICS * drive_hz);
     let count = spectrum
         .frequency_hz

@@ -8,7 +8,7 @@ use crate::failure::Failure;
 use crate::interruption;
 use crate::output;
 use crate::progress;
-use crate::spec_arguments::{OutputArguments, SpecArguments, check_drive, check_tolerance};
+use crate::spec_arguments::{OutputArguments, SpecArguments};
 use crate::threads::ThreadsArgument;
 use clap::{Args, ValueEnum};
 use jounce_core::analysis::DiagramPoint;
@@ -88,7 +88,7 @@ struct DiagramResult {
 impl Diagram {
     /// Computes the diagram and reports.
     pub fn run(&self) -> Result<(), Failure> {
-        check_tolerance(self.tolerance)?;
+        jounce::check_tolerance(self.tolerance)?;
         let order = self.order()?;
         let file = self.spec.file()?;
         let spec = self.spec.read(&file)?;
@@ -102,7 +102,7 @@ impl Diagram {
         }
         let (low, high) = (values[0], values[values.len() - 1]);
         let base = Model::new(spec.clone())?;
-        check_drive(&self.spec, &base.kernel.plant, "a diagram")?;
+        jounce::check_drives(&base.kernel.plant, "a diagram")?;
         let width = if high > low {
             high - low
         } else {
