@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Annotated, Any
+from typing import Annotated, Any, Self
 
 from .errors import ArgumentError
 from .result import Along, Floats, Integers, Result, Variable
@@ -13,12 +13,14 @@ from .result import Along, Floats, Integers, Result, Variable
 class EnsembleResult(Result):
     """Means over realisations of noise with their 95 % intervals; arrays of shape ``(member,)``, and of the stops ``(stop,)``.
 
-    An interval that cannot be estimated is infinitely wide.
+    The half width of an interval that cannot be estimated is NaN.
     """
 
     #: Mean power of all loads and half width of its 95 % interval, W.
     mean_power_w: Annotated[float, Along("", "W", "mean power of all loads")]
     mean_power_half_width_w: Annotated[float, Along("", "W", "half width of its 95 % interval")]
+    #: Half width over the mean power.
+    relative_width: Annotated[float, Along("", "1", "half width over the mean power")]
     #: Basis of the interval: ``"members"``, or ``"batches"`` of them where they are few.
     interval_over: str
     #: True where the required width was reached (or no width was required) and the work was not stopped.
@@ -30,16 +32,19 @@ class EnsembleResult(Result):
     mean_impact_velocity_m_s: Annotated[float, Along("", "m/s", "mean impact velocity")]
     max_impact_velocity_m_s: Annotated[float, Along("", "m/s", "largest impact velocity")]
     mean_contact_duration_s: Annotated[float, Along("", "s", "mean contact duration")]
-    #: Number of each realisation under the seed, and its results.
+    #: Largest energy residual of a member.
+    energy_residual_relative: Annotated[float, Along("", "1", "largest energy residual of a member")]
+    #: Seed of the realisations, number of each realisation under it, and its results.
+    seed: int
     member: Integers
-    member_power_w: Annotated[Floats, Along("member", "W", "mean power of all loads")]
+    member_mean_power_w: Annotated[Floats, Along("member", "W", "mean power of all loads")]
     member_contacts: Annotated[Integers, Along("member", "1", "contacts that began")]
     member_contact_rate_hz: Annotated[Floats, Along("member", "1/s", "contacts per second")]
     member_mean_impact_velocity_m_s: Annotated[Floats, Along("member", "m/s", "mean impact velocity")]
     member_max_impact_velocity_m_s: Annotated[Floats, Along("member", "m/s", "largest impact velocity")]
     member_mean_contact_duration_s: Annotated[Floats, Along("member", "s", "mean contact duration")]
     member_max_penetration_m: Annotated[Floats, Along("member", "m", "largest penetration of the stop")]
-    #: Warnings about exceeded limits of patches in members.
+    #: Warnings about recordings that end too early and about exceeded limits of patches in members.
     warnings: list[str]
     member_energy_residual_relative: Annotated[Floats, Along("member", "1", "energy residual of the run")]
     #: Names of the stops. For each: contacts per second, impact velocity, m/s, contact duration, s, and share of the time in contact, with
@@ -69,6 +74,10 @@ class EnsembleResult(Result):
     #: Statistical bandwidth of each voltage, Hz, and half width of its 95 % interval; of shape ``(patch,)``.
     bandwidth_hz: Annotated[Floats, Along("patch", "Hz", "statistical bandwidth of the voltage")]
     bandwidth_half_width_hz: Annotated[Floats, Along("patch", "Hz", "half width of its 95 % interval")]
+
+    @classmethod
+    def _from_core(cls, fields: dict[str, Any]) -> Self:
+        return super()._from_core(cls._filled(fields))
 
     def __len__(self) -> int:
         return len(self.member)

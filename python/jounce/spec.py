@@ -116,9 +116,10 @@ class Spec(SpecOnRig):
         numbers with their ``unit``. Each point is integrated until it has settled, or for ``run.duration`` with ``fixed_duration``.
         """
         check_integers(threads=threads)
-        text = values(range, unit, key)
+        over = f"{key}={values(range, unit, key)}"
+        given = options(over=over, direction=direction, fixed_duration=fixed_duration, tolerance=tolerance, threads=threads)
         with progress_callback(progress) as callback:
-            return SweepResult._from_core_call(_core.sweep(self._spec, key, text, direction, fixed_duration, tolerance, threads, callback))
+            return SweepResult._from_core_call(_core.sweep(self._spec, given, callback))
 
     def branch(
         self,
@@ -265,6 +266,8 @@ class Spec(SpecOnRig):
         estimated.
         """
         check_integers(members=members, seed=seed, threads=threads)
+        given = options(
+            members=members, seed=seed, relative_width=relative_width, spectrum=spectrum, tolerance=tolerance, threads=threads
+        )
         with progress_callback(progress) as callback:
-            result = _core.ensemble(self._spec, members, seed, relative_width, spectrum, tolerance, threads, callback)
-            return EnsembleResult._from_core_call(result)
+            return EnsembleResult._from_core_call(_core.ensemble(self._spec, given, callback))

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 from . import _core
-from .arguments import check_integers
+from .arguments import check_integers, options
 from .errors import ArgumentError, FileError, Interrupted, SpecError
 from .progress import Progress, progress_callback
 from .quantity import plain, toml
@@ -65,8 +65,8 @@ class Study:
             raise ArgumentError(f"spec is of type {type(spec).__name__}; give a jounce.Spec")
         if not isinstance(vary, Mapping):
             raise ArgumentError(f'vary is of type {type(vary).__name__}; give a dict, {{"stop.tip.gap": "0.5mm:1.5mm:20x"}}')
-        options = {"sampling": sampling, "points": points, "seed": seed, "points_per_part": points_per_part}
-        tables: dict[str, Any] = {key: value for key, value in options.items() if value is not None}
+        keys = {"sampling": sampling, "points": points, "seed": seed, "points_per_part": points_per_part}
+        tables: dict[str, Any] = {key: value for key, value in keys.items() if value is not None}
         tables["vary"] = {key: range_text(value, None, key) for key, value in vary.items()}
         tables["quantity"] = {"command": quantity} if isinstance(quantity, str) else plain(quantity, "quantity")
         self._set(spec.copy(), toml(tables))
@@ -151,28 +151,25 @@ class Study:
         if executor is not None and not callable(getattr(executor, "submit", None)):
             kind = type(executor).__name__
             raise ArgumentError(f"executor is of type {kind}; give one of concurrent.futures, or Dask's client.get_executor()")
-        folder = fspath(out)
+        folder, given = fspath(out), options(shard=shard, threads=threads)
         with progress_callback(progress) as callback:
             if executor is None:
-                result, error = self._study.run(folder, shard, threads, callback)
+                result, error = self._study.run(folder, given, callback)
                 if isinstance(error, KeyboardInterrupt):
                     raise Interrupted(StudyStatus.read(folder)) from None
                 if error is not None:
                     raise error
                 wall_time_s = float(result["wall_time_s"]) if result else 0.0
             else:
-                wall_time_s = self._run_on_executor(folder, executor, shard, callback)
-        if StudyStatus.read(folder).missing == 0:
-            _core.study_merge(folder)
+                wall_time_s = self._run_on_executor(folder, executor, given, callback)
         return StudyResult(Path(folder), wall_time_s)
 
-    def _run_on_executor(self, folder: str, executor: concurrent.futures.Executor, shard: str, callback: Progress | None) -> float:
+    def _run_on_executor(self, folder: str, executor: concurrent.futures.Executor, given: str, callback: Progress | None) -> float:
         """Submits parts to an executor, a few at a time so that a study larger than memory works, and writes the results.
 
         Returns the integration time of the workers, s.
         """
-        index, count = _shard(shard)
-        pending = [part for part in self._study.missing(folder) if part % count == index - 1]
+        pending = self._study.missing(folder, given)
         total = sum(self._study.points_of(part) for part in pending)
         done_points, wall_time_s, part_time_s, start_time = 0, 0.0, None, time.monotonic()
         tasks: dict[Any, list[int]] = {}
@@ -199,6 +196,8 @@ class Study:
         finally:
             for task in tasks:
                 task.cancel()
+        if StudyStatus.read(folder).missing == 0:
+            _core.study_merge(folder)
         return wall_time_s
 
 
@@ -208,13 +207,6 @@ def _workers(executor: Any) -> int:
     if workers is None and hasattr(executor, "_client"):
         workers = sum(executor._client.nthreads().values())
     return int(workers or 8)
-
-
-def _shard(text: str) -> tuple[int, int]:
-    index, slash, count = text.partition("/")
-    if slash and index.isdecimal() and count.isdecimal() and 1 <= int(index) <= int(count):
-        return int(index), int(count)
-    raise ArgumentError(f'"{text}" is not a shard; write I/N with I from 1 to N, as in 3/8')
 
 
 def _compute_parts(study: Study, parts: Sequence[int]) -> tuple[float, list[tuple[bytes, float]]]:

@@ -32,6 +32,10 @@ class SweepResult(Result):
     #: Warnings about exceeded limits of patches at points.
     warnings: list[str]
 
+    @classmethod
+    def _from_core(cls, fields: dict[str, Any]) -> Self:
+        return super()._from_core(cls._filled(fields))
+
     def __len__(self) -> int:
         return len(self.parameter)
 

@@ -12,11 +12,6 @@ const POLL_INTERVAL: Duration = Duration::from_millis(100);
 /// Time between two plain lines.
 const LINE_INTERVAL: Duration = Duration::from_secs(10);
 
-/// Returns a bar for a number of points.
-pub fn bar(points: usize) -> ProgressBar {
-    counting_bar(points, "points")
-}
-
 /// Returns a bar for a number of items of one name.
 pub fn counting_bar(length: usize, name: &'static str) -> ProgressBar {
     let bar = ProgressBar::with_draw_target(Some(length as u64), ProgressDrawTarget::stderr());
@@ -31,6 +26,7 @@ pub fn counting_bar(length: usize, name: &'static str) -> ProgressBar {
 /// Shows the finished parts that a control counts, of one name, while `work` runs.
 pub fn with_parts<T>(name: &'static str, control: &Control, work: impl FnOnce() -> T) -> T {
     let bar = counting_bar(0, name);
+    set_parts(&bar, control);
     with_polling(bar, &|bar| set_parts(bar, control), work)
 }
 

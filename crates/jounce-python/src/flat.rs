@@ -81,7 +81,9 @@ fn records<'py>(
         .into_iter()
         .flat_map(Map::keys);
     let mut dict = dict;
-    for field in fields.filter(|field| *field != "warnings") {
+    // Lists within records have no array.
+    let is_plain = |field: &&String| *field != "warnings" && !items[0][*field].is_array();
+    for field in fields.filter(is_plain) {
         let name = match field.as_str() {
             "name" | "id" => item_name.clone(),
             _ if is_main => field.clone(),

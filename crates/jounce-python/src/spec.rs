@@ -156,15 +156,6 @@ impl Spec {
         }
     }
 
-    /// Returns the spec with another tolerance of the integration.
-    pub fn with_tolerance(&self, tolerance: Option<f64>) -> Result<Option<Self>, Failure> {
-        tolerance
-            .map(|tolerance| {
-                self.with_keys(vec![("run.tolerance".to_owned(), format!("{tolerance:e}"))])
-            })
-            .transpose()
-    }
-
     /// Returns the origin of a result, as JSON.
     pub fn manifest(&self, command: &str, options: &[(&str, String)]) -> String {
         let manifest = Manifest::new(self.hash_hex()).with("command", command);
@@ -172,6 +163,21 @@ impl Spec {
             manifest.with(name, value)
         });
         serde_json::to_string(&manifest).unwrap_or_default()
+    }
+
+    /// Returns the origin of a result, as JSON, with all options that have a value and change the
+    /// result.
+    pub fn manifest_with(&self, command: &str, options: &impl serde::Serialize) -> String {
+        let fields = serde_json::to_value(options).unwrap_or_default();
+        let fields = fields.as_object().into_iter().flatten();
+        let given: Vec<(&str, String)> = fields
+            .filter(|(name, value)| !value.is_null() && *name != "threads")
+            .map(|(name, value)| {
+                let text = value.as_str().map(str::to_owned);
+                (name.as_str(), text.unwrap_or_else(|| value.to_string()))
+            })
+            .collect();
+        self.manifest(command, &given)
     }
 }
 

@@ -1,11 +1,12 @@
 //! Studies in parts.
 
 use crate::arrays::PythonDict;
-use crate::cancellable::{cancellable, on_threads, to_python_result};
+use crate::cancellable::{cancellable, to_python_result};
 use crate::failure::Failure;
+use crate::flat;
 use crate::run::PythonResult;
 use crate::spec::Spec;
-use jounce_core::study::{Folder, Shard, StudyError};
+use jounce::{Error, StudyFolder, StudyOptions};
 use jounce_core::table::{Table, Values};
 use numpy::PyArray1;
 use pyo3::prelude::*;
@@ -14,18 +15,14 @@ use std::path::PathBuf;
 
 /// Study that is read and checked.
 #[pyclass(frozen, module = "jounce._core")]
-pub struct Study(jounce_core::study::Study);
+pub struct Study(jounce::Study);
 
 #[pymethods]
 impl Study {
     /// Reads a study of a spec from the text of its variation.
     #[new]
     fn new(spec: &Spec, text: &str) -> Result<Self, Failure> {
-        Ok(Self(jounce_core::study::Study::with_spec(
-            spec.file(),
-            &spec.folder(),
-            text,
-        )?))
+        Ok(Self(spec.harvester.study(text)?))
     }
 
     /// Returns the SHA-256 of all inputs of the table.
@@ -35,7 +32,7 @@ impl Study {
 
     /// Returns the number of points.
     fn points(&self) -> usize {
-        self.0.design.len()
+        self.0.points()
     }
 
     /// Returns the number of parts.
@@ -45,45 +42,19 @@ impl Study {
 
     /// Returns the number of points of a part.
     fn points_of(&self, part: usize) -> usize {
-        self.0.points(part).len()
+        self.0.points_of(part)
     }
 
     /// Returns the values of the keys at a point, SI.
     fn point(&self, index: usize) -> Result<Vec<f64>, Failure> {
-        match index < self.0.design.len() {
-            true => Ok(self.0.design.point(index)),
-            false => {
-                let (points, text) = (
-                    self.0.design.len(),
-                    format!(
-                        "there is no point {index}; the study has {}",
-                        self.0.design.len()
-                    ),
-                );
-                Err(Failure::new("ArgumentError", text)
-                    .with(serde_json::json!({ "point": index, "points": points })))
-            }
-        }
+        Ok(self.0.point(index)?)
     }
 
     /// Returns a part as the bytes of its file, computed on one thread.
     fn part<'py>(&self, py: Python<'py>, part: usize) -> PythonResult<'py> {
-        if part >= self.0.parts() {
-            let reason = format!("there is no part {part}; the study has {}", self.0.parts());
-            let details = serde_json::json!({ "part": part, "parts": self.0.parts() });
-            return Err(Failure::new("ArgumentError", reason)
-                .with(details)
-                .into_exception(py));
-        }
         let outcome = cancellable(py, None, |control| {
-            let table = self.0.part(part, control)?;
-            let bytes = table
-                .map(|table| table.to_parquet(&self.0.part_manifest(part)))
-                .transpose()
-                .map_err(StudyError::from)?;
-            bytes
-                .map(|bytes| (bytes, control.wall_time_s()))
-                .ok_or_else(|| Failure::new("JounceError", "stopped"))
+            let bytes = self.0.with_control(control).part(part)?;
+            Ok((bytes, control.wall_time_s()))
         });
         to_python_result(py, outcome, |(bytes, wall_time_s)| {
             Ok(PythonDict::new(py)
@@ -93,23 +64,18 @@ impl Study {
         })
     }
 
-    /// Computes the missing parts of a shard of the study in a folder, on all threads.
+    /// Computes the missing parts of a shard of the study in a folder and merges complete parts;
+    /// `options` are the fields of the options of the library, as JSON.
     fn run<'py>(
         &self,
         py: Python<'py>,
         folder: PathBuf,
-        shard: &str,
-        threads: Option<usize>,
+        options: &str,
         progress: Option<Bound<'py, PyAny>>,
     ) -> PythonResult<'py> {
-        let shard: Shard = shard
-            .parse()
-            .map_err(|error: String| Failure::new("ArgumentError", error).into_exception(py))?;
+        let options: StudyOptions = flat::options(options)?;
         let outcome = cancellable(py, progress.as_ref(), |control| {
-            let folder = Folder::of(&folder, &self.0)?;
-            on_threads(threads, || {
-                Ok(folder.run(&self.0, shard, control, &|_| ())?)
-            })?;
+            self.0.with_control(control).run(&folder, &options)?;
             Ok(control.wall_time_s())
         });
         to_python_result(py, outcome, |wall_time_s| {
@@ -117,33 +83,34 @@ impl Study {
         })
     }
 
-    /// Returns the numbers of the parts that a folder lacks; a missing folder is created.
-    fn missing(&self, py: Python<'_>, folder: PathBuf) -> PyResult<Vec<usize>> {
-        py.detach(|| Ok::<_, Failure>(Folder::of(&folder, &self.0)?.missing()))
-            .map_err(|failure| failure.into_exception(py))
+    /// Returns the numbers of the parts of a shard that a folder lacks; a missing folder is created.
+    fn missing(&self, py: Python<'_>, folder: PathBuf, options: &str) -> PyResult<Vec<usize>> {
+        let options: StudyOptions = flat::options(options)?;
+        detach(py, || self.0.missing(&folder, options.shard))
     }
 
     /// Stores a part that was computed elsewhere.
     fn keep(&self, py: Python<'_>, folder: PathBuf, part: usize, bytes: &[u8]) -> PyResult<()> {
-        let result =
-            py.detach(|| Ok::<_, Failure>(Folder::of(&folder, &self.0)?.keep(part, bytes)?));
-        result.map_err(|failure| failure.into_exception(py))
+        detach(py, || self.0.keep(&folder, part, bytes))
     }
+}
+
+/// Runs work without the lock of the interpreter.
+fn detach<T: Send>(py: Python<'_>, work: impl FnOnce() -> Result<T, Error> + Send) -> PyResult<T> {
+    py.detach(work)
+        .map_err(|error| Failure::from(error).into_exception(py))
 }
 
 /// Joins the parts of a folder into one table and returns its path.
 #[pyfunction]
 pub fn study_merge(py: Python<'_>, folder: PathBuf) -> PyResult<PathBuf> {
-    py.detach(|| Ok::<_, Failure>(Folder::open(&folder)?.merge()?))
-        .map_err(|failure| failure.into_exception(py))
+    detach(py, || Ok(StudyFolder::open(&folder)?.merge()?))
 }
 
 /// Returns the progress of the study in a folder, as JSON.
 #[pyfunction]
 pub fn study_status(py: Python<'_>, folder: PathBuf) -> PyResult<String> {
-    let status = py
-        .detach(|| Ok::<_, Failure>(Folder::open(&folder)?.status()))
-        .map_err(|failure| failure.into_exception(py))?;
+    let status = detach(py, || Ok(StudyFolder::open(&folder)?.status()))?;
     Ok(serde_json::to_string(&status).map_err(|error| Failure::new("JounceError", error))?)
 }
 

@@ -7,6 +7,7 @@ use jounce_core::plant::PlantError;
 use jounce_core::run::{RunError, StartFileError};
 use jounce_core::signal::SignalError;
 use jounce_core::spec::{Fault, Faults, ReadError};
+use jounce_core::study::StudyError;
 use jounce_core::table::TableError;
 
 /// Reason why a computation has no result. The message names the value, what is allowed, and what
@@ -58,6 +59,9 @@ pub enum Error {
     /// A table cannot be created.
     #[error(transparent)]
     Table(#[from] TableError),
+    /// A study, its folder or a part of it cannot be used.
+    #[error(transparent)]
+    Study(#[from] StudyError),
     /// A signal is too short or holds a value that is not finite.
     #[error(transparent)]
     Signal(#[from] SignalError),
@@ -102,7 +106,9 @@ impl Error {
     /// ```
     pub fn kind(&self) -> ErrorKind {
         match self {
-            Self::Analysis(error) | Self::Orbit(OrbitError::Harvester(error)) => kind_of(error),
+            Self::Analysis(error)
+            | Self::Orbit(OrbitError::Harvester(error))
+            | Self::Study(StudyError::Study(error)) => kind_of(error),
             Self::Orbit(OrbitError::Integration(_) | OrbitError::Multipliers { .. }) => {
                 ErrorKind::NotConverged
             }

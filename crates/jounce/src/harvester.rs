@@ -110,6 +110,14 @@ impl Harvester {
         })
     }
 
+    /// Returns a copy with the tolerance of a question, which overrides that of the spec.
+    pub(crate) fn with_tolerance(&self, tolerance: Option<f64>) -> Result<Self, Error> {
+        match tolerance {
+            Some(tolerance) => self.changed([("run.tolerance", format!("{tolerance:e}").as_str())]),
+            None => Ok(self.clone()),
+        }
+    }
+
     /// Returns the value of a key with a number.
     ///
     /// # Errors

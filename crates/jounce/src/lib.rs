@@ -7,6 +7,9 @@
 //! |---|---|---|---|
 //! | response from a start in time | [`Harvester::run`] | [`RunOptions`] | [`RunResult`] |
 //! | attractors and how likely each is | [`Harvester::basins`] | [`BasinsOptions`] | [`BasinsResult`] |
+//! | responses over values of a key | [`Harvester::sweep`] | [`SweepOptions`] | [`SweepResult`] |
+//! | means over realisations of noise | [`Harvester::ensemble`] | [`EnsembleOptions`] | [`EnsembleResult`] |
+//! | one quantity over several keys | [`Study::run`] | [`StudyOptions`] | [`StudyStatus`] |
 //!
 //! Options have defaults: write the fields that differ, then `..Default::default()`. Results are
 //! plain data; serialised, they are the JSON of the command line. Every name ends in its unit.
@@ -18,20 +21,28 @@
 //! interfaces may change.
 
 mod basins;
+mod ensemble;
 mod error;
 mod harvester;
+mod journal;
 mod options;
 mod periodic;
 mod run;
+mod study;
+mod sweep;
 
 pub use basins::{AttractorResult, BasinsOptions, BasinsResult, FailedStart, StartPoint};
+pub use ensemble::{EnsembleOptions, EnsemblePatch, EnsembleResult, EnsembleStop, VoltageSpectrum};
 pub use error::{Error, ErrorKind};
 pub use harvester::{Harvester, KeyValue};
+pub use jounce_core::analysis::{IntervalOver, Journal, Member, SweepDirection};
 pub use jounce_core::integrate::Control;
 pub use jounce_core::run::StartState;
 pub use options::{OptionDefinition, check_tolerance, definitions};
 pub use periodic::check_drives;
 pub use run::{History, HistorySamples, LoadResult, PatchResult, RunOptions, RunResult};
+pub use study::{Shard, Study, StudyFolder, StudyOptions, StudyStatus};
+pub use sweep::{SweepOptions, SweepOrder, SweepPoint, SweepResult};
 
 /// Rust code of the README, compiled with the documentation tests.
 #[cfg(doctest)]

@@ -5,10 +5,8 @@ use crate::interruption;
 use crate::output::{line, print};
 use crate::progress;
 use crate::spec_arguments::print_recording_issues;
-use crate::threads::ThreadsArgument;
 use clap::{Args, Subcommand};
-use jounce_core::integrate::Control;
-use jounce_core::study::{Folder, Shard, Status, Study as Survey, StudyError};
+use jounce::{Control, Error, StudyFolder, StudyOptions, StudyStatus};
 use std::path::PathBuf;
 
 /// Arguments of `study`.
@@ -37,11 +35,8 @@ struct Run {
     /// Folder of the parts and the table.
     #[arg(long, value_name = "FOLDER")]
     out: PathBuf,
-    /// Share of one of several processes: I/N, I from 1 to N.
-    #[arg(long, value_name = "I/N", default_value_t = Shard::WHOLE)]
-    shard: Shard,
     #[command(flatten)]
-    threads: ThreadsArgument,
+    options: StudyOptions,
     /// Prints one JSON object on stdout.
     #[arg(long)]
     json: bool,
@@ -71,7 +66,7 @@ impl Study {
         match &self.action {
             Action::Run(run) => run.run(),
             Action::Merge(existing) => {
-                let path = Folder::open(&existing.folder)?.merge()?;
+                let path = existing.open()?.merge().map_err(Error::from)?;
                 match existing.json {
                     true => print(&serde_json::json!({ "table": path })),
                     false => line(path.display()),
@@ -79,47 +74,39 @@ impl Study {
                 Ok(())
             }
             Action::Status(existing) => {
-                print_status(&Folder::open(&existing.folder)?.status(), existing.json);
+                print_status(&existing.open()?.status(), existing.json);
                 Ok(())
             }
         }
     }
 }
 
+impl Existing {
+    fn open(&self) -> Result<StudyFolder, Failure> {
+        Ok(StudyFolder::open(&self.folder).map_err(Error::from)?)
+    }
+}
+
 impl Run {
     fn run(&self) -> Result<(), Failure> {
-        let study = Survey::read(&self.study)?;
-        print_recording_issues(&study.spec);
-        let folder = Folder::of(&self.out, &study)?;
         let control = Control::default();
+        let study = jounce::Study::read(&self.study)?.with_control(&control);
+        print_recording_issues(study.spec());
         interruption::install(&control);
-        let point_count = (0..study.parts())
-            .filter(|part| self.shard.takes(*part))
-            .map(|part| study.points(part).len())
-            .sum();
-        let bar = progress::bar(point_count);
-        self.threads.run(|| {
-            folder.run(&study, self.shard, &control, &|points| {
-                bar.inc(points as u64)
-            })
-        })??;
-        bar.finish_and_clear();
+        let work = || study.run(&self.out, &self.options);
+        let status = progress::with_parts("points", &control, work)?;
         if control.is_stopped() {
             return Err(Failure::Interrupted(
                 "stopped; finished parts are stored; the same command continues from there"
                     .to_owned(),
             ));
         }
-        let status = folder.status();
-        if status.finished == status.parts {
-            folder.merge()?;
-        }
-        print_status(&folder.status(), self.json);
+        print_status(&status, self.json);
         Ok(())
     }
 }
 
-fn print_status(status: &Status, json: bool) {
+fn print_status(status: &StudyStatus, json: bool) {
     if json {
         print(&serde_json::json!(status));
         return;
@@ -140,13 +127,4 @@ fn print_status(status: &Status, json: bool) {
         "merged     {}",
         if status.merged { "yes" } else { "no" }
     ));
-}
-
-impl From<StudyError> for Failure {
-    fn from(error: StudyError) -> Self {
-        match error {
-            StudyError::Study(error) => error.into(),
-            error => Failure::Input(error.to_string()),
-        }
-    }
 }

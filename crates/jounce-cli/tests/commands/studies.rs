@@ -133,7 +133,10 @@ fn noise_and_ensembles_print_every_key() {
             "contact_duty",
         ],
     );
-    assert_keys(&json["bandwidths_hz"]["mfc"], &["mean", "interval"]);
+    assert_keys(
+        &json["patches"][0],
+        &["name", "bandwidth_hz", "bandwidth_half_width_hz"],
+    );
     assert!(
         ["ensemble-spectrum.csv", "ensemble-spectrum.svg"]
             .iter()
@@ -143,7 +146,7 @@ fn noise_and_ensembles_print_every_key() {
         (vec!["noise", SPEC], "no drive has signal"),
         (
             vec!["ensemble", SHAKER, "--members", "1", "--spectrum"],
-            "two --members",
+            "--members is 1; a spectrum needs at least 2",
         ),
         (vec!["noise", SHAKER, "--from", "40Hz"], "--from below --to"),
     ] {

@@ -97,7 +97,7 @@ fn limits_warn_under_noise() {
     assert_eq!(code, 0, "{text}");
     let members = ensemble["members"].as_array().unwrap();
     let member_exceeds_strain = |member: &Value| {
-        member["exceeded"]
+        member["warnings"]
             .as_array()
             .unwrap()
             .iter()

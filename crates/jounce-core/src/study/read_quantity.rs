@@ -13,6 +13,30 @@ const COMMANDS: &[&str] = &[
     "run", "modes", "frf", "sweep", "diagram", "branch", "jumps", "basins", "ensemble", "noise",
 ];
 
+impl Quantity {
+    /// Returns the names of the options of a command in a study.
+    pub fn options(command: &str) -> &'static [&'static str] {
+        match command {
+            "modes" => &["count"],
+            "frf" => &["from", "to", "points"],
+            "sweep" => &["over", "direction", "fixed_duration"],
+            "diagram" => &["over", "direction", "tolerance"],
+            "branch" => &["over", "seeds", "longest_period", "tolerance"],
+            "jumps" => &["over", "against", "seeds", "longest_period", "tolerance"],
+            "basins" => &[
+                "starts",
+                "seed",
+                "spread",
+                "tolerance",
+                "longest_period",
+                "max_cycles",
+            ],
+            "ensemble" => &["members", "seed"],
+            _ => &[],
+        }
+    }
+}
+
 /// The table `[quantity]`, and its spec.
 struct QuantityTable<'a> {
     table: &'a Table,
@@ -31,26 +55,9 @@ pub(super) fn quantity(
     let command = reader
         .text("quantity.command", table.get("command"))
         .unwrap_or("run");
-    let options: &[&str] = match command {
-        "modes" => &["count"],
-        "frf" => &["from", "to", "points"],
-        "sweep" => &["over", "direction", "fixed_duration"],
-        "diagram" => &["over", "direction", "tolerance"],
-        "branch" => &["over", "seeds", "longest_period", "tolerance"],
-        "jumps" => &["over", "against", "seeds", "longest_period", "tolerance"],
-        "basins" => &[
-            "starts",
-            "seed",
-            "spread",
-            "tolerance",
-            "longest_period",
-            "max_cycles",
-        ],
-        "ensemble" => &["members", "seed"],
-        _ => &[],
-    };
     if COMMANDS.contains(&command) {
-        reader.known("quantity.", table, &[&["command"], options].concat());
+        let known = [&["command"], Quantity::options(command)].concat();
+        reader.known("quantity.", table, &known);
     }
     match command {
         "run" => Quantity::Run,
@@ -63,7 +70,7 @@ pub(super) fn quantity(
         "branch" => request.branch(reader),
         "jumps" => request.jumps(reader),
         "basins" => Quantity::Basins {
-            starts: request.integer(reader, "starts", 1_000_000, 50) as usize,
+            starts: request.integer(reader, "starts", 1_000_000, 200) as usize,
             seed: request.integer(reader, "seed", 1 << 53, 1),
             spread: reader.positive("quantity.spread", table.get("spread"), 10.0),
             recognition: request.recognition(reader),
@@ -201,8 +208,8 @@ impl QuantityTable<'_> {
         Quantity::Branch {
             over,
             range,
-            seeds: self.seeds(reader),
-            longest_period: self.integer(reader, "longest_period", 1000, 4) as u32,
+            seeds: self.seeds(reader, 12),
+            longest_period: self.integer(reader, "longest_period", 1000, 12) as u32,
             tolerance: self.tolerance(reader, 5e-10),
         }
     }
@@ -213,9 +220,9 @@ impl QuantityTable<'_> {
         Quantity::Jumps {
             keys: [over.0, against.0],
             ranges: [over.1, against.1],
-            seeds: self.seeds(reader),
-            longest_period: self.integer(reader, "longest_period", 1000, 4) as u32,
-            tolerance: self.tolerance(reader, 1e-8),
+            seeds: self.seeds(reader, 4),
+            longest_period: self.integer(reader, "longest_period", 1000, 2) as u32,
+            tolerance: self.tolerance(reader, 1e-9),
         }
     }
 
@@ -228,8 +235,9 @@ impl QuantityTable<'_> {
         )
     }
 
-    fn seeds(&self, reader: &mut FaultCollector) -> usize {
-        reader.integer("quantity.seeds", self.table.get("seeds"), (0, 100_000), 4) as usize
+    fn seeds(&self, reader: &mut FaultCollector, default: u64) -> usize {
+        let item = self.table.get("seeds");
+        reader.integer("quantity.seeds", item, (0, 100_000), default) as usize
     }
 
     fn tolerance(&self, reader: &mut FaultCollector, default: f64) -> f64 {

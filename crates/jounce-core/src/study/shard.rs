@@ -1,10 +1,12 @@
 //! Shard: one of several processes that share a study.
 
+use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::str::FromStr;
 
 /// Shard `index` of `of`, from 1: it takes every `of`-th part.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(try_from = "String", into = "String")]
 pub struct Shard {
     /// Number of the shard, from 1.
     pub index: usize,
@@ -41,6 +43,20 @@ impl FromStr for Shard {
                 "\"{text}\" is no shard; write I/N with I from 1 to N, as in 3/8"
             )),
         }
+    }
+}
+
+impl From<Shard> for String {
+    fn from(shard: Shard) -> Self {
+        shard.to_string()
+    }
+}
+
+impl TryFrom<String> for Shard {
+    type Error = String;
+
+    fn try_from(text: String) -> Result<Self, String> {
+        text.parse()
     }
 }
 

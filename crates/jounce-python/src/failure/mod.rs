@@ -124,6 +124,7 @@ impl From<jounce::Error> for Failure {
             Error::Orbit(error) => error.into(),
             Error::Journal(error) => Self::of("FileError", &error),
             Error::Table(error) => error.into(),
+            Error::Study(error) => error.into(),
             Error::Option {
                 option, ref value, ..
             } => {

@@ -21,9 +21,7 @@ impl Harvester {
     /// [`Error::Option`] for a record that is longer than the run, [`Error::Analysis`] for a start
     /// that does not fit or an integration that does not converge.
     pub fn run(&self, options: &RunOptions) -> Result<RunResult, Error> {
-        if let Some(tolerance) = options.tolerance {
-            self.changed([("run.tolerance", format!("{tolerance:e}").as_str())])?;
-        }
+        self.with_tolerance(options.tolerance)?;
         let model = self.model()?;
         options.check(model.spec.run.duration_s)?;
         let start = match &options.start {

@@ -14,6 +14,7 @@ pub(super) const BATCHES: usize = 16;
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Member {
     /// Number of the realisation under its seed.
+    #[serde(rename = "id")]
     pub index: usize,
     /// Total mean power of all loads and rectified circuits, W.
     pub mean_power_w: f64,
@@ -38,6 +39,7 @@ pub struct Member {
     /// Energy residual of the entire integration over its largest energy.
     pub energy_residual_relative: f64,
     /// Limits of patches that are exceeded.
+    #[serde(rename = "warnings")]
     pub exceeded: Vec<ExceededLimit>,
 }
 

@@ -1,0 +1,106 @@
+//! Result of a sweep.
+
+use jounce_core::analysis::{Sweep, SweepDirection};
+use jounce_core::run::{ExceededLimit, WorstExcess};
+use serde::Serialize;
+
+/// Runs at every value of a key, in the order of the points.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SweepResult {
+    /// Path of the key.
+    pub key: String,
+    /// SI unit of the key.
+    pub unit: String,
+    /// The points; after a stop by the user the finished ones.
+    pub points: Vec<SweepPoint>,
+    /// Number of points of the complete sweep.
+    #[serde(skip)]
+    pub expected: usize,
+    /// True where all drives are periodic, so that a response can settle.
+    #[serde(skip)]
+    pub can_settle: bool,
+}
+
+/// Result at one value of the key.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SweepPoint {
+    /// Value of the key, SI.
+    pub parameter: f64,
+    /// Direction from which it was reached.
+    pub direction: SweepDirection,
+    /// Mean power of all loads, W.
+    pub mean_power_w: f64,
+    /// Rms voltage of the first load, or of the storage of the first rectified circuit without a
+    /// load, V; NaN where no circuit takes power.
+    pub voltage_rms_v: f64,
+    /// Largest penetration of any stop, m.
+    pub max_penetration_m: f64,
+    /// Contacts per second, Hz.
+    pub contact_rate_hz: f64,
+    /// True where the response had settled before the average.
+    pub settled: bool,
+    /// Period of the response in drive cycles.
+    pub period_cycles: u32,
+    /// Energy residual relative to the largest energy.
+    pub energy_residual_relative: f64,
+    /// Simulated time, s.
+    pub simulated_time_s: f64,
+    /// Exceeded limits of patches.
+    pub warnings: Vec<ExceededLimit>,
+}
+
+impl SweepResult {
+    pub(super) fn new(study: &Sweep, points: Vec<jounce_core::analysis::SweepPoint>) -> Self {
+        let key = study.range.key();
+        let mut drives = study.spec.drive.values();
+        Self {
+            key: key.path().to_owned(),
+            unit: key.unit(),
+            expected: study.len(),
+            can_settle: drives.all(|drive| drive.frequency_hz().is_some()),
+            points: points.into_iter().map(SweepPoint::of).collect(),
+        }
+    }
+
+    /// Returns the message about points that had not settled, if there are any.
+    pub fn unsettled(&self) -> Option<String> {
+        let unsettled = self.points.iter().filter(|point| !point.settled).count();
+        (self.can_settle && unsettled > 0).then(|| {
+            format!(
+                "{unsettled} of {} points had not settled when averaged; they are marked settled = false",
+                self.points.len()
+            )
+        })
+    }
+
+    /// Returns the messages about exceeded limits of patches at points.
+    pub fn warnings(&self) -> Vec<String> {
+        let exceeded: Vec<&[ExceededLimit]> = self
+            .points
+            .iter()
+            .map(|point| point.warnings.as_slice())
+            .collect();
+        WorstExcess::messages(&exceeded, "points", |index| {
+            let value = self.points[index].parameter;
+            format!("{} = {value:.6} {}", self.key, self.unit)
+        })
+    }
+}
+
+impl SweepPoint {
+    fn of(point: jounce_core::analysis::SweepPoint) -> Self {
+        Self {
+            parameter: point.parameter,
+            direction: point.direction,
+            mean_power_w: point.mean_power_w,
+            voltage_rms_v: point.voltage_rms_v,
+            max_penetration_m: point.max_penetration_m,
+            contact_rate_hz: point.contact_rate_hz,
+            settled: point.settled,
+            period_cycles: point.period_cycles,
+            energy_residual_relative: point.energy_residual_relative,
+            simulated_time_s: point.simulated_time_s,
+            warnings: point.exceeded,
+        }
+    }
+}
