@@ -1,7 +1,10 @@
 //! Options: their defaults, their help, and their names in the options of each question.
 
 use clap::{Args, FromArgMatches};
-use jounce::{BasinsOptions, RunOptions, definitions};
+use jounce::{
+    BasinsOptions, FrfOptions, ModesOptions, NoiseOptions, ReproduceOptions, RunOptions,
+    definitions,
+};
 use serde::Serialize;
 use std::fmt::Debug;
 
@@ -37,6 +40,10 @@ fn check<O: Args + FromArgMatches + Default + Debug + PartialEq + Serialize>() {
 fn options_have_help_and_valid_defaults() {
     check::<RunOptions>();
     check::<BasinsOptions>();
+    check::<ModesOptions>();
+    check::<FrfOptions>();
+    check::<NoiseOptions>();
+    check::<ReproduceOptions>();
 }
 
 #[test]
