@@ -11,6 +11,7 @@ mod interruption;
 mod level_arguments;
 mod limit_warnings;
 mod measured_file;
+mod model_or_measured;
 mod output;
 mod progress;
 mod spec_arguments;

@@ -2,13 +2,19 @@
 
 use jounce_core::analysis::{AnalysisError, GridError, JournalError};
 use jounce_core::integrate::IntegrationError;
+use jounce_core::linear::RandomError;
 use jounce_core::orbit::OrbitError;
 use jounce_core::plant::PlantError;
 use jounce_core::run::{RunError, StartFileError};
 use jounce_core::signal::SignalError;
 use jounce_core::spec::{Fault, Faults, ReadError};
 use jounce_core::study::StudyError;
+use jounce_core::starter::UnknownKind;
+use jounce_core::store::StoreError;
+use jounce_core::structure::StructureError;
 use jounce_core::table::TableError;
+use jounce_measure::experiment::ExperimentError;
+use jounce_measure::fit::FitError;
 
 /// Reason why a computation has no result. The message names the value, what is allowed, and what
 /// to try.
@@ -53,9 +59,24 @@ pub enum Error {
     /// The search for an orbit failed.
     #[error(transparent)]
     Orbit(#[from] OrbitError<AnalysisError>),
+    /// The spec has no linear response to noise.
+    #[error(transparent)]
+    Noise(#[from] RandomError),
+    /// There is no starter of a kind.
+    #[error(transparent)]
+    Starter(#[from] UnknownKind),
+    /// The fit has no result.
+    #[error(transparent)]
+    Fit(#[from] FitError),
+    /// The paper cannot be reproduced.
+    #[error(transparent)]
+    Reproduce(#[from] ExperimentError),
     /// The journal of finished points cannot be used.
     #[error(transparent)]
     Journal(#[from] JournalError),
+    /// A file cannot be written.
+    #[error(transparent)]
+    File(#[from] StoreError),
     /// A table cannot be created.
     #[error(transparent)]
     Table(#[from] TableError),
@@ -112,7 +133,8 @@ impl Error {
             Self::Orbit(OrbitError::Integration(_) | OrbitError::Multipliers { .. }) => {
                 ErrorKind::NotConverged
             }
-            Self::Stopped => ErrorKind::Stopped,
+            Self::Fit(FitError::NotConverged { .. }) => ErrorKind::NotConverged,
+            Self::Stopped | Self::Fit(FitError::Stopped { .. }) => ErrorKind::Stopped,
             _ => ErrorKind::Input,
         }
     }
@@ -142,6 +164,12 @@ impl From<StartFileError> for Error {
 
 impl From<RunError> for Error {
     fn from(error: RunError) -> Self {
+        Self::Analysis(error.into())
+    }
+}
+
+impl From<StructureError> for Error {
+    fn from(error: StructureError) -> Self {
         Self::Analysis(error.into())
     }
 }

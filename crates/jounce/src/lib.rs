@@ -5,11 +5,19 @@
 //!
 //! | question | method | options | result |
 //! |---|---|---|---|
+//! | natural frequencies, couplings and shapes | [`Harvester::modes`] | [`ModesOptions`] | [`ModesResult`] |
+//! | frequency responses without contact | [`Harvester::frf`] | [`FrfOptions`] | [`FrfResult`] |
+//! | response to noise without contact | [`Harvester::noise`] | [`NoiseOptions`] | [`NoiseResult`] |
+//! | validity, with the issues of recordings | [`Harvester::check`] | | [`CheckResult`] |
 //! | response from a start in time | [`Harvester::run`] | [`RunOptions`] | [`RunResult`] |
 //! | attractors and how likely each is | [`Harvester::basins`] | [`BasinsOptions`] | [`BasinsResult`] |
 //! | responses over values of a key | [`Harvester::sweep`] | [`SweepOptions`] | [`SweepResult`] |
 //! | means over realisations of noise | [`Harvester::ensemble`] | [`EnsembleOptions`] | [`EnsembleResult`] |
 //! | one quantity over several keys | [`Study::run`] | [`StudyOptions`] | [`StudyStatus`] |
+//! | keys that fit measurements | [`Harvester::fit`] | [`Features`] | [`FitResult`] |
+//!
+//! [`materials`], [`starters`], [`schema`] and [`key_reference`] help to write a spec;
+//! [`Harvester::drawing`] draws it; [`reproduce`] recomputes a published paper.
 //!
 //! Options have defaults: write the fields that differ, then `..Default::default()`. Results are
 //! plain data; serialised, they are the JSON of the command line. Every name ends in its unit.
@@ -22,24 +30,54 @@
 
 mod basins;
 mod ensemble;
+mod check;
 mod error;
+mod fit;
+mod frf;
 mod harvester;
 mod journal;
+mod modes;
+mod noise;
 mod options;
 mod periodic;
+mod reference;
+mod reproduce;
 mod run;
 mod study;
 mod sweep;
 
 pub use basins::{AttractorResult, BasinsOptions, BasinsResult, FailedStart, StartPoint};
 pub use ensemble::{EnsembleOptions, EnsemblePatch, EnsembleResult, EnsembleStop, VoltageSpectrum};
+pub use check::{CheckResult, DriveFinding};
 pub use error::{Error, ErrorKind};
+pub use fit::FitResult;
+pub use frf::{FrfOptions, FrfResponse, FrfResult};
 pub use harvester::{Harvester, KeyValue};
 pub use jounce_core::analysis::{IntervalOver, Journal, Member, SweepDirection};
+pub use jounce_core::analysis::Model;
 pub use jounce_core::integrate::Control;
+pub use jounce_core::linear::{
+    Coupling, Density, RandomLoad, RandomPatch, RandomPoint, RandomStop,
+};
+pub use jounce_core::material::{Active, Material};
+pub use jounce_core::picture::{Drawing, Figure};
+pub use jounce_core::reproduce::Claim;
 pub use jounce_core::run::StartState;
+pub use jounce_core::signal::{Samples, SignalError, Window};
+pub use jounce_core::spec::{Fault, Faults, KeyRange, NumericKey, Quantity, Spec, SpecFile};
+pub use jounce_core::starter::Starter;
+pub use jounce_core::table::{Manifest, Table};
+pub use jounce_data::recording::Issue;
+pub use jounce_measure::fit::{
+    Features, FitError, FitResult as FitEstimate, FittedCurve, FittedDeviation, FittedFeature,
+    FittedKey,
+};
+pub use modes::{BeamShapes, ModeResult, ModesOptions, ModesResult, PatchCoupling, PointShape};
+pub use noise::{NoiseOptions, NoiseResult};
 pub use options::{OptionDefinition, check_tolerance, definitions};
 pub use periodic::check_drives;
+pub use reference::{key_reference, materials, schema, starter, starters};
+pub use reproduce::{ReproduceOptions, ReproduceResult, reproduce};
 pub use run::{History, HistorySamples, LoadResult, PatchResult, RunOptions, RunResult};
 pub use study::{Shard, Study, StudyFolder, StudyOptions, StudyStatus};
 pub use sweep::{SweepOptions, SweepOrder, SweepPoint, SweepResult};

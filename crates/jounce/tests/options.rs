@@ -2,6 +2,10 @@
 
 use clap::{Args, FromArgMatches};
 use jounce::{BasinsOptions, EnsembleOptions, RunOptions, StudyOptions, SweepOptions, definitions};
+use jounce::{
+    BasinsOptions, FrfOptions, ModesOptions, NoiseOptions, ReproduceOptions, RunOptions,
+    definitions,
+};
 use serde::Serialize;
 use std::fmt::Debug;
 
@@ -44,6 +48,10 @@ fn options_have_help_and_valid_defaults() {
     check::<SweepOptions>();
     check::<EnsembleOptions>();
     check::<StudyOptions>();
+    check::<ModesOptions>();
+    check::<FrfOptions>();
+    check::<NoiseOptions>();
+    check::<ReproduceOptions>();
 }
 
 #[test]
