@@ -280,8 +280,6 @@ class Spec(SpecOnRig):
         estimated.
         """
         check_integers(members=members, seed=seed, threads=threads)
-        given = options(
-            members=members, seed=seed, relative_width=relative_width, spectrum=spectrum, tolerance=tolerance, threads=threads
-        )
+        given = options(members=members, seed=seed, relative_width=relative_width, spectrum=spectrum, tolerance=tolerance, threads=threads)
         with progress_callback(progress) as callback:
             return EnsembleResult._from_core_call(_core.ensemble(self._spec, given, callback))

@@ -36,7 +36,8 @@ def test_spectra_and_stops_of_an_ensemble_are_those_of_the_command_line(command_
     assert result.stop_contact_rate_hz[0] > 0.0
     (patch,) = expected["patches"]
     assert result.patch == [patch["name"]] and result.bandwidth_hz[0] == patch["bandwidth_hz"] > 0.0
-    assert result.bandwidth_half_width_hz[0] == patch["bandwidth_half_width_hz"] and result.voltage_psd_v2_hz.shape == (1, len(result.frequency_hz))
+    assert result.bandwidth_half_width_hz[0] == patch["bandwidth_half_width_hz"]
+    assert result.voltage_psd_v2_hz.shape == (1, len(result.frequency_hz))
     # The density sums to the mean square of the voltage on the load of 1 Mohm, but for the Hann window: off by 2.2e-2.
     square = result.voltage_psd_v2_hz[0].sum() * np.diff(result.frequency_hz)[0]
     assert square / 1e6 == pytest.approx(result.mean_power_w, rel=0.05)

@@ -111,7 +111,7 @@ impl Harvester {
         })
     }
 
-    /// Returns a copy with the tolerance of a question, which overrides that of the spec.
+    /// Returns a copy with a tolerance of the integration; `None` keeps the one of the spec.
     pub(crate) fn with_tolerance(&self, tolerance: Option<f64>) -> Result<Self, Error> {
         match tolerance {
             Some(tolerance) => self.changed([("run.tolerance", format!("{tolerance:e}").as_str())]),
