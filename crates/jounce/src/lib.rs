@@ -7,6 +7,9 @@
 //! |---|---|---|---|
 //! | response from a start in time | [`Harvester::run`] | [`RunOptions`] | [`RunResult`] |
 //! | attractors and how likely each is | [`Harvester::basins`] | [`BasinsOptions`] | [`BasinsResult`] |
+//! | branches of periodic orbits over a key | [`Harvester::branch`] | [`BranchOptions`] | [`BranchResult`] |
+//! | bifurcation curves in two keys | [`Harvester::bifurcations`] | [`BifurcationsOptions`] | [`BifurcationsResult`] |
+//! | bifurcation diagram over a key | [`Harvester::diagram`] | [`DiagramOptions`] | [`DiagramResult`] |
 //!
 //! Options have defaults: write the fields that differ, then `..Default::default()`. Results are
 //! plain data; serialised, they are the JSON of the command line. Every name ends in its unit.
@@ -18,15 +21,32 @@
 //! interfaces may change.
 
 mod basins;
+mod bifurcations;
+mod branch;
+mod continuation;
+mod diagram;
 mod error;
 mod harvester;
+mod journal;
 mod options;
 mod periodic;
 mod run;
 
 pub use basins::{AttractorResult, BasinsOptions, BasinsResult, FailedStart, StartPoint};
+pub use bifurcations::{BifurcationCurve, BifurcationsOptions, BifurcationsResult};
+pub use branch::{
+    Bifurcation, Branch, BranchOptions, BranchPoint, BranchResult, HalfPowerBandwidth, NotProved,
+    OrbitMethod, OrbitQuantity, Termination, TerminationReason, band_limit_text,
+};
+pub use diagram::{
+    DiagramDirection, DiagramJournal, DiagramOptions, DiagramPoint, DiagramResult, SectionPoint,
+};
 pub use error::{Error, ErrorKind};
 pub use harvester::{Harvester, KeyValue};
+pub use jounce_core::analysis::{
+    AttractorKind, AttractorTrack, BandInterval, BandLimit, BifurcationCurvePoint, BranchKind,
+    CurveKind, IntervalEdge, PowerPeak, TrackPoint, Transition,
+};
 pub use jounce_core::integrate::Control;
 pub use jounce_core::run::StartState;
 pub use options::{OptionDefinition, check_tolerance, definitions};

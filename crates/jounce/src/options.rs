@@ -54,12 +54,16 @@ fn join<'a>(values: impl Iterator<Item = std::borrow::Cow<'a, str>>) -> String {
     values.collect::<Vec<_>>().join(" ")
 }
 
-/// Returns the options with their defaults.
+/// Returns the options with their defaults; a required text is empty.
 ///
 /// # Panics
 /// Where a default is not a valid value; a test of each options type excludes it.
 pub(crate) fn defaults<O: Args + FromArgMatches>() -> O {
     let command = O::augment_args(Command::new("options").no_binary_name(true));
+    let command = command.mut_args(|argument| match argument.is_required_set() {
+        true => argument.required(false).default_value(""),
+        false => argument,
+    });
     let matches: Result<ArgMatches, clap::Error> = command.try_get_matches_from([""; 0]);
     match matches.and_then(|matches| O::from_arg_matches(&matches)) {
         Ok(options) => options,

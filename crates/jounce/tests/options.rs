@@ -1,14 +1,20 @@
 //! Options: their defaults, their help, and their names in the options of each question.
 
 use clap::{Args, FromArgMatches};
-use jounce::{BasinsOptions, RunOptions, definitions};
+use jounce::{
+    BasinsOptions, BifurcationsOptions, BranchOptions, DiagramOptions, RunOptions, definitions,
+};
 use serde::Serialize;
 use std::fmt::Debug;
 
-/// Each option has a line of help and a default that the command line accepts; every field is an
-/// option.
+/// Each option has a line of help, and is required or has a default that the command line accepts;
+/// every field is an option.
 fn check<O: Args + FromArgMatches + Default + Debug + PartialEq + Serialize>() {
     let matches = O::augment_args(clap::Command::new("options").no_binary_name(true))
+        .mut_args(|argument| match argument.is_required_set() {
+            true => argument.required(false).default_value(""),
+            false => argument,
+        })
         .try_get_matches_from([""; 0])
         .expect("the defaults are valid");
     assert_eq!(
@@ -37,6 +43,9 @@ fn check<O: Args + FromArgMatches + Default + Debug + PartialEq + Serialize>() {
 fn options_have_help_and_valid_defaults() {
     check::<RunOptions>();
     check::<BasinsOptions>();
+    check::<BranchOptions>();
+    check::<BifurcationsOptions>();
+    check::<DiagramOptions>();
 }
 
 #[test]

@@ -1,0 +1,26 @@
+//! Journals of finished points, from which an interrupted analysis continues.
+
+use crate::error::Error;
+use crate::harvester::Harvester;
+use jounce_core::analysis::Journal;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use sha2::{Digest, Sha256};
+use std::path::Path;
+
+/// Opens the journal of a question in a folder. The spec, the options and the version of jounce
+/// identify it; `options` holds no option on which the result does not depend.
+///
+/// # Errors
+/// [`Error::Journal`].
+pub fn open<P: Serialize + DeserializeOwned>(
+    folder: &Path,
+    harvester: &Harvester,
+    (question, options): (&str, &impl Serialize),
+) -> Result<Journal<P>, Error> {
+    let options = serde_json::to_string(options).unwrap_or_default();
+    let (spec, version) = (harvester.spec().hash_hex(), env!("CARGO_PKG_VERSION"));
+    let digest = Sha256::digest(format!("{spec} {question} {options} {version}"));
+    let key: String = digest.iter().map(|byte| format!("{byte:02x}")).collect();
+    Ok(Journal::open(folder, &key)?)
+}
