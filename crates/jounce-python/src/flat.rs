@@ -11,7 +11,15 @@ use pyo3::types::PyDict;
 use serde_json::{Map, Value};
 
 /// Texts that may be missing in all records.
-const TEXTS: [&str; 1] = ["mirror_of"];
+const TEXTS: [&str; 4] = [
+    "mirror_of",
+    "attractor",
+    "bifurcation_level",
+    "bifurcation_stop",
+];
+
+/// Lists that remain lists of dictionaries, unless they are the main list.
+const DICTIONARIES: [&str; 3] = ["attractors", "not_proved", "termination"];
 
 /// Reads options from JSON.
 ///
@@ -58,7 +66,10 @@ pub fn dict_with_main<'py>(
         .filter(|entry| entry.0 != "warnings")
     {
         dict = match value.as_array() {
-            Some(items) if items.iter().all(Value::is_object) => {
+            Some(items)
+                if items.iter().all(Value::is_object)
+                    && (name == main || !DICTIONARIES.contains(&name.as_str())) =>
+            {
                 records(dict, name, items, name == main)?
             }
             _ => dict.with(name, object(py, value)?)?,
@@ -81,7 +92,9 @@ fn records<'py>(
         .into_iter()
         .flat_map(Map::keys);
     let mut dict = dict;
-    for field in fields.filter(|field| *field != "warnings") {
+    // Lists within records have no array.
+    let is_plain = |field: &&String| *field != "warnings" && !items[0][*field].is_array();
+    for field in fields.filter(is_plain) {
         let name = match field.as_str() {
             "name" | "id" => item_name.clone(),
             _ if is_main => field.clone(),

@@ -136,26 +136,6 @@ impl Spec {
         Ok(KeyRange::parse(self.key(key)?, values)?)
     }
 
-    /// Returns a key and the two ends of its range.
-    pub fn value_range(
-        &self,
-        key: &str,
-        range: (String, String),
-    ) -> Result<(NumericKey, (f64, f64)), Failure> {
-        let key_range = KeyRange::parse(self.key(key)?, &format!("{},{}", range.0, range.1))?;
-        match key_range.values() {
-            [low, high] if low < high => Ok((key_range.key().clone(), (*low, *high))),
-            values => {
-                let reason = format!(
-                    "{key}: the range is {} to {}; its first value must be below the second",
-                    range.0, range.1
-                );
-                Err(Failure::new("ArgumentError", reason)
-                    .with(serde_json::json!({ "key": key, "ends": values })))
-            }
-        }
-    }
-
     /// Returns the spec with another tolerance of the integration.
     pub fn with_tolerance(&self, tolerance: Option<f64>) -> Result<Option<Self>, Failure> {
         tolerance
@@ -172,6 +152,21 @@ impl Spec {
             manifest.with(name, value)
         });
         serde_json::to_string(&manifest).unwrap_or_default()
+    }
+
+    /// Returns the origin of a result, as JSON, with all options that have a value and change the
+    /// result.
+    pub fn manifest_with(&self, command: &str, options: &impl serde::Serialize) -> String {
+        let fields = serde_json::to_value(options).unwrap_or_default();
+        let fields = fields.as_object().into_iter().flatten();
+        let given: Vec<(&str, String)> = fields
+            .filter(|(name, value)| !value.is_null() && *name != "threads")
+            .map(|(name, value)| {
+                let text = value.as_str().map(str::to_owned);
+                (name.as_str(), text.unwrap_or_else(|| value.to_string()))
+            })
+            .collect();
+        self.manifest(command, &given)
     }
 }
 

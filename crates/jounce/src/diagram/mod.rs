@@ -15,6 +15,7 @@ use crate::options::on_threads;
 use crate::{journal, periodic};
 use jounce_core::analysis::{self, AnalysisError, BranchSearch, Diagram, DiagramOrder};
 use jounce_core::analysis::{AttractorTracks, Journal, Model, OrbitMethodKind, Parameter};
+use jounce_core::spec::KeyRange;
 use std::path::Path;
 
 /// Journal of the finished runs of a diagram.
@@ -86,9 +87,8 @@ impl Harvester {
         options: &DiagramOptions,
         folder: impl AsRef<Path>,
     ) -> Result<DiagramJournal, Error> {
-        options.longest_period()?;
-        options.order()?;
-        // The runs do not depend on the others.
+        self.diagram_range(options)?;
+        // The runs do not depend on the other options.
         let options = DiagramOptions {
             branches: true,
             longest_period: None,
@@ -111,12 +111,8 @@ impl Harvester {
         let &DiagramOptions {
             cycles, tolerance, ..
         } = options;
-        let range = self.file().range(&options.over)?;
+        let range = self.diagram_range(options)?;
         let values = range.values();
-        if values.windows(2).any(|pair| pair[0] >= pair[1]) {
-            let expected = "the values of a diagram must increase";
-            return Err(Error::option("over", &options.over, expected));
-        }
         let (low, high) = (values[0], values[values.len() - 1]);
         let base = self.model()?;
         periodic::check_drives(&base.kernel.plant, "a diagram")?;
@@ -176,6 +172,16 @@ impl Harvester {
             })
         })
     }
+
+    /// Returns the key and its increasing values.
+    fn diagram_range(&self, options: &DiagramOptions) -> Result<KeyRange, Error> {
+        let range = self.file().range(&options.over)?;
+        if range.values().windows(2).any(|pair| pair[0] >= pair[1]) {
+            let expected = "the values of a diagram must increase";
+            return Err(Error::option("over", &options.over, expected));
+        }
+        Ok(range)
+    }
 }
 
 /// Returns the points with their attractors, where known.
@@ -185,8 +191,7 @@ fn located(
 ) -> Vec<DiagramPoint> {
     let attractor = |index: usize| {
         let tracks = tracks?;
-        let number = tracks.homes[index]?;
-        Some((number, &tracks.attractors[number]))
+        Some(tracks.attractors[tracks.homes[index]?].id.clone())
     };
     let points = points.iter().enumerate();
     points

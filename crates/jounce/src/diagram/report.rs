@@ -2,7 +2,7 @@
 
 use super::{DiagramPoint, DiagramResult};
 use crate::branch::branch_line;
-use jounce_core::analysis::SweepDirection;
+use jounce_core::analysis::{AttractorTrack, SweepDirection};
 use jounce_core::picture::{self, Axis, BranchLine, DiagramDots, DiagramView, Figure};
 
 impl DiagramResult {
@@ -73,9 +73,9 @@ impl DiagramResult {
             (!dots.value.is_empty()).then_some(dots)
         };
         match &self.attractors {
-            Some(attractors) => (attractors.iter().enumerate())
-                .filter_map(|(index, attractor)| {
-                    dots_of(&attractor.id, &|point| point.attractor_index == Some(index))
+            Some(attractors) => (attractors.iter())
+                .filter_map(|AttractorTrack { id, .. }| {
+                    dots_of(id, &|point| point.attractor.as_ref() == Some(id))
                 })
                 .collect(),
             None => [

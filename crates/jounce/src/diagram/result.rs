@@ -48,9 +48,6 @@ pub struct DiagramPoint {
     pub mean_power_w: f64,
     /// Poincare section at the start of each drive cycle.
     pub section: Vec<SectionPoint>,
-    /// Number of the attractor.
-    #[serde(skip)]
-    pub attractor_index: Option<usize>,
 }
 
 /// Point of a Poincare section.
@@ -65,10 +62,7 @@ pub struct SectionPoint {
 }
 
 impl DiagramPoint {
-    pub(super) fn new(
-        point: &analysis::DiagramPoint,
-        attractor: Option<(usize, &AttractorTrack)>,
-    ) -> Self {
+    pub(super) fn new(point: &analysis::DiagramPoint, attractor: Option<String>) -> Self {
         let section = |point: &analysis::SectionPoint| SectionPoint {
             displacement_m: point.displacement_m,
             velocity_m_s: point.velocity_m_per_s,
@@ -78,13 +72,12 @@ impl DiagramPoint {
             parameter: point.parameter,
             direction: point.direction,
             start: point.start,
-            attractor: attractor.map(|(_, attractor)| attractor.id.clone()),
+            attractor,
             motion: point.motion,
             period_cycles: point.period_cycles,
             contacts_per_period: point.contacts_per_period,
             mean_power_w: point.mean_power_w,
             section: point.section.iter().map(section).collect(),
-            attractor_index: attractor.map(|(index, _)| index),
         }
     }
 
