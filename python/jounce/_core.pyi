@@ -14,13 +14,13 @@ __all__ = [
     "Study",
     "VERSION",
     "basins",
+    "bifurcations",
     "branch",
     "diagram",
     "ensemble",
     "examples",
     "fit",
     "frf",
-    "jumps",
     "keys",
     "materials",
     "measured_contact",
@@ -98,35 +98,9 @@ class Study:
     def keep(self, folder: str | PathLike[str], part: int, bytes: bytes) -> None: ...
 
 def basins(spec: Spec, options: str, progress: _Progress) -> _CallResult: ...
-def branch(
-    spec: Spec,
-    key: str,
-    range: tuple[str, str],
-    method: str,
-    harmonics: int | None,
-    tolerance: float,
-    seeds: int,
-    longest_period: int,
-    levels: list[str],
-    step_and_budget: tuple[float, int],
-    threads: int | None,
-    progress: _Progress,
-) -> _CallResult: ...
-def diagram(
-    spec: Spec,
-    key: str,
-    values: str,
-    direction: str,
-    starts: int | None,
-    seed: int | None,
-    spread: float | None,
-    cycles: int,
-    tolerance: float,
-    branches: bool,
-    longest_period: int | None,
-    threads: int | None,
-    progress: _Progress,
-) -> _CallResult: ...
+def bifurcations(spec: Spec, options: str, progress: _Progress) -> _CallResult: ...
+def branch(spec: Spec, options: str, progress: _Progress) -> _CallResult: ...
+def diagram(spec: Spec, options: str, progress: _Progress) -> _CallResult: ...
 def ensemble(
     spec: Spec,
     members: int,
@@ -143,19 +117,6 @@ def fit(
 ) -> tuple[str | None, BaseException | None]: ...
 def frf(
     spec: Spec, frequency_hz: NDArray[np.float64], input: str | None, base: bool, hold: list[str], open_circuit: bool
-) -> _CallResult: ...
-def jumps(
-    spec: Spec,
-    keys: tuple[str, str],
-    over: tuple[str, str],
-    against: tuple[str, str],
-    tolerance: float,
-    seeds: int,
-    longest_period: int,
-    peaks: bool,
-    levels: list[str],
-    threads: int | None,
-    progress: _Progress,
 ) -> _CallResult: ...
 def materials() -> str: ...
 def measured_contact(recording: dict[str, Any], force: str | None, mass_kg: float | None) -> dict[str, Any]: ...

@@ -66,8 +66,7 @@ class BifurcationsResult(Result):
     def _summary(self) -> list[tuple[str, str]]:
         plane = f"{self.key} [{self.unit}] against {self.key_2} [{self.unit_2}]"
         curves = [
-            (f"curve {k}", f"{one.level or one.kind} of period {one.period_cycles}, {len(one)} points")
-            for k, one in enumerate(self.curves)
+            (f"curve {k}", f"{one.level or one.kind} of period {one.period_cycles}, {len(one)} points") for k, one in enumerate(self.curves)
         ]
         return [("over", plane), *curves, *(("warning", text) for text in self.warnings), ("note", self.note)]
 

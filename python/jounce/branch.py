@@ -28,9 +28,7 @@ class Branch(Data):
     max_penetration_m: Annotated[Floats, Along("point", "m", "largest penetration of the stop")]
     displacement_peak_m: Annotated[Floats, Along("point", "m", "half the peak-to-peak displacement at the first stop")]
     #: Larger of the estimated relative errors of the state and the mean power.
-    error_estimate: Annotated[
-        Floats, Along("point", "1", "larger of the estimated relative errors of the state and the mean power")
-    ]
+    error_estimate: Annotated[Floats, Along("point", "1", "larger of the estimated relative errors of the state and the mean power")]
     #: ``"fold"``, ``"period-doubling"``, ``"neimark-sacker"``, ``"branch-point"``, ``"grazing"``, ``"sticking"``, ``"level"``.
     bifurcation_kind: list[str]
     #: Level that is crossed, as given, and stop of a grazing or of sticking; ``None`` for the others.
@@ -129,7 +127,9 @@ class BranchResult(Result):
             "branch": Variable(("point",), self._branch_numbers(), "1", "number of the branch"),
             "period_cycles": Variable(("point",), periods, "1", "period in drive cycles"),
             "bifurcation_parameter": Variable(("bifurcation",), self._concatenated("bifurcation_parameter"), self.unit, self.key),
-            "bifurcation_mean_power": Variable(("bifurcation",), self._concatenated("bifurcation_mean_power_w"), "W", "mean power of all loads"),
+            "bifurcation_mean_power": Variable(
+                ("bifurcation",), self._concatenated("bifurcation_mean_power_w"), "W", "mean power of all loads"
+            ),
             "bifurcation_branch": Variable(("bifurcation",), np.array(branch_numbers, dtype=np.int64), "1", "number of the branch"),
         }
         kinds = [kind for one in self.branches for kind in one.bifurcation_kind]

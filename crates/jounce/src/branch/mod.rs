@@ -1,5 +1,6 @@
 //! Branches of periodic orbits over one key, stable or unstable.
 
+mod conversion;
 mod options;
 mod report;
 mod result;

@@ -29,7 +29,7 @@ impl BranchResult {
             let values: Vec<bool> = rows.iter().map(|(.., point)| value(point)).collect();
             Column::new(name, "", about, values)
         };
-        Ok(Table::new(vec![
+        let mut columns = vec![
             count("branch", "number of the branch, from 0", |(k, ..)| *k),
             count(
                 "period_cycles",
@@ -63,25 +63,9 @@ impl BranchResult {
                 "contacts per period",
                 |(.., point)| point.contacts_per_period,
             ),
-            number(
-                "max_penetration_m",
-                "m",
-                "largest penetration of the stop",
-                |point| point.max_penetration_m,
-            ),
-            number(
-                "displacement_peak_m",
-                "m",
-                "half the peak-to-peak displacement at the first stop",
-                |point| point.displacement_peak_m,
-            ),
-            number(
-                "error_estimate",
-                "",
-                "larger of the estimated relative errors of the state and the mean power",
-                |point| point.error_estimate,
-            ),
-        ])?)
+        ];
+        columns.extend(displacement_columns(&rows));
+        Ok(Table::new(columns)?)
     }
 
     /// Returns the table of every bifurcation.
@@ -200,4 +184,32 @@ impl BranchResult {
         }
         rows
     }
+}
+
+/// Returns the columns of penetration, displacement and error.
+fn displacement_columns(rows: &[(u64, &Branch, &BranchPoint)]) -> [Column; 3] {
+    let number = |name: &str, unit: &str, about: &str, value: fn(&BranchPoint) -> f64| {
+        let values: Vec<f64> = rows.iter().map(|(.., point)| value(point)).collect();
+        Column::new(name, unit, about, values)
+    };
+    [
+        number(
+            "max_penetration_m",
+            "m",
+            "largest penetration of the stop",
+            |point| point.max_penetration_m,
+        ),
+        number(
+            "displacement_peak_m",
+            "m",
+            "half the peak-to-peak displacement at the first stop",
+            |point| point.displacement_peak_m,
+        ),
+        number(
+            "error_estimate",
+            "",
+            "larger of the estimated relative errors of the state and the mean power",
+            |point| point.error_estimate,
+        ),
+    ]
 }

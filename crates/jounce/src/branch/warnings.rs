@@ -10,7 +10,7 @@ impl BranchOptions {
     /// Returns the note on the branches that the search may miss.
     pub(super) fn note(&self) -> String {
         format!(
-            "the search misses branches that none of {} seeds converges to, and branches of a period above {} cycles; more seeds and a longer longest period find more",
+            "the search misses branches that none of {} seeds converges to, and branches of a period above {} cycles; more seeds and a larger longest_period find more",
             self.seeds, self.longest_period
         )
     }
@@ -22,7 +22,7 @@ impl BranchResult {
     pub fn warnings(&self) -> Vec<String> {
         if self.branches.is_empty() {
             return vec![format!(
-                "no periodic orbit was found over {}: no integration reached one; try more seeds, a longer longest period, more damping or another range",
+                "no periodic orbit was found over {}: no integration reached one; try more seeds, a larger longest_period, more damping or another range",
                 self.options.over
             )];
         }

@@ -129,15 +129,6 @@ impl Harvester {
             cycles,
             tolerance,
         };
-        let search = BranchSearch {
-            base: &base,
-            parameter: &parameter,
-            range: (low, high),
-            method: OrbitMethodKind::Shooting,
-            tolerance,
-            seeds: options::SEEDS,
-            longest_period,
-        };
         on_threads(options.threads, || {
             let points = study.run(journal, &|_| ())?;
             let is_stopped = || self.control().is_stopped();
@@ -148,28 +139,23 @@ impl Harvester {
                 DiagramOrder::Starts(_) if !is_stopped() => Some(study.history(&points)?),
                 _ => None,
             };
+            let search = BranchSearch {
+                base: &base,
+                parameter: &parameter,
+                range: (low, high),
+                method: OrbitMethodKind::Shooting,
+                tolerance,
+                seeds: options::SEEDS,
+                longest_period,
+            };
             let branches = match options.branches && high > low && !is_stopped() {
                 true => search.run()?,
                 false => Vec::new(),
             };
             // Tracks of interrupted runs are incomplete.
             let tracks = tracks.filter(|_| !is_stopped());
-            let displacement_m = branches
-                .iter()
-                .map(|branch| displacement_m(&base, &parameter, branch))
-                .collect::<Result<_, _>>()?;
-            Ok(DiagramResult {
-                key: range.key().path().to_owned(),
-                unit: range.key().unit(),
-                points: located(&points, tracks.as_ref()),
-                attractors: tracks.map(|tracks| tracks.attractors),
-                expected: study.len(),
-                branches: branches
-                    .iter()
-                    .map(|branch| Branch::new(branch, Vec::new(), None))
-                    .collect(),
-                branch_displacement_m: displacement_m,
-            })
+            let branches = (&base, &parameter, branches.as_slice());
+            DiagramResult::new(study.len(), &points, tracks, branches)
         })
     }
 
@@ -181,6 +167,29 @@ impl Harvester {
             return Err(Error::option("over", &options.over, expected));
         }
         Ok(range)
+    }
+}
+
+impl DiagramResult {
+    fn new(
+        expected: usize,
+        points: &[analysis::DiagramPoint],
+        tracks: Option<AttractorTracks>,
+        (base, parameter, branches): (&Model, &Parameter<'_>, &[analysis::Branch]),
+    ) -> Result<Self, Error> {
+        let displacement_m = branches
+            .iter()
+            .map(|branch| displacement_m(base, parameter, branch));
+        let branch = |branch| Branch::new(branch, Vec::new(), None);
+        Ok(Self {
+            key: parameter.key().path().to_owned(),
+            unit: parameter.key().unit(),
+            points: located(points, tracks.as_ref()),
+            attractors: tracks.map(|tracks| tracks.attractors),
+            expected,
+            branch_displacement_m: displacement_m.collect::<Result<_, _>>()?,
+            branches: branches.iter().map(branch).collect(),
+        })
     }
 }
 

@@ -16,11 +16,8 @@ impl DiagramResult {
             .iter()
             .flat_map(|point| point.section.iter().map(move |section| (point, section)))
             .collect();
-        let number = |name: &str,
-                      unit: &str,
-                      about: &str,
-                      value: fn(&DiagramPoint, &SectionPoint) -> f64| {
-            let values = rows.iter().map(|(point, section)| value(point, section));
+        let number = |name: &str, unit: &str, about: &str, value: fn(&DiagramPoint) -> f64| {
+            let values = rows.iter().map(|(point, _)| value(point));
             Column::new(name, unit, about, values.collect::<Vec<f64>>())
         };
         let count = |name: &str, about: &str, value: fn(&DiagramPoint) -> u64| {
@@ -31,10 +28,8 @@ impl DiagramResult {
             let values = rows.iter().map(|(point, _)| value(point).to_owned());
             Column::new(name, "", about, values.collect::<Vec<String>>())
         };
-        Ok(Table::new(vec![
-            number("parameter", &self.unit, &self.key, |point, _| {
-                point.parameter
-            }),
+        let mut columns = vec![
+            number("parameter", &self.unit, &self.key, |point| point.parameter),
             text("direction", "direction of the sweep", |point| {
                 point.direction.name()
             }),
@@ -59,31 +54,12 @@ impl DiagramResult {
                 "contacts per period, 0 without a period",
                 |point| point.contacts_per_period,
             ),
-            number(
-                "mean_power_w",
-                "W",
-                "mean power of all loads",
-                |point, _| point.mean_power_w,
-            ),
-            number(
-                "displacement_m",
-                "m",
-                "displacement towards the stop at the start of a drive cycle",
-                |_, section| section.displacement_m,
-            ),
-            number(
-                "velocity_m_s",
-                "m/s",
-                "velocity towards the stop",
-                |_, section| section.velocity_m_s,
-            ),
-            number(
-                "voltage_v",
-                "V",
-                "voltage of the first patch",
-                |_, section| section.voltage_v,
-            ),
-        ])?)
+            number("mean_power_w", "W", "mean power of all loads", |point| {
+                point.mean_power_w
+            }),
+        ];
+        columns.extend(section_columns(&rows));
+        Ok(Table::new(columns)?)
     }
 
     /// Returns the table of each attractor at each value; `None` when stepped.
@@ -129,4 +105,29 @@ impl DiagramResult {
             ),
         ])?))
     }
+}
+
+/// Returns the columns of the state at the start of a drive cycle.
+fn section_columns(rows: &[(&DiagramPoint, &SectionPoint)]) -> [Column; 3] {
+    let number = |name: &str, unit: &str, about: &str, value: fn(&SectionPoint) -> f64| {
+        let values: Vec<f64> = rows.iter().map(|(_, section)| value(section)).collect();
+        Column::new(name, unit, about, values)
+    };
+    [
+        number(
+            "displacement_m",
+            "m",
+            "displacement towards the stop at the start of a drive cycle",
+            |section| section.displacement_m,
+        ),
+        number(
+            "velocity_m_s",
+            "m/s",
+            "velocity towards the stop",
+            |section| section.velocity_m_s,
+        ),
+        number("voltage_v", "V", "voltage of the first patch", |section| {
+            section.voltage_v
+        }),
+    ]
 }
