@@ -13,6 +13,7 @@ from os import PathLike
 
 from ._core import VERSION as __version__
 from .basins import BasinsResult
+from .bifurcations import BifurcationCurve, BifurcationsResult
 from .branch import Branch, BranchResult
 from .contact import ContactResult, Pulse, contact
 from .diagram import DiagramResult
@@ -43,7 +44,6 @@ from .fit import FitCurve, FitDeviation, FitResult
 from .frf import FrfResult
 from .history import History
 from .issue import Finding
-from .jumps import JumpCurve, JumpsResult
 from .materials import Material, Materials, materials
 from .measured_frf import ImpactHit, MeasuredFrf, measured_frf
 from .measured_modes import MeasuredModes, measured_modes
@@ -67,6 +67,8 @@ __all__ = [
     "ArgumentError",
     "BasinsResult",
     "Beam",
+    "BifurcationCurve",
+    "BifurcationsResult",
     "Branch",
     "BranchResult",
     "Channel",
@@ -93,8 +95,6 @@ __all__ = [
     "ImpactHit",
     "Interrupted",
     "JounceError",
-    "JumpCurve",
-    "JumpsResult",
     "Layer",
     "IntegrationError",
     "Mass",

@@ -14,13 +14,13 @@ __all__ = [
     "Study",
     "VERSION",
     "basins",
+    "bifurcations",
     "branch",
     "diagram",
     "ensemble",
     "examples",
     "fit",
     "frf",
-    "jumps",
     "keys",
     "materials",
     "measured_contact",
@@ -98,54 +98,15 @@ class Study:
     def keep(self, folder: str | PathLike[str], part: int, bytes: bytes) -> None: ...
 
 def basins(spec: Spec, options: str, progress: _Progress) -> _CallResult: ...
-def branch(
-    spec: Spec,
-    key: str,
-    range: tuple[str, str],
-    method: str,
-    harmonics: int | None,
-    tolerance: float,
-    seeds: int,
-    longest_period: int,
-    levels: list[str],
-    step_and_budget: tuple[float, int],
-    threads: int | None,
-    progress: _Progress,
-) -> _CallResult: ...
-def diagram(
-    spec: Spec,
-    key: str,
-    values: str,
-    direction: str,
-    starts: int | None,
-    seed: int | None,
-    spread: float | None,
-    cycles: int,
-    tolerance: float,
-    branches: bool,
-    longest_period: int | None,
-    threads: int | None,
-    progress: _Progress,
-) -> _CallResult: ...
+def bifurcations(spec: Spec, options: str, progress: _Progress) -> _CallResult: ...
+def branch(spec: Spec, options: str, progress: _Progress) -> _CallResult: ...
+def diagram(spec: Spec, options: str, progress: _Progress) -> _CallResult: ...
 def ensemble(spec: Spec, options: str, progress: _Progress) -> _CallResult: ...
 def examples() -> list[tuple[str, str, str]]: ...
 def fit(
     spec: Spec, *, text: str | None = None, path: str | PathLike[str] | None = None, progress: _Progress = None
 ) -> tuple[tuple[str, Spec] | None, BaseException | None]: ...
 def frf(spec: Spec, options: str) -> _CallResult: ...
-def jumps(
-    spec: Spec,
-    keys: tuple[str, str],
-    over: tuple[str, str],
-    against: tuple[str, str],
-    tolerance: float,
-    seeds: int,
-    longest_period: int,
-    peaks: bool,
-    levels: list[str],
-    threads: int | None,
-    progress: _Progress,
-) -> _CallResult: ...
 def materials() -> str: ...
 def measured_contact(recording: dict[str, Any], force: str | None, mass_kg: float | None) -> dict[str, Any]: ...
 def measured_decays(

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import json
 from collections.abc import Iterator
 from typing import Annotated, Any, Self
 
@@ -28,31 +27,39 @@ class Branch(Data):
     contacts_per_period: Annotated[Integers, Along("point", "1", "contacts per period")]
     max_penetration_m: Annotated[Floats, Along("point", "m", "largest penetration of the stop")]
     displacement_peak_m: Annotated[Floats, Along("point", "m", "half the peak-to-peak displacement at the first stop")]
-    #: Estimated relative error of the state.
-    error_estimate: Annotated[Floats, Along("point", "1", "estimated relative error of the state")]
+    #: Larger of the estimated relative errors of the state and the mean power.
+    error_estimate: Annotated[Floats, Along("point", "1", "larger of the estimated relative errors of the state and the mean power")]
     #: ``"fold"``, ``"period-doubling"``, ``"neimark-sacker"``, ``"branch-point"``, ``"grazing"``, ``"sticking"``, ``"level"``.
     bifurcation_kind: list[str]
-    #: Level of the event, or stop of a grazing; ``None`` for the others.
-    bifurcation_name: list[str | None]
+    #: Level that is crossed, as given, and stop of a grazing or of sticking; ``None`` for the others.
+    bifurcation_level: list[str | None]
+    bifurcation_stop: list[str | None]
     bifurcation_parameter: Floats
-    bifurcation_power_w: Floats
+    bifurcation_mean_power_w: Floats
     bifurcation_displacement_peak_m: Floats
-    #: Segments that may contain two more events of a kind than are listed: ``event``, ``from``, ``to``, ``why``.
+    bifurcation_contacts_per_period: Integers
+    #: Intervals that may contain two more events of a kind than are listed: ``event``, ``from``, ``to``, ``message``.
     not_proved: list[dict[str, Any]]
     #: Number of period doublings whose branch was not continued: the budget was used up, or Newton iteration found no first orbit.
     not_followed: int
-    #: Terminations of the two ends of the branch.
-    endings: list[dict[str, Any]]
-    #: Peak and half-power bandwidth of the stable part; ``None`` without a stable part.
-    half_power: dict[str, Any] | None
+    #: Terminations at the first and the last point: ``reason``, and where continuation stopped early ``parameter`` and ``message``.
+    termination: list[dict[str, Any]]
+    #: Largest mean power of a stable orbit: ``parameter``, ``parameter_error``, ``mean_power_w``, ``at``; ``None`` without one.
+    peak: dict[str, Any] | None
+    #: Half-power bandwidth of the stable part: ``width``, ``width_error``, ``intervals``; ``None`` without a peak.
+    half_power_bandwidth: dict[str, Any] | None
 
     @classmethod
-    def made(cls, one: dict[str, Any]) -> Self:
-        """Returns the branch of a result of the compiled module."""
-        return cls(**{**one, **{name: json.loads(one[name]) for name in ("not_proved", "endings", "half_power")}})
+    def _of(cls, fields: dict[str, Any]) -> Self:
+        """Returns the branch of a dict of the library."""
+        return cls(**cls._filled(fields))
 
     def __len__(self) -> int:
         return len(self.parameter)
+
+    def _bifurcation_names(self) -> list[str | None]:
+        """Returns the level or the stop of each bifurcation."""
+        return [level or stop for level, stop in zip(self.bifurcation_level, self.bifurcation_stop)]
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -62,16 +69,18 @@ class BranchResult(Result):
     key: str
     unit: str
     branches: list[Branch]
-    #: Warnings about exceeded limits of patches over a period.
+    #: Largest mean power of a stable orbit on all branches: ``parameter``, ``parameter_error``, ``mean_power_w``, ``at``.
+    peak: dict[str, Any] | None
+    #: Intervals where any stable orbit has at least half the power of the peak: ``width``, ``width_error``, ``intervals``.
+    half_power_bandwidth: dict[str, Any] | None
+    #: Branches that the search may miss, and options that find more.
+    note: str
+    #: Warnings: branches that end early or are missing, events that are not proved, large errors, exceeded limits of patches.
     warnings: list[str]
-    #: Peak of all branches combined, and the intervals where a stable orbit has at least half of it: ``peak``, ``width``, ``width_error``,
-    #: ``intervals``.
-    half_power: dict[str, Any] | None
 
     @classmethod
-    def _from_core(cls, result: dict[str, Any]) -> Self:
-        branches = [Branch.made(one) for one in result["branches"]]
-        return super()._from_core({**result, "branches": branches, "half_power": json.loads(result["half_power"])})
+    def _from_core(cls, fields: dict[str, Any]) -> Self:
+        return super()._from_core({**fields, "branches": [Branch._of(one) for one in fields["branches"]]})
 
     def __len__(self) -> int:
         return len(self.branches)
@@ -86,28 +95,18 @@ class BranchResult(Result):
         lines = [("over", f"{self.key} [{self.unit}]")]
         for number, one in enumerate(self.branches):
             lines.append((f"branch {number}", f"period {one.period_cycles}: {len(one)} points, {int(one.stable.sum())} of them stable"))
-            for kind, name, at in zip(one.bifurcation_kind, one.bifurcation_name, one.bifurcation_parameter):
+            for kind, name, at in zip(one.bifurcation_kind, one._bifurcation_names(), one.bifurcation_parameter):
                 lines.append(("", f"{kind}{f' ({name})' if name else ''} at {at:.6g} {self.unit}"))
-            for segment in one.not_proved:
-                lines.append(
-                    (
-                        "warning",
-                        f"from {segment['from']:.6g} to {segment['to']:.6g} {self.unit} two more events {segment['event']} are possible",
-                    )
-                )
-            if one.not_followed:
-                lines.append(("warning", f"the branches of {one.not_followed} period doublings were not continued"))
-        if self.half_power is not None:
-            peak, width = self.half_power["peak"], self.half_power["width"]
-            lines.append(("highest stable power", f"{peak['mean_power_w']:.6e} W at {peak['parameter']:.6g} {self.unit}"))
-            lines.append(("half-power bandwidth", f"{width:.6g} {self.unit}"))
-        return [*lines, *(("warning", text) for text in self.warnings)]
+        if self.peak is not None and self.half_power_bandwidth is not None:
+            lines.append(("highest stable power", f"{self.peak['mean_power_w']:.6e} W at {self.peak['parameter']:.6g} {self.unit}"))
+            lines.append(("half-power bandwidth", f"{self.half_power_bandwidth['width']:.6g} {self.unit}"))
+        return [*lines, *(("warning", text) for text in self.warnings), ("note", self.note)]
 
     def _repr_html_(self) -> str:
         rows = [
             [number, one.period_cycles, kind, f"{at:.6g}", f"{power:.5e}"]
             for number, one in enumerate(self.branches)
-            for kind, at, power in zip(one.bifurcation_kind, one.bifurcation_parameter, one.bifurcation_power_w)
+            for kind, at, power in zip(one.bifurcation_kind, one.bifurcation_parameter, one.bifurcation_mean_power_w)
         ]
         title = f"{len(self)} branches over {self.key}"
         return html_table(title, ["branch", "period", "bifurcation", f"at [{self.unit}]", "mean power [W]"], rows)
@@ -128,7 +127,9 @@ class BranchResult(Result):
             "branch": Variable(("point",), self._branch_numbers(), "1", "number of the branch"),
             "period_cycles": Variable(("point",), periods, "1", "period in drive cycles"),
             "bifurcation_parameter": Variable(("bifurcation",), self._concatenated("bifurcation_parameter"), self.unit, self.key),
-            "bifurcation_power": Variable(("bifurcation",), self._concatenated("bifurcation_power_w"), "W", "mean power of all loads"),
+            "bifurcation_mean_power": Variable(
+                ("bifurcation",), self._concatenated("bifurcation_mean_power_w"), "W", "mean power of all loads"
+            ),
             "bifurcation_branch": Variable(("bifurcation",), np.array(branch_numbers, dtype=np.int64), "1", "number of the branch"),
         }
         kinds = [kind for one in self.branches for kind in one.bifurcation_kind]
@@ -144,11 +145,17 @@ class BranchResult(Result):
     def bifurcations_to_pandas(self) -> Any:
         """Returns a ``pandas.DataFrame`` with a row for each bifurcation."""
         rows = [
-            (number, kind, name, at, power)
+            (number, *row)
             for number, one in enumerate(self.branches)
-            for kind, name, at, power in zip(one.bifurcation_kind, one.bifurcation_name, one.bifurcation_parameter, one.bifurcation_power_w)
+            for row in zip(
+                one.bifurcation_kind,
+                one.bifurcation_level,
+                one.bifurcation_stop,
+                one.bifurcation_parameter,
+                one.bifurcation_mean_power_w,
+            )
         ]
-        names = ("branch", "kind", "name", "parameter", "mean_power_w")
+        names = ("branch", "kind", "level", "stop", "parameter", "mean_power_w")
         return self._frame({name: [row[k] for row in rows] for k, name in enumerate(names)})
 
     def plot_branch(self, ax: Any = None) -> Any:

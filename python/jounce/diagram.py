@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import json
 from typing import Any, Self
 
 import numpy as np
@@ -22,7 +21,7 @@ SECTION = {
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class DiagramResult(Result):
-    """State at the start of each drive cycle; arrays of shape ``(visit,)`` and, of the points, ``(section,)``."""
+    """State at the start of each drive cycle; arrays of shape ``(point,)`` and, of the section, ``(section,)``."""
 
     #: The key and its SI unit.
     key: str
@@ -39,10 +38,10 @@ class DiagramResult(Result):
     period_cycles: Integers
     contacts_per_period: Integers
     mean_power_w: Floats
-    #: Number in ``attractors`` of the attractor of each run; -1 without one, and in a stepped diagram.
-    attractor_number: Integers
+    #: Id of the attractor of each run; ``None`` without one, and in a stepped diagram.
+    attractor: list[str | None]
     #: Points of the section: number of the run, displacement towards the stop, velocity, voltage.
-    section_visit: Integers
+    section_point: Integers
     section_displacement_m: Floats
     section_velocity_m_s: Floats
     section_voltage_v: Floats
@@ -50,46 +49,48 @@ class DiagramResult(Result):
     attractors: list[dict[str, Any]]
     #: Branches continued over the same range, unstable parts included.
     branches: list[Branch]
+    #: Warnings about failed runs.
+    warnings: list[str]
 
     @classmethod
-    def _from_core(cls, result: dict[str, Any]) -> Self:
-        branches = [Branch.made(one) for one in result["branches"]]
-        return super()._from_core({**result, "branches": branches, "attractors": json.loads(result["attractors"]) or []})
+    def _from_core(cls, fields: dict[str, Any]) -> Self:
+        branches = [Branch._of(one) for one in fields["branches"]]
+        return super()._from_core({**fields, "branches": branches, "attractors": fields["attractors"] or []})
 
     def __len__(self) -> int:
         return len(self.parameter)
 
     def _summary(self) -> list[tuple[str, str]]:
         kinds = sorted(set(self.motion))
-        lines = [("over", f"{self.key} [{self.unit}]"), ("runs", f"{len(self)} with {len(self.section_visit)} points of the section")]
+        lines = [("over", f"{self.key} [{self.unit}]"), ("runs", f"{len(self)} with {len(self.section_point)} points of the section")]
         lines += [(kind, str(self.motion.count(kind))) for kind in kinds]
         for one in self.attractors:
             track_points = one["seen"]
             lines.append(
                 (f"attractor {one['id']}", f"from {track_points[0]['parameter']:.6g} to {track_points[-1]['parameter']:.6g} {self.unit}")
             )
-        return [*lines, ("branches", str(len(self.branches)))]
+        return [*lines, ("branches", str(len(self.branches))), *(("warning", text) for text in self.warnings)]
 
     def _repr_html_(self) -> str:
         rows = [[kind, self.motion.count(kind)] for kind in sorted(set(self.motion))]
         return html_table(f"Diagram over {self.key}", ["motion", "runs"], rows)
 
     def to_xarray(self) -> Any:
-        """Returns an ``xarray.Dataset`` over ``visit`` and ``section``; ``section_visit`` is the run of each point."""
-        dims = ("visit",)
+        """Returns an ``xarray.Dataset`` over ``point`` and ``section``; ``section_point`` is the run of each point."""
+        dims = ("point",)
         variables = {
             "motion": Variable(dims, self.motion, "", "kind of the motion"),
             "period_cycles": Variable(dims, self.period_cycles, "1", "period in drive cycles, 0 without a period"),
             "contacts_per_period": Variable(dims, self.contacts_per_period, "1", "contacts per period"),
             "mean_power": Variable(dims, self.mean_power_w, "W", "mean power of all loads"),
-            "attractor_number": Variable(dims, self.attractor_number, "1", "number of the attractor, -1 without one"),
+            "attractor": Variable(dims, [one or "" for one in self.attractor], "", "id of the attractor, empty without one"),
             "start": Variable(dims, self.start, "1", "number of the start in its cloud"),
-            "section_visit": Variable(("section",), self.section_visit, "1", "run of the point"),
+            "section_point": Variable(("section",), self.section_point, "1", "run of the point"),
         }
         for name, (field, units, description) in SECTION.items():
             variables[f"section_{name}"] = Variable(("section",), getattr(self, field), units, description)
         coords = {
-            "visit": Variable(dims, np.arange(len(self)), "1", "order of visit"),
+            "point": Variable(dims, np.arange(len(self)), "1", "order of the runs"),
             "parameter": Variable(dims, self.parameter, self.unit, self.key),
             "direction": Variable(dims, self.direction, "", "direction of the sweep"),
         }
@@ -97,17 +98,16 @@ class DiagramResult(Result):
 
     def to_pandas(self) -> Any:
         """Returns a ``pandas.DataFrame`` with a row for each point of the section."""
-        visit = self.section_visit
-        ids = [self.attractors[k]["id"] if k >= 0 else "" for k in self.attractor_number]
+        point = self.section_point
         return self._frame(
             {
-                "parameter": self.parameter[visit],
-                "direction": [self.direction[k] for k in visit],
-                "start": self.start[visit],
-                "attractor": [ids[k] for k in visit],
-                "motion": [self.motion[k] for k in visit],
-                "period_cycles": self.period_cycles[visit],
-                "mean_power_w": self.mean_power_w[visit],
+                "parameter": self.parameter[point],
+                "direction": [self.direction[k] for k in point],
+                "start": self.start[point],
+                "attractor": [self.attractor[k] or "" for k in point],
+                "motion": [self.motion[k] for k in point],
+                "period_cycles": self.period_cycles[point],
+                "mean_power_w": self.mean_power_w[point],
                 "displacement_m": self.section_displacement_m,
                 "velocity_m_s": self.section_velocity_m_s,
                 "voltage_v": self.section_voltage_v,

@@ -73,19 +73,6 @@ class Data:
 
     __hash__ = None  # type: ignore[assignment]
 
-
-@dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Result(Data):
-    """Base class of results: plain data that can be pickled, compared and printed."""
-
-    #: Origin: program, version, SHA-256 of the spec, command and options.
-    manifest: dict[str, Any]
-
-    @classmethod
-    def _from_core(cls, fields: dict[str, Any]) -> Self:
-        """Returns the result of a dict of the library."""
-        return cls(**{**fields, "manifest": json.loads(fields["manifest"])})
-
     @classmethod
     def _filled(cls, fields: dict[str, Any]) -> dict[str, Any]:
         """Returns a dict of the library with NaN for missing numbers, and empty lists and arrays for parts that a harvester lacks."""
@@ -99,6 +86,19 @@ class Result(Data):
             elif name not in filled and get_origin(hint) is np.ndarray:
                 filled[name] = np.array([], dtype=get_args(get_args(hint)[1])[0])
         return filled
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class Result(Data):
+    """Base class of results: plain data that can be pickled, compared and printed."""
+
+    #: Origin: program, version, SHA-256 of the spec, command and options.
+    manifest: dict[str, Any]
+
+    @classmethod
+    def _from_core(cls, fields: dict[str, Any]) -> Self:
+        """Returns the result of a dict of the library."""
+        return cls(**{**fields, "manifest": json.loads(fields["manifest"])})
 
     @classmethod
     def _from_core_call(cls, core_result: CoreResult) -> Self:

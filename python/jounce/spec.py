@@ -8,12 +8,12 @@ from typing import Any, Literal
 from . import _core
 from .arguments import check_integers, frequencies, names, optional_hz, options, to_si
 from .basins import BasinsResult
+from .bifurcations import BifurcationsResult
 from .branch import BranchResult
 from .diagram import DiagramResult
 from .ensemble import EnsembleResult
 from .errors import ArgumentError
 from .frf import FrfResult
-from .jumps import JumpsResult
 from .modes import ModesResult
 from .noise import NoiseResult
 from .progress import Progress, progress_callback
@@ -161,13 +161,22 @@ class Spec(SpecOnRig):
         ``budget`` drive cycles no further branch is continued; ``not_followed`` counts the rest.
         """
         check_integers(harmonics=harmonics, seeds=seeds, longest_period=longest_period, budget=budget, threads=threads)
-        ends = span(range, key)
+        given = options(
+            over=f"{key}={':'.join(span(range, key))}",
+            method=method,
+            harmonics=harmonics,
+            tolerance=tolerance,
+            seeds=seeds,
+            longest_period=longest_period,
+            levels=names(levels),
+            largest_step=largest_step,
+            budget=budget,
+            threads=threads,
+        )
         with progress_callback(progress) as callback:
-            options = (method, harmonics, tolerance, seeds, longest_period, names(levels), (largest_step, budget))
-            result = _core.branch(self._spec, key, ends, *options, threads, callback)
-            return BranchResult._from_core_call(result)
+            return BranchResult._from_core_call(_core.branch(self._spec, given, callback))
 
-    def jumps(
+    def bifurcations(
         self,
         key: str,
         range: Any,
@@ -181,7 +190,7 @@ class Spec(SpecOnRig):
         levels: str | Sequence[str] = (),
         threads: int | None = None,
         progress: bool | Progress | None = None,
-    ) -> JumpsResult:
+    ) -> BifurcationsResult:
         """Continues bifurcation curves (folds, period doublings, tori, grazings) in two keys, and the ``peaks`` of power.
 
         Curves of ``levels`` are also continued, given as in :meth:`branch`.
@@ -190,11 +199,18 @@ class Spec(SpecOnRig):
         of branches that none of the ``seeds`` converges to, and of periods above ``longest_period`` cycles.
         """
         check_integers(seeds=seeds, longest_period=longest_period, threads=threads)
-        over, against = span(range, key), span(range_2, key_2)
+        given = options(
+            over=f"{key}={':'.join(span(range, key))}",
+            against=f"{key_2}={':'.join(span(range_2, key_2))}",
+            tolerance=tolerance,
+            seeds=seeds,
+            longest_period=longest_period,
+            peaks=peaks,
+            levels=names(levels),
+            threads=threads,
+        )
         with progress_callback(progress) as callback:
-            options = (tolerance, seeds, longest_period, peaks, names(levels))
-            result = _core.jumps(self._spec, (key, key_2), over, against, *options, threads, callback)
-            return JumpsResult._from_core_call(result)
+            return BifurcationsResult._from_core_call(_core.bifurcations(self._spec, given, callback))
 
     def basins(
         self,
@@ -256,11 +272,20 @@ class Spec(SpecOnRig):
         for continued branches.
         """
         check_integers(starts=starts, seed=seed, cycles=cycles, longest_period=longest_period, threads=threads)
-        text = values(range, unit, key)
-        cloud = (starts, seed, spread)
+        given = options(
+            over=f"{key}={values(range, unit, key)}",
+            direction=direction,
+            starts=starts,
+            seed=seed,
+            spread=spread,
+            cycles=cycles,
+            tolerance=tolerance,
+            branches=branches,
+            longest_period=longest_period,
+            threads=threads,
+        )
         with progress_callback(progress) as callback:
-            result = _core.diagram(self._spec, key, text, direction, *cloud, cycles, tolerance, branches, longest_period, threads, callback)
-            return DiagramResult._from_core_call(result)
+            return DiagramResult._from_core_call(_core.diagram(self._spec, given, callback))
 
     def ensemble(
         self,

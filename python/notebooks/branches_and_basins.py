@@ -34,8 +34,8 @@ basins.plot_basins()
 basins
 
 # %% [markdown]
-# The folds, doublings and grazings while the gap changes: the map of jumps.
+# The folds, doublings and grazings while the gap changes: the bifurcation curves.
 
 # %%
-jumps = harvester.jumps("drive.shaker.frequency", "12 Hz:13.5 Hz", "stop.tip.gap", "0.8 mm:1.2 mm", seeds=0)
-jumps.plot_jumps()
+curves = harvester.bifurcations("drive.shaker.frequency", "12 Hz:13.5 Hz", "stop.tip.gap", "0.8 mm:1.2 mm", seeds=0)
+curves.plot_bifurcations()

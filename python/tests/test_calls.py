@@ -75,7 +75,7 @@ CALLS = {
     ),
     "branch": ('branch("drive.shaker.frequency", "4 Hz:20 Hz", threads=2)', 0.4, "0"),
     "harmonic balance": ('branch("drive.shaker.frequency", "4 Hz:20 Hz", method="harmonic-balance", seeds=0, threads=2)', 0.4, "0"),
-    "jumps": ('jumps("drive.shaker.frequency", "4 Hz:20 Hz", "stop.tip.gap", "0.5 mm:2 mm", threads=2)', 0.8, "0"),
+    "bifurcations": ('bifurcations("drive.shaker.frequency", "4 Hz:20 Hz", "stop.tip.gap", "0.5 mm:2 mm", threads=2)', 0.8, "0"),
     "diagram": ('diagram("drive.shaker.frequency", "4 Hz:20 Hz:0.001 Hz", threads=2)', 3.0, "len(stopped.result)"),
     "diagram of starts": (
         'diagram("drive.shaker.frequency", "4 Hz:20 Hz:0.001 Hz", direction="starts", threads=2)',

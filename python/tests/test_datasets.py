@@ -29,7 +29,7 @@ def results():
         "spectrum": run.history.spectrum(),
         "sweep": short.sweep(FREQUENCY, "10 Hz:12 Hz:3x", direction="both", fixed_duration=True),
         "branch": harvester.branch(FREQUENCY, "12.9 Hz:13 Hz", seeds=0),
-        "jumps": harvester.jumps(FREQUENCY, "12 Hz:13 Hz", "stop.tip.gap", "0.99 mm:1.01 mm", seeds=0),
+        "bifurcations": harvester.bifurcations(FREQUENCY, "12 Hz:13 Hz", "stop.tip.gap", "0.99 mm:1.01 mm", seeds=0),
         "basins": harvester.basins(starts=3),
         "diagram": harvester.diagram(FREQUENCY, "12.9 Hz:13 Hz:2x", direction="starts", starts=2, branches=False),
         "ensemble": noisy().ensemble(members=3, spectrum=True),
@@ -59,7 +59,7 @@ def measured(harvester):
     }
 
 
-NAMES = ["modes", "frf", "run", "history", "spectrum", "sweep", "branch", "jumps", "basins", "diagram", "ensemble", "noise"]
+NAMES = ["modes", "frf", "run", "history", "spectrum", "sweep", "branch", "bifurcations", "basins", "diagram", "ensemble", "noise"]
 NAMES += ["recording", "power", "regimes", "contact", "measured frf", "measured modes", "fit"]
 
 
@@ -125,13 +125,13 @@ def test_every_result_pickles_and_prints(results, name):
     assert repr(results[name]).startswith("<jounce.") and "<table>" in results[name]._repr_html_()
 
 
-def test_jumps_pass_through_the_bifurcations_and_peaks_of_a_branch(results):
+def test_bifurcation_curves_pass_through_the_bifurcations_and_peaks_of_a_branch(results):
     harvester = jounce.examples()["impact-harvester-2019"]
     branch = harvester.branch(FREQUENCY, "12 Hz:13 Hz", seeds=0, longest_period=2)
-    jumps = results["jumps"]
-    assert len(jumps) > 0 and all(len(curve) > 1 for curve in jumps)
+    curves = results["bifurcations"]
+    assert len(curves) > 0 and all(len(curve) > 1 for curve in curves)
     highest = {}
-    for curve in jumps:
+    for curve in curves:
         order = np.argsort(curve.parameter_2)
         # The curve is read linearly between its points.
         value_at_gap = np.interp(1e-3, curve.parameter_2[order], curve.parameter[order])
@@ -141,4 +141,4 @@ def test_jumps_pass_through_the_bifurcations_and_peaks_of_a_branch(results):
         candidates = [at for one in branch for kind, at in zip(one.bifurcation_kind, one.bifurcation_parameter) if kind == curve.kind]
         assert min(abs(value_at_gap - at) for at in candidates) < 2e-3
     # The higher of the two peaks is that of the branch; they differ by 2e-7 Hz.
-    assert highest[max(highest)] == pytest.approx(branch.half_power["peak"]["parameter"], abs=1e-5)
+    assert highest[max(highest)] == pytest.approx(branch.peak["parameter"], abs=1e-5)

@@ -82,10 +82,11 @@ def test_branches_are_those_of_the_command_line(harvester, command_line):
     result = harvester.branch(FREQUENCY, "12 Hz:13 Hz", seeds=0)
     assert len(result) == len(expected["branches"])
     for one, expected_item in zip(result, expected["branches"]):
-        assert one.period_cycles == expected_item["period_cycles"] and one.endings == expected_item["endings"]
+        assert one.period_cycles == expected_item["period_cycles"] and one.termination == expected_item["termination"]
         for name in ("parameter", "mean_power_w", "stable", "stability_undecided", "floquet_max_abs", "contacts_per_period"):
             assert_identical(getattr(one, name), [point[name] for point in expected_item["points"]])
         assert_identical(one.bifurcation_parameter, [place["parameter"] for place in expected_item["bifurcations"]])
+    assert result.peak == expected["peak"] and result.half_power_bandwidth == expected["half_power_bandwidth"] and result.note
     assert len(result.bifurcations_to_pandas()) == sum(len(one.bifurcation_kind) for one in result)
 
 
@@ -117,7 +118,7 @@ def test_diagrams_are_those_of_the_command_line(harvester, command_line):
         assert_identical(getattr(result, name), [point[name] for point in expected["points"]])
     section = [point for visit in expected["points"] for point in visit["section"]]
     assert_identical(result.section_displacement_m, [point["displacement_m"] for point in section])
-    assert_identical(np.bincount(result.section_visit), [len(visit["section"]) for visit in expected["points"]])
+    assert_identical(np.bincount(result.section_point), [len(visit["section"]) for visit in expected["points"]])
 
 
 def test_diagrams_from_starts_name_their_attractors(harvester, command_line):
@@ -125,7 +126,7 @@ def test_diagrams_from_starts_name_their_attractors(harvester, command_line):
     expected = command_line("diagram", f"--over={FREQUENCY}={over}", "--no-branches", "--direction=starts", "--starts=3")
     result = harvester.diagram(FREQUENCY, over, direction="starts", starts=3, branches=False)
     assert result.attractors == expected["attractors"] and len(result.attractors) > 0
-    assert [result.attractors[k]["id"] for k in result.attractor_number] == [point["attractor"] for point in expected["points"]]
+    assert result.attractor == [point["attractor"] for point in expected["points"]]
 
 
 def test_starters_are_those_of_the_command_line(command_line):

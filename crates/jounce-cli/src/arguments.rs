@@ -1,16 +1,16 @@
 //! Commands of the command line.
 
 use crate::commands::{
-    basins, branch, check, completions, contact, diagram, ensemble, explore, fit, frf, jumps,
-    materials, modes, new, noise, power, read, reproduce, rig, run, segments, show, spectra, study,
-    sweep,
+    basins, bifurcations, branch, check, completions, contact, diagram, ensemble, explore, fit,
+    frf, materials, modes, new, noise, power, read, reproduce, rig, run, segments, show, spectra,
+    study, sweep,
 };
 use clap::{Parser, Subcommand};
 
 /// Simulates, analyses and designs vibro-impact piezoelectric energy harvesters.
 ///
-/// Exit codes: 0 success, 2 wrong usage, 3 not converged (`branch` and `jumps`: no branch or curve
-/// is complete), 4 invalid input.
+/// Exit codes: 0 success, 2 wrong usage, 3 not converged (`branch` and `bifurcations`: no branch
+/// or curve is complete), 4 invalid input.
 #[derive(Debug, Parser)]
 #[command(name = "jounce", version, max_term_width = 110)]
 pub struct Arguments {
@@ -44,7 +44,8 @@ pub enum Command {
     /// Continues every branch of periodic orbits over a range of a key, stable or unstable.
     Branch(branch::Branch),
     /// Continues bifurcation curves (folds, period doublings, grazings) in two keys.
-    Jumps(jumps::Jumps),
+    #[command(alias = "jumps")]
+    Bifurcations(bifurcations::Bifurcations),
     /// Computes a bifurcation diagram, stepped or from many starts, and plots it over the continued
     /// branches.
     Diagram(diagram::Diagram),
@@ -105,7 +106,7 @@ impl Command {
             Command::Run(command) => command.output.json,
             Command::Sweep(command) => command.output.json,
             Command::Branch(command) => command.output.json,
-            Command::Jumps(command) => command.output.json,
+            Command::Bifurcations(command) => command.output.json,
             Command::Diagram(command) => command.output.json,
             Command::Basins(command) => command.output.json,
             Command::Ensemble(command) => command.output.json,

@@ -3,7 +3,6 @@
 use crate::output::print;
 use jounce::{Error, ErrorKind};
 use jounce_core::analysis::{AnalysisError, GridError};
-use jounce_core::orbit::OrbitError;
 use jounce_core::spec::{Fault, ReadError};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -96,22 +95,6 @@ impl From<AnalysisError> for Failure {
                 Failure::NotConverged(error.to_string())
             }
             _ => Failure::Input(error.to_string()),
-        }
-    }
-}
-
-impl From<OrbitError<AnalysisError>> for Failure {
-    fn from(error: OrbitError<AnalysisError>) -> Self {
-        match error {
-            OrbitError::Harvester(error) => error.into(),
-            OrbitError::Frequencies { .. }
-            | OrbitError::Summed { .. }
-            | OrbitError::Impulsive { .. }
-            | OrbitError::Rectified { .. }
-            | OrbitError::Free => Failure::Input(error.to_string()),
-            OrbitError::Integration(_) | OrbitError::Multipliers { .. } => {
-                Failure::NotConverged(error.to_string())
-            }
         }
     }
 }

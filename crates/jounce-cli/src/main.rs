@@ -8,7 +8,6 @@ mod decay_arguments;
 mod failure;
 mod hammer_arguments;
 mod interruption;
-mod level_arguments;
 mod limit_warnings;
 mod measured_file;
 mod model_or_measured;

@@ -84,33 +84,6 @@ impl SpecArguments {
         result.map_err(|faults| Failure::faults(&self.spec, faults.as_slice().to_vec()))
     }
 
-    /// Reads `KEY=FROM:TO`.
-    pub fn key_and_ends(
-        &self,
-        file: &SpecFile,
-        over: &str,
-    ) -> Result<(NumericKey, (f64, f64)), Failure> {
-        let usage_error = || {
-            Failure::usage(format!(
-                "{over}: write KEY=FROM:TO, as in drive.shaker.frequency=4Hz:20Hz"
-            ))
-        };
-        let (name, text) = over.split_once('=').ok_or_else(usage_error)?;
-        let (from, to) = text
-            .split_once(':')
-            .filter(|(_, to)| !to.contains(':'))
-            .ok_or_else(usage_error)?;
-        let key = self.map_faults(file.numeric_key(name.trim()))?;
-        let range = KeyRange::parse(key.clone(), &format!("{from},{to}"))
-            .map_err(|fault| Failure::faults(&self.spec, vec![fault]))?;
-        match range.values() {
-            [low, high] if low < high => Ok((key, (*low, *high))),
-            _ => Err(Failure::usage(format!(
-                "{over}: the first value must be below the second"
-            ))),
-        }
-    }
-
     /// Returns the folder of the spec file.
     pub fn folder(&self) -> PathBuf {
         self.spec

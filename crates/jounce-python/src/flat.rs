@@ -11,7 +11,16 @@ use pyo3::types::PyDict;
 use serde_json::{Map, Value};
 
 /// Texts that may be missing in all records.
-const TEXTS: [&str; 2] = ["mirror_of", "stop_carried_by"];
+const TEXTS: [&str; 5] = [
+    "stop_carried_by",
+    "mirror_of",
+    "attractor",
+    "bifurcation_level",
+    "bifurcation_stop",
+];
+
+/// Lists that remain lists of dictionaries, unless they are the main list.
+const DICTIONARIES: [&str; 3] = ["attractors", "not_proved", "termination"];
 
 /// Reads options from JSON.
 ///
@@ -58,7 +67,10 @@ pub fn dict_with_main<'py>(
         .filter(|entry| entry.0 != "warnings")
     {
         dict = match value.as_array() {
-            Some(items) if items.iter().all(Value::is_object) => {
+            Some(items)
+                if items.iter().all(Value::is_object)
+                    && (name == main || !DICTIONARIES.contains(&name.as_str())) =>
+            {
                 records(dict, name, items, name == main)?
             }
             _ => dict.with(name, object(py, value)?)?,

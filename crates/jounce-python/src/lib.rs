@@ -3,9 +3,9 @@
 
 mod arrays;
 mod basins;
+mod bifurcations;
 mod branch;
 mod cancellable;
-mod cloud;
 mod diagram;
 mod ensemble;
 mod examples;
@@ -15,7 +15,6 @@ mod fit;
 mod flat;
 mod frf;
 mod history;
-mod jumps;
 mod materials;
 mod measured;
 mod modes;
@@ -35,6 +34,8 @@ mod _core {
     #[pymodule_export]
     use super::basins::basins;
     #[pymodule_export]
+    use super::bifurcations::bifurcations;
+    #[pymodule_export]
     use super::branch::branch;
     #[pymodule_export]
     use super::diagram::diagram;
@@ -48,8 +49,6 @@ mod _core {
     use super::fit::fit;
     #[pymodule_export]
     use super::frf::frf;
-    #[pymodule_export]
-    use super::jumps::jumps;
     #[pymodule_export]
     use super::materials::materials;
     #[pymodule_export]

@@ -129,26 +129,6 @@ impl Spec {
         Ok(KeyRange::parse(self.key(key)?, values)?)
     }
 
-    /// Returns a key and the two ends of its range.
-    pub fn value_range(
-        &self,
-        key: &str,
-        range: (String, String),
-    ) -> Result<(NumericKey, (f64, f64)), Failure> {
-        let key_range = KeyRange::parse(self.key(key)?, &format!("{},{}", range.0, range.1))?;
-        match key_range.values() {
-            [low, high] if low < high => Ok((key_range.key().clone(), (*low, *high))),
-            values => {
-                let reason = format!(
-                    "{key}: the range is {} to {}; its first value must be below the second",
-                    range.0, range.1
-                );
-                Err(Failure::new("ArgumentError", reason)
-                    .with(serde_json::json!({ "key": key, "ends": values })))
-            }
-        }
-    }
-
     /// Returns the origin of a result, as JSON.
     pub fn manifest(&self, command: &str, options: &[(&str, String)]) -> String {
         let manifest = Manifest::new(self.hash_hex()).with("command", command);

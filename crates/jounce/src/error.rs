@@ -54,6 +54,11 @@ pub enum Error {
         /// What needs it.
         what: &'static str,
     },
+    /// The harvester has neither a stop nor a circuit, so its response is linear.
+    #[error(
+        "the harvester has neither a stop nor a circuit, so its response is linear: compute its frequency response, or add a [stop.NAME] or a [circuit.NAME]"
+    )]
+    Linear,
     /// The model has no solution, or a run failed.
     #[error(transparent)]
     Analysis(#[from] AnalysisError),

@@ -18,6 +18,9 @@
 //!
 //! [`materials`], [`starters`], [`schema`] and [`key_reference`] help to write a spec;
 //! [`Harvester::drawing`] draws it; [`reproduce`] recomputes a published paper.
+//! | branches of periodic orbits over a key | [`Harvester::branch`] | [`BranchOptions`] | [`BranchResult`] |
+//! | bifurcation curves in two keys | [`Harvester::bifurcations`] | [`BifurcationsOptions`] | [`BifurcationsResult`] |
+//! | bifurcation diagram over a key | [`Harvester::diagram`] | [`DiagramOptions`] | [`DiagramResult`] |
 //!
 //! Options have defaults: write the fields that differ, then `..Default::default()`. Results are
 //! plain data; serialised, they are the JSON of the command line. Every name ends in its unit.
@@ -31,6 +34,10 @@
 mod basins;
 mod ensemble;
 mod check;
+mod bifurcations;
+mod branch;
+mod continuation;
+mod diagram;
 mod error;
 mod fit;
 mod frf;
@@ -49,12 +56,24 @@ mod sweep;
 pub use basins::{AttractorResult, BasinsOptions, BasinsResult, FailedStart, StartPoint};
 pub use ensemble::{EnsembleOptions, EnsemblePatch, EnsembleResult, EnsembleStop, VoltageSpectrum};
 pub use check::{CheckResult, DriveFinding};
+pub use bifurcations::{BifurcationCurve, BifurcationsOptions, BifurcationsResult};
+pub use branch::{
+    Bifurcation, Branch, BranchOptions, BranchPoint, BranchResult, HalfPowerBandwidth, NotProved,
+    OrbitMethod, OrbitQuantity, Termination, TerminationReason, band_limit_text,
+};
+pub use diagram::{
+    DiagramDirection, DiagramJournal, DiagramOptions, DiagramPoint, DiagramResult, SectionPoint,
+};
 pub use error::{Error, ErrorKind};
 pub use fit::FitResult;
 pub use frf::{FrfOptions, FrfResponse, FrfResult};
 pub use harvester::{Harvester, KeyValue};
 pub use jounce_core::analysis::{IntervalOver, Journal, Member, SweepDirection};
 pub use jounce_core::analysis::Model;
+pub use jounce_core::analysis::{
+    AttractorKind, AttractorTrack, BandInterval, BandLimit, BifurcationCurvePoint, BranchKind,
+    CurveKind, IntervalEdge, PowerPeak, TrackPoint, Transition,
+};
 pub use jounce_core::integrate::Control;
 pub use jounce_core::linear::{
     Coupling, Density, RandomLoad, RandomPatch, RandomPoint, RandomStop,

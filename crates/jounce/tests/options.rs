@@ -5,6 +5,8 @@ use jounce::{BasinsOptions, EnsembleOptions, RunOptions, StudyOptions, SweepOpti
 use jounce::{
     BasinsOptions, FrfOptions, ModesOptions, NoiseOptions, ReproduceOptions, RunOptions,
     definitions,
+use jounce::{
+    BasinsOptions, BifurcationsOptions, BranchOptions, DiagramOptions, RunOptions, definitions,
 };
 use serde::Serialize;
 use std::fmt::Debug;
@@ -52,6 +54,9 @@ fn options_have_help_and_valid_defaults() {
     check::<FrfOptions>();
     check::<NoiseOptions>();
     check::<ReproduceOptions>();
+    check::<BranchOptions>();
+    check::<BifurcationsOptions>();
+    check::<DiagramOptions>();
 }
 
 #[test]

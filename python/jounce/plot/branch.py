@@ -38,7 +38,7 @@ def plot_branch(result: BranchResult, ax: Any = None) -> Any:
                 text = label_once(f"period {one.period_cycles}{'' if stable else ', unstable'}") if (one.stable == stable).any() else None
                 ax.plot(one.parameter, segment_values, "-" if stable else "--", color=colour, label=text)
         for one in result:
-            bifurcation_values = one.bifurcation_power_w if harvests else one.bifurcation_displacement_peak_m
+            bifurcation_values = one.bifurcation_mean_power_w if harvests else one.bifurcation_displacement_peak_m
             for kind, at, value in zip(one.bifurcation_kind, one.bifurcation_parameter, bifurcation_values):
                 ax.plot([at], [value], MARKS.get(kind, "x"), color="black", markerfacecolor="white", label=label_once(kind), zorder=3)
         label(ax.xaxis, result.key, result.unit)

@@ -15,11 +15,10 @@ if TYPE_CHECKING:
 def plot_diagram(result: DiagramResult, ax: Any = None, quantity: str = "displacement") -> Any:
     """Draws the section over the key, with a colour for each attractor, or for each direction of a stepped diagram."""
     values, unit, description = result.section(quantity)
-    names = [one["id"] for one in result.attractors]
-    groups = [names[k] if k >= 0 else direction for k, direction in zip(result.attractor_number, result.direction)]
-    point_groups = np.array(groups, dtype=object)[result.section_visit]
-    is_periodic = (result.period_cycles > 0)[result.section_visit]
-    parameter = result.parameter[result.section_visit]
+    groups = [attractor or direction for attractor, direction in zip(result.attractor, result.direction)]
+    point_groups = np.array(groups, dtype=object)[result.section_point]
+    is_periodic = (result.period_cycles > 0)[result.section_point]
+    parameter = result.parameter[result.section_point]
     with axes(ax) as ax:
         for number, name in enumerate(dict.fromkeys(groups)):
             colour, in_group = COLOURS[number % len(COLOURS)], point_groups == name

@@ -1,10 +1,8 @@
 //! One file per command.
 
-mod bandwidth;
 pub mod basins;
+pub mod bifurcations;
 pub mod branch;
-mod branch_json;
-mod branch_tables;
 pub mod check;
 pub mod completions;
 pub mod contact;
@@ -13,7 +11,6 @@ pub mod ensemble;
 pub mod explore;
 pub mod fit;
 pub mod frf;
-pub mod jumps;
 pub mod materials;
 mod measured_frf;
 pub mod measured_modes;
@@ -50,7 +47,7 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Run(command) => command.run(),
         Command::Sweep(command) => command.run(),
         Command::Branch(command) => command.run(),
-        Command::Jumps(command) => command.run(),
+        Command::Bifurcations(command) => command.run(),
         Command::Diagram(command) => command.run(),
         Command::Basins(command) => command.run(),
         Command::Ensemble(command) => command.run(),

@@ -68,7 +68,7 @@ fn hard_cases_end_with_a_result_or_a_clear_error() {
     assert!(
         code == 3
             && error.starts_with("no periodic orbit was found")
-            && error.contains("try more --seeds"),
+            && error.contains("try more seeds"),
         "{error}"
     );
     // A drive that does not move attracts to nothing but rest.
@@ -128,7 +128,7 @@ fn keys_without_orbits_are_refused_with_their_reason() {
             "{error}"
         );
         let against = ["--over", "stop.tip.gap=1mm:2mm", "--against", key, "--json"];
-        let (code, json, _) = jounce(&[&["jumps", PLANT][..], &against].concat());
+        let (code, json, _) = jounce(&[&["bifurcations", PLANT][..], &against].concat());
         assert!(
             code == 4
                 && json["error"]
@@ -180,10 +180,10 @@ fn a_command_without_a_complete_branch_ends_with_3() {
         "{code} {stderr}"
     );
     assert!(
-        branch["endings"][0]["how"] == "points"
+        branch["termination"][0]["reason"] == "points"
             && branch["points"].as_array().unwrap().len() == 4000,
         "{}",
-        branch["endings"]
+        branch["termination"]
     );
 }
 

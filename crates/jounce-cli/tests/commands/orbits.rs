@@ -1,4 +1,4 @@
-//! Branches and jumps.
+//! Branches and bifurcation curves.
 
 use crate::{PLANT, assert_keys, jounce};
 use serde_json::Value;
@@ -100,13 +100,13 @@ fn branch_labels_levels_and_refuses_invalid_ones() {
 }
 
 #[test]
-fn jumps_print_every_key() {
+fn bifurcations_print_every_key() {
     let (over, against) = (
         "drive.shaker.frequency=11Hz:13Hz",
         "stop.tip.gap=0.9mm:1.1mm",
     );
     let (code, json, _) = jounce(&[
-        "jumps",
+        "bifurcations",
         PLANT,
         "--over",
         over,
@@ -281,7 +281,7 @@ fn a_branch_reaches_zero_drive() {
             (rate(smallest) / rate(largest) - 1.0).abs() < 1e-6,
             "{method}: {smallest} {largest}"
         );
-        assert_eq!(branch["endings"][0]["how"], "range");
+        assert_eq!(branch["termination"][0]["reason"], "range");
     }
 }
 
@@ -323,10 +323,10 @@ fn options_that_would_be_ignored_are_refused() {
         "--json",
     ];
     let cases: [(&[&str], [&str; 2], &str); 4] = [
-        (&branch, ["--harmonics", "64"], "--method harmonic-balance"),
-        (&diagram, ["--starts", "6"], "--direction starts"),
-        (&diagram, ["--seed", "1"], "--direction starts"),
-        (&diagram, ["--spread", "5"], "--direction starts"),
+        (&branch, ["--harmonics", "64"], "method = harmonic-balance"),
+        (&diagram, ["--starts", "6"], "direction = starts"),
+        (&diagram, ["--seed", "1"], "direction = starts"),
+        (&diagram, ["--spread", "5"], "direction = starts"),
     ];
     for (command, option, remedy) in cases {
         let (code, json, _) = jounce(&[command, &option].concat());
@@ -355,7 +355,7 @@ fn a_branch_notes_that_seeds_may_miss_solutions() {
     let note = json["note"].as_str().unwrap();
     assert!(
         code == 0
-            && ["--seeds", "--longest-period"]
+            && ["more seeds", "longest_period"]
                 .iter()
                 .all(|option| note.contains(option)),
         "{note}"
@@ -398,7 +398,7 @@ fn a_branch_prints_its_peak_and_its_bandwidth() {
 }
 
 #[test]
-fn jumps_give_the_curve_of_peaks() {
+fn bifurcations_give_the_curve_of_peaks() {
     let keys = [
         "--over",
         "drive.shaker.frequency=11.9Hz:12.5Hz",
@@ -408,7 +408,7 @@ fn jumps_give_the_curve_of_peaks() {
     let (code, json, _) = jounce(
         &[
             &[
-                "jumps",
+                "bifurcations",
                 PLANT,
                 "--seeds",
                 "0",

@@ -136,7 +136,9 @@ impl From<jounce::Error> for Failure {
                 Self::new("ArgumentError", &error).with(json!({ "option": option, "value": value }))
             }
             Error::Grid(_) => Self::new("ArgumentError", &error).with(json!({ "option": "grid" })),
-            Error::NoDrive { .. } | Error::DriveAtRest { .. } => Self::new("ArgumentError", &error),
+            Error::NoDrive { .. } | Error::DriveAtRest { .. } | Error::Linear => {
+                Self::new("ArgumentError", &error)
+            }
             Error::Signal(_) | Error::Threads(_) | Error::Stopped => {
                 Self::new("JounceError", &error)
             }

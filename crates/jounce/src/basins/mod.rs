@@ -5,6 +5,7 @@ mod report;
 mod result;
 
 pub use options::BasinsOptions;
+pub(crate) use options::cloud;
 pub use result::{AttractorResult, BasinsResult, FailedStart, StartPoint};
 
 use crate::error::Error;

@@ -59,18 +59,7 @@ impl BasinsOptions {
             spread,
             ..
         } = self;
-        if !(1..=MAX_STARTS).contains(&starts) {
-            let expected = format!("it must be from 1 to {MAX_STARTS}");
-            return Err(Error::option("starts", starts, expected));
-        }
-        if !(spread > 0.0 && spread.is_finite()) {
-            return Err(Error::option("spread", spread, "it must be greater than 0"));
-        }
-        Ok(InitialStates::Cloud(Cloud {
-            starts,
-            seed,
-            spread,
-        }))
+        Ok(InitialStates::Cloud(cloud(starts, seed, spread)?))
     }
 
     /// Refuses options of the cloud beside a grid.
@@ -115,4 +104,23 @@ impl BasinsOptions {
             ..Recognition::at(self.tolerance)
         })
     }
+}
+
+/// Returns a cloud of starts.
+///
+/// # Errors
+/// [`Error::Option`].
+pub(crate) fn cloud(starts: usize, seed: u64, spread: f64) -> Result<Cloud, Error> {
+    if !(1..=MAX_STARTS).contains(&starts) {
+        let expected = format!("it must be from 1 to {MAX_STARTS}");
+        return Err(Error::option("starts", starts, expected));
+    }
+    if !(spread > 0.0 && spread.is_finite()) {
+        return Err(Error::option("spread", spread, "it must be greater than 0"));
+    }
+    Ok(Cloud {
+        starts,
+        seed,
+        spread,
+    })
 }

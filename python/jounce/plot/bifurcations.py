@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 from .style import COLOURS, axes, label
 
 if TYPE_CHECKING:
-    from ..jumps import JumpsResult
+    from ..bifurcations import BifurcationsResult
 
 
-def plot_jumps(result: JumpsResult, ax: Any = None) -> Any:
+def plot_bifurcations(result: BifurcationsResult, ax: Any = None) -> Any:
     """Draws the curves over the plane of the two keys, a colour for each kind."""
     kinds = sorted({(one.kind, one.period_cycles) for one in result})
     labelled_kinds: set[tuple[str, int]] = set()
@@ -20,8 +20,8 @@ def plot_jumps(result: JumpsResult, ax: Any = None) -> Any:
             text = None if kind in labelled_kinds else f"{one.kind}, period {one.period_cycles}"
             labelled_kinds.add(kind)
             ax.plot(one.parameter, one.parameter_2, color=COLOURS[kinds.index(kind) % len(COLOURS)], label=text)
-        label(ax.xaxis, result.keys[0], result.units[0])
-        label(ax.yaxis, result.keys[1], result.units[1])
+        label(ax.xaxis, result.key, result.unit)
+        label(ax.yaxis, result.key_2, result.unit_2)
         if kinds:
             ax.legend()
     return ax

@@ -12,7 +12,7 @@ from .result import Data, Floats, Integers, Result, Variable
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
-class JumpCurve(Data):
+class BifurcationCurve(Data):
     """Curve of one kind of bifurcation; arrays of shape ``(point,)`` along it."""
 
     #: ``"fold"``, ``"period-doubling"``, ``"neimark-sacker"``, ``"grazing"``, ``"level"``, or ``"peak"``: the largest mean power along a
@@ -35,35 +35,40 @@ class JumpCurve(Data):
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class JumpsResult(Result):
+class BifurcationsResult(Result):
     """All curves that were found; can be iterated and indexed by number."""
 
-    keys: tuple[str, str]
-    units: tuple[str, str]
-    curves: list[JumpCurve]
+    #: First key and its SI unit.
+    key: str
+    unit: str
+    #: Second key and its SI unit.
+    key_2: str
+    unit_2: str
+    curves: list[BifurcationCurve]
+    #: Curves that the search may miss, and options that find more.
+    note: str
+    #: Warnings about curves that end early.
+    warnings: list[str]
 
     @classmethod
     def _from_core(cls, result: dict[str, Any]) -> Self:
-        return super()._from_core({**result, "curves": [JumpCurve(**one) for one in result["curves"]]})
+        return super()._from_core({**result, "curves": [BifurcationCurve(**one) for one in result["curves"]]})
 
     def __len__(self) -> int:
         return len(self.curves)
 
-    def __getitem__(self, number: int) -> JumpCurve:
+    def __getitem__(self, number: int) -> BifurcationCurve:
         return self.curves[number]
 
-    def __iter__(self) -> Iterator[JumpCurve]:
+    def __iter__(self) -> Iterator[BifurcationCurve]:
         return iter(self.curves)
 
     def _summary(self) -> list[tuple[str, str]]:
-        plane = " against ".join(f"{key} [{unit}]" for key, unit in zip(self.keys, self.units))
-        return [
-            ("over", plane),
-            *(
-                (f"curve {k}", f"{one.level or one.kind} of period {one.period_cycles}, {len(one)} points")
-                for k, one in enumerate(self.curves)
-            ),
+        plane = f"{self.key} [{self.unit}] against {self.key_2} [{self.unit_2}]"
+        curves = [
+            (f"curve {k}", f"{one.level or one.kind} of period {one.period_cycles}, {len(one)} points") for k, one in enumerate(self.curves)
         ]
+        return [("over", plane), *curves, *(("warning", text) for text in self.warnings), ("note", self.note)]
 
     def _table(self) -> dict[str, Any]:
         def concatenated(field: str) -> Any:
@@ -88,8 +93,8 @@ class JumpsResult(Result):
             "curve": ("curve", "1", "number of the curve"),
             "kind": ("kind", "", "kind of the bifurcation, or the level"),
             "period_cycles": ("period_cycles", "1", "period in drive cycles"),
-            "parameter": ("parameter", self.units[0], self.keys[0]),
-            "parameter_2": ("parameter_2", self.units[1], self.keys[1]),
+            "parameter": ("parameter", self.unit, self.key),
+            "parameter_2": ("parameter_2", self.unit_2, self.key_2),
             "mean_power_w": ("mean_power", "W", "mean power of all loads"),
             "stable": ("stable", "1", "1 for a stable peak; -1 on other curves"),
         }
@@ -101,8 +106,8 @@ class JumpsResult(Result):
         """Returns a ``pandas.DataFrame`` with a row for each point of each curve."""
         return self._frame(self._table())
 
-    def plot_jumps(self, ax: Any = None) -> Any:
+    def plot_bifurcations(self, ax: Any = None) -> Any:
         """Draws the curves over the plane of the two keys."""
-        from .plot.jumps import plot_jumps
+        from .plot.bifurcations import plot_bifurcations
 
-        return plot_jumps(self, ax)
+        return plot_bifurcations(self, ax)

@@ -1,0 +1,133 @@
+//! `jounce diagram SPEC --over KEY=RANGE`
+
+use crate::cache;
+use crate::failure::Failure;
+use crate::interruption;
+use crate::output::{self, line, print};
+use crate::progress;
+use crate::spec_arguments::{OutputArguments, SpecArguments};
+use clap::Args;
+use jounce::{
+    AttractorTrack, Control, DiagramOptions, DiagramPoint, DiagramResult, Error, Harvester,
+    Transition,
+};
+use std::path::Path;
+
+/// Arguments of `diagram`.
+#[derive(Debug, Args)]
+pub struct Diagram {
+    #[command(flatten)]
+    spec: SpecArguments,
+    #[command(flatten)]
+    options: DiagramOptions,
+    #[command(flatten)]
+    pub output: OutputArguments,
+}
+
+impl Diagram {
+    /// Computes the diagram and reports; continues an interrupted call of the same command.
+    pub fn run(&self) -> Result<(), Failure> {
+        let control = Control::default();
+        let harvester = self.spec.harvester()?.with_control(&control);
+        let failure = |error| self.spec.failure(error);
+        let journal = harvester.diagram_journal(&self.options, cache::folder());
+        let journal = journal.map_err(failure)?;
+        if !journal.found().is_empty() {
+            eprintln!("continuing after {} finished runs", journal.found().len());
+        }
+        interruption::install(&control);
+        let work = || harvester.diagram_with_journal(&self.options, &journal);
+        let result = progress::with_parts("runs", &control, work).map_err(failure)?;
+        let (finished, expected) = (result.points.len(), result.expected);
+        if finished < expected {
+            return Err(Failure::Interrupted(format!(
+                "stopped after {finished} of {expected} runs; the same command continues from there"
+            )));
+        }
+        journal.finish().map_err(Error::from)?;
+        let warnings = result.warnings();
+        if result.points.iter().all(DiagramPoint::is_lost) {
+            return Err(Failure::NotConverged(warnings.join("\n")));
+        }
+        warnings
+            .iter()
+            .for_each(|text| eprintln!("warning: {text}"));
+        if let Some(folder) = &self.output.out {
+            self.write(folder, &harvester, &result)?;
+        }
+        match self.output.json {
+            true => print(&output::to_json(&result)?),
+            false => print_lines(&result),
+        }
+        interruption::end(&control, || {
+            "all runs, and the attractor histories and branches that were finished".to_owned()
+        })
+    }
+
+    fn write(
+        &self,
+        folder: &Path,
+        harvester: &Harvester,
+        result: &DiagramResult,
+    ) -> Result<(), Failure> {
+        let manifest = self.spec.manifest(harvester.spec(), "diagram");
+        let manifest = manifest
+            .with("over", &self.options.over)
+            .with("seed", self.options.cloud_seed());
+        output::table(folder, "diagram", &result.table()?, &manifest)?;
+        if let Some(attractors) = result.attractors_table()? {
+            output::table(folder, "attractors", &attractors, &manifest)?;
+        }
+        output::figure(folder, "diagram", &result.figure())
+    }
+}
+
+/// Prints the result as lines of text: attractors where known, else runs.
+fn print_lines(result: &DiagramResult) {
+    if let Some(attractors) = &result.attractors {
+        for attractor in attractors {
+            print_attractor(&result.unit, attractor);
+        }
+        return;
+    }
+    line(format!(
+        "{:>14}  direction    motion     period  contacts    mean_power_w",
+        format!("parameter [{}]", result.unit)
+    ));
+    for point in &result.points {
+        line(format!(
+            "{:>14.6}  {:<11}  {:<9}  {:>6}  {:>8}    {:.6e}",
+            point.parameter,
+            point.direction.name(),
+            point.motion.name(),
+            point.period_cycles,
+            point.contacts_per_period,
+            point.mean_power_w
+        ));
+    }
+}
+
+/// Prints one attractor: its range, its origin and its end.
+fn print_attractor(unit: &str, attractor: &AttractorTrack) {
+    let (Some(first), Some(last)) = (attractor.seen.first(), attractor.seen.last()) else {
+        return;
+    };
+    let transition = |transition: &Option<Transition>, verb: &str, preposition: &str| {
+        transition.as_ref().map_or_else(String::new, |transition| {
+            let other = transition.other.as_ref();
+            let other = other.map_or_else(String::new, |other| format!(" {preposition} {other}"));
+            format!(", {verb} at {} {unit}{other}", transition.parameter)
+        })
+    };
+    line(format!(
+        "{:<12} {:<9} from {} to {} {unit}, {:.3e} to {:.3e} W{}{}",
+        attractor.id,
+        attractor.motion.name(),
+        first.parameter,
+        last.parameter,
+        first.mean_power_w,
+        last.mean_power_w,
+        transition(&attractor.born, "born", "off"),
+        transition(&attractor.died, "gone", "to")
+    ));
+}

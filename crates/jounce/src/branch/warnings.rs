@@ -1,0 +1,119 @@
+//! Texts about what a continuation of branches did not find or prove.
+
+use super::{BranchOptions, BranchResult, OrbitMethod, Termination, TerminationReason};
+use jounce_core::run::WorstExcess;
+
+/// Error estimates above this have a warning.
+const MAX_ERROR_ESTIMATE: f64 = 1e-3;
+
+impl BranchOptions {
+    /// Returns the note on the branches that the search may miss.
+    pub(super) fn note(&self) -> String {
+        format!(
+            "the search misses branches that none of {} seeds converges to, and branches of a period above {} cycles; more seeds and a larger longest_period find more",
+            self.seeds, self.longest_period
+        )
+    }
+}
+
+impl BranchResult {
+    /// Returns the warnings: branches that end early or are missing, intervals where the events are
+    /// not proved, large error estimates, and exceeded limits of patches.
+    pub fn warnings(&self) -> Vec<String> {
+        if self.branches.is_empty() {
+            return vec![format!(
+                "no periodic orbit was found over {}: no integration reached one; try more seeds, a larger longest_period, more damping or another range",
+                self.options.over
+            )];
+        }
+        let mut warnings = self.early_terminations();
+        warnings.extend(self.missing_doublings());
+        warnings.extend(self.intervals_without_proof());
+        warnings.extend(self.large_error());
+        warnings.extend(self.exceeded_limits());
+        warnings
+    }
+
+    fn early_terminations(&self) -> Vec<String> {
+        let mut texts = Vec::new();
+        for branch in &self.branches {
+            let cycles = branch.period_cycles;
+            for Termination {
+                reason,
+                parameter,
+                message,
+            } in &branch.termination
+            {
+                let event = match reason {
+                    TerminationReason::Failed => "ends",
+                    TerminationReason::Grazing => "has a sharp kink at a grazing point and ends",
+                    TerminationReason::Sticking => "begins to stick and ends",
+                    TerminationReason::Points => {
+                        let points = branch.points.len();
+                        texts.push(format!("a branch of period {cycles} was stopped after {points} points: give a shorter range or a larger budget"));
+                        continue;
+                    }
+                    TerminationReason::Range
+                    | TerminationReason::Closed
+                    | TerminationReason::Merged => continue,
+                };
+                if let (Some(parameter), Some(message)) = (parameter, message) {
+                    let unit = &self.unit;
+                    texts.push(format!(
+                        "a branch of period {cycles} {event} at {parameter} {unit}: {message}"
+                    ));
+                }
+            }
+        }
+        texts
+    }
+
+    fn missing_doublings(&self) -> Option<String> {
+        let missing: usize = self.branches.iter().map(|branch| branch.not_followed).sum();
+        let budget = self.options.budget;
+        (missing > 0).then(|| format!("the branches of {missing} period doublings were not continued: the budget of {budget} is used up, or Newton iteration found no first orbit"))
+    }
+
+    fn intervals_without_proof(&self) -> Vec<String> {
+        let mut texts = Vec::new();
+        for branch in &self.branches {
+            for interval in &branch.not_proved {
+                texts.push(format!(
+                    "a branch of period {} may hold two more events `{}` from {} to {} {}: {}",
+                    branch.period_cycles,
+                    interval.event.name(),
+                    interval.from,
+                    interval.to,
+                    self.unit,
+                    interval.message
+                ));
+            }
+        }
+        texts
+    }
+
+    fn large_error(&self) -> Option<String> {
+        let points = self.branches.iter().flat_map(|branch| &branch.points);
+        let worst = points
+            .max_by(|a, b| a.error_estimate.total_cmp(&b.error_estimate))
+            .filter(|worst| worst.error_estimate > MAX_ERROR_ESTIMATE)?;
+        let (error, parameter) = (worst.error_estimate, worst.parameter);
+        let method = match self.options.method {
+            OrbitMethod::Shooting => "",
+            OrbitMethod::HarmonicBalance => " or method = shooting",
+        };
+        Some(format!(
+            "the largest error estimate is {error:.1e}, at {parameter} {}: try a smaller tolerance{method}",
+            self.unit
+        ))
+    }
+
+    fn exceeded_limits(&self) -> Vec<String> {
+        let points = self.branches.iter().flat_map(|branch| &branch.points);
+        let (values, exceeded): (Vec<f64>, Vec<_>) = points
+            .map(|point| (point.parameter, point.warnings.as_slice()))
+            .unzip();
+        let place = |index: usize| format!("{} = {:.6} {}", self.key, values[index], self.unit);
+        WorstExcess::messages(&exceeded, "points", place)
+    }
+}

@@ -1,0 +1,60 @@
+//! Options that continued curves share: range of a key, tolerance, seeds, longest period, levels.
+
+use crate::error::Error;
+use crate::harvester::Harvester;
+use crate::options::check_tolerance;
+use jounce_core::analysis::QuantityLevel;
+use jounce_core::plant::Plant;
+use jounce_core::spec::{KeyRange, NumericKey};
+
+/// Largest number of values at which integrations search for orbits.
+const MAX_SEEDS: usize = 100_000;
+
+/// Reads `KEY=FROM:TO` of an option: the key, and the ends of its range, SI.
+pub(crate) fn range(
+    harvester: &Harvester,
+    option: &'static str,
+    text: &str,
+) -> Result<(NumericKey, (f64, f64)), Error> {
+    let invalid = |expected: &str| {
+        let value = if text.is_empty() { "empty" } else { text };
+        Error::option(option, value, expected)
+    };
+    let form = "write KEY=FROM:TO, as in drive.shaker.frequency=4Hz:20Hz";
+    let (name, ends) = text.split_once('=').ok_or_else(|| invalid(form))?;
+    let (from, to) = ends
+        .split_once(':')
+        .filter(|(_, to)| !to.contains(':'))
+        .ok_or_else(|| invalid(form))?;
+    let key = harvester.file().numeric_key(name.trim())?;
+    let range = KeyRange::parse(key.clone(), &format!("{from},{to}"))?;
+    match range.values() {
+        [low, high] if low < high => Ok((key, (*low, *high))),
+        _ => Err(invalid("the first value must be below the second")),
+    }
+}
+
+/// Checks the options of the search for the first orbits.
+pub(crate) fn check_search(tolerance: f64, seeds: usize, longest_period: u32) -> Result<(), Error> {
+    check_tolerance(tolerance)?;
+    if seeds > MAX_SEEDS {
+        let expected = format!("it must be at most {MAX_SEEDS}");
+        return Err(Error::option("seeds", seeds, expected));
+    }
+    if longest_period == 0 {
+        let expected = "it must be at least 1";
+        return Err(Error::option("longest_period", longest_period, expected));
+    }
+    Ok(())
+}
+
+/// Reads levels of quantities of an orbit.
+pub(crate) fn levels(texts: &[String], plant: &Plant) -> Result<Vec<QuantityLevel>, Error> {
+    let read = |text: &String| {
+        QuantityLevel::parse(text, plant).map_err(|reason| {
+            let expected = reason.strip_prefix(&format!("{text}: "));
+            Error::option("level", text, expected.unwrap_or(&reason))
+        })
+    };
+    texts.iter().map(read).collect()
+}

@@ -1,0 +1,111 @@
+//! Figure and warnings of a bifurcation diagram.
+
+use super::{DiagramPoint, DiagramResult};
+use crate::branch::branch_line;
+use jounce_core::analysis::{AttractorTrack, SweepDirection};
+use jounce_core::picture::{self, Axis, BranchLine, DiagramDots, DiagramView, Figure};
+
+impl DiagramResult {
+    /// Returns the figure: displacement at the start of each drive cycle, and mean power, over the
+    /// branches.
+    pub fn figure(&self) -> Figure {
+        let views = [
+            DiagramView {
+                value: Axis::linear("Displacement once per cycle", "m"),
+                lines: self.displacement_lines(),
+                dots: self.dots(|point| {
+                    let section = point.section.iter();
+                    section.map(|point| point.displacement_m).collect()
+                }),
+            },
+            DiagramView {
+                value: Axis::log("Mean power", "W"),
+                lines: self.power_lines(),
+                dots: self.dots(|point| vec![point.mean_power_w]),
+            },
+        ];
+        picture::diagram(
+            &format!("Bifurcation diagram over {}", self.key),
+            &Axis::linear(&self.key, &self.unit),
+            &views,
+        )
+    }
+
+    fn power_lines(&self) -> Vec<BranchLine> {
+        let branches = self.branches.iter();
+        branches
+            .map(|branch| {
+                branch_line(branch, label(branch.period_cycles), |point| {
+                    point.mean_power_w
+                })
+            })
+            .collect()
+    }
+
+    /// Returns a line for each drive cycle of each branch.
+    fn displacement_lines(&self) -> Vec<BranchLine> {
+        let mut lines = Vec::new();
+        for (branch, displacement_m) in self.branches.iter().zip(&self.branch_displacement_m) {
+            for cycle in 0..branch.period_cycles as usize {
+                let mut values = displacement_m.iter().map(|section_m| section_m[cycle]);
+                lines.push(branch_line(branch, label(branch.period_cycles), |_| {
+                    values.next().unwrap_or(f64::NAN)
+                }));
+            }
+        }
+        lines
+    }
+
+    /// Returns the points by direction, or by attractor where it is known.
+    fn dots(&self, values: impl Fn(&DiagramPoint) -> Vec<f64>) -> Vec<DiagramDots> {
+        let dots_of = |label: &str, is_selected: &dyn Fn(&DiagramPoint) -> bool| {
+            let mut dots = DiagramDots {
+                label: label.to_owned(),
+                parameter: Vec::new(),
+                value: Vec::new(),
+            };
+            for point in self.points.iter().filter(|point| is_selected(point)) {
+                let values = values(point);
+                dots.parameter
+                    .extend(std::iter::repeat_n(point.parameter, values.len()));
+                dots.value.extend(values);
+            }
+            (!dots.value.is_empty()).then_some(dots)
+        };
+        match &self.attractors {
+            Some(attractors) => (attractors.iter())
+                .filter_map(|AttractorTrack { id, .. }| {
+                    dots_of(id, &|point| point.attractor.as_ref() == Some(id))
+                })
+                .collect(),
+            None => [
+                (SweepDirection::Up, "stepped up"),
+                (SweepDirection::Down, "stepped down"),
+            ]
+            .into_iter()
+            .filter_map(|(direction, label)| dots_of(label, &|point| point.direction == direction))
+            .collect(),
+        }
+    }
+
+    /// Returns the warnings about failed runs.
+    pub fn warnings(&self) -> Vec<String> {
+        let (lost, of) = (
+            self.points.iter().filter(|point| point.is_lost()).count(),
+            self.points.len(),
+        );
+        if lost == 0 {
+            Vec::new()
+        } else if lost == of {
+            vec!["every run failed; try a larger tolerance or another range".to_owned()]
+        } else {
+            vec![format!(
+                "{lost} of {of} runs failed; their motion is `lost`"
+            )]
+        }
+    }
+}
+
+fn label(period_cycles: u32) -> String {
+    format!("branch of period {period_cycles}")
+}
