@@ -8,6 +8,16 @@
 //! | response from a start in time | [`Harvester::run`] | [`RunOptions`] | [`RunResult`] |
 //! | attractors and how likely each is | [`Harvester::basins`] | [`BasinsOptions`] | [`BasinsResult`] |
 //!
+//! A [`Recording`] is read from a file of an instrument, with its data-quality issues:
+//!
+//! | question | method | options | result |
+//! |---|---|---|---|
+//! | contents of a file, and its conversion | [`RecordedFile::result`], [`RecordedFile::convert`] | [`ReadOptions`], [`ConvertOptions`] | [`ReadResult`] |
+//! | mean power of voltages over their loads | [`Recording::power`] | [`PowerOptions`] | [`PowerResult`] |
+//! | spectra of a channel | [`Recording::spectra`] | [`SpectraOptions`] | [`SpectraResult`] |
+//! | frequency responses of a hammer or shaker test | [`Recording::measured_frf`] | [`MeasuredFrfOptions`] | [`MeasuredFrfResult`] |
+//! | modes of a test | [`Recording::measured_modes`] | [`MeasuredModesOptions`] | [`MeasuredModesResult`] |
+//!
 //! Options have defaults: write the fields that differ, then `..Default::default()`. Results are
 //! plain data; serialised, they are the JSON of the command line. Every name ends in its unit.
 //!
@@ -20,10 +30,15 @@
 mod basins;
 mod error;
 mod harvester;
+mod measured_frf;
+mod measured_modes;
 mod options;
 mod periodic;
+mod power;
+mod read;
 mod recording;
 mod run;
+mod spectra;
 
 pub use basins::{AttractorResult, BasinsOptions, BasinsResult, FailedStart, StartPoint};
 pub use error::{Error, ErrorKind};
@@ -32,10 +47,20 @@ pub use jounce_core::integrate::Control;
 pub use jounce_core::run::StartState;
 pub use jounce_data::read::RawChannel;
 pub use jounce_data::recording::{Channel, Grid, Issue, Over, Quantity};
+pub use measured_frf::{
+    FrfEstimator, FunctionParts, MeasuredFrfOptions, MeasuredFrfResult, MeasuredResponse, PerG,
+};
+pub use measured_modes::{ComplexValues, MeasuredMode, MeasuredModesOptions, MeasuredModesResult};
 pub use options::{OptionDefinition, check_tolerance, definitions};
 pub use periodic::check_drives;
+pub use power::{OrderAmplitude, PowerOptions, PowerRecord, PowerResult};
+pub use read::{
+    ChannelResult, Conversion, ConvertOptions, ReadResult, RecordedFile, RecordingResult,
+    ShapeResult,
+};
 pub use recording::{ChannelList, ChosenChannel, ReadOptions, Recording, UsesChannels};
 pub use run::{History, HistorySamples, LoadResult, PatchResult, RunOptions, RunResult};
+pub use spectra::{OrderPeak, SegmentWindow, SpectraOptions, SpectraResult};
 
 /// Rust code of the README, compiled with the documentation tests.
 #[cfg(doctest)]

@@ -1,7 +1,10 @@
 //! Options: their defaults, their help, and their names in the options of each question.
 
 use clap::{Args, FromArgMatches};
-use jounce::{BasinsOptions, ReadOptions, RunOptions, definitions};
+use jounce::{
+    BasinsOptions, ConvertOptions, MeasuredFrfOptions, MeasuredModesOptions, PowerOptions,
+    ReadOptions, RunOptions, SpectraOptions, definitions,
+};
 use serde::Serialize;
 use std::fmt::Debug;
 
@@ -38,6 +41,11 @@ fn options_have_help_and_valid_defaults() {
     check::<RunOptions>();
     check::<BasinsOptions>();
     check::<ReadOptions>();
+    check::<ConvertOptions>();
+    check::<PowerOptions>();
+    check::<SpectraOptions>();
+    check::<MeasuredFrfOptions>();
+    check::<MeasuredModesOptions>();
 }
 
 #[test]
