@@ -2,9 +2,7 @@
 
 use crate::failure::Failure;
 use clap::Args;
-use jounce::{Error, Harvester};
-use jounce_core::spec::{Faults, KeyRange, NumericKey, Quantity, Spec, SpecFile};
-use jounce_core::table::Manifest;
+use jounce::{Error, Faults, Harvester, KeyRange, Manifest, NumericKey, Quantity, Spec, SpecFile};
 use std::path::{Path, PathBuf};
 
 /// The spec and its overrides.

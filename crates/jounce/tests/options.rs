@@ -2,8 +2,9 @@
 
 use clap::{Args, FromArgMatches};
 use jounce::{
-    BasinsOptions, ConvertOptions, MeasuredFrfOptions, MeasuredModesOptions, PowerOptions,
-    ReadOptions, RunOptions, SpectraOptions, definitions,
+    BasinsOptions, ConvertOptions, FrfOptions, MeasuredFrfOptions, MeasuredModesOptions,
+    ModesOptions, NoiseOptions, PowerOptions, ReadOptions, ReproduceOptions, RunOptions,
+    SpectraOptions, definitions,
 };
 use serde::Serialize;
 use std::fmt::Debug;
@@ -46,6 +47,10 @@ fn options_have_help_and_valid_defaults() {
     check::<SpectraOptions>();
     check::<MeasuredFrfOptions>();
     check::<MeasuredModesOptions>();
+    check::<ModesOptions>();
+    check::<FrfOptions>();
+    check::<NoiseOptions>();
+    check::<ReproduceOptions>();
 }
 
 #[test]

@@ -3,7 +3,6 @@
 mod hammer;
 mod shaker;
 
-use super::modes::fixed_bodies;
 use crate::failure::Failure;
 use crate::measured_file::parse_positive;
 use crate::output::{line, print};
@@ -88,7 +87,8 @@ impl SensingArguments {
 
     /// Returns the names of the fixed bodies.
     pub fn held_bodies(&self, spec: &Spec) -> Vec<String> {
-        fixed_bodies(&self.hold, self.fixed_table, spec)
+        let masses = spec.mass.keys().filter(|_| self.fixed_table);
+        self.hold.iter().chain(masses).cloned().collect()
     }
 
     /// Adds cables and accelerometers to the spec.
