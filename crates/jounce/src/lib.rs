@@ -70,7 +70,7 @@ pub use jounce_core::material::{Active, Material};
 pub use jounce_core::picture::{Drawing, Figure};
 pub use jounce_core::reproduce::Claim;
 pub use jounce_core::run::StartState;
-pub use jounce_core::signal::{Samples, SignalError, Window};
+pub use jounce_core::signal::{Samples, SignalError, Spectrum, Window};
 pub use jounce_core::spec::{Fault, Faults, KeyRange, NumericKey, Quantity, Spec, SpecFile};
 pub use jounce_core::starter::Starter;
 pub use jounce_core::table::{Manifest, Table};
