@@ -48,7 +48,7 @@ def test_solutions_of_a_model_are_recorded_and_identified(harvester, command_lin
     assert "solution: 3a" in repr(result) and len(result.candidates_to_pandas()) == sum(map(len, result.candidates))
     with pytest.raises(jounce.ArgumentError, match="the model's solutions are") as excinfo:
         model.rig(solution="9z", starts=2)
-    assert excinfo.value.details["solution"] == "9z"
+    assert excinfo.value.details == {"option": "solution", "value": "9z"}
 
 
 def test_a_fit_has_the_curves_and_deviations_of_the_command_line(harvester, command_line, tmp_path):

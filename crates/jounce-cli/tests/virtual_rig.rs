@@ -271,9 +271,9 @@ fn an_impossible_test_is_reported() {
         (
             vec!["--hammer", "beam.hammer", "--solution", "1a"],
             2,
-            "cannot be used with",
+            "applies to a shaker test",
         ),
-        (vec!["--sensor-mass", "1g"], 2, "--at"),
+        (vec!["--sensor-mass", "1g"], 2, "accelerometers"),
     ] {
         let (exit_code, _, stderr) = rig(&arguments);
         assert!(

@@ -75,7 +75,7 @@ mod _core {
     #[pymodule_export]
     use super::reproduce::reproduce;
     #[pymodule_export]
-    use super::rig::{rig_shaken, rig_struck};
+    use super::rig::rig;
     #[pymodule_export]
     use super::run::run;
     #[pymodule_export]

@@ -7,7 +7,10 @@ use jounce_core::plant::PlantError;
 use jounce_core::run::{RunError, StartFileError};
 use jounce_core::signal::SignalError;
 use jounce_core::spec::{Fault, Faults, ReadError};
+use jounce_core::structure::StructureError;
 use jounce_core::table::TableError;
+use jounce_measure::rig::RigError;
+use jounce_measure::solution::SolutionError;
 
 /// Reason why a computation has no result. The message names the value, what is allowed, and what
 /// to try.
@@ -61,6 +64,12 @@ pub enum Error {
     /// A signal is too short or holds a value that is not finite.
     #[error(transparent)]
     Signal(#[from] SignalError),
+    /// A virtual test cannot be simulated.
+    #[error(transparent)]
+    Rig(#[from] RigError),
+    /// The solutions of a model cannot be found.
+    #[error(transparent)]
+    Solution(#[from] SolutionError),
     /// The threads cannot be started.
     #[error("the threads cannot be started: {0}")]
     Threads(#[from] rayon::ThreadPoolBuildError),
@@ -106,6 +115,11 @@ impl Error {
             Self::Orbit(OrbitError::Integration(_) | OrbitError::Multipliers { .. }) => {
                 ErrorKind::NotConverged
             }
+            Self::Rig(RigError::Run(error)) | Self::Solution(SolutionError::Run(error)) => {
+                kind_of_run(error)
+            }
+            Self::Solution(SolutionError::Study(error)) => kind_of(error),
+            Self::Solution(SolutionError::Lost { .. }) => ErrorKind::NotConverged,
             Self::Stopped => ErrorKind::Stopped,
             _ => ErrorKind::Input,
         }
@@ -114,10 +128,15 @@ impl Error {
 
 fn kind_of(error: &AnalysisError) -> ErrorKind {
     match error {
-        AnalysisError::Run(RunError::Integration(IntegrationError::Stopped { .. })) => {
-            ErrorKind::Stopped
-        }
-        AnalysisError::Run(RunError::Integration(_)) => ErrorKind::NotConverged,
+        AnalysisError::Run(error) => kind_of_run(error),
+        _ => ErrorKind::Input,
+    }
+}
+
+fn kind_of_run(error: &RunError) -> ErrorKind {
+    match error {
+        RunError::Integration(IntegrationError::Stopped { .. }) => ErrorKind::Stopped,
+        RunError::Integration(_) => ErrorKind::NotConverged,
         _ => ErrorKind::Input,
     }
 }
@@ -142,6 +161,12 @@ impl From<RunError> for Error {
 
 impl From<PlantError> for Error {
     fn from(error: PlantError) -> Self {
+        Self::Analysis(error.into())
+    }
+}
+
+impl From<StructureError> for Error {
+    fn from(error: StructureError) -> Self {
         Self::Analysis(error.into())
     }
 }

@@ -79,6 +79,11 @@ pub(crate) fn frequency_hz(text: &str) -> Result<f64, String> {
         .map_err(|error| error.to_string())
 }
 
+/// Returns a reader of a quantity with its unit, in SI.
+pub(crate) fn si(quantity: Quantity) -> impl Fn(&str) -> Result<f64, String> + Clone {
+    move |text| quantity.read(text).map_err(|error| error.to_string())
+}
+
 /// Checks the tolerance of an orbit; double precision allows no smaller one than the limit.
 ///
 /// # Errors

@@ -1,0 +1,55 @@
+//! Result of a virtual test.
+
+use jounce_measure::recording::{Issue, Recording};
+use serde::Serialize;
+
+/// Recording of a virtual test.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct RigResult {
+    /// Number of samples of each channel.
+    pub samples: usize,
+    /// Sampling rate, Hz.
+    pub rate_hz: f64,
+    /// Names of the channels.
+    pub channels: Vec<String>,
+    /// Seed of hits, fluctuation and noise.
+    pub seed: u64,
+    /// Data-quality issues of the recording.
+    pub findings: Vec<Issue>,
+    /// The recording.
+    #[serde(skip)]
+    pub recording: Recording,
+    /// The recorded motion of the base; `None` in other tests.
+    #[serde(skip)]
+    pub base: Option<BaseMotion>,
+}
+
+/// Recorded motion of the base.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct BaseMotion {
+    /// Name of the recording.
+    pub recording: String,
+    /// Name of its channel.
+    pub channel: String,
+    /// Mean of the channel, m/s^2.
+    pub mean_m_s2: f64,
+    /// True where the mean is retained, false where it is subtracted.
+    pub is_mean_kept: bool,
+    /// Data-quality issues of the channel and of the times.
+    pub findings: Vec<Issue>,
+}
+
+impl RigResult {
+    pub(super) fn new(recording: Recording, base: Option<BaseMotion>, seed: u64) -> Self {
+        let name = |channel: &jounce_measure::recording::Channel| channel.name.clone();
+        Self {
+            samples: recording.grid.len(),
+            rate_hz: recording.rate(),
+            channels: recording.channels.iter().map(name).collect(),
+            seed,
+            findings: recording.findings.clone(),
+            recording,
+            base,
+        }
+    }
+}

@@ -1,0 +1,148 @@
+//! Simulated shaker test.
+
+use super::{BaseMotion, RigOptions, RigResult};
+use crate::error::Error;
+use crate::harvester::Harvester;
+use jounce_core::integrate::Control;
+use jounce_core::run::StartState;
+use jounce_core::spec::{Quantity as Unit, Spec, driving_channel};
+use jounce_core::structure::modes_holding;
+use jounce_measure::recording::{Quantity, Recording};
+use jounce_measure::rig::{
+    Disturbance, RigError, ShakerTest, on_recorded_base, shaker_test, start_of_run,
+};
+use jounce_measure::solution::{SolutionError, SolutionSearch, solutions, start_of};
+
+/// Records the averaging window of the run, solutions of the model, or a recorded base motion.
+pub(super) fn record(
+    harvester: &Harvester,
+    mut spec: Spec,
+    fixed: &[String],
+    options: &RigOptions,
+) -> Result<RigResult, Error> {
+    let base = (options.base.as_ref())
+        .map(|base| move_base(&mut spec, base, options))
+        .transpose()?;
+    let (duration_s, average_over_s) = (spec.run.duration_s, spec.run.average_over_s);
+    let modes = modes_holding(&spec, fixed)?;
+    let (starts, before_s) = match options.solution.is_empty() {
+        true => (
+            vec![(0.0, start_of_run(&spec, &modes, harvester.folder())?)],
+            duration_s - average_over_s,
+        ),
+        false => (options.starts_on(&spec, harvester.control())?, 0.0),
+    };
+    let test = ShakerTest {
+        rate_hz: options.rate_hz,
+        duration_s: average_over_s,
+        before_s,
+        starts,
+        disturbance: options.disturbance(),
+        accelerometers: options.at.clone(),
+        sensor: options.sensor(),
+        seed: options.seed,
+    };
+    let recording = shaker_test(&spec, &modes, &test, harvester.control())?;
+    Ok(RigResult::new(recording, base, options.seed))
+}
+
+/// Moves the base as in a recording.
+fn move_base(
+    spec: &mut Spec,
+    recording: &Recording,
+    options: &RigOptions,
+) -> Result<BaseMotion, Error> {
+    let (heads, channel) = (recording.heads(), options.base_channel.as_deref());
+    let number = driving_channel(
+        (&recording.name, &heads, &recording.findings),
+        channel,
+        Quantity::Acceleration,
+    )
+    .map_err(RigError::from)?;
+    let assumed = heads[number].assumed_unit_issue(Quantity::Acceleration);
+    let name = heads[number].name.to_owned();
+    let even = recording.even().map_err(RigError::from)?;
+    let mean_m_s2 = on_recorded_base(spec, &even, &name, options.keep_mean)?;
+    let is_of_channel = |issue: &jounce_data::recording::Issue| {
+        issue.channel.as_ref().is_none_or(|own| *own == name)
+    };
+    let mut findings = even.findings;
+    findings.extend(assumed);
+    findings.retain(is_of_channel);
+    Ok(BaseMotion {
+        recording: recording.name.clone(),
+        channel: name,
+        mean_m_s2,
+        is_mean_kept: options.keep_mean,
+        findings,
+    })
+}
+
+impl RigOptions {
+    fn disturbance(&self) -> Disturbance {
+        let disturbance = Disturbance {
+            amplitude_ratio: self.amplitude_wander,
+            frequency_ratio: self.frequency_wander,
+            memory_s: self.wander_time_s,
+            amplitude_drift: self.amplitude_drift,
+            frequency_drift: self.frequency_drift,
+        };
+        // The correlation time of no fluctuation has no effect.
+        let without = Disturbance {
+            memory_s: disturbance.memory_s,
+            ..Disturbance::NONE
+        };
+        match disturbance == without {
+            true => Disturbance::NONE,
+            false => disturbance,
+        }
+    }
+
+    /// Returns the states on the solutions, each with the time of the record at which it begins, s.
+    fn starts_on(&self, spec: &Spec, control: &Control) -> Result<Vec<(f64, StartState)>, Error> {
+        let requested = (self.solution.iter().enumerate())
+            .map(|(number, text)| id_and_time(number, text))
+            .collect::<Result<Vec<_>, _>>()?;
+        let search = SolutionSearch {
+            starts: self.starts,
+            seed: self.starts_seed,
+            ..SolutionSearch::default()
+        };
+        let known = solutions(spec, &search, control)?;
+        // A stopped search is incomplete.
+        if control.is_stopped() {
+            return Err(Error::Stopped);
+        }
+        let start = |(id, at_s)| match start_of(&known, id) {
+            Ok(start) => Ok((at_s, start)),
+            Err(SolutionError::UnknownSolution { known, .. }) => {
+                let expected = format!("the model's solutions are {known}");
+                Err(Error::option("solution", id, expected))
+            }
+            Err(error) => Err(error.into()),
+        };
+        requested.into_iter().map(start).collect()
+    }
+}
+
+/// Reads `ID` or `ID@TIME`; the first one begins with the record.
+fn id_and_time(number: usize, text: &str) -> Result<(&str, f64), Error> {
+    let (id, time) = match text.split_once('@') {
+        Some((id, time)) => (id, Some(time)),
+        None => (text, None),
+    };
+    let at_s = match time.map(|time| Unit::Time.read(time)) {
+        Some(Ok(at_s)) if at_s > 0.0 && at_s.is_finite() => at_s,
+        Some(Ok(_)) => {
+            let expected = "its time must be greater than 0 s";
+            return Err(Error::option("solution", text, expected));
+        }
+        Some(Err(error)) => return Err(Error::option("solution", text, error.to_string())),
+        None if number == 0 => 0.0,
+        None => {
+            let expected = format!("add the time at which it begins, as in {id}@42s");
+            return Err(Error::option("solution", text, expected));
+        }
+    };
+    Ok((id, if number == 0 { 0.0 } else { at_s }))
+}
