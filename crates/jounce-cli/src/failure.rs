@@ -5,6 +5,7 @@ use jounce::{Error, ErrorKind};
 use jounce_core::analysis::{AnalysisError, GridError};
 use jounce_core::orbit::OrbitError;
 use jounce_core::spec::{Fault, ReadError};
+use jounce_measure::recording::ChannelError;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -130,6 +131,16 @@ impl From<Error> for Failure {
                 "--{} is {value}; {expected}",
                 option.replace('_', "-")
             )),
+            (
+                _,
+                Error::Channel {
+                    option,
+                    error: error @ ChannelError::Unnamed { .. },
+                },
+            ) => Failure::Usage(format!("--{}: {error}", option.replace('_', "-"))),
+            (_, Error::Channel { option, error }) => {
+                Failure::Input(format!("--{}: {error}", option.replace('_', "-")))
+            }
             (_, Error::Grid(error)) if error != GridError::NoStop => {
                 Failure::Usage(format!("--grid: {error}"))
             }

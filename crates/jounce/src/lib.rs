@@ -23,6 +23,7 @@ mod error;
 mod harvester;
 mod options;
 mod periodic;
+mod recording;
 mod rig;
 mod run;
 
@@ -31,8 +32,11 @@ pub use error::{Error, ErrorKind};
 pub use harvester::{Harvester, KeyValue};
 pub use jounce_core::integrate::Control;
 pub use jounce_core::run::StartState;
+pub use jounce_data::read::RawChannel;
+pub use jounce_data::recording::{Channel, Grid, Issue, Over, Quantity};
 pub use options::{OptionDefinition, check_tolerance, definitions};
 pub use periodic::check_drives;
+pub use recording::{ChannelList, ChosenChannel, ReadOptions, Recording, UsesChannels};
 pub use rig::{BaseMotion, RigOptions, RigResult};
 pub use run::{History, HistorySamples, LoadResult, PatchResult, RunOptions, RunResult};
 

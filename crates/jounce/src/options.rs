@@ -84,6 +84,19 @@ pub(crate) fn si(quantity: Quantity) -> impl Fn(&str) -> Result<f64, String> + C
     move |text| quantity.read(text).map_err(|error| error.to_string())
 }
 
+/// Returns the value of an option if it is finite and above 0.
+pub(crate) fn check_above_zero(
+    option: &'static str,
+    value: f64,
+    unit: &str,
+) -> Result<f64, Error> {
+    if value > 0.0 && value.is_finite() {
+        return Ok(value);
+    }
+    let text = format!("{value} {unit}");
+    Err(Error::option(option, text.trim(), "it must be above 0"))
+}
+
 /// Checks the tolerance of an orbit; double precision allows no smaller one than the limit.
 ///
 /// # Errors

@@ -1,7 +1,7 @@
 //! Options: their defaults, their help, and their names in the options of each question.
 
 use clap::{Args, FromArgMatches};
-use jounce::{BasinsOptions, RigOptions, RunOptions, definitions};
+use jounce::{BasinsOptions, ReadOptions, RigOptions, RunOptions, definitions};
 use serde::Serialize;
 use std::fmt::Debug;
 
@@ -37,6 +37,7 @@ fn check<O: Args + FromArgMatches + Default + Debug + PartialEq + Serialize>() {
 fn options_have_help_and_valid_defaults() {
     check::<RunOptions>();
     check::<BasinsOptions>();
+    check::<ReadOptions>();
     check::<RigOptions>();
 }
 

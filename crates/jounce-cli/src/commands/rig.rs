@@ -5,8 +5,7 @@ use crate::measured_file::print_issues;
 use crate::output::{self, line, print};
 use crate::spec_arguments::SpecArguments;
 use clap::Args;
-use jounce::{BaseMotion, RigOptions};
-use jounce_measure::read;
+use jounce::{BaseMotion, ReadOptions, Recording, RigOptions};
 use jounce_measure::write::write;
 use std::path::PathBuf;
 
@@ -34,14 +33,14 @@ impl Rig {
         let harvester = self.spec.harvester()?;
         let mut options = self.options.clone();
         if let Some(file) = &self.base {
-            options.base = Some(read::record(file)?);
+            options.base = Some(Recording::read(file, &ReadOptions::default())?);
         }
         let result = harvester.rig(&options);
         let result = result.map_err(|error| self.spec.failure(error))?;
         if let Some(base) = &result.base {
             print_base(base);
         }
-        write(&result.recording, &self.to)?;
+        write(result.recording.data(), &self.to)?;
         result
             .findings
             .iter()

@@ -2,11 +2,11 @@
 
 use super::RigOptions;
 use crate::error::Error;
+use crate::recording::Recording;
 use jounce_core::linear::FrfResponse;
 use jounce_core::plant::{Plant, System};
 use jounce_core::spec::{Gravity, Spec};
 use jounce_core::structure::modes_holding;
-use jounce_measure::recording::Recording;
 use jounce_measure::rig::{HammerTest, hammer_test};
 
 /// Hits a point of the linear structure; records the accelerometers, by default every point and
@@ -41,5 +41,5 @@ pub(super) fn record(
         seed: options.seed,
     };
     let plant = Plant::new(System::assemble(&spec, modes)?)?;
-    Ok(hammer_test(&plant, &test)?)
+    Ok(hammer_test(&plant, &test)?.into())
 }

@@ -1,9 +1,9 @@
 //! Options of a virtual test.
 
 use crate::error::Error;
-use crate::options::{defaults, frequency_hz, si, time_s};
+use crate::options::{check_above_zero, defaults, frequency_hz, si, time_s};
+use crate::recording::Recording;
 use jounce_core::spec::{Quantity, Spec};
-use jounce_measure::recording::Recording;
 use jounce_measure::rig::{Cable, RigError, Sensor, add_accelerometers};
 use serde::{Deserialize, Serialize};
 
@@ -144,9 +144,8 @@ impl RigOptions {
             ("wander_time", Some(self.wander_time_s), "s"),
         ];
         for (option, value, unit) in quantities {
-            if let Some(value) = value.filter(|value| !(*value > 0.0 && value.is_finite())) {
-                let expected = format!("it must be greater than 0 {unit}");
-                return Err(Error::option(option, format!("{value} {unit}"), expected));
+            if let Some(value) = value {
+                check_above_zero(option, value, unit)?;
             }
         }
         let conditions: [(bool, &[&'static str], &str); 6] = [
@@ -189,7 +188,7 @@ impl RigOptions {
         match &self.base {
             Some(base) if self.hammer.is_some() || !self.solution.is_empty() => {
                 let expected = "it replaces the drives: omit it, or omit `hammer` and `solution`";
-                Err(Error::option("base", &base.name, expected))
+                Err(Error::option("base", base.name(), expected))
             }
             _ => Ok(()),
         }

@@ -1,6 +1,7 @@
 //! Result of a virtual test.
 
-use jounce_measure::recording::{Issue, Recording};
+use crate::recording::Recording;
+use jounce_data::recording::Issue;
 use serde::Serialize;
 
 /// Recording of a virtual test.
@@ -41,13 +42,12 @@ pub struct BaseMotion {
 
 impl RigResult {
     pub(super) fn new(recording: Recording, base: Option<BaseMotion>, seed: u64) -> Self {
-        let name = |channel: &jounce_measure::recording::Channel| channel.name.clone();
         Self {
-            samples: recording.grid.len(),
+            samples: recording.samples(),
             rate_hz: recording.rate(),
-            channels: recording.channels.iter().map(name).collect(),
+            channels: recording.channel_names(),
             seed,
-            findings: recording.findings.clone(),
+            findings: recording.issues().to_vec(),
             recording,
             base,
         }

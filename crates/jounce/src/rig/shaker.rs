@@ -3,11 +3,12 @@
 use super::{BaseMotion, RigOptions, RigResult};
 use crate::error::Error;
 use crate::harvester::Harvester;
+use crate::recording::Recording;
 use jounce_core::integrate::Control;
 use jounce_core::run::StartState;
 use jounce_core::spec::{Quantity as Unit, Spec, driving_channel};
 use jounce_core::structure::modes_holding;
-use jounce_measure::recording::{Quantity, Recording};
+use jounce_data::recording::{self as data, Issue, Quantity};
 use jounce_measure::rig::{
     Disturbance, RigError, ShakerTest, on_recorded_base, shaker_test, start_of_run,
 };
@@ -43,7 +44,7 @@ pub(super) fn record(
         seed: options.seed,
     };
     let recording = shaker_test(&spec, &modes, &test, harvester.control())?;
-    Ok(RigResult::new(recording, base, options.seed))
+    Ok(RigResult::new(recording.into(), base, options.seed))
 }
 
 /// Moves the base as in a recording.
@@ -52,29 +53,36 @@ fn move_base(
     recording: &Recording,
     options: &RigOptions,
 ) -> Result<BaseMotion, Error> {
-    let (heads, channel) = (recording.heads(), options.base_channel.as_deref());
+    let recording = recording.data();
+    let heads = recording.heads();
     let number = driving_channel(
         (&recording.name, &heads, &recording.findings),
-        channel,
+        options.base_channel.as_deref(),
         Quantity::Acceleration,
-    )
-    .map_err(RigError::from)?;
-    let assumed = heads[number].assumed_unit_issue(Quantity::Acceleration);
-    let name = heads[number].name.to_owned();
-    let even = recording.even().map_err(RigError::from)?;
-    let mean_m_s2 = on_recorded_base(spec, &even, &name, options.keep_mean)?;
-    let is_of_channel = |issue: &jounce_data::recording::Issue| {
-        issue.channel.as_ref().is_none_or(|own| *own == name)
+    );
+    let number = number.map_err(RigError::from)?;
+    let channel = recording.channels[number].clone();
+    let belongs = |issue: &&Issue| {
+        let name = issue.channel.as_ref();
+        name.is_none_or(|name| *name == channel.name)
     };
-    let mut findings = even.findings;
-    findings.extend(assumed);
-    findings.retain(is_of_channel);
+    let assumed = heads[number].assumed_unit_issue(Quantity::Acceleration);
+    let issues = recording.findings.iter().filter(belongs).cloned();
+    let base = data::Recording {
+        name: recording.name.clone(),
+        over: recording.over,
+        grid: recording.grid.clone(),
+        findings: issues.chain(assumed).collect(),
+        channels: vec![channel],
+    };
+    let base = base.into_even()?;
+    let name = &base.channels[0].name;
     Ok(BaseMotion {
-        recording: recording.name.clone(),
-        channel: name,
-        mean_m_s2,
+        mean_m_s2: on_recorded_base(spec, &base, name, options.keep_mean)?,
+        channel: name.clone(),
         is_mean_kept: options.keep_mean,
-        findings,
+        recording: base.name,
+        findings: base.findings,
     })
 }
 
