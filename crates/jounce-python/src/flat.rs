@@ -11,7 +11,7 @@ use pyo3::types::PyDict;
 use serde_json::{Map, Value};
 
 /// Texts that may be missing in all records.
-const TEXTS: [&str; 1] = ["mirror_of"];
+const TEXTS: [&str; 3] = ["allowed_laws", "mirror_of", "reason"];
 
 /// Reads options from JSON.
 ///
@@ -50,16 +50,17 @@ pub fn dict_with_main<'py>(
 ) -> PyResult<PythonDict<'py>> {
     let value = serde_json::to_value(result).map_err(|error| Failure::new("JounceError", error))?;
     let mut dict = PythonDict::new(py);
-    // Warnings are messages in Python.
+    // Warnings are messages in Python, issues of recordings are objects.
     for (name, value) in value
         .as_object()
         .into_iter()
         .flatten()
-        .filter(|entry| entry.0 != "warnings")
+        .filter(|entry| entry.0 != "warnings" && entry.0 != "findings")
     {
         dict = match value.as_array() {
             Some(items) if items.iter().all(Value::is_object) => {
-                records(dict, name, items, name == main)?
+                let items: Vec<&Value> = items.iter().collect();
+                records(dict, name, &items, name == main)?
             }
             _ => dict.with(name, object(py, value)?)?,
         };
@@ -67,28 +68,33 @@ pub fn dict_with_main<'py>(
     Ok(dict)
 }
 
-/// Adds an array for each field of records.
+/// Adds an array for each field of records; a field with a record has an array for each of its
+/// fields, and a field with a list has none.
 fn records<'py>(
     dict: PythonDict<'py>,
     list: &str,
-    items: &[Value],
+    items: &[&Value],
     is_main: bool,
 ) -> PyResult<PythonDict<'py>> {
     let item_name = singular(list);
     let fields = items
         .first()
-        .and_then(Value::as_object)
+        .and_then(|item| item.as_object())
         .into_iter()
         .flat_map(Map::keys);
     let mut dict = dict;
-    for field in fields.filter(|field| *field != "warnings") {
+    for field in fields {
         let name = match field.as_str() {
             "name" | "id" => item_name.clone(),
             _ if is_main => field.clone(),
             _ => format!("{item_name}_{field}"),
         };
         let values: Vec<&Value> = items.iter().map(|item| &item[field]).collect();
-        dict = column(dict, &name, &values)?;
+        dict = match values.first() {
+            Some(Value::Array(_)) => dict,
+            Some(Value::Object(_)) => records(dict, &name, &values, false)?,
+            _ => column(dict, &name, &values)?,
+        };
     }
     Ok(dict)
 }

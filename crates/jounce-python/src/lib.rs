@@ -53,7 +53,7 @@ mod _core {
     #[pymodule_export]
     use super::materials::materials;
     #[pymodule_export]
-    use super::measured::contact::measured_contact;
+    use super::measured::contact::contact;
     #[pymodule_export]
     use super::measured::decays::measured_decays;
     #[pymodule_export]
@@ -65,7 +65,7 @@ mod _core {
         recording_even, recording_from_arrays, recording_read, recording_write,
     };
     #[pymodule_export]
-    use super::measured::segments::measured_regimes;
+    use super::measured::segments::segments;
     #[pymodule_export]
     use super::measured::spectra::measured_spectra;
     #[pymodule_export]

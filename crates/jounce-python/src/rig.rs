@@ -18,7 +18,10 @@ pub fn rig<'py>(
     base: Option<RecordingInput<'py>>,
 ) -> PythonResult<'py> {
     let options = RigOptions {
-        base: base.map(|base| base.recording()).transpose()?.map(Into::into),
+        base: base
+            .map(|base| base.recording())
+            .transpose()?
+            .map(Into::into),
         ..flat::options(options)?
     };
     let outcome = cancellable(py, None, |control| {

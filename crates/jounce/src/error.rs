@@ -14,6 +14,7 @@ use jounce_data::recording::{ChannelError, NoChannel};
 use jounce_measure::modal::ModalError;
 use jounce_measure::response::ResponseError;
 use jounce_measure::rig::RigError;
+use jounce_measure::segmentation::SegmentationError;
 use jounce_measure::solution::SolutionError;
 use jounce_measure::spectral::SpectralError;
 use jounce_measure::write::WriteError;
@@ -73,6 +74,9 @@ pub enum Error {
     /// A virtual test cannot be simulated.
     #[error(transparent)]
     Rig(#[from] RigError),
+    /// A recording cannot be cut into segments.
+    #[error(transparent)]
+    Segmentation(#[from] SegmentationError),
     /// The solutions of a model cannot be found.
     #[error(transparent)]
     Solution(#[from] SolutionError),
@@ -179,7 +183,9 @@ impl Error {
             }
             Self::Solution(SolutionError::Study(error)) => kind_of(error),
             Self::Solution(SolutionError::Lost { .. }) => ErrorKind::NotConverged,
-            Self::Stopped | Self::Spectral(SpectralError::Stopped) => ErrorKind::Stopped,
+            Self::Stopped
+            | Self::Segmentation(SegmentationError::Stopped)
+            | Self::Spectral(SpectralError::Stopped) => ErrorKind::Stopped,
             _ => ErrorKind::Input,
         }
     }

@@ -8,6 +8,8 @@
 //! | response from a start in time | [`Harvester::run`] | [`RunOptions`] | [`RunResult`] |
 //! | attractors and how likely each is | [`Harvester::basins`] | [`BasinsOptions`] | [`BasinsResult`] |
 //! | simulated recordings of sensors | [`Harvester::rig`] | [`RigOptions`] | [`RigResult`] |
+//! | contact laws of force pulses | [`Recording::contact`] | [`ContactOptions`] | [`ContactResult`] |
+//! | attractors that a recording shows | [`Recording::segments`] | [`SegmentsOptions`] | [`SegmentsResult`] |
 //!
 //! Options have defaults: write the fields that differ, then `..Default::default()`. Results are
 //! plain data; serialised, they are the JSON of the command line. Every name ends in its unit.
@@ -19,6 +21,7 @@
 //! interfaces may change.
 
 mod basins;
+mod contact;
 mod error;
 mod harvester;
 mod options;
@@ -26,19 +29,26 @@ mod periodic;
 mod recording;
 mod rig;
 mod run;
+mod segments;
 
 pub use basins::{AttractorResult, BasinsOptions, BasinsResult, FailedStart, StartPoint};
+pub use contact::{ContactOptions, ContactResult, FixedLawResult, HitResult};
 pub use error::{Error, ErrorKind};
 pub use harvester::{Harvester, KeyValue};
 pub use jounce_core::integrate::Control;
 pub use jounce_core::run::StartState;
 pub use jounce_data::read::RawChannel;
 pub use jounce_data::recording::{Channel, Grid, Issue, Over, Quantity};
+pub use jounce_measure::contact::AllowedLaws;
+pub use jounce_measure::draw::PulseFigure;
+pub use jounce_measure::segmentation::{Candidate, MAX_PERIOD_CYCLES, MergeReason, MergedChange};
+pub use jounce_measure::spectral::HitWarning;
 pub use options::{OptionDefinition, check_tolerance, definitions};
 pub use periodic::check_drives;
 pub use recording::{ChannelList, ChosenChannel, ReadOptions, Recording, UsesChannels};
 pub use rig::{BaseMotion, RigOptions, RigResult};
 pub use run::{History, HistorySamples, LoadResult, PatchResult, RunOptions, RunResult};
+pub use segments::{SegmentResult, SegmentsOptions, SegmentsResult};
 
 /// Rust code of the README, compiled with the documentation tests.
 #[cfg(doctest)]

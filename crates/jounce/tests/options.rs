@@ -1,7 +1,10 @@
 //! Options: their defaults, their help, and their names in the options of each question.
 
 use clap::{Args, FromArgMatches};
-use jounce::{BasinsOptions, ReadOptions, RigOptions, RunOptions, definitions};
+use jounce::{
+    BasinsOptions, ContactOptions, ReadOptions, RigOptions, RunOptions, SegmentsOptions,
+    definitions,
+};
 use serde::Serialize;
 use std::fmt::Debug;
 
@@ -38,7 +41,9 @@ fn options_have_help_and_valid_defaults() {
     check::<RunOptions>();
     check::<BasinsOptions>();
     check::<ReadOptions>();
+    check::<ContactOptions>();
     check::<RigOptions>();
+    check::<SegmentsOptions>();
 }
 
 #[test]

@@ -9,13 +9,13 @@ use jounce_data::recording::{
 };
 
 /// Channels of a recording, whose samples need not be loaded.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct ChannelList {
     recording: String,
     channels: Vec<ListedChannel>,
 }
 
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 struct ListedChannel {
     name: String,
     quantity: Quantity,
@@ -234,7 +234,12 @@ mod tests {
 
     fn recording() -> Recording {
         let channel = |name: &str, quantity: Quantity, last: f64| {
-            Channel::new(name, quantity, quantity.si_unit(), vec![1.0, f64::NAN, last])
+            Channel::new(
+                name,
+                quantity,
+                quantity.si_unit(),
+                vec![1.0, f64::NAN, last],
+            )
         };
         let issue = |name: &str| Issue::new(IssueKind::Clipping, 1, None, String::new()).of(name);
         data::Recording {
@@ -263,7 +268,9 @@ mod tests {
     #[test]
     fn a_channel_that_does_not_suit_is_refused_by_its_option() {
         let recording = recording();
-        let error = recording.list().choose("base", Some("3"), Quantity::Acceleration);
+        let error = recording
+            .list()
+            .choose("base", Some("3"), Quantity::Acceleration);
         assert!(matches!(error, Err(Error::Channel { option: "base", .. })));
         assert!(matches!(recording.channel("tip"), Err(Error::NoChannel(_))));
     }

@@ -7,6 +7,7 @@ pub use channels::{ChannelList, ChosenChannel, UsesChannels};
 pub use options::ReadOptions;
 
 use crate::error::Error;
+use jounce_core::integrate::Control;
 use jounce_data::read::{self, Notes, RawChannel, RecordingSummary};
 use jounce_data::recording::{self as data, Channel, Grid, Issue, Over};
 use std::path::Path;
@@ -25,7 +26,7 @@ use std::path::Path;
 /// # std::fs::remove_dir_all(&folder).unwrap();
 /// # Ok::<(), jounce::Error>(())
 /// ```
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Recording {
     /// The loaded channels.
     data: data::Recording,
@@ -33,6 +34,13 @@ pub struct Recording {
     list: ChannelList,
     /// Index among the loaded channels, of each channel of the list.
     loaded: Vec<Option<usize>>,
+    control: Control,
+}
+
+impl PartialEq for Recording {
+    fn eq(&self, other: &Self) -> bool {
+        self.data == other.data && self.loaded == other.loaded
+    }
 }
 
 impl Recording {
@@ -73,12 +81,19 @@ impl Recording {
         }
         // The issues of all channels are kept.
         let issues = std::mem::take(&mut summary.findings);
-        let data = summary.into_recording_of(&numbers).map_err(Error::Scratch)?;
+        let data = summary
+            .into_recording_of(&numbers)
+            .map_err(Error::Scratch)?;
         let data = data::Recording {
             findings: issues,
             ..data
         };
-        Ok(Self { data, list, loaded })
+        Ok(Self {
+            data,
+            list,
+            loaded,
+            control: Control::default(),
+        })
     }
 
     /// Returns a recording of channels with units in the notation of instruments: values are
@@ -93,6 +108,21 @@ impl Recording {
         channels: Vec<RawChannel>,
     ) -> Result<Self, Error> {
         Ok(read::recording_from_arrays(name, over, grid, channels)?.into())
+    }
+
+    /// Returns the recording with a control: its computations report progress to it, and it stops
+    /// them.
+    #[must_use]
+    pub fn with_control(self, control: &Control) -> Self {
+        Self {
+            control: control.clone(),
+            ..self
+        }
+    }
+
+    /// Returns the control of the computations.
+    pub fn control(&self) -> &Control {
+        &self.control
     }
 
     /// Returns the name: the file name, with the number of the data set if the file has several.
@@ -157,6 +187,11 @@ impl From<data::Recording> for Recording {
     fn from(data: data::Recording) -> Self {
         let list = ChannelList::of_data(&data);
         let loaded = (0..list.len()).map(Some).collect();
-        Self { data, list, loaded }
+        Self {
+            data,
+            list,
+            loaded,
+            control: Control::default(),
+        }
     }
 }

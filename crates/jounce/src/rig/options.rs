@@ -1,7 +1,7 @@
 //! Options of a virtual test.
 
 use crate::error::Error;
-use crate::options::{check_above_zero, defaults, frequency_hz, si, time_s};
+use crate::options::{check_above_zero, defaults, frequency_hz, refuse_changed, si, time_s};
 use crate::recording::Recording;
 use jounce_core::spec::{Quantity, Spec};
 use jounce_measure::rig::{Cable, RigError, Sensor, add_accelerometers};
@@ -181,8 +181,8 @@ impl RigOptions {
             ),
         ];
         for (applies, fields, expected) in conditions {
-            if !applies && let Some((option, value)) = self.first_changed(fields) {
-                return Err(Error::option(option, value, expected));
+            if !applies {
+                refuse_changed(self, fields, expected)?;
             }
         }
         match &self.base {
@@ -192,24 +192,6 @@ impl RigOptions {
             }
             _ => Ok(()),
         }
-    }
-
-    /// Returns the first option of a list that differs from its default, with its value.
-    fn first_changed(&self, fields: &[&'static str]) -> Option<(&'static str, String)> {
-        let [values, defaults] =
-            [self, &Self::default()].map(|options| serde_json::to_value(options).ok());
-        let (values, defaults) = (values?, defaults?);
-        let field = fields
-            .iter()
-            .find(|field| values[**field] != defaults[**field])?;
-        let name = ["_s", "_n", "_kg"]
-            .iter()
-            .find_map(|unit| field.strip_suffix(unit));
-        let value = match &values[*field] {
-            serde_json::Value::String(text) => text.clone(),
-            value => value.to_string(),
-        };
-        Some((name.unwrap_or(field), value))
     }
 
     /// Returns the sensors.

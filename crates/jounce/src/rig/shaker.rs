@@ -62,10 +62,10 @@ fn move_base(
     );
     let number = number.map_err(RigError::from)?;
     let channel = recording.channels[number].clone();
-    let belongs = |issue: &&Issue| {
-        let name = issue.channel.as_ref();
-        name.is_none_or(|name| *name == channel.name)
+    let is_of_other = |name: &String| {
+        *name != channel.name && recording.channels.iter().any(|other| other.name == *name)
     };
+    let belongs = |issue: &&Issue| !issue.channel.as_ref().is_some_and(is_of_other);
     let assumed = heads[number].assumed_unit_issue(Quantity::Acceleration);
     let issues = recording.findings.iter().filter(belongs).cloned();
     let base = data::Recording {
