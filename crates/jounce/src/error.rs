@@ -109,6 +109,17 @@ pub enum Error {
         /// The recording.
         recording: String,
     },
+    /// A file contains no recording.
+    #[error(
+        "{} contains no recording to write, only {shapes} mode shapes; recordings can be written",
+        path.display()
+    )]
+    NoRecording {
+        /// The file.
+        path: std::path::PathBuf,
+        /// Number of its mode shapes.
+        shapes: usize,
+    },
     /// A channel was not loaded.
     #[error("the channel {channel} was not loaded; read the recording with all channels")]
     NotLoaded {

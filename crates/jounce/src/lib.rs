@@ -8,6 +8,16 @@
 //! | response from a start in time | [`Harvester::run`] | [`RunOptions`] | [`RunResult`] |
 //! | attractors and how likely each is | [`Harvester::basins`] | [`BasinsOptions`] | [`BasinsResult`] |
 //! | simulated recordings of sensors | [`Harvester::rig`] | [`RigOptions`] | [`RigResult`] |
+//!
+//! A [`Recording`] is read from a file of an instrument, with its data-quality issues:
+//!
+//! | question | method | options | result |
+//! |---|---|---|---|
+//! | contents of a file, and its conversion | [`RecordedFile::result`], [`RecordedFile::convert`] | [`ReadOptions`], [`ConvertOptions`] | [`ReadResult`] |
+//! | mean power of voltages over their loads | [`Recording::power`] | [`PowerOptions`] | [`PowerResult`] |
+//! | spectra of a channel | [`Recording::spectra`] | [`SpectraOptions`] | [`SpectraResult`] |
+//! | frequency responses of a hammer or shaker test | [`Recording::measured_frf`] | [`MeasuredFrfOptions`] | [`MeasuredFrfResult`] |
+//! | modes of a test | [`Recording::measured_modes`] | [`MeasuredModesOptions`] | [`MeasuredModesResult`] |
 //! | contact laws of force pulses | [`Recording::contact`] | [`ContactOptions`] | [`ContactResult`] |
 //! | attractors that a recording shows | [`Recording::segments`] | [`SegmentsOptions`] | [`SegmentsResult`] |
 //!
@@ -24,12 +34,17 @@ mod basins;
 mod contact;
 mod error;
 mod harvester;
+mod measured_frf;
+mod measured_modes;
 mod options;
 mod periodic;
+mod power;
+mod read;
 mod recording;
 mod rig;
 mod run;
 mod segments;
+mod spectra;
 
 pub use basins::{AttractorResult, BasinsOptions, BasinsResult, FailedStart, StartPoint};
 pub use contact::{ContactOptions, ContactResult, FixedLawResult, HitResult};
@@ -43,12 +58,22 @@ pub use jounce_measure::contact::AllowedLaws;
 pub use jounce_measure::draw::PulseFigure;
 pub use jounce_measure::segmentation::{Candidate, MAX_PERIOD_CYCLES, MergeReason, MergedChange};
 pub use jounce_measure::spectral::HitWarning;
+pub use measured_frf::{
+    FrfEstimator, FunctionParts, MeasuredFrfOptions, MeasuredFrfResult, MeasuredResponse, PerG,
+};
+pub use measured_modes::{ComplexValues, MeasuredMode, MeasuredModesOptions, MeasuredModesResult};
 pub use options::{OptionDefinition, check_tolerance, definitions};
 pub use periodic::check_drives;
+pub use power::{OrderAmplitude, PowerOptions, PowerRecord, PowerResult};
+pub use read::{
+    ChannelResult, Conversion, ConvertOptions, ReadResult, RecordedFile, RecordingResult,
+    ShapeResult,
+};
 pub use recording::{ChannelList, ChosenChannel, ReadOptions, Recording, UsesChannels};
 pub use rig::{BaseMotion, RigOptions, RigResult};
 pub use run::{History, HistorySamples, LoadResult, PatchResult, RunOptions, RunResult};
 pub use segments::{SegmentResult, SegmentsOptions, SegmentsResult};
+pub use spectra::{OrderPeak, SegmentWindow, SpectraOptions, SpectraResult};
 
 /// Rust code of the README, compiled with the documentation tests.
 #[cfg(doctest)]

@@ -110,6 +110,40 @@ pub(crate) fn refuse_changed<O: Default + serde::Serialize>(
     Err(Error::option(option.unwrap_or(field), value, expected))
 }
 
+/// Reads a resistance with its unit, ohm.
+pub(crate) fn resistance_ohm(text: &str) -> Result<f64, String> {
+    Quantity::Resistance
+        .read(text)
+        .map_err(|error| error.to_string())
+}
+
+/// Reads two quantities of an option, as in `0.2s:3s`.
+pub(crate) fn ends(text: &str, quantity: Quantity) -> Result<(f64, f64), String> {
+    let example = match quantity {
+        Quantity::Time => "0.2s:3s",
+        _ => "500Hz:4300Hz",
+    };
+    let usage = || format!("write FROM:TO, as in {example}, the smaller one first");
+    let (from, to) = text.split_once(':').ok_or_else(usage)?;
+    let read = |text: &str| quantity.read(text).map_err(|error| error.to_string());
+    let (from, to) = (read(from)?, read(to)?);
+    if from < to {
+        Ok((from, to))
+    } else {
+        Err(usage())
+    }
+}
+
+/// Reads two times with their units, s.
+pub(crate) fn times_s(text: &str) -> Result<(f64, f64), String> {
+    ends(text, Quantity::Time)
+}
+
+/// Reads two frequencies with their units, Hz.
+pub(crate) fn frequencies_hz(text: &str) -> Result<(f64, f64), String> {
+    ends(text, Quantity::Frequency)
+}
+
 /// Returns the value of an option if it is finite and above 0.
 pub(crate) fn check_above_zero(option: &'static str, value: f64, unit: &str) -> Result<f64, Error> {
     if value > 0.0 && value.is_finite() {

@@ -2,7 +2,8 @@
 
 use clap::{Args, FromArgMatches};
 use jounce::{
-    BasinsOptions, ContactOptions, ReadOptions, RigOptions, RunOptions, SegmentsOptions,
+    BasinsOptions, ContactOptions, ConvertOptions, MeasuredFrfOptions, MeasuredModesOptions,
+    PowerOptions, ReadOptions, RigOptions, RunOptions, SegmentsOptions, SpectraOptions,
     definitions,
 };
 use serde::Serialize;
@@ -41,6 +42,11 @@ fn options_have_help_and_valid_defaults() {
     check::<RunOptions>();
     check::<BasinsOptions>();
     check::<ReadOptions>();
+    check::<ConvertOptions>();
+    check::<PowerOptions>();
+    check::<SpectraOptions>();
+    check::<MeasuredFrfOptions>();
+    check::<MeasuredModesOptions>();
     check::<ContactOptions>();
     check::<RigOptions>();
     check::<SegmentsOptions>();

@@ -142,6 +142,7 @@ impl From<jounce::Error> for Failure {
             Error::RecordingGrid(error) => error.into(),
             Error::NoChannel(error) => error.into(),
             Error::Channel { .. } => Self::new("ArgumentError", &error),
+            Error::NoRecording { ref path, .. } => Self::of_file(&error, path, None),
             Error::WithoutChannel { .. } | Error::NotLoaded { .. } | Error::NotOverTime { .. } => {
                 Self::new("RecordingError", &error)
             }

@@ -149,11 +149,6 @@ impl ListedChannel {
 }
 
 impl Recording {
-    /// Returns the list of all channels.
-    pub(crate) fn list(&self) -> &ChannelList {
-        &self.list
-    }
-
     /// Returns the channels that options choose, at even times and without missing samples, with
     /// their issues, those of the recording, and the corrections made.
     pub(crate) fn load(&self, usage: &impl UsesChannels) -> Result<data::Recording, Error> {
@@ -262,14 +257,14 @@ mod tests {
         assert_eq!(loaded.channels[0].values, [1.0, 2.0, 3.0]);
         let kinds: Vec<_> = loaded.findings.iter().map(|issue| issue.kind).collect();
         assert_eq!(kinds, [IssueKind::Clipping, IssueKind::Bridged]);
-        assert_eq!(recording().list().names(), ["dead", "base", "patch"]);
+        assert_eq!(recording().list.names(), ["dead", "base", "patch"]);
     }
 
     #[test]
     fn a_channel_that_does_not_suit_is_refused_by_its_option() {
         let recording = recording();
         let error = recording
-            .list()
+            .list
             .choose("base", Some("3"), Quantity::Acceleration);
         assert!(matches!(error, Err(Error::Channel { option: "base", .. })));
         assert!(matches!(recording.channel("tip"), Err(Error::NoChannel(_))));

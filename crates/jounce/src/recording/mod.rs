@@ -8,7 +8,7 @@ pub use options::ReadOptions;
 
 use crate::error::Error;
 use jounce_core::integrate::Control;
-use jounce_data::read::{self, Notes, RawChannel, RecordingSummary};
+use jounce_data::read::{self, RawChannel};
 use jounce_data::recording::{self as data, Channel, Grid, Issue, Over};
 use std::path::Path;
 
@@ -110,8 +110,7 @@ impl Recording {
         Ok(read::recording_from_arrays(name, over, grid, channels)?.into())
     }
 
-    /// Returns the recording with a control: its computations report progress to it, and it stops
-    /// them.
+    /// Returns the recording with a control that its computations poll: it stops them.
     #[must_use]
     pub fn with_control(self, control: &Control) -> Self {
         Self {

@@ -24,7 +24,7 @@ impl Default for ReadOptions {
 
 impl ReadOptions {
     /// Returns the notes of a file with these options.
-    pub(super) fn notes(&self, path: &Path) -> Result<Notes, Error> {
+    pub(crate) fn notes(&self, path: &Path) -> Result<Notes, Error> {
         let mut notes = Notes::for_file(path)?;
         if let Some(rate_hz) = self.sample_rate_hz {
             notes.rate_hz = Some(check_above_zero("sample_rate", rate_hz, "Hz")?);

@@ -1,7 +1,9 @@
 //! Options of a virtual test.
 
 use crate::error::Error;
-use crate::options::{check_above_zero, defaults, frequency_hz, refuse_changed, si, time_s};
+use crate::options::{
+    check_above_zero, defaults, frequency_hz, refuse_changed, resistance_ohm, si, time_s,
+};
 use crate::recording::Recording;
 use jounce_core::spec::{Quantity, Spec};
 use jounce_measure::rig::{Cable, RigError, Sensor, add_accelerometers};
@@ -52,7 +54,7 @@ pub struct RigOptions {
     #[arg(long = "cable", value_name = "CAPACITANCE", value_parser = si(Quantity::Capacitance))]
     pub cable_f: Option<f64>,
     /// Resistance of the cable of each patch with its amplifier, as in 10Mohm.
-    #[arg(long = "cable-leakage", value_name = "RESISTANCE", value_parser = si(Quantity::Resistance))]
+    #[arg(long = "cable-leakage", value_name = "RESISTANCE", value_parser = resistance_ohm)]
     pub cable_leakage_ohm: Option<f64>,
     /// Fixes a body; can be given several times.
     #[arg(long, value_name = "BODY")]

@@ -1,9 +1,8 @@
 //! Options of the segmentation of a recording.
 
 use crate::error::Error;
-use crate::options::{check_above_zero, defaults, frequency_hz, refuse_changed, si};
+use crate::options::{check_above_zero, defaults, frequency_hz, refuse_changed, resistance_ohm};
 use crate::recording::{ChannelList, ChosenChannel, UsesChannels};
-use jounce_core::spec::Quantity as Unit;
 use jounce_data::recording::Quantity;
 use jounce_measure::solution::SolutionSearch;
 use serde::{Deserialize, Serialize};
@@ -21,7 +20,7 @@ pub struct SegmentsOptions {
     pub channel: Option<String>,
     /// Resistance of the load, where the channel is its voltage: the power of each segment is
     /// reported.
-    #[arg(long = "resistance", value_name = "RESISTANCE", value_parser = si(Unit::Resistance))]
+    #[arg(long = "resistance", value_name = "RESISTANCE", value_parser = resistance_ohm)]
     pub resistance_ohm: Option<f64>,
     /// Number of random starts that find the solutions of the model.
     #[arg(long, default_value_t = 40)]
