@@ -55,7 +55,7 @@ pub fn dict_with_main<'py>(
         .as_object()
         .into_iter()
         .flatten()
-        .filter(|entry| entry.0 != "warnings" && entry.0 != "findings")
+        .filter(|entry| entry.0 != "warnings" && entry.0 != "issues")
     {
         dict = match value.as_array() {
             Some(items) if items.iter().all(Value::is_object) => {

@@ -25,7 +25,7 @@ impl Contact {
         let read = ReadOptions::default();
         let recording = Recording::read_for(&self.file.file, &read, &self.options)?;
         let result = recording.contact(&self.options)?;
-        print_issues(&result.findings, None);
+        print_issues(&result.issues, None);
         if let Some(folder) = &self.file.output.out {
             self.write(folder, &result)?;
         }

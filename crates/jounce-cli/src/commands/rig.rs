@@ -6,7 +6,6 @@ use crate::output::{self, line, print};
 use crate::spec_arguments::SpecArguments;
 use clap::Args;
 use jounce::{BaseMotion, ReadOptions, Recording, RigOptions};
-use jounce_measure::write::write;
 use std::path::PathBuf;
 
 /// Arguments of `rig`.
@@ -40,11 +39,8 @@ impl Rig {
         if let Some(base) = &result.base {
             print_base(base);
         }
-        write(result.recording.data(), &self.to)?;
-        result
-            .findings
-            .iter()
-            .for_each(|finding| eprintln!("{finding}"));
+        result.recording.write(&self.to)?;
+        result.issues.iter().for_each(|issue| eprintln!("{issue}"));
         if self.json {
             let mut json = output::to_json(&result)?;
             json["file"] = self.to.display().to_string().into();
@@ -64,7 +60,7 @@ impl Rig {
 
 /// Prints on stderr how the base moves.
 fn print_base(base: &BaseMotion) {
-    print_issues(&base.findings, None);
+    print_issues(&base.issues, None);
     let mean_treatment = match base.is_mean_kept {
         true => "retained",
         false => "subtracted",

@@ -43,7 +43,7 @@ impl Segments {
             Some(model) => model.failure(error),
             None => error.into(),
         })?;
-        print_issues(&result.findings, None);
+        print_issues(&result.issues, None);
         if let Some(folder) = &self.file.output.out {
             self.write(folder, &result)?;
         }

@@ -39,6 +39,6 @@ pub fn contact<'py>(
             "pulses",
             result.pulses.iter().map(pulse).collect::<Vec<_>>(),
         )?
-        .with("findings", findings(&result.findings)?)?;
+        .with("issues", findings(&result.issues)?)?;
     Ok(dict.dict())
 }

@@ -32,7 +32,7 @@ fn into_python(py: Python<'_>, result: SegmentsResult) -> PyResult<Bound<'_, PyD
     let candidates: Vec<_> = result.segments.iter().map(|one| &one.candidates).collect();
     let dict = flat::dict_with_main(py, &result, "segments")?
         .with("candidates", json(&candidates)?)?
-        .with("findings", findings(&result.findings)?)?
+        .with("issues", findings(&result.issues)?)?
         .array("time_s", result.time_s)?
         .array("values", result.values)?;
     Ok(dict.dict())

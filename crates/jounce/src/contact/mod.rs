@@ -52,7 +52,7 @@ impl Recording {
             channel: force.name.clone(),
             mass_kg: options.mass_kg,
             hits,
-            findings: record.findings,
+            issues: record.findings,
             pulses,
         })
     }

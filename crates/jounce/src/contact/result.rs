@@ -16,7 +16,7 @@ pub struct ContactResult {
     /// Hits in order.
     pub hits: Vec<HitResult>,
     /// Data-quality issues of the channel and of the times.
-    pub findings: Vec<Issue>,
+    pub issues: Vec<Issue>,
     /// Samples of each hit, with the fitted law.
     #[serde(skip)]
     pub pulses: Vec<PulseFigure>,

@@ -16,7 +16,7 @@ pub struct RigResult {
     /// Seed of hits, fluctuation and noise.
     pub seed: u64,
     /// Data-quality issues of the recording.
-    pub findings: Vec<Issue>,
+    pub issues: Vec<Issue>,
     /// The recording.
     #[serde(skip)]
     pub recording: Recording,
@@ -37,7 +37,7 @@ pub struct BaseMotion {
     /// True where the mean is retained, false where it is subtracted.
     pub is_mean_kept: bool,
     /// Data-quality issues of the channel and of the times.
-    pub findings: Vec<Issue>,
+    pub issues: Vec<Issue>,
 }
 
 impl RigResult {
@@ -47,7 +47,7 @@ impl RigResult {
             rate_hz: recording.rate(),
             channels: recording.channel_names(),
             seed,
-            findings: recording.issues().to_vec(),
+            issues: recording.issues().to_vec(),
             recording,
             base,
         }

@@ -82,7 +82,7 @@ fn move_base(
         channel: name.clone(),
         is_mean_kept: options.keep_mean,
         recording: base.name,
-        findings: base.findings,
+        issues: base.findings,
     })
 }
 

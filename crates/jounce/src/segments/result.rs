@@ -25,7 +25,7 @@ pub struct SegmentsResult {
     /// Uncertainty of the time of a change, s.
     pub uncertainty_s: f64,
     /// Data-quality issues of the channel and of the times.
-    pub findings: Vec<Issue>,
+    pub issues: Vec<Issue>,
     /// Sampling rate, Hz.
     #[serde(skip)]
     pub rate_hz: f64,
