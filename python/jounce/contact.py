@@ -113,9 +113,8 @@ class ContactResult(Result):
 
     def _repr_html_(self) -> str:
         columns = (self.time_s, self.peak_force_n, self.contact_time_s, self.exponent, self.restitution)
-        rows = [
-            [*(f"{one[k]:.5g}" for one in columns), LAW_DESCRIPTIONS[kind] if kind else self.reason[k]] for k, kind in enumerate(self.allowed_laws)
-        ]
+        laws = [LAW_DESCRIPTIONS[kind] if kind else reason for kind, reason in zip(self.allowed_laws, self.reason)]
+        rows = [[*(f"{one[k]:.5g}" for one in columns), law] for k, law in enumerate(laws)]
         return html_table("Hits", ["time [s]", "peak force [N]", "contact [s]", "exponent", "restitution", ""], rows)
 
     def to_xarray(self) -> Any:

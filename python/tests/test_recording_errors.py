@@ -41,8 +41,8 @@ SERIES = {"data": VOLTS, "name": "u", "unit_str": "V", "fs": 1000.0}
         (lambda: jounce.spectra(SERIES, drive="0 Hz"), jounce.ArgumentError, "above 0"),
         (lambda: jounce.spectra(SERIES, drive="0.01 Hz"), jounce.RecordingError, "it must last at least"),
         (lambda: jounce.spectra(SERIES, channel="w"), jounce.ArgumentError, "w"),
-        (lambda: jounce.regimes(VOLTS, "1 Hz", sample_rate_hz=1e3), jounce.RecordingError, "at least 24"),
-        (lambda: jounce.regimes(VOLTS, "10 V", sample_rate_hz=1e3), jounce.ArgumentError, "expected a frequency"),
+        (lambda: jounce.segments(VOLTS, "1 Hz", sample_rate_hz=1e3), jounce.RecordingError, "at least 24"),
+        (lambda: jounce.segments(VOLTS, "10 V", sample_rate_hz=1e3), jounce.ArgumentError, "expected a frequency"),
         (lambda: jounce.contact(np.random.default_rng(0).normal(size=4000), sample_rate_hz=1e3), jounce.RecordingError, "no hit"),
         (lambda: jounce.contact(VOLTS, sample_rate_hz=1e3, mass="1 m"), jounce.ArgumentError, "expected a mass"),
         (lambda: jounce.measured_frf(SERIES), jounce.RecordingError, "no channel in newtons"),
@@ -57,8 +57,8 @@ SERIES = {"data": VOLTS, "name": "u", "unit_str": "V", "fs": 1000.0}
         (lambda: jounce.measured_modes([VOLTS, VOLTS], sample_rate_hz=1e3, output_only=True), jounce.ArgumentError, "one recording"),
         (lambda: jounce.measured_modes(SERIES, output_only=True, lags="3 s"), jounce.RecordingError, "3"),
         (lambda: jounce.measured_modes(SERIES, free_decay=True, span="3.999 s:9 s"), jounce.RecordingError, "32"),
-        (lambda: jounce.regimes(SERIES, "10 Hz", model="a.toml"), jounce.ArgumentError, "of type str"),
-        (lambda: jounce.regimes(SERIES, "10 Hz", starts=-1), jounce.ArgumentError, "starts is -1"),
+        (lambda: jounce.segments(SERIES, "10 Hz", model="a.toml"), jounce.ArgumentError, "of type str"),
+        (lambda: jounce.segments(SERIES, "10 Hz", starts=-1), jounce.ArgumentError, "starts is -1"),
     ],
 )
 def test_unusable_recordings_raise_errors(call, kind, words):
