@@ -52,9 +52,9 @@ from .noise import NoiseResult
 from .power import PowerResult, power
 from .recorded_file import ModeShape, RecordedFile, read_recordings
 from .recording import Channel, Recording
-from .regimes import RegimesResult, regimes
 from .reproduce import ReproduceResult, reproduce
 from .run import RunResult, State
+from .segments import SegmentsResult, segments
 from .signal import Spectrum, spectrum, write_recording
 from .spec import Spec
 from .spectra import SpectraResult, spectra
@@ -115,10 +115,10 @@ __all__ = [
     "Recording",
     "RecordingError",
     "Reduction",
-    "RegimesResult",
     "ReproduceResult",
     "Run",
     "RunResult",
+    "SegmentsResult",
     "Spec",
     "SpecError",
     "SpectraResult",
@@ -146,9 +146,9 @@ __all__ = [
     "power",
     "read",
     "read_recordings",
-    "regimes",
     "reproduce",
     "schema",
+    "segments",
     "spectra",
     "spectrum",
     "starters",

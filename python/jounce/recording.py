@@ -6,7 +6,7 @@ import dataclasses
 import hashlib
 from collections.abc import Iterator, Mapping, Sequence
 from os import PathLike, fspath
-from typing import Any, Literal, Self
+from typing import TYPE_CHECKING, Any, Literal, Self
 
 import numpy as np
 
@@ -14,6 +14,10 @@ from . import _core
 from .errors import ArgumentError
 from .issue import Finding, issue_lines, parse_issues
 from .result import Complexes, Data, Floats, Result, Variable, html_table, make_manifest
+
+if TYPE_CHECKING:
+    from .contact import ContactResult
+    from .segments import SegmentsResult
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -137,6 +141,18 @@ class Recording(Result):
         """Returns the recording at even steps without missing samples, by linear interpolation; ``findings`` lists the corrections."""
         even_recording = type(self)._from_core_recording(_core.recording_even(self._core()), self.manifest)
         return dataclasses.replace(even_recording, findings=[*self.findings, *even_recording.findings])
+
+    def contact(self, **options: Any) -> ContactResult:
+        """Fits contact laws to the force pulses; the options are those of :func:`jounce.contact`."""
+        from .contact import contact
+
+        return contact(self, **options)
+
+    def segments(self, drive: Any, **options: Any) -> SegmentsResult:
+        """Cuts the recording into segments of one attractor each; the options are those of :func:`jounce.segments`."""
+        from .segments import segments
+
+        return segments(self, drive, **options)
 
     def write(self, path: str | PathLike[str]) -> None:
         """Writes the recording in SI, in the format of the ending: ``.uff`` (UFF 58 in ASCII), ``.parquet`` or ``.csv``."""

@@ -1,11 +1,10 @@
 //! Failures of commands and their exit codes.
 
 use crate::output::print;
-use jounce::{Error, ErrorKind};
+use jounce::{ChannelError, Error, ErrorKind};
 use jounce_core::analysis::{AnalysisError, GridError};
 use jounce_core::orbit::OrbitError;
 use jounce_core::spec::{Fault, ReadError};
-use jounce_measure::recording::ChannelError;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -169,15 +168,5 @@ input_failure!(
     jounce_core::picture::PictureError,
     jounce_core::signal::SignalError,
     jounce_core::analysis::JournalError,
-    jounce_core::store::StoreError,
-    jounce_measure::read::ReadError,
-    jounce_measure::recording::NoChannel,
-    jounce_measure::recording::GridError,
-    jounce_measure::write::WriteError,
-    jounce_measure::spectral::SpectralError,
-    jounce_measure::response::ResponseError,
-    jounce_measure::modal::ModalError,
-    jounce_measure::rig::RigError,
-    jounce_measure::solution::SolutionError,
-    jounce_measure::segmentation::SegmentationError
+    jounce_core::store::StoreError
 );

@@ -3,8 +3,7 @@
 use crate::failure::Failure;
 use crate::measured_file::manifest;
 use clap::{Arg, Args};
-use jounce::{MeasuredFrfOptions, ReadOptions, Recording, definitions};
-use jounce_core::table::Manifest;
+use jounce::{Manifest, MeasuredFrfOptions, ReadOptions, Recording, definitions};
 use std::path::PathBuf;
 
 /// Arguments of a hammer test.

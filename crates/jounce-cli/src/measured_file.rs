@@ -4,11 +4,7 @@ use crate::failure::Failure;
 use crate::output;
 use crate::spec_arguments::OutputArguments;
 use clap::Args;
-use jounce::{Error, ReadOptions, Recording, UsesChannels};
-use jounce_core::spec::Quantity as Unit;
-use jounce_core::table::Manifest;
-use jounce_measure::read::{self, RecordingSummary};
-use jounce_measure::recording::{ChannelError, Issue, Quantity, choose_channel, find_channel};
+use jounce::{Error, Issue, Manifest, ReadOptions, Recording, UsesChannels};
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 use std::io::Read;
@@ -27,11 +23,6 @@ pub struct MeasuredFile {
 }
 
 impl MeasuredFile {
-    /// Returns the [`summary()`] of the file.
-    pub fn summary(&self) -> Result<RecordingSummary, Failure> {
-        summary(&self.file)
-    }
-
     /// Reads the recording, with the channels that a computation uses.
     pub fn recording(&self, usage: &impl UsesChannels) -> Result<Recording, Failure> {
         Ok(Recording::read_for(&self.file, &self.read, usage)?)
@@ -92,86 +83,19 @@ fn hash_hex(file: &Path) -> Result<String, Failure> {
     }
 }
 
-/// Returns the number of the channel of a name or number; without one, of the only channel or the
-/// first of a quantity. If the channel has no unit, the assumption is added to the findings.
-pub fn channel(
-    recording: &mut RecordingSummary,
-    name: Option<&str>,
-    quantity: Quantity,
-    option: &str,
-) -> Result<usize, Failure> {
-    let choice = choose_channel(&recording.name, &recording.heads(), name, quantity);
-    if choice.is_err() {
-        // The message names the recording, which may be the wrong one.
-        print_issues(
-            recording
-                .findings
-                .iter()
-                .filter(|issue| issue.channel.is_none()),
-        );
-    }
-    let number = choice.map_err(|error| match error {
-        ChannelError::Missing(error) => error.into(),
-        error @ ChannelError::Unnamed { .. } => Failure::usage(format!("{option}: {error}")),
-        error @ ChannelError::Unit { .. } => Failure::Input(format!("{option}: {error}")),
-    })?;
-    let assumed = recording.channels[number]
-        .head()
-        .assumed_unit_issue(quantity);
-    recording.findings.extend(assumed);
-    Ok(number)
-}
-
-/// Returns the number of the channel of a name or number, of any quantity.
-pub fn any_channel(recording: &RecordingSummary, name_or_number: &str) -> Result<usize, Failure> {
-    Ok(find_channel(
-        &recording.name,
-        &recording.heads(),
-        name_or_number,
-    )?)
-}
-
-/// Reads the first recording over time in a file, without its samples in memory.
-pub fn summary(file: &Path) -> Result<RecordingSummary, Failure> {
-    Ok(read::record_summary(file)?)
-}
-
-/// Loads channels of a recording at even times and without missing samples; the others are not
-/// loaded. Prints on stderr the issues of these channels and of the recording, and the corrections
-/// made.
-pub fn load_channels(
-    recording: RecordingSummary,
-    channels: &[usize],
-) -> Result<jounce_measure::recording::Recording, Failure> {
-    let recording = recording
-        .into_recording_of(channels)
-        .map_err(|fault| Failure::Input(format!("the scratch file cannot be read: {fault}")))?;
-    let uniform = recording.into_even()?;
-    print_issues(&uniform.findings);
-    Ok(uniform)
-}
-
-/// Reads a positive quantity of an option.
-pub fn parse_positive(option: &str, text: &str, quantity: Unit) -> Result<f64, Failure> {
-    let fault = |reason: String| Failure::usage(format!("{option} {text}: {reason}"));
-    let value = quantity
-        .read(text)
-        .map_err(|error| fault(error.to_string()))?;
-    if value > 0.0 && value.is_finite() {
-        Ok(value)
-    } else {
-        Err(fault("it must be above 0".to_owned()))
-    }
-}
-
-/// Returns a result; on an error, prints the issues of the complete recordings on stderr, since the
-/// cause may be the wrong recording.
+/// Returns a result; on an error, prints the issues of the complete recordings.
 pub fn or_issues<T>(result: Result<T, Error>, recordings: &[Recording]) -> Result<T, Failure> {
     result.map_err(|error| {
-        let issues = recordings.iter().flat_map(Recording::issues);
-        print_issues(issues.filter(|issue| issue.channel.is_none()));
+        print_recording_issues(recordings);
         error.into()
     })
+}
+
+/// Prints on stderr the issues of complete recordings: they may explain an error, which may come
+/// from the wrong recording.
+pub fn print_recording_issues(recordings: &[Recording]) {
+    let issues = recordings.iter().flat_map(Recording::issues);
+    print_issues(issues.filter(|issue| issue.channel.is_none()));
 }
 
 /// Prints issues of recordings on stderr. A sentence is printed once, with the number of recordings

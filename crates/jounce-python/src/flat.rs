@@ -11,7 +11,7 @@ use pyo3::types::PyDict;
 use serde_json::{Map, Value};
 
 /// Texts that may be missing in all records.
-const TEXTS: [&str; 2] = ["mirror_of", "stop_carried_by"];
+const TEXTS: [&str; 4] = ["allowed_laws", "mirror_of", "reason", "stop_carried_by"];
 
 /// Reads options from JSON.
 ///

@@ -18,6 +18,9 @@ use jounce_measure::experiment::ExperimentError;
 use jounce_measure::fit::FitError;
 use jounce_measure::modal::ModalError;
 use jounce_measure::response::ResponseError;
+use jounce_measure::rig::RigError;
+use jounce_measure::segmentation::SegmentationError;
+use jounce_measure::solution::SolutionError;
 use jounce_measure::spectral::SpectralError;
 use jounce_measure::write::WriteError;
 
@@ -88,6 +91,15 @@ pub enum Error {
     /// A signal is too short or holds a value that is not finite.
     #[error(transparent)]
     Signal(#[from] SignalError),
+    /// A virtual test cannot be simulated.
+    #[error(transparent)]
+    Rig(#[from] RigError),
+    /// A recording cannot be cut into segments.
+    #[error(transparent)]
+    Segmentation(#[from] SegmentationError),
+    /// The solutions of a model cannot be found.
+    #[error(transparent)]
+    Solution(#[from] SolutionError),
     /// A recording cannot be read.
     #[error(transparent)]
     ReadRecording(#[from] jounce_data::read::ReadError),
@@ -198,8 +210,14 @@ impl Error {
                 ErrorKind::NotConverged
             }
             Self::Fit(FitError::NotConverged { .. }) => ErrorKind::NotConverged,
+            Self::Rig(RigError::Run(error)) | Self::Solution(SolutionError::Run(error)) => {
+                kind_of_run(error)
+            }
+            Self::Solution(SolutionError::Study(error)) => kind_of(error),
+            Self::Solution(SolutionError::Lost { .. }) => ErrorKind::NotConverged,
             Self::Stopped
             | Self::Fit(FitError::Stopped { .. })
+            | Self::Segmentation(SegmentationError::Stopped)
             | Self::Spectral(SpectralError::Stopped) => ErrorKind::Stopped,
             _ => ErrorKind::Input,
         }
@@ -208,10 +226,15 @@ impl Error {
 
 fn kind_of(error: &AnalysisError) -> ErrorKind {
     match error {
-        AnalysisError::Run(RunError::Integration(IntegrationError::Stopped { .. })) => {
-            ErrorKind::Stopped
-        }
-        AnalysisError::Run(RunError::Integration(_)) => ErrorKind::NotConverged,
+        AnalysisError::Run(error) => kind_of_run(error),
+        _ => ErrorKind::Input,
+    }
+}
+
+fn kind_of_run(error: &RunError) -> ErrorKind {
+    match error {
+        RunError::Integration(IntegrationError::Stopped { .. }) => ErrorKind::Stopped,
+        RunError::Integration(_) => ErrorKind::NotConverged,
         _ => ErrorKind::Input,
     }
 }

@@ -12,6 +12,7 @@
 //! | response from a start in time | [`Harvester::run`] | [`RunOptions`] | [`RunResult`] |
 //! | attractors and how likely each is | [`Harvester::basins`] | [`BasinsOptions`] | [`BasinsResult`] |
 //! | keys that fit measurements | [`Harvester::fit`] | [`Features`] | [`FitResult`] |
+//! | simulated recordings of sensors | [`Harvester::rig`] | [`RigOptions`] | [`RigResult`] |
 //!
 //! [`materials`], [`starters`], [`schema`] and [`key_reference`] help to write a spec;
 //! [`Harvester::drawing`] draws it; [`reproduce`] recomputes a published paper.
@@ -25,6 +26,8 @@
 //! | spectra of a channel | [`Recording::spectra`] | [`SpectraOptions`] | [`SpectraResult`] |
 //! | frequency responses of a hammer or shaker test | [`Recording::measured_frf`] | [`MeasuredFrfOptions`] | [`MeasuredFrfResult`] |
 //! | modes of a test | [`Recording::measured_modes`] | [`MeasuredModesOptions`] | [`MeasuredModesResult`] |
+//! | contact laws of force pulses | [`Recording::contact`] | [`ContactOptions`] | [`ContactResult`] |
+//! | attractors that a recording shows | [`Recording::segments`] | [`SegmentsOptions`] | [`SegmentsResult`] |
 //!
 //! Options have defaults: write the fields that differ, then `..Default::default()`. Results are
 //! plain data; serialised, they are the JSON of the command line. Every name ends in its unit.
@@ -37,6 +40,7 @@
 
 mod basins;
 mod check;
+mod contact;
 mod error;
 mod fit;
 mod frf;
@@ -52,11 +56,14 @@ mod read;
 mod recording;
 mod reference;
 mod reproduce;
+mod rig;
 mod run;
+mod segments;
 mod spectra;
 
 pub use basins::{AttractorResult, BasinsOptions, BasinsResult, FailedStart, StartPoint};
 pub use check::{CheckResult, DriveIssue};
+pub use contact::{ContactOptions, ContactResult, FixedLawResult, HitResult};
 pub use error::{Error, ErrorKind};
 pub use fit::FitResult;
 pub use frf::{FrfOptions, FrfResponse, FrfResult};
@@ -75,11 +82,17 @@ pub use jounce_core::spec::{Fault, Faults, KeyRange, NumericKey, Quantity, Spec,
 pub use jounce_core::starter::Starter;
 pub use jounce_core::table::{Manifest, Table};
 pub use jounce_data::read::RawChannel;
-pub use jounce_data::recording::{Channel, Grid, Issue, Over, Quantity as MeasuredQuantity};
+pub use jounce_data::recording::{
+    Channel, ChannelError, Grid, Issue, Over, Quantity as MeasuredQuantity,
+};
+pub use jounce_measure::contact::AllowedLaws;
+pub use jounce_measure::draw::PulseFigure;
 pub use jounce_measure::fit::{
     Features, FitError, FitResult as FitEstimate, FittedCurve, FittedDeviation, FittedFeature,
     FittedKey,
 };
+pub use jounce_measure::segmentation::{Candidate, MAX_PERIOD_CYCLES, MergeReason, MergedChange};
+pub use jounce_measure::spectral::HitWarning;
 pub use measured_frf::{
     FrfEstimator, FunctionParts, MeasuredFrfOptions, MeasuredFrfResult, MeasuredResponse, PerG,
 };
@@ -96,7 +109,9 @@ pub use read::{
 pub use recording::{ChannelList, ChosenChannel, ReadOptions, Recording, UsesChannels};
 pub use reference::{key_reference, materials, schema, starter, starters};
 pub use reproduce::{ReproduceOptions, ReproduceResult, reproduce};
+pub use rig::{BaseMotion, RigOptions, RigResult};
 pub use run::{History, HistorySamples, LoadResult, PatchResult, RunOptions, RunResult};
+pub use segments::{SegmentResult, SegmentsOptions, SegmentsResult};
 pub use spectra::{OrderPeak, SegmentWindow, SpectraOptions, SpectraResult};
 
 /// Rust code of the README, compiled with the documentation tests.

@@ -79,6 +79,37 @@ pub(crate) fn frequency_hz(text: &str) -> Result<f64, String> {
         .map_err(|error| error.to_string())
 }
 
+/// Returns a reader of a quantity with its unit, in SI.
+pub(crate) fn si(quantity: Quantity) -> impl Fn(&str) -> Result<f64, String> + Clone {
+    move |text| quantity.read(text).map_err(|error| error.to_string())
+}
+
+/// Refuses options that differ from their defaults; `expected` says what they need. A field is named
+/// after its option and the unit.
+pub(crate) fn refuse_changed<O: Default + serde::Serialize>(
+    options: &O,
+    fields: &[&'static str],
+    expected: &str,
+) -> Result<(), Error> {
+    let json = |options: &O| serde_json::to_value(options).unwrap_or_default();
+    let (values, defaults) = (json(options), json(&O::default()));
+    let is_changed = |field: &&&'static str| values[**field] != defaults[**field];
+    let Some(field) = fields.iter().find(is_changed) else {
+        return Ok(());
+    };
+    let text = |value: &serde_json::Value| match value.as_str() {
+        Some(text) => text.to_owned(),
+        None => value.to_string(),
+    };
+    let value = match values[*field].as_array() {
+        Some(items) => items.iter().map(text).collect::<Vec<_>>().join(" "),
+        None => text(&values[*field]),
+    };
+    let units = ["_hz", "_kg", "_n", "_s"];
+    let option = units.iter().find_map(|unit| field.strip_suffix(unit));
+    Err(Error::option(option.unwrap_or(field), value, expected))
+}
+
 /// Reads a resistance with its unit, ohm.
 pub(crate) fn resistance_ohm(text: &str) -> Result<f64, String> {
     Quantity::Resistance

@@ -2,9 +2,9 @@
 
 use clap::{Args, FromArgMatches};
 use jounce::{
-    BasinsOptions, ConvertOptions, FrfOptions, MeasuredFrfOptions, MeasuredModesOptions,
-    ModesOptions, NoiseOptions, PowerOptions, ReadOptions, ReproduceOptions, RunOptions,
-    SpectraOptions, definitions,
+    BasinsOptions, ContactOptions, ConvertOptions, FrfOptions, MeasuredFrfOptions,
+    MeasuredModesOptions, ModesOptions, NoiseOptions, PowerOptions, ReadOptions, ReproduceOptions,
+    RigOptions, RunOptions, SegmentsOptions, SpectraOptions, definitions,
 };
 use serde::Serialize;
 use std::fmt::Debug;
@@ -51,6 +51,9 @@ fn options_have_help_and_valid_defaults() {
     check::<FrfOptions>();
     check::<NoiseOptions>();
     check::<ReproduceOptions>();
+    check::<ContactOptions>();
+    check::<RigOptions>();
+    check::<SegmentsOptions>();
 }
 
 #[test]

@@ -136,6 +136,9 @@ impl From<jounce::Error> for Failure {
             }
             Error::Grid(_) => Self::new("ArgumentError", &error).with(json!({ "option": "grid" })),
             Error::NoDrive { .. } | Error::DriveAtRest { .. } => Self::new("ArgumentError", &error),
+            Error::Rig(error) => error.into(),
+            Error::Segmentation(error) => error.into(),
+            Error::Solution(error) => error.into(),
             Error::Signal(_) | Error::Threads(_) | Error::Stopped => {
                 Self::new("JounceError", &error)
             }

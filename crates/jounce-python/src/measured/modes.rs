@@ -31,10 +31,7 @@ pub fn measured_modes<'py>(
     into_python(py, &result)
 }
 
-fn into_python<'py>(
-    py: Python<'py>,
-    result: &MeasuredModesResult,
-) -> PyResult<Bound<'py, PyDict>> {
+fn into_python<'py>(py: Python<'py>, result: &MeasuredModesResult) -> PyResult<Bound<'py, PyDict>> {
     let (modes, fit) = (&result.modes, &result.identification);
     let stable: Vec<_> = result
         .stabilisation
@@ -103,7 +100,10 @@ fn base_participation<'py>(
 }
 
 /// Returns an array of the lines of each function.
-fn lines<'py>(py: Python<'py>, functions: &[Vec<Complex64>]) -> Vec<Bound<'py, PyArray1<Complex64>>> {
+fn lines<'py>(
+    py: Python<'py>,
+    functions: &[Vec<Complex64>],
+) -> Vec<Bound<'py, PyArray1<Complex64>>> {
     let array = |lines: &Vec<Complex64>| PyArray1::from_slice(py, lines);
     functions.iter().map(array).collect()
 }

@@ -35,7 +35,11 @@ fn into_python<'py>(py: Python<'py>, result: &PowerResult) -> PyResult<Bound<'py
     let longest = records.iter().max_by_key(|record| record.orders.len());
     let orders = longest.map_or(&[][..], |record| &record.orders);
     let amplitudes = |record: &PowerRecord| {
-        let mut row: Vec<f64> = record.orders.iter().map(|one| one.amplitude_peak_v).collect();
+        let mut row: Vec<f64> = record
+            .orders
+            .iter()
+            .map(|one| one.amplitude_peak_v)
+            .collect();
         row.resize(orders.len(), f64::NAN);
         row
     };
@@ -47,7 +51,10 @@ fn into_python<'py>(py: Python<'py>, result: &PowerResult) -> PyResult<Bound<'py
     };
     let spectra = records.iter().filter_map(|record| record.spectrum.as_ref());
     let spectra = spectra.map(spectrum).collect::<PyResult<Vec<_>>>()?;
-    let found: Vec<_> = records.iter().flat_map(|record| record.issues.clone()).collect();
+    let found: Vec<_> = records
+        .iter()
+        .flat_map(|record| record.issues.clone())
+        .collect();
     let dict = flat::dict_with_main(py, result, "records")?
         .each("order", orders, |one| one.order)?
         .rows("order_amplitude_peak_v", &rows, orders.len())?

@@ -172,8 +172,7 @@ pub fn recording_from_arrays<'py>(
         .map(ChannelInput::raw)
         .collect();
     let name = &recording_input.name;
-    let recording =
-        Recording::from_arrays(name, over, grid, channels).map_err(Failure::from)?;
+    let recording = Recording::from_arrays(name, over, grid, channels).map_err(Failure::from)?;
     into_python(py, recording.with_issues(stamp_issues))
 }
 

@@ -33,8 +33,11 @@ fn into_python(py: Python<'_>, result: SpectraResult) -> PyResult<Bound<'_, PyDi
         None => dict,
         Some(spectrogram) => {
             let width = spectrogram.frequency_hz.len();
-            dict.array("time_s", spectrogram.time_s)?
-                .rows("amplitude_peak", &spectrogram.amplitude_peak, width)?
+            dict.array("time_s", spectrogram.time_s)?.rows(
+                "amplitude_peak",
+                &spectrogram.amplitude_peak,
+                width,
+            )?
         }
     };
     Ok(dict.dict())

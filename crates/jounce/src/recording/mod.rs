@@ -37,6 +37,12 @@ pub struct Recording {
     control: Control,
 }
 
+impl PartialEq for Recording {
+    fn eq(&self, other: &Self) -> bool {
+        self.data == other.data && self.loaded == other.loaded
+    }
+}
+
 impl Recording {
     /// Reads the first recording over time in a file of any known format, with the notes in
     /// `FILE.channels.toml`.
