@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import dataclasses
-import json
 from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 
 from .errors import ArgumentError
-from .result import Along, Data, Floats, Result, Variable, column, html_table, result_or_raise
+from .result import Along, Data, Floats, Result, Variable, column, html_table
 
 if TYPE_CHECKING:
     from .spec import Spec
@@ -193,11 +192,9 @@ class FitResult(Result):
         return plot_curve(self.curve(curve), ax)
 
 
-def make_fit(spec: Spec, core_result: tuple[str | None, BaseException | None], manifest: dict[str, Any]) -> FitResult:
-    """Returns the fit of a result of the compiled module; raises the error that ended the fit early."""
-    result = json.loads(result_or_raise(core_result))
+def make_fit(result: dict[str, Any], spec: Spec, manifest: dict[str, Any]) -> FitResult:
+    """Returns the fit of a result of the library, with the fitted spec."""
     keys, features = result["keys"], result["features"]
-    after = {one["key"]: f"{one['after']!r} {one['unit']}".strip() for one in keys}
     key_fields = ("before", "after", "low", "high", "prior_deviation", "deviation")
     feature_fields = ("measured", "deviation", "before", "after", "predicted_deviation", "low", "high")
     numbers: dict[str, Any] = {name: column(keys, name) for name in key_fields}
@@ -212,7 +209,7 @@ def make_fit(spec: Spec, core_result: tuple[str | None, BaseException | None], m
         curves=[_curve(one) for one in result["curves"]],
         deviations=[FitDeviation(**one) for one in result["deviations"]],
         correlation=np.array(result["correlation"], dtype=np.float64),
-        spec=spec.changed(after),
+        spec=spec,
         **{name: result[name] for name in ("quantile", "chi_square", "objective", "warnings", "evaluations")},
     )
 

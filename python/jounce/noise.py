@@ -26,7 +26,7 @@ class NoiseResult(Result):
     #: Mean power by the Lyapunov equation and by the integral over frequency, W, and their difference relative to the first.
     load_mean_power_w: Annotated[Floats, Along("load", "W", "mean power, by the Lyapunov equation")]
     load_spectral_power_w: Annotated[Floats, Along("load", "W", "mean power, by the integral over frequency")]
-    load_power_difference_relative: Annotated[Floats, Along("load", "1", "difference of the two relative to the first")]
+    load_difference_relative: Annotated[Floats, Along("load", "1", "difference of the two relative to the first")]
     #: Voltage, rms, V.
     load_voltage_rms_v: Annotated[Floats, Along("load", "V", "voltage, rms")]
     #: Noise bandwidth of the voltage per unit of each drive, Hz; of shape ``(load, drive)``.
@@ -49,6 +49,8 @@ class NoiseResult(Result):
     #: variance.
     stop_reached_hz: Annotated[Floats, Along("stop", "1/s", "crossing rate of the gap without contact")]
     stop_share_beyond: Annotated[Floats, Along("stop", "1", "share of the time beyond the gap")]
+    #: Noise that moves only one side of the gap; ``None`` for the other stops.
+    stop_carried_by: list[str | None]
     #: Frequencies of the densities, Hz, closer about each resonance.
     frequency_hz: Floats
     #: Density of each output by name, ``"mfc.voltage"``, ``"beam.tip.displacement"``; of shape ``(frequency,)``.
@@ -60,7 +62,7 @@ class NoiseResult(Result):
     def _from_core(cls, result: dict[str, Any]) -> Self:
         densities = result["densities"]
         by_name = {"densities": {k: v for k, (v, _) in densities.items()}, "units": {k: unit for k, (_, unit) in densities.items()}}
-        return super()._from_core({**result, **by_name})
+        return super()._from_core(cls._filled({**result, **by_name, "drive": result.pop("drives")}))
 
     def __getitem__(self, name: str) -> Floats:
         if name not in self.densities:
@@ -68,7 +70,7 @@ class NoiseResult(Result):
         return self.densities[name]
 
     def _summary(self) -> list[tuple[str, str]]:
-        loads = zip(self.load, self.load_voltage_rms_v, self.load_power_difference_relative, self.load_statistical_bandwidth_hz)
+        loads = zip(self.load, self.load_voltage_rms_v, self.load_difference_relative, self.load_statistical_bandwidth_hz)
         points = zip(self.point, self.point_displacement_rms_m, self.point_velocity_rms_m_s)
         stops = zip(self.stop, self.stop_gap_m, self.stop_reached_hz, self.stop_share_beyond)
         return [

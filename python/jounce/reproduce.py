@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from . import _core
-from .arguments import check_integers
+from .arguments import check_integers, options
 from .progress import Progress, progress_callback
 from .result import Result, html_table, make_manifest, result_or_raise
 
@@ -55,4 +55,6 @@ def reproduce(
     """
     check_integers(threads=threads)
     with progress_callback(progress) as callback:
-        return ReproduceResult(manifest=make_manifest("reproduce"), **result_or_raise(_core.reproduce(fspath(out), threads, callback)))
+        fields = result_or_raise(_core.reproduce(options(out=fspath(out), threads=threads), callback))
+    paths = {"report": Path(fields["report"]), **{name: [Path(path) for path in fields[name]] for name in ("tables", "figures")}}
+    return ReproduceResult(manifest=make_manifest("reproduce"), **{**fields, **paths})

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import json
 from collections.abc import Mapping, Sequence
 from os import PathLike, fspath
 from pathlib import Path
@@ -120,9 +121,9 @@ class SpecOnRig(SpecText):
         else:
             raise ArgumentError(f"to is of type {type(to).__name__}; give the path of a file of features, or a dict with the same contents")
         with progress_callback(progress) as callback:
-            result = _core.fit(self._spec, **source, progress=callback)
+            text, fitted = result_or_raise(_core.fit(self._spec, **source, progress=callback))
         manifest = {**make_manifest("fit", to=source_name), "spec_sha256": self.sha256}
-        return make_fit(cast("Spec", self), result, manifest)
+        return make_fit(json.loads(text), cast("Spec", self._from_core(fitted)), manifest)
 
 
 def _solutions(solution: str | Sequence[str | tuple[str, Any]]) -> list[str]:

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any, Literal
 
 from . import _core
-from .arguments import check_integers, frequencies, names, options, to_si
+from .arguments import check_integers, frequencies, names, optional_hz, options, to_si
 from .basins import BasinsResult
 from .branch import BranchResult
 from .diagram import DiagramResult
@@ -40,12 +40,16 @@ class Spec(SpecOnRig):
 
     def modes(self, hold: str | Sequence[str] = (), *, fixed_table: bool = False) -> ModesResult:
         """Computes natural frequencies, damping ratios, couplings and shapes, with some masses fixed, with ``fixed_table`` all of them."""
-        return ModesResult._from_core(_core.modes(self._spec, self._fixed_masses(hold, fixed_table)))
+        given = options(hold=names(hold), fixed_table=fixed_table)
+        return ModesResult._from_core(_core.modes(self._spec, given))
 
     def frf(
         self,
         frequency: Any = None,
         *,
+        low: Any = None,
+        high: Any = None,
+        points: int | None = None,
         input: str | None = None,
         base: bool = False,
         hold: str | Sequence[str] = (),
@@ -57,11 +61,22 @@ class Spec(SpecOnRig):
         With ``base`` the base is excited instead: displacements relative to it and voltages, per m/s^2. Masses in ``hold`` are fixed, with
         ``fixed_table`` all of them; with ``open_circuit`` the patches have no circuit.
 
-        ``frequency``: text or quantities, ``["1 Hz", "2 Hz"]``, or a pint array; by default 2000 from 1 to 1000 Hz.
+        The frequencies are ``points`` (2000) from ``low`` (1 Hz) to ``high`` (1000 Hz), logarithmically spaced; or those of
+        ``frequency``: text or quantities, ``["1 Hz", "2 Hz"]``, or a pint array.
         """
-        return FrfResult._from_core_call(
-            _core.frf(self._spec, frequencies(frequency), input, base, self._fixed_masses(hold, fixed_table), open_circuit)
+        check_integers(points=points)
+        given = options(
+            frequency_hz=frequencies(frequency),
+            low_hz=optional_hz(low, "low"),
+            high_hz=optional_hz(high, "high"),
+            points=points,
+            input=input,
+            base=base,
+            hold=names(hold),
+            fixed_table=fixed_table,
+            open_circuit=open_circuit,
         )
+        return FrfResult._from_core_call(_core.frf(self._spec, given))
 
     def noise(self, *, low: Any = None, high: Any = None, points: int = 1000) -> NoiseResult:
         """Computes the exact response to the noises of the spec without contact: means, mean squares, bandwidths, gap crossing rates.
@@ -70,9 +85,8 @@ class Spec(SpecOnRig):
         ones around each resonance.
         """
         check_integers(points=points)
-        low_hz = None if low is None else to_si("frequency", low, "low")
-        high_hz = None if high is None else to_si("frequency", high, "high")
-        return NoiseResult._from_core_call(_core.noise(self._spec, low_hz, high_hz, points))
+        given = options(low_hz=optional_hz(low, "low"), high_hz=optional_hz(high, "high"), points=points)
+        return NoiseResult._from_core_call(_core.noise(self._spec, given))
 
     def run(
         self,

@@ -1,11 +1,10 @@
 //! Failures of commands and their exit codes.
 
 use crate::output::print;
-use jounce::{Error, ErrorKind};
+use jounce::{ChannelError, Error, ErrorKind};
 use jounce_core::analysis::{AnalysisError, GridError};
 use jounce_core::orbit::OrbitError;
 use jounce_core::spec::{Fault, ReadError};
-use jounce_measure::recording::ChannelError;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -144,6 +143,7 @@ impl From<Error> for Failure {
             (_, Error::Grid(error)) if error != GridError::NoStop => {
                 Failure::Usage(format!("--grid: {error}"))
             }
+            (_, Error::Starter(error)) => Failure::Usage(error.to_string()),
             (ErrorKind::NotConverged, error) => Failure::NotConverged(error.to_string()),
             (ErrorKind::Stopped, error) => Failure::Interrupted(error.to_string()),
             (ErrorKind::Input, error) => Failure::Input(error.to_string()),
@@ -164,23 +164,9 @@ macro_rules! input_failure {
 input_failure!(
     jounce_core::structure::StructureError,
     jounce_core::plant::PlantError,
-    jounce_core::linear::RandomError,
     jounce_core::table::TableError,
     jounce_core::picture::PictureError,
     jounce_core::signal::SignalError,
     jounce_core::analysis::JournalError,
-    jounce_core::reproduce::ReproduceError,
-    jounce_core::store::StoreError,
-    jounce_measure::read::ReadError,
-    jounce_measure::recording::NoChannel,
-    jounce_measure::recording::GridError,
-    jounce_measure::write::WriteError,
-    jounce_measure::spectral::SpectralError,
-    jounce_measure::response::ResponseError,
-    jounce_measure::modal::ModalError,
-    jounce_measure::fit::FitError,
-    jounce_measure::rig::RigError,
-    jounce_measure::experiment::ExperimentError,
-    jounce_measure::solution::SolutionError,
-    jounce_measure::segmentation::SegmentationError
+    jounce_core::store::StoreError
 );

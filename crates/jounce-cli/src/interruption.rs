@@ -2,7 +2,7 @@
 //! incomplete.
 
 use crate::failure::Failure;
-use jounce_core::integrate::Control;
+use jounce::Control;
 
 /// Lets Ctrl-C end the work of a control. Only one handler can be set; without it the default
 /// remains, which ends at once.

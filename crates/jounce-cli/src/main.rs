@@ -4,13 +4,13 @@
 mod arguments;
 mod cache;
 mod commands;
-mod decay_arguments;
 mod failure;
 mod hammer_arguments;
 mod interruption;
 mod level_arguments;
 mod limit_warnings;
 mod measured_file;
+mod model_or_measured;
 mod output;
 mod progress;
 mod spec_arguments;

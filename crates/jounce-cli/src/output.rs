@@ -1,8 +1,7 @@
 //! Output: JSON on stdout, tables and pictures in a folder.
 
 use crate::failure::Failure;
-use jounce_core::picture::Figure;
-use jounce_core::table::{Manifest, Table};
+use jounce::{Figure, Manifest, Table};
 use serde::Serialize;
 use std::io::Write;
 use std::path::Path;

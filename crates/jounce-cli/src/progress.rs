@@ -2,7 +2,7 @@
 //! ten seconds.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use jounce_core::integrate::Control;
+use jounce::Control;
 use std::io::{IsTerminal, Write};
 use std::time::{Duration, Instant};
 

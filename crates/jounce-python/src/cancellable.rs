@@ -2,7 +2,7 @@
 //! The work runs on its own thread while the thread of Python waits; where a thread would cost more
 //! than the work, it runs on the thread of Python, which checks between steps.
 
-use jounce_core::integrate::Control;
+use jounce::Control;
 use pyo3::prelude::*;
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::sync::{Arc, Mutex, PoisonError};

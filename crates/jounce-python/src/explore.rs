@@ -39,7 +39,7 @@ impl Explorer {
     ) -> Result<Self, Failure> {
         let source = match (spec, path) {
             (Some(spec), None) => Source::Text {
-                text: spec.file().text(),
+                text: spec.harvester.text(),
                 folder: spec.folder(),
             },
             (None, Some(path)) => Source::File(path),

@@ -2,7 +2,7 @@
 //!
 //! A result is serialised once, as for the JSON of the command line. A list of records becomes one
 //! array for each of their fields: `loads: [{name, mean_power_w}]` is `load`, the names, and
-//! `load_mean_power_w`. A missing number is NaN in an array.
+//! `load_mean_power_w`. A list of numbers is an array. A missing number is NaN in an array.
 
 use crate::arrays::PythonDict;
 use crate::failure::Failure;
@@ -11,7 +11,7 @@ use pyo3::types::PyDict;
 use serde_json::{Map, Value};
 
 /// Texts that may be missing in all records.
-const TEXTS: [&str; 3] = ["allowed_laws", "mirror_of", "reason"];
+const TEXTS: [&str; 4] = ["allowed_laws", "mirror_of", "reason", "stop_carried_by"];
 
 /// Reads options from JSON.
 ///
@@ -62,6 +62,9 @@ pub fn dict_with_main<'py>(
                 let items: Vec<&Value> = items.iter().collect();
                 records(dict, name, &items, name == main)?
             }
+            Some(items) if items.iter().all(Value::is_number) => {
+                column(dict, name, &items.iter().collect::<Vec<_>>())?
+            }
             _ => dict.with(name, object(py, value)?)?,
         };
     }
@@ -87,6 +90,7 @@ fn records<'py>(
         let name = match field.as_str() {
             "name" | "id" => item_name.clone(),
             _ if is_main => field.clone(),
+            field if field == item_name => item_name.clone(),
             _ => format!("{item_name}_{field}"),
         };
         let values: Vec<&Value> = items.iter().map(|item| &item[field]).collect();
@@ -139,7 +143,7 @@ fn singular(list: &str) -> String {
 }
 
 /// Returns a value as `json.loads` does.
-fn object<'py>(py: Python<'py>, value: &Value) -> PyResult<Bound<'py, PyAny>> {
+pub fn object<'py>(py: Python<'py>, value: &Value) -> PyResult<Bound<'py, PyAny>> {
     Ok(match value {
         Value::Null => py.None().into_bound(py),
         Value::Bool(value) => value.into_pyobject(py)?.to_owned().into_any(),

@@ -55,11 +55,11 @@ mod _core {
     #[pymodule_export]
     use super::measured::contact::contact;
     #[pymodule_export]
-    use super::measured::decays::measured_decays;
+    use super::measured::frf::measured_frf;
     #[pymodule_export]
-    use super::measured::hammer::{measured_frf, measured_modes};
+    use super::measured::modes::measured_modes;
     #[pymodule_export]
-    use super::measured::power::measured_power;
+    use super::measured::power::power;
     #[pymodule_export]
     use super::measured::recording::{
         recording_even, recording_from_arrays, recording_read, recording_write,
@@ -67,7 +67,7 @@ mod _core {
     #[pymodule_export]
     use super::measured::segments::segments;
     #[pymodule_export]
-    use super::measured::spectra::measured_spectra;
+    use super::measured::spectra::spectra;
     #[pymodule_export]
     use super::modes::modes;
     #[pymodule_export]

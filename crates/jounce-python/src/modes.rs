@@ -2,79 +2,63 @@
 
 use crate::arrays::{PythonDict, matrix};
 use crate::failure::Failure;
+use crate::flat;
 use crate::spec::Spec;
-use jounce_core::linear::couplings;
-use jounce_core::structure::{modes_holding, shapes_along_beams};
+use jounce::{ModesOptions, ModesResult};
+use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use std::f64::consts::TAU;
 
-/// Number of positions along each beam for the shapes.
-const PLACES: usize = 201;
-
-/// Computes natural frequencies, damping, couplings and shapes, with some masses fixed.
+/// Computes natural frequencies, damping, couplings and shapes; `options` are the fields of the
+/// options of the library, as JSON.
 #[pyfunction]
-pub fn modes<'py>(py: Python<'py>, spec: &Spec, hold: Vec<String>) -> PyResult<Bound<'py, PyDict>> {
-    let solve = || {
-        Ok::<_, Failure>((
-            modes_holding(spec.spec(), &hold)?,
-            shapes_along_beams(spec.spec(), &hold, PLACES)?,
-        ))
-    };
-    let (modes, beams) = py
-        .detach(solve)
-        .map_err(|failure| failure.into_exception(py))?;
-    let patches: Vec<&String> = modes.patch.keys().collect();
-    let mut open_circuit = vec![vec![f64::NAN; modes.len()]; patches.len()];
-    let mut squared = open_circuit.clone();
-    for coupling in couplings(&modes) {
-        let Some(patch) = patches.iter().position(|name| **name == coupling.patch) else {
-            continue;
-        };
-        open_circuit[patch][coupling.mode] = coupling.open_circuit_hz;
-        squared[patch][coupling.mode] = coupling.coupling_squared;
+pub fn modes<'py>(py: Python<'py>, spec: &Spec, options: &str) -> PyResult<Bound<'py, PyDict>> {
+    let options: ModesOptions = flat::options(options)?;
+    let result = py.detach(|| spec.harvester.modes(&options));
+    let result = result.map_err(|error| Failure::from(error).into_exception(py))?;
+    let manifest = spec.manifest("modes", &[("hold", result.held.join(" "))]);
+    into_python(py, &result, manifest)
+}
+
+fn into_python<'py>(
+    py: Python<'py>,
+    result: &ModesResult,
+    manifest: String,
+) -> PyResult<Bound<'py, PyDict>> {
+    let beams = PyDict::new(py);
+    for beam in &result.beams {
+        let place = PyArray1::from_slice(py, &beam.place_m);
+        let shapes = matrix(py, &beam.shapes_per_sqrt_kg, beam.place_m.len())?;
+        beams.set_item(&beam.name, (place, shapes))?;
     }
-    let shape_dict = PyDict::new(py);
-    for (name, beam) in &beams {
-        let rows: Vec<Vec<f64>> = (0..modes.len())
-            .filter_map(|mode| beam.mode(mode))
-            .collect();
-        shape_dict.set_item(
-            name,
-            (
-                numpy::PyArray1::from_slice(py, &beam.place_m),
-                matrix(py, &rows, beam.place_m.len())?,
-            ),
-        )?;
+    let (points, patches, width) = (&result.points, &result.patches, result.modes.len());
+    let mut couplings = [(); 2].map(|()| vec![vec![f64::NAN; width]; patches.len()]);
+    for one in &result.couplings {
+        let patch = patches.iter().position(|patch| patch.name == one.patch);
+        if let Some(patch) = patch {
+            couplings[0][patch][one.mode] = one.open_circuit_hz;
+            couplings[1][patch][one.mode] = one.coupling_squared;
+        }
     }
+    let [open_circuit_hz, coupling_squared] = couplings;
+    let names_of_points: Vec<&String> = points.iter().map(|point| &point.name).collect();
+    let names_of_patches: Vec<&String> = patches.iter().map(|patch| &patch.name).collect();
+    let shape = points.iter().map(|point| point.shape_per_sqrt_kg.clone());
+    let coupling = patches.iter().map(|patch| patch.coupling_n_per_v.clone());
     let dict = PythonDict::new(py)
-        .each("frequency_hz", &modes.frequency_rad_s, |w| w / TAU)?
-        .with("point", modes.shape.keys().collect::<Vec<_>>())?
-        .rows(
-            "shape",
-            &modes.shape.values().cloned().collect::<Vec<_>>(),
-            modes.len(),
-        )?
-        .with("patch", patches.clone())?
-        .rows("open_circuit_hz", &open_circuit, modes.len())?
-        .rows("coupling_squared", &squared, modes.len())?
-        .rows(
-            "coupling_n_per_v",
-            &modes
-                .patch
-                .values()
-                .map(|patch| patch.coupling_n_per_v.clone())
-                .collect::<Vec<_>>(),
-            modes.len(),
-        )?
-        .with("beams", shape_dict)?
-        .with("held", &hold)?
-        .with(
-            "manifest",
-            spec.manifest("modes", &[("hold", hold.join(" "))]),
-        )?;
-    Ok(dict
-        .array("damping_ratio", modes.damping_ratio)?
-        .array("discretisation_error", modes.discretisation_error)?
-        .dict())
+        .each("frequency_hz", &result.modes, |mode| mode.frequency_hz)?
+        .each("damping_ratio", &result.modes, |mode| mode.damping_ratio)?
+        .each("discretisation_error", &result.modes, |mode| {
+            mode.discretisation_error
+        })?
+        .with("point", names_of_points)?
+        .rows("shape", &shape.collect::<Vec<_>>(), width)?
+        .with("patch", names_of_patches)?
+        .rows("open_circuit_hz", &open_circuit_hz, width)?
+        .rows("coupling_squared", &coupling_squared, width)?
+        .rows("coupling_n_per_v", &coupling.collect::<Vec<_>>(), width)?
+        .with("beams", beams)?
+        .with("held", &result.held)?
+        .with("manifest", manifest)?;
+    Ok(dict.dict())
 }

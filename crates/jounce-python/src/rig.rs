@@ -18,16 +18,11 @@ pub fn rig<'py>(
     base: Option<RecordingInput<'py>>,
 ) -> PythonResult<'py> {
     let options = RigOptions {
-        base: base
-            .map(|base| base.recording())
-            .transpose()?
-            .map(Into::into),
+        base: base.map(|base| base.recording()).transpose()?,
         ..flat::options(options)?
     };
     let outcome = cancellable(py, None, |control| {
         Ok(spec.harvester.with_control(control).rig(&options)?)
     });
-    to_python_result(py, outcome, |result| {
-        into_python(py, result.recording.into_data())
-    })
+    to_python_result(py, outcome, |result| into_python(py, result.recording))
 }

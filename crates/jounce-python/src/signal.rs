@@ -1,7 +1,7 @@
 //! Spectra of sampled signals.
 
 use crate::failure::Failure;
-use jounce_core::signal::{Samples, Window};
+use jounce::{Samples, SignalError, Window};
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 
@@ -17,9 +17,7 @@ pub fn spectrum<'py>(
 ) -> PyResult<(Row<'py>, Row<'py>)> {
     let values = values.as_array().to_vec();
     let result = py.detach(|| {
-        Ok::<_, jounce_core::signal::SignalError>(
-            Samples::new(&values, sample_rate_hz)?.spectrum(Window::Hann),
-        )
+        Ok::<_, SignalError>(Samples::new(&values, sample_rate_hz)?.spectrum(Window::Hann))
     });
     let result = result.map_err(|error| Failure::of("ArgumentError", &error).into_exception(py))?;
     Ok((

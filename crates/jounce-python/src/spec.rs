@@ -1,12 +1,7 @@
 //! Spec: its text and its contents.
 
-use crate::branch::json;
 use crate::failure::Failure;
-use jounce::Harvester;
-use jounce_core::analysis::Model;
-use jounce_core::integrate::Control;
-use jounce_core::spec::{KeyRange, NumericKey, Quantity, SpecFile};
-use jounce_core::table::Manifest;
+use jounce::{Control, Harvester, KeyRange, Manifest, Model, NumericKey, Quantity, SpecFile};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -62,13 +57,10 @@ impl Spec {
     }
 
     /// Returns the issues of the recordings of its drives, as JSON.
-    fn findings(&self) -> PyResult<String> {
-        let findings: Vec<_> = self
-            .spec()
-            .findings()
-            .map(|(_, finding)| finding.clone())
-            .collect();
-        crate::measured::recording::findings(&findings)
+    fn issues(&self) -> PyResult<String> {
+        let issues = self.harvester.issues();
+        let issues: Vec<_> = issues.map(|(_, issue)| issue.clone()).collect();
+        crate::measured::recording::issues(&issues)
     }
 
     /// Returns the SHA-256 of the canonical form.
@@ -78,8 +70,8 @@ impl Spec {
 
     /// Returns the value of a key with a number, SI, and its unit.
     fn number(&self, key: &str) -> Result<(f64, String), Failure> {
-        let numeric_key = NumericKey::find(self.spec(), key)?;
-        Ok((numeric_key.get(self.spec())?, numeric_key.unit()))
+        let value = self.harvester.get(key)?;
+        Ok((value.value_si, value.unit))
     }
 
     /// Draws the harvester to scale: as SVG, and as PNG at twice its size.
@@ -88,7 +80,7 @@ impl Spec {
         py: Python<'py>,
         title: &str,
     ) -> PyResult<(String, Bound<'py, PyBytes>)> {
-        let drawing = jounce_core::show::drawing(title, self.spec());
+        let drawing = self.harvester.drawing(title);
         let png = py
             .detach(|| drawing.to_png(2.0))
             .map_err(|error| Failure::new("ArgumentError", error).into_exception(py))?;
@@ -97,12 +89,13 @@ impl Spec {
 
     /// Writes the text to a file, completely or not at all.
     fn write(&self, path: PathBuf) -> Result<(), Failure> {
-        jounce_core::store::write(&path, self.text.as_bytes()).map_err(Failure::from)
+        Ok(self.harvester.write(path)?)
     }
 }
 
 impl Spec {
-    fn of(harvester: Harvester) -> Self {
+    /// Returns the spec of a harvester.
+    pub fn of(harvester: Harvester) -> Self {
         let text = harvester.text();
         Self {
             harvester,
@@ -112,7 +105,7 @@ impl Spec {
     }
 
     /// Returns the contents of the spec.
-    pub fn spec(&self) -> &jounce_core::spec::Spec {
+    pub fn spec(&self) -> &jounce::Spec {
         self.harvester.spec()
     }
 
@@ -177,14 +170,14 @@ impl Spec {
 
 /// Returns the JSON Schema of a spec.
 #[pyfunction]
-pub fn schema() -> PyResult<String> {
-    json(&jounce_core::spec::schema())
+pub fn schema() -> String {
+    jounce::schema().to_string()
 }
 
 /// Returns the reference of all keys of a spec, in Markdown.
 #[pyfunction]
 pub fn keys() -> String {
-    jounce_core::spec::reference_markdown()
+    jounce::key_reference()
 }
 
 /// Converts a quantity as text to SI: kind is `time`, `frequency`, `length`, `resistance`,

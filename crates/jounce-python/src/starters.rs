@@ -1,20 +1,19 @@
-//! Commented templates of specs.
+//! Commented starter specs.
 
 use crate::failure::Failure;
-use jounce_core::starter::{STARTERS, Starter};
 use pyo3::prelude::*;
 
-/// Returns kind and summary of every template.
+/// Returns kind and summary of every starter.
 #[pyfunction]
 pub fn starters() -> Vec<(&'static str, &'static str)> {
-    STARTERS
-        .iter()
+    let starters = jounce::starters().iter();
+    starters
         .map(|starter| (starter.kind, starter.summary))
         .collect()
 }
 
-/// Returns the text of the template of a kind.
+/// Returns the text of the starter of a kind.
 #[pyfunction]
 pub fn starter(kind: &str) -> Result<&'static str, Failure> {
-    Ok(Starter::of(kind)?.spec)
+    Ok(jounce::starter(kind)?.spec)
 }

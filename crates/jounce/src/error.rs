@@ -2,15 +2,20 @@
 
 use jounce_core::analysis::{AnalysisError, GridError, JournalError};
 use jounce_core::integrate::IntegrationError;
+use jounce_core::linear::RandomError;
 use jounce_core::orbit::OrbitError;
 use jounce_core::plant::PlantError;
 use jounce_core::run::{RunError, StartFileError};
 use jounce_core::signal::SignalError;
 use jounce_core::spec::{Fault, Faults, ReadError};
+use jounce_core::starter::UnknownKind;
+use jounce_core::store::StoreError;
 use jounce_core::structure::StructureError;
 use jounce_core::table::TableError;
 use jounce_data::read::ArraysError;
 use jounce_data::recording::{ChannelError, NoChannel};
+use jounce_measure::experiment::ExperimentError;
+use jounce_measure::fit::FitError;
 use jounce_measure::modal::ModalError;
 use jounce_measure::response::ResponseError;
 use jounce_measure::rig::RigError;
@@ -62,9 +67,24 @@ pub enum Error {
     /// The search for an orbit failed.
     #[error(transparent)]
     Orbit(#[from] OrbitError<AnalysisError>),
+    /// The spec has no linear response to noise.
+    #[error(transparent)]
+    Noise(#[from] RandomError),
+    /// There is no starter of a kind.
+    #[error(transparent)]
+    Starter(#[from] UnknownKind),
+    /// The fit has no result.
+    #[error(transparent)]
+    Fit(#[from] FitError),
+    /// The paper cannot be reproduced.
+    #[error(transparent)]
+    Reproduce(#[from] ExperimentError),
     /// The journal of finished points cannot be used.
     #[error(transparent)]
     Journal(#[from] JournalError),
+    /// A file cannot be written.
+    #[error(transparent)]
+    File(#[from] StoreError),
     /// A table cannot be created.
     #[error(transparent)]
     Table(#[from] TableError),
@@ -189,12 +209,14 @@ impl Error {
             Self::Orbit(OrbitError::Integration(_) | OrbitError::Multipliers { .. }) => {
                 ErrorKind::NotConverged
             }
+            Self::Fit(FitError::NotConverged { .. }) => ErrorKind::NotConverged,
             Self::Rig(RigError::Run(error)) | Self::Solution(SolutionError::Run(error)) => {
                 kind_of_run(error)
             }
             Self::Solution(SolutionError::Study(error)) => kind_of(error),
             Self::Solution(SolutionError::Lost { .. }) => ErrorKind::NotConverged,
             Self::Stopped
+            | Self::Fit(FitError::Stopped { .. })
             | Self::Segmentation(SegmentationError::Stopped)
             | Self::Spectral(SpectralError::Stopped) => ErrorKind::Stopped,
             _ => ErrorKind::Input,
@@ -235,14 +257,14 @@ impl From<RunError> for Error {
     }
 }
 
-impl From<PlantError> for Error {
-    fn from(error: PlantError) -> Self {
+impl From<StructureError> for Error {
+    fn from(error: StructureError) -> Self {
         Self::Analysis(error.into())
     }
 }
 
-impl From<StructureError> for Error {
-    fn from(error: StructureError) -> Self {
+impl From<PlantError> for Error {
+    fn from(error: PlantError) -> Self {
         Self::Analysis(error.into())
     }
 }

@@ -4,6 +4,7 @@ use crate::error::Error;
 use jounce_core::analysis::Model;
 use jounce_core::integrate::Control;
 use jounce_core::spec::{NumericKey, Spec, SpecFile};
+use jounce_core::store;
 use jounce_data::recording::Issue;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
@@ -130,6 +131,14 @@ impl Harvester {
     /// Returns the text of the spec with the set keys written into it.
     pub fn text(&self) -> String {
         self.file.text()
+    }
+
+    /// Writes that text to a file, completely or not at all.
+    ///
+    /// # Errors
+    /// [`Error::File`] for a file that cannot be written.
+    pub fn write(&self, path: impl AsRef<Path>) -> Result<(), Error> {
+        Ok(store::write(path.as_ref(), self.text().as_bytes())?)
     }
 
     /// Returns the spec file with its overrides.

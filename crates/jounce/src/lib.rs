@@ -5,9 +5,17 @@
 //!
 //! | question | method | options | result |
 //! |---|---|---|---|
+//! | natural frequencies, couplings and shapes | [`Harvester::modes`] | [`ModesOptions`] | [`ModesResult`] |
+//! | frequency responses without contact | [`Harvester::frf`] | [`FrfOptions`] | [`FrfResult`] |
+//! | response to noise without contact | [`Harvester::noise`] | [`NoiseOptions`] | [`NoiseResult`] |
+//! | validity, with the issues of recordings | [`Harvester::check`] | | [`CheckResult`] |
 //! | response from a start in time | [`Harvester::run`] | [`RunOptions`] | [`RunResult`] |
 //! | attractors and how likely each is | [`Harvester::basins`] | [`BasinsOptions`] | [`BasinsResult`] |
+//! | keys that fit measurements | [`Harvester::fit`] | [`Features`] | [`FitResult`] |
 //! | simulated recordings of sensors | [`Harvester::rig`] | [`RigOptions`] | [`RigResult`] |
+//!
+//! [`materials`], [`starters`], [`schema`] and [`key_reference`] help to write a spec;
+//! [`Harvester::drawing`] draws it; [`reproduce`] recomputes a published paper.
 //!
 //! A [`Recording`] is read from a file of an instrument, with its data-quality issues:
 //!
@@ -31,37 +39,66 @@
 //! interfaces may change.
 
 mod basins;
+mod check;
 mod contact;
 mod error;
+mod fit;
+mod frf;
 mod harvester;
 mod measured_frf;
 mod measured_modes;
+mod modes;
+mod noise;
 mod options;
 mod periodic;
 mod power;
 mod read;
 mod recording;
+mod reference;
+mod reproduce;
 mod rig;
 mod run;
 mod segments;
 mod spectra;
 
 pub use basins::{AttractorResult, BasinsOptions, BasinsResult, FailedStart, StartPoint};
+pub use check::{CheckResult, DriveIssue};
 pub use contact::{ContactOptions, ContactResult, FixedLawResult, HitResult};
 pub use error::{Error, ErrorKind};
+pub use fit::FitResult;
+pub use frf::{FrfOptions, FrfResponse, FrfResult};
 pub use harvester::{Harvester, KeyValue};
+pub use jounce_core::analysis::Model;
 pub use jounce_core::integrate::Control;
+pub use jounce_core::linear::{
+    Coupling, Density, RandomLoad, RandomPatch, RandomPoint, RandomStop,
+};
+pub use jounce_core::material::{Active, Material};
+pub use jounce_core::picture::{Drawing, Figure};
+pub use jounce_core::reproduce::Claim;
 pub use jounce_core::run::StartState;
+pub use jounce_core::signal::{Samples, SignalError, Spectrum, Window};
+pub use jounce_core::spec::{Fault, Faults, KeyRange, NumericKey, Quantity, Spec, SpecFile};
+pub use jounce_core::starter::Starter;
+pub use jounce_core::table::{Manifest, Table};
 pub use jounce_data::read::RawChannel;
-pub use jounce_data::recording::{Channel, Grid, Issue, Over, Quantity};
+pub use jounce_data::recording::{
+    Channel, ChannelError, Grid, Issue, Over, Quantity as MeasuredQuantity,
+};
 pub use jounce_measure::contact::AllowedLaws;
 pub use jounce_measure::draw::PulseFigure;
+pub use jounce_measure::fit::{
+    Features, FitError, FitResult as FitEstimate, FittedCurve, FittedDeviation, FittedFeature,
+    FittedKey,
+};
 pub use jounce_measure::segmentation::{Candidate, MAX_PERIOD_CYCLES, MergeReason, MergedChange};
 pub use jounce_measure::spectral::HitWarning;
 pub use measured_frf::{
     FrfEstimator, FunctionParts, MeasuredFrfOptions, MeasuredFrfResult, MeasuredResponse, PerG,
 };
 pub use measured_modes::{ComplexValues, MeasuredMode, MeasuredModesOptions, MeasuredModesResult};
+pub use modes::{BeamShapes, ModeResult, ModesOptions, ModesResult, PatchCoupling, PointShape};
+pub use noise::{NoiseOptions, NoiseResult};
 pub use options::{OptionDefinition, check_tolerance, definitions};
 pub use periodic::check_drives;
 pub use power::{OrderAmplitude, PowerOptions, PowerRecord, PowerResult};
@@ -70,6 +107,8 @@ pub use read::{
     ShapeResult,
 };
 pub use recording::{ChannelList, ChosenChannel, ReadOptions, Recording, UsesChannels};
+pub use reference::{key_reference, materials, schema, starter, starters};
+pub use reproduce::{ReproduceOptions, ReproduceResult, reproduce};
 pub use rig::{BaseMotion, RigOptions, RigResult};
 pub use run::{History, HistorySamples, LoadResult, PatchResult, RunOptions, RunResult};
 pub use segments::{SegmentResult, SegmentsOptions, SegmentsResult};

@@ -153,6 +153,22 @@ pub(crate) fn check_above_zero(option: &'static str, value: f64, unit: &str) -> 
     Err(Error::option(option, text.trim(), "it must be above 0"))
 }
 
+/// Largest number of frequencies of a band.
+const MAX_POINTS: usize = 1_000_000;
+
+/// Checks the ends of a band, Hz, and the number of its frequencies.
+pub(crate) fn check_band([low_hz, high_hz]: [f64; 2], points: usize) -> Result<(), Error> {
+    if !(low_hz > 0.0 && low_hz < high_hz && high_hz.is_finite()) {
+        let expected = format!("it must be above 0 Hz and below high = {high_hz} Hz");
+        return Err(Error::option("low", format!("{low_hz} Hz"), expected));
+    }
+    if !(2..=MAX_POINTS).contains(&points) {
+        let expected = format!("it must be from 2 to {MAX_POINTS}");
+        return Err(Error::option("points", points, expected));
+    }
+    Ok(())
+}
+
 /// Checks the tolerance of an orbit; double precision allows no smaller one than the limit.
 ///
 /// # Errors

@@ -2,9 +2,9 @@
 
 use clap::{Args, FromArgMatches};
 use jounce::{
-    BasinsOptions, ContactOptions, ConvertOptions, MeasuredFrfOptions, MeasuredModesOptions,
-    PowerOptions, ReadOptions, RigOptions, RunOptions, SegmentsOptions, SpectraOptions,
-    definitions,
+    BasinsOptions, ContactOptions, ConvertOptions, FrfOptions, MeasuredFrfOptions,
+    MeasuredModesOptions, ModesOptions, NoiseOptions, PowerOptions, ReadOptions, ReproduceOptions,
+    RigOptions, RunOptions, SegmentsOptions, SpectraOptions, definitions,
 };
 use serde::Serialize;
 use std::fmt::Debug;
@@ -47,6 +47,10 @@ fn options_have_help_and_valid_defaults() {
     check::<SpectraOptions>();
     check::<MeasuredFrfOptions>();
     check::<MeasuredModesOptions>();
+    check::<ModesOptions>();
+    check::<FrfOptions>();
+    check::<NoiseOptions>();
+    check::<ReproduceOptions>();
     check::<ContactOptions>();
     check::<RigOptions>();
     check::<SegmentsOptions>();

@@ -1,10 +1,10 @@
 //! `jounce contact FILE`
 
 use crate::failure::Failure;
-use crate::measured_file::{MeasuredFile, print_issues};
+use crate::measured_file::{MeasuredFile, or_issues, print_issues};
 use crate::output::{self, line, print};
 use clap::Args;
-use jounce::{AllowedLaws, ContactOptions, ContactResult, HitResult, ReadOptions, Recording};
+use jounce::{AllowedLaws, ContactOptions, ContactResult, HitResult};
 use std::path::Path;
 
 /// Number of warnings that are printed for a hit.
@@ -22,10 +22,9 @@ pub struct Contact {
 impl Contact {
     /// Finds the hits, fits each and reports.
     pub fn run(&self) -> Result<(), Failure> {
-        let read = ReadOptions::default();
-        let recording = Recording::read_for(&self.file.file, &read, &self.options)?;
-        let result = recording.contact(&self.options)?;
-        print_issues(&result.issues, None);
+        let recording = self.file.recording(&self.options)?;
+        let result = or_issues(recording.contact(&self.options), &[recording])?;
+        print_issues(&result.issues);
         if let Some(folder) = &self.file.output.out {
             self.write(folder, &result)?;
         }

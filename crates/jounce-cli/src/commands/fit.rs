@@ -5,11 +5,7 @@ use crate::output::{self, line, print};
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
-use jounce_core::integrate::Control;
-use jounce_core::spec::{Spec, SpecFile};
-use jounce_core::table::{Column, Table};
-use jounce_measure::draw::fitted;
-use jounce_measure::fit::{Features, FitResult, FittedCurve, FittedFeature, FittedKey, fit};
+use jounce::{Control, Error, Features, FitEstimate, FitResult, Manifest};
 use std::path::{Path, PathBuf};
 
 /// Format of a file of features; no line is wider than a terminal.
@@ -49,189 +45,37 @@ pub struct Fit {
 impl Fit {
     /// Fits and reports.
     pub fn run(&self) -> Result<(), Failure> {
-        let features = Features::read(&self.to)?;
-        let file = self.spec.file()?;
-        let spec = self.spec.read(&file)?;
+        let features = Features::read(&self.to).map_err(Error::from)?;
         let control = Control::default();
-        let (result, _) =
-            progress::with_count("models computed", &|| control.progress().0, || {
-                fit(&file, &spec, &features, &self.spec.folder(), &control)
-            })?;
+        let harvester = self.spec.harvester()?.with_control(&control);
+        let models = || control.progress().0;
+        let result = progress::with_count("models computed", &models, || harvester.fit(&features));
+        let result = result.map_err(|error| self.spec.failure(error))?;
         if let Some(folder) = &self.output.out {
-            self.write(folder, file, &spec, &result)?;
+            let manifest = self.spec.manifest(harvester.spec(), "fit");
+            write(folder, &result, &manifest.with("to", self.to.display()))?;
         }
-        if self.output.json {
-            print(
-                &serde_json::to_value(&result)
-                    .map_err(|error| Failure::Input(error.to_string()))?,
-            );
-        } else {
-            print_fit(&result);
+        match self.output.json {
+            true => print(&output::to_json(&result)?),
+            false => print_fit(&result.estimate),
         }
         Ok(())
     }
+}
 
-    fn write(
-        &self,
-        folder: &Path,
-        mut file: SpecFile,
-        spec: &Spec,
-        result: &FitResult,
-    ) -> Result<(), Failure> {
-        let key =
-            |value: &dyn Fn(&FittedKey) -> f64| result.keys.iter().map(value).collect::<Vec<f64>>();
-        let feature = |value: &dyn Fn(&FittedFeature) -> f64| {
-            result.features.iter().map(value).collect::<Vec<f64>>()
-        };
-        let table = Table::new(vec![
-            Column::new(
-                "key",
-                "",
-                "the key",
-                result
-                    .keys
-                    .iter()
-                    .map(|key| key.key.clone())
-                    .collect::<Vec<_>>(),
-            ),
-            Column::new(
-                "unit",
-                "",
-                "unit of the next columns",
-                result
-                    .keys
-                    .iter()
-                    .map(|key| key.unit.clone())
-                    .collect::<Vec<_>>(),
-            ),
-            Column::new("before", "", "value in the spec", key(&|key| key.before)),
-            Column::new("after", "", "fitted value", key(&|key| key.after)),
-            Column::new(
-                "low",
-                "",
-                "lower end of the 95 % interval",
-                key(&|key| key.low),
-            ),
-            Column::new(
-                "high",
-                "",
-                "upper end of the 95 % interval",
-                key(&|key| key.high),
-            ),
-        ])?;
-        let manifest = self
-            .spec
-            .manifest(spec, "fit")
-            .with("to", self.to.display());
-        output::table(folder, "fit-keys", &table, &manifest)?;
-        let table = Table::new(vec![
-            Column::new(
-                "feature",
-                "",
-                "the feature",
-                result
-                    .features
-                    .iter()
-                    .map(|f| f.name.clone())
-                    .collect::<Vec<_>>(),
-            ),
-            Column::new(
-                "measured",
-                "",
-                "measured value",
-                feature(&|feature| feature.measured),
-            ),
-            Column::new(
-                "deviation",
-                "",
-                "relative standard deviation of the measurement",
-                feature(&|feature| feature.deviation),
-            ),
-            Column::new(
-                "before",
-                "",
-                "value of the model before",
-                feature(&|feature| feature.before),
-            ),
-            Column::new(
-                "after",
-                "",
-                "value of the model after",
-                feature(&|feature| feature.after),
-            ),
-            Column::new(
-                "predicted_deviation",
-                "",
-                "relative deviation of the model after",
-                feature(&|f| f.predicted_deviation),
-            ),
-            Column::new(
-                "low",
-                "",
-                "lower end of the 95 % prediction interval",
-                feature(&|f| f.low),
-            ),
-            Column::new(
-                "high",
-                "",
-                "upper end of the 95 % prediction interval",
-                feature(&|f| f.high),
-            ),
-        ])?;
-        output::table(folder, "fit-features", &table, &manifest)?;
-        for (number, curve) in result.curves.iter().enumerate() {
-            let name = format!("fit-curve-{}", number + 1);
-            output::table(
-                folder,
-                &name,
-                &curve_table(curve)?,
-                &manifest.clone().with("curve", &curve.name),
-            )?;
-        }
-        output::figure(
-            folder,
-            "fit",
-            &fitted(
-                "Model against measurement, before and after the fit",
-                result,
-            ),
-        )?;
-        for key in &result.keys {
-            let value = format!("{:?} {}", key.after, key.unit);
-            file.set(&key.key, value.trim())
-                .map_err(|fault| Failure::faults(&self.spec.spec, vec![fault]))?;
-        }
-        Ok(jounce_core::store::write(
-            &folder.join("fitted.toml"),
-            file.text().as_bytes(),
-        )?)
+fn write(folder: &Path, result: &FitResult, manifest: &Manifest) -> Result<(), Failure> {
+    output::table(folder, "fit-keys", &result.table()?, manifest)?;
+    output::table(folder, "fit-features", &result.features_table()?, manifest)?;
+    for (index, (curve, table)) in result.curve_tables()?.iter().enumerate() {
+        let name = format!("fit-curve-{}", index + 1);
+        let manifest = manifest.clone().with("curve", curve);
+        output::table(folder, &name, table, &manifest)?;
     }
+    output::figure(folder, "fit", &result.figure())?;
+    Ok(result.fitted.write(folder.join("fitted.toml"))?)
 }
 
-fn curve_table(curve: &FittedCurve) -> Result<Table, Failure> {
-    let unit = if curve.over == "time_s" { "s" } else { "Hz" };
-    let column = |name: &str, about: &str, values: &[f64]| {
-        Column::new(name, &curve.unit, about, values.to_vec())
-    };
-    Ok(Table::new(vec![
-        Column::new(&curve.over, unit, "place", curve.at.clone()),
-        column("measured", "measured value", &curve.measured),
-        column("before", "value of the model before", &curve.before),
-        column("after", "value of the model after", &curve.after),
-        column(
-            "low",
-            "lower end of the 95 % prediction interval",
-            &curve.low,
-        ),
-        column(
-            "high",
-            "upper end of the 95 % prediction interval",
-            &curve.high,
-        ),
-    ])?)
-}
-
-fn print_fit(result: &FitResult) {
+fn print_fit(result: &FitEstimate) {
     for key in &result.keys {
         let (path, unit) = (&key.key, &key.unit);
         line(format!(

@@ -3,7 +3,6 @@
 use crate::failure::Failure;
 use crate::output::{line, print};
 use clap::Args;
-use jounce_core::material::LIBRARY;
 
 /// Arguments of `materials`.
 #[derive(Debug, Args)]
@@ -17,10 +16,10 @@ impl Materials {
     /// Lists the materials with their sources.
     pub fn run(&self) -> Result<(), Failure> {
         if self.json {
-            print(&serde_json::json!({ "materials": LIBRARY }));
+            print(&serde_json::json!({ "materials": jounce::materials() }));
             return Ok(());
         }
-        for material in LIBRARY {
+        for material in jounce::materials() {
             line(format!(
                 "{}: {} GPa, {} kg/m^3",
                 material.name,

@@ -64,11 +64,11 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Materials(command) => command.run(),
         Command::Completions(command) => command.run(),
         Command::Schema => {
-            line(format!("{:#}", jounce_core::spec::schema()));
+            line(format!("{:#}", jounce::schema()));
             Ok(())
         }
         Command::Keys => {
-            line(jounce_core::spec::reference_markdown());
+            line(jounce::key_reference());
             Ok(())
         }
     }

@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::output::{line, print, text};
 use clap::Args;
-use jounce_core::starter::{STARTERS, Starter};
+use jounce::starters;
 use std::path::PathBuf;
 
 /// Arguments of `new`.
@@ -30,7 +30,7 @@ impl New {
             self.list();
             return Ok(());
         };
-        let starter = Starter::of(kind).map_err(|unknown| Failure::usage(unknown.to_string()))?;
+        let starter = jounce::starter(kind)?;
         match &self.out {
             Some(path) => {
                 if !self.force && path.symlink_metadata().is_ok() {
@@ -54,17 +54,17 @@ impl New {
 
     fn list(&self) {
         if self.json {
-            let kinds: Vec<_> =
-                STARTERS.iter().map(|starter| serde_json::json!({ "kind": starter.kind, "summary": starter.summary })).collect();
+            let kind = |starter: &jounce::Starter| serde_json::json!({ "kind": starter.kind, "summary": starter.summary });
+            let kinds: Vec<_> = starters().iter().map(kind).collect();
             print(&serde_json::json!({ "kinds": kinds }));
             return;
         }
-        let width = STARTERS
+        let width = starters()
             .iter()
             .map(|starter| starter.kind.len())
             .max()
             .unwrap_or(0);
-        STARTERS
+        starters()
             .iter()
             .for_each(|starter| line(format!("{:width$}  {}", starter.kind, starter.summary)));
     }

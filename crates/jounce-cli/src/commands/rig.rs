@@ -60,7 +60,7 @@ impl Rig {
 
 /// Prints on stderr how the base moves.
 fn print_base(base: &BaseMotion) {
-    print_issues(&base.issues, None);
+    print_issues(&base.issues);
     let mean_treatment = match base.is_mean_kept {
         true => "retained",
         false => "subtracted",

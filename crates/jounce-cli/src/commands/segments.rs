@@ -1,13 +1,12 @@
 //! `jounce segments FILE --drive F`
 
 use crate::failure::Failure;
-use crate::measured_file::{MeasuredFile, print_issues};
+use crate::measured_file::{MeasuredFile, print_issues, print_recording_issues};
 use crate::output::{self, line, print, with_uncertainty};
 use crate::spec_arguments::SpecArguments;
 use clap::Args;
 use jounce::{
-    Candidate, MAX_PERIOD_CYCLES, MergeReason, ReadOptions, Recording, SegmentResult,
-    SegmentsOptions, SegmentsResult,
+    Candidate, MAX_PERIOD_CYCLES, MergeReason, SegmentResult, SegmentsOptions, SegmentsResult,
 };
 use std::path::{Path, PathBuf};
 
@@ -36,14 +35,16 @@ impl Segments {
         };
         let model = self.model.as_ref().map(model);
         let harvester = model.as_ref().map(SpecArguments::harvester).transpose()?;
-        let read = ReadOptions::default();
-        let recording = Recording::read_for(&self.file.file, &read, &self.options)?;
+        let recording = self.file.recording(&self.options)?;
         let result = recording.segments(harvester.as_ref(), &self.options);
-        let result = result.map_err(|error| match &model {
-            Some(model) => model.failure(error),
-            None => error.into(),
+        let result = result.map_err(|error| {
+            print_recording_issues(&[recording]);
+            match &model {
+                Some(model) => model.failure(error),
+                None => error.into(),
+            }
         })?;
-        print_issues(&result.issues, None);
+        print_issues(&result.issues);
         if let Some(folder) = &self.file.output.out {
             self.write(folder, &result)?;
         }

@@ -23,13 +23,13 @@ pub struct Show {
 impl Show {
     /// Draws the harvester and prints the name of the file.
     pub fn run(&self) -> Result<(), Failure> {
-        let spec = self.spec.spec()?;
+        let harvester = self.spec.harvester()?;
         let stem = self.spec.spec.file_stem().unwrap_or_default();
         let path = self
             .out
             .clone()
             .unwrap_or_else(|| Path::new(stem).with_extension("svg"));
-        jounce_core::show::drawing(&self.title(), &spec).write(&path)?;
+        harvester.drawing(&self.title()).write(&path)?;
         match self.json {
             true => print(&serde_json::json!({ "drawing": path })),
             false => line(path.display()),

@@ -232,10 +232,7 @@ fn segments_find_the_switch_and_its_subharmonic() {
     );
     assert!((segments[1]["start_s"].as_f64().unwrap() - 10.0).abs() < 0.75);
     assert_eq!(
-        (
-            &segments[0]["period_cycles"],
-            &segments[1]["period_cycles"]
-        ),
+        (&segments[0]["period_cycles"], &segments[1]["period_cycles"]),
         (&Value::from(1), &Value::from(2))
     );
     assert!(

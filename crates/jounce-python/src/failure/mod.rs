@@ -122,6 +122,11 @@ impl From<jounce::Error> for Failure {
             Error::Spec(faults) => faults.into(),
             Error::Analysis(error) => error.into(),
             Error::Orbit(error) => error.into(),
+            Error::Noise(error) => error.into(),
+            Error::Starter(error) => error.into(),
+            Error::Fit(error) => error.into(),
+            Error::Reproduce(error) => error.into(),
+            Error::File(error) => error.into(),
             Error::Journal(error) => Self::of("FileError", &error),
             Error::Table(error) => error.into(),
             Error::Option {

@@ -1,10 +1,10 @@
 //! Force pulses of a hammer and the contact laws fitted to them.
 
-use super::recording::{RecordingInput, findings};
+use super::recording::{RecordingInput, issues};
 use crate::branch::json;
 use crate::failure::Failure;
 use crate::flat;
-use jounce::{ContactOptions, PulseFigure, Recording};
+use jounce::{ContactOptions, PulseFigure};
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -17,7 +17,7 @@ pub fn contact<'py>(
     recording: RecordingInput<'py>,
     options: &str,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let recording = Recording::from(recording.recording()?);
+    let recording = recording.recording()?;
     let options: ContactOptions = flat::options(options)?;
     let result = py
         .detach(|| recording.contact(&options))
@@ -39,6 +39,6 @@ pub fn contact<'py>(
             "pulses",
             result.pulses.iter().map(pulse).collect::<Vec<_>>(),
         )?
-        .with("issues", findings(&result.issues)?)?;
+        .with("issues", issues(&result.issues)?)?;
     Ok(dict.dict())
 }

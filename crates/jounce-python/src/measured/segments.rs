@@ -1,12 +1,12 @@
 //! Segmentation of a long record into steady-state responses.
 
-use super::recording::{RecordingInput, findings};
+use super::recording::{RecordingInput, issues};
 use crate::branch::json;
 use crate::cancellable::{cancellable, to_python_result};
 use crate::flat;
 use crate::run::PythonResult;
 use crate::spec::Spec;
-use jounce::{Recording, SegmentsOptions, SegmentsResult};
+use jounce::{SegmentsOptions, SegmentsResult};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -19,7 +19,7 @@ pub fn segments<'py>(
     options: &str,
     model: Option<&Spec>,
 ) -> PythonResult<'py> {
-    let recording = Recording::from(recording.recording()?);
+    let recording = recording.recording()?;
     let options: SegmentsOptions = flat::options(options)?;
     let outcome = cancellable(py, None, move |control| {
         let model = model.map(|model| &model.harvester);
@@ -32,7 +32,7 @@ fn into_python(py: Python<'_>, result: SegmentsResult) -> PyResult<Bound<'_, PyD
     let candidates: Vec<_> = result.segments.iter().map(|one| &one.candidates).collect();
     let dict = flat::dict_with_main(py, &result, "segments")?
         .with("candidates", json(&candidates)?)?
-        .with("issues", findings(&result.issues)?)?
+        .with("issues", issues(&result.issues)?)?
         .array("time_s", result.time_s)?
         .array("values", result.values)?;
     Ok(dict.dict())

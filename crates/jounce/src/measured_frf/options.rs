@@ -1,7 +1,7 @@
 //! Options of the frequency responses of a hammer or shaker test.
 
 use crate::error::Error;
-use crate::options::{check_above_zero, defaults, time_s};
+use crate::options::{check_above_zero, defaults, refuse_changed, time_s};
 use clap::ValueEnum;
 use jounce_measure::response::{ChannelChoice, ComplexParts, Excitation};
 use jounce_measure::spectral::{Estimator, ImpactSettings};
@@ -139,25 +139,19 @@ impl MeasuredFrfOptions {
 
     /// Refuses the options of an input, for a test without one.
     pub(crate) fn refuse_input(&self) -> Result<(), Error> {
-        let default = Self::default();
-        let given = [
-            ("force", self.force.is_some()),
-            ("input", self.input.is_some()),
-            ("estimator", self.estimator != default.estimator),
-            ("noise_ratio", self.noise_ratio != default.noise_ratio),
-            ("block", self.block_s.is_some()),
-            ("force_window", self.force_window),
-            ("end_ratio", self.end_ratio.is_some()),
-            ("shaker", self.shaker),
-            ("functions", self.functions.is_some()),
-            ("bridge", self.bridge),
+        let of_input = [
+            "force",
+            "input",
+            "estimator",
+            "noise_ratio",
+            "block_s",
+            "force_window",
+            "end_ratio",
+            "shaker",
+            "functions",
+            "bridge",
         ];
-        match given.into_iter().find(|(_, is_given)| *is_given) {
-            None => Ok(()),
-            Some((option, _)) => {
-                let expected = "free_decay and output_only are for tests without a measured input, so they exclude it; give one of them";
-                Err(Error::option(option, "given", expected))
-            }
-        }
+        let expected = "free_decay and output_only are for tests without a measured input, so they exclude it; give one of them";
+        refuse_changed(self, &of_input, expected)
     }
 }

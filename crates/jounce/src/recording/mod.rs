@@ -96,6 +96,18 @@ impl Recording {
         })
     }
 
+    /// Returns a recording of channels in SI units, without issues.
+    pub fn new(name: &str, over: Over, grid: Grid, channels: Vec<Channel>) -> Self {
+        data::Recording {
+            name: name.to_owned(),
+            over,
+            grid,
+            channels,
+            findings: Vec::new(),
+        }
+        .into()
+    }
+
     /// Returns a recording of channels with units in the notation of instruments: values are
     /// converted to SI, and the issues of the samples are found.
     ///
@@ -122,6 +134,13 @@ impl Recording {
     /// Returns the control of the computations.
     pub fn control(&self) -> &Control {
         &self.control
+    }
+
+    /// Returns the recording with further issues before its own.
+    #[must_use]
+    pub fn with_issues(mut self, issues: Vec<Issue>) -> Self {
+        self.data.findings.splice(0..0, issues);
+        self
     }
 
     /// Returns the name: the file name, with the number of the data set if the file has several.
