@@ -81,7 +81,7 @@ def test_impossible_rigs_and_fits_raise_errors(harvester, tmp_path):
         (lambda: harvester.rig(solution=["1a", "3a"]), jounce.ArgumentError, "add the time"),
         (lambda: harvester.rig(solution="1a", hold="table"), jounce.ArgumentError, "complete model"),
         (lambda: harvester.rig(hammer="beam.tip", frequency_drift=0.1), jounce.ArgumentError, "applies to a shaker test"),
-        (lambda: harvester.rig(hammer="beam.tip", base=VOLTS), jounce.ArgumentError, "replaces the drives"),
+        (lambda: harvester.rig(hammer="beam.tip", base=SERIES), jounce.ArgumentError, "replaces the drives"),
         (lambda: harvester.rig(base=SERIES), jounce.ArgumentError, "the channels are u \\(V\\)"),
         (lambda: harvester.rig(base=tmp_path / "none.csv"), jounce.FileError, "No such file"),
         (lambda: jounce.reproduce(tmp_path / "file" / "below"), jounce.FileError, "cannot create the folder"),
