@@ -43,7 +43,7 @@ from .explore import Explorer, explore
 from .fit import FitCurve, FitDeviation, FitResult
 from .frf import FrfResult
 from .history import History
-from .issue import Finding
+from .issue import Issue
 from .materials import Material, Materials, materials
 from .measured_frf import ImpactHit, MeasuredFrf, measured_frf
 from .measured_modes import MeasuredModes, measured_modes
@@ -52,9 +52,9 @@ from .noise import NoiseResult
 from .power import PowerResult, power
 from .recorded_file import ModeShape, RecordedFile, read_recordings
 from .recording import Channel, Recording
-from .regimes import RegimesResult, regimes
 from .reproduce import ReproduceResult, reproduce
 from .run import RunResult, State
+from .segments import SegmentsResult, segments
 from .signal import Spectrum, spectrum, write_recording
 from .spec import Spec
 from .spectra import SpectraResult, spectra
@@ -84,7 +84,6 @@ __all__ = [
     "Explorer",
     "Fault",
     "FileError",
-    "Finding",
     "FitCurve",
     "FitDeviation",
     "FitError",
@@ -94,6 +93,7 @@ __all__ = [
     "History",
     "ImpactHit",
     "Interrupted",
+    "Issue",
     "JounceError",
     "Layer",
     "IntegrationError",
@@ -115,10 +115,10 @@ __all__ = [
     "Recording",
     "RecordingError",
     "Reduction",
-    "RegimesResult",
     "ReproduceResult",
     "Run",
     "RunResult",
+    "SegmentsResult",
     "Spec",
     "SpecError",
     "SpectraResult",
@@ -146,9 +146,9 @@ __all__ = [
     "power",
     "read",
     "read_recordings",
-    "regimes",
     "reproduce",
     "schema",
+    "segments",
     "spectra",
     "spectrum",
     "starters",

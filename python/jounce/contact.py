@@ -9,14 +9,11 @@ from typing import Annotated, Any
 import numpy as np
 
 from . import _core
-from .arguments import optional_si
+from .arguments import options, to_si
 from .inputs import Measured, recording
-from .issue import Finding, issue_lines, parse_issues
+from .issue import Issue, issue_lines, parse_issues
 from .recording import names_of
-from .result import Along, Data, Floats, Result, Variable, column, html_table, make_manifest
-
-#: Quantile: half width of the 95 % interval in standard deviations.
-QUANTILE_95 = 1.959963984540054
+from .result import Along, Data, Floats, Result, Variable, html_table, make_manifest
 
 #: Description of the laws that a pulse allows.
 LAW_DESCRIPTIONS = {
@@ -42,15 +39,22 @@ class ContactResult(Result):
     """Hits of a record and the contact law fitted to each; arrays of shape ``(hit,)``, NaN where no law could be fitted."""
 
     channel: str
+    #: Mass of the hammer; NaN where it was not given.
+    mass_kg: float
     time_s: Annotated[Floats, Along("hit", "s", "time of the largest force, from the first sample")]
+    start_s: Annotated[Floats, Along("hit", "s", "begin of the pulse, from the first sample")]
+    end_s: Annotated[Floats, Along("hit", "s", "end of the pulse, from the first sample")]
     peak_force_n: Annotated[Floats, Along("hit", "N", "largest force")]
+    edge_force_n: Annotated[Floats, Along("hit", "N", "a tenth of the largest force")]
     contact_time_s: Annotated[Floats, Along("hit", "s", "time above a tenth of the largest force")]
     law_contact_time_s: Annotated[Floats, Along("hit", "s", "contact time of the law")]
     impulse_n_s: Annotated[Floats, Along("hit", "N s", "integral of the force")]
     exponent: Annotated[Floats, Along("hit", "1", "exponent of the law: 1 for a linear spring, 1.5 for Hertz")]
     exponent_deviation: Annotated[Floats, Along("hit", "1", "standard deviation of the exponent")]
+    exponent_half_width: Annotated[Floats, Along("hit", "1", "half width of the 95 % interval of the exponent")]
     restitution: Annotated[Floats, Along("hit", "1", "ratio of speed after to speed before contact")]
     restitution_deviation: Annotated[Floats, Along("hit", "1", "standard deviation of the restitution")]
+    restitution_half_width: Annotated[Floats, Along("hit", "1", "half width of the 95 % interval of the restitution")]
     #: NaN where the mass of the hammer was not given; stiffness in N/m^exponent.
     stiffness: Annotated[Floats, Along("hit", "N m^-exponent", "stiffness of the law")]
     stiffness_relative_deviation: Annotated[Floats, Along("hit", "1", "standard deviation of the logarithm of the stiffness")]
@@ -60,20 +64,26 @@ class ContactResult(Result):
     linear_stiffness: Annotated[Floats, Along("hit", "N/m", "stiffness of a linear spring")]
     linear_stiffness_low: Annotated[Floats, Along("hit", "N/m", "lower end of the 95 % interval of this stiffness")]
     linear_stiffness_high: Annotated[Floats, Along("hit", "N/m", "upper end of the 95 % interval of this stiffness")]
+    linear_restitution: Annotated[Floats, Along("hit", "1", "restitution of a linear spring")]
+    linear_speed_m_s: Annotated[Floats, Along("hit", "m/s", "speed of the hammer by a linear spring")]
+    linear_relative_error: Annotated[Floats, Along("hit", "1", "rms residual of a linear spring relative to the largest force")]
     #: Also NaN where the pulse does not allow Hertz's law.
     hertz_stiffness: Annotated[Floats, Along("hit", "N m^-1.5", "stiffness of Hertz's law")]
     hertz_stiffness_low: Annotated[Floats, Along("hit", "N m^-1.5", "lower end of the 95 % interval of this stiffness")]
     hertz_stiffness_high: Annotated[Floats, Along("hit", "N m^-1.5", "upper end of the 95 % interval of this stiffness")]
+    hertz_restitution: Annotated[Floats, Along("hit", "1", "restitution of Hertz's law")]
+    hertz_speed_m_s: Annotated[Floats, Along("hit", "m/s", "speed of the hammer by Hertz's law")]
+    hertz_relative_error: Annotated[Floats, Along("hit", "1", "rms residual of Hertz's law relative to the largest force")]
     speed_m_s: Annotated[Floats, Along("hit", "m/s", "speed of the hammer")]
     relative_error: Annotated[Floats, Along("hit", "1", "rms residual of the law relative to the largest force")]
-    #: Laws that a pulse allows, at 95 %: ``"neither"``, ``"linear"``, ``"hertz"``, ``"both"``; empty where no law could be fitted.
-    allowed_laws: list[str]
-    #: Reason why no law could be fitted; empty where one was fitted.
-    why: list[str]
+    #: Laws that a pulse allows, at 95 %: ``"neither"``, ``"linear"``, ``"hertz"``, ``"both"``; ``None`` where no law could be fitted.
+    allowed_laws: list[str | None]
+    #: Reason why no law could be fitted; ``None`` where one was fitted.
+    reason: list[str | None]
     #: Warnings of each hit: ``"double"``, ``"clipped"``, ``"coarse"``, ``"cut"``.
     warnings: list[list[str]]
     pulses: list[Pulse]
-    findings: list[Finding]
+    issues: list[Issue]
 
     def __len__(self) -> int:
         return len(self.time_s)
@@ -84,13 +94,13 @@ class ContactResult(Result):
             hit = f"{self.peak_force_n[k]:.4f} N, {self.contact_time_s[k]:.4e} s above a tenth of it, impulse {self.impulse_n_s[k]:.4e} N s"
             lines.append((f"hit at {self.time_s[k]:.6f} s", ", ".join([hit, *self.warnings[k]])))
             if kind:
-                law = f"95 %: exponent {self.exponent[k]:.3f} +- {QUANTILE_95 * self.exponent_deviation[k]:.3f}"
-                restitution = f"restitution {self.restitution[k]:.3f} +- {QUANTILE_95 * self.restitution_deviation[k]:.3f}"
+                law = f"95 %: exponent {self.exponent[k]:.3f} +- {self.exponent_half_width[k]:.3f}"
+                restitution = f"restitution {self.restitution[k]:.3f} +- {self.restitution_half_width[k]:.3f}"
                 lines.append(("", f"{law}, {restitution}; contact time {self.law_contact_time_s[k]:.4e} s; {LAW_DESCRIPTIONS[kind]}"))
                 lines.extend(("", stiffness) for stiffness in self._stiffnesses(k))
             else:
-                lines.append(("", f"no law: {self.why[k]}"))
-        return lines + issue_lines(self.findings)
+                lines.append(("", f"no law: {self.reason[k]}"))
+        return lines + issue_lines(self.issues)
 
     def _stiffnesses(self, k: int) -> list[str]:
         laws = {
@@ -103,19 +113,19 @@ class ContactResult(Result):
 
     def _repr_html_(self) -> str:
         columns = (self.time_s, self.peak_force_n, self.contact_time_s, self.exponent, self.restitution)
-        rows = [
-            [*(f"{one[k]:.5g}" for one in columns), LAW_DESCRIPTIONS.get(kind, self.why[k])] for k, kind in enumerate(self.allowed_laws)
-        ]
+        laws = [LAW_DESCRIPTIONS[kind] if kind else reason for kind, reason in zip(self.allowed_laws, self.reason)]
+        rows = [[*(f"{one[k]:.5g}" for one in columns), law] for k, law in enumerate(laws)]
         return html_table("Hits", ["time [s]", "peak force [N]", "contact [s]", "exponent", "restitution", ""], rows)
 
     def to_xarray(self) -> Any:
         """Returns an ``xarray.Dataset`` over ``hit``."""
-        variables = {**self._variables(), "allowed_laws": Variable(("hit",), self.allowed_laws, "", "laws that the pulse allows")}
+        allowed_laws = [one or "" for one in self.allowed_laws]
+        variables = {**self._variables(), "allowed_laws": Variable(("hit",), allowed_laws, "", "laws that the pulse allows")}
         return self._dataset(variables, {"hit": Variable(("hit",), np.arange(len(self)), "1", "number of the hit")})
 
     def to_pandas(self) -> Any:
         """Returns a ``pandas.DataFrame`` with a row for each hit."""
-        return self._frame({**self._columns("hit"), "allowed_laws": self.allowed_laws, "why": self.why})
+        return self._frame({**self._columns("hit"), "allowed_laws": self.allowed_laws, "reason": self.reason})
 
     def plot_contact(self, ax: Any = None, hits: int = 6) -> Any:
         """Draws the first pulses with the laws fitted to them."""
@@ -133,37 +143,15 @@ def contact(record: Measured, *, sample_rate_hz: Any = None, force: str | None =
     default the first in newtons. The struck body is assumed to be at rest during a contact.
     """
     input_recording = recording(record, sample_rate_hz)
-    mass_kg = optional_si("mass", mass, "mass")
-    result = _core.measured_contact(input_recording._core(), force, mass_kg)
-    hits = json.loads(result["hits"])
-    laws = [law or {} for law in json.loads(result["laws"])]
-    exponent_fields = ("exponent", "exponent_deviation", "restitution", "restitution_deviation", "relative_error")
-    law_fields = (*exponent_fields, "stiffness", "stiffness_relative_deviation", "speed_m_s")
-    return ContactResult(
-        manifest=make_manifest("contact", **names_of([input_recording]), mass_kg=mass_kg),
-        channel=result["channel"],
-        **{name: column(laws, name) for name in law_fields},
-        **stiffness_95(laws, ""),
-        **{f"{law_name}_stiffness": column([law.get(law_name) or {} for law in laws], "stiffness") for law_name in ("linear", "hertz")},
-        **stiffness_95([law.get("linear") or {} for law in laws], "linear_"),
-        **stiffness_95([law.get("hertz") or {} for law in laws], "hertz_"),
-        law_contact_time_s=column(laws, "contact_time_s"),
-        time_s=column(hits, "peak") / result["rate_hz"],
-        **{name: column(hits, name) for name in ("peak_force_n", "contact_time_s", "impulse_n_s")},
-        allowed_laws=[law.get("allowed_laws", "") for law in laws],
-        why=result["why"],
-        warnings=[[kind_of(one) for one in hit["warnings"]] for hit in hits],
-        pulses=[Pulse(*one) for one in result["pulses"]],
-        findings=[*input_recording.findings, *parse_issues(result["findings"])],
-    )
+    mass_kg = None if mass is None else to_si("mass", mass, "mass")
+    fields = ContactResult._filled(_core.contact(input_recording._core(), options(force=force, mass_kg=mass_kg)))
+    fields["manifest"] = make_manifest("contact", **names_of([input_recording]), mass_kg=mass_kg)
+    fields["warnings"] = [[kind_of(one) for one in warnings] for warnings in json.loads(fields["warnings"])]
+    fields["pulses"] = [Pulse(*one) for one in fields["pulses"]]
+    fields["issues"] = [*input_recording.issues, *parse_issues(fields["issues"])]
+    return ContactResult(**fields)
 
 
 def kind_of(warning: Any) -> str:
     """Returns the kind of a warning of a hit, which may carry numbers."""
     return warning if isinstance(warning, str) else next(iter(warning))
-
-
-def stiffness_95(laws: list[dict[str, Any]], prefix: str) -> dict[str, Floats]:
-    """Returns both ends of the stiffness interval of each law, NaN where there is no interval."""
-    interval_ends = np.array([law.get("stiffness_95") or (np.nan, np.nan) for law in laws], dtype=float).reshape(-1, 2)
-    return {f"{prefix}stiffness_low": interval_ends[:, 0], f"{prefix}stiffness_high": interval_ends[:, 1]}

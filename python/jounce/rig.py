@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
 from . import _core
-from .arguments import check_integers, names, optional_si, positive_si
+from .arguments import check_integers, names, options, to_si
 from .errors import ArgumentError
 from .fit import FitResult, make_fit
 from .inputs import Measured, recording
@@ -82,49 +82,30 @@ class SpecOnRig(SpecText):
         integration. Source of the fluctuation: D. Gillespie, Phys. Rev. E 54 (1996) 2084, equation 1.9.
         """
         check_integers(bits=bits, seed=seed, hits=hits, starts=starts, starts_seed=starts_seed)
-        sensors: dict[str, Any] = {"rate_hz": positive_si("frequency", rate, "rate"), "noise": noise, "bits": bits, "seed": seed}
-        sensors |= {"at": names(at), "hold": self._fixed_masses(hold, fixed_table)}
-        sensors["sensor_mass_kg"] = optional_si("mass", sensor_mass, "sensor_mass")
-        sensors["cable_f"] = optional_si("capacitance", cable, "cable")
-        sensors["cable_leakage_ohm"] = optional_si("resistance", cable_leakage, "cable_leakage")
-        if sensor_mass is not None and not sensors["at"]:
-            raise ArgumentError('sensor_mass needs accelerometers; name their points with at=["beam.tip"]')
-        shaker: dict[str, Any] = {
-            "solution": _solutions(solution),
-            "starts": starts,
-            "starts_seed": starts_seed,
-            "amplitude_wander": amplitude_wander,
-            "frequency_wander": frequency_wander,
-            "wander_time_s": positive_si("time", wander_time, "wander_time"),
-            "amplitude_drift": amplitude_drift,
-            "frequency_drift": frequency_drift,
-            "base_channel": base_channel,
-            "keep_mean": keep_mean,
+        quantities = {
+            "rate_hz": ("frequency", rate),
+            "sensor_mass_kg": ("mass", sensor_mass),
+            "cable_f": ("capacitance", cable),
+            "cable_leakage_ohm": ("resistance", cable_leakage),
+            "block_s": ("time", block),
+            "peak_n": ("force", peak),
+            "contact_s": ("time", contact),
+            "wander_time_s": ("time", wander_time),
         }
-        if hammer is not None:
-            shaker_options = [
-                key for key in ("solution", "amplitude_wander", "frequency_wander", "amplitude_drift", "frequency_drift") if shaker[key]
-            ]
-            if shaker_options or base is not None:
-                raise ArgumentError(f"{', '.join(shaker_options) or 'base'} needs a shaker test, without hammer; give one of them")
-            test = {"point": hammer, "hits": hits, "block_s": positive_si("time", block, "block")}
-            test |= {"peak_force_n": positive_si("force", peak, "peak"), "contact_time_s": positive_si("time", contact, "contact")}
-            return Recording._from_core_recording(_core.rig_struck(self._spec, sensors, test), self._rig_manifest(sensors, test))
-        if shaker["solution"] and (base is not None or sensors["hold"]):
-            raise ArgumentError("solution needs the complete model under its own drive; give it without base, hold and fixed_table")
+        given: dict[str, Any] = {
+            field: None if value is None else to_si(kind, value, field.rpartition("_")[0]) for field, (kind, value) in quantities.items()
+        }
+        given |= {"noise": noise, "bits": bits, "seed": seed, "at": names(at), "hold": names(hold), "fixed_table": fixed_table}
+        given |= {"hammer": hammer, "hits": hits, "solution": _solutions(solution), "starts": starts, "starts_seed": starts_seed}
+        given |= {"amplitude_wander": amplitude_wander, "frequency_wander": frequency_wander}
+        given |= {"amplitude_drift": amplitude_drift, "frequency_drift": frequency_drift}
+        given |= {"base_channel": base_channel, "keep_mean": keep_mean}
         base_recording = None if base is None else recording(base)
-        core_result = _core.rig_shaken(self._spec, sensors, shaker, None if base_recording is None else base_recording._core())
-        base_options = (
-            {}
-            if base_recording is None
-            else {"base": base_recording.name, "base_sha256": base_recording.manifest["options"]["recording_sha256"]}
-        )
-        result = Recording._from_core_recording(result_or_raise(core_result), self._rig_manifest(sensors, {**shaker, **base_options}))
-        return result if base_recording is None else dataclasses.replace(result, findings=[*base_recording.findings, *result.findings])
-
-    def _rig_manifest(self, sensors: Mapping[str, Any], test: Mapping[str, Any]) -> dict[str, Any]:
-        """Returns the origin of a recording of the rig."""
-        return {**make_manifest("rig", **sensors, **test), "spec_sha256": self.sha256}
+        fields = result_or_raise(_core.rig(self._spec, options(**given), None if base_recording is None else base_recording._core()))
+        if base_recording is not None:
+            given |= {"base": base_recording.name, "base_sha256": base_recording.manifest["options"]["recording_sha256"]}
+        result = Recording._from_core_recording(fields, {**make_manifest("rig", **given), "spec_sha256": self.sha256})
+        return result if base_recording is None else dataclasses.replace(result, issues=[*base_recording.issues, *result.issues])
 
     def fit(self, to: str | PathLike[str] | Mapping[str, Any], *, progress: bool | Progress | None = None) -> FitResult:
         """Fits keys to measured features: the path of a file of features, or a dict with the same contents.
@@ -145,16 +126,17 @@ class SpecOnRig(SpecText):
         return make_fit(json.loads(text), cast("Spec", self._from_core(fitted)), manifest)
 
 
-def _solutions(solution: str | Sequence[str | tuple[str, Any]]) -> list[tuple[str, float]]:
-    """Returns ids of solutions and the times of the record at which they begin, s; the first one begins with the record."""
-    items = [solution] if isinstance(solution, str) else list(solution)
-    solutions = []
-    for number, one in enumerate(items):
-        pair = (one, None) if isinstance(one, str) else tuple(one)
-        if len(pair) != 2 or not isinstance(pair[0], str) or (number > 0 and pair[1] is None):
-            raise ArgumentError(f'solution: {one!r} is invalid; give the id of the first, as in "1a", then pairs, as in ("3a", "42 s")')
-        solutions.append((pair[0], 0.0 if number == 0 else positive_si("time", pair[1], f"the time of solution {pair[0]}")))
-    return solutions
+def _solutions(solution: str | Sequence[str | tuple[str, Any]]) -> list[str]:
+    """Returns solutions as texts: the id, and the time of the record at which it begins, ``"3a@42.0 s"``."""
+
+    def text(one: str | tuple[str, Any]) -> str:
+        if isinstance(one, str):
+            return one
+        if len(one) != 2 or not isinstance(one[0], str):
+            raise ArgumentError(f'solution: {one!r} is invalid; give an id, as in "1a", or an id with its time, as in ("3a", "42 s")')
+        return f"{one[0]}@{to_si('time', one[1], f'the time of solution {one[0]}')!r} s"
+
+    return [text(one) for one in ([solution] if isinstance(solution, str) else solution)]
 
 
 def features(tables: Mapping[str, Any]) -> str:

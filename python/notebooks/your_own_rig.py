@@ -68,13 +68,13 @@ power.plot_power()
 power
 
 # %% [markdown]
-# ## Stretches of one solution each
+# ## Segments of one solution each
 #
 # The shaker level is raised while the logger runs. The arrays of two records make one.
 
 # %%
 quiet = shaken.changed({"drive.shaker.amplitude": "20 N"}).rig(rate="1 kHz", noise=0.01)
 voltage = np.concatenate([quiet["mfc.voltage"], records[2]["mfc.voltage"]])
-regimes = jounce.regimes(jounce.Recording.of(voltage, 1000.0, units="V"), "12 Hz", resistance="1 Mohm")
-regimes.plot_regimes()
-regimes
+segments = jounce.Recording.of(voltage, 1000.0, units="V").segments("12 Hz", resistance="1 Mohm")
+segments.plot_segments()
+segments

@@ -44,7 +44,7 @@ def measured(harvester):
     return {
         "recording": tones,
         "power": jounce.power([tones, tones], ["1 kohm", "2 kohm"], drive="10 Hz"),
-        "regimes": jounce.regimes(tones, "10 Hz", resistance="1 kohm"),
+        "segments": tones.segments("10 Hz", resistance="1 kohm"),
         "contact": jounce.contact(pulses, sample_rate_hz=1e4, mass="0.1 kg"),
         "measured frf": jounce.measured_frf(hits, end_ratio=0.01),
         "measured modes": jounce.measured_modes(hits, end_ratio=0.01, between="20 Hz:200 Hz"),
@@ -60,7 +60,7 @@ def measured(harvester):
 
 
 NAMES = ["modes", "frf", "run", "history", "spectrum", "sweep", "branch", "bifurcations", "basins", "diagram", "ensemble", "noise"]
-NAMES += ["recording", "power", "regimes", "contact", "measured frf", "measured modes", "fit"]
+NAMES += ["recording", "power", "segments", "contact", "measured frf", "measured modes", "fit"]
 
 
 @pytest.mark.parametrize("name", NAMES)

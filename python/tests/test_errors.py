@@ -203,7 +203,7 @@ def test_errors_of_arguments_and_recordings_contain_the_limits(harvester):
         (lambda: harvester.run(record="1 s", sample_rate="1e12 Hz"), {"option": "sample_rate", "value": "1000000000000 Hz"}),
         (lambda: jounce.spectra(volts, sample_rate_hz=100.0, overlap=1.5), {"overlap": 1.5}),
         (lambda: jounce.spectra(volts, sample_rate_hz=100.0, segment="20 s"), {"segment": 2000, "samples": 100}),
-        (lambda: jounce.regimes(volts, "12 Hz", sample_rate_hz=100.0), {"cycles": 12.0, "needed": 24.0}),
+        (lambda: jounce.segments(volts, "12 Hz", sample_rate_hz=100.0), {"cycles": 12.0, "needed": 24.0}),
     ):
         with pytest.raises(jounce.JounceError) as excinfo:
             call()

@@ -37,18 +37,16 @@ def test_solutions_of_a_model_are_recorded_and_identified(harvester, command_lin
     options = ["--solution=1a", "--solution=3a@4s", "--starts=8", "--rate=1536Hz", "--noise=0.01", f"--to={to}"]
     command_line("rig", *options, keys={**case, "run.average_over": "8 s"})
     assert_identical(recording["mfc.voltage"], jounce.read_recordings(to)[0]["mfc.voltage"])
-    assert any("another solution" in one.text for one in recording.findings)
+    assert any("another solution" in one.text for one in recording.issues)
     # The model is put to the drive and the load of the record.
-    expected = command_line("regimes", "--drive=13.5Hz", "--resistance=100kohm", f"--model={SPEC}", "--starts=8", spec=to, keys=case)
-    result = jounce.regimes(
-        recording, "13.5 Hz", resistance="100 kohm", model=harvester.changed({"drive.shaker.amplitude": "42 N"}), starts=8
-    )
-    assert result.candidates == [match["candidates"] for match in expected["correspondences"]]
+    expected = command_line("segments", "--drive=13.5Hz", "--resistance=100kohm", f"--model={SPEC}", "--starts=8", spec=to, keys=case)
+    result = recording.segments("13.5 Hz", resistance="100 kohm", model=harvester.changed({"drive.shaker.amplitude": "42 N"}), starts=8)
+    assert result.candidates == [segment["candidates"] for segment in expected["segments"]]
     assert result.solution == ["1a", "3a"] and result.period_cycles.tolist() == [1, 3] and abs(result.end_s[0] - 4.0) < result.uncertainty_s
     assert "solution: 3a" in repr(result) and len(result.candidates_to_pandas()) == sum(map(len, result.candidates))
     with pytest.raises(jounce.ArgumentError, match="the model's solutions are") as excinfo:
         model.rig(solution="9z", starts=2)
-    assert excinfo.value.details["solution"] == "9z"
+    assert excinfo.value.details == {"option": "solution", "value": "9z"}
 
 
 def test_a_fit_has_the_curves_and_deviations_of_the_command_line(harvester, command_line, tmp_path):

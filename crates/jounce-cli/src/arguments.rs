@@ -72,7 +72,8 @@ pub enum Command {
     Contact(contact::Contact),
     /// Segments a recording by steady-state response and matches each segment to an attractor of
     /// the model.
-    Regimes(segments::Segments),
+    #[command(alias = "regimes")]
+    Segments(segments::Segments),
     /// Computes power spectral density, order lines and spectrogram of a recorded channel.
     Spectra(spectra::Spectra),
     /// Fits keys of a spec to measured modes, frequency responses, powers, jumps and time
@@ -116,7 +117,7 @@ impl Command {
             Command::Read(command) => command.file.output.json,
             Command::Power(command) => command.output.json,
             Command::Contact(command) => command.file.output.json,
-            Command::Regimes(command) => command.file.output.json,
+            Command::Segments(command) => command.file.output.json,
             Command::Spectra(command) => command.file.output.json,
             Command::Materials(command) => command.json,
             Command::Schema | Command::Keys | Command::Completions(_) => false,

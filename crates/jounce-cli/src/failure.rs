@@ -1,7 +1,7 @@
 //! Failures of commands and their exit codes.
 
 use crate::output::print;
-use jounce::{Error, ErrorKind};
+use jounce::{ChannelError, Error, ErrorKind};
 use jounce_core::analysis::{AnalysisError, GridError};
 use jounce_core::spec::{Fault, ReadError};
 use std::path::{Path, PathBuf};
@@ -113,6 +113,16 @@ impl From<Error> for Failure {
                 "--{} is {value}; {expected}",
                 option.replace('_', "-")
             )),
+            (
+                _,
+                Error::Channel {
+                    option,
+                    error: error @ ChannelError::Unnamed { .. },
+                },
+            ) => Failure::Usage(format!("--{}: {error}", option.replace('_', "-"))),
+            (_, Error::Channel { option, error }) => {
+                Failure::Input(format!("--{}: {error}", option.replace('_', "-")))
+            }
             (_, Error::Grid(error)) if error != GridError::NoStop => {
                 Failure::Usage(format!("--grid: {error}"))
             }
@@ -141,15 +151,5 @@ input_failure!(
     jounce_core::picture::PictureError,
     jounce_core::signal::SignalError,
     jounce_core::analysis::JournalError,
-    jounce_core::store::StoreError,
-    jounce_measure::read::ReadError,
-    jounce_measure::recording::NoChannel,
-    jounce_measure::recording::GridError,
-    jounce_measure::write::WriteError,
-    jounce_measure::spectral::SpectralError,
-    jounce_measure::response::ResponseError,
-    jounce_measure::modal::ModalError,
-    jounce_measure::rig::RigError,
-    jounce_measure::solution::SolutionError,
-    jounce_measure::segmentation::SegmentationError
+    jounce_core::store::StoreError
 );

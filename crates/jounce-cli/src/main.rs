@@ -4,7 +4,6 @@
 mod arguments;
 mod cache;
 mod commands;
-mod decay_arguments;
 mod failure;
 mod hammer_arguments;
 mod interruption;

@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use clap::Args;
-use jounce::{Error, Faults, Harvester, KeyRange, Manifest, NumericKey, Quantity, Spec, SpecFile};
+use jounce::{Error, Faults, Harvester, KeyRange, Manifest, NumericKey, Spec, SpecFile};
 use std::path::{Path, PathBuf};
 
 /// The spec and its overrides.
@@ -101,25 +101,12 @@ impl SpecArguments {
 
 /// Prints the issues of the recordings of the drives on stderr.
 pub fn print_recording_issues(spec: &Spec) {
-    for (drive, finding) in spec.findings() {
-        let kind = if finding.kind.is_note() {
+    for (drive, issue) in spec.findings() {
+        let kind = if issue.kind.is_note() {
             "note"
         } else {
             "warning"
         };
-        eprintln!("{kind}: drive {drive}: {finding}");
-    }
-}
-
-/// Reads a frequency above 0 of an option.
-pub fn frequency_hz(option: &str, text: &str) -> Result<f64, Failure> {
-    let fault = |reason: String| Failure::usage(format!("--{option} {text}: {reason}"));
-    let value = Quantity::Frequency
-        .read(text)
-        .map_err(|error| fault(error.to_string()))?;
-    if value > 0.0 && value.is_finite() {
-        Ok(value)
-    } else {
-        Err(fault("a frequency must be above 0 Hz".into()))
+        eprintln!("{kind}: drive {drive}: {issue}");
     }
 }

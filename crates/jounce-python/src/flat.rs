@@ -2,7 +2,7 @@
 //!
 //! A result is serialised once, as for the JSON of the command line. A list of records becomes one
 //! array for each of their fields: `loads: [{name, mean_power_w}]` is `load`, the names, and
-//! `load_mean_power_w`. A missing number is NaN in an array.
+//! `load_mean_power_w`. A list of numbers is an array. A missing number is NaN in an array.
 
 use crate::arrays::PythonDict;
 use crate::failure::Failure;
@@ -11,12 +11,14 @@ use pyo3::types::PyDict;
 use serde_json::{Map, Value};
 
 /// Texts that may be missing in all records.
-const TEXTS: [&str; 5] = [
-    "stop_carried_by",
-    "mirror_of",
+const TEXTS: [&str; 7] = [
+    "allowed_laws",
     "attractor",
     "bifurcation_level",
     "bifurcation_stop",
+    "mirror_of",
+    "reason",
+    "stop_carried_by",
 ];
 
 /// Lists that remain lists of dictionaries, unless they are the main list.
@@ -59,19 +61,23 @@ pub fn dict_with_main<'py>(
 ) -> PyResult<PythonDict<'py>> {
     let value = serde_json::to_value(result).map_err(|error| Failure::new("JounceError", error))?;
     let mut dict = PythonDict::new(py);
-    // Warnings are messages in Python.
+    // Warnings are messages in Python, issues of recordings are objects.
     for (name, value) in value
         .as_object()
         .into_iter()
         .flatten()
-        .filter(|entry| entry.0 != "warnings")
+        .filter(|entry| entry.0 != "warnings" && entry.0 != "issues")
     {
         dict = match value.as_array() {
             Some(items)
                 if items.iter().all(Value::is_object)
                     && (name == main || !DICTIONARIES.contains(&name.as_str())) =>
             {
-                records(dict, name, items, name == main)?
+                let items: Vec<&Value> = items.iter().collect();
+                records(dict, name, &items, name == main)?
+            }
+            Some(items) if items.iter().all(Value::is_number) => {
+                column(dict, name, &items.iter().collect::<Vec<_>>())?
             }
             _ => dict.with(name, object(py, value)?)?,
         };
@@ -79,30 +85,34 @@ pub fn dict_with_main<'py>(
     Ok(dict)
 }
 
-/// Adds an array for each field of records.
+/// Adds an array for each field of records; a field with a record has an array for each of its
+/// fields, and a field with a list has none.
 fn records<'py>(
     dict: PythonDict<'py>,
     list: &str,
-    items: &[Value],
+    items: &[&Value],
     is_main: bool,
 ) -> PyResult<PythonDict<'py>> {
     let item_name = singular(list);
     let fields = items
         .first()
-        .and_then(Value::as_object)
+        .and_then(|item| item.as_object())
         .into_iter()
         .flat_map(Map::keys);
     let mut dict = dict;
-    // Lists within records have no array.
-    let is_plain = |field: &&String| *field != "warnings" && !items[0][*field].is_array();
-    for field in fields.filter(is_plain) {
+    for field in fields {
         let name = match field.as_str() {
             "name" | "id" => item_name.clone(),
             _ if is_main => field.clone(),
+            field if field == item_name => item_name.clone(),
             _ => format!("{item_name}_{field}"),
         };
         let values: Vec<&Value> = items.iter().map(|item| &item[field]).collect();
-        dict = column(dict, &name, &values)?;
+        dict = match values.first() {
+            Some(Value::Array(_)) => dict,
+            Some(Value::Object(_)) => records(dict, &name, &values, false)?,
+            _ => column(dict, &name, &values)?,
+        };
     }
     Ok(dict)
 }
@@ -147,7 +157,7 @@ fn singular(list: &str) -> String {
 }
 
 /// Returns a value as `json.loads` does.
-fn object<'py>(py: Python<'py>, value: &Value) -> PyResult<Bound<'py, PyAny>> {
+pub fn object<'py>(py: Python<'py>, value: &Value) -> PyResult<Bound<'py, PyAny>> {
     Ok(match value {
         Value::Null => py.None().into_bound(py),
         Value::Bool(value) => value.into_pyobject(py)?.to_owned().into_any(),

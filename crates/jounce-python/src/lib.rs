@@ -52,21 +52,21 @@ mod _core {
     #[pymodule_export]
     use super::materials::materials;
     #[pymodule_export]
-    use super::measured::contact::measured_contact;
+    use super::measured::contact::contact;
     #[pymodule_export]
-    use super::measured::decays::measured_decays;
+    use super::measured::frf::measured_frf;
     #[pymodule_export]
-    use super::measured::hammer::{measured_frf, measured_modes};
+    use super::measured::modes::measured_modes;
     #[pymodule_export]
-    use super::measured::power::measured_power;
+    use super::measured::power::power;
     #[pymodule_export]
     use super::measured::recording::{
         recording_even, recording_from_arrays, recording_read, recording_write,
     };
     #[pymodule_export]
-    use super::measured::segments::measured_regimes;
+    use super::measured::segments::segments;
     #[pymodule_export]
-    use super::measured::spectra::measured_spectra;
+    use super::measured::spectra::spectra;
     #[pymodule_export]
     use super::modes::modes;
     #[pymodule_export]
@@ -74,7 +74,7 @@ mod _core {
     #[pymodule_export]
     use super::reproduce::reproduce;
     #[pymodule_export]
-    use super::rig::{rig_shaken, rig_struck};
+    use super::rig::rig;
     #[pymodule_export]
     use super::run::run;
     #[pymodule_export]

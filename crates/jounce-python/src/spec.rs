@@ -57,10 +57,10 @@ impl Spec {
     }
 
     /// Returns the issues of the recordings of its drives, as JSON.
-    fn findings(&self) -> PyResult<String> {
+    fn issues(&self) -> PyResult<String> {
         let issues = self.harvester.issues();
-        let findings: Vec<_> = issues.map(|(_, issue)| issue.clone()).collect();
-        crate::measured::recording::findings(&findings)
+        let issues: Vec<_> = issues.map(|(_, issue)| issue.clone()).collect();
+        crate::measured::recording::issues(&issues)
     }
 
     /// Returns the SHA-256 of the canonical form.

@@ -15,16 +15,16 @@ pub struct CheckResult {
     /// Faults of the spec with their places.
     pub faults: Vec<Fault>,
     /// Data-quality issues of the recordings that the drives use.
-    pub findings: Vec<DriveFinding>,
+    pub issues: Vec<DriveIssue>,
 }
 
 /// Data-quality issue of the recording of a drive.
 #[derive(Debug, Clone, Serialize)]
-pub struct DriveFinding {
+pub struct DriveIssue {
     /// Name of the drive.
     pub drive: String,
     /// The issue.
-    pub finding: Issue,
+    pub issue: Issue,
 }
 
 impl CheckResult {
@@ -33,7 +33,7 @@ impl CheckResult {
         Self {
             valid: false,
             faults,
-            findings: Vec::new(),
+            issues: Vec::new(),
         }
     }
 }
@@ -53,14 +53,14 @@ impl Harvester {
     /// ```
     pub fn check(&self) -> Result<CheckResult, Error> {
         self.model()?;
-        let finding = |(drive, issue): (&str, &Issue)| DriveFinding {
+        let of_drive = |(drive, issue): (&str, &Issue)| DriveIssue {
             drive: drive.to_owned(),
-            finding: issue.clone(),
+            issue: issue.clone(),
         };
         Ok(CheckResult {
             valid: true,
             faults: Vec::new(),
-            findings: self.issues().map(finding).collect(),
+            issues: self.issues().map(of_drive).collect(),
         })
     }
 

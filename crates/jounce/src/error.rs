@@ -14,8 +14,17 @@ use jounce_core::starter::UnknownKind;
 use jounce_core::store::StoreError;
 use jounce_core::structure::StructureError;
 use jounce_core::table::TableError;
+use jounce_data::read::ArraysError;
+use jounce_data::recording::{ChannelError, NoChannel};
 use jounce_measure::experiment::ExperimentError;
 use jounce_measure::fit::FitError;
+use jounce_measure::modal::ModalError;
+use jounce_measure::response::ResponseError;
+use jounce_measure::rig::RigError;
+use jounce_measure::segmentation::SegmentationError;
+use jounce_measure::solution::SolutionError;
+use jounce_measure::spectral::SpectralError;
+use jounce_measure::write::WriteError;
 
 /// Reason why a computation has no result. The message names the value, what is allowed, and what
 /// to try.
@@ -92,6 +101,79 @@ pub enum Error {
     /// A signal is too short or holds a value that is not finite.
     #[error(transparent)]
     Signal(#[from] SignalError),
+    /// A virtual test cannot be simulated.
+    #[error(transparent)]
+    Rig(#[from] RigError),
+    /// A recording cannot be cut into segments.
+    #[error(transparent)]
+    Segmentation(#[from] SegmentationError),
+    /// The solutions of a model cannot be found.
+    #[error(transparent)]
+    Solution(#[from] SolutionError),
+    /// A recording cannot be read.
+    #[error(transparent)]
+    ReadRecording(#[from] jounce_data::read::ReadError),
+    /// The scratch file of a recording cannot be used.
+    #[error("the scratch file cannot be used: {0}")]
+    Scratch(#[source] std::io::Error),
+    /// Samples cannot form a recording.
+    #[error(transparent)]
+    Arrays(#[from] ArraysError),
+    /// The times or frequencies of a recording have no rate.
+    #[error(transparent)]
+    RecordingGrid(#[from] jounce_data::recording::GridError),
+    /// A channel does not exist.
+    #[error(transparent)]
+    NoChannel(#[from] NoChannel),
+    /// An option names no suitable channel.
+    #[error("{option}: {error}")]
+    Channel {
+        /// Name of the option.
+        option: &'static str,
+        /// The reason.
+        error: ChannelError,
+    },
+    /// A recording has no channel.
+    #[error("{recording} has no channel")]
+    WithoutChannel {
+        /// The recording.
+        recording: String,
+    },
+    /// A file contains no recording.
+    #[error(
+        "{} contains no recording to write, only {shapes} mode shapes; recordings can be written",
+        path.display()
+    )]
+    NoRecording {
+        /// The file.
+        path: std::path::PathBuf,
+        /// Number of its mode shapes.
+        shapes: usize,
+    },
+    /// A channel was not loaded.
+    #[error("the channel {channel} was not loaded; read the recording with all channels")]
+    NotLoaded {
+        /// The channel.
+        channel: String,
+    },
+    /// A recording is over frequency.
+    #[error("{recording} is not a recording over time")]
+    NotOverTime {
+        /// The recording.
+        recording: String,
+    },
+    /// A recording cannot be written.
+    #[error(transparent)]
+    Write(#[from] WriteError),
+    /// The analysis of samples is not possible.
+    #[error(transparent)]
+    Spectral(#[from] SpectralError),
+    /// Frequency responses or decays cannot be computed.
+    #[error(transparent)]
+    Response(#[from] ResponseError),
+    /// Modes cannot be identified.
+    #[error(transparent)]
+    Modal(#[from] ModalError),
     /// The threads cannot be started.
     #[error("the threads cannot be started: {0}")]
     Threads(#[from] rayon::ThreadPoolBuildError),
@@ -140,7 +222,15 @@ impl Error {
                 ErrorKind::NotConverged
             }
             Self::Fit(FitError::NotConverged { .. }) => ErrorKind::NotConverged,
-            Self::Stopped | Self::Fit(FitError::Stopped { .. }) => ErrorKind::Stopped,
+            Self::Rig(RigError::Run(error)) | Self::Solution(SolutionError::Run(error)) => {
+                kind_of_run(error)
+            }
+            Self::Solution(SolutionError::Study(error)) => kind_of(error),
+            Self::Solution(SolutionError::Lost { .. }) => ErrorKind::NotConverged,
+            Self::Stopped
+            | Self::Fit(FitError::Stopped { .. })
+            | Self::Segmentation(SegmentationError::Stopped)
+            | Self::Spectral(SpectralError::Stopped) => ErrorKind::Stopped,
             _ => ErrorKind::Input,
         }
     }
@@ -148,10 +238,15 @@ impl Error {
 
 fn kind_of(error: &AnalysisError) -> ErrorKind {
     match error {
-        AnalysisError::Run(RunError::Integration(IntegrationError::Stopped { .. })) => {
-            ErrorKind::Stopped
-        }
-        AnalysisError::Run(RunError::Integration(_)) => ErrorKind::NotConverged,
+        AnalysisError::Run(error) => kind_of_run(error),
+        _ => ErrorKind::Input,
+    }
+}
+
+fn kind_of_run(error: &RunError) -> ErrorKind {
+    match error {
+        RunError::Integration(IntegrationError::Stopped { .. }) => ErrorKind::Stopped,
+        RunError::Integration(_) => ErrorKind::NotConverged,
         _ => ErrorKind::Input,
     }
 }

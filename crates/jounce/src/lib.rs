@@ -15,12 +15,25 @@
 //! | means over realisations of noise | [`Harvester::ensemble`] | [`EnsembleOptions`] | [`EnsembleResult`] |
 //! | one quantity over several keys | [`Study::run`] | [`StudyOptions`] | [`StudyStatus`] |
 //! | keys that fit measurements | [`Harvester::fit`] | [`Features`] | [`FitResult`] |
+//! | simulated recordings of sensors | [`Harvester::rig`] | [`RigOptions`] | [`RigResult`] |
 //!
 //! [`materials`], [`starters`], [`schema`] and [`key_reference`] help to write a spec;
 //! [`Harvester::drawing`] draws it; [`reproduce`] recomputes a published paper.
 //! | branches of periodic orbits over a key | [`Harvester::branch`] | [`BranchOptions`] | [`BranchResult`] |
 //! | bifurcation curves in two keys | [`Harvester::bifurcations`] | [`BifurcationsOptions`] | [`BifurcationsResult`] |
 //! | bifurcation diagram over a key | [`Harvester::diagram`] | [`DiagramOptions`] | [`DiagramResult`] |
+//!
+//! A [`Recording`] is read from a file of an instrument, with its data-quality issues:
+//!
+//! | question | method | options | result |
+//! |---|---|---|---|
+//! | contents of a file, and its conversion | [`RecordedFile::result`], [`RecordedFile::convert`] | [`ReadOptions`], [`ConvertOptions`] | [`ReadResult`] |
+//! | mean power of voltages over their loads | [`Recording::power`] | [`PowerOptions`] | [`PowerResult`] |
+//! | spectra of a channel | [`Recording::spectra`] | [`SpectraOptions`] | [`SpectraResult`] |
+//! | frequency responses of a hammer or shaker test | [`Recording::measured_frf`] | [`MeasuredFrfOptions`] | [`MeasuredFrfResult`] |
+//! | modes of a test | [`Recording::measured_modes`] | [`MeasuredModesOptions`] | [`MeasuredModesResult`] |
+//! | contact laws of force pulses | [`Recording::contact`] | [`ContactOptions`] | [`ContactResult`] |
+//! | attractors that a recording shows | [`Recording::segments`] | [`SegmentsOptions`] | [`SegmentsResult`] |
 //!
 //! Options have defaults: write the fields that differ, then `..Default::default()`. Results are
 //! plain data; serialised, they are the JSON of the command line. Every name ends in its unit.
@@ -38,17 +51,24 @@ mod bifurcations;
 mod branch;
 mod continuation;
 mod diagram;
+mod contact;
 mod error;
 mod fit;
 mod frf;
 mod harvester;
 mod journal;
+mod measured_frf;
+mod measured_modes;
 mod modes;
 mod noise;
 mod options;
 mod periodic;
+mod power;
+mod read;
+mod recording;
 mod reference;
 mod reproduce;
+mod rig;
 mod run;
 mod study;
 mod sweep;
@@ -64,6 +84,12 @@ pub use branch::{
 pub use diagram::{
     DiagramDirection, DiagramJournal, DiagramOptions, DiagramPoint, DiagramResult, SectionPoint,
 };
+mod segments;
+mod spectra;
+
+pub use basins::{AttractorResult, BasinsOptions, BasinsResult, FailedStart, StartPoint};
+pub use check::{CheckResult, DriveIssue};
+pub use contact::{ContactOptions, ContactResult, FixedLawResult, HitResult};
 pub use error::{Error, ErrorKind};
 pub use fit::FitResult;
 pub use frf::{FrfOptions, FrfResponse, FrfResult};
@@ -82,24 +108,44 @@ pub use jounce_core::material::{Active, Material};
 pub use jounce_core::picture::{Drawing, Figure};
 pub use jounce_core::reproduce::Claim;
 pub use jounce_core::run::StartState;
-pub use jounce_core::signal::{Samples, SignalError, Window};
+pub use jounce_core::signal::{Samples, SignalError, Spectrum, Window};
 pub use jounce_core::spec::{Fault, Faults, KeyRange, NumericKey, Quantity, Spec, SpecFile};
 pub use jounce_core::starter::Starter;
 pub use jounce_core::table::{Manifest, Table};
-pub use jounce_data::recording::Issue;
+pub use jounce_data::read::RawChannel;
+pub use jounce_data::recording::{
+    Channel, ChannelError, Grid, Issue, Over, Quantity as MeasuredQuantity,
+};
+pub use jounce_measure::contact::AllowedLaws;
+pub use jounce_measure::draw::PulseFigure;
 pub use jounce_measure::fit::{
     Features, FitError, FitResult as FitEstimate, FittedCurve, FittedDeviation, FittedFeature,
     FittedKey,
 };
+pub use jounce_measure::segmentation::{Candidate, MAX_PERIOD_CYCLES, MergeReason, MergedChange};
+pub use jounce_measure::spectral::HitWarning;
+pub use measured_frf::{
+    FrfEstimator, FunctionParts, MeasuredFrfOptions, MeasuredFrfResult, MeasuredResponse, PerG,
+};
+pub use measured_modes::{ComplexValues, MeasuredMode, MeasuredModesOptions, MeasuredModesResult};
 pub use modes::{BeamShapes, ModeResult, ModesOptions, ModesResult, PatchCoupling, PointShape};
 pub use noise::{NoiseOptions, NoiseResult};
 pub use options::{OptionDefinition, check_tolerance, definitions};
 pub use periodic::check_drives;
+pub use power::{OrderAmplitude, PowerOptions, PowerRecord, PowerResult};
+pub use read::{
+    ChannelResult, Conversion, ConvertOptions, ReadResult, RecordedFile, RecordingResult,
+    ShapeResult,
+};
+pub use recording::{ChannelList, ChosenChannel, ReadOptions, Recording, UsesChannels};
 pub use reference::{key_reference, materials, schema, starter, starters};
 pub use reproduce::{ReproduceOptions, ReproduceResult, reproduce};
+pub use rig::{BaseMotion, RigOptions, RigResult};
 pub use run::{History, HistorySamples, LoadResult, PatchResult, RunOptions, RunResult};
 pub use study::{Shard, Study, StudyFolder, StudyOptions, StudyStatus};
 pub use sweep::{SweepOptions, SweepOrder, SweepPoint, SweepResult};
+pub use segments::{SegmentResult, SegmentsOptions, SegmentsResult};
+pub use spectra::{OrderPeak, SegmentWindow, SpectraOptions, SpectraResult};
 
 /// Rust code of the README, compiled with the documentation tests.
 #[cfg(doctest)]

@@ -83,6 +83,80 @@ pub(crate) fn frequency_hz(text: &str) -> Result<f64, String> {
         .map_err(|error| error.to_string())
 }
 
+/// Returns a reader of a quantity with its unit, in SI.
+pub(crate) fn si(quantity: Quantity) -> impl Fn(&str) -> Result<f64, String> + Clone {
+    move |text| quantity.read(text).map_err(|error| error.to_string())
+}
+
+/// Refuses options that differ from their defaults; `expected` says what they need. A field is named
+/// after its option and the unit.
+pub(crate) fn refuse_changed<O: Default + serde::Serialize>(
+    options: &O,
+    fields: &[&'static str],
+    expected: &str,
+) -> Result<(), Error> {
+    let json = |options: &O| serde_json::to_value(options).unwrap_or_default();
+    let (values, defaults) = (json(options), json(&O::default()));
+    let is_changed = |field: &&&'static str| values[**field] != defaults[**field];
+    let Some(field) = fields.iter().find(is_changed) else {
+        return Ok(());
+    };
+    let text = |value: &serde_json::Value| match value.as_str() {
+        Some(text) => text.to_owned(),
+        None => value.to_string(),
+    };
+    let value = match values[*field].as_array() {
+        Some(items) => items.iter().map(text).collect::<Vec<_>>().join(" "),
+        None => text(&values[*field]),
+    };
+    let units = ["_hz", "_kg", "_n", "_s"];
+    let option = units.iter().find_map(|unit| field.strip_suffix(unit));
+    Err(Error::option(option.unwrap_or(field), value, expected))
+}
+
+/// Reads a resistance with its unit, ohm.
+pub(crate) fn resistance_ohm(text: &str) -> Result<f64, String> {
+    Quantity::Resistance
+        .read(text)
+        .map_err(|error| error.to_string())
+}
+
+/// Reads two quantities of an option, as in `0.2s:3s`.
+pub(crate) fn ends(text: &str, quantity: Quantity) -> Result<(f64, f64), String> {
+    let example = match quantity {
+        Quantity::Time => "0.2s:3s",
+        _ => "500Hz:4300Hz",
+    };
+    let usage = || format!("write FROM:TO, as in {example}, the smaller one first");
+    let (from, to) = text.split_once(':').ok_or_else(usage)?;
+    let read = |text: &str| quantity.read(text).map_err(|error| error.to_string());
+    let (from, to) = (read(from)?, read(to)?);
+    if from < to {
+        Ok((from, to))
+    } else {
+        Err(usage())
+    }
+}
+
+/// Reads two times with their units, s.
+pub(crate) fn times_s(text: &str) -> Result<(f64, f64), String> {
+    ends(text, Quantity::Time)
+}
+
+/// Reads two frequencies with their units, Hz.
+pub(crate) fn frequencies_hz(text: &str) -> Result<(f64, f64), String> {
+    ends(text, Quantity::Frequency)
+}
+
+/// Returns the value of an option if it is finite and above 0.
+pub(crate) fn check_above_zero(option: &'static str, value: f64, unit: &str) -> Result<f64, Error> {
+    if value > 0.0 && value.is_finite() {
+        return Ok(value);
+    }
+    let text = format!("{value} {unit}");
+    Err(Error::option(option, text.trim(), "it must be above 0"))
+}
+
 /// Largest number of frequencies of a band.
 const MAX_POINTS: usize = 1_000_000;
 

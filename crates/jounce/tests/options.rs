@@ -7,6 +7,9 @@ use jounce::{
     definitions,
 use jounce::{
     BasinsOptions, BifurcationsOptions, BranchOptions, DiagramOptions, RunOptions, definitions,
+    BasinsOptions, ContactOptions, ConvertOptions, FrfOptions, MeasuredFrfOptions,
+    MeasuredModesOptions, ModesOptions, NoiseOptions, PowerOptions, ReadOptions, ReproduceOptions,
+    RigOptions, RunOptions, SegmentsOptions, SpectraOptions, definitions,
 };
 use serde::Serialize;
 use std::fmt::Debug;
@@ -50,6 +53,12 @@ fn options_have_help_and_valid_defaults() {
     check::<SweepOptions>();
     check::<EnsembleOptions>();
     check::<StudyOptions>();
+    check::<ReadOptions>();
+    check::<ConvertOptions>();
+    check::<PowerOptions>();
+    check::<SpectraOptions>();
+    check::<MeasuredFrfOptions>();
+    check::<MeasuredModesOptions>();
     check::<ModesOptions>();
     check::<FrfOptions>();
     check::<NoiseOptions>();
@@ -57,6 +66,9 @@ fn options_have_help_and_valid_defaults() {
     check::<BranchOptions>();
     check::<BifurcationsOptions>();
     check::<DiagramOptions>();
+    check::<ContactOptions>();
+    check::<RigOptions>();
+    check::<SegmentsOptions>();
 }
 
 #[test]

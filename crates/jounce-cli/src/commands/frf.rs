@@ -9,8 +9,13 @@ use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
 use jounce::{FrfOptions, FrfResult};
 
+/// Help text of `--input` in this command, which also applies a force to a spec.
+const INPUT: &str = "With --measured: channel of the input, which need not be a force (acceleration, velocity or displacement of the base, or a voltage). \
+                     Without it: point of the spec that the force acts on. By default the first channel in newtons, or the point of the first force";
+
 /// Arguments of `frf`.
 #[derive(Debug, Args)]
+#[command(mut_arg("input", |input| input.help(INPUT)))]
 #[command(mut_arg("spec", |spec| spec.required(false).required_unless_present("measured")))]
 pub struct Frf {
     #[command(flatten)]

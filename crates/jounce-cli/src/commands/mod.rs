@@ -22,7 +22,6 @@ pub mod read;
 pub mod reproduce;
 pub mod rig;
 pub mod run;
-mod segment_model;
 pub mod segments;
 pub mod show;
 pub mod spectra;
@@ -57,7 +56,7 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Read(command) => command.run(),
         Command::Power(command) => command.run(),
         Command::Contact(command) => command.run(),
-        Command::Regimes(command) => command.run(),
+        Command::Segments(command) => command.run(),
         Command::Spectra(command) => command.run(),
         Command::Materials(command) => command.run(),
         Command::Completions(command) => command.run(),

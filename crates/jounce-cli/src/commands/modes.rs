@@ -1,32 +1,26 @@
 //! `jounce modes SPEC`
 
 use super::frf::missing_input;
-use super::measured_modes::{self, BandArguments};
-use crate::decay_arguments::DecayArguments;
+use super::measured_modes;
 use crate::failure::Failure;
-use crate::hammer_arguments::HammerArguments;
+use crate::hammer_arguments::{HammerArguments, of_test};
 use crate::output::{self, line, print};
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
-use jounce::{ModesOptions, ModesResult};
-
-/// Help text of `--input` in this command, which applies no force to a spec.
-const INPUT: &str = "Channel of the input, which need not be a force: acceleration, velocity or displacement of the base, or a voltage; by default the \
-                     first channel in newtons";
+use jounce::{MeasuredModesOptions, ModesOptions, ModesResult};
 
 /// Arguments of `modes`.
 #[derive(Debug, Args)]
 #[command(mut_arg("spec", |spec| spec.required(false).required_unless_present("measured")))]
-#[command(mut_arg("input", |input| input.requires("measured").help(INPUT)))]
+#[command(mut_arg("input", |input| input.requires("measured")))]
+#[command(mut_args(of_test::<MeasuredModesOptions>))]
 pub struct Modes {
     #[command(flatten)]
     spec: Option<SpecArguments>,
     #[command(flatten)]
     hammer: HammerArguments,
     #[command(flatten)]
-    decay: DecayArguments,
-    #[command(flatten)]
-    band: BandArguments,
+    identification: MeasuredModesOptions,
     #[command(flatten)]
     options: ModesOptions,
     #[command(flatten)]
@@ -37,7 +31,7 @@ impl Modes {
     /// Prints modes and couplings.
     pub fn run(&self) -> Result<(), Failure> {
         if !self.hammer.measured.is_empty() {
-            return measured_modes::run(&self.hammer, &self.decay, &self.band, &self.output);
+            return measured_modes::run(&self.hammer, &self.identification, &self.output);
         }
         let spec = self.spec.as_ref().ok_or_else(missing_input)?;
         let harvester = spec.harvester()?;

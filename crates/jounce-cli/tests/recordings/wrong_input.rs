@@ -164,19 +164,19 @@ fn wrong_input_ends_with_its_code_and_one_clear_sentence() {
             4,
             "no signal",
         ),
-        (vec!["regimes", "switch.csv"], 2, "--drive"),
+        (vec!["segments", "switch.csv"], 2, "--drive"),
         (
-            vec!["regimes", "switch.csv", "--drive", "400Hz"],
+            vec!["segments", "switch.csv", "--drive", "400Hz"],
             4,
             "quarter",
         ),
         (
-            vec!["regimes", "switch.csv", "--drive", "0.1Hz"],
+            vec!["segments", "switch.csv", "--drive", "0.1Hz"],
             4,
             "drive cycles",
         ),
         (
-            vec!["regimes", "still.csv", "--drive", "5Hz"],
+            vec!["segments", "still.csv", "--drive", "5Hz"],
             4,
             "no signal",
         ),
@@ -235,7 +235,7 @@ fn wrong_input_ends_with_its_code_and_one_clear_sentence() {
         );
     }
     let (code, json, _) = jounce(folder_path, &["read", "ragged.csv", "--json"]);
-    let kinds: Vec<&str> = json["recordings"][0]["findings"]
+    let kinds: Vec<&str> = json["recordings"][0]["issues"]
         .as_array()
         .unwrap()
         .iter()
@@ -282,7 +282,7 @@ fn recordings_that_are_not_written_are_reported() {
     for command in [
         vec!["power", "two.uff", "--resistance", "1ohm"],
         vec!["spectra", "two.uff"],
-        vec!["regimes", "two.uff", "--drive", "1Hz"],
+        vec!["segments", "two.uff", "--drive", "1Hz"],
     ] {
         let (_, _, stderr) = jounce(folder_path, &command);
         assert!(

@@ -130,6 +130,7 @@ impl From<RigError> for Failure {
     fn from(error: RigError) -> Self {
         match error {
             RigError::Plant(error) => error.into(),
+            RigError::Run(error) => error.into(),
             error => Self::new("ArgumentError", &error).with(rig_details(&error)),
         }
     }

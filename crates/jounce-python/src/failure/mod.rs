@@ -139,9 +139,26 @@ impl From<jounce::Error> for Failure {
             Error::NoDrive { .. } | Error::DriveAtRest { .. } | Error::Linear => {
                 Self::new("ArgumentError", &error)
             }
+            Error::Rig(error) => error.into(),
+            Error::Segmentation(error) => error.into(),
+            Error::Solution(error) => error.into(),
             Error::Signal(_) | Error::Threads(_) | Error::Stopped => {
                 Self::new("JounceError", &error)
             }
+            Error::ReadRecording(error) => error.into(),
+            Error::Arrays(error) => error.into(),
+            Error::RecordingGrid(error) => error.into(),
+            Error::NoChannel(error) => error.into(),
+            Error::Channel { .. } => Self::new("ArgumentError", &error),
+            Error::NoRecording { ref path, .. } => Self::of_file(&error, path, None),
+            Error::WithoutChannel { .. } | Error::NotLoaded { .. } | Error::NotOverTime { .. } => {
+                Self::new("RecordingError", &error)
+            }
+            Error::Scratch(_) => Self::new("FileError", &error),
+            Error::Write(error) => error.into(),
+            Error::Spectral(error) => error.into(),
+            Error::Response(error) => error.into(),
+            Error::Modal(error) => error.into(),
         }
     }
 }

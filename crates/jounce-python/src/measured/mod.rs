@@ -1,9 +1,8 @@
-//! Recordings of tests: conversion of arrays to recordings of `jounce-measure`, and of its results
-//! to arrays.
+//! Recordings of tests: conversion of arrays to recordings of the library, and of its results to
+//! arrays.
 
 pub mod contact;
-pub mod decays;
-pub mod hammer;
+pub mod frf;
 pub mod modes;
 pub mod power;
 pub mod recording;

@@ -1,46 +1,51 @@
-//! Conversion of identified modes for Python.
+//! Modes of a hammer or shaker test, of free decays and of output-only tests.
 
+use super::frf::{self, complex};
+use super::recording::{RecordingInput, issues, recordings};
 use crate::arrays::PythonDict;
-use crate::branch::json;
 use crate::failure::Failure;
-use jounce_measure::modal::{Identification, Mode, mac_matrix};
+use crate::flat;
+use jounce::{
+    ComplexValues, MeasuredFrfOptions, MeasuredMode, MeasuredModesOptions, MeasuredModesResult,
+    Recording,
+};
 use numpy::{Complex64, PyArray1};
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 
-/// Checks the largest order.
-pub fn check_order(order: usize) -> Result<(), Failure> {
-    match (2..=400).contains(&order) {
-        true => Ok(()),
-        false => {
-            let details = serde_json::json!({ "order": order, "least": 2, "most": 400 });
-            Err(Failure::new(
-                "ArgumentError",
-                format!("order is {order}; it must be from 2 to 400"),
-            )
-            .with(details))
-        }
-    }
+/// Identifies the modes of a test; `test` and `options` are the fields of the options of the
+/// library, as JSON.
+#[pyfunction]
+pub fn measured_modes<'py>(
+    py: Python<'py>,
+    inputs: Vec<RecordingInput<'py>>,
+    test: &str,
+    options: &str,
+) -> PyResult<Bound<'py, PyDict>> {
+    let test: MeasuredFrfOptions = flat::options(test)?;
+    let options: MeasuredModesOptions = flat::options(options)?;
+    let recordings = recordings(&inputs)?;
+    let result = py
+        .detach(|| Recording::measured_modes(&recordings, &test, &options))
+        .map_err(|error| Failure::from(error).into_exception(py))?;
+    into_python(py, &result)
 }
 
-/// Converts modes at outputs with the functions they were identified from: responses of a hammer
-/// test, or decays, one or more for each output. References are named where there are several.
-pub fn identification_dict<'py>(
-    py: Python<'py>,
-    (outputs, references): (&[String], &[String]),
-    functions: &[String],
-    identification: &Identification,
-) -> PyResult<PythonDict<'py>> {
-    let (modes, diagram) = (&identification.modes, &identification.diagram);
-    let rows = |rows: &[Vec<Complex64>]| {
-        rows.iter()
-            .map(|row| PyArray1::from_slice(py, row))
-            .collect::<Vec<_>>()
-    };
-    let stable: Vec<String> = diagram
+fn into_python<'py>(py: Python<'py>, result: &MeasuredModesResult) -> PyResult<Bound<'py, PyDict>> {
+    let (modes, fit) = (&result.modes, &result.identification);
+    let stable: Vec<_> = result
+        .stabilisation
         .iter()
-        .map(|pole| Ok(json(&pole.stable)?.trim_matches('"').to_owned()))
+        .map(|pole| flat::object(py, &serde_json::json!(pole.stable)))
         .collect::<PyResult<_>>()?;
-    PythonDict::new(py)
+    let of_modes = |values: fn(&MeasuredMode) -> &ComplexValues| {
+        let arrays = modes.iter().map(values);
+        let arrays = arrays.map(|values| complex(py, &values.re, &values.im));
+        arrays.collect::<Vec<_>>()
+    };
+    let frf = result.frf.as_ref();
+    let frf = frf.map(|frf| frf::into_python(py, frf)).transpose()?;
+    let dict = PythonDict::new(py)
         .each("frequency_hz", modes, |mode| mode.frequency_hz)?
         .each("frequency_deviation_hz", modes, |mode| {
             mode.frequency_deviation_hz
@@ -49,38 +54,56 @@ pub fn identification_dict<'py>(
         .each("damping_deviation", modes, |mode| mode.damping_deviation)?
         .with(
             "doubtful",
-            modes.iter().map(Mode::is_doubtful).collect::<Vec<_>>(),
+            modes.iter().map(|mode| mode.doubtful).collect::<Vec<_>>(),
         )?
         .each("quantile_95", modes, |mode| mode.quantile_95)?
-        .with("response", outputs)?
-        .with("function", functions)?
-        .with(
-            "shape",
-            modes
-                .iter()
-                .map(|mode| PyArray1::from_vec(py, mode.shape()))
-                .collect::<Vec<_>>(),
-        )?
-        .with("reference", references)?
-        .with(
-            "participation",
-            modes
-                .iter()
-                .map(|mode| PyArray1::from_slice(py, &mode.participation[..references.len()]))
-                .collect::<Vec<_>>(),
-        )?
-        .rows("mac", &mac_matrix(modes), modes.len())?
-        .with("misfit", identification.misfit)?
-        .each("unexplained_hz", &identification.unexplained, |peak| {
+        .with("response", &result.responses)?
+        .with("function", &result.functions)?
+        .with("shape", of_modes(|mode| &mode.shape))?
+        .with("reference", &result.references)?
+        .with("participation", of_modes(|mode| &mode.participation))?
+        .with("base_participation", base_participation(py, modes))?
+        .rows("mac", &result.mac, modes.len())?
+        .with("misfit", result.misfit)?
+        .each("unexplained_hz", &result.unexplained, |peak| {
             peak.frequency_hz
         })?
-        .each("pole_order", diagram, |pole| pole.order as i64)?
-        .each("pole_frequency_hz", diagram, |pole| pole.pole.frequency_hz)?
-        .each("pole_damping_ratio", diagram, |pole| {
+        .each("pole_order", &result.stabilisation, |pole| {
+            pole.order as i64
+        })?
+        .each("pole_frequency_hz", &result.stabilisation, |pole| {
+            pole.pole.frequency_hz
+        })?
+        .each("pole_damping_ratio", &result.stabilisation, |pole| {
             pole.pole.damping_ratio
         })?
         .with("pole_stable", stable)?
-        .array("line_hz", identification.frequency_hz.clone())?
-        .with("measured", rows(&identification.measured))?
-        .with("model", rows(&identification.model))
+        .array("line_hz", fit.frequency_hz.clone())?
+        .with("measured", lines(py, &fit.measured))?
+        .with("model", lines(py, &fit.model))?
+        .with("frf", frf)?
+        .with("issues", issues(&result.issues)?)?;
+    Ok(dict.dict())
+}
+
+/// Returns the participation of the base in each mode; empty for another input.
+fn base_participation<'py>(
+    py: Python<'py>,
+    modes: &[MeasuredMode],
+) -> Vec<Bound<'py, PyArray1<Complex64>>> {
+    let values = |mode: &MeasuredMode| {
+        let parts = mode.base_participation.iter().flatten();
+        let values = parts.map(|part| Complex64::new(part.re, part.im));
+        PyArray1::from_vec(py, values.collect())
+    };
+    modes.iter().map(values).collect()
+}
+
+/// Returns an array of the lines of each function.
+fn lines<'py>(
+    py: Python<'py>,
+    functions: &[Vec<Complex64>],
+) -> Vec<Bound<'py, PyArray1<Complex64>>> {
+    let array = |lines: &Vec<Complex64>| PyArray1::from_slice(py, lines);
+    functions.iter().map(array).collect()
 }

@@ -1,101 +1,64 @@
-//! Mean power of a recorded voltage.
+//! Mean power of recorded voltages.
 
-use super::recording::{RecordingInput, findings};
+use super::recording::{RecordingInput, issues, recordings};
 use crate::arrays::PythonDict;
-use crate::branch::json;
 use crate::cancellable::{detached, to_python_result};
-use crate::failure::Failure;
+use crate::flat;
 use crate::run::PythonResult;
-use jounce_core::signal::{OrderLine, Window};
-use jounce_measure::recording::{Issue, Quantity};
-use jounce_measure::spectral::{MeanPower, mean_power, signal};
+use jounce::{PowerOptions, PowerRecord, PowerResult, Recording, Spectrum};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-/// Result of one recording.
-struct PowerData {
-    channel: String,
-    power: MeanPower,
-    /// Mean square of the base acceleration about its mean, m^2/s^4; NaN where not requested.
-    mean_square: f64,
-    orders: Vec<OrderLine>,
-    spectrum: jounce_core::signal::Spectrum,
-    findings: Vec<Issue>,
-}
-
-/// Computes mean power in a resistance with its interval, amplitudes at multiples of a drive, and
-/// the voltage spectrum.
+/// Computes the mean power of the voltage of each recording over its load; `options` are the fields
+/// of the options of the library, as JSON.
 #[pyfunction]
-#[expect(
-    clippy::too_many_arguments,
-    reason = "one argument per option of the Python function, which passes them by name"
-)]
-pub fn measured_power<'py>(
+pub fn power<'py>(
     py: Python<'py>,
-    recording: RecordingInput<'py>,
-    resistance_ohm: f64,
-    voltage: Option<String>,
-    base: Option<String>,
-    drive_hz: Option<f64>,
-    orders: Vec<f64>,
-    remove_mean: bool,
+    inputs: Vec<RecordingInput<'py>>,
+    options: &str,
 ) -> PythonResult<'py> {
-    let record = recording.even()?;
+    let recordings = recordings(&inputs)?;
+    let options = PowerOptions {
+        spectra: true,
+        ..flat::options(options)?
+    };
     let outcome = detached(py, move |control| {
-        let voltage = record.choose(voltage.as_deref(), Quantity::Voltage)?;
-        let samples = signal(voltage, record.rate())?;
-        let mean_square = match &base {
-            None => f64::NAN,
-            Some(name) => {
-                let base = signal(
-                    record.choose(Some(name), Quantity::Acceleration)?,
-                    record.rate(),
-                )?;
-                base.rms().powi(2) - base.mean().powi(2)
-            }
-        };
-        let resolved_orders = |drive_hz: f64| {
-            orders
-                .iter()
-                .copied()
-                .filter(|order| order * drive_hz < 0.5 * record.rate())
-                .collect::<Vec<_>>()
-        };
-        Failure::unless_stopped(control, ())?;
-        let orders = match drive_hz {
-            None => Vec::new(),
-            Some(drive_hz) => samples.orders(drive_hz, &resolved_orders(drive_hz))?.lines,
-        };
-        Failure::unless_stopped(control, ())?;
-        let power = mean_power(&samples, resistance_ohm, remove_mean)?;
-        Failure::unless_stopped(control, ())?;
-        let spectrum = samples.spectrum(Window::Hann);
-        Ok::<_, Failure>(PowerData {
-            channel: voltage.name.clone(),
-            power,
-            mean_square,
-            orders,
-            spectrum,
-            findings: record.findings.clone(),
-        })
+        let watched = recordings.into_iter().map(|one| one.with_control(control));
+        Ok(Recording::power(&watched.collect::<Vec<_>>(), &options)?)
     });
-    to_python_result(py, outcome, |result| into_python(py, result))
+    to_python_result(py, outcome, |result| into_python(py, &result))
 }
 
-fn into_python<'py>(py: Python<'py>, result: PowerData) -> PyResult<Bound<'py, PyDict>> {
-    let dict = PythonDict::new(py)
-        .with("channel", result.channel)?
-        .with("power", json(&result.power)?)?
-        .with("mean_square_base_acceleration_m2_s4", result.mean_square)?
-        .each("order", &result.orders, |line| line.order)?
-        .each("order_frequency_hz", &result.orders, |line| {
-            line.frequency_hz
-        })?
-        .each("order_amplitude_peak_v", &result.orders, |line| {
-            line.amplitude_peak
-        })?
-        .array("frequency_hz", result.spectrum.frequency_hz)?
-        .array("amplitude_peak", result.spectrum.amplitude_peak)?
-        .with("findings", findings(&result.findings)?)?;
+fn into_python<'py>(py: Python<'py>, result: &PowerResult) -> PyResult<Bound<'py, PyDict>> {
+    let records = &result.records;
+    // A recording resolves fewer multiples of the drive than one with a higher rate.
+    let longest = records.iter().max_by_key(|record| record.orders.len());
+    let orders = longest.map_or(&[][..], |record| &record.orders);
+    let amplitudes = |record: &PowerRecord| {
+        let mut row: Vec<f64> = record
+            .orders
+            .iter()
+            .map(|one| one.amplitude_peak_v)
+            .collect();
+        row.resize(orders.len(), f64::NAN);
+        row
+    };
+    let rows: Vec<Vec<f64>> = records.iter().map(amplitudes).collect();
+    let spectrum = |spectrum: &Spectrum| {
+        let dict = PythonDict::new(py).array("frequency_hz", spectrum.frequency_hz.clone())?;
+        let dict = dict.array("amplitude_peak", spectrum.amplitude_peak.clone())?;
+        Ok(dict.dict())
+    };
+    let spectra = records.iter().filter_map(|record| record.spectrum.as_ref());
+    let spectra = spectra.map(spectrum).collect::<PyResult<Vec<_>>>()?;
+    let found: Vec<_> = records
+        .iter()
+        .flat_map(|record| record.issues.clone())
+        .collect();
+    let dict = flat::dict_with_main(py, result, "records")?
+        .each("order", orders, |one| one.order)?
+        .rows("order_amplitude_peak_v", &rows, orders.len())?
+        .with("spectra", spectra)?
+        .with("issues", issues(&found)?)?;
     Ok(dict.dict())
 }

@@ -3,9 +3,11 @@
 use crate::arrays::PythonDict;
 use crate::branch::json;
 use crate::failure::Failure;
-use jounce_measure::read::{self, ModeShape, RawChannel};
-use jounce_measure::recording::{Channel, Grid, Issue, Over, Quantity, Recording};
-use jounce_measure::write::write;
+use crate::flat;
+use jounce::{
+    Channel, Error, Grid, Issue, MeasuredQuantity, Over, RawChannel, ReadOptions, RecordedFile,
+    Recording, ShapeResult,
+};
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -50,25 +52,12 @@ impl RecordingInput<'_> {
             .iter()
             .map(ChannelInput::channel)
             .collect::<Result<_, Failure>>()?;
-        Ok(Recording {
-            name: self.name.clone(),
-            over: self.over()?,
-            grid: self.grid()?,
+        Ok(Recording::new(
+            &self.name,
+            self.over()?,
+            self.grid()?,
             channels,
-            findings: Vec::new(),
-        })
-    }
-
-    /// Converts to even times without missing samples.
-    pub fn even(&self) -> Result<Recording, Failure> {
-        let recording = self.recording()?;
-        match recording.over {
-            Over::Time => Ok(recording.even()?),
-            Over::Frequency => Err(Failure::new(
-                "RecordingError",
-                format!("{} is not a recording over time", self.name),
-            )),
-        }
+        ))
     }
 
     fn over(&self) -> Result<Over, Failure> {
@@ -85,11 +74,10 @@ impl RecordingInput<'_> {
     fn grid(&self) -> Result<Grid, Failure> {
         let places = self.places.as_array();
         match self.step {
-            Some(step) => Ok(Grid::even(
-                places.first().copied().unwrap_or_default(),
-                step,
-                places.len(),
-            )?),
+            Some(step) => {
+                let start = places.first().copied().unwrap_or_default();
+                Ok(Grid::even(start, step, places.len()).map_err(Error::from)?)
+            }
             None => Ok(Grid::Stamped(places.to_vec())),
         }
     }
@@ -110,7 +98,7 @@ impl ChannelInput<'_> {
 
     fn channel(&self) -> Result<Channel, Failure> {
         let quantity_name = serde_json::Value::from(self.quantity.as_deref().unwrap_or("unknown"));
-        let quantity: Quantity = serde_json::from_value(quantity_name)
+        let quantity: MeasuredQuantity = serde_json::from_value(quantity_name)
             .map_err(|error| Failure::new("ArgumentError", error))?;
         let RawChannel {
             name,
@@ -134,18 +122,26 @@ impl ChannelInput<'_> {
     }
 }
 
-/// Reads everything in a file.
+/// Reads everything in a file; `options` are the fields of the options of the library, as JSON.
 #[pyfunction]
-pub fn recording_read(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, PyDict>> {
-    let contents = py
-        .detach(|| read::file(&path))
-        .map_err(|error| Failure::from(error).into_exception(py))?;
-    let recordings = contents
-        .recordings
+pub fn recording_read<'py>(
+    py: Python<'py>,
+    path: PathBuf,
+    options: &str,
+) -> PyResult<Bound<'py, PyDict>> {
+    let options: ReadOptions = flat::options(options)?;
+    let contents = py.detach(|| {
+        let file = RecordedFile::read(&path, &options)?;
+        let result = file.result();
+        Ok((file.into_recordings()?, result))
+    });
+    let (recordings, result) =
+        contents.map_err(|error: Error| Failure::from(error).into_exception(py))?;
+    let recordings = recordings
         .into_iter()
         .map(|recording| into_python(py, recording))
         .collect::<PyResult<Vec<_>>>()?;
-    let shapes = contents
+    let shapes = result
         .shapes
         .iter()
         .map(|mode_shape| shape(py, mode_shape))
@@ -153,7 +149,7 @@ pub fn recording_read(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, PyDic
     let dict = PythonDict::new(py)
         .with("recordings", recordings)?
         .with("shapes", shapes)?;
-    Ok(dict.with("findings", findings(&contents.findings)?)?.dict())
+    Ok(dict.with("issues", issues(&result.issues)?)?.dict())
 }
 
 /// Converts samples with units of instruments to a recording in SI.
@@ -168,17 +164,16 @@ pub fn recording_from_arrays<'py>(
     );
     let (grid, stamp_issues) = match recording_input.step {
         Some(_) => (recording_input.grid()?, Vec::new()),
-        None => Grid::from_stamps(stamps).map_err(Failure::from)?,
+        None => Grid::from_stamps(stamps).map_err(|error| Failure::from(Error::from(error)))?,
     };
     let channels = recording_input
         .channels
         .iter()
         .map(ChannelInput::raw)
         .collect();
-    let mut recording = read::recording_from_arrays(&recording_input.name, over, grid, channels)
-        .map_err(Failure::from)?;
-    recording.findings.splice(0..0, stamp_issues);
-    into_python(py, recording)
+    let name = &recording_input.name;
+    let recording = Recording::from_arrays(name, over, grid, channels).map_err(Failure::from)?;
+    into_python(py, recording.with_issues(stamp_issues))
 }
 
 /// Converts a recording to even steps without missing samples.
@@ -202,12 +197,13 @@ pub fn recording_write(
     path: PathBuf,
 ) -> PyResult<()> {
     let recording = recording_input.recording()?;
-    py.detach(|| write(&recording, &path))
+    py.detach(|| recording.write(&path))
         .map_err(|error| Failure::from(error).into_exception(py))
 }
 
 /// Converts a recording for Python.
 pub fn into_python(py: Python<'_>, recording: Recording) -> PyResult<Bound<'_, PyDict>> {
+    let recording = recording.into_data();
     let step = match &recording.grid {
         Grid::Even { step, .. } => Some(*step),
         Grid::Stamped(_) => None,
@@ -221,7 +217,7 @@ pub fn into_python(py: Python<'_>, recording: Recording) -> PyResult<Bound<'_, P
                 "frequency"
             },
         )?
-        .with("findings", findings(&recording.findings)?)?
+        .with("issues", issues(&recording.findings)?)?
         .with("rate", recording.rate())?
         .with("step", step)?
         .array("places", recording.grid.places())?
@@ -252,7 +248,7 @@ fn channel(py: Python<'_>, channel: Channel) -> PyResult<Bound<'_, PyDict>> {
     Ok(dict.dict())
 }
 
-fn shape<'py>(py: Python<'py>, shape: &ModeShape) -> PyResult<Bound<'py, PyDict>> {
+fn shape<'py>(py: Python<'py>, shape: &ShapeResult) -> PyResult<Bound<'py, PyDict>> {
     let width = shape.real.first().map_or(0, Vec::len);
     let dict = PythonDict::new(py)
         .with("frequency_hz", shape.frequency_hz)?
@@ -269,16 +265,21 @@ fn shape<'py>(py: Python<'py>, shape: &ModeShape) -> PyResult<Bound<'py, PyDict>
         .dict())
 }
 
-/// Formats findings as JSON, each with its message.
-pub fn findings(issues: &[Issue]) -> PyResult<String> {
-    let issue_json = |finding: &Issue| {
+/// Formats issues as JSON, each with its message.
+pub fn issues(issues: &[Issue]) -> PyResult<String> {
+    let issue_json = |issue: &Issue| {
         serde_json::json!({
-            "kind": finding.kind,
-            "channel": finding.channel,
-            "count": finding.count,
-            "first": finding.first.map(|first| first.to_string()),
-            "text": finding.to_string(),
+            "kind": issue.kind,
+            "channel": issue.channel,
+            "count": issue.count,
+            "first": issue.first.map(|first| first.to_string()),
+            "text": issue.to_string(),
         })
     };
     json(&issues.iter().map(issue_json).collect::<Vec<_>>())
+}
+
+/// Converts recordings from Python.
+pub fn recordings(inputs: &[RecordingInput<'_>]) -> Result<Vec<Recording>, Failure> {
+    inputs.iter().map(RecordingInput::recording).collect()
 }

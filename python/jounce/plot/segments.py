@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 from .style import COLOURS, axes, label
 
 if TYPE_CHECKING:
-    from ..regimes import RegimesResult
+    from ..segments import SegmentsResult
 
 
-def plot_regimes(result: RegimesResult, ax: Any = None) -> Any:
+def plot_segments(result: SegmentsResult, ax: Any = None) -> Any:
     """Draws the record, with a colour and a label for each segment."""
     with axes(ax) as ax:
         for k, name in enumerate(result.names()):

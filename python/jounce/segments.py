@@ -9,35 +9,40 @@ from typing import Annotated, Any
 import numpy as np
 
 from . import _core
-from .arguments import check_integers, optional_si, positive_si
+from .arguments import check_integers, options, to_si
 from .errors import ArgumentError
 from .inputs import Measured, recording
-from .issue import Finding, issue_lines, parse_issues
-from .recording import Recording, names_of
-from .result import Along, Floats, Integers, Result, Variable, column, html_table, make_manifest, result_or_raise, with_uncertainty
+from .issue import Issue, issue_lines, parse_issues
+from .recording import names_of
+from .result import Along, Floats, Integers, Result, Truths, Variable, html_table, make_manifest, result_or_raise, with_uncertainty
 from .spec import Spec
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class RegimesResult(Result):
-    """Segments of one solution each; arrays of shape ``(stretch,)`` and, for the segmented record, ``(time,)``."""
+class SegmentsResult(Result):
+    """Segments of one solution each; arrays of shape ``(segment,)`` and, for the segmented record, ``(time,)``."""
 
     #: Segmented channel, and its unit.
     channel: str
     unit: str
     drive_hz: float
-    start_s: Annotated[Floats, Along("stretch", "s", "begin of the segment")]
-    end_s: Annotated[Floats, Along("stretch", "s", "end of the segment")]
+    #: Resistance of the load; NaN where it was not given.
+    resistance_ohm: float
+    start_s: Annotated[Floats, Along("segment", "s", "begin of the segment")]
+    end_s: Annotated[Floats, Along("segment", "s", "end of the segment")]
     #: Rms about the mean, in ``unit``.
     rms: Floats
-    period_cycles: Annotated[Integers, Along("stretch", "1", "period in drive cycles, 0 where it is longer than 12 or absent")]
-    mismatch: Annotated[Floats, Along("stretch", "1", "deviation from periodicity, relative to the rms")]
+    period_cycles: Annotated[Integers, Along("segment", "1", "period in drive cycles, 0 where it is longer than 12 or absent")]
+    mismatch: Annotated[Floats, Along("segment", "1", "deviation from periodicity, relative to the rms")]
     #: NaN where no resistance was given, and where a segment is too short for an interval.
-    mean_power_w: Annotated[Floats, Along("stretch", "W", "mean power")]
-    half_width_w: Annotated[Floats, Along("stretch", "W", "half width of its 95 % interval")]
-    effective_samples: Annotated[Floats, Along("stretch", "1", "effective number of independent values of the power")]
+    mean_power_w: Annotated[Floats, Along("segment", "W", "mean power")]
+    half_width_w: Annotated[Floats, Along("segment", "W", "half width of its 95 % interval")]
+    effective_samples: Annotated[Floats, Along("segment", "1", "effective number of independent values of the power")]
+    batch_correlation: Annotated[Floats, Along("segment", "1", "correlation between consecutive batches of the power")]
+    mean_voltage_v: Annotated[Floats, Along("segment", "V", "mean voltage")]
+    correlated: Annotated[Truths, Along("segment", "1", "the interval of the mean power may be too narrow")]
     #: Changes within one solution: ``"noise-changed"``, ``"drifts"`` or ``"glitch"`` at each.
-    joint_s: Annotated[Floats, Along("joint", "s", "change within one solution")]
+    joint_at_s: Annotated[Floats, Along("joint", "s", "change within one solution")]
     joint_reason: list[str]
     #: Uncertainty of the time of a change, s.
     uncertainty_s: float
@@ -51,7 +56,7 @@ class RegimesResult(Result):
     #: Record: time from its first sample, s, and the values.
     time_s: Floats
     values: Floats
-    findings: list[Finding]
+    issues: list[Issue]
 
     def __len__(self) -> int:
         return len(self.start_s)
@@ -72,8 +77,8 @@ class RegimesResult(Result):
             lines.append(
                 (f"{self.start_s[k]:.3f} s to {self.end_s[k]:.3f} s", f"rms {self.rms[k]:.5e} {self.unit}, {name}{power}{solution}")
             )
-        lines += [(f"{at_s:.3f} s", f"{reason}, same solution") for at_s, reason in zip(self.joint_s, self.joint_reason)]
-        return lines + issue_lines(self.findings)
+        lines += [(f"{at_s:.3f} s", f"{reason}, same solution") for at_s, reason in zip(self.joint_at_s, self.joint_reason)]
+        return lines + issue_lines(self.issues)
 
     def _repr_html_(self) -> str:
         columns = (self.start_s, self.end_s, self.rms, self.mismatch)
@@ -81,17 +86,17 @@ class RegimesResult(Result):
         return html_table("Segments", ["solution", "from [s]", "to [s]", f"rms [{self.unit}]", "mismatch"], rows)
 
     def to_xarray(self) -> Any:
-        """Returns an ``xarray.Dataset`` over ``stretch``, and the record over ``time``."""
+        """Returns an ``xarray.Dataset`` over ``segment``, and the record over ``time``."""
         variables = {
             **self._variables(),
-            "rms": Variable(("stretch",), self.rms, self.unit, f"{self.channel}, rms about the mean"),
+            "rms": Variable(("segment",), self.rms, self.unit, f"{self.channel}, rms about the mean"),
             "values": Variable(("time",), self.values, self.unit, self.channel),
         }
         variables["joint_reason"] = Variable(("joint",), self.joint_reason, "", "reason of the change")
         if self.solution:
-            variables["solution"] = Variable(("stretch",), self.solution, "", "matching solution of the model")
+            variables["solution"] = Variable(("segment",), self.solution, "", "matching solution of the model")
         coords = {
-            "stretch": Variable(("stretch",), np.arange(len(self)), "1", "number of the segment"),
+            "segment": Variable(("segment",), np.arange(len(self)), "1", "number of the segment"),
             "time": Variable(("time",), self.time_s, "s", "time from the first sample"),
         }
         return self._dataset(variables, coords)
@@ -99,21 +104,21 @@ class RegimesResult(Result):
     def to_pandas(self) -> Any:
         """Returns a ``pandas.DataFrame`` with a row for each segment."""
         solution_column = {"solution": self.solution} if self.solution else {}
-        return self._frame({**self._columns("stretch"), "rms": self.rms, **solution_column})
+        return self._frame({**self._columns("segment"), "rms": self.rms, **solution_column})
 
     def candidates_to_pandas(self) -> Any:
         """Returns a ``pandas.DataFrame`` with a row for each solution of the model in each segment."""
-        rows = [{"stretch": k, **one} for k, each in enumerate(self.candidates) for one in each]
+        rows = [{"segment": k, **one} for k, each in enumerate(self.candidates) for one in each]
         return self._frame({name: [row[name] for row in rows] for name in (rows[0] if rows else ())})
 
-    def plot_regimes(self, ax: Any = None) -> Any:
+    def plot_segments(self, ax: Any = None) -> Any:
         """Draws the record, with a colour for each segment."""
-        from .plot.regimes import plot_regimes
+        from .plot.segments import plot_segments
 
-        return plot_regimes(self, ax)
+        return plot_segments(self, ax)
 
 
-def regimes(
+def segments(
     record: Measured,
     drive: Any,
     *,
@@ -125,7 +130,7 @@ def regimes(
     seed: int = 1,
     load: str | None = None,
     within: float = 0.2,
-) -> RegimesResult:
+) -> SegmentsResult:
     """Segments a record under a ``drive`` of a known frequency, ``"13 Hz"``, by steady-state response.
 
     ``record`` is a :class:`Recording`, a file, SEP005 time series, or an array with its ``sample_rate_hz``. ``channel`` names the channel
@@ -140,49 +145,13 @@ def regimes(
     if model is not None and not isinstance(model, Spec):
         raise ArgumentError(f"model is of type {type(model).__name__}; give a jounce.Spec")
     input_recording = recording(record, sample_rate_hz)
-    drive_hz, ohm = positive_si("frequency", drive, "drive"), optional_si("resistance", resistance, "resistance")
-    matching = {"starts": starts, "seed": seed, "load": load, "within": within}
-    core_result = _core.measured_regimes(input_recording._core(), drive_hz, channel, ohm, None if model is None else model._spec, matching)
-    result = result_or_raise(core_result)
-    matches = json.loads(result["correspondences"])
-    segments, power_dicts, joints = (json.loads(result[name]) for name in ("stretches", "powers", "joints"))
-    powers = [one or {} for one in power_dicts]
-    periods = [one["period"] for one in segments]
-    no_values: list[dict[str, Any]] = [{} for _ in segments]
-    return RegimesResult(
-        manifest=_manifest(input_recording, drive_hz, ohm, model, matching),
-        channel=result["channel"],
-        unit=result["unit"],
-        drive_hz=drive_hz,
-        start_s=column(segments, "start_s"),
-        end_s=column(segments, "end_s"),
-        rms=column(segments, "rms"),
-        period_cycles=np.array([one["cycles"] or 0 for one in periods], dtype=np.int64),
-        mismatch=column(periods, "mismatch"),
-        mean_power_w=column(powers or no_values, "mean_power_w"),
-        half_width_w=column(powers or no_values, "half_width_w"),
-        effective_samples=column(powers or no_values, "effective_samples"),
-        joint_s=column(joints, "at_s"),
-        joint_reason=[one["reason"] for one in joints],
-        uncertainty_s=result["uncertainty_s"],
-        solution=[_solution_name(one) for one in matches],
-        candidates=[one["candidates"] for one in matches],
-        time_s=result["time_s"] - result["time_s"][0],
-        values=result["values"],
-        findings=[*input_recording.findings, *parse_issues(result["findings"])],
-    )
-
-
-def _solution_name(match: dict[str, Any]) -> str:
-    """Returns the matching solution of a segment."""
-    one: str = match["candidates"][0]["id"] if match["fits"] == "one" else match["fits"]
-    return one
-
-
-def _manifest(
-    input_recording: Recording, drive_hz: float, ohm: float | None, model: Spec | None, matching: dict[str, Any]
-) -> dict[str, Any]:
-    options: dict[str, Any] = {"drive_hz": drive_hz, "resistance_ohm": ohm}
-    if model is None:
-        return make_manifest("regimes", **names_of([input_recording]), **options)
-    return {**make_manifest("regimes", **names_of([input_recording]), **options, **matching), "spec_sha256": model.sha256}
+    given: dict[str, Any] = {"drive_hz": to_si("frequency", drive, "drive"), "channel": channel}
+    given["resistance_ohm"] = None if resistance is None else to_si("resistance", resistance, "resistance")
+    given |= {"starts": starts, "seed": seed, "load": load, "within": within}
+    core_result = _core.segments(input_recording._core(), options(**given), None if model is None else model._spec)
+    fields = SegmentsResult._filled(result_or_raise(core_result))
+    manifest = make_manifest("segments", **names_of([input_recording]), **given)
+    fields["manifest"] = manifest if model is None else {**manifest, "spec_sha256": model.sha256}
+    fields["candidates"] = [] if model is None else json.loads(fields["candidates"])
+    fields["issues"] = [*input_recording.issues, *parse_issues(fields["issues"])]
+    return SegmentsResult(**fields)

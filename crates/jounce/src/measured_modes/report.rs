@@ -1,0 +1,81 @@
+//! Warnings, notes and figures of measured modes.
+
+use super::MeasuredModesResult;
+use jounce_core::picture::Figure;
+use jounce_data::recording::Quantity;
+use jounce_measure::draw::{modal_fit, stabilisation};
+
+/// Maximum number of peaks that are listed.
+const MAX_LISTED_PEAKS: usize = 8;
+
+impl MeasuredModesResult {
+    /// Returns the messages about modes that may be noise, and about peaks without a mode.
+    pub fn warnings(&self) -> Vec<String> {
+        let doubtful: Vec<String> = (1..)
+            .zip(&self.modes)
+            .filter(|(_, mode)| mode.doubtful)
+            .map(|(number, _)| number.to_string())
+            .collect();
+        let doubtful = (!doubtful.is_empty()).then(|| {
+            format!(
+                "the damping of mode {} is statistically indistinguishable from zero, so it may be noise; try a smaller --order or a narrower \
+                 --between: if the mode disappears, it is noise",
+                doubtful.join(", ")
+            )
+        });
+        let listed = self.unexplained.iter().take(MAX_LISTED_PEAKS);
+        let peaks: Vec<String> = listed
+            .map(|peak| format!("{:.6}", peak.frequency_hz))
+            .collect();
+        let more = match self.unexplained.len().saturating_sub(MAX_LISTED_PEAKS) {
+            0 => String::new(),
+            remaining => format!(" and {remaining} more"),
+        };
+        let unexplained = (!peaks.is_empty()).then(|| {
+            format!(
+                "the responses have peaks at {}{more} Hz that no mode explains; try a --between around them, or a larger --order",
+                peaks.join(", ")
+            )
+        });
+        doubtful.into_iter().chain(unexplained).collect()
+    }
+
+    /// Returns lines of text about the noise and the window of a hammer or shaker test.
+    pub fn notes(&self) -> Vec<String> {
+        if self.frf.is_none() {
+            return Vec::new();
+        }
+        let window = (self.window_decay_per_s > 0.0).then(|| {
+            format!(
+                "damping of the exponential window, {:.5} 1/s, was subtracted",
+                self.window_decay_per_s
+            )
+        });
+        let noise = match self.block_s {
+            None => Some("response functions contain no noise estimate; the intervals are computed from the residual of each line".to_owned()),
+            Some(_) if self.misfit > 1.0 => Some(format!(
+                "the residual of the modes is {:.1} times that expected from the coherence; the intervals are widened by this factor",
+                self.misfit.sqrt()
+            )),
+            Some(_) => None,
+        };
+        window.into_iter().chain(noise).collect()
+    }
+
+    /// Returns the stabilisation diagram.
+    pub fn figure(&self) -> Figure {
+        stabilisation("Stabilisation diagram", &self.identification)
+    }
+
+    /// Returns the figure of the functions, measured and reconstructed from the modes.
+    pub fn fit_figure(&self) -> Figure {
+        let is_force = |input: &Quantity| *input == Quantity::Force;
+        let title = match &self.frf {
+            None => "One-sided spectra",
+            Some(frf) if frf.data.inputs.iter().all(is_force) => "Displacement per force",
+            Some(_) => "Displacement, or voltage, per input",
+        };
+        let title = format!("{title}: measured and reconstructed from the modes");
+        modal_fit(&title, &self.functions, &self.identification)
+    }
+}

@@ -1,0 +1,94 @@
+//! Options of spectra.
+
+use crate::error::Error;
+use crate::options::{check_above_zero, defaults, frequency_hz, time_s};
+use crate::recording::{ChannelList, ChosenChannel, UsesChannels};
+use clap::ValueEnum;
+use jounce_core::signal::Window;
+use jounce_data::recording::Quantity;
+use jounce_measure::spectral::SpectraSettings;
+use serde::{Deserialize, Serialize};
+
+/// Options of [`crate::Recording::spectra`].
+#[derive(Debug, Clone, PartialEq, clap::Args, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct SpectraOptions {
+    /// Channel to transform; by default the first varying one in volts, else the first varying one.
+    #[arg(long, value_name = "CHANNEL")]
+    pub channel: Option<String>,
+    /// Frequency of the drive, as in 13Hz: amplitudes at its multiples are reported and marked.
+    #[arg(long = "drive", value_name = "FREQUENCY", value_parser = frequency_hz)]
+    pub drive_hz: Option<f64>,
+    /// Length of a segment, as in 2s; by default 24 cycles of the drive, or without a drive a
+    /// thirty-second of the record.
+    #[arg(long = "segment", value_name = "TIME", value_parser = time_s)]
+    pub segment_s: Option<f64>,
+    /// Overlap of adjacent segments, as a share of a segment.
+    #[arg(long, default_value_t = 0.5)]
+    pub overlap: f64,
+    /// Weights of a segment.
+    #[arg(long, value_enum, default_value = "hann")]
+    pub window: SegmentWindow,
+    /// Also computes the spectrogram, which has as many numbers as the record.
+    #[arg(skip)]
+    #[serde(skip)]
+    pub spectrogram: bool,
+}
+
+/// Weights of a segment.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum SegmentWindow {
+    /// Finest frequency resolution: a line is four bins wide; a sinusoid between two bins shows up
+    /// to 15 % less.
+    Hann,
+    /// Accurate amplitudes: a line is ten bins wide; a sinusoid between two bins shows at most 0.1
+    /// % less.
+    FlatTop,
+    /// No weights, for complete periods only.
+    Rectangular,
+}
+
+impl Default for SpectraOptions {
+    fn default() -> Self {
+        defaults()
+    }
+}
+
+impl UsesChannels for SpectraOptions {
+    fn channels(&self, list: &ChannelList) -> Result<Vec<ChosenChannel>, Error> {
+        Ok(vec![match &self.channel {
+            Some(name) => list.find(name)?,
+            None => list.first_varying(Quantity::Voltage)?,
+        }])
+    }
+}
+
+impl SpectraOptions {
+    pub(super) fn settings(&self) -> Result<SpectraSettings, Error> {
+        let checked = |option: &'static str, value: Option<f64>, unit: &str| {
+            let check = |value| check_above_zero(option, value, unit);
+            value.map(check).transpose()
+        };
+        Ok(SpectraSettings {
+            drive_hz: checked("drive", self.drive_hz, "Hz")?,
+            segment_s: checked("segment", self.segment_s, "s")?,
+            overlap: self.overlap,
+            window: match self.window {
+                SegmentWindow::Hann => Window::Hann,
+                SegmentWindow::FlatTop => Window::FlatTop,
+                SegmentWindow::Rectangular => Window::Rectangular,
+            },
+        })
+    }
+}
+
+impl std::fmt::Display for SegmentWindow {
+    fn fmt(&self, to: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        to.write_str(match self {
+            Self::Hann => "hann",
+            Self::FlatTop => "flat-top",
+            Self::Rectangular => "rectangular",
+        })
+    }
+}
