@@ -42,7 +42,7 @@ from .explore import Explorer, explore
 from .fit import FitCurve, FitDeviation, FitResult
 from .frf import FrfResult
 from .history import History
-from .issue import Finding
+from .issue import Issue
 from .jumps import JumpCurve, JumpsResult
 from .materials import Material, Materials, materials
 from .measured_frf import ImpactHit, MeasuredFrf, measured_frf
@@ -82,7 +82,6 @@ __all__ = [
     "Explorer",
     "Fault",
     "FileError",
-    "Finding",
     "FitCurve",
     "FitDeviation",
     "FitError",
@@ -92,6 +91,7 @@ __all__ = [
     "History",
     "ImpactHit",
     "Interrupted",
+    "Issue",
     "JounceError",
     "JumpCurve",
     "JumpsResult",

@@ -10,7 +10,7 @@ import numpy as np
 
 from . import _core
 from .errors import ArgumentError, Fault, SpecError
-from .quantity import is_quantity, plain, texts_of, toml
+from .quantity import is_quantity, plain, span, texts_of, toml
 
 #: Largest value of a count or a seed.
 MAX_INTEGER = 2**32 - 1
@@ -49,21 +49,16 @@ def to_si(kind: str, value: Any, what: str) -> float:
 
 
 def optional_si(kind: str, value: Any, what: str) -> float | None:
-    """Returns a positive quantity in SI units, or ``None`` where no quantity is given."""
+    """Returns a quantity in SI units, or ``None`` where no quantity is given."""
+    return None if value is None else to_si(kind, value, what)
+
+
+def optional_range_si(kind: str, value: Any, what: str) -> tuple[float, float] | None:
+    """Returns the two ends of a range in SI units, or ``None`` where no range is given."""
     if value is None:
         return None
-    value_si = to_si(kind, value, what)
-    if not 0.0 < value_si < np.inf:
-        raise ArgumentError(f"{what} is {value}; it must be above 0", {"given": str(value), "least": 0})
-    return value_si
-
-
-def positive_si(kind: str, value: Any, what: str) -> float:
-    """Returns a positive quantity in SI units."""
-    value_si = optional_si(kind, value, what)
-    if value_si is None:
-        raise ArgumentError(f"{what} is missing")
-    return value_si
+    low, high = (to_si(kind, end, what) for end in span(value, what))
+    return low, high
 
 
 #: Arguments that must be at least 1.
@@ -87,11 +82,12 @@ def rate_hz(value: Any) -> float:
     if value is None:
         raise ArgumentError("expected the sampling rate, in Hz")
     if is_quantity(value) or isinstance(value, str):
-        return positive_si("frequency", value, "the sample rate")
-    try:
-        rate = float(value)
-    except (TypeError, ValueError) as error:
-        raise ArgumentError(f"sample_rate_hz is {value!r}; it must be a number in Hz", {"given": repr(value)}) from error
+        rate = to_si("frequency", value, "the sample rate")
+    else:
+        try:
+            rate = float(value)
+        except (TypeError, ValueError) as error:
+            raise ArgumentError(f"sample_rate_hz is {value!r}; it must be a number in Hz", {"given": repr(value)}) from error
     if not 0.0 < rate < np.inf:
         raise ArgumentError(f"sample_rate_hz is {value}; it must be above 0", {"sample_rate_hz": rate, "least": 0})
     return rate

@@ -11,7 +11,7 @@ import numpy as np
 from . import _core
 from .arguments import options, to_si
 from .inputs import Measured, recording
-from .issue import Finding, issue_lines, parse_issues
+from .issue import Issue, issue_lines, parse_issues
 from .recording import names_of
 from .result import Along, Data, Floats, Result, Variable, html_table, make_manifest
 
@@ -83,7 +83,7 @@ class ContactResult(Result):
     #: Warnings of each hit: ``"double"``, ``"clipped"``, ``"coarse"``, ``"cut"``.
     warnings: list[list[str]]
     pulses: list[Pulse]
-    issues: list[Finding]
+    issues: list[Issue]
 
     def __len__(self) -> int:
         return len(self.time_s)
@@ -148,7 +148,7 @@ def contact(record: Measured, *, sample_rate_hz: Any = None, force: str | None =
     fields["manifest"] = make_manifest("contact", **names_of([input_recording]), mass_kg=mass_kg)
     fields["warnings"] = [[kind_of(one) for one in warnings] for warnings in json.loads(fields["warnings"])]
     fields["pulses"] = [Pulse(*one) for one in fields["pulses"]]
-    fields["issues"] = [*input_recording.findings, *parse_issues(fields["issues"])]
+    fields["issues"] = [*input_recording.issues, *parse_issues(fields["issues"])]
     return ContactResult(**fields)
 
 

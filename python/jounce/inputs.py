@@ -28,7 +28,7 @@ RATE_TOLERANCE = 1e-3
 def recording(source: Measured, sample_rate_hz: Any = None) -> Recording:
     """Returns one recording over time."""
     if isinstance(source, (str, PathLike)):
-        source = read_recordings(source)
+        source = read_recordings(source, sample_rate_hz=sample_rate_hz)
     if isinstance(source, RecordedFile):
         return source.over_time
     return source if isinstance(source, Recording) else Recording.of(source, sample_rate_hz)
@@ -49,7 +49,7 @@ def _is_labelled(values: Any) -> bool:
 
 def responses(source: Measured, sample_rate_hz: Any = None) -> list[Recording]:
     """Returns the recordings of a hammer test; for one file with only responses over frequency, all of its recordings."""
-    contents = read_recordings(source) if isinstance(source, (str, PathLike)) else source
+    contents = read_recordings(source, sample_rate_hz=sample_rate_hz) if isinstance(source, (str, PathLike)) else source
     if isinstance(contents, RecordedFile) and contents.recordings and all(one.over == "frequency" for one in contents):
         return contents.recordings
     return recordings(contents, sample_rate_hz)

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 
 
 @dataclasses.dataclass(frozen=True)
-class Finding:
+class Issue:
     """Data-quality issue of a recording, or a correction made by a reader; every correction is reported."""
 
     #: Kind: ``"jitter"``, ``"gap"``, ``"not-a-number"``, ``"clipping"``, ``"converted"``, ``"resampled"``, ...
@@ -30,11 +30,11 @@ class Finding:
 _NOTES = ("converted", "encoding", "non-ascii-unit")
 
 
-def parse_issues(text: str) -> list[Finding]:
+def parse_issues(text: str) -> list[Issue]:
     """Returns the issues of a result of the compiled module."""
-    return [Finding(**one) for one in json.loads(text)]
+    return [Issue(**one) for one in json.loads(text)]
 
 
-def issue_lines(issues: Sequence[Finding]) -> list[tuple[str, str]]:
+def issue_lines(issues: Sequence[Issue]) -> list[tuple[str, str]]:
     """Returns printable lines, each once; an issue that changes no number of a result is a note."""
     return list(dict.fromkeys(("note" if one.kind in _NOTES else "!", one.text) for one in issues))

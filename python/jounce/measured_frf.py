@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 import dataclasses
-import json
 from collections.abc import Sequence
 from typing import Any, Literal
 
 import numpy as np
 
 from . import _core
-from .arguments import names, optional_si
+from .arguments import names, optional_si, options
 from .contact import kind_of
 from .errors import ArgumentError
 from .inputs import Measured, responses
-from .issue import Finding, issue_lines, parse_issues
+from .issue import Issue, issue_lines, parse_issues
 from .recording import Recording, names_of
 from .result import Complexes, Floats, Result, Variable, html_table, make_manifest
 
@@ -52,7 +51,7 @@ class MeasuredFrf(Result):
     block_s: float | None
     #: Damping that the exponential window adds to every mode, 1/s.
     window_decay_per_s: float
-    findings: list[Finding]
+    issues: list[Issue]
 
     def __getitem__(self, name: str) -> Complexes:
         if name not in self.responses:
@@ -64,7 +63,7 @@ class MeasuredFrf(Result):
         lines = [] if self.block_s is None else [("hits", f"{used} of {len(self.hits)} averaged, blocks of {self.block_s:.6g} s")]
         lines += [("warning", f"hit {k} is {kind}") for k, hit in enumerate(self.hits, 1) for kind in hit.warnings]
         lines += [("left out", f"hit {k}, its block would extend beyond the record") for k, hit in enumerate(self.hits, 1) if not hit.used]
-        return [*lines, *((name, text) for name, text in zip(self.responses, self._peaks())), *issue_lines(self.findings)]
+        return [*lines, *((name, text) for name, text in zip(self.responses, self._peaks())), *issue_lines(self.issues)]
 
     def _peaks(self) -> list[str]:
         """Returns the highest line of each response, without the offset of the sensor at 0 Hz."""
@@ -113,12 +112,12 @@ def hammer_options(
     functions: str | None,
     bridge: bool,
 ) -> dict[str, Any]:
-    """Returns the options of a hammer or shaker test in the form of the compiled module."""
+    """Returns the options of a hammer or shaker test by their names in the library."""
     estimator, noise_ratio, block, force_window, end_ratio, shaker = estimation
     return {
         "force": force,
         "input": input,
-        "responses": names(response),
+        "response": names(response),
         "estimator": estimator,
         "noise_ratio": noise_ratio,
         "block_s": optional_si("time", block, "block"),
@@ -132,25 +131,20 @@ def hammer_options(
 
 def make_frf(inputs: list[Recording], result: dict[str, Any], manifest: dict[str, Any]) -> MeasuredFrf:
     """Returns the responses of a result of the compiled module."""
-    response_tuples = result["responses"]
+    response_tuples = result.pop("responses")
     hits = [
         ImpactHit(one["record"], one["peak_force_n"], one["contact_time_s"], one["used"], tuple(map(kind_of, one["warnings"])))
-        for one in json.loads(result["hits"])
+        for one in result.pop("hits")
     ]
+    issues = [*(issue for one in inputs for issue in one.issues), *parse_issues(result.pop("issues"))]
     return MeasuredFrf(
         manifest=manifest,
-        frequency_hz=result["frequency_hz"],
-        output=result["outputs"],
-        reference=result["references"],
         responses={name: values for name, (values, _, _) in response_tuples.items()},
         units={name: unit for name, (_, unit, _) in response_tuples.items()},
         coherence={name: coherence for name, (_, _, coherence) in response_tuples.items()},
-        input=result["input"],
-        per_g={name: one for name, one in zip(response_tuples, result["per_g"]) if one is not None},
         hits=hits,
-        block_s=result["block_s"],
-        window_decay_per_s=result["window_decay_per_s"],
-        findings=[*(finding for one in inputs for finding in one.findings), *parse_issues(result["findings"])],
+        issues=issues,
+        **result,
     )
 
 
@@ -187,6 +181,6 @@ def measured_frf(
     """
     inputs = responses(records, sample_rate_hz)
     estimation = (estimator, noise_ratio, block, force_window, end_ratio, shaker)
-    options = hammer_options(force, input, response, estimation, functions, bridge)
-    result = _core.measured_frf([one._core() for one in inputs], options)
-    return make_frf(inputs, result, make_manifest("frf", **names_of(inputs), **options))
+    given = hammer_options(force, input, response, estimation, functions, bridge)
+    result = _core.measured_frf([one._core() for one in inputs], options(**given))
+    return make_frf(inputs, result, make_manifest("frf", **names_of(inputs), **given))

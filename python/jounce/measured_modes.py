@@ -9,13 +9,12 @@ from typing import Annotated, Any, Literal
 import numpy as np
 
 from . import _core
-from .arguments import check_integers, names, optional_si, to_si
+from .arguments import names, optional_range_si, optional_si, options
 from .errors import ArgumentError
 from .inputs import Measured, responses
-from .issue import Finding, parse_issues
+from .issue import Issue, parse_issues
 from .measured_frf import MeasuredFrf, hammer_options, make_frf
-from .quantity import span as span_of
-from .recording import Recording, names_of
+from .recording import names_of
 from .result import Along, Complexes, Floats, Integers, Result, Variable, html_table, make_manifest, with_uncertainty
 
 
@@ -59,7 +58,7 @@ class MeasuredModes(Result):
     model: Annotated[Complexes, Along("function line", "", "function reconstructed from the modes")]
     #: Responses of a hammer test; ``None`` without a measured force.
     frf: MeasuredFrf | None
-    findings: list[Finding]
+    issues: list[Issue]
 
     def __len__(self) -> int:
         return len(self.frequency_hz)
@@ -160,53 +159,24 @@ def measured_modes(
     Sources: B. Peeters and others, Shock and Vibration 11 (2004) 395 (poles); G. James, T. Carne, J. Lauffer, SAND92-1666 (1993)
     (output-only).
     """
-    check_integers(order=order)
     inputs = responses(records, sample_rate_hz)
-    if free_decay or output_only:
-        hammer_values = (force, input, estimator != "h1", noise_ratio != 1.0, block, force_window, end_ratio, shaker, functions, bridge)
-        if free_decay and output_only or any(one not in (None, False) for one in hammer_values):
-            raise ArgumentError("free_decay, output_only and the options of a hammer exclude each other; give the options of one of them")
-        return _modes_without_force(inputs, response, (free_decay, span, reference, lags), between, order)
-    if span is not None or reference or lags is not None:
-        raise ArgumentError("span needs free_decay=True; reference and lags need output_only=True")
     estimation = (estimator, noise_ratio, block, force_window, end_ratio, shaker)
-    options = hammer_options(force, input, response, estimation, functions, bridge)
-    band = _range_si("frequency", between, "between")
-    result = _core.measured_modes([one._core() for one in inputs], options, band, order)
-    manifest = make_manifest("modes", **names_of(inputs), **options, between_hz=band, order=order)
-    frf = make_frf(inputs, result.pop("frf"), manifest)
-    return MeasuredModes(manifest=manifest, frf=frf, findings=frf.findings, **_with_array_shapes(result))
-
-
-def _modes_without_force(
-    inputs: list[Recording], response: str | Sequence[str], settings: tuple[bool, Any, str | Sequence[str], Any], between: Any, order: int
-) -> MeasuredModes:
-    """Identifies modes of free decays or of outputs only."""
-    free_decay, span, reference, lags = settings
-    if (free_decay and (reference or lags is not None)) or (not free_decay and span is not None):
-        raise ArgumentError("span needs free_decay=True; reference and lags need output_only=True")
-    options = {
-        "responses": names(response),
-        "free": free_decay,
-        "span_s": _range_si("time", span, "span"),
-        "references": names(reference),
+    test = hammer_options(force, input, response, estimation, functions, bridge)
+    given = {
+        "free_decay": free_decay,
+        "output_only": output_only,
+        "span_s": optional_range_si("time", span, "span"),
+        "reference": names(reference),
         "lags_s": optional_si("time", lags, "lags"),
+        "between_hz": optional_range_si("frequency", between, "between"),
+        "order": order,
     }
-    band = _range_si("frequency", between, "between")
-    result = _core.measured_decays([one._core() for one in inputs], options, band, order)
-    manifest = make_manifest("modes", **names_of(inputs), **options, between_hz=band, order=order)
-    issues = [*(finding for one in inputs for finding in one.findings), *parse_issues(result.pop("findings"))]
-    return MeasuredModes(manifest=manifest, frf=None, findings=issues, **_with_array_shapes(result))
-
-
-def _range_si(kind: str, range: Any, what: str) -> tuple[float, float] | None:
-    """Returns the two ends of a range, SI."""
-    if range is None:
-        return None
-    low, high = (to_si(kind, end, what) for end in span_of(range, what))
-    if not 0.0 <= low < high:
-        raise ArgumentError(f"{what} is {range!r}; its ends must be at least 0, with the first below the second")
-    return low, high
+    result = _core.measured_modes([one._core() for one in inputs], options(**test), options(**given))
+    manifest = make_manifest("modes", **names_of(inputs), **test, **given)
+    core_frf = result.pop("frf")
+    frf = None if core_frf is None else make_frf(inputs, core_frf, manifest)
+    issues = [*(issue for one in inputs for issue in one.issues), *parse_issues(result.pop("issues"))]
+    return MeasuredModes(manifest=manifest, frf=frf, issues=issues, **_with_array_shapes(result))
 
 
 def _with_array_shapes(result: dict[str, Any]) -> dict[str, Any]:
@@ -214,7 +184,7 @@ def _with_array_shapes(result: dict[str, Any]) -> dict[str, Any]:
     modes = len(result["frequency_hz"])
     shape = np.array(result["shape"]).reshape(modes, len(result["response"])).T
     participation = np.array(result["participation"], dtype=np.complex128).reshape(modes, len(result["reference"])).T
-    base_values = np.array(result.get("base_participation", []), dtype=np.complex128)
+    base_values = np.array(result["base_participation"], dtype=np.complex128)
     size = (modes, len(result["response"]))
     base_participation = base_values.reshape(size).T if base_values.size == size[0] * size[1] else np.full(size[::-1], np.nan + 0j)
     return {

@@ -60,9 +60,9 @@ class NoiseResult(Result):
 
     @classmethod
     def _from_core(cls, result: dict[str, Any]) -> Self:
-        densities = result["densities"]
+        densities, drives = result.pop("densities"), result.pop("drives")
         by_name = {"densities": {k: v for k, (v, _) in densities.items()}, "units": {k: unit for k, (_, unit) in densities.items()}}
-        return super()._from_core(cls._filled({**result, **by_name, "drive": result.pop("drives")}))
+        return super()._from_core(cls._filled({**result, **by_name, "drive": drives}))
 
     def __getitem__(self, name: str) -> Floats:
         if name not in self.densities:

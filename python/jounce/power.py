@@ -3,23 +3,16 @@
 from __future__ import annotations
 
 import dataclasses
-import json
 from collections.abc import Sequence
 from typing import Annotated, Any
 
-import numpy as np
-
 from . import _core
-from .arguments import optional_si, positive_si
-from .errors import ArgumentError
+from .arguments import optional_si, options, to_si
 from .inputs import Measured, recordings
-from .issue import Finding, issue_lines, parse_issues
-from .recording import Recording, names_of
-from .result import Along, Floats, Integers, Result, Truths, Variable, column, html_table, make_manifest, result_or_raise, with_uncertainty
+from .issue import Issue, issue_lines, parse_issues
+from .recording import names_of
+from .result import Along, Floats, Integers, Result, Truths, Variable, html_table, make_manifest, result_or_raise, with_uncertainty
 from .signal import Spectrum
-
-#: Multiples of the drive frequency whose amplitudes are reported.
-ORDERS = [0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0]
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -41,20 +34,17 @@ class PowerResult(Result):
     mean_voltage_v: Annotated[Floats, Along("record", "V", "mean of the voltage")]
     #: NaN where no base channel was named.
     mean_square_base_acceleration_m2_s4: Annotated[Floats, Along("record", "m^2/s^4", "mean square of the base's acceleration")]
+    #: Mean power divided by it, W/(m/s^2)^2.
+    mean_power_per_mean_square_w_s4_m2: Annotated[Floats, Along("record", "W s^4/m^2", "mean power per mean square of it")]
     #: Multiples of the drive, and amplitudes there, zero to peak; NaN above half the sampling rate, and empty without a drive.
     order: Floats
     order_amplitude_peak_v: Annotated[Floats, Along("record order", "V", "amplitude zero to peak at a multiple of the drive")]
     #: Spectra of the voltages, Hann window.
     spectra: list[Spectrum]
-    findings: list[Finding]
+    issues: list[Issue]
 
     def __len__(self) -> int:
         return len(self.record)
-
-    @property
-    def mean_power_per_mean_square_w_s4_m2(self) -> Floats:
-        """Mean power divided by the mean square of the base acceleration, W/(m/s^2)^2."""
-        return self.mean_power_w / self.mean_square_base_acceleration_m2_s4
 
     def _summary(self) -> list[tuple[str, str]]:
         lines = []
@@ -62,7 +52,7 @@ class PowerResult(Result):
             mean = with_uncertainty(self.mean_power_w[k], self.half_width_w[k], "W")
             power = f"{mean} (95 %) in {self.resistance_ohm[k]:g} ohm"
             lines.append((name, power + (", interval too narrow: the record is too short" if self.correlated[k] else "")))
-        return lines + issue_lines(self.findings)
+        return lines + issue_lines(self.issues)
 
     def _repr_html_(self) -> str:
         rows = [
@@ -115,44 +105,16 @@ def power(
     """
     inputs = recordings(records, sample_rate_hz)
     is_list = isinstance(resistance, Sequence) and not isinstance(resistance, str)
-    ohms = [positive_si("resistance", one, "resistance") for one in (resistance if is_list else [resistance] * len(inputs))]
-    if len(ohms) != len(inputs):
-        raise ArgumentError(
-            f"there are {len(ohms)} resistances for {len(inputs)} recordings; give one for all, or one for each",
-            {"resistances": len(ohms), "recordings": len(inputs)},
-        )
-    drive_hz = optional_si("frequency", drive, "drive")
-    options = (voltage, base, drive_hz, ORDERS, remove_mean)
-    results = [result_or_raise(_core.measured_power(one._core(), ohm, *options)) for one, ohm in zip(inputs, ohms)]
-    manifest = make_manifest("power", **names_of(inputs), resistance_ohm=ohms, drive_hz=drive_hz, remove_mean=remove_mean)
-    return _power_result(inputs, np.array(ohms), results, manifest)
-
-
-def _power_result(inputs: list[Recording], ohms: Floats, results: list[dict[str, Any]], manifest: dict[str, Any]) -> PowerResult:
-    powers = [json.loads(one["power"]) for one in results]
-    order = max((one["order"] for one in results), key=len)
-    peaks = np.full((len(inputs), len(order)), np.nan)
-    for row, one in zip(peaks, results):
-        row[: len(one["order"])] = one["order_amplitude_peak_v"]
-    spectra = [
-        Spectrum(manifest, f"{record.name}, {one['channel']}", "V", one["frequency_hz"], one["amplitude_peak"])
-        for record, one in zip(inputs, results)
-    ]
-    return PowerResult(
-        manifest=manifest,
-        record=[one.name for one in inputs],
-        channel=[one["channel"] for one in results],
-        resistance_ohm=ohms,
-        mean_power_w=column(powers, "mean_power_w"),
-        half_width_w=column(powers, "half_width_w"),
-        batches=column(powers, "batches").astype(np.int64),
-        batch_correlation=column(powers, "batch_correlation"),
-        effective_samples=column(powers, "effective_samples"),
-        correlated=column(powers, "correlated").astype(np.bool_),
-        mean_voltage_v=column(powers, "mean_voltage_v"),
-        mean_square_base_acceleration_m2_s4=column(results, "mean_square_base_acceleration_m2_s4"),
-        order=order,
-        order_amplitude_peak_v=peaks,
-        spectra=spectra,
-        findings=[finding for record, one in zip(inputs, results) for finding in [*record.findings, *parse_issues(one["findings"])]],
-    )
+    given: dict[str, Any] = {
+        "resistance_ohm": [to_si("resistance", one, "resistance") for one in (resistance if is_list else [resistance])],
+        "voltage": voltage,
+        "base": base,
+        "drive_hz": optional_si("frequency", drive, "drive"),
+        "remove_mean": remove_mean,
+    }
+    fields = PowerResult._filled(result_or_raise(_core.power([one._core() for one in inputs], options(**given))))
+    manifest = make_manifest("power", **names_of(inputs), **given)
+    labels = (f"{record}, {channel}" for record, channel in zip(fields["record"], fields["channel"]))
+    fields["spectra"] = [Spectrum(manifest, label, "V", **one) for label, one in zip(labels, fields["spectra"])]
+    fields["issues"] = [*(issue for one in inputs for issue in one.issues), *parse_issues(fields["issues"])]
+    return PowerResult(**{**fields, "manifest": manifest})

@@ -9,8 +9,9 @@ from pathlib import Path
 from typing import Any
 
 from . import _core
+from .arguments import options, rate_hz
 from .errors import ArgumentError
-from .issue import Finding, issue_lines, parse_issues
+from .issue import Issue, issue_lines, parse_issues
 from .recording import Recording, digest_of
 from .result import Complexes, Data, Floats, Integers, Result, Variable, html_table, make_manifest
 
@@ -34,7 +35,7 @@ class RecordedFile(Result):
     recordings: list[Recording]
     shapes: list[ModeShape]
     #: Issues of the complete file.
-    findings: list[Finding]
+    issues: list[Issue]
 
     def __len__(self) -> int:
         return len(self.recordings)
@@ -57,7 +58,7 @@ class RecordedFile(Result):
         lines = [("file", self.name)]
         lines += [(one.name, f"{len(one)} samples over {one.over} of {', '.join(c.name for c in one)}") for one in self.recordings]
         lines += [("shape", f"at {one.frequency_hz:g} Hz, {len(one.node)} nodes") for one in self.shapes]
-        return lines + issue_lines([*self.findings, *(finding for one in self.recordings for finding in one.findings)])
+        return lines + issue_lines([*self.issues, *(issue for one in self.recordings for issue in one.issues)])
 
     def _table(self) -> dict[str, list[Any]]:
         pairs = [(one, channel) for one in self.recordings for channel in one]
@@ -86,17 +87,19 @@ class RecordedFile(Result):
         return self._frame(self._table())
 
 
-def read_recordings(path: str | PathLike[str]) -> RecordedFile:
+def read_recordings(path: str | PathLike[str], *, sample_rate_hz: Any = None) -> RecordedFile:
     """Reads a file of an instrument: CSV and text with any header, Parquet, NPY, NPZ, MAT, HDF5, TDMS, WAV, UFF 55, 58 and 58b, LVM.
 
-    Notes in ``FILE.channels.toml`` next to the file add data that the file lacks. Every data-quality issue is a :class:`Finding`.
+    Notes in ``FILE.channels.toml`` next to the file add data that the file lacks. With ``sample_rate_hz`` the times of the file are not
+    used. Every data-quality issue is an :class:`Issue`.
     """
-    contents = _core.recording_read(fspath(path))
+    given = {"sample_rate_hz": None if sample_rate_hz is None else rate_hz(sample_rate_hz)}
+    contents = _core.recording_read(fspath(path), options(**given))
     name = Path(path).name
-    manifest = make_manifest("read", recording=name, recording_sha256=digest_of(path))
+    manifest = make_manifest("read", recording=name, recording_sha256=digest_of(path), **given)
     recordings = [Recording._from_core_recording(one, manifest) for one in contents["recordings"]]
     shapes = [_shape(one) for one in contents["shapes"]]
-    return RecordedFile(manifest, name, recordings, shapes, parse_issues(contents["findings"]))
+    return RecordedFile(manifest, name, recordings, shapes, parse_issues(contents["issues"]))
 
 
 def _shape(contents: dict[str, Any]) -> ModeShape:

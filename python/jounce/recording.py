@@ -12,12 +12,14 @@ import numpy as np
 
 from . import _core
 from .errors import ArgumentError
-from .issue import Finding, issue_lines, parse_issues
+from .issue import Issue, issue_lines, parse_issues
 from .result import Complexes, Data, Floats, Result, Variable, html_table, make_manifest
 
 if TYPE_CHECKING:
     from .contact import ContactResult
+    from .power import PowerResult
     from .segments import SegmentsResult
+    from .spectra import SpectraResult
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -65,13 +67,13 @@ class Recording(Result):
     #: Samples per second, or per hertz.
     rate: float
     channels: list[Channel]
-    findings: list[Finding]
+    issues: list[Issue]
 
     @classmethod
     def _from_core_recording(cls, fields: Mapping[str, Any], manifest: Mapping[str, Any]) -> Self:
         """Returns a recording of the compiled module; the manifest gets the digest of the samples where it has no digest of a file."""
         channels = [_channel(one) for one in fields["channels"]]
-        recording = cls(**{**fields, "manifest": dict(manifest), "channels": channels, "findings": parse_issues(fields["findings"])})
+        recording = cls(**{**fields, "manifest": dict(manifest), "channels": channels, "issues": parse_issues(fields["issues"])})
         options = {"recording": recording.name, "recording_sha256": recording._sha256(), **manifest["options"]}
         return dataclasses.replace(recording, manifest={**manifest, "options": options})
 
@@ -138,9 +140,21 @@ class Recording(Result):
         return digest.hexdigest()
 
     def even(self) -> Self:
-        """Returns the recording at even steps without missing samples, by linear interpolation; ``findings`` lists the corrections."""
+        """Returns the recording at even steps without missing samples, by linear interpolation; ``issues`` lists the corrections."""
         even_recording = type(self)._from_core_recording(_core.recording_even(self._core()), self.manifest)
-        return dataclasses.replace(even_recording, findings=[*self.findings, *even_recording.findings])
+        return dataclasses.replace(even_recording, issues=[*self.issues, *even_recording.issues])
+
+    def power(self, resistance: Any, **options: Any) -> PowerResult:
+        """Computes the mean power of a voltage over a resistance; the options are those of :func:`jounce.power`."""
+        from .power import power
+
+        return power(self, resistance, **options)
+
+    def spectra(self, **options: Any) -> SpectraResult:
+        """Computes density, order lines and spectrogram of a channel; the options are those of :func:`jounce.spectra`."""
+        from .spectra import spectra
+
+        return spectra(self, **options)
 
     def contact(self, **options: Any) -> ContactResult:
         """Fits contact laws to the force pulses; the options are those of :func:`jounce.contact`."""
@@ -172,11 +186,11 @@ class Recording(Result):
         _, _, unit = self._grid()
         lines = [("name", self.name), ("samples", f"{len(self)} over {self.over}, {self.rate:.6g} per {unit}")]
         lines += [(one.name, f"rms {one.rms:.5e}, peak {one.peak:.5e} {one.unit or '(no unit)'}") for one in self.channels]
-        return lines + issue_lines(self.findings)
+        return lines + issue_lines(self.issues)
 
     def _repr_html_(self) -> str:
         rows = [[one.name, one.quantity, one.unit, f"{one.rms:.5e}", f"{one.peak:.5e}"] for one in self.channels]
-        issue_table = html_table("", [], [[one.text] for one in self.findings]) if self.findings else ""
+        issue_table = html_table("", [], [[one.text] for one in self.issues]) if self.issues else ""
         title = f"{self.name}: {len(self)} samples, {self.rate:.6g} per {self._grid()[2]}"
         return html_table(title, ["channel", "quantity", "unit", "rms", "peak"], rows) + issue_table
 

@@ -105,7 +105,7 @@ class SpecOnRig(SpecText):
         if base_recording is not None:
             given |= {"base": base_recording.name, "base_sha256": base_recording.manifest["options"]["recording_sha256"]}
         result = Recording._from_core_recording(fields, {**make_manifest("rig", **given), "spec_sha256": self.sha256})
-        return result if base_recording is None else dataclasses.replace(result, findings=[*base_recording.findings, *result.findings])
+        return result if base_recording is None else dataclasses.replace(result, issues=[*base_recording.issues, *result.issues])
 
     def fit(self, to: str | PathLike[str] | Mapping[str, Any], *, progress: bool | Progress | None = None) -> FitResult:
         """Fits keys to measured features: the path of a file of features, or a dict with the same contents.

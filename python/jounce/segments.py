@@ -12,7 +12,7 @@ from . import _core
 from .arguments import check_integers, options, to_si
 from .errors import ArgumentError
 from .inputs import Measured, recording
-from .issue import Finding, issue_lines, parse_issues
+from .issue import Issue, issue_lines, parse_issues
 from .recording import names_of
 from .result import Along, Floats, Integers, Result, Truths, Variable, html_table, make_manifest, result_or_raise, with_uncertainty
 from .spec import Spec
@@ -56,7 +56,7 @@ class SegmentsResult(Result):
     #: Record: time from its first sample, s, and the values.
     time_s: Floats
     values: Floats
-    issues: list[Finding]
+    issues: list[Issue]
 
     def __len__(self) -> int:
         return len(self.start_s)
@@ -153,5 +153,5 @@ def segments(
     manifest = make_manifest("segments", **names_of([input_recording]), **given)
     fields["manifest"] = manifest if model is None else {**manifest, "spec_sha256": model.sha256}
     fields["candidates"] = [] if model is None else json.loads(fields["candidates"])
-    fields["issues"] = [*input_recording.findings, *parse_issues(fields["issues"])]
+    fields["issues"] = [*input_recording.issues, *parse_issues(fields["issues"])]
     return SegmentsResult(**fields)

@@ -11,7 +11,7 @@ from typing import Any, Self
 from . import _core
 from .arguments import names, spec_from_tables
 from .errors import ArgumentError, SpecError, UnknownKeyError
-from .issue import Finding, parse_issues
+from .issue import Issue, parse_issues
 from .quantity import name as name_of
 from .quantity import setting
 from .result import html_table
@@ -53,9 +53,9 @@ class SpecText:
         return self._spec.to_toml() if canonical else self._spec.text
 
     @property
-    def findings(self) -> list[Finding]:
+    def issues(self) -> list[Issue]:
         """Data-quality issues of the recordings of its drives, and the corrections made."""
-        return parse_issues(self._spec.findings())
+        return parse_issues(self._spec.issues())
 
     def to_dict(self, canonical: bool = False) -> dict[str, Any]:
         """Returns the tables; ``Spec(spec.to_dict()) == spec``."""

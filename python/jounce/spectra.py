@@ -6,9 +6,9 @@ import dataclasses
 from typing import Annotated, Any, Literal
 
 from . import _core
-from .arguments import optional_si
+from .arguments import optional_si, options
 from .inputs import Measured, recording
-from .issue import Finding, issue_lines, parse_issues
+from .issue import Issue, issue_lines, parse_issues
 from .recording import names_of
 from .result import Along, Floats, Result, Variable, html_table, make_manifest, result_or_raise
 
@@ -22,6 +22,9 @@ class SpectraResult(Result):
 
     channel: str
     unit: str
+    #: Segments, window and amplitudes in words, and the number of segments.
+    convention: str
+    segments: int
     #: Window of a segment, overlap of adjacent segments, their length and step, s, and the distance of the lines, Hz.
     window: str
     overlap: float
@@ -44,7 +47,7 @@ class SpectraResult(Result):
     order: Floats
     order_frequency_hz: Annotated[Floats, Along("order", "Hz", "frequency of a multiple of the drive")]
     order_amplitude_peak: Floats
-    findings: list[Finding]
+    issues: list[Issue]
 
     def __len__(self) -> int:
         return len(self.time_s)
@@ -71,7 +74,7 @@ class SpectraResult(Result):
         lines += [("peak", f"{density:.4e} {self.density_unit} at {hz:.5g} Hz") for hz, density in peaks]
         for order, hz, peak in zip(self.order, self.order_frequency_hz, self.order_amplitude_peak):
             lines.append((f"order {order:.4g}", f"{peak:.5e} {self.unit} peak at {hz:.5g} Hz"))
-        return lines + issue_lines(self.findings)
+        return lines + issue_lines(self.issues)
 
     def _repr_html_(self) -> str:
         lines = super()._repr_html_()
@@ -140,9 +143,13 @@ def spectra(
     Source: P. Welch, IEEE Trans. Audio Electroacoust. 15 (1967) 70; G. Heinzel, A. Ruediger, R. Schilling (2002).
     """
     input_recording = recording(record, sample_rate_hz)
-    drive_hz, segment_s = optional_si("frequency", drive, "drive"), optional_si("time", segment, "segment")
-    options = {"drive_hz": drive_hz, "segment_s": segment_s, "overlap": overlap, "window": window}
-    result = result_or_raise(_core.measured_spectra(input_recording._core(), channel, options))
-    manifest = make_manifest("spectra", **names_of([input_recording]), **options)
-    issues = [*input_recording.findings, *parse_issues(result.pop("findings"))]
-    return SpectraResult(manifest=manifest, drive_hz=drive_hz, overlap=overlap, window=window, findings=issues, **result)
+    given = {
+        "channel": channel,
+        "drive_hz": optional_si("frequency", drive, "drive"),
+        "segment_s": optional_si("time", segment, "segment"),
+        "overlap": overlap,
+        "window": window,
+    }
+    fields = SpectraResult._filled(result_or_raise(_core.spectra(input_recording._core(), options(**given))))
+    fields["issues"] = [*input_recording.issues, *parse_issues(fields["issues"])]
+    return SpectraResult(**{**fields, "manifest": make_manifest("spectra", **names_of([input_recording]), **given)})

@@ -48,7 +48,7 @@ def test_spectra_and_stops_of_an_ensemble_are_those_of_the_command_line(command_
 
 
 def test_the_response_to_noise_is_that_of_the_command_line(command_line, tmp_path):
-    expected = command_line("noise", "--from=4Hz", "--to=20Hz", "--points=50", f"--out={tmp_path}", spec=SHAKER)
+    expected = command_line("noise", "--low=4Hz", "--high=20Hz", "--points=50", f"--out={tmp_path}", spec=SHAKER)
     result = jounce.read(SHAKER).noise(low="4 Hz", high=pint.UnitRegistry()("20 Hz"), points=50)
     assert result.mean_power_w == expected["mean_power_w"] and (result.drive, result.left_out) == (expected["drives"], expected["left_out"])
     tables = {"load": "loads", "patch": "patches", "point": "points", "stop": "stops"}
@@ -57,7 +57,7 @@ def test_the_response_to_noise_is_that_of_the_command_line(command_line, tmp_pat
     fields = {
         "load_mean_power_w": ("loads", "mean_power_w"),
         "load_spectral_power_w": ("loads", "spectral_power_w"),
-        "load_power_difference_relative": ("loads", "difference_relative"),
+        "load_difference_relative": ("loads", "difference_relative"),
         "load_voltage_rms_v": ("loads", "voltage_rms_v"),
         "load_noise_bandwidth_hz": ("loads", "noise_bandwidth_hz"),
         "load_statistical_bandwidth_hz": ("loads", "statistical_bandwidth_hz"),

@@ -64,8 +64,8 @@ def test_data_quality_issues_are_reported():
     stamps = np.arange(1000) / 1000.0
     stamps[500:] += 0.0123
     result = jounce.Recording.of({"a": samples}, time_s=stamps, units={"a": "g"}, name="floor")
-    assert {one.kind for one in result.findings} == {"jitter", "gap", "not-a-number", "converted"}
-    (missing,) = [one for one in result.findings if one.kind == "not-a-number"]
+    assert {one.kind for one in result.issues} == {"jitter", "gap", "not-a-number", "converted"}
+    (missing,) = [one for one in result.issues if one.kind == "not-a-number"]
     assert (missing.channel, missing.count, missing.first) == ("a", 3, "sample 40") and str(missing) in repr(result)
     assert result.channel("a").unit == "m/s^2" and result.channel("a").peak == pytest.approx(0.8 * 9.80665)
     # What is masked is missing as well.
@@ -73,7 +73,7 @@ def test_data_quality_issues_are_reported():
     assert masked == result
     even = result.even()
     assert even.step is not None and np.isfinite(even["a"]).all() and result.step is None
-    assert {"bridged", "resampled"} < {one.kind for one in even.findings}
+    assert {"bridged", "resampled"} < {one.kind for one in even.issues}
     assert "<table>" in result._repr_html_() and pickle.loads(pickle.dumps(result)) == result
 
 
@@ -116,7 +116,7 @@ def test_power_against_the_load_is_that_of_the_command_line(run_recording, comma
     result = jounce.power(paths, ["1 Mohm", "2 Mohm"], drive="11 Hz")
     assert_identical(result.resistance_ohm, [one["resistance_ohm"] for one in expected])
     for name in ("mean_power_w", "half_width_w", "batches", "batch_correlation", "effective_samples", "correlated", "mean_voltage_v"):
-        assert_identical(getattr(result, name), [one["power"][name] for one in expected])
+        assert_identical(getattr(result, name), [one[name] for one in expected])
     assert_identical(result.order_amplitude_peak_v, [[line["amplitude_peak_v"] for line in one["orders"]] for one in expected])
     assert result.record == ["a", "b"] and len(result.manifest["options"]["recording_sha256"].split()) == 2
     assert result.mean_power_w[0] == 2.0 * result.mean_power_w[1] > 0.0

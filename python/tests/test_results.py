@@ -41,7 +41,7 @@ def test_modes_are_those_of_the_command_line(harvester, command_line):
 
 
 def test_frequency_responses_are_those_of_the_command_line(harvester, command_line):
-    expected = command_line("frf", "--from=2Hz", "--to=20Hz", "--points=2")
+    expected = command_line("frf", "--low=2Hz", "--high=20Hz", "--points=2")
     result = harvester.frf(["2 Hz", "20 Hz"])
     assert list(result.responses) == list(expected["responses"])
     for name, expected_item in expected["responses"].items():
@@ -150,7 +150,7 @@ def test_the_reference_of_keys_is_that_of_the_command_line():
 
 def test_responses_to_the_base_are_those_of_the_command_line(command_line):
     spec = ROOT / "examples/unimorph-erturk-2008/harvester.toml"
-    expected = command_line("frf", "--base", "--from=40Hz", "--to=60Hz", "--points=2", spec=spec)
+    expected = command_line("frf", "--base", "--low=40Hz", "--high=60Hz", "--points=2", spec=spec)
     result = jounce.read(spec).frf(["40 Hz", "60 Hz"], base=True)
     assert result.input == "base" and list(result.responses) == list(expected["responses"])
     for name, expected_item in expected["responses"].items():

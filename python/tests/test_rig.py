@@ -37,7 +37,7 @@ def test_solutions_of_a_model_are_recorded_and_identified(harvester, command_lin
     options = ["--solution=1a", "--solution=3a@4s", "--starts=8", "--rate=1536Hz", "--noise=0.01", f"--to={to}"]
     command_line("rig", *options, keys={**case, "run.average_over": "8 s"})
     assert_identical(recording["mfc.voltage"], jounce.read_recordings(to)[0]["mfc.voltage"])
-    assert any("another solution" in one.text for one in recording.findings)
+    assert any("another solution" in one.text for one in recording.issues)
     # The model is put to the drive and the load of the record.
     expected = command_line("segments", "--drive=13.5Hz", "--resistance=100kohm", f"--model={SPEC}", "--starts=8", spec=to, keys=case)
     result = recording.segments("13.5 Hz", resistance="100 kohm", model=harvester.changed({"drive.shaker.amplitude": "42 N"}), starts=8)

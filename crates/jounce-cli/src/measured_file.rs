@@ -6,6 +6,7 @@ use crate::spec_arguments::OutputArguments;
 use clap::Args;
 use jounce::{Error, Issue, Manifest, ReadOptions, Recording, UsesChannels};
 use serde::Serialize;
+use serde_json::Value;
 use sha2::{Digest, Sha256};
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -56,7 +57,8 @@ pub fn manifest(command: &str, files: &[PathBuf]) -> Result<Manifest, Failure> {
 pub fn with_options(manifest: Manifest, options: &impl Serialize) -> Result<Manifest, Failure> {
     let options = output::to_json(options)?;
     let given = options.as_object().into_iter().flatten();
-    let given = given.filter(|(_, value)| !value.is_null());
+    let is_given = |value: &Value| !value.is_null() && value.as_array() != Some(&Vec::new());
+    let given = given.filter(|(_, value)| is_given(value));
     Ok(
         given.fold(manifest, |manifest, (name, value)| match value.as_str() {
             Some(text) => manifest.with(name, text),

@@ -150,9 +150,9 @@ fn modes_and_frequency_responses_print_every_key() {
     let arguments = [
         "frf",
         SPEC,
-        "--from",
+        "--low",
         "1Hz",
-        "--to",
+        "--high",
         "1000Hz",
         "--fixed-table",
         "--open-circuit",
@@ -198,7 +198,7 @@ fn bad_input_ends_with_its_code_and_one_clear_sentence() {
             "/proc/nowhere",
         ),
         (vec!["run"], 2, "SPEC"),
-        (vec!["frf", SPEC, "--from", "3 mm"], 2, "--from"),
+        (vec!["frf", SPEC, "--low", "3 mm"], 2, "--low"),
     ] {
         let (exit_code, _, stderr) = jounce(&arguments);
         assert_eq!(exit_code, code, "{arguments:?}: {stderr}");

@@ -145,7 +145,7 @@ fn noise_and_ensembles_print_every_key() {
             vec!["ensemble", SHAKER, "--members", "1", "--spectrum"],
             "two --members",
         ),
-        (vec!["noise", SHAKER, "--from", "40Hz"], "--from below --to"),
+        (vec!["noise", SHAKER, "--low", "40Hz"], "--low is 40 Hz"),
     ] {
         let (code, _, stderr) = jounce(&arguments);
         assert!(
@@ -226,9 +226,9 @@ fn a_named_base_gives_the_result_of_the_ground() {
     let (head, ground) = (spec("head"), spec("ground"));
     let struck_file = folder.path().join("struck.parquet");
     for command in [
-        &["frf", "--base", "--from", "10Hz", "--to", "200Hz"][..],
+        &["frf", "--base", "--low", "10Hz", "--high", "200Hz"][..],
         &[
-            "frf", "--input", "arm.end", "--from", "10Hz", "--to", "200Hz",
+            "frf", "--input", "arm.end", "--low", "10Hz", "--high", "200Hz",
         ],
         &["modes"],
         &["noise"],

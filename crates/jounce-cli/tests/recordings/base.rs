@@ -1,4 +1,4 @@
-//! What commands on recordings say: responses to a base, warnings in words, findings once, peaks by height.
+//! What commands on recordings say: responses to a base, warnings in words, issues once, peaks by height.
 
 use super::{csv, jounce, write_switching_recording};
 use assert_cmd::Command;

@@ -129,7 +129,7 @@ fn modes_come_from_free_decays() {
             "hits",
             "block_s",
             "window_decay_per_s",
-            "findings",
+            "issues",
         ],
     );
     let [frequency, damping, shape] = max_relative_errors(&json);

@@ -72,7 +72,7 @@ fn power_by_rig(folder: &Path, recording: &str, options: &[&str], gap: &str) -> 
         folder,
         &["power", "rig.parquet", "--resistance", "1Mohm", "--json"],
     );
-    number(&power_json["records"][0]["power"]["mean_power_w"])
+    number(&power_json["records"][0]["mean_power_w"])
 }
 
 #[test]
@@ -122,7 +122,7 @@ fn a_recorded_drive_gives_the_powers_of_the_rig() {
         );
     }
     let check = json(&["check", "driven.toml", "--json"]);
-    let kinds: Vec<&str> = check["findings"]
+    let kinds: Vec<&str> = check["issues"]
         .as_array()
         .unwrap()
         .iter()

@@ -74,7 +74,7 @@ fn frf_and_modes_of_a_hammer_test_are_those_of_the_structure() {
             "hits",
             "block_s",
             "window_decay_per_s",
-            "findings",
+            "issues",
         ],
     );
     assert_keys(
@@ -114,7 +114,7 @@ fn frf_and_modes_of_a_hammer_test_are_those_of_the_structure() {
             "hits",
             "block_s",
             "window_decay_per_s",
-            "findings",
+            "issues",
         ],
     );
     let modes = json["modes"].as_array().unwrap();

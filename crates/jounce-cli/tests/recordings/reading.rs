@@ -22,12 +22,12 @@ fn read_prints_and_writes_channels_and_issues() {
     assert_eq!(code, 0);
     assert_keys(
         &json,
-        &["recordings", "shape_frequencies_hz", "shapes", "findings"],
+        &["recordings", "shape_frequencies_hz", "shapes", "issues"],
     );
     let recording = &json["recordings"][0];
     assert_keys(
         recording,
-        &["name", "over", "samples", "rate", "channels", "findings"],
+        &["name", "over", "samples", "rate", "channels", "issues"],
     );
     assert_eq!(
         (&recording["samples"], &recording["channels"][0]["unit"]),
@@ -49,7 +49,7 @@ fn read_prints_and_writes_channels_and_issues() {
     );
     assert_written(
         &folder.path().join("out"),
-        &["read", "read-findings"],
+        &["read", "read-issues"],
         &["read-1"],
     );
     let (_, copy_json, _) = jounce(folder.path(), &["read", "again.uff", "--json"]);
@@ -77,7 +77,7 @@ fn a_part_of_a_recording_is_written_for_other_commands() {
             folder.path(),
             &["power", name, "--resistance", "1kohm", "--json"],
         );
-        let power_w = json["records"][0]["power"]["mean_power_w"]
+        let power_w = json["records"][0]["mean_power_w"]
             .as_f64()
             .unwrap();
         assert!((power_w / 5e-3 - 1.0).abs() < 1e-3, "{name}: {power_w}");

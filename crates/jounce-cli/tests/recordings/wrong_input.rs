@@ -235,7 +235,7 @@ fn wrong_input_ends_with_its_code_and_one_clear_sentence() {
         );
     }
     let (code, json, _) = jounce(folder_path, &["read", "ragged.csv", "--json"]);
-    let kinds: Vec<&str> = json["recordings"][0]["findings"]
+    let kinds: Vec<&str> = json["recordings"][0]["issues"]
         .as_array()
         .unwrap()
         .iter()

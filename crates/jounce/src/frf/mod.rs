@@ -114,7 +114,7 @@ fn input(spec: &Spec, options: &FrfOptions) -> Result<FrfInput, Error> {
             None => Err(Error::option(
                 "input",
                 "missing",
-                "this spec has no force: name a point, or excite the base with base",
+                "this spec has no force: name a point, or set base to excite the base",
             )),
         },
     }
