@@ -81,7 +81,7 @@ pub enum Command {
     Fit(fit::Fit),
     /// Simulates a hammer test or a shaker test with sensors, so that the true parameters are
     /// known.
-    Rig(rig::Rig),
+    Rig(Box<rig::Rig>),
     /// Lists the materials that a spec can name, with their sources.
     Materials(materials::Materials),
     /// Prints the JSON Schema (draft-07) of a spec, for editors.

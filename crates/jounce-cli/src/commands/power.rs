@@ -84,7 +84,7 @@ impl Power {
         }
         if power.correlated {
             line(
-                "the power is correlated too long for this record, or changes within it (see jounce regimes): the interval is approximate",
+                "the power is correlated too long for this record, or changes within it (see jounce segments): the interval is approximate",
             );
         }
     }

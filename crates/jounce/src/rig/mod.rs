@@ -27,7 +27,7 @@ impl Harvester {
     /// let test = RigOptions { hammer, hits: 1, rate_hz: 512.0, contact_s: 8e-3, ..Default::default() };
     /// let result = harvester.rig(&test)?;
     /// assert_eq!(result.samples, 2048);
-    /// assert_eq!(result.channels[0], "beam.hammer.force");
+    /// assert_eq!(result.channels[0], "force");
     /// # Ok::<(), jounce::Error>(())
     /// ```
     pub fn rig(&self, options: &RigOptions) -> Result<RigResult, Error> {
