@@ -16,12 +16,12 @@
 //! | one quantity over several keys | [`Study::run`] | [`StudyOptions`] | [`StudyStatus`] |
 //! | keys that fit measurements | [`Harvester::fit`] | [`Features`] | [`FitResult`] |
 //! | simulated recordings of sensors | [`Harvester::rig`] | [`RigOptions`] | [`RigResult`] |
-//!
-//! [`materials`], [`starters`], [`schema`] and [`key_reference`] help to write a spec;
-//! [`Harvester::drawing`] draws it; [`reproduce`] recomputes a published paper.
 //! | branches of periodic orbits over a key | [`Harvester::branch`] | [`BranchOptions`] | [`BranchResult`] |
 //! | bifurcation curves in two keys | [`Harvester::bifurcations`] | [`BifurcationsOptions`] | [`BifurcationsResult`] |
 //! | bifurcation diagram over a key | [`Harvester::diagram`] | [`DiagramOptions`] | [`DiagramResult`] |
+//!
+//! [`materials`], [`starters`], [`schema`] and [`key_reference`] help to write a spec;
+//! [`Harvester::drawing`] draws it; [`reproduce`] recomputes a published paper.
 //!
 //! A [`Recording`] is read from a file of an instrument, with its data-quality issues:
 //!
@@ -73,9 +73,7 @@ mod run;
 mod study;
 mod sweep;
 
-pub use basins::{AttractorResult, BasinsOptions, BasinsResult, FailedStart, StartPoint};
 pub use ensemble::{EnsembleOptions, EnsemblePatch, EnsembleResult, EnsembleStop, VoltageSpectrum};
-pub use check::{CheckResult, DriveFinding};
 pub use bifurcations::{BifurcationCurve, BifurcationsOptions, BifurcationsResult};
 pub use branch::{
     Bifurcation, Branch, BranchOptions, BranchPoint, BranchResult, HalfPowerBandwidth, NotProved,
