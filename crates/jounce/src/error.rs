@@ -1,6 +1,7 @@
 //! Errors of the computations.
 
 use jounce_core::analysis::{AnalysisError, GridError, JournalError};
+use jounce_core::continuation::ContinuationError;
 use jounce_core::integrate::IntegrationError;
 use jounce_core::orbit::OrbitError;
 use jounce_core::plant::PlantError;
@@ -52,6 +53,12 @@ pub enum Error {
     /// The search for an orbit failed.
     #[error(transparent)]
     Orbit(#[from] OrbitError<AnalysisError>),
+    /// The orbit at a point of a branch cannot be computed again.
+    #[error(transparent)]
+    Continuation(#[from] ContinuationError<OrbitError<AnalysisError>>),
+    /// A recording of the page cannot be read or has no such channel.
+    #[error("{0}")]
+    Recording(String),
     /// The journal of finished points cannot be used.
     #[error(transparent)]
     Journal(#[from] JournalError),
@@ -106,6 +113,7 @@ impl Error {
             Self::Orbit(OrbitError::Integration(_) | OrbitError::Multipliers { .. }) => {
                 ErrorKind::NotConverged
             }
+            Self::Continuation(_) => ErrorKind::NotConverged,
             Self::Stopped => ErrorKind::Stopped,
             _ => ErrorKind::Input,
         }

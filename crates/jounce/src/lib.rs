@@ -8,6 +8,8 @@
 //! | response from a start in time | [`Harvester::run`] | [`RunOptions`] | [`RunResult`] |
 //! | attractors and how likely each is | [`Harvester::basins`] | [`BasinsOptions`] | [`BasinsResult`] |
 //!
+//! [`live`] has the computations of the live page, which follow a design through small steps.
+//!
 //! Options have defaults: write the fields that differ, then `..Default::default()`. Results are
 //! plain data; serialised, they are the JSON of the command line. Every name ends in its unit.
 //!
@@ -20,6 +22,7 @@
 mod basins;
 mod error;
 mod harvester;
+pub mod live;
 mod options;
 mod periodic;
 mod run;

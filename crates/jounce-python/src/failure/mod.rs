@@ -131,9 +131,11 @@ impl From<jounce::Error> for Failure {
             }
             Error::Grid(_) => Self::new("ArgumentError", &error).with(json!({ "option": "grid" })),
             Error::NoDrive { .. } | Error::DriveAtRest { .. } => Self::new("ArgumentError", &error),
-            Error::Signal(_) | Error::Threads(_) | Error::Stopped => {
-                Self::new("JounceError", &error)
-            }
+            Error::Signal(_)
+            | Error::Threads(_)
+            | Error::Stopped
+            | Error::Continuation(_)
+            | Error::Recording(_) => Self::new("JounceError", &error),
         }
     }
 }
