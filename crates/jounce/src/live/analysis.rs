@@ -75,11 +75,7 @@ impl LiveAnalysis {
     /// Returns an earlier response.
     pub(super) fn stored_response(&self, id: u64) -> Result<Arc<StoredResponse>, Error> {
         self.responses.find(id).ok_or_else(|| {
-            Error::option(
-                "response",
-                id,
-                "this response is no longer stored; compute it again",
-            )
+            Error::option("response", id, "it is no longer stored; compute it again")
         })
     }
 }

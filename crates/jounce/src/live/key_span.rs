@@ -51,7 +51,7 @@ impl KeySpan {
         if !(from < to && from.is_finite() && to.is_finite()) {
             return Err(Error::option(
                 "over",
-                format!("{} = {from}:{to}", self.over),
+                format!("{}={from}:{to}", self.over),
                 "the range must go from a smaller to a larger value",
             ));
         }

@@ -2,6 +2,7 @@
 
 use super::LiveAnalysis;
 use super::motion::{self, BeamMotion};
+use super::orbit_stop::OrbitStop;
 use super::stored_response::StoredResponse;
 use crate::error::Error;
 use jounce_core::analysis::BranchPoint;
@@ -10,7 +11,6 @@ use jounce_core::integrate::{Control, TrajectoryState};
 use jounce_core::orbit::{Orbit, OrbitMethod, Shooting, ShootingEvaluation};
 use jounce_core::plant::Stop;
 use jounce_core::signal::{Samples, Window};
-use jounce_core::spec::{Side, Spec};
 use serde::{Deserialize, Serialize};
 
 /// Largest number of samples per drive cycle.
@@ -83,28 +83,6 @@ pub struct OrbitResult {
     pub frames: usize,
     /// Each beam.
     pub beams: Vec<BeamMotion>,
-}
-
-/// A stop and the motion towards it; one value of each list per time.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct OrbitStop {
-    /// Name.
-    pub name: String,
-    /// Gap, m.
-    pub gap_m: f64,
-    /// Beam that meets the stop, and the distance of the stop from its root, m; `None` for a stop
-    /// at a mass.
-    pub place: Option<(String, f64)>,
-    /// True for a stop on the positive side.
-    pub above: bool,
-    /// Element that carries the stop; `None` for a side of a stop with two sides.
-    pub frame: Option<String>,
-    /// Displacement towards the stop, m.
-    pub displacement_m: Vec<f64>,
-    /// Velocity towards the stop, m/s.
-    pub velocity_m_s: Vec<f64>,
-    /// Contact force, N.
-    pub force_n: Vec<f64>,
 }
 
 impl LiveAnalysis {
@@ -237,37 +215,4 @@ fn spectrum(
     Ok(lines
         .take_while(|(frequency_hz, _)| *frequency_hz <= max_frequency_hz)
         .unzip())
-}
-
-impl OrbitStop {
-    fn new(spec: &Spec, stop: &Stop, states: &[Vec<f64>], force_n: Vec<f64>) -> Self {
-        let of_spec = spec.stop.get(&stop.name);
-        let place = of_spec.and_then(|own| {
-            let (name, point) = own.at.split_once('.')?;
-            let beam = spec.beam.get(name)?;
-            let position_m = match point {
-                "root" => 0.0,
-                "end" => beam.length_m,
-                _ => *beam.point.get(point)?,
-            };
-            Some((name.to_owned(), position_m))
-        });
-        let project = |from: usize| {
-            let sum = |state: &Vec<f64>| -> f64 {
-                let terms = stop.shape.iter().zip(&state[from..]);
-                terms.map(|(s, x)| s * x).sum()
-            };
-            states.iter().map(sum).collect()
-        };
-        Self {
-            name: stop.name.clone(),
-            gap_m: stop.gap_m,
-            place,
-            above: of_spec.is_none_or(|own| own.side == Side::Positive),
-            frame: of_spec.map(|own| own.frame.clone()),
-            displacement_m: project(0),
-            velocity_m_s: project(stop.shape.len()),
-            force_n,
-        }
-    }
 }
