@@ -11,10 +11,12 @@ interface Attractor {
     id: string;
     mean_power_w: number;
     fraction: number;
-    low: number;
-    high: number;
+    fraction_low: number;
+    fraction_high: number;
 }
 
+/** Coarser than the default 1e-8 of `jounce basins`: the page shows the shape of the basins within seconds. */
+const TOLERANCE = 1e-6;
 const find = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;
 
 export class Basins {
@@ -30,8 +32,8 @@ export class Basins {
     }
 
     run(): void {
-        const side = Number(find<HTMLSelectElement>("basins-side").value);
-        this.set(this.wire.ask("basins", { set: this.design.pairs, side }) !== 0);
+        const starts = Number(find<HTMLSelectElement>("basins-starts").value);
+        this.set(this.wire.ask("basins", { set: this.design.pairs, starts, tolerance: TOLERANCE }) !== 0);
         this.bar.value = 0;
         this.words.textContent = "integrating";
     }
@@ -61,7 +63,7 @@ export class Basins {
             this.set(false);
             this.frame = frame;
             const expected = quantity(head.expected_power_w, "W");
-            this.words.textContent = `at ${quantity(head.frequency_hz, "Hz")}: expected power ${expected}${head.lost > 0 ? `, ${head.lost} runs failed` : ""}`;
+            this.words.textContent = `at ${quantity(head.frequency_hz, "Hz")}: expected power ${expected}${head.failed.length > 0 ? `, ${head.failed.length} runs failed` : ""}`;
             this.redraw();
         }
     }
@@ -70,10 +72,10 @@ export class Basins {
         if (!this.frame) return;
         const { head } = this.frame;
         const attractors = head.attractors as Attractor[];
-        const [x, y, home] = ["displacement", "velocity", "home"].map((name) => this.frame!.array(name));
-        const size = Math.max(1.5, (0.46 * Math.min(this.chart.host.clientWidth - 70, this.chart.host.clientHeight - 46)) / head.side);
+        const [x, y, attractor] = ["displacement_m", "velocity_m_s", "attractor"].map((name) => this.frame!.array(name));
+        const size = Math.max(1.5, (0.46 * Math.min(this.chart.host.clientWidth - 70, this.chart.host.clientHeight - 46)) / Math.sqrt(head.starts));
         const curves = [...attractors.keys(), -1].map((k) => {
-            const own = [...home.keys()].filter((index) => home[index] === k);
+            const own = [...attractor.keys()].filter((index) => attractor[index] === k);
             return { x: own.map((index) => x[index]), y: own.map((index) => y[index]), colour: k < 0 ? colour("grey") : nth(k), dots: size };
         });
         this.chart.show({ words: "Displacement", unit: "m" }, { words: "Velocity", unit: "m/s" }, curves);
@@ -81,7 +83,7 @@ export class Basins {
         const legend = attractors.map((a, k) => {
             const item = document.createElement("li");
             item.dataset.colour = String(k % 6);
-            item.textContent = `${a.id}: ${share(a.fraction)} of the starts (${share(a.low)} to ${share(a.high)}), ${quantity(a.mean_power_w, "W")}`;
+            item.textContent = `${a.id}: ${share(a.fraction)} of the starts (${share(a.fraction_low)} to ${share(a.fraction_high)}), ${quantity(a.mean_power_w, "W")}`;
             return item;
         });
         find("attractors").replaceChildren(...legend);

@@ -29,7 +29,7 @@ export interface Bifurcation {
     floquet: number;
 }
 
-export interface Answer {
+export interface ResponseResult {
     id: number;
     over: string;
     unit: string;
@@ -44,7 +44,7 @@ export interface Place {
 }
 
 /** Reads the frame of a response. */
-export function answerOf(frame: Frame): Answer {
+export function resultOf(frame: Frame): ResponseResult {
     const { head } = frame;
     const branches = (head.branches as { period: number }[]).map((branch, k): Branch => {
         const values = Object.fromEntries(Object.keys(QUANTITIES).map((name) => [name, frame.array(`${k}.${name}`)]));
@@ -57,10 +57,10 @@ export function answerOf(frame: Frame): Answer {
 export const isStable = (branch: Branch, point: number): boolean => branch.values.floquet[point] < 1;
 
 /** The stable point of the largest power, or any point. */
-export function best(answer: Answer): Place | undefined {
+export function best(result: ResponseResult): Place | undefined {
     let found: Place | undefined;
     let most = -1;
-    answer.branches.forEach((branch, k) => {
+    result.branches.forEach((branch, k) => {
         for (let point = 0; point < branch.x.length; point++) {
             const power = branch.values.power[point] + (isStable(branch, point) ? 1e9 : 0);
             if (power > most) [most, found] = [power, { branch: k, point }];
@@ -70,10 +70,10 @@ export function best(answer: Answer): Place | undefined {
 }
 
 /** The point of a new response nearest to a point of an old one. */
-export function nearest(answer: Answer, x: number, power: number, span: number): Place | undefined {
+export function nearest(result: ResponseResult, x: number, power: number, span: number): Place | undefined {
     let found: Place | undefined;
     let least = Infinity;
-    answer.branches.forEach((branch, k) => {
+    result.branches.forEach((branch, k) => {
         for (let point = 0; point < branch.x.length; point++) {
             const away = Math.hypot((branch.x[point] - x) / span, 0.2 * Math.log(branch.values.power[point] / power));
             if (away < least) [least, found] = [away, { branch: k, point }];

@@ -1,6 +1,6 @@
 // Export of the design: spec, table, pictures, and the commands that give the same response.
 
-import { type Answer, isStable } from "./branches";
+import { type ResponseResult, isStable } from "./branches";
 import type { Drawing } from "./drawing";
 import type { Head } from "./frame";
 import type { Response } from "./response";
@@ -15,7 +15,7 @@ export class Exports {
     constructor(private readonly response: Response, private readonly drawing: Drawing) {
         find("export-spec").onclick = () => save(`${this.stem}.toml`, "application/toml", this.spec);
         find("export-table").onclick = () => {
-            if (this.response.answer) save(`${this.stem}-branches.csv`, "text/csv", table(this.response.answer));
+            if (this.response.result) save(`${this.stem}-branches.csv`, "text/csv", table(this.response.result));
         };
         find("export-drawing").onclick = () => save(`${this.stem}.svg`, "image/svg+xml", this.drawing.svg);
         find("export-picture").onclick = () => this.picture();
@@ -44,9 +44,9 @@ export class Exports {
 }
 
 /** The columns of `jounce branch --out` that the page has. */
-export function table(answer: Answer): string {
+export function table(result: ResponseResult): string {
     const lines = ["branch,period_cycles,parameter,mean_power_w,voltage_rms_v,stable,floquet_max_abs,contacts_per_period,max_penetration_m"];
-    answer.branches.forEach((branch, k) => {
+    result.branches.forEach((branch, k) => {
         const { power, voltage, floquet, penetration } = branch.values;
         branch.x.forEach((x, point) => {
             lines.push([k, branch.period, x, power[point], voltage[point], isStable(branch, point), floquet[point], branch.contacts[point], penetration[point]].join(","));

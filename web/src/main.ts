@@ -2,7 +2,7 @@
 
 import { Axes } from "./axes";
 import { Basins } from "./basins";
-import { answerOf } from "./branches";
+import { resultOf } from "./branches";
 import { Controls } from "./controls";
 import { Design, fromFragment, toFragment } from "./design";
 import { Drawing } from "./drawing";
@@ -108,7 +108,7 @@ wire.on("response", (frame) => {
     if (frame.head.stage === "fault") return requests.responseFault(frame.head);
     const { view } = axes;
     if (view) response.range = [view.from, view.to];
-    requests.responseTaken(frame.head, answerOf(frame));
+    requests.responseTaken(frame.head, resultOf(frame));
 });
 wire.on("file", () => {
     say("the file has changed");

@@ -6,21 +6,21 @@ import type { Response } from "./response";
 const MOST = 4;
 
 export class Pins {
-    private readonly kept: { words: string; pairs: [string, string][]; answer: NonNullable<Response["answer"]> }[] = [];
+    private readonly kept: { words: string; pairs: [string, string][]; result: NonNullable<Response["result"]> }[] = [];
 
     constructor(private readonly host: HTMLElement, private readonly response: Response, private readonly design: Design) {}
 
     add(): void {
-        const { answer } = this.response;
-        if (!answer) return;
+        const { result } = this.response;
+        if (!result) return;
         const words = this.design.pairs.map(([key, value]) => `${key.split(".").slice(1).join(" ")} ${value}`).join(", ") || "as in the file";
-        this.kept.push({ words, pairs: this.design.pairs, answer });
+        this.kept.push({ words, pairs: this.design.pairs, result });
         if (this.kept.length > MOST) this.kept.shift();
         this.show();
     }
 
     private show(): void {
-        this.response.pins = this.kept.map(({ answer, words }) => ({ answer, words }));
+        this.response.pins = this.kept.map(({ result, words }) => ({ result, words }));
         this.host.replaceChildren(
             ...this.kept.map((pin, k) => {
                 const item = document.createElement("li");

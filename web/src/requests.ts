@@ -1,6 +1,6 @@
 // Order of requests: one coarse response is computed at a time, only the newest position waits for it, older ones are dropped.
 
-import type { Answer, Place } from "./branches";
+import type { ResponseResult, Place } from "./branches";
 import type { Axes } from "./axes";
 import type { Design } from "./design";
 import type { Fault, Frame, Head } from "./frame";
@@ -105,8 +105,8 @@ export class Requests {
         this.pump();
     }
 
-    responseTaken(head: Head, answer: Answer): void {
-        this.response.take(answer);
+    responseTaken(head: Head, result: ResponseResult): void {
+        this.response.take(result);
         const { chosen } = this.response;
         if (chosen) this.orbit(chosen);
         if (head.stage === "coarse") {
@@ -120,7 +120,7 @@ export class Requests {
             this.busy.textContent = "";
             this.refining = false;
             this.mark();
-            this.hears.say(found(answer.branches.length, head.ms));
+            this.hears.say(found(result.branches.length, head.ms));
         }
     }
 
@@ -130,9 +130,9 @@ export class Requests {
             this.orbitWaiting = place;
             return;
         }
-        const { answer } = this.response;
-        if (!answer) return;
-        this.orbitAsked = this.wire.ask("orbit", { answer: answer.id, branch: place.branch, point: place.point }) !== 0;
+        const { result } = this.response;
+        if (!result) return;
+        this.orbitAsked = this.wire.ask("orbit", { response: result.id, branch: place.branch, point: place.point }) !== 0;
         this.clicked = performance.now();
         this.mark();
     }

@@ -1,5 +1,5 @@
 // Long dragging and many pages: `node web/tests/endure.mjs [minutes] [pages]`, with the release build. Prints memory of server and page
-// every tenth of the time, what the cores do afterwards, and how long each of many pages waits for its answer.
+// every tenth of the time, what the cores do afterwards, and how long each of many pages waits for its response.
 import { readFile } from "node:fs/promises";
 import { browse, open, ready, serve } from "./browser.mjs";
 
@@ -54,6 +54,6 @@ const waits = await Promise.all(many.map(async (own) => {
     return performance.now() - start;
 }));
 const sorted = waits.sort((a, b) => a - b);
-console.log(`${pages} pages opened at once: fine answer and orbit after ${(sorted[0] / 1000).toFixed(1)} to ${(sorted.at(-1) / 1000).toFixed(1)} s`);
+console.log(`${pages} pages opened at once: fine response and orbit after ${(sorted[0] / 1000).toFixed(1)} to ${(sorted.at(-1) / 1000).toFixed(1)} s`);
 await browser.close();
 await server.close();

@@ -60,8 +60,8 @@ test("a wrong value is told beside its control in the words of the command line"
     const fault = page.locator("#control-stop-tip-gap-fault");
     await fault.waitFor({ state: "visible" });
     const told = await fault.textContent();
-    const answer = await run(program, ["check", server.spec, "--set", "stop.tip.gap=-3 kg"]).catch((error) => error);
-    assert.ok(answer.stderr.includes(told), `${told}\n${answer.stderr}`);
+    const result = await run(program, ["check", server.spec, "--set", "stop.tip.gap=-3 kg"]).catch((error) => error);
+    assert.ok(result.stderr.includes(told), `${told}\n${result.stderr}`);
     await gap().fill("0.8");
     await gap().press("Enter");
     await fault.waitFor({ state: "hidden" });

@@ -1,127 +1,81 @@
-//! Basins of attraction: a plane of initial displacements and velocities at the drive of the
-//! design.
+//! Basins of attraction over a plane of initial displacements and velocities.
 
 use crate::cancellation::Cancellation;
-use crate::design::{Design, DesignFault};
+use crate::fault::RequestFault;
 use crate::frame::Frame;
 use crate::session::Session;
-use jounce_core::analysis::{
-    Basins, Grid, GridAxis, GridSide, InitialStates, Parameter, Recognition, SectionPoint,
-};
-use jounce_core::orbit::ParametricModel;
+use jounce::live::Design;
+use jounce::{BasinsOptions, StartPoint};
 use serde_json::json;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::time::Instant;
+use std::sync::mpsc::{self, RecvTimeoutError};
+use std::time::{Duration, Instant};
 
-/// Half width of the plane, in sizes of the motion (steady amplitude or gap).
-const HALF_WIDTH: f64 = 5.0;
-/// Largest number of values on a side.
-const MAX_SIDE_VALUES: usize = 81;
-/// Tolerance of the integrations.
-const TOLERANCE: f64 = 1e-6;
+/// Time between two frames of progress.
+const PROGRESS_INTERVAL: Duration = Duration::from_millis(100);
+/// Number of the attractor of a start without one.
+const NO_ATTRACTOR: f64 = -1.0;
 
-/// Sends the attractors with their basin fractions, and the attractor of each start.
+/// Sends the progress, then the attractors with their basin fractions and the attractor of each
+/// start. All cores work on the basins, whatever the request says.
 ///
 /// # Errors
-/// [`DesignFault`].
+/// [`RequestFault`].
 pub fn respond(
     session: &Session,
     id: u64,
     design: &Design,
-    side: usize,
+    options: &BasinsOptions,
     cancellation: &Cancellation,
-) -> Result<(), DesignFault> {
-    let base = session.model(&design.spec, cancellation)?;
-    let sine = design
-        .spec
-        .drive
-        .iter()
-        .find_map(|(name, drive)| Some((name, drive.frequency_hz()?)));
-    let Some((name, value)) = sine else {
-        return Err(DesignFault::Text(
-            "basins need a drive of one frequency: give a drive a frequency".to_owned(),
-        ));
+) -> Result<(), RequestFault> {
+    let options = BasinsOptions {
+        threads: None,
+        ..design.in_plane(options)?
     };
-    let key = design.key(&format!("drive.{name}.frequency"))?;
-    let parameter = Parameter::new(&base, &key, value);
-    // Returns the specific error of a design whose orbits cannot be followed.
-    parameter.at(value)?;
-    let plant = &base.kernel.plant;
-    let Some(tone) = plant.tones.first().filter(|_| !plant.ports.is_empty()) else {
-        return Err(DesignFault::Text(
-            "basins need a stop and a drive: add the missing one to the spec".to_owned(),
-        ));
-    };
-    let max_displacement_m = HALF_WIDTH * plant.scale_m();
-    let max_velocity_m_s = max_displacement_m * tone.angular_frequency_rad_s;
-    let count = side.clamp(2, MAX_SIDE_VALUES);
-    let axis = |axis, half_width: f64| GridSide {
-        axis,
-        from: -half_width,
-        to: half_width,
-        count,
-    };
-    let starts = InitialStates::Grid(Grid {
-        sides: vec![
-            axis(GridAxis::Displacement, max_displacement_m),
-            axis(GridAxis::Velocity, max_velocity_m_s),
-        ],
-    });
-    let study = Basins {
-        base: &base,
-        parameter: &parameter,
-        value,
-        starts,
-        recognition: Recognition::at(TOLERANCE),
-    };
-    let (total, completed_runs, start_time) =
-        (study.starts.len(), AtomicUsize::new(0), Instant::now());
-    let result = study.run(&|| {
-        let completed = 1 + completed_runs.fetch_add(1, Ordering::Relaxed);
-        let mut frame = Frame::new(id, "basins", "progress");
-        frame
-            .put("done", completed)
-            .put("of", total)
-            .put("seconds", start_time.elapsed().as_secs_f64());
-        session.try_send(cancellation, frame);
-    })?;
-    let points: Vec<SectionPoint> = (0..total)
-        .map(|index| SectionPoint::of(&plant.system, &study.starts.start(plant, index)))
-        .collect();
-    let attractor_index = |index: usize| {
-        result
-            .attractors
-            .iter()
-            .position(|a| a.starts.contains(&index))
-            .map_or(-1.0, |k| k as f64)
-    };
+    let harvester = design.harvester().with_control(cancellation.control());
+    let outcome = with_progress(session, id, cancellation, || harvester.basins(&options));
+    let result = outcome?;
+    let points = &result.points;
+    let attractor = |point: &StartPoint| point.attractor.map_or(NO_ATTRACTOR, |k| k as f64);
     let mut frame = Frame::new(id, "basins", "done");
-    let attractors: Vec<_> = (result.attractors.iter())
-        .map(|a| {
-            json!({
-                "id": a.id, "period_cycles": a.period_cycles, "mean_power_w": a.mean_power_w, "contacts": a.contacts_per_period,
-                "fraction": a.share.fraction, "low": a.share.low, "high": a.share.high,
-            })
-        })
-        .collect();
     frame
-        .put("attractors", attractors)
-        .put("lost", result.lost.len())
-        .put("side", count)
-        .put("frequency_hz", value);
+        .put_all(&json!(result))
+        .put("frequency_hz", design.drive_frequency_hz()?);
     frame
-        .put("expected_power_w", result.expected_power_w)
-        .put("expected_power_low_w", result.expected_power_low_w);
-    frame.put("expected_power_high_w", result.expected_power_high_w);
-    frame.array(
-        "displacement",
-        points.iter().map(|point| point.displacement_m),
-    );
-    frame.array(
-        "velocity",
-        points.iter().map(|point| point.velocity_m_per_s),
-    );
-    frame.array("home", (0..total).map(attractor_index));
+        .array(
+            "displacement_m",
+            points.iter().map(|own| own.displacement_m),
+        )
+        .array("velocity_m_s", points.iter().map(|own| own.velocity_m_s))
+        .array("attractor", points.iter().map(attractor));
     session.send(cancellation, frame);
     Ok(())
+}
+
+/// Runs work, and sends the numbers of its finished and expected parts at regular times.
+fn with_progress<T>(
+    session: &Session,
+    id: u64,
+    cancellation: &Cancellation,
+    work: impl FnOnce() -> T,
+) -> T {
+    let start_time = Instant::now();
+    // The channel closes when the work ends, also by a panic.
+    let (working, is_working) = mpsc::channel::<()>();
+    std::thread::scope(|scope| {
+        scope.spawn(move || {
+            while is_working.recv_timeout(PROGRESS_INTERVAL) == Err(RecvTimeoutError::Timeout) {
+                let (done, expected) = cancellation.control().progress();
+                if done > 0 {
+                    let mut frame = Frame::new(id, "basins", "progress");
+                    frame
+                        .put("done", done)
+                        .put("of", expected)
+                        .put("seconds", start_time.elapsed().as_secs_f64());
+                    session.try_send(cancellation, frame);
+                }
+            }
+        });
+        let _working = working;
+        work()
+    })
 }

@@ -1,6 +1,6 @@
 //! Cancellation of a computation by a user or by the time limit.
 
-use jounce_core::integrate::Control;
+use jounce::Control;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 

@@ -1,5 +1,6 @@
 //! Binary message of a response: a head in JSON and arrays of Float64.
 
+use jounce::live::LinearCurve;
 use serde_json::{Map, Value, json};
 
 /// Response under construction.
@@ -24,6 +25,14 @@ impl Frame {
         self
     }
 
+    /// Puts all values of an object into the head.
+    pub fn put_all(&mut self, object: &Value) -> &mut Self {
+        for (name, value) in object.as_object().into_iter().flatten() {
+            self.put(name, value.clone());
+        }
+        self
+    }
+
     /// Adds an array.
     pub fn array(&mut self, name: &str, values: impl IntoIterator<Item = f64>) -> &mut Self {
         let first = self.numbers.len();
@@ -31,6 +40,17 @@ impl Frame {
         self.array_entries
             .push(json!([name, first, self.numbers.len() - first]));
         self
+    }
+
+    /// Adds a list as an array.
+    pub fn list(&mut self, name: &str, values: &[f64]) -> &mut Self {
+        self.array(name, values.iter().copied())
+    }
+
+    /// Adds a curve of the power without contact.
+    pub fn curve(&mut self, name: &str, curve: &LinearCurve) -> &mut Self {
+        self.list(&format!("{name}.x"), &curve.parameter)
+            .list(&format!("{name}.power"), &curve.mean_power_w)
     }
 
     /// Returns the bytes of the message.

@@ -4,12 +4,15 @@
 //! # Contract
 //!
 //! One server belongs to one spec: a file, or a text without a file ([`Source`]). Its page holds
-//! the design as a list of overrides (`key`, `value`, as in `--set`). Between requests the server
-//! stores only data that speed up the next response, and it computes everything with the library.
+//! the design as a list of overrides (`key`, `value`, as in `--set`). The server reads requests,
+//! calls the library ([`jounce::live`]) and sends frames; it computes nothing itself. Between
+//! requests it stores only data that speed up the next response. Requests have the names of the
+//! options of the library, such as `tolerance`, `starts` and `longest_period`; omitted options have
+//! their defaults.
 //!
 //! ```text
 //! GET /TOKEN/            the page; /TOKEN/app.js, /TOKEN/app.css, /TOKEN/icon.svg      nothing else is served
-//! GET /TOKEN/socket      the websocket: requests in JSON, answers in binary frames
+//! GET /TOKEN/socket      the websocket: requests in JSON, responses in binary frames
 //!
 //! request   {"id": 7, "ask": "response", "set": [["stop.tip.gap", "0.9 mm"]], "over": "drive.shaker.frequency", "from": 12, "to": 14}
 //! frame     u32 length of the head, little endian | head, JSON, padded with spaces | Float64 arrays, little endian, 8-byte aligned
@@ -39,21 +42,17 @@
 mod assets;
 mod authenticator;
 mod basins;
-mod branches;
 mod cancellation;
-mod controls;
-mod design;
-mod drawing;
 mod excitation;
+mod export;
+mod fault;
 mod file_watch;
 mod frame;
 mod latest_requests;
 mod launch;
-mod linear;
-mod load_sweep;
 mod orbit;
 mod request;
-mod responses;
+mod response;
 mod saved_address;
 mod server;
 mod session;

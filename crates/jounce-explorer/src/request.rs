@@ -1,5 +1,7 @@
 //! Requests of the page.
 
+use jounce::BasinsOptions;
+use jounce::live::{BranchPlace, KeySpan, LoadOptions, ResponseOptions};
 use serde::Deserialize;
 
 /// Largest number of overrides of a request.
@@ -16,17 +18,6 @@ pub struct Request {
     /// Kind of the request.
     #[serde(flatten)]
     pub kind: RequestKind,
-}
-
-/// Range of a key, SI.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
-pub struct KeySpan {
-    /// The key.
-    pub over: String,
-    /// Lower end.
-    pub from: f64,
-    /// Upper end.
-    pub to: f64,
 }
 
 /// Excitation that replaces the first drive.
@@ -62,37 +53,28 @@ pub enum RequestKind {
     /// Faults, controls and drawing.
     Design,
     /// Branches over a key.
-    Response(KeySpan),
-    /// Orbit of a point of a response.
-    Orbit {
-        /// Number of the response.
-        #[serde(rename = "answer")]
-        response: u64,
-        /// Index of the branch in the response.
-        branch: usize,
-        /// Index of the point on the branch.
-        point: usize,
+    Response {
+        /// Range.
+        #[serde(flatten)]
+        span: KeySpan,
+        /// Options of the fine response.
+        #[serde(flatten)]
+        options: ResponseOptions,
     },
+    /// Orbit of a point of a response.
+    Orbit(BranchPlace),
     /// Integrated points up and down over a key.
     Sweep {
         /// Range.
         #[serde(flatten)]
-        range: KeySpan,
+        span: KeySpan,
         /// Number of values.
         points: usize,
     },
     /// Mean power over the load.
-    Load {
-        /// Key of the resistance.
-        over: String,
-        /// Number of values.
-        points: usize,
-    },
-    /// Basins of attraction.
-    Basins {
-        /// Values on each side of the plane of starts.
-        side: usize,
-    },
+    Load(LoadOptions),
+    /// Basins of attraction over a plane of starts.
+    Basins(BasinsOptions),
     /// Response under noise or a recording.
     Shake {
         /// Excitation.
@@ -112,11 +94,11 @@ impl RequestKind {
     pub fn name(&self) -> &'static str {
         match self {
             RequestKind::Design => "design",
-            RequestKind::Response(_) => "response",
-            RequestKind::Orbit { .. } => "orbit",
+            RequestKind::Response { .. } => "response",
+            RequestKind::Orbit(_) => "orbit",
             RequestKind::Sweep { .. } => "sweep",
-            RequestKind::Load { .. } => "load",
-            RequestKind::Basins { .. } => "basins",
+            RequestKind::Load(_) => "load",
+            RequestKind::Basins(_) => "basins",
             RequestKind::Shake { .. } => "shake",
             RequestKind::Export(_) => "export",
             RequestKind::Stop { .. } => "stop",
@@ -137,13 +119,34 @@ mod tests {
             (request.id, request.kind.name(), request.set.len()),
             (7, "response", 1)
         );
-        assert!(
-            matches!(request.kind, RequestKind::Response(KeySpan { from, .. }) if from == 12.0)
-        );
+        let RequestKind::Response { span, options } = request.kind else {
+            panic!("{request:?}")
+        };
+        assert_eq!((span.from, options), (12.0, ResponseOptions::default()));
         let request: Request = serde_json::from_str(
             r#"{"id": 8, "ask": "sweep", "over": "a.b", "from": 1, "to": 2, "points": 9}"#,
         )
         .unwrap();
         assert!(matches!(request.kind, RequestKind::Sweep { points: 9, .. }));
+    }
+
+    #[test]
+    fn options_are_read_by_the_names_of_the_library() {
+        let text = r#"{"id": 7, "ask": "response", "over": "a.b", "from": 1, "to": 2, "seeds": 3, "longest_period": 2}"#;
+        let request: Request = serde_json::from_str(text).unwrap();
+        let RequestKind::Response { options, .. } = request.kind else {
+            panic!("{request:?}")
+        };
+        assert_eq!((options.seeds, options.longest_period), (3, 2));
+        let text = r#"{"id": 8, "ask": "basins", "set": [], "starts": 225, "tolerance": 1e-6}"#;
+        let request: Request = serde_json::from_str(text).unwrap();
+        let expected = BasinsOptions {
+            starts: 225,
+            tolerance: 1e-6,
+            ..Default::default()
+        };
+        assert!(matches!(request.kind, RequestKind::Basins(options) if options == expected));
+        let text = text.replace("starts", "side");
+        assert!(serde_json::from_str::<Request>(&text).is_err());
     }
 }

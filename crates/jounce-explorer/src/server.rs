@@ -63,7 +63,7 @@ impl Default for ServerLimits {
 pub enum ExploreError {
     /// The spec cannot be read.
     #[error(transparent)]
-    Spec(#[from] jounce_core::spec::ReadError),
+    Spec(jounce::Error),
     /// The server cannot listen on the address.
     #[error(
         "cannot listen on {address}: {cause}; give another --listen ADDRESS:PORT, or omit --listen for a free port of this machine"
@@ -120,12 +120,15 @@ pub struct Host {
 }
 
 impl Explorer {
-    /// Reads the spec once, so that a missing file is reported at once, and binds the address.
+    /// Reads the spec once, so that a missing file is reported at once, and binds the address. The
+    /// page shows the faults of a spec.
     ///
     /// # Errors
     /// [`ExploreError`].
     pub fn bind(options: ServerOptions) -> Result<Self, ExploreError> {
-        options.spec.read()?;
+        if let Err(error @ jounce::Error::Read(_)) = options.spec.read() {
+            return Err(ExploreError::Spec(error));
+        }
         let location = options.state_folder.as_deref().zip(options.spec.file());
         let last_address = location.and_then(|(folder, spec)| SavedAddress::read(folder, spec));
         let listener = listen(

@@ -1,6 +1,6 @@
 //! Source of the spec of a page.
 
-use jounce_core::spec::{ReadError, SpecFile};
+use jounce::{Error, Harvester};
 use std::path::{Path, PathBuf};
 
 /// Name of a spec without a file: the name under which the page saves it, so that the exported
@@ -25,11 +25,11 @@ impl Source {
     /// Reads the spec.
     ///
     /// # Errors
-    /// The file cannot be read.
-    pub fn read(&self) -> Result<SpecFile, ReadError> {
+    /// The file cannot be read, or the spec has faults.
+    pub fn read(&self) -> Result<Harvester, Error> {
         match self {
-            Self::File(path) => SpecFile::read(path),
-            Self::Text { text, folder } => Ok(SpecFile::from_text(text.as_str()).in_folder(folder)),
+            Self::File(path) => Harvester::read(path),
+            Self::Text { text, folder } => Harvester::from_text(text, folder),
         }
     }
 
@@ -44,18 +44,5 @@ impl Source {
     /// Returns the path of the spec in faults and exported commands.
     pub fn name(&self) -> &Path {
         self.file().unwrap_or(Path::new(UNSAVED))
-    }
-
-    /// Returns the folder of the state files and recordings that the spec names.
-    pub fn folder(&self) -> &Path {
-        let folder = match self {
-            Self::File(path) => path.parent().unwrap_or(Path::new("")),
-            Self::Text { folder, .. } => folder,
-        };
-        if folder.as_os_str().is_empty() {
-            Path::new(".")
-        } else {
-            folder
-        }
     }
 }

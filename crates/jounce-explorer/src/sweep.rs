@@ -1,85 +1,74 @@
-//! Sweep up and down over a key; points are sent one by one.
+//! Sweeps over a key and over the load; points are sent one by one.
 
 use crate::cancellation::Cancellation;
-use crate::design::{Design, DesignFault};
+use crate::fault::RequestFault;
 use crate::frame::Frame;
-use crate::request::KeySpan;
 use crate::session::Session;
-use jounce_core::analysis::{Sweep, SweepDirection, SweepOrder, SweepPoint};
-use jounce_core::spec::KeyRange;
-use std::path::PathBuf;
+use jounce::live::{Design, KeySpan, LivePoint, LoadOptions};
 
-/// Largest number of values.
-pub const MAX_POINTS: usize = 400;
-
-/// Sends each point as soon as it is integrated.
+/// Sends each point up and down over a key as soon as it is integrated.
 ///
 /// # Errors
-/// [`DesignFault`].
+/// [`RequestFault`].
 pub fn respond(
     session: &Session,
     id: u64,
     design: &Design,
-    span: &KeySpan,
-    points: usize,
+    (span, points): (&KeySpan, usize),
     cancellation: &Cancellation,
-) -> Result<(), DesignFault> {
-    let key = design.range(&span.over, span.from, span.to)?;
-    let text = format!(
-        "{}:{}:{}x",
-        key.show(span.from),
-        key.show(span.to),
-        points.clamp(2, MAX_POINTS)
-    );
-    let range = KeyRange::parse(key, &text).map_err(|fault| DesignFault::Faults(vec![fault]))?;
-    run_sweep(
-        session,
-        id,
-        "sweep",
-        design,
-        &range,
-        SweepOrder::Both,
-        cancellation,
-    )
+) -> Result<(), RequestFault> {
+    let send = |point: LivePoint| {
+        session.send(cancellation, point_frame(id, "sweep", &span.over, &point));
+    };
+    let points = design.sweep(span, points, cancellation.control(), &send)?;
+    send_end(session, id, "sweep", points, cancellation);
+    Ok(())
 }
 
-/// Runs a sweep over a range; each point has the name of its request.
-pub fn run_sweep(
+/// Sends the power without contact over the load first, then each integrated point.
+///
+/// # Errors
+/// [`RequestFault`].
+pub fn respond_load(
     session: &Session,
     id: u64,
-    kind: &str,
     design: &Design,
-    range: &KeyRange,
-    direction: SweepOrder,
+    options: &LoadOptions,
     cancellation: &Cancellation,
-) -> Result<(), DesignFault> {
-    let sweep = Sweep {
-        spec: &design.spec,
-        range,
-        direction,
-        fixed_duration: false,
-        folder: PathBuf::new(),
-    };
-    let total = sweep.len();
-    let send_point = |point: &SweepPoint| {
-        let mut frame = Frame::new(id, kind, "point");
-        frame
-            .put("over", range.key().path())
-            .put("of", total)
-            .put("index", point.index)
-            .put("x", point.parameter);
-        frame
-            .put("power", point.mean_power_w)
-            .put("voltage", point.voltage_rms_v)
-            .put("penetration", point.max_penetration_m);
-        frame
-            .put("settled", point.settled)
-            .put("up", point.direction != SweepDirection::Down);
-        session.send(cancellation, frame);
-    };
-    sweep.run(None, cancellation.control(), &send_point)?;
-    let mut frame = Frame::new(id, kind, "done");
-    frame.put("of", total);
+) -> Result<(), RequestFault> {
+    let control = cancellation.control();
+    let linear = session.analysis.linear_load(design, options, control)?;
+    let mut frame = Frame::new(id, "load", "linear");
+    frame
+        .put("over", linear.over.as_str())
+        .put("unit", linear.unit.as_str())
+        .curve("linear", &linear.curve);
     session.send(cancellation, frame);
+    let send = |point: LivePoint| {
+        session.send(cancellation, point_frame(id, "load", &options.over, &point));
+    };
+    let points = design.load_sweep(options, control, &send)?;
+    send_end(session, id, "load", points, cancellation);
     Ok(())
+}
+
+fn point_frame(id: u64, kind: &str, over: &str, point: &LivePoint) -> Frame {
+    let mut frame = Frame::new(id, kind, "point");
+    frame
+        .put("over", over)
+        .put("of", point.points)
+        .put("index", point.index)
+        .put("x", point.parameter)
+        .put("power", point.mean_power_w)
+        .put("voltage", point.voltage_rms_v)
+        .put("penetration", point.max_penetration_m)
+        .put("settled", point.settled)
+        .put("up", point.up);
+    frame
+}
+
+fn send_end(session: &Session, id: u64, kind: &str, points: usize, cancellation: &Cancellation) {
+    let mut frame = Frame::new(id, kind, "done");
+    frame.put("of", points);
+    session.send(cancellation, frame);
 }

@@ -1,6 +1,7 @@
 //! Errors of the computations.
 
 use jounce_core::analysis::{AnalysisError, GridError, JournalError};
+use jounce_core::continuation::ContinuationError;
 use jounce_core::integrate::IntegrationError;
 use jounce_core::linear::RandomError;
 use jounce_core::orbit::OrbitError;
@@ -86,6 +87,12 @@ pub enum Error {
     /// The paper cannot be reproduced.
     #[error(transparent)]
     Reproduce(Box<ExperimentError>),
+    /// The orbit at a point of a branch cannot be computed again.
+    #[error(transparent)]
+    Continuation(#[from] ContinuationError<OrbitError<AnalysisError>>),
+    /// A recording of the page cannot be read or has no such channel.
+    #[error("{0}")]
+    Recording(String),
     /// The journal of finished points cannot be used.
     #[error(transparent)]
     Journal(#[from] JournalError),
@@ -231,6 +238,7 @@ impl Error {
             | Self::Fit(FitError::Stopped { .. })
             | Self::Segmentation(SegmentationError::Stopped)
             | Self::Spectral(SpectralError::Stopped) => ErrorKind::Stopped,
+            Self::Continuation(_) => ErrorKind::NotConverged,
             _ => ErrorKind::Input,
         }
     }

@@ -35,6 +35,8 @@
 //! | contact laws of force pulses | [`Recording::contact`] | [`ContactOptions`] | [`ContactResult`] |
 //! | attractors that a recording shows | [`Recording::segments`] | [`SegmentsOptions`] | [`SegmentsResult`] |
 //!
+//! [`live`] has the computations of the live page, which follow a design through small steps.
+//!
 //! Options have defaults: write the fields that differ, then `..Default::default()`. Results are
 //! plain data; serialised, they are the JSON of the command line. Every name ends in its unit.
 //!
@@ -61,6 +63,7 @@ mod measured_frf;
 mod measured_modes;
 mod modes;
 mod noise;
+pub mod live;
 mod options;
 mod periodic;
 mod power;

@@ -193,7 +193,7 @@ async fn sockets_messages_and_times_are_limited() {
         }
         tokio::time::sleep(Duration::from_millis(50)).await;
     };
-    page.send_request("basins", json!({ "side": 81 })).await;
+    page.send_request("basins", json!({ "starts": 6561 })).await;
     let response = page.receive_until("basins", "fault").await;
     assert!(
         response.head["faults"][0]["message"]

@@ -3,9 +3,7 @@
 use crate::client::{TestServer, paper};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use jounce_core::analysis::Model;
-use jounce_core::run::{RunPlan, StartState, simulate};
-use jounce_core::spec::SpecFile;
+use jounce::{Harvester, RunOptions};
 use jounce_explorer::ServerLimits;
 use serde_json::json;
 
@@ -16,25 +14,26 @@ const WIDE_GAP: [[&str; 2]; 1] = [["stop.tip.gap", "200 mm"]];
 /// cut (2 pi 13 / 1000)^2 / 12 = 6e-4 of the amplitude, 1.1e-3 of the power.
 #[tokio::test]
 async fn a_recorded_sinusoid_gives_the_power_of_the_sinusoid() {
-    let mut file = SpecFile::read(paper()).unwrap();
-    file.set("stop.tip.gap", "200 mm").unwrap();
-    let base = Model::new(file.spec().unwrap()).unwrap();
-    let drive = &base.kernel.plant.system.drives[0];
-    let plan = RunPlan {
-        duration_s: 5.0,
-        average_over_s: 5.0,
-        tolerance: 1e-8,
-        record_s: 0.0,
-    };
-    let expected = simulate(&base.kernel, &StartState::rest(&base.kernel.plant), &plan)
+    let five_seconds = [("run.duration", "5 s"), ("run.average_over", "5 s")];
+    let harvester = Harvester::read(paper())
         .unwrap()
-        .mean_power_w;
-
-    let value = |k: u32| {
-        drive.amplitude_n
-            * (std::f64::consts::TAU * drive.frequency_hz * f64::from(k) / 1000.0 + drive.phase_rad)
-                .sin()
+        .changed([("stop.tip.gap", "200 mm")].into_iter().chain(five_seconds))
+        .unwrap();
+    let options = RunOptions {
+        tolerance: Some(1e-8),
+        ..Default::default()
     };
+    let expected = harvester.run(&options).unwrap().mean_power_w;
+
+    let of_drive = |key: &str| {
+        harvester
+            .get(&format!("drive.shaker.{key}"))
+            .unwrap()
+            .value_si
+    };
+    let [amplitude_n, frequency_hz] = ["amplitude", "frequency"].map(of_drive);
+    let value =
+        |k: u32| amplitude_n * (std::f64::consts::TAU * frequency_hz * f64::from(k) / 1000.0).sin();
     let rows: String = (0..=5000)
         .map(|k| format!("{},{:e}\n", f64::from(k) / 1000.0, value(k)))
         .collect();

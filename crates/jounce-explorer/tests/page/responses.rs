@@ -1,8 +1,8 @@
 //! Responses of the server, compared with results of the library.
 
 use crate::client::{TestServer, paper};
-use jounce_core::analysis::{BranchSearch, Model, OrbitMethodKind, Parameter};
-use jounce_core::spec::SpecFile;
+use jounce::live::{Design, KeySpan, LiveAnalysis, ResponseOptions};
+use jounce::{BasinsOptions, Control, Harvester};
 use jounce_explorer::{ServerLimits, Source};
 use serde_json::json;
 use std::path::PathBuf;
@@ -65,9 +65,9 @@ async fn a_wrong_value_is_reported_with_its_key() {
     )
     .await;
     let response = page.receive_until("design", "fault").await;
-    let mut file = SpecFile::read(paper()).unwrap();
-    file.set("circuit.load.resistance", "-1 ohm").unwrap();
-    let expected = file.spec().unwrap_err().to_string();
+    let mut harvester = Harvester::read(paper()).unwrap();
+    let error = harvester.set("circuit.load.resistance", "-1 ohm");
+    let expected = error.unwrap_err().to_string();
     assert_eq!(
         response.head["faults"][0]["message"].as_str(),
         Some(expected.as_str())
@@ -75,41 +75,27 @@ async fn a_wrong_value_is_reported_with_its_key() {
     assert_eq!(response.head["faults"][0]["key"], "circuit.load.resistance");
 }
 
-/// The fine response equals the library's branch number by number; the coarse one agrees at the ends.
+/// The fine response equals that of the library number by number; the coarse one agrees at the ends.
 #[tokio::test]
-async fn a_response_equals_the_branch_of_the_library() {
+async fn a_response_equals_that_of_the_library() {
     let server = TestServer::new(&paper(), ServerLimits::default());
     let mut page = server.page().await;
     let range = json!({ "over": "drive.shaker.frequency", "from": 12.6, "to": 13.0 });
     let id = page.send_request("response", range.clone()).await;
     let coarse = page.receive_until("response", "coarse").await;
     let fine = page.receive_until("response", "fine").await;
-    let file = SpecFile::read(paper()).unwrap();
-    let base = Model::new(file.spec().unwrap()).unwrap();
-    let key = file.numeric_key("drive.shaker.frequency").unwrap();
-    let parameter = Parameter::new(&base, &key, 13.0 - 12.6);
-    let (range, method) = ((12.6, 13.0), OrbitMethodKind::Shooting);
-    let search = BranchSearch {
-        base: &base,
-        parameter: &parameter,
-        range,
-        method,
-        tolerance: 1e-9,
-        seeds: 6,
-        longest_period: 8,
-    };
-    let expected = search.run().unwrap();
+    let design = Design::new(&Harvester::read(paper()).unwrap(), &[]).unwrap();
+    let span: KeySpan = serde_json::from_value(range).unwrap();
+    let (options, control) = (ResponseOptions::default(), Control::default());
+    let expected = LiveAnalysis::default()
+        .fine_response(1, &design, &span, &options, &control)
+        .unwrap();
     assert_eq!(
         fine.head["branches"].as_array().unwrap().len(),
-        expected.len()
+        expected.branches.len()
     );
-    for (k, branch) in expected.iter().enumerate() {
-        let powers: Vec<f64> = branch
-            .points
-            .iter()
-            .map(|point| point.orbit.mean_power_w)
-            .collect();
-        assert_eq!(fine.array(&format!("{k}.power")), powers);
+    for (k, branch) in expected.branches.iter().enumerate() {
+        assert_eq!(fine.array(&format!("{k}.power")), branch.mean_power_w);
     }
     // The first coarse branch ends at the edges of the range, with the power of the fine one (relative difference 8e-6).
     let ends = |response: &crate::client::Response| {
@@ -122,7 +108,7 @@ async fn a_response_equals_the_branch_of_the_library() {
         "{coarse_end:?} {fine_end:?}"
     );
 
-    page.send_request("orbit", json!({ "answer": id, "branch": 0, "point": 0 }))
+    page.send_request("orbit", json!({ "response": id, "branch": 0, "point": 0 }))
         .await;
     let orbit = page.receive_until("orbit", "done").await;
     assert!((orbit.head["mean_power_w"].as_f64().unwrap() / fine_end.1 - 1.0).abs() < 1e-6);
@@ -149,6 +135,37 @@ async fn a_response_equals_the_branch_of_the_library() {
         (rms / orbit.head["voltage_rms_v"].as_f64().unwrap() - 1.0).abs() < 1e-3,
         "{rms}"
     );
+}
+
+/// The basins of a plane of starts equal those of the library.
+#[tokio::test]
+async fn basins_equal_those_of_the_library() {
+    let server = TestServer::new(&paper(), ServerLimits::default());
+    let mut page = server.page().await;
+    let options = BasinsOptions {
+        starts: 17,
+        tolerance: 1e-6,
+        ..Default::default()
+    };
+    let request = json!({ "starts": options.starts, "tolerance": options.tolerance });
+    page.send_request("basins", request).await;
+    let response = page.receive_until("basins", "done").await;
+    let design = Design::new(&Harvester::read(paper()).unwrap(), &[]).unwrap();
+    let plane = design.in_plane(&options).unwrap();
+    let expected = design.harvester().basins(&plane).unwrap();
+    assert_eq!(response.head["starts"], 16);
+    assert_eq!(response.head["attractors"], json!(expected.attractors));
+    let displacements: Vec<f64> = expected
+        .points
+        .iter()
+        .map(|own| own.displacement_m)
+        .collect();
+    assert_eq!(response.array("displacement_m"), displacements);
+    assert_eq!(response.array("attractor").len(), 16);
+    page.send_request("basins", json!({ "starts": 3 })).await;
+    let fault = page.receive_until("basins", "fault").await;
+    let message = fault.head["faults"][0]["message"].as_str().unwrap();
+    assert!(message.contains("starts is 3"), "{message}");
 }
 
 #[tokio::test]
@@ -221,10 +238,9 @@ async fn exported_text_is_the_design() {
     )
     .await;
     let response = page.receive_until("export", "done").await;
-    let spec = SpecFile::from_text(response.head["spec"].as_str().unwrap())
-        .spec()
-        .unwrap();
-    assert_eq!(spec.stop["tip"].gap_m, 0.5e-3);
+    let text = response.head["spec"].as_str().unwrap();
+    let harvester = Harvester::from_text(text, ".").unwrap();
+    assert_eq!(harvester.get("stop.tip.gap").unwrap().value_si, 0.5e-3);
     let shell = response.head["shell"].as_str().unwrap();
     assert!(
         shell.ends_with("--over 'drive.shaker.frequency=12 Hz:13 Hz' --set 'stop.tip.gap=0.5 mm'"),

@@ -142,7 +142,11 @@ impl From<jounce::Error> for Failure {
             Error::Rig(error) => error.into(),
             Error::Segmentation(error) => error.into(),
             Error::Solution(error) => error.into(),
-            Error::Signal(_) | Error::Threads(_) | Error::Stopped => {
+            Error::Signal(_)
+            | Error::Threads(_)
+            | Error::Stopped
+            | Error::Continuation(_)
+            | Error::Recording(_) => {
                 Self::new("JounceError", &error)
             }
             Error::ReadRecording(error) => error.into(),

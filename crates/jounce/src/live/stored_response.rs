@@ -1,6 +1,6 @@
-//! Responses sent to a page, for the orbits of their points and for the next response.
+//! Responses computed so far, for the orbits of their points and for the next response.
 
-use jounce_core::analysis::{Branch, KnownOrbit};
+use jounce_core::analysis::{Branch, KnownOrbit, Model, Parameter};
 use jounce_core::spec::{NumericKey, Spec};
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -11,7 +11,7 @@ const MAX_STORED_RESPONSES: usize = 8;
 /// Stored response.
 #[derive(Debug)]
 pub struct StoredResponse {
-    /// Number of the request.
+    /// Number of the response.
     pub id: u64,
     /// The design.
     pub spec: Spec,
@@ -30,14 +30,14 @@ pub type Origin = (Spec, Arc<Vec<Branch>>);
 
 /// Last responses.
 #[derive(Debug, Default)]
-pub struct Responses(Mutex<VecDeque<Arc<StoredResponse>>>);
+pub struct StoredResponses(Mutex<VecDeque<Arc<StoredResponse>>>);
 
-impl Responses {
+impl StoredResponses {
     fn lock(&self) -> MutexGuard<'_, VecDeque<Arc<StoredResponse>>> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Stores a response; the fine response to a request replaces the coarse one.
+    /// Stores a response; a fine response replaces the coarse one of its number.
     pub fn store(&self, response: StoredResponse) {
         let mut responses = self.lock();
         responses.retain(|stored| stored.id != response.id);
@@ -47,7 +47,7 @@ impl Responses {
         }
     }
 
-    /// Returns the response to a request.
+    /// Returns the response of a number.
     pub fn find(&self, id: u64) -> Option<Arc<StoredResponse>> {
         self.lock().iter().find(|stored| stored.id == id).cloned()
     }
@@ -63,6 +63,11 @@ impl Responses {
 }
 
 impl StoredResponse {
+    /// Returns the family of models over the key.
+    pub fn parameter<'s>(&'s self, base: &'s Model) -> Parameter<'s> {
+        Parameter::new(base, &self.key, self.range.1 - self.range.0)
+    }
+
     /// Returns the orbits at both ends and in the middle of each branch.
     pub fn orbits(&self) -> Vec<KnownOrbit> {
         let branch_orbits = |branch: &Branch| {

@@ -1,0 +1,62 @@
+//! Reason why a request has no result, as the page shows it.
+
+use jounce::Error;
+use serde_json::{Value, json};
+use std::path::Path;
+
+/// Reason why a request has no result.
+#[derive(Debug)]
+pub enum RequestFault {
+    /// Error of the library.
+    Library(Error),
+    /// One sentence.
+    Text(String),
+}
+
+impl RequestFault {
+    /// Returns the faults for the page: key, line, message. Faults of the spec have the messages of
+    /// the command line; `path` is the path of the spec.
+    pub fn list(&self, path: &Path) -> Value {
+        let faults = match self {
+            Self::Library(Error::Spec(faults)) => faults.as_slice(),
+            Self::Library(error) => return text(&error.to_string()),
+            Self::Text(message) => return text(message),
+        };
+        let entries = faults.iter().map(|fault| {
+            let set = fault
+                .set
+                .as_ref()
+                .and_then(|set| set.strip_prefix("--set ")?.split_once('='));
+            let key = set.map_or(fault.key.as_str(), |(key, _)| key);
+            let message = match fault.set {
+                Some(_) => fault.to_string(),
+                None if fault.line == 0 => fault.message.clone(),
+                None => format!("{}:{fault}", path.display()),
+            };
+            json!({ "key": key, "line": fault.line, "message": message })
+        });
+        entries.collect()
+    }
+}
+
+fn text(message: &str) -> Value {
+    json!([{ "key": "", "line": 0, "message": message }])
+}
+
+impl From<Error> for RequestFault {
+    fn from(error: Error) -> Self {
+        Self::Library(error)
+    }
+}
+
+impl From<std::io::Error> for RequestFault {
+    fn from(error: std::io::Error) -> Self {
+        Self::Text(error.to_string())
+    }
+}
+
+impl From<base64::DecodeError> for RequestFault {
+    fn from(error: base64::DecodeError) -> Self {
+        Self::Text(error.to_string())
+    }
+}

@@ -1,0 +1,128 @@
+//! Branches of a design from those of the previous one.
+
+use super::stored_response::{Origin, StoredResponse};
+use super::{Design, LiveAnalysis};
+use jounce_core::analysis::{
+    Branch, BranchUpdate, Extrapolation, KnownOrbit, Model, Parameter, WarmStart, settled_orbit,
+};
+use jounce_core::continuation::StepControl;
+use std::sync::Arc;
+
+/// Relative tolerance of the integration.
+const TOLERANCE: f64 = 1e-6;
+/// Goal of Newton's method for settled orbits, relative to the state.
+const SETTLED_RESIDUAL: f64 = 1e-6;
+/// Relative corrections of updated points below this are omitted: curves are accurate to a
+/// thousandth of their height.
+const MIN_CORRECTION: f64 = 5e-4;
+/// Largest deviation of the drawn curve due to omitted points, relative to its height.
+const SIMPLIFY_SHARE: f64 = 1e-3;
+/// Largest last step in the location of bifurcations, a two-hundredth of the range; the remaining
+/// error is of second order in it.
+const MAX_LAST_MOVE: f64 = 0.1;
+/// Largest fraction of points that an update of branches may lose.
+const MAX_LOST_SHARE: f64 = 0.3;
+
+/// Long steps.
+const LONG_STEPS: StepControl = StepControl {
+    first: 0.1,
+    longest: 1.2,
+    shortest: 1e-6,
+    turn: 0.45,
+    stray: 0.25,
+    most_evaluations: 6,
+};
+
+impl LiveAnalysis {
+    /// Returns the branches near those of the previous design. They are updated point by point, or
+    /// continued again if that loses points or the range has changed. Without known branches,
+    /// continuation starts from settled orbits.
+    pub(super) fn carried_branches(
+        &self,
+        design: &Design,
+        base: &Model,
+        parameter: &Parameter,
+        range: (f64, f64),
+    ) -> (Vec<Branch>, Option<Origin>) {
+        let kernel = &base.kernel;
+        let last = self.responses.last(parameter.key().path());
+        if let Some(last) = last.as_ref().filter(|last| last.range == range)
+            && let Some((branches, known)) = updated(last, design, base, parameter)
+        {
+            return (branches, Some((last.spec.clone(), known)));
+        }
+        let warm_start = WarmStart {
+            harvester: parameter,
+            kernel,
+            range,
+            tolerance: TOLERANCE,
+            control: LONG_STEPS,
+            resolution: MAX_LAST_MOVE,
+        };
+        let from = |orbits: &[KnownOrbit]| warm_start.run(orbits).unwrap_or_default();
+        let branches = last.map(|last| from(&last.orbits())).unwrap_or_default();
+        if !branches.is_empty() || kernel.control.is_stopped() {
+            return (branches, None);
+        }
+        (from(&settled_orbits(parameter, base, range)), None)
+    }
+}
+
+/// Returns the branches of the last response, updated point by point, and those before the update;
+/// `None` where too many points are lost.
+fn updated(
+    last: &StoredResponse,
+    design: &Design,
+    base: &Model,
+    parameter: &Parameter,
+) -> Option<(Vec<Branch>, Arc<Vec<Branch>>)> {
+    // A fine response has more points than a curve needs; an updated one retains its points, so
+    // that their changes can be extrapolated.
+    let thinned = |branch: &Branch| branch.thinned(SIMPLIFY_SHARE);
+    let known = match last.origin {
+        Some(_) => Arc::clone(&last.branches),
+        None => Arc::new(last.branches.iter().map(thinned).collect()),
+    };
+    let trend = last.origin.as_ref().and_then(|(spec, branches)| {
+        Some(Extrapolation {
+            before: branches,
+            reach: design.change_ratio(spec, &last.spec)?,
+        })
+    });
+    let update = BranchUpdate {
+        harvester: parameter,
+        kernel: &base.kernel,
+        range: last.range,
+        tolerance: TOLERANCE,
+        accuracy: MIN_CORRECTION,
+        resolution: MAX_LAST_MOVE,
+        trend,
+    };
+    let updated = update.run(&known);
+    let points: usize = known.iter().map(|branch| branch.points.len()).sum();
+    let is_complete = (updated.lost as f64) <= MAX_LOST_SHARE * points as f64;
+    is_complete.then_some((updated.branches, known))
+}
+
+/// Returns the orbits on which an integration from rest and from the steady state settles at both
+/// ends of the range.
+fn settled_orbits(harvester: &Parameter, base: &Model, range: (f64, f64)) -> Vec<KnownOrbit> {
+    let plant = &base.kernel.plant;
+    let rest = vec![0.0; plant.len()];
+    let steady = plant.to_physical(&rest, 0.0);
+    let (low, high) = range;
+    let settle = |parameter: f64, start: &[f64]| {
+        let orbit = settled_orbit(harvester, parameter, start, TOLERANCE, SETTLED_RESIDUAL)?;
+        Some(KnownOrbit {
+            period_cycles: orbit.period_cycles,
+            state: orbit.start().to_vec(),
+            parameter,
+        })
+    };
+    let at_both_ends = |start: &[f64]| rayon::join(|| settle(low, start), || settle(high, start));
+    let (first, second) = (at_both_ends(&steady), at_both_ends(&rest));
+    [first.0, first.1, second.0, second.1]
+        .into_iter()
+        .flatten()
+        .collect()
+}

@@ -1,0 +1,174 @@
+//! Response to noise or to a recording in place of the first drive.
+
+use super::time_history::{self, Extremes, SpectralDensity};
+use super::{Design, LiveAnalysis};
+use crate::error::Error;
+use jounce_core::integrate::Control;
+use jounce_core::linear::Random;
+use jounce_core::run::{RunPlan, simulate};
+use jounce_core::spec::{DriveSignal, Spec, SpecFile};
+use serde::Serialize;
+use std::path::PathBuf;
+
+/// Length of a run under noise, s.
+const NOISE_S: f64 = 60.0;
+/// Fraction of the run under noise that is averaged.
+const AVERAGED_SHARE: f64 = 0.75;
+/// Longest recording, s.
+const MAX_DURATION_S: f64 = 3600.0;
+/// Relative tolerance of the integration.
+const TOLERANCE: f64 = 1e-6;
+
+/// Excitation in place of the first drive.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Excitation {
+    /// Noise of a flat one-sided spectral density.
+    Noise {
+        /// Spectral density, in the square of the unit of the drive per Hz.
+        density: f64,
+        /// Lower end of the band, Hz.
+        low_hz: f64,
+        /// Upper end of the band, Hz.
+        high_hz: f64,
+    },
+    /// A recording with one channel.
+    Recording {
+        /// File with times and values.
+        file: PathBuf,
+        /// Value of 1 (SI) of the file in the SI unit of the drive.
+        scale: f64,
+    },
+}
+
+/// Response to an excitation.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ExcitationResult {
+    /// Mean power of all loads, W.
+    pub mean_power_w: f64,
+    /// Mean power without contact under noise, W; `None` under a recording, and for a harvester
+    /// without a linear response.
+    pub linear_power_w: Option<f64>,
+    /// Contacts that began in the averaging window.
+    pub contacts: u64,
+    /// Largest penetration, m.
+    pub max_penetration_m: f64,
+    /// Length of the run, s.
+    pub duration_s: f64,
+    /// Length of the averaging window at its end, s.
+    pub average_over_s: f64,
+    /// Voltage of the first patch, V.
+    pub voltage: Extremes,
+    /// Displacement towards the first stop, m; `None` without a stop.
+    pub displacement: Option<Extremes>,
+    /// Gap of the first stop, m.
+    pub gap_m: Option<f64>,
+    /// Spectral density of the voltage, V^2/Hz; `None` for a run that is too short.
+    pub density: Option<SpectralDensity>,
+}
+
+impl LiveAnalysis {
+    /// Integrates over a recording, or over a minute of noise, from the start of the spec.
+    ///
+    /// # Errors
+    /// [`Error::NoDrive`] without a drive to replace, [`Error::Spec`] for noise or a recording that
+    /// the spec does not allow, [`Error::Option`] for a recording that is too long,
+    /// [`Error::Analysis`] for an integration that does not converge.
+    pub fn excite(
+        &self,
+        design: &Design,
+        excitation: &Excitation,
+        control: &Control,
+    ) -> Result<ExcitationResult, Error> {
+        let mut spec = excitation.in_place_of_drive(design)?;
+        let recorded_s = recorded_s(&spec);
+        let duration_s = recorded_s.unwrap_or(NOISE_S);
+        if duration_s > MAX_DURATION_S {
+            let expected = format!("give one of at most {MAX_DURATION_S:.0} s");
+            let value = format!("{duration_s:.0} s long");
+            return Err(Error::option("recording", value, expected));
+        }
+        let average_over_s = recorded_s.unwrap_or(AVERAGED_SHARE * duration_s);
+        // The realisation of noise has the length of the run.
+        (spec.run.duration_s, spec.run.average_over_s) = (duration_s, average_over_s);
+        let base = self.model(&spec, control)?;
+        let start = base.start(design.harvester().folder())?;
+        let kernel = base.from_state(&start)?;
+        let plan = RunPlan {
+            duration_s,
+            average_over_s,
+            tolerance: TOLERANCE,
+            record_s: duration_s,
+        };
+        let result = simulate(&kernel, &start, &plan)?;
+        let linear = || Random::new(&spec).and_then(|random| random.response());
+        let linear_power_w = match excitation {
+            Excitation::Noise { .. } => linear().ok().map(|response| response.mean_power_w),
+            Excitation::Recording { .. } => None,
+        };
+        let histories = time_history::of_run(&kernel, &result, duration_s)?;
+        Ok(ExcitationResult {
+            mean_power_w: result.mean_power_w,
+            linear_power_w,
+            contacts: result.contacts,
+            max_penetration_m: result.max_penetration_m,
+            duration_s,
+            average_over_s,
+            voltage: histories.voltage,
+            displacement: histories.displacement,
+            gap_m: kernel.plant.system.stops.first().map(|stop| stop.gap_m),
+            density: histories.density,
+        })
+    }
+}
+
+impl Excitation {
+    /// Returns the spec of a design with this excitation in place of its first drive, after the
+    /// same checks as any spec.
+    fn in_place_of_drive(&self, design: &Design) -> Result<Spec, Error> {
+        let mut spec = design.spec().clone();
+        let drive = spec.drive.values_mut().next();
+        let what = "noise or a recording";
+        drive.ok_or(Error::NoDrive { what })?.signal = self.signal();
+        let file = SpecFile::from_text(spec.to_toml());
+        Ok(file.in_folder(design.harvester().folder()).spec()?)
+    }
+
+    fn signal(&self) -> DriveSignal {
+        match self {
+            &Self::Noise {
+                density,
+                low_hz,
+                high_hz,
+            } => DriveSignal::Noise {
+                density,
+                low_hz,
+                high_hz,
+                sample_rate_hz: None,
+                seed: 1,
+            },
+            Self::Recording { file, scale } => {
+                let mut signal = DriveSignal::recording(&file.display().to_string());
+                if let DriveSignal::Recording {
+                    scale: factor,
+                    keep_mean,
+                    ..
+                } = &mut signal
+                {
+                    (*factor, *keep_mean) = (*scale, Some(true));
+                }
+                signal
+            }
+        }
+    }
+}
+
+/// Returns the length of the first recording among the drives, s.
+fn recorded_s(spec: &Spec) -> Option<f64> {
+    spec.drive.values().find_map(|drive| match &drive.signal {
+        DriveSignal::Recording {
+            record: Some(record),
+            ..
+        } => Some(record.duration_s()),
+        _ => None,
+    })
+}

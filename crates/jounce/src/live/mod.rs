@@ -1,0 +1,54 @@
+//! Computations of a live page: the design changes in small steps, and every curve follows it.
+//!
+//! A [`Design`] is a harvester with the numbers that the page has set. A [`LiveAnalysis`] reuses
+//! what it has computed for the previous designs. Each computation is one method with its options
+//! and its result. It ends within the integration of one period after its control is stopped.
+//!
+//! | computation | method |
+//! |---|---|
+//! | every number with its unit and the range of its slider | [`Design::controls`] |
+//! | scale drawing with the keys that move its parts | [`Design::drawing`] |
+//! | branches over a key, carried over from the previous design | [`LiveAnalysis::coarse_response`] |
+//! | all branches over a key; their peak and bandwidth | [`LiveAnalysis::fine_response`], [`LiveAnalysis::bandwidth`] |
+//! | orbit of one point with the motion of its beams | [`LiveAnalysis::orbit`] |
+//! | points up and down over a key, one by one | [`Design::sweep`] |
+//! | power over the load, without and with contact | [`LiveAnalysis::linear_load`], [`Design::load_sweep`] |
+//! | options of [`crate::Harvester::basins`] for a plane of starts | [`Design::in_plane`] |
+//! | response to noise or to a recording | [`LiveAnalysis::excite`] |
+
+mod analysis;
+mod carry;
+mod channel_file;
+mod controls;
+mod design;
+mod drawing;
+mod excitation;
+mod key_span;
+mod linear;
+mod load;
+mod motion;
+mod orbit;
+mod orbit_stop;
+mod plane;
+mod response;
+mod response_result;
+mod stored_response;
+mod sweep;
+mod time_history;
+
+pub use analysis::LiveAnalysis;
+pub use channel_file::ChannelFile;
+pub use controls::{DesignControl, SliderScale};
+pub use design::Design;
+pub use drawing::{DesignDrawing, Grip, GripKind};
+pub use excitation::{Excitation, ExcitationResult};
+pub use key_span::KeySpan;
+pub use linear::LinearCurve;
+pub use load::{LinearLoad, LoadOptions};
+pub use motion::BeamMotion;
+pub use orbit::{BranchPlace, OrbitResult};
+pub use orbit_stop::OrbitStop;
+pub use response::ResponseOptions;
+pub use response_result::{ResponseBifurcation, ResponseBranch, ResponseResult};
+pub use sweep::LivePoint;
+pub use time_history::{Extremes, SpectralDensity};

@@ -1,0 +1,176 @@
+//! Response over a key: first the branches near those of the previous design, then all branches.
+
+use super::stored_response::{Origin, StoredResponse};
+use super::{Design, KeySpan, LiveAnalysis, ResponseResult};
+use crate::error::Error;
+use crate::options::check_tolerance;
+use jounce_core::analysis::{
+    Bandwidth, BandwidthSearch, Branch, BranchSearch, OrbitMethodKind, Parameter,
+};
+use jounce_core::integrate::Control;
+use jounce_core::spec::NumericKey;
+use serde::{Deserialize, Serialize};
+use std::sync::Arc;
+
+/// Largest number of values at which isolated branches are sought.
+const MAX_SEEDS: usize = 1000;
+
+/// Options of [`LiveAnalysis::fine_response`]. Its defaults are coarser than those of `jounce
+/// branch`, so that the response of a slider arrives within a few seconds.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct ResponseOptions {
+    /// Relative tolerance of the integration that computes the orbits.
+    pub tolerance: f64,
+    /// Number of values inside the range at which orbits are sought by integration; they find
+    /// isolated branches.
+    pub seeds: usize,
+    /// Longest period of a branch, in drive cycles.
+    pub longest_period: u32,
+}
+
+impl Default for ResponseOptions {
+    fn default() -> Self {
+        Self {
+            tolerance: 1e-9,
+            seeds: 6,
+            longest_period: 8,
+        }
+    }
+}
+
+impl ResponseOptions {
+    fn check(&self) -> Result<(), Error> {
+        check_tolerance(self.tolerance)?;
+        if self.seeds > MAX_SEEDS {
+            let expected = format!("it must be at most {MAX_SEEDS}");
+            return Err(Error::option("seeds", self.seeds, expected));
+        }
+        if self.longest_period == 0 {
+            let expected = "it must be at least 1";
+            return Err(Error::option("longest_period", 0, expected));
+        }
+        Ok(())
+    }
+}
+
+impl LiveAnalysis {
+    /// Computes the branches over a key near those of the last response over this key. Without
+    /// one, continuation starts from the orbits on which the harvester settles at both ends of the
+    /// range. The response is stored under its number.
+    ///
+    /// # Errors
+    /// [`Error::Spec`] and [`Error::Option`] for the key and its range, [`Error::Analysis`] for a
+    /// design without a model.
+    ///
+    /// ```
+    /// use jounce::{Control, Harvester, live::{Design, KeySpan, LiveAnalysis}};
+    /// # std::env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).unwrap();
+    /// let harvester = Harvester::read("examples/impact-harvester-2019/harvester.toml")?;
+    /// let span = KeySpan { over: "drive.shaker.frequency".into(), from: 12.9, to: 13.0 };
+    /// let analysis = LiveAnalysis::default();
+    /// for (id, gap) in (1..).zip(["1 mm", "0.99 mm"]) {
+    ///     let design = Design::new(&harvester, &[("stop.tip.gap".into(), gap.into())])?;
+    ///     let response = analysis.coarse_response(id, &design, &span, &Control::default())?;
+    ///     assert!(!response.branches.is_empty());
+    /// }
+    /// # Ok::<(), jounce::Error>(())
+    /// ```
+    pub fn coarse_response(
+        &self,
+        id: u64,
+        design: &Design,
+        span: &KeySpan,
+        control: &Control,
+    ) -> Result<ResponseResult, Error> {
+        let (key, range) = (span.key(design)?, span.ends());
+        let base = self.model(design.spec(), control)?;
+        let parameter = Parameter::new(&base, &key, range.1 - range.0);
+        let ((branches, origin), linear) = rayon::join(
+            || self.carried_branches(design, &base, &parameter, range),
+            || self.linear.curve(design.spec(), &parameter, range),
+        );
+        let result = ResponseResult::new(&key, linear, &branches);
+        self.store(id, design, (key, range), branches, origin, control);
+        Ok(result)
+    }
+
+    /// Finds all branches over a key by the search of `jounce branch`. The response is stored under
+    /// its number, in place of the coarse one.
+    ///
+    /// # Errors
+    /// As [`Self::coarse_response`], [`Error::Option`] for an option, and [`Error::Orbit`] for
+    /// drives without a common period.
+    pub fn fine_response(
+        &self,
+        id: u64,
+        design: &Design,
+        span: &KeySpan,
+        options: &ResponseOptions,
+        control: &Control,
+    ) -> Result<ResponseResult, Error> {
+        options.check()?;
+        let (key, range) = (span.key(design)?, span.ends());
+        let base = self.model(design.spec(), control)?;
+        let parameter = Parameter::new(&base, &key, range.1 - range.0);
+        let search = BranchSearch {
+            base: &base,
+            parameter: &parameter,
+            range,
+            method: OrbitMethodKind::Shooting,
+            tolerance: options.tolerance,
+            seeds: options.seeds,
+            longest_period: options.longest_period,
+        };
+        let branches = search.run()?;
+        let linear = self.linear.curve(design.spec(), &parameter, range);
+        let result = ResponseResult::new(&key, linear, &branches);
+        self.store(id, design, (key, range), branches, None, control);
+        Ok(result)
+    }
+
+    /// Returns the peak and the half-power bandwidth of a stored fine response; `None` without a
+    /// stable orbit.
+    ///
+    /// # Errors
+    /// [`Error::Option`] for a response that is no longer stored.
+    pub fn bandwidth(
+        &self,
+        response: u64,
+        options: &ResponseOptions,
+        control: &Control,
+    ) -> Result<Option<Bandwidth>, Error> {
+        let stored = self.stored_response(response)?;
+        let base = self.model(&stored.spec, control)?;
+        let search = BandwidthSearch {
+            base: &base,
+            parameter: &stored.parameter(&base),
+            range: stored.range,
+            tolerance: options.tolerance,
+        };
+        Ok(search.run(&stored.branches).together)
+    }
+
+    /// Stores a response, unless its computation was stopped.
+    fn store(
+        &self,
+        id: u64,
+        design: &Design,
+        (key, range): (NumericKey, (f64, f64)),
+        branches: Vec<Branch>,
+        origin: Option<Origin>,
+        control: &Control,
+    ) {
+        if control.is_stopped() {
+            return;
+        }
+        self.responses.store(StoredResponse {
+            id,
+            spec: design.spec().clone(),
+            key,
+            range,
+            branches: Arc::new(branches),
+            origin,
+        });
+    }
+}

@@ -1,0 +1,112 @@
+//! Result of a response over a key.
+
+use super::LinearCurve;
+use jounce_core::analysis::{Bifurcation, Branch, BranchPoint, Termination};
+use jounce_core::spec::NumericKey;
+use serde::Serialize;
+
+/// Branches of periodic orbits over a key, and the harvester without contact.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ResponseResult {
+    /// The key.
+    pub over: String,
+    /// Its SI unit.
+    pub unit: String,
+    /// Mean power without contact.
+    pub linear: LinearCurve,
+    /// The branches.
+    pub branches: Vec<ResponseBranch>,
+    /// Bifurcations of all branches.
+    pub bifurcations: Vec<ResponseBifurcation>,
+}
+
+/// A branch: one value of each list per point.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ResponseBranch {
+    /// Period, in drive cycles.
+    pub period_cycles: u32,
+    /// Reason why the branch ends at each of its ends.
+    pub endings: Vec<Termination>,
+    /// Value of the key, SI.
+    pub parameter: Vec<f64>,
+    /// Mean power of all loads, W.
+    pub mean_power_w: Vec<f64>,
+    /// Rms voltage of the first load, V.
+    pub voltage_rms_v: Vec<f64>,
+    /// Largest penetration, m.
+    pub max_penetration_m: Vec<f64>,
+    /// Largest modulus of a Floquet multiplier; the orbit is stable below 1.
+    pub floquet_max_abs: Vec<f64>,
+    /// Contacts per period.
+    pub contacts: Vec<u64>,
+}
+
+/// A bifurcation or grazing point.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ResponseBifurcation {
+    /// Number of its branch, from 0.
+    pub branch: usize,
+    /// Kind.
+    pub kind: &'static str,
+    /// Value of the key, SI.
+    pub parameter: f64,
+    /// Mean power of all loads, W.
+    pub mean_power_w: f64,
+    /// Rms voltage of the first load, V.
+    pub voltage_rms_v: f64,
+    /// Largest penetration, m.
+    pub max_penetration_m: f64,
+    /// Largest modulus of a Floquet multiplier.
+    pub floquet_max_abs: f64,
+    /// Contacts per period.
+    pub contacts: u64,
+}
+
+impl ResponseResult {
+    pub(super) fn new(key: &NumericKey, linear: LinearCurve, branches: &[Branch]) -> Self {
+        let bifurcations = |(number, branch): (usize, &Branch)| {
+            let entry = move |own: &Bifurcation| ResponseBifurcation::new(number, own);
+            branch.bifurcations.iter().map(entry).collect::<Vec<_>>()
+        };
+        Self {
+            over: key.path().to_owned(),
+            unit: key.unit(),
+            linear,
+            branches: branches.iter().map(ResponseBranch::new).collect(),
+            bifurcations: branches.iter().enumerate().flat_map(bifurcations).collect(),
+        }
+    }
+}
+
+impl ResponseBranch {
+    fn new(branch: &Branch) -> Self {
+        let list = |value: fn(&BranchPoint) -> f64| branch.points.iter().map(value).collect();
+        let contacts = |point: &BranchPoint| point.orbit.contacts;
+        Self {
+            period_cycles: branch.period_cycles,
+            endings: branch.endings.clone(),
+            parameter: list(|point| point.parameter),
+            mean_power_w: list(|point| point.orbit.mean_power_w),
+            voltage_rms_v: list(|point| point.orbit.voltage_rms_v),
+            max_penetration_m: list(|point| point.orbit.max_penetration_m),
+            floquet_max_abs: list(|point| point.orbit.floquet_max_abs()),
+            contacts: branch.points.iter().map(contacts).collect(),
+        }
+    }
+}
+
+impl ResponseBifurcation {
+    fn new(branch: usize, bifurcation: &Bifurcation) -> Self {
+        let orbit = &bifurcation.at.orbit;
+        Self {
+            branch,
+            kind: bifurcation.kind.name(),
+            parameter: bifurcation.at.parameter,
+            mean_power_w: orbit.mean_power_w,
+            voltage_rms_v: orbit.voltage_rms_v,
+            max_penetration_m: orbit.max_penetration_m,
+            floquet_max_abs: orbit.floquet_max_abs(),
+            contacts: orbit.contacts,
+        }
+    }
+}

@@ -1,0 +1,91 @@
+//! The live page against the questions of the command line.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+use jounce::live::{BranchPlace, Design, KeySpan, LiveAnalysis, ResponseOptions};
+use jounce::{Control, Harvester};
+use jounce_core::analysis::{BranchSearch, Model, OrbitMethodKind, Parameter};
+
+fn paper() -> Harvester {
+    let path = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../examples/impact-harvester-2019/harvester.toml"
+    );
+    Harvester::read(path).unwrap()
+}
+
+fn span() -> KeySpan {
+    KeySpan {
+        over: "drive.shaker.frequency".into(),
+        from: 12.8,
+        to: 13.0,
+    }
+}
+
+#[test]
+fn the_fine_response_is_the_search_of_branch_and_its_orbits_are_found_again() {
+    let (harvester, analysis, control) = (paper(), LiveAnalysis::default(), Control::default());
+    let design = Design::new(&harvester, &[]).unwrap();
+    let (span, options) = (span(), ResponseOptions::default());
+    let fine = analysis
+        .fine_response(5, &design, &span, &options, &control)
+        .unwrap();
+
+    let base = Model::new(harvester.spec().clone()).unwrap();
+    let key = harvester.file().numeric_key(&span.over).unwrap();
+    let parameter = Parameter::new(&base, &key, span.to - span.from);
+    let search = BranchSearch {
+        base: &base,
+        parameter: &parameter,
+        range: (span.from, span.to),
+        method: OrbitMethodKind::Shooting,
+        tolerance: options.tolerance,
+        seeds: options.seeds,
+        longest_period: options.longest_period,
+    };
+    let expected = search.run().unwrap();
+    assert_eq!(fine.branches.len(), expected.len());
+    for (branch, expected) in fine.branches.iter().zip(&expected) {
+        let powers_w: Vec<f64> = expected
+            .points
+            .iter()
+            .map(|point| point.orbit.mean_power_w)
+            .collect();
+        assert_eq!(branch.mean_power_w, powers_w);
+    }
+
+    let place = |response, point| BranchPlace {
+        response,
+        branch: 0,
+        point,
+    };
+    let orbit = analysis.orbit(&place(5, 0), &control).unwrap();
+    let ratio = orbit.mean_power_w / fine.branches[0].mean_power_w[0];
+    assert!((ratio - 1.0).abs() < 1e-6, "{ratio}");
+    assert_eq!(orbit.time_s.len(), orbit.stops[0].displacement_m.len());
+    let missing = analysis.orbit(&place(5, 1_000_000), &control).unwrap_err();
+    assert!(missing.to_string().starts_with("point is 1000000"));
+    let missing = analysis.orbit(&place(6, 0), &control).unwrap_err();
+    assert!(missing.to_string().starts_with("response is 6"));
+    let width = analysis.bandwidth(5, &options, &control).unwrap().unwrap();
+    assert!(width.width > 0.0 && width.width <= span.to - span.from);
+}
+
+#[test]
+fn a_reversed_range_and_a_key_without_a_number_are_refused() {
+    let harvester = paper();
+    let path = [("run.start".to_owned(), "./secret.json".to_owned())];
+    let error = Design::new(&harvester, &path).unwrap_err();
+    assert!(error.to_string().contains("no key with a number"));
+    let reversed = KeySpan {
+        from: 13.0,
+        to: 12.0,
+        ..span()
+    };
+    let error = reversed.text(&Design::new(&harvester, &[]).unwrap());
+    assert!(
+        error
+            .unwrap_err()
+            .to_string()
+            .contains("smaller to a larger")
+    );
+}
