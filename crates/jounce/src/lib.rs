@@ -47,23 +47,23 @@
 //! interfaces may change.
 
 mod basins;
-mod ensemble;
-mod check;
 mod bifurcations;
 mod branch;
+mod check;
+mod contact;
 mod continuation;
 mod diagram;
-mod contact;
+mod ensemble;
 mod error;
 mod fit;
 mod frf;
 mod harvester;
 mod journal;
+pub mod live;
 mod measured_frf;
 mod measured_modes;
 mod modes;
 mod noise;
-pub mod live;
 mod options;
 mod periodic;
 mod power;
@@ -76,7 +76,6 @@ mod run;
 mod study;
 mod sweep;
 
-pub use ensemble::{EnsembleOptions, EnsemblePatch, EnsembleResult, EnsembleStop, VoltageSpectrum};
 pub use bifurcations::{BifurcationCurve, BifurcationsOptions, BifurcationsResult};
 pub use branch::{
     Bifurcation, Branch, BranchOptions, BranchPoint, BranchResult, HalfPowerBandwidth, NotProved,
@@ -85,6 +84,7 @@ pub use branch::{
 pub use diagram::{
     DiagramDirection, DiagramJournal, DiagramOptions, DiagramPoint, DiagramResult, SectionPoint,
 };
+pub use ensemble::{EnsembleOptions, EnsemblePatch, EnsembleResult, EnsembleStop, VoltageSpectrum};
 mod segments;
 mod spectra;
 
@@ -95,12 +95,12 @@ pub use error::{Error, ErrorKind};
 pub use fit::FitResult;
 pub use frf::{FrfOptions, FrfResponse, FrfResult};
 pub use harvester::{Harvester, KeyValue};
-pub use jounce_core::analysis::{IntervalOver, Journal, Member, SweepDirection};
 pub use jounce_core::analysis::Model;
 pub use jounce_core::analysis::{
     AttractorKind, AttractorTrack, BandInterval, BandLimit, BifurcationCurvePoint, BranchKind,
     CurveKind, IntervalEdge, PowerPeak, TrackPoint, Transition,
 };
+pub use jounce_core::analysis::{IntervalOver, Journal, Member, SweepDirection};
 pub use jounce_core::integrate::Control;
 pub use jounce_core::linear::{
     Coupling, Density, RandomLoad, RandomPatch, RandomPoint, RandomStop,
@@ -143,10 +143,10 @@ pub use reference::{key_reference, materials, schema, starter, starters};
 pub use reproduce::{ReproduceOptions, ReproduceResult, reproduce};
 pub use rig::{BaseMotion, RigOptions, RigResult};
 pub use run::{History, HistorySamples, LoadResult, PatchResult, RunOptions, RunResult};
-pub use study::{Shard, Study, StudyFolder, StudyOptions, StudyStatus};
-pub use sweep::{SweepOptions, SweepOrder, SweepPoint, SweepResult};
 pub use segments::{SegmentResult, SegmentsOptions, SegmentsResult};
 pub use spectra::{OrderPeak, SegmentWindow, SpectraOptions, SpectraResult};
+pub use study::{Shard, Study, StudyFolder, StudyOptions, StudyStatus};
+pub use sweep::{SweepOptions, SweepOrder, SweepPoint, SweepResult};
 
 /// Rust code of the README, compiled with the documentation tests.
 #[cfg(doctest)]

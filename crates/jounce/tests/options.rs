@@ -1,15 +1,11 @@
 //! Options: their defaults, their help, and their names in the options of each question.
 
 use clap::{Args, FromArgMatches};
-use jounce::{BasinsOptions, EnsembleOptions, RunOptions, StudyOptions, SweepOptions, definitions};
 use jounce::{
-    BasinsOptions, FrfOptions, ModesOptions, NoiseOptions, ReproduceOptions, RunOptions,
-    definitions,
-use jounce::{
-    BasinsOptions, BifurcationsOptions, BranchOptions, DiagramOptions, RunOptions, definitions,
-    BasinsOptions, ContactOptions, ConvertOptions, FrfOptions, MeasuredFrfOptions,
-    MeasuredModesOptions, ModesOptions, NoiseOptions, PowerOptions, ReadOptions, ReproduceOptions,
-    RigOptions, RunOptions, SegmentsOptions, SpectraOptions, definitions,
+    BasinsOptions, BifurcationsOptions, BranchOptions, ContactOptions, ConvertOptions,
+    DiagramOptions, EnsembleOptions, FrfOptions, MeasuredFrfOptions, MeasuredModesOptions,
+    ModesOptions, NoiseOptions, PowerOptions, ReadOptions, ReproduceOptions, RigOptions,
+    RunOptions, SegmentsOptions, SpectraOptions, StudyOptions, SweepOptions, definitions,
 };
 use serde::Serialize;
 use std::fmt::Debug;

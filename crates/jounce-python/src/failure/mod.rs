@@ -146,9 +146,7 @@ impl From<jounce::Error> for Failure {
             | Error::Threads(_)
             | Error::Stopped
             | Error::Continuation(_)
-            | Error::Recording(_) => {
-                Self::new("JounceError", &error)
-            }
+            | Error::Recording(_) => Self::new("JounceError", &error),
             Error::ReadRecording(error) => error.into(),
             Error::Arrays(error) => error.into(),
             Error::RecordingGrid(error) => error.into(),
