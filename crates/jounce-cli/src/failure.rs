@@ -1,9 +1,7 @@
 //! Failures of commands and their exit codes.
 
 use crate::output::print;
-use jounce::{ChannelError, Error, ErrorKind};
-use jounce_core::analysis::{AnalysisError, GridError};
-use jounce_core::spec::{Fault, ReadError};
+use jounce::{ChannelError, Error, ErrorKind, Fault, GridError};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -82,23 +80,6 @@ pub fn fault_line(path: &Path, fault: &Fault) -> String {
     }
 }
 
-impl From<ReadError> for Failure {
-    fn from(error: ReadError) -> Self {
-        Failure::Input(error.to_string())
-    }
-}
-
-impl From<AnalysisError> for Failure {
-    fn from(error: AnalysisError) -> Self {
-        match &error {
-            AnalysisError::Run(jounce_core::run::RunError::Integration(_)) => {
-                Failure::NotConverged(error.to_string())
-            }
-            _ => Failure::Input(error.to_string()),
-        }
-    }
-}
-
 impl From<Error> for Failure {
     fn from(error: Error) -> Self {
         match (error.kind(), error) {
@@ -133,23 +114,3 @@ impl From<Error> for Failure {
         }
     }
 }
-
-macro_rules! input_failure {
-    ($($error:ty),*) => {
-        $(impl From<$error> for Failure {
-            fn from(error: $error) -> Self {
-                Failure::Input(error.to_string())
-            }
-        })*
-    };
-}
-
-input_failure!(
-    jounce_core::structure::StructureError,
-    jounce_core::plant::PlantError,
-    jounce_core::table::TableError,
-    jounce_core::picture::PictureError,
-    jounce_core::signal::SignalError,
-    jounce_core::analysis::JournalError,
-    jounce_core::store::StoreError
-);

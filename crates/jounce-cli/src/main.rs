@@ -7,7 +7,6 @@ mod commands;
 mod failure;
 mod hammer_arguments;
 mod interruption;
-mod limit_warnings;
 mod measured_file;
 mod model_or_measured;
 mod output;

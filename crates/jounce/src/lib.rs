@@ -91,14 +91,14 @@ mod spectra;
 pub use basins::{AttractorResult, BasinsOptions, BasinsResult, FailedStart, StartPoint};
 pub use check::{CheckResult, DriveIssue};
 pub use contact::{ContactOptions, ContactResult, FixedLawResult, HitResult};
-pub use error::{Error, ErrorKind};
+pub use error::{Error, ErrorDetails, ErrorKind};
 pub use fit::FitResult;
 pub use frf::{FrfOptions, FrfResponse, FrfResult};
 pub use harvester::{Harvester, KeyValue};
 pub use jounce_core::analysis::Model;
 pub use jounce_core::analysis::{
     AttractorKind, AttractorTrack, BandInterval, BandLimit, BifurcationCurvePoint, BranchKind,
-    CurveKind, IntervalEdge, PowerPeak, TrackPoint, Transition,
+    CurveKind, GridError, IntervalEdge, PowerPeak, TrackPoint, Transition,
 };
 pub use jounce_core::analysis::{IntervalOver, Journal, Member, SweepDirection};
 pub use jounce_core::integrate::Control;
@@ -108,11 +108,11 @@ pub use jounce_core::linear::{
 pub use jounce_core::material::{Active, Material};
 pub use jounce_core::picture::{Drawing, Figure};
 pub use jounce_core::reproduce::Claim;
-pub use jounce_core::run::StartState;
+pub use jounce_core::run::{ChargeResult, StartState, StopResult, Warning};
 pub use jounce_core::signal::{Samples, SignalError, Spectrum, Window};
 pub use jounce_core::spec::{Fault, Faults, KeyRange, NumericKey, Quantity, Spec, SpecFile};
 pub use jounce_core::starter::Starter;
-pub use jounce_core::table::{Manifest, Table};
+pub use jounce_core::table::{Manifest, Table, Values};
 pub use jounce_data::read::RawChannel;
 pub use jounce_data::recording::{
     Channel, ChannelError, Grid, Issue, Over, Quantity as MeasuredQuantity,

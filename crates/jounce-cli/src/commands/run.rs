@@ -4,8 +4,10 @@ use crate::failure::Failure;
 use crate::output::{self, line, print};
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
-use jounce::{Error, Harvester, LoadResult, RunOptions, RunResult, StartState};
-use jounce_core::run::{ChargeResult, StopResult, Warning};
+use jounce::{
+    ChargeResult, Error, Harvester, LoadResult, RunOptions, RunResult, StartState, StopResult,
+    Warning,
+};
 use std::path::{Path, PathBuf};
 
 /// Arguments of `run`.

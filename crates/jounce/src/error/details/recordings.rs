@@ -1,13 +1,13 @@
-//! Errors of computations on recordings.
+//! Details of errors of computations on recordings.
 
-use super::Failure;
+use super::ErrorDetails;
 use jounce_core::signal::SignalError;
+use jounce_data::read::ArraysError;
+use jounce_data::recording::{ChannelError, GridError, NoChannel};
 use jounce_measure::contact::ContactError;
 use jounce_measure::experiment::ExperimentError;
 use jounce_measure::fit::FitError;
 use jounce_measure::modal::ModalError;
-use jounce_measure::read::ArraysError;
-use jounce_measure::recording::{ChannelError, GridError, NoChannel};
 use jounce_measure::response::ResponseError;
 use jounce_measure::rig::RigError;
 use jounce_measure::segmentation::SegmentationError;
@@ -19,9 +19,9 @@ use serde_json::{Value, json};
 /// Errors of recordings that allow no result.
 macro_rules! of_recordings {
     ($($error:ty),+) => {
-        $(impl From<$error> for Failure {
-            fn from(error: $error) -> Self {
-                Self::of("RecordingError", &error)
+        $(impl From<&$error> for ErrorDetails {
+            fn from(error: &$error) -> Self {
+                Self::of("RecordingError", error)
             }
         })+
     };
@@ -37,43 +37,41 @@ of_recordings!(
     ModalError
 );
 
-impl From<NoChannel> for Failure {
-    fn from(error: NoChannel) -> Self {
+impl From<&NoChannel> for ErrorDetails {
+    fn from(error: &NoChannel) -> Self {
         let details = json!({ "wanted": error.wanted, "channels": error.channels });
         Self {
             details,
-            ..Self::new("ArgumentError", error)
+            ..Self::new("ArgumentError")
         }
     }
 }
 
-impl From<ChannelError> for Failure {
-    fn from(error: ChannelError) -> Self {
+impl From<&ChannelError> for ErrorDetails {
+    fn from(error: &ChannelError) -> Self {
         match error {
             ChannelError::Missing(error) => error.into(),
-            error => Self::new("ArgumentError", error),
+            error => Self::new("ArgumentError"),
         }
     }
 }
 
-impl From<ResponseError> for Failure {
-    fn from(error: ResponseError) -> Self {
+impl From<&ResponseError> for ErrorDetails {
+    fn from(error: &ResponseError) -> Self {
         match error {
             ResponseError::Channel(error) => error.into(),
-            error => Self::of("RecordingError", &error),
+            error => Self::of("RecordingError", error),
         }
     }
 }
 
-impl From<jounce_measure::read::ReadError> for Failure {
-    fn from(error: jounce_measure::read::ReadError) -> Self {
-        use jounce_measure::read::ReadError::{
+impl From<&jounce_data::read::ReadError> for ErrorDetails {
+    fn from(error: &jounce_data::read::ReadError) -> Self {
+        use jounce_data::read::ReadError::{
             Damaged, Format, Grid, NoChannel, NoRecord, NoTime, Notes, Open, Scratch, StampUnit,
         };
-        match &error {
-            Open { path, reason } | Scratch { path, reason } => {
-                Self::of_file(&error, path, Some(reason))
-            }
+        match error {
+            Open { path, reason } | Scratch { path, reason } => Self::of_file(path, Some(reason)),
             Format { path, .. }
             | Damaged { path, .. }
             | NoTime { path, .. }
@@ -81,57 +79,57 @@ impl From<jounce_measure::read::ReadError> for Failure {
             | NoChannel { path, .. }
             | NoRecord { path }
             | Grid { path, .. }
-            | Notes { path, .. } => Self::of_file(&error, path, None),
+            | Notes { path, .. } => Self::of_file(path, None),
         }
     }
 }
 
-impl From<WriteError> for Failure {
-    fn from(error: WriteError) -> Self {
+impl From<&WriteError> for ErrorDetails {
+    fn from(error: &WriteError) -> Self {
         match error {
             WriteError::NotFinite {
-                ref channel,
+                channel,
                 sample,
                 value,
             } => {
                 let details =
                     json!({ "channel": channel, "sample": sample, "value": value.to_string() });
-                Self::new("RecordingError", &error).with(details)
+                Self::new("RecordingError").with(details)
             }
             WriteError::Long {
-                ref channel,
-                ref text,
+                channel,
+                text,
                 length,
                 most,
                 ..
             } => {
                 let details =
                     json!({ "channel": channel, "text": text, "length": length, "most": most });
-                Self::new("RecordingError", &error).with(details)
+                Self::new("RecordingError").with(details)
             }
             WriteError::NotAscii {
-                ref channel,
-                ref text,
+                channel,
+                text,
                 letter,
                 ..
             } => {
                 let details = json!({ "channel": channel, "text": text, "letter": letter });
-                Self::new("RecordingError", &error).with(details)
+                Self::new("RecordingError").with(details)
             }
-            WriteError::Format { ref path } => Self::of_file(&error, path, None),
-            WriteError::Table(error) => Self::of("FileError", &error),
-            WriteError::Store(error) => Self::of("FileError", &error),
-            WriteError::Scratch(_) => Self::new("FileError", error),
+            WriteError::Format { path } => Self::of_file(path, None),
+            WriteError::Table(error) => Self::of("FileError", error),
+            WriteError::Store(error) => Self::of("FileError", error),
+            WriteError::Scratch(_) => Self::new("FileError"),
         }
     }
 }
 
-impl From<RigError> for Failure {
-    fn from(error: RigError) -> Self {
+impl From<&RigError> for ErrorDetails {
+    fn from(error: &RigError) -> Self {
         match error {
             RigError::Plant(error) => error.into(),
             RigError::Run(error) => error.into(),
-            error => Self::new("ArgumentError", &error).with(rig_details(&error)),
+            error => Self::new("ArgumentError").with(rig_details(error)),
         }
     }
 }
@@ -152,8 +150,8 @@ fn rig_details(error: &RigError) -> Value {
     }
 }
 
-impl From<SolutionError> for Failure {
-    fn from(error: SolutionError) -> Self {
+impl From<&SolutionError> for ErrorDetails {
+    fn from(error: &SolutionError) -> Self {
         match error {
             SolutionError::Key(fault) => fault.into(),
             SolutionError::Study(error) => error.into(),
@@ -161,39 +159,33 @@ impl From<SolutionError> for Failure {
             SolutionError::Run(error) => error.into(),
             SolutionError::Orbit(error) => error.into(),
             SolutionError::Lost { starts, .. } => {
-                Self::new("ConvergenceError", &error).with(json!({ "starts": starts }))
+                Self::new("ConvergenceError").with(json!({ "starts": starts }))
             }
-            SolutionError::UnknownSolution {
-                ref requested,
-                ref known,
-            } => Self {
+            SolutionError::UnknownSolution { requested, known } => Self {
                 details: json!({ "solution": requested, "known": known }),
-                ..Self::new("ArgumentError", &error)
+                ..Self::new("ArgumentError")
             },
-            error => Self::new("ArgumentError", error),
+            error => Self::new("ArgumentError"),
         }
     }
 }
 
-impl From<ExperimentError> for Failure {
-    fn from(error: ExperimentError) -> Self {
+impl From<&ExperimentError> for ErrorDetails {
+    fn from(error: &ExperimentError) -> Self {
         match error {
             ExperimentError::Reproduce(error) => error.into(),
-            error => Self::new("JounceError", error),
+            error => Self::new("JounceError"),
         }
     }
 }
 
-impl From<FitError> for Failure {
-    fn from(error: FitError) -> Self {
+impl From<&FitError> for ErrorDetails {
+    fn from(error: &FitError) -> Self {
         match error {
             FitError::Value(fault) => fault.into(),
             FitError::Structure(error) => error.into(),
-            FitError::Open {
-                ref path,
-                ref reason,
-            } => Self::of_file(&error, path, Some(reason)),
-            error => Self::new("FitError", &error).with(fit_details(&error)),
+            FitError::Open { path, reason } => Self::of_file(path, Some(reason)),
+            error => Self::new("FitError").with(fit_details(error)),
         }
     }
 }

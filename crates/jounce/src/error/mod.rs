@@ -1,5 +1,9 @@
 //! Errors of the computations.
 
+mod details;
+
+pub use details::ErrorDetails;
+
 use jounce_core::analysis::{AnalysisError, GridError, JournalError};
 use jounce_core::continuation::ContinuationError;
 use jounce_core::integrate::IntegrationError;
