@@ -249,7 +249,7 @@ impl From<&OrbitError<AnalysisError>> for ErrorDetails {
             OrbitError::Integration(SensitivityError::Integration(error)) => {
                 Self::of("IntegrationError", error)
             }
-            OrbitError::Integration(error) => Self::new("IntegrationError"),
+            OrbitError::Integration(_) => Self::new("IntegrationError"),
             OrbitError::Frequencies { frequencies } | OrbitError::Summed { frequencies } => {
                 Self::new("OrbitError").with(json!({ "frequencies": frequencies }))
             }
@@ -284,7 +284,7 @@ impl From<&ReproduceError> for ErrorDetails {
             ReproduceError::Store(error) => Self::of("FileError", error),
             ReproduceError::Table(error) => Self::of("FileError", error),
             ReproduceError::Picture(error) => Self::of("FileError", error),
-            error => Self::new("JounceError"),
+            _ => Self::new("JounceError"),
         }
     }
 }

@@ -51,7 +51,7 @@ impl From<&ChannelError> for ErrorDetails {
     fn from(error: &ChannelError) -> Self {
         match error {
             ChannelError::Missing(error) => error.into(),
-            error => Self::new("ArgumentError"),
+            _ => Self::new("ArgumentError"),
         }
     }
 }
@@ -165,7 +165,7 @@ impl From<&SolutionError> for ErrorDetails {
                 details: json!({ "solution": requested, "known": known }),
                 ..Self::new("ArgumentError")
             },
-            error => Self::new("ArgumentError"),
+            _ => Self::new("ArgumentError"),
         }
     }
 }
@@ -174,7 +174,7 @@ impl From<&ExperimentError> for ErrorDetails {
     fn from(error: &ExperimentError) -> Self {
         match error {
             ExperimentError::Reproduce(error) => error.into(),
-            error => Self::new("JounceError"),
+            _ => Self::new("JounceError"),
         }
     }
 }
