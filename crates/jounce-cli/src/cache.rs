@@ -1,6 +1,5 @@
-//! Folder and name of the stored points of long work.
+//! Folder of the stored points of long work.
 
-use sha2::{Digest, Sha256};
 use std::path::PathBuf;
 
 /// Returns the folder of journals: `JOUNCE_CACHE`, else the user's cache folder, else the temporary
@@ -19,13 +18,4 @@ pub fn folder() -> PathBuf {
         .or_else(home)
         .unwrap_or_else(std::env::temp_dir)
         .join("jounce")
-}
-
-/// Returns the name of a piece of work: digest of the spec, options and version.
-pub fn key(spec_hash_hex: &str, options: &str) -> String {
-    let digest = Sha256::digest(format!(
-        "{spec_hash_hex} {options} {}",
-        env!("CARGO_PKG_VERSION")
-    ));
-    digest.iter().map(|byte| format!("{byte:02x}")).collect()
 }

@@ -12,7 +12,6 @@ mod model_or_measured;
 mod output;
 mod progress;
 mod spec_arguments;
-mod threads;
 
 use clap::{CommandFactory, FromArgMatches};
 use mimalloc::MiMalloc;

@@ -1,7 +1,7 @@
 //! Output: JSON on stdout, tables and pictures in a folder.
 
 use crate::failure::Failure;
-use jounce::{Figure, Manifest, Table};
+use jounce::{Error, Figure, Manifest, Table};
 use serde::Serialize;
 use std::io::Write;
 use std::path::Path;
@@ -80,7 +80,8 @@ pub fn text(text: &str) {
 pub fn table(folder: &Path, name: &str, table: &Table, manifest: &Manifest) -> Result<(), Failure> {
     make(folder)?;
     for extension in ["csv", "parquet", "json"] {
-        table.write(&folder.join(name).with_extension(extension), manifest)?;
+        let path = folder.join(name).with_extension(extension);
+        table.write(&path, manifest).map_err(Error::from)?;
     }
     Ok(())
 }
@@ -89,7 +90,8 @@ pub fn table(folder: &Path, name: &str, table: &Table, manifest: &Manifest) -> R
 pub fn figure(folder: &Path, name: &str, figure: &Figure) -> Result<(), Failure> {
     make(folder)?;
     for extension in ["svg", "png"] {
-        figure.write(&folder.join(name).with_extension(extension))?;
+        let path = folder.join(name).with_extension(extension);
+        figure.write(&path).map_err(Error::from)?;
     }
     Ok(())
 }

@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use clap::Args;
-use jounce::{Error, Faults, Harvester, KeyRange, Manifest, NumericKey, Spec, SpecFile};
+use jounce::{Error, Harvester, Manifest, Spec, SpecFile};
 use std::path::{Path, PathBuf};
 
 /// The spec and its overrides.
@@ -31,7 +31,7 @@ pub struct OutputArguments {
 impl SpecArguments {
     /// Reads the file and applies the overrides.
     pub fn file(&self) -> Result<SpecFile, Failure> {
-        let mut file = SpecFile::read(&self.spec)?;
+        let mut file = SpecFile::read(&self.spec).map_err(Error::from)?;
         let mut faults = Vec::new();
         for assignment in &self.set {
             let Some((key, value)) = assignment.split_once('=') else {
@@ -50,19 +50,6 @@ impl SpecArguments {
         }
     }
 
-    /// Reads the spec with its overrides.
-    pub fn spec(&self) -> Result<Spec, Failure> {
-        self.read(&self.file()?)
-    }
-
-    /// Reads the spec with its overrides; prints the issues of the recordings of its drives on
-    /// stderr.
-    pub fn read(&self, file: &SpecFile) -> Result<Spec, Failure> {
-        let spec = self.map_faults(file.spec())?;
-        print_recording_issues(&spec);
-        Ok(spec)
-    }
-
     /// Returns the harvester; prints the issues of the recordings of its drives on stderr.
     pub fn harvester(&self) -> Result<Harvester, Failure> {
         let harvester = Harvester::of(self.file()?, self.folder());
@@ -77,11 +64,6 @@ impl SpecArguments {
             Error::Spec(faults) => Failure::faults(&self.spec, faults.as_slice().to_vec()),
             error => error.into(),
         }
-    }
-
-    /// Adds the name of the file to faults.
-    pub fn map_faults<T>(&self, result: Result<T, Faults>) -> Result<T, Failure> {
-        result.map_err(|faults| Failure::faults(&self.spec, faults.as_slice().to_vec()))
     }
 
     /// Returns the folder of the spec file.

@@ -190,23 +190,6 @@ impl ProgressReporter {
     }
 }
 
-/// Runs `work` on its own pool: the shared one does not survive a `fork`.
-pub fn on_threads<T: Send>(
-    threads: Option<usize>,
-    work: impl FnOnce() -> Result<T, Failure> + Send,
-) -> Result<T, Failure> {
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(threads.unwrap_or(0))
-        .build();
-    pool.map_err(|error| {
-        Failure::new(
-            "JounceError",
-            format!("the threads cannot be started: {error}"),
-        )
-    })?
-    .install(work)
-}
-
 /// Returns a result for Python, and the error that ended it early. Without a result only that error
 /// is returned.
 pub fn to_python_result<'py, T>(

@@ -3,7 +3,7 @@
 use jounce::{Control, Error, ErrorDetails, Fault, Faults};
 use jounce_explorer::ExploreError;
 use pyo3::prelude::*;
-use serde_json::{Value, json};
+use serde_json::Value;
 
 /// Reason why a call did not succeed; independent of Python, so that any thread can create it.
 #[derive(Debug)]

@@ -119,16 +119,6 @@ impl Spec {
         self.harvester.file().clone()
     }
 
-    /// Returns a key with a number.
-    pub fn key(&self, key: &str) -> Result<NumericKey, Failure> {
-        Ok(self.file().numeric_key(key)?)
-    }
-
-    /// Returns a key and its values.
-    pub fn range(&self, key: &str, values: &str) -> Result<KeyRange, Failure> {
-        Ok(KeyRange::parse(self.key(key)?, values)?)
-    }
-
     /// Returns the origin of a result, as JSON.
     pub fn manifest(&self, command: &str, options: &[(&str, String)]) -> String {
         let manifest = Manifest::new(self.hash_hex()).with("command", command);

@@ -122,7 +122,7 @@ pub fn table_read<'py>(
 ) -> PyResult<(Bound<'py, PyDict>, Bound<'py, PyDict>, String)> {
     let table = py
         .detach(|| Table::read(&path))
-        .map_err(|error| Failure::from(error).into_exception(py))?;
+        .map_err(|error| Failure::from(Error::from(error)).into_exception(py))?;
     let (columns, notes) = (PyDict::new(py), PyDict::new(py));
     for column in table.0.columns() {
         notes.set_item(&column.name, (&column.unit, &column.about))?;

@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::output::{line, print, text};
 use clap::Args;
-use jounce::starters;
+use jounce::{Error, starters};
 use std::path::PathBuf;
 
 /// Arguments of `new`.
@@ -40,7 +40,7 @@ impl New {
                     );
                     return Err(Failure::Input(message));
                 }
-                starter.write(path, self.force)?;
+                starter.write(path, self.force).map_err(Error::from)?;
                 match self.json {
                     true => print(&serde_json::json!({ "kind": starter.kind, "file": path })),
                     false => line(path.display()),

@@ -42,7 +42,7 @@ impl Run {
             .run(&options)
             .map_err(|error| self.spec.failure(error))?;
         if let Some(path) = &self.save_state {
-            result.end.write(path)?;
+            result.end.write(path).map_err(Error::from)?;
         }
         if let Some(folder) = &self.output.out {
             self.write(folder, &harvester, &result)?;

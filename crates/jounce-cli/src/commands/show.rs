@@ -4,6 +4,7 @@ use crate::failure::Failure;
 use crate::output::{line, print};
 use crate::spec_arguments::SpecArguments;
 use clap::Args;
+use jounce::Error;
 use std::path::{Path, PathBuf};
 
 /// Arguments of `show`.
@@ -29,7 +30,10 @@ impl Show {
             .out
             .clone()
             .unwrap_or_else(|| Path::new(stem).with_extension("svg"));
-        harvester.drawing(&self.title()).write(&path)?;
+        harvester
+            .drawing(&self.title())
+            .write(&path)
+            .map_err(Error::from)?;
         match self.json {
             true => print(&serde_json::json!({ "drawing": path })),
             false => line(path.display()),

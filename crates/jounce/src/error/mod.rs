@@ -9,6 +9,7 @@ use jounce_core::continuation::ContinuationError;
 use jounce_core::integrate::IntegrationError;
 use jounce_core::linear::RandomError;
 use jounce_core::orbit::OrbitError;
+use jounce_core::picture::PictureError;
 use jounce_core::plant::PlantError;
 use jounce_core::reproduce::ReproduceError;
 use jounce_core::run::{RunError, StartFileError};
@@ -106,6 +107,9 @@ pub enum Error {
     /// A table cannot be created.
     #[error(transparent)]
     Table(#[from] TableError),
+    /// A figure cannot be written.
+    #[error(transparent)]
+    Picture(#[from] PictureError),
     /// A study, its folder or a part of it cannot be used.
     #[error(transparent)]
     Study(#[from] StudyError),

@@ -80,6 +80,7 @@ impl From<&Error> for ErrorDetails {
             Error::File(error) => error.into(),
             Error::Journal(error) => Self::of("FileError", error),
             Error::Table(error) => error.into(),
+            Error::Picture(error) => Self::of("FileError", error),
             Error::Study(error) => error.into(),
             Error::Option { option, value, .. } => {
                 Self::new("ArgumentError").with(json!({ "option": option, "value": value }))
