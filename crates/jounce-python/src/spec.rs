@@ -1,7 +1,7 @@
 //! Spec: its text and its contents.
 
 use crate::failure::Failure;
-use jounce::{Control, Harvester, KeyRange, Manifest, Model, NumericKey, Quantity, SpecFile};
+use jounce::{Control, Harvester, Manifest, Model, Quantity, SpecFile};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
