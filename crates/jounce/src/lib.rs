@@ -67,6 +67,7 @@ mod noise;
 mod options;
 mod periodic;
 mod power;
+mod questions;
 mod read;
 mod recording;
 mod reference;
@@ -134,6 +135,7 @@ pub use noise::{NoiseOptions, NoiseResult};
 pub use options::{OptionDefinition, check_tolerance, definitions};
 pub use periodic::check_drives;
 pub use power::{OrderAmplitude, PowerOptions, PowerRecord, PowerResult};
+pub use questions::{Question, questions};
 pub use read::{
     ChannelResult, Conversion, ConvertOptions, ReadResult, RecordedFile, RecordingResult,
     ShapeResult,

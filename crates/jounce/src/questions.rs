@@ -1,0 +1,171 @@
+//! Questions with their names in Rust, on the command line, in Python and in studies.
+
+use crate::options::{OptionDefinition, definitions};
+use crate::{
+    BasinsOptions, BifurcationsOptions, BranchOptions, ContactOptions, ConvertOptions,
+    DiagramOptions, EnsembleOptions, FrfOptions, MeasuredFrfOptions, MeasuredModesOptions,
+    ModesOptions, NoiseOptions, PowerOptions, ReproduceOptions, RigOptions, RunOptions,
+    SegmentsOptions, SpectraOptions, StudyOptions, SweepOptions,
+};
+use clap::Args;
+use serde::Serialize;
+
+/// A question with its names and its options.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Question {
+    /// The result, in a few words.
+    pub about: &'static str,
+    /// Method of the library.
+    pub method: &'static str,
+    /// Command of the program `jounce`.
+    pub command: &'static str,
+    /// Call of the Python package.
+    pub python: &'static str,
+    /// Name in a study; `None` for a question that a study does not compute.
+    pub quantity: Option<&'static str>,
+    /// Options with their definitions.
+    pub options: Vec<OptionDefinition>,
+}
+
+/// Returns all questions that have options, in the order of the documentation.
+///
+/// ```
+/// let questions = jounce::questions();
+/// let run = questions.iter().find(|question| question.command == "run").unwrap();
+/// assert_eq!(run.method, "Harvester::run");
+/// assert!(run.options.iter().any(|option| option.name == "tolerance"));
+/// ```
+pub fn questions() -> Vec<Question> {
+    let mut questions = of_harvesters();
+    questions.extend(of_recordings());
+    questions
+}
+
+fn question<O: Args>(
+    about: &'static str,
+    [method, command, python]: [&'static str; 3],
+    quantity: Option<&'static str>,
+) -> Question {
+    Question {
+        about,
+        method,
+        command,
+        python,
+        quantity,
+        options: definitions::<O>(),
+    }
+}
+
+fn of_harvesters() -> Vec<Question> {
+    vec![
+        question::<ModesOptions>(
+            "natural frequencies, couplings and mode shapes",
+            ["Harvester::modes", "modes", "Spec.modes"],
+            None,
+        ),
+        question::<FrfOptions>(
+            "frequency responses without contact",
+            ["Harvester::frf", "frf", "Spec.frf"],
+            None,
+        ),
+        question::<NoiseOptions>(
+            "response to noise without contact",
+            ["Harvester::noise", "noise", "Spec.noise"],
+            None,
+        ),
+        question::<RunOptions>(
+            "response from a start in time",
+            ["Harvester::run", "run", "Spec.run"],
+            Some("run"),
+        ),
+        question::<SweepOptions>(
+            "responses over values of a key",
+            ["Harvester::sweep", "sweep", "Spec.sweep"],
+            None,
+        ),
+        question::<BranchOptions>(
+            "branches of periodic orbits over a key",
+            ["Harvester::branch", "branch", "Spec.branch"],
+            Some("branch"),
+        ),
+        question::<BifurcationsOptions>(
+            "bifurcation curves in two keys",
+            [
+                "Harvester::bifurcations",
+                "bifurcations",
+                "Spec.bifurcations",
+            ],
+            Some("jumps"),
+        ),
+        question::<DiagramOptions>(
+            "bifurcation diagram over a key",
+            ["Harvester::diagram", "diagram", "Spec.diagram"],
+            None,
+        ),
+        question::<BasinsOptions>(
+            "attractors and the share of starts that reach each",
+            ["Harvester::basins", "basins", "Spec.basins"],
+            Some("basins"),
+        ),
+        question::<EnsembleOptions>(
+            "means over realisations of noise",
+            ["Harvester::ensemble", "ensemble", "Spec.ensemble"],
+            None,
+        ),
+        question::<StudyOptions>(
+            "one quantity over several keys",
+            ["Study::run", "study run", "Study.run"],
+            None,
+        ),
+        question::<RigOptions>(
+            "simulated recordings of the sensors of a test",
+            ["Harvester::rig", "rig", "Spec.rig"],
+            None,
+        ),
+        question::<ReproduceOptions>(
+            "tables, figures and claims of the 2019 paper",
+            ["reproduce", "reproduce", "reproduce"],
+            None,
+        ),
+    ]
+}
+
+fn of_recordings() -> Vec<Question> {
+    vec![
+        question::<ConvertOptions>(
+            "contents of a file, and its conversion",
+            ["RecordedFile::convert", "read", "RecordedFile.write"],
+            None,
+        ),
+        question::<PowerOptions>(
+            "mean power of voltages over their loads",
+            ["Recording::power", "power", "power"],
+            None,
+        ),
+        question::<SpectraOptions>(
+            "density, order lines and spectrogram of a channel",
+            ["Recording::spectra", "spectra", "spectra"],
+            None,
+        ),
+        question::<MeasuredFrfOptions>(
+            "frequency responses of a hammer or shaker test",
+            ["Recording::measured_frf", "frf", "measured_frf"],
+            None,
+        ),
+        question::<MeasuredModesOptions>(
+            "modes of a test",
+            ["Recording::measured_modes", "modes", "measured_modes"],
+            None,
+        ),
+        question::<ContactOptions>(
+            "contact laws of force pulses",
+            ["Recording::contact", "contact", "contact"],
+            None,
+        ),
+        question::<SegmentsOptions>(
+            "parts of a recording that show one attractor each",
+            ["Recording::segments", "segments", "segments"],
+            None,
+        ),
+    ]
+}
