@@ -42,7 +42,7 @@ class Study:
         Number of drawn points, and their seed.
     quantity
         ``"run"``, ``"modes"``, ``"frf"``, ``"basins"``, ``"ensemble"``, ``"noise"``, or a dict of ``command`` and its options, as
-        ``"sweep"``, ``"diagram"``, ``"branch"`` and ``"jumps"`` need:
+        ``"sweep"``, ``"diagram"``, ``"branch"`` and ``"bifurcations"`` need:
         ``{"command": "sweep", "over": "drive.shaker.frequency=10Hz:14Hz:0.1Hz"}``.
     points_per_part
         Number of points of a part, which one process computes and writes in one file.

@@ -99,7 +99,7 @@ export class Shake {
         const linear = head.linear_power_w > 0 ? `, ${quantity(head.linear_power_w, "W")} without contact` : "";
         const rate = head.contacts / head.average_over_s;
         const name = head.channel ? `${this.name} (${head.channel})` : this.name;
-        const noticed = head.findings?.length > 0 ? `. Issues: ${head.findings.join("; ")}` : "";
+        const noticed = head.issues?.length > 0 ? `. Issues: ${head.issues.join("; ")}` : "";
         this.say(`${name}: ${quantity(head.mean_power_w, "W")} on average over ${quantity(head.average_over_s, "s")}${linear}; ${rate.toFixed(1)} contacts per second${noticed}`);
         this.last = frame;
         this.redraw();

@@ -171,7 +171,7 @@ test("a recording that is dropped shakes the harvester, and a file of another ki
     await page.locator("#tab-response").click();
 });
 
-test("no serious finding of axe in light and dark", async () => {
+test("no serious issue of axe in light and dark", async () => {
     await ready(page);
     for (const look of ["light", "dark"]) {
         if ((await page.evaluate(() => document.documentElement.dataset.theme)) !== look) await page.locator("#theme").click();

@@ -83,7 +83,7 @@ impl SpecArguments {
 
 /// Prints the issues of the recordings of the drives on stderr.
 pub fn print_recording_issues(spec: &Spec) {
-    for (drive, issue) in spec.findings() {
+    for (drive, issue) in spec.issues() {
         let kind = if issue.kind.is_note() {
             "note"
         } else {

@@ -289,7 +289,7 @@ fn single_row(quantity: &str) -> Table {
 #[test]
 fn a_frequency_response_has_the_peak_of_the_linear_harvester() {
     let folder_state =
-        single_row("command = \"frf\"\nfrom = \"2 Hz\"\nto = \"20 Hz\"\npoints = 2001");
+        single_row("command = \"frf\"\nlow = \"2 Hz\"\nhigh = \"20 Hz\"\npoints = 2001");
     let mut spec = SpecFile::read(example_folder().join("harvester.toml"))
         .unwrap()
         .spec()
@@ -360,7 +360,7 @@ fn every_quantity_fills_its_columns() {
     let quantities = [
         ("command = \"modes\"\ncount = 2", "frequency_2_hz"),
         (
-            "command = \"frf\"\nfrom = \"2 Hz\"\nto = \"20 Hz\"\npoints = 50",
+            "command = \"frf\"\nlow = \"2 Hz\"\nhigh = \"20 Hz\"\npoints = 50",
             "peak_voltage",
         ),
         (
@@ -450,8 +450,8 @@ fn all_faults_of_a_text_come_at_once_with_their_lines() {
             "over is missing",
         ),
         (
-            "spec = \"harvester.toml\"\n[vary]\n\"stop.tip.gap\" = \"1mm\"\n[quantity]\ncommand = \"frf\"\nfrom = \"9 kg\"",
-            "quantity.from",
+            "spec = \"harvester.toml\"\n[vary]\n\"stop.tip.gap\" = \"1mm\"\n[quantity]\ncommand = \"frf\"\nlow = \"9 kg\"",
+            "quantity.low",
         ),
         (
             "spec = \"harvester.toml\"\n[vary]\n\"stop.tip.gap\" = \"1mm\"\n[quantity]\ncommand = \"diagram\"\nover = \"drive.shaker.frequency=14Hz,10Hz\"",
@@ -462,7 +462,7 @@ fn all_faults_of_a_text_come_at_once_with_their_lines() {
             "up, down, both, independent",
         ),
         (
-            "spec = \"harvester.toml\"\n[vary]\n\"stop.tip.gap\" = \"1mm\"\n[quantity]\ncommand = \"jumps\"\nover = \"drive.shaker.frequency=4Hz:20Hz\"",
+            "spec = \"harvester.toml\"\n[vary]\n\"stop.tip.gap\" = \"1mm\"\n[quantity]\ncommand = \"bifurcations\"\nover = \"drive.shaker.frequency=4Hz:20Hz\"",
             "against is missing",
         ),
         (

@@ -38,7 +38,7 @@ pub fn respond(
     if let Some(channel) = channel {
         frame
             .put("channel", channel.channel)
-            .put("findings", channel.issues);
+            .put("issues", channel.issues);
     }
     if matches!(excitation, Excitation::Noise { .. }) {
         frame.put("linear_power_w", result.linear_power_w);

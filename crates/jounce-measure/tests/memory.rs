@@ -182,11 +182,11 @@ fn peaks(folder: &Path, rows: usize, before: u64) -> Vec<(&'static str, u64)> {
     let (peak, summary) = peak_of(before, || read(&at("a.csv")));
     peaks.push(("CSV", peak));
     let jitter = summary.recordings[0]
-        .findings
+        .issues
         .iter()
-        .find(|finding| finding.kind == IssueKind::Jitter);
+        .find(|issue| issue.kind == IssueKind::Jitter);
     assert_eq!(
-        jitter.map(|finding| finding.count),
+        jitter.map(|issue| issue.count),
         Some(2 * rows.div_ceil(1000)),
         "each late stamp makes two odd steps"
     );

@@ -133,7 +133,7 @@ impl Harvester {
 
     /// Returns the data-quality issues of the recordings that the drives use, with the drive.
     pub fn issues(&self) -> impl Iterator<Item = (&str, &Issue)> {
-        self.spec.findings()
+        self.spec.issues()
     }
 
     /// Returns the text of the spec with the set keys written into it.

@@ -20,6 +20,14 @@ pub struct OptionDefinition {
     pub help: String,
 }
 
+impl OptionDefinition {
+    /// Returns the name of the option in a study and in Python: its name without a unit.
+    pub fn keyword(&self) -> String {
+        let negated = self.argument.strip_prefix("no-");
+        negated.unwrap_or(&self.argument).replace('-', "_")
+    }
+}
+
 /// Returns the definitions of all options of a computation.
 ///
 /// ```

@@ -61,17 +61,17 @@ fn of_harvesters() -> Vec<Question> {
         question::<ModesOptions>(
             "natural frequencies, couplings and mode shapes",
             ["Harvester::modes", "modes", "Spec.modes"],
-            None,
+            Some("modes"),
         ),
         question::<FrfOptions>(
             "frequency responses without contact",
             ["Harvester::frf", "frf", "Spec.frf"],
-            None,
+            Some("frf"),
         ),
         question::<NoiseOptions>(
             "response to noise without contact",
             ["Harvester::noise", "noise", "Spec.noise"],
-            None,
+            Some("noise"),
         ),
         question::<RunOptions>(
             "response from a start in time",
@@ -81,7 +81,7 @@ fn of_harvesters() -> Vec<Question> {
         question::<SweepOptions>(
             "responses over values of a key",
             ["Harvester::sweep", "sweep", "Spec.sweep"],
-            None,
+            Some("sweep"),
         ),
         question::<BranchOptions>(
             "branches of periodic orbits over a key",
@@ -95,12 +95,12 @@ fn of_harvesters() -> Vec<Question> {
                 "bifurcations",
                 "Spec.bifurcations",
             ],
-            Some("jumps"),
+            Some("bifurcations"),
         ),
         question::<DiagramOptions>(
             "bifurcation diagram over a key",
             ["Harvester::diagram", "diagram", "Spec.diagram"],
-            None,
+            Some("diagram"),
         ),
         question::<BasinsOptions>(
             "attractors and the share of starts that reach each",
@@ -110,7 +110,7 @@ fn of_harvesters() -> Vec<Question> {
         question::<EnsembleOptions>(
             "means over realisations of noise",
             ["Harvester::ensemble", "ensemble", "Spec.ensemble"],
-            None,
+            Some("ensemble"),
         ),
         question::<StudyOptions>(
             "one quantity over several keys",

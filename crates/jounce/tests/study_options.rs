@@ -1,7 +1,9 @@
 //! Options of the quantities of studies: the names and defaults are those of the questions.
 
-use clap::Args;
-use jounce::{BasinsOptions, EnsembleOptions, SweepOptions, SweepOrder, definitions};
+use jounce::{
+    BasinsOptions, BifurcationsOptions, BranchOptions, DiagramOptions, EnsembleOptions,
+    SweepOptions, SweepOrder, questions,
+};
 use jounce_core::analysis::Recognition;
 use jounce_core::spec::SpecFile;
 use jounce_core::study::{Quantity, Study};
@@ -19,22 +21,26 @@ fn quantity(command: &str, required: &str) -> Quantity {
     study.expect("the study is valid").quantity
 }
 
-/// Checks that each option of a command in a study is an option of the question.
-fn check_names<O: Args>(command: &str) {
-    let options = definitions::<O>();
-    let names = Quantity::options(command);
-    assert!(!names.is_empty(), "{command}: no options");
-    for name in names {
-        assert!(
-            options.iter().any(|option| option.name == *name),
-            "{command}: {name} is no option of the question"
-        );
+#[test]
+fn every_quantity_has_the_options_of_its_question() {
+    for question in questions() {
+        let Some(command) = question.quantity else {
+            continue;
+        };
+        for name in Quantity::options(command) {
+            // The number of modes is the number of columns of the table.
+            let is_known = (command, *name) == ("modes", "count")
+                || question
+                    .options
+                    .iter()
+                    .any(|option| option.keyword() == *name);
+            assert!(is_known, "{command}: {name} is no option of the question");
+        }
     }
 }
 
 #[test]
 fn a_sweep_in_a_study_has_the_options_of_a_sweep() {
-    check_names::<SweepOptions>("sweep");
     let options = SweepOptions::default();
     let Quantity::Sweep {
         direction,
@@ -62,7 +68,6 @@ fn a_sweep_in_a_study_has_the_options_of_a_sweep() {
 
 #[test]
 fn basins_in_a_study_have_the_options_of_basins() {
-    check_names::<BasinsOptions>("basins");
     let options = BasinsOptions::default();
     let expected = Quantity::Basins {
         starts: options.starts,
@@ -79,11 +84,58 @@ fn basins_in_a_study_have_the_options_of_basins() {
 
 #[test]
 fn an_ensemble_in_a_study_has_the_options_of_an_ensemble() {
-    check_names::<EnsembleOptions>("ensemble");
     let options = EnsembleOptions::default();
     let expected = Quantity::Ensemble {
         members: options.members,
         seed: options.seed,
     };
     assert_eq!(quantity("ensemble", ""), expected);
+}
+
+#[test]
+fn branches_in_a_study_have_the_defaults_of_branches() {
+    let options = BranchOptions::default();
+    let required = "over = \"drive.shaker.frequency=4Hz:20Hz\"";
+    let Quantity::Branch {
+        seeds,
+        longest_period,
+        tolerance,
+        ..
+    } = quantity("branch", required)
+    else {
+        panic!("the quantity is no branch");
+    };
+    assert_eq!(
+        (seeds, longest_period, tolerance),
+        (options.seeds, options.longest_period, options.tolerance)
+    );
+}
+
+#[test]
+fn bifurcations_in_a_study_have_the_defaults_of_bifurcations() {
+    let options = BifurcationsOptions::default();
+    let required =
+        "over = \"drive.shaker.frequency=4Hz:20Hz\"\nagainst = \"stop.tip.gap=0.5mm:1.5mm\"";
+    let Quantity::Bifurcations {
+        seeds,
+        longest_period,
+        tolerance,
+        ..
+    } = quantity("bifurcations", required)
+    else {
+        panic!("the quantity is no bifurcation curve");
+    };
+    assert_eq!(
+        (seeds, longest_period, tolerance),
+        (options.seeds, options.longest_period, options.tolerance)
+    );
+}
+
+#[test]
+fn a_diagram_in_a_study_has_the_defaults_of_a_diagram() {
+    let Quantity::Diagram { tolerance, .. } = quantity("diagram", &format!("over = \"{OVER}\""))
+    else {
+        panic!("the quantity is no diagram");
+    };
+    assert_eq!(tolerance, DiagramOptions::default().tolerance);
 }

@@ -34,12 +34,12 @@ pub enum Warning {
         to_s: f64,
     },
     /// The recording of a drive has a data-quality issue.
-    #[error("drive {drive}: {finding}")]
+    #[error("drive {drive}: {issue}")]
     Recording {
         /// Name of the drive.
         drive: String,
         /// The issue.
-        finding: Issue,
+        issue: Issue,
     },
     /// The energy balance does not close.
     #[error(
@@ -89,12 +89,10 @@ impl Warning {
         let is_unbalanced =
             !(residual_relative.abs() <= MAX_ENERGY_RESIDUAL || result.is_trivial());
         let unbalanced = is_unbalanced.then_some(Self::Unbalanced { residual_relative });
-        let noticed = spec
-            .findings()
-            .filter(|(_, finding)| !finding.kind.is_note());
-        let noticed = noticed.map(|(drive, finding)| Self::Recording {
+        let noticed = spec.issues().filter(|(_, issue)| !issue.kind.is_note());
+        let noticed = noticed.map(|(drive, issue)| Self::Recording {
             drive: drive.to_owned(),
-            finding: finding.clone(),
+            issue: issue.clone(),
         });
         limits
             .chain(Self::of_recordings(spec, plan))

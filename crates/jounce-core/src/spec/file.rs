@@ -167,9 +167,9 @@ impl SpecFile {
                 set: None,
             }
         });
-        let read = reading.found.into_iter().map(|finding| {
-            let fault = Fault::without_position(&clip(&finding.key), finding.message);
-            match finding.position {
+        let read = reading.found.into_iter().map(|issue| {
+            let fault = Fault::without_position(&clip(&issue.key), issue.message);
+            match issue.position {
                 SourcePlace::At(offset) => {
                     let (line, column) = lines.line_and_column(offset);
                     Fault {
@@ -271,16 +271,16 @@ impl Spec {
 
 impl Spec {
     /// Returns the data-quality issues of the recordings of the drives, with the name of the drive.
-    pub fn findings(&self) -> impl Iterator<Item = (&str, &Issue)> {
+    pub fn issues(&self) -> impl Iterator<Item = (&str, &Issue)> {
         self.drive.iter().flat_map(|(name, drive)| {
-            let findings = match &drive.signal {
+            let issues = match &drive.signal {
                 DriveSignal::Recording {
                     record: Some(record),
                     ..
-                } => &record.findings[..],
+                } => &record.issues[..],
                 _ => &[],
             };
-            findings.iter().map(move |finding| (name.as_str(), finding))
+            issues.iter().map(move |issue| (name.as_str(), issue))
         })
     }
 }

@@ -28,7 +28,7 @@ pub struct Recording {
     /// Mean of the channel in the same unit, retained or removed.
     pub mean: f64,
     /// Data-quality issues of the recording and this channel, and the corrections applied to them.
-    pub findings: Vec<Issue>,
+    pub issues: Vec<Issue>,
 }
 
 /// Reason why a channel cannot drive a base or a point.
@@ -129,7 +129,7 @@ impl DriveKind {
 /// # Errors
 /// The named channel does not exist, or no channel fits, or several do.
 pub fn driving_channel(
-    (recording, heads, findings): (&str, &[ChannelHead<'_>], &[Issue]),
+    (recording, heads, issues): (&str, &[ChannelHead<'_>], &[Issue]),
     channel: Option<&str>,
     quantity: Quantity,
 ) -> Result<usize, RecordingError> {
@@ -137,7 +137,7 @@ pub fn driving_channel(
         return Ok(find_channel(recording, heads, channel)?);
     }
     let is_constant = |name: &str| {
-        findings
+        issues
             .iter()
             .any(|f| f.kind == IssueKind::Constant && f.channel.as_deref() == Some(name))
     };
@@ -229,15 +229,15 @@ impl Recording {
         let of_another = |name: &String| {
             *name != channel.name && measured.channels.iter().any(|other| other.name == *name)
         };
-        let belongs = |finding: &&Issue| !finding.channel.as_ref().is_some_and(of_another);
-        let mut findings: Vec<Issue> = measured.findings.iter().filter(belongs).cloned().collect();
+        let belongs = |issue: &&Issue| !issue.channel.as_ref().is_some_and(of_another);
+        let mut issues: Vec<Issue> = measured.issues.iter().filter(belongs).cloned().collect();
         if offset.abs() > CONSTANT_ROUNDOFF * largest {
             let about = format!(
                 "its mean of {:.5} {} is removed",
                 scale * mean,
                 quantity.si_unit()
             );
-            findings.push(
+            issues.push(
                 Issue::new(IssueKind::MeanRemoved, values.len(), None, about).of(&channel.name),
             );
         }
@@ -245,7 +245,7 @@ impl Recording {
             step_s: *step,
             values,
             mean,
-            findings,
+            issues,
         })
     }
 
@@ -276,7 +276,7 @@ impl Recording {
             error => ("file", error.to_string()),
         })?;
         let number = driving_channel(
-            (&survey.name, &survey.heads(), &survey.findings),
+            (&survey.name, &survey.heads(), &survey.issues),
             channel.as_deref(),
             quantity,
         )
@@ -296,7 +296,7 @@ impl Recording {
         } else {
             None
         };
-        survey.findings.extend(assumed);
+        survey.issues.extend(assumed);
         let measured = survey
             .into_recording_of(&[number])
             .map_err(|error| of_file(&error))?;
@@ -305,8 +305,8 @@ impl Recording {
         if let Some(unit) = unit {
             in_unit(channel, unit, quantity).map_err(|message| ("unit", message))?;
             measured
-                .findings
-                .retain(|finding| finding.kind != IssueKind::RawCounts);
+                .issues
+                .retain(|issue| issue.kind != IssueKind::RawCounts);
         }
         let channel = &measured.channels[0];
         let (name, keep_mean) = (

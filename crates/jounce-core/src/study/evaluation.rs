@@ -1,6 +1,6 @@
 //! One quantity at one point.
 
-use super::key_quantities::{diagram, jumps, sweep};
+use super::key_quantities::{bifurcations, diagram, sweep};
 use super::{Quantity, StudyError};
 use crate::analysis::{
     AnalysisError, BandwidthSearch, Basins, BranchSearch, Cloud, Ensemble, InitialStates, Model,
@@ -39,13 +39,13 @@ pub(super) fn evaluate(
             order,
             tolerance,
         } => diagram(model, (over, values), *order, *tolerance),
-        Quantity::Jumps {
+        Quantity::Bifurcations {
             keys,
             ranges,
             seeds,
             longest_period,
             tolerance,
-        } => jumps(model, keys, *ranges, (*seeds, *longest_period, *tolerance)),
+        } => bifurcations(model, keys, *ranges, (*seeds, *longest_period, *tolerance)),
         Quantity::Basins {
             starts,
             seed,

@@ -101,7 +101,7 @@ pub(super) fn diagram(
 }
 
 /// Evaluates the number of bifurcation curves over two keys, and the range of the folds.
-pub(super) fn jumps(
+pub(super) fn bifurcations(
     model: &Model,
     keys: &[String; 2],
     ranges: [(f64, f64); 2],

@@ -45,7 +45,7 @@ pub enum Quantity {
         tolerance: f64,
     },
     /// Bifurcation curves over two keys.
-    Jumps {
+    Bifurcations {
         /// The keys.
         keys: [String; 2],
         /// Ends of their ranges, SI.
@@ -135,7 +135,7 @@ impl Quantity {
             Self::Frf { .. } => "frf",
             Self::Sweep { .. } => "sweep",
             Self::Diagram { .. } => "diagram",
-            Self::Jumps { .. } => "jumps",
+            Self::Bifurcations { .. } => "bifurcations",
             Self::Basins { .. } => "basins",
             Self::Branch { .. } => "branch",
             Self::Ensemble { .. } => "ensemble",
@@ -200,7 +200,7 @@ impl Quantity {
                 count("unsettled", "points that had not settled"),
             ],
             Self::Diagram { .. } => diagram(),
-            Self::Jumps { .. } => jumps(),
+            Self::Bifurcations { .. } => bifurcations(),
             Self::Basins { .. } => basins(),
             Self::Branch { .. } => branch(),
             Self::Ensemble { .. } => vec![
@@ -258,7 +258,7 @@ fn diagram() -> Vec<Measure> {
     ]
 }
 
-fn jumps() -> Vec<Measure> {
+fn bifurcations() -> Vec<Measure> {
     vec![
         count("curves", "curves that were found"),
         count("folds", "those of them that are folds"),

@@ -10,7 +10,16 @@ use toml_edit::{Item, Table};
 
 /// Commands available in a study.
 const COMMANDS: &[&str] = &[
-    "run", "modes", "frf", "sweep", "diagram", "branch", "jumps", "basins", "ensemble", "noise",
+    "run",
+    "modes",
+    "frf",
+    "sweep",
+    "diagram",
+    "branch",
+    "bifurcations",
+    "basins",
+    "ensemble",
+    "noise",
 ];
 
 impl Quantity {
@@ -18,11 +27,11 @@ impl Quantity {
     pub fn options(command: &str) -> &'static [&'static str] {
         match command {
             "modes" => &["count"],
-            "frf" => &["from", "to", "points"],
+            "frf" => &["low", "high", "points"],
             "sweep" => &["over", "direction", "fixed_duration"],
             "diagram" => &["over", "direction", "tolerance"],
             "branch" => &["over", "seeds", "longest_period", "tolerance"],
-            "jumps" => &["over", "against", "seeds", "longest_period", "tolerance"],
+            "bifurcations" => &["over", "against", "seeds", "longest_period", "tolerance"],
             "basins" => &[
                 "starts",
                 "seed",
@@ -68,7 +77,7 @@ pub(super) fn quantity(
         "sweep" => request.sweep(reader),
         "diagram" => request.diagram(reader),
         "branch" => request.branch(reader),
-        "jumps" => request.jumps(reader),
+        "bifurcations" => request.bifurcations(reader),
         "basins" => Quantity::Basins {
             starts: request.integer(reader, "starts", 1_000_000, 200) as usize,
             seed: request.integer(reader, "seed", 1 << 53, 1),
@@ -94,15 +103,15 @@ pub(super) fn quantity(
 impl QuantityTable<'_> {
     fn frf(&self, reader: &mut FaultCollector) -> Quantity {
         let range_hz = (
-            self.frequency(reader, "from", 1.0),
-            self.frequency(reader, "to", 1000.0),
+            self.frequency(reader, "low", 1.0),
+            self.frequency(reader, "high", 1000.0),
         );
         if range_hz.0 >= range_hz.1 {
             let reason = format!(
-                "quantity.from is {} Hz and quantity.to {} Hz; from must be below to",
+                "quantity.low is {} Hz and quantity.high {} Hz; low must be below high",
                 range_hz.0, range_hz.1
             );
-            reader.fault("quantity.from", self.span("from"), reason);
+            reader.fault("quantity.low", self.span("low"), reason);
         }
         let points = reader.integer(
             "quantity.points",
@@ -214,10 +223,10 @@ impl QuantityTable<'_> {
         }
     }
 
-    fn jumps(&self, reader: &mut FaultCollector) -> Quantity {
+    fn bifurcations(&self, reader: &mut FaultCollector) -> Quantity {
         let over = self.ends(reader, "over", "drive.shaker.frequency=4Hz:20Hz");
         let against = self.ends(reader, "against", "stop.tip.gap=0.5mm:1.5mm");
-        Quantity::Jumps {
+        Quantity::Bifurcations {
             keys: [over.0, against.0],
             ranges: [over.1, against.1],
             seeds: self.seeds(reader, 4),

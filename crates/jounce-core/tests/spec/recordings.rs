@@ -31,9 +31,9 @@ fn record(spec: &Spec) -> Arc<Recording> {
     record.clone()
 }
 
-fn findings(spec: &Spec) -> Vec<String> {
-    spec.findings()
-        .map(|(drive, finding)| format!("{drive}: {finding}"))
+fn issues(spec: &Spec) -> Vec<String> {
+    spec.issues()
+        .map(|(drive, issue)| format!("{drive}: {issue}"))
         .collect()
 }
 
@@ -53,11 +53,11 @@ fn the_unit_and_the_channel_come_from_the_file() {
     );
     assert_eq!(record(&spec_read).mean, -G);
     assert!(
-        findings(&spec_read)
+        issues(&spec_read)
             .iter()
             .any(|message| message == "road: floor: its mean of -9.80665 m/s^2 is removed"),
         "{:?}",
-        findings(&spec_read)
+        issues(&spec_read)
     );
     let unchanged = read(file, "mean = \"kept\"\nscale = 2\n").unwrap();
     assert_eq!(&record(&unchanged).values[..], &[0.0, G, -4.0 * G]);
@@ -122,14 +122,10 @@ fn information_missing_from_the_file_is_given_by_a_key() {
         (record(&spec_read).step_s, &record(&spec_read).values[..]),
         (0.004, &[G, -G, 3.0 * G, -3.0 * G][..])
     );
-    assert!(
-        findings(&spec_read).is_empty(),
-        "{:?}",
-        findings(&spec_read)
-    );
+    assert!(issues(&spec_read).is_empty(), "{:?}", issues(&spec_read));
     let assumed = read(bare, "sample_rate = \"250 Hz\"\n").unwrap();
     assert_eq!(
-        findings(&assumed),
+        issues(&assumed),
         ["road: a: no unit is given; m/s^2 is assumed"]
     );
     let two = ("two.csv", "time (s),left,right\n0,1,2\n0.5,-1,0\n1,1,2\n");
@@ -159,7 +155,7 @@ fn gaps_are_bridged_and_reported() {
         (values.len(), values[5], values[17], values[18]),
         (40, 0.0, 0.0, 0.0)
     );
-    let message = findings(&spec_read).join("; ");
+    let message = issues(&spec_read).join("; ");
     assert!(
         message.contains("not numbers") && message.contains("missing"),
         "{message}"

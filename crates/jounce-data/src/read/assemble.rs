@@ -37,7 +37,7 @@ pub(super) fn recording(
         path: path.to_owned(),
         reason,
     };
-    let mut findings = std::mem::take(&mut raw.findings);
+    let mut issues = std::mem::take(&mut raw.issues);
     // A property of a channel given in the notes is not an assumption.
     let has_notes = |name: &String| {
         columns
@@ -47,7 +47,7 @@ pub(super) fn recording(
                 column == name && (column_notes.unit.is_some() || column_notes.name.is_some())
             })
     };
-    findings.retain(|issue| {
+    issues.retain(|issue| {
         issue.kind != IssueKind::Assumed || !issue.channel.as_ref().is_some_and(has_notes)
     });
     if notes.over_frequency {
@@ -75,7 +75,7 @@ pub(super) fn recording(
         &mut raw,
         time.map(|k| (k, &time_notes)),
         notes,
-        &mut findings,
+        &mut issues,
     )?;
     let left_out = column_notes
         .iter()
@@ -86,9 +86,9 @@ pub(super) fn recording(
             continue;
         }
         match no_channel(&column, &column_notes, by_column).map_err(scratch_error)? {
-            None => channels.push(channel_summary(column, column_notes, &mut findings)),
+            None => channels.push(channel_summary(column, column_notes, &mut issues)),
             Some(why) if why.is_empty() => {}
-            Some(why) => findings.push(
+            Some(why) => issues.push(
                 Issue::new(
                     IssueKind::Skipped,
                     1,
@@ -102,19 +102,19 @@ pub(super) fn recording(
     if channels.is_empty() && !left_out {
         return Err(ReadError::NoChannel {
             path: path.to_owned(),
-            findings,
+            issues,
         });
     }
     for channel in &mut channels {
         let counts = may_be_counts(channel.quantity, channel.imaginary.is_some());
         let (result, sizes) = inspect_samples(&channel.values, counts).map_err(scratch_error)?;
-        findings.extend(result.into_iter().map(|issue| issue.of(&channel.name)));
+        issues.extend(result.into_iter().map(|issue| issue.of(&channel.name)));
         let equal = if sizes.peak > 0.0 {
             time::describe_equal(&channel.values, &sample_places).map_err(scratch_error)?
         } else {
             None
         };
-        findings.extend(equal.map(|message| {
+        issues.extend(equal.map(|message| {
             Issue::new(IssueKind::EqualsTime, channel.values.count(), None, message)
                 .of(&channel.name)
         }));
@@ -126,7 +126,7 @@ pub(super) fn recording(
         over: raw.over,
         places: sample_places,
         channels,
-        findings,
+        issues,
     })
 }
 
@@ -211,7 +211,7 @@ fn sample_places(
     raw: &mut Raw,
     time: Option<(usize, &ChannelNotes)>,
     notes: &Notes,
-    findings: &mut Vec<Issue>,
+    issues: &mut Vec<Issue>,
 ) -> Result<SamplePlaces, ReadError> {
     let scratch_error = |reason| ReadError::Scratch {
         path: path.to_owned(),
@@ -239,7 +239,7 @@ fn sample_places(
         // A time column is not a channel, so its numbers may be moved out.
         (None, Some((k, column_notes))) => {
             let time_context = (raw.over, rate.as_ref(), notes.time.is_some());
-            let result = time::seconds(&mut raw.columns[k], column_notes, time_context, findings)
+            let result = time::seconds(&mut raw.columns[k], column_notes, time_context, issues)
                 .map_err(scratch_error)?;
             result.map_err(|MissingUnit { column, step }| ReadError::StampUnit {
                 path: path.to_owned(),
@@ -264,11 +264,11 @@ fn sample_places(
                     notes: Notes::path_of(path),
                 });
             };
-            findings.extend(assumption);
+            issues.extend(assumption);
             return even_places(path, start, step, count);
         }
     };
-    by_stamps(path, stamps, raw.over, (rate.as_ref(), notes), findings)
+    by_stamps(path, stamps, raw.over, (rate.as_ref(), notes), issues)
 }
 
 fn even_places(
@@ -321,7 +321,7 @@ fn by_stamps(
     stamps: ColumnNumbers,
     over: Over,
     (rate, notes): (Option<&Rate>, &Notes),
-    findings: &mut Vec<Issue>,
+    issues: &mut Vec<Issue>,
 ) -> Result<SamplePlaces, ReadError> {
     let scratch_error = |reason| ReadError::Scratch {
         path: path.to_owned(),
@@ -343,18 +343,18 @@ fn by_stamps(
         Stamped::Even {
             start,
             step,
-            issues,
+            issues: of_stamps,
         } => {
-            findings.extend(issues);
+            issues.extend(of_stamps);
             (1.0 / step, even_places(path, start, step, stamps.count())?)
         }
-        Stamped::Uneven(issues) => {
-            findings.extend(issues);
+        Stamped::Uneven(of_stamps) => {
+            issues.extend(of_stamps);
             let rate = 1.0 / typical_step(&stamps).map_err(scratch_error)?;
             (rate, SamplePlaces::Stamped { stamps, rate })
         }
     };
-    findings.extend(differs(rate, result, "the stamps give", "the stamps are"));
+    issues.extend(differs(rate, result, "the stamps give", "the stamps are"));
     if let Some(rate_hz) = notes
         .rate_hz
         .filter(|rate_hz| (rate_hz / result - 1.0).abs() > SAME_RATE)
@@ -363,7 +363,7 @@ fn by_stamps(
             "the notes specify {rate_hz} Hz, the stamps give {result:.6} Hz; the stamps \
                 are used"
         );
-        findings.push(Issue::new(IssueKind::HeaderDisagrees, 1, None, message));
+        issues.push(Issue::new(IssueKind::HeaderDisagrees, 1, None, message));
     }
     Ok(sample_places)
 }
@@ -372,17 +372,17 @@ fn by_stamps(
 pub(super) fn channel_summary(
     mut column: RawColumn,
     column_notes: ChannelNotes,
-    findings: &mut Vec<Issue>,
+    issues: &mut Vec<Issue>,
 ) -> ChannelSummary {
     if let Some(levels) = Decibels::read(&column.unit) {
-        findings.push(column.convert_levels(levels));
+        issues.push(column.convert_levels(levels));
     }
     let name = column_notes.name.unwrap_or(column.name);
     let unit_text = column_notes.unit.unwrap_or(column.unit);
     let scale = column_notes.scale.unwrap_or(1.0);
     let new_issue = |kind, count, message: String| Issue::new(kind, count, None, message).of(&name);
     if !unit_text.is_ascii() {
-        findings.push(new_issue(
+        issues.push(new_issue(
             IssueKind::NonAsciiUnit,
             1,
             format!("the unit {unit_text:?} contains characters outside ASCII"),
@@ -395,14 +395,14 @@ pub(super) fn channel_summary(
             "values in {unit_text} are multiplied by {} to give {}",
             unit.factor, unit.si
         );
-        findings.push(new_issue(
+        issues.push(new_issue(
             IssueKind::Converted,
             column.values.count(),
             message,
         ));
     }
     if unit.is_none() && !unit_text.trim().is_empty() && unit_text.trim() != "NONE" {
-        findings.push(new_issue(
+        issues.push(new_issue(
             IssueKind::UnknownUnit,
             1,
             format!("the unit {unit_text:?} is not known; values are unchanged"),

@@ -20,7 +20,7 @@ pub struct Contents {
     /// Mode shapes (UFF 55).
     pub shapes: Vec<ModeShape>,
     /// Issues that concern the complete file.
-    pub findings: Vec<Issue>,
+    pub issues: Vec<Issue>,
 }
 
 /// Mode shape or other set of nodal values, from UFF 55.
@@ -42,7 +42,7 @@ pub struct ModeShape {
 pub(super) struct FormatContents {
     pub sets: Vec<Raw>,
     pub shapes: Vec<ModeShape>,
-    pub findings: Vec<Issue>,
+    pub issues: Vec<Issue>,
 }
 
 impl From<Raw> for FormatContents {
@@ -50,7 +50,7 @@ impl From<Raw> for FormatContents {
         Self {
             sets: vec![set],
             shapes: Vec::new(),
-            findings: Vec::new(),
+            issues: Vec::new(),
         }
     }
 }
@@ -98,7 +98,7 @@ fn read(path: &Path, store: &SampleStore, notes: &Notes) -> Result<FileSummary, 
     let mut summary = FileSummary {
         recordings: Vec::new(),
         shapes: contents.shapes,
-        findings: contents.findings,
+        issues: contents.issues,
     };
     for (k, set) in contents.sets.into_iter().enumerate() {
         let name = match (has_several_sets, set.title.is_empty()) {
@@ -170,7 +170,7 @@ fn first_time_recording(path: &Path, summary: FileSummary) -> Result<RecordingSu
             names.join(", ")
         );
         selected
-            .findings
+            .issues
             .push(Issue::new(IssueKind::Skipped, others.len(), None, message));
     }
     Ok(selected)

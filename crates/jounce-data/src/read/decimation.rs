@@ -126,7 +126,7 @@ mod tests {
             over: Over::Time,
             grid,
             channels,
-            findings: Vec::new(),
+            issues: Vec::new(),
         };
         RecordingSummary::from(recording).decimate(8, most).unwrap()
     }

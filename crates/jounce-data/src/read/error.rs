@@ -70,12 +70,12 @@ pub enum ReadError {
         notes: PathBuf,
     },
     /// The file contains times and no channel.
-    #[error("{}: no channel remains apart from the time{}", path.display(), issue_text(findings))]
+    #[error("{}: no channel remains apart from the time{}", path.display(), issue_text(issues))]
     NoChannel {
         /// The file.
         path: PathBuf,
         /// Issues found, including columns that were left out.
-        findings: Vec<Issue>,
+        issues: Vec<Issue>,
     },
     /// The file contains no time-domain recording, only frequency data or mode shapes.
     #[error("{} contains no recording over time", path.display())]
@@ -117,8 +117,8 @@ fn note_text(notes: &[String]) -> String {
     }
 }
 
-fn issue_text(findings: &[Issue]) -> String {
-    let texts: Vec<String> = findings.iter().map(ToString::to_string).collect();
+fn issue_text(issues: &[Issue]) -> String {
+    let texts: Vec<String> = issues.iter().map(ToString::to_string).collect();
     if texts.is_empty() {
         String::new()
     } else {

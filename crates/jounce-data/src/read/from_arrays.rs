@@ -65,9 +65,9 @@ pub fn recording_from_arrays(
             });
         }
     }
-    let mut findings = Vec::new();
+    let mut issues = Vec::new();
     let channel_summary = |channel: RawChannel| {
-        assemble::channel_summary(channel.into(), Default::default(), &mut findings).into_channel()
+        assemble::channel_summary(channel.into(), Default::default(), &mut issues).into_channel()
     };
     let channels = channels
         .into_iter()
@@ -76,13 +76,13 @@ pub fn recording_from_arrays(
         .map_err(|fault| ArraysError::Kept {
             reason: fault.to_string(),
         })?;
-    findings.extend(channels.iter().flat_map(inspect));
+    issues.extend(channels.iter().flat_map(inspect));
     Ok(Recording {
         name: name.to_owned(),
         over,
         grid,
         channels,
-        findings,
+        issues,
     })
 }
 
@@ -113,7 +113,7 @@ mod tests {
             ),
             (Quantity::Acceleration, 9.806_65)
         );
-        let kinds: Vec<IssueKind> = recording.findings.iter().map(|issue| issue.kind).collect();
+        let kinds: Vec<IssueKind> = recording.issues.iter().map(|issue| issue.kind).collect();
         assert_eq!(kinds, [IssueKind::Converted, IssueKind::NotANumber]);
         assert_eq!(
             recording_from_arrays("x", Over::Time, grid.clone(), Vec::new()),

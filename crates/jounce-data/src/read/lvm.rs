@@ -42,17 +42,17 @@ pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, D
     let header = Header::read(&head, end)?;
     let file = File::open(path).map_err(io_error)?;
     let size = file.metadata().map_err(io_error)?.len();
-    let Rows { columns, findings } = columns(
+    let Rows { columns, issues } = columns(
         BufReader::with_capacity(1 << 20, file),
         size,
         &header.layout,
         store,
     )?;
-    let (sets, findings) = header.sets(columns, findings, store)?;
+    let (sets, issues) = header.sets(columns, issues, store)?;
     Ok(FormatContents {
         sets,
         shapes: Vec::new(),
-        findings,
+        issues,
     })
 }
 
@@ -165,7 +165,7 @@ impl Header {
     fn sets(
         &self,
         columns: Vec<RawColumn>,
-        findings: Vec<Issue>,
+        issues: Vec<Issue>,
         store: &SampleStore,
     ) -> Result<(Vec<Raw>, Vec<Issue>), Damage> {
         let rows = columns.first().map_or(0, |column| column.values.count());
@@ -213,17 +213,17 @@ impl Header {
                 None => sets.push((x, members)),
             }
         }
-        let (is_single_set, mut findings) = (sets.len() == 1, findings);
+        let (is_single_set, mut issues) = (sets.len() == 1, issues);
         let mut found = Vec::new();
         for (x, members) in sets {
             let set_issues = if is_single_set {
-                std::mem::take(&mut findings)
+                std::mem::take(&mut issues)
             } else {
                 Vec::new()
             };
             found.push(self.set(x, members, set_issues, store)?);
         }
-        Ok((found, findings))
+        Ok((found, issues))
     }
 
     /// Builds the set of channels over one time column.
@@ -231,7 +231,7 @@ impl Header {
         &self,
         x: Option<ColumnNumbers>,
         members: Members,
-        mut findings: Vec<Issue>,
+        mut issues: Vec<Issue>,
         store: &SampleStore,
     ) -> Result<Raw, Damage> {
         let first = members.first().map_or(1, |(k, _)| *k);
@@ -255,7 +255,7 @@ impl Header {
             .filter(|samples| *samples != rows)
         {
             let message = format!("the header specifies {samples} samples, but {rows} follow");
-            findings.push(Issue::new(
+            issues.push(Issue::new(
                 IssueKind::HeaderDisagrees,
                 samples.abs_diff(rows),
                 None,
@@ -267,15 +267,15 @@ impl Header {
         let is_complete = x.as_ref().map(is_finite).transpose()?.unwrap_or(false);
         let stamps = match (x.filter(|_| self.x_columns != "No" && is_complete), step) {
             (Some(x), Some(step)) => {
-                findings.extend(self.rescaling_issue(step, x.count(), x.first_and_last()?));
+                issues.extend(self.rescaling_issue(step, x.count(), x.first_and_last()?));
                 // Of two steps that agree with the stamps, use the one set in the header.
                 let rate = Rate {
                     source: format!("Delta_X = {step}"),
                     rate_hz: 1.0 / step,
                 };
-                if findings
+                if issues
                     .iter()
-                    .any(|finding| finding.kind == IssueKind::RescaledStamps)
+                    .any(|issue| issue.kind == IssueKind::RescaledStamps)
                 {
                     TimeStamps::Explicit(x)
                 } else {
@@ -300,14 +300,14 @@ impl Header {
             Over::Time
         };
         if over == Over::Frequency {
-            findings.extend(convert_levels(&mut columns)?);
+            issues.extend(convert_levels(&mut columns)?);
         }
         Ok(Raw {
             title: String::new(),
             over,
             stamps,
             columns,
-            findings,
+            issues,
         })
     }
 
@@ -340,7 +340,7 @@ impl Header {
 fn convert_levels(columns: &mut [RawColumn]) -> Result<Vec<Issue>, Damage> {
     let message = "the channels are spectra by their names; the first column is used as frequency \
         in Hz, whatever X_Dimension specifies";
-    let mut findings = vec![Issue::new(
+    let mut issues = vec![Issue::new(
         IssueKind::HeaderDisagrees,
         1,
         None,
@@ -351,9 +351,9 @@ fn convert_levels(columns: &mut [RawColumn]) -> Result<Vec<Issue>, Damage> {
         let mut negative = false;
         column.values.each(|x| negative |= x < 0.0)?;
         let levels = Decibels::read_or_linear(&column.unit).filter(|_| negative);
-        findings.extend(levels.map(|levels| column.convert_levels(levels)));
+        issues.extend(levels.map(|levels| column.convert_levels(levels)));
     }
-    Ok(findings)
+    Ok(issues)
 }
 
 fn is_finite(x: &ColumnNumbers) -> Result<bool, Damage> {

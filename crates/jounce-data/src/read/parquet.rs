@@ -42,7 +42,7 @@ pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, D
     let reader = SerializedFileReader::new(file).map_err(|fault| parquet_error(&fault))?;
     check_places(&reader, size)?;
     let notes = notes(&reader);
-    let (mut columns, mut findings) = (Vec::new(), Vec::new());
+    let (mut columns, mut issues) = (Vec::new(), Vec::new());
     let schema = reader.metadata().file_metadata().schema_descr_ptr();
     for (index, column) in schema.columns().iter().enumerate() {
         let head = column.path().string();
@@ -57,14 +57,14 @@ pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, D
                     .and_then(|notes| notes.unit(&head))
                     .map(|unit| (head.clone(), unit));
                 let (name, unit) = notes_text.unwrap_or_else(|| {
-                    findings.extend(name::ambiguity_issue(&head));
+                    issues.extend(name::ambiguity_issue(&head));
                     name::split(&head)
                 });
                 let mut column = RawColumn::new(&name, &unit, values);
                 notes.iter().for_each(|notes| notes.apply_to(&mut column));
                 columns.push(column);
             }
-            None => findings.push(Issue::new(
+            None => issues.push(Issue::new(
                 IssueKind::Skipped,
                 1,
                 None,
@@ -77,7 +77,7 @@ pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, D
     }
     Ok(Raw {
         stamps: TimeStamps::Named,
-        ..Raw::columns(columns, findings)
+        ..Raw::columns(columns, issues)
     }
     .into())
 }

@@ -12,7 +12,7 @@ pub(super) struct Raw {
     pub over: Over,
     pub stamps: TimeStamps,
     pub columns: Vec<RawColumn>,
-    pub findings: Vec<Issue>,
+    pub issues: Vec<Issue>,
 }
 
 /// Source of the sampling times.
@@ -195,13 +195,13 @@ impl RawColumn {
 
 impl Raw {
     /// Returns columns that may include the time.
-    pub(super) fn columns(columns: Vec<RawColumn>, findings: Vec<Issue>) -> Self {
+    pub(super) fn columns(columns: Vec<RawColumn>, issues: Vec<Issue>) -> Self {
         Self {
             title: String::new(),
             over: Over::Time,
             stamps: TimeStamps::Column,
             columns,
-            findings,
+            issues,
         }
     }
 }

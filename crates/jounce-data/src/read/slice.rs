@@ -76,14 +76,14 @@ impl RecordingSummary {
                 && channels.iter().all(|candidate| candidate.name != *name)
         };
         let is_relevant = |issue: &&Issue| !issue.channel.as_ref().is_some_and(left_out);
-        let mut findings: Vec<Issue> = self.findings.iter().filter(is_relevant).cloned().collect();
+        let mut issues: Vec<Issue> = self.issues.iter().filter(is_relevant).cloned().collect();
         let unit = if self.over == Over::Time { "s" } else { "Hz" };
         let message = format!(
             "{count} of {number} samples, from {from} {unit} to {to} {unit}; the other issues are \
             those of the complete recording"
         );
         if count < number {
-            findings.push(Issue::new(
+            issues.push(Issue::new(
                 IssueKind::Cut,
                 count,
                 Some(IssuePlace::Sample(first)),
@@ -95,7 +95,7 @@ impl RecordingSummary {
             over: self.over,
             places,
             channels,
-            findings,
+            issues,
         }))
     }
 }
@@ -135,7 +135,7 @@ mod tests {
             over: Over::Time,
             grid,
             channels: vec![channel],
-            findings: Vec::new(),
+            issues: Vec::new(),
         }
         .into()
     }
@@ -171,7 +171,7 @@ mod tests {
                     "{first} to {last}"
                 );
                 assert!(
-                    (slice.grid.at(0) - position(first)).abs() < 1e-9 && slice.findings.len() == 1
+                    (slice.grid.at(0) - position(first)).abs() < 1e-9 && slice.issues.len() == 1
                 );
             }
             assert!(

@@ -19,7 +19,7 @@ pub struct FileSummary {
     /// Mode shapes (UFF 55).
     pub shapes: Vec<ModeShape>,
     /// Issues that concern the complete file.
-    pub findings: Vec<Issue>,
+    pub issues: Vec<Issue>,
 }
 
 /// Recording whose numbers need not be in memory.
@@ -34,7 +34,7 @@ pub struct RecordingSummary {
     /// Channels, each with one sample per position.
     pub channels: Vec<ChannelSummary>,
     /// Data-quality issues and conversions.
-    pub findings: Vec<Issue>,
+    pub issues: Vec<Issue>,
 }
 
 /// Sample positions, s or Hz.
@@ -98,7 +98,7 @@ impl FileSummary {
         Ok(Contents {
             recordings,
             shapes: self.shapes,
-            findings: self.findings,
+            issues: self.issues,
         })
     }
 }
@@ -145,7 +145,7 @@ impl RecordingSummary {
             .flatten()
             .map(|channel| channel.name)
             .collect();
-        self.findings.retain(|issue| {
+        self.issues.retain(|issue| {
             !issue
                 .channel
                 .as_ref()
@@ -177,7 +177,7 @@ impl RecordingSummary {
             over: self.over,
             grid,
             channels,
-            findings: self.findings,
+            issues: self.issues,
         })
     }
 }
@@ -244,7 +244,7 @@ impl From<Recording> for RecordingSummary {
             over: recording.over,
             places,
             channels,
-            findings: recording.findings,
+            issues: recording.issues,
         }
     }
 }

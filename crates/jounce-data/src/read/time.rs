@@ -289,7 +289,7 @@ pub(super) fn seconds(
     column: &mut RawColumn,
     column_notes: &ChannelNotes,
     (over, rate, is_named): (Over, Option<&Rate>, bool),
-    findings: &mut Vec<Issue>,
+    issues: &mut Vec<Issue>,
 ) -> io::Result<Result<ColumnNumbers, MissingUnit>> {
     let (expected, si) = if over == Over::Time {
         (Quantity::Time, "s")
@@ -324,7 +324,7 @@ pub(super) fn seconds(
             };
             if let Some((unit, factor)) = TIME_UNITS.iter().find(matches_rate) {
                 let by = rate.map_or("", |rate| &rate.source);
-                findings.push(new_issue(
+                issues.push(new_issue(
                     IssueKind::Assumed,
                     format!("the stamps have no unit; they are in {unit} by {by}"),
                 ));
@@ -345,7 +345,7 @@ pub(super) fn seconds(
                 } else {
                     "no name or unit identifies this column as the time"
                 };
-                findings.push(new_issue(
+                issues.push(new_issue(
                     IssueKind::Assumed,
                     format!("{description}; {si} is assumed"),
                 ));
@@ -353,7 +353,7 @@ pub(super) fn seconds(
             }
         }
         None => {
-            findings.push(new_issue(
+            issues.push(new_issue(
                 IssueKind::Assumed,
                 format!("the stamps have no known unit; {si} is assumed"),
             ));
@@ -362,7 +362,7 @@ pub(super) fn seconds(
     };
     let scale = column_notes.scale.unwrap_or(1.0);
     if factor * scale != 1.0 {
-        findings.push(new_issue(
+        issues.push(new_issue(
             IssueKind::Converted,
             format!(
                 "stamps in {unit} are multiplied by {} to give {si}",

@@ -92,7 +92,7 @@ impl RecordingSummary {
             |kind: IssueKind| matches!(kind, IssueKind::Constant | IssueKind::EqualsTime);
         let number = channel.sizes.peak == 0.0;
         number
-            || self.findings.iter().any(|issue| {
+            || self.issues.iter().any(|issue| {
                 is_dead_kind(issue.kind) && issue.channel.as_ref() == Some(&channel.name)
             })
     }
@@ -112,7 +112,7 @@ mod tests {
             step: 0.01,
             count: 3,
         };
-        let findings = constant
+        let issues = constant
             .map(|name| Issue::new(IssueKind::Constant, 3, None, String::new()).of(name))
             .into_iter()
             .collect();
@@ -121,7 +121,7 @@ mod tests {
             over: Over::Time,
             grid,
             channels: channels.iter().map(channel).collect(),
-            findings,
+            issues,
         };
         RecordingSummary::from(recording).verdict()
     }

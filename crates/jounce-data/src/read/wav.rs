@@ -153,7 +153,7 @@ fn samples(
 ) -> Result<FormatContents, Damage> {
     let channels = u64::from(format.channels);
     let block = format.scalar.size as u64 * channels;
-    let mut findings = Vec::new();
+    let mut issues = Vec::new();
     let stored_count = length.min(remaining) / block;
     // Recorders that lose power leave a length of 0 or the maximum.
     if length > remaining && length < u64::from(u32::MAX) - 1024 {
@@ -173,7 +173,7 @@ fn samples(
             "the header gives no length; all {stored_count} samples up to the end of the file are read"
         );
         let position = IssuePlace::Byte(usize::try_from(at).unwrap_or(usize::MAX));
-        findings.push(Issue::new(
+        issues.push(Issue::new(
             IssueKind::HeaderDisagrees,
             1,
             Some(position),
@@ -210,7 +210,7 @@ fn samples(
         over: Over::Time,
         stamps,
         columns,
-        findings,
+        issues,
     }
     .into())
 }

@@ -171,7 +171,7 @@ mod tests {
             over: Over::Time,
             grid,
             channels,
-            findings: Vec::new(),
+            issues: Vec::new(),
         }
     }
 

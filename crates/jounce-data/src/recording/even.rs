@@ -25,7 +25,7 @@ impl Recording {
         let recording = &mut self;
         for channel in &mut recording.channels {
             let issue = interpolate_missing(channel);
-            recording.findings.extend(issue);
+            recording.issues.extend(issue);
         }
         if matches!(recording.grid, Grid::Even { .. }) {
             return Ok(self);
@@ -60,7 +60,7 @@ impl Recording {
             count,
             1.0 / step
         );
-        recording.findings.push(Issue::new(
+        recording.issues.push(Issue::new(
             IssueKind::Resampled,
             count as usize,
             None,
@@ -97,7 +97,7 @@ impl Recording {
             "missing samples were interpolated linearly at {:.6} Hz; all others are unchanged",
             1.0 / stamps_with_gaps.step
         );
-        self.findings.push(Issue::new(
+        self.issues.push(Issue::new(
             IssueKind::Bridged,
             stamps_with_gaps.missing,
             first,
@@ -179,14 +179,14 @@ mod tests {
     use super::*;
 
     fn recording(stamps: Vec<f64>, values: Vec<f64>) -> Recording {
-        let (grid, findings) = Grid::from_stamps(stamps).unwrap();
+        let (grid, issues) = Grid::from_stamps(stamps).unwrap();
         let channels = vec![Channel::new("a", Quantity::Unknown, "", values)];
         Recording {
             name: "r".to_owned(),
             over: Over::Time,
             grid,
             channels,
-            findings,
+            issues,
         }
     }
 
@@ -217,7 +217,7 @@ mod tests {
                 "{k}: {error}"
             );
         }
-        let kinds: Vec<_> = even.findings.iter().map(|issue| issue.kind).collect();
+        let kinds: Vec<_> = even.issues.iter().map(|issue| issue.kind).collect();
         for kind in [
             IssueKind::Jitter,
             IssueKind::Gap,
@@ -243,7 +243,7 @@ mod tests {
                 .map(|k| (f64::from(*k) * 1e4 + f64::from(k % 3) - 1.0).round() * 1e-7)
                 .collect();
             let result = recording(stamps, retained.iter().map(|k| sine(*k)).collect());
-            let kinds: Vec<_> = result.findings.iter().map(|issue| issue.kind).collect();
+            let kinds: Vec<_> = result.issues.iter().map(|issue| issue.kind).collect();
             assert_eq!(kinds, [IssueKind::Gap]);
             assert!(
                 (result.rate() / 1000.0 - 1.0).abs() < 1e-7,
@@ -263,7 +263,7 @@ mod tests {
                 "{power}"
             );
             assert_eq!(
-                even.findings.last().map(|issue| (issue.kind, issue.count)),
+                even.issues.last().map(|issue| (issue.kind, issue.count)),
                 Some((IssueKind::Bridged, missing.len()))
             );
         }
@@ -305,9 +305,9 @@ mod tests {
         let stamps: Vec<f64> = (0..1000)
             .map(|k| (f64::from(k) * 1e6 / 1536.0).round() * 1e-6)
             .collect();
-        let (grid, findings) = Grid::from_stamps(stamps).unwrap();
+        let (grid, issues) = Grid::from_stamps(stamps).unwrap();
         assert!(
-            findings.is_empty() && (grid.rate() / 1536.0 - 1.0).abs() < 1e-6,
+            issues.is_empty() && (grid.rate() / 1536.0 - 1.0).abs() < 1e-6,
             "{}",
             grid.rate()
         );

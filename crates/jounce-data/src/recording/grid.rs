@@ -101,7 +101,7 @@ impl Grid {
                 },
                 issues,
             ),
-            Stamped::Uneven(findings) => (Self::Stamped(stamps), findings),
+            Stamped::Uneven(issues) => (Self::Stamped(stamps), issues),
         })
     }
 

@@ -15,7 +15,7 @@ pub struct Recording {
     /// Channels, each with one sample per grid position.
     pub channels: Vec<Channel>,
     /// Data-quality issues and conversions.
-    pub findings: Vec<Issue>,
+    pub issues: Vec<Issue>,
 }
 
 /// Error of a channel that does not exist.

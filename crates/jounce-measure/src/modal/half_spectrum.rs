@@ -221,7 +221,7 @@ mod tests {
             over: Over::Time,
             grid: Grid::even(0.0, 1.0 / RATE, count).unwrap(),
             channels,
-            findings: Vec::new(),
+            issues: Vec::new(),
         }
     }
 
@@ -502,7 +502,7 @@ mod tests {
             over: Over::Frequency,
             grid,
             channels,
-            findings: Vec::new(),
+            issues: Vec::new(),
         };
         let decays = Decays::of_spectrum(&spectrum, &[]).unwrap();
         assert!((decays.rate_hz - RATE).abs() < 1e-9);

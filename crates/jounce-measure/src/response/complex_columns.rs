@@ -91,7 +91,7 @@ pub fn bridged(mut recordings: Vec<Recording>) -> Vec<Recording> {
             .iter_mut()
             .filter_map(|channel| bridge(channel, &frequencies))
             .collect();
-        recording.findings.extend(result);
+        recording.issues.extend(result);
     }
     recordings
 }
@@ -158,7 +158,7 @@ mod tests {
             over,
             grid: Grid::Stamped(vec![1.0, 2.0, 4.0, 5.0]),
             channels,
-            findings: Vec::new(),
+            issues: Vec::new(),
         }
     }
 
@@ -232,15 +232,15 @@ mod tests {
         );
         assert_eq!(
             (
-                result.findings.len(),
-                result.findings[0].count,
-                result.findings[0].kind
+                result.issues.len(),
+                result.issues[0].count,
+                result.issues[0].kind
             ),
             (1, 2, IssueKind::Bridged)
         );
         let all_missing = bridged(vec![recording(Over::Frequency, &[[nan; 4]])]).remove(0);
         assert!(
-            all_missing.findings.is_empty()
+            all_missing.issues.is_empty()
                 && all_missing.channels[0].values.iter().all(|x| x.is_nan())
         );
     }

@@ -34,7 +34,7 @@ pub struct Decays {
     /// Decays from each block alone; empty for free decays and spectra.
     pub blocks: Vec<Vec<Vec<f64>>>,
     /// Data-quality issues of the recordings.
-    pub findings: Vec<Issue>,
+    pub issues: Vec<Issue>,
 }
 
 /// Channels of an ambient record, and the maximum lag of correlations.
@@ -113,7 +113,7 @@ impl Decays {
             outputs,
             rate_hz,
             blocks: Vec::new(),
-            findings: record_issues(records),
+            issues: record_issues(records),
         })
     }
 
@@ -186,7 +186,7 @@ impl Decays {
             references,
             rate_hz,
             blocks,
-            findings: record.findings.clone(),
+            issues: record.issues.clone(),
         })
     }
 
@@ -256,7 +256,7 @@ impl Decays {
             outputs,
             rate_hz: 2.0 * (lines - 1) as f64 * step_hz,
             blocks: Vec::new(),
-            findings: spectrum.findings.clone(),
+            issues: spectrum.issues.clone(),
         })
     }
 
@@ -306,7 +306,7 @@ fn channels<'r>(
 fn record_issues(records: &[Recording]) -> Vec<Issue> {
     records
         .iter()
-        .flat_map(|record| record.findings.clone())
+        .flat_map(|record| record.issues.clone())
         .collect()
 }
 

@@ -101,9 +101,9 @@ impl MeasuredResponses {
             hits: Vec::new(),
             block_s: None,
             window_decay_per_s: 0.0,
-            findings: recordings
+            issues: recordings
                 .iter()
-                .flat_map(|recording| recording.findings.clone())
+                .flat_map(|recording| recording.issues.clone())
                 .chain(issue)
                 .collect(),
             outputs,

@@ -49,7 +49,7 @@ pub struct MeasuredResponses {
     /// Damping that the window adds to every mode, 1/s.
     pub window_decay_per_s: f64,
     /// Data-quality issues of the recordings.
-    pub findings: Vec<Issue>,
+    pub issues: Vec<Issue>,
 }
 
 impl MeasuredResponses {
@@ -127,9 +127,9 @@ impl MeasuredResponses {
             block_s: Some(results[0].block_s),
             window_decay_per_s: results[0].window_decay_per_s,
             references: forces.iter().map(|force| force.name.clone()).collect(),
-            findings: records
+            issues: records
                 .iter()
-                .flat_map(|recording| recording.findings.clone())
+                .flat_map(|recording| recording.issues.clone())
                 .chain(input_channel.head().assumed_unit_issue(Quantity::Force))
                 .chain(position_issue)
                 .chain(
@@ -295,7 +295,7 @@ mod tests {
             over: Over::Time,
             grid: Grid::even(0.0, 1e-3, 1000).unwrap(),
             channels,
-            findings: Vec::new(),
+            issues: Vec::new(),
         }
     }
 
@@ -347,12 +347,12 @@ mod tests {
         assert!(
             references_of(&[hit_recording("one", "mid"), hit_recording("two", "mid")])
                 .unwrap()
-                .findings
+                .issues
                 .is_empty()
         );
         let missing = references_of(&[hit_recording("one", "mid"), hit_recording("two", "")])
             .unwrap()
-            .findings;
+            .issues;
         assert!(
             missing.len() == 1
                 && missing[0].kind == IssueKind::Assumed
@@ -362,7 +362,7 @@ mod tests {
         assert!(
             references_of(&[hit_recording("one", "")])
                 .unwrap()
-                .findings
+                .issues
                 .is_empty()
         );
     }

@@ -61,7 +61,7 @@ mod tests {
             over: Over::Time,
             grid,
             channels,
-            findings: Vec::new(),
+            issues: Vec::new(),
         };
         on_recorded_base(&mut paper_spec(&[]).unwrap(), &recording, "ax", keep_mean)
     }

@@ -176,7 +176,7 @@ pub(super) fn disturbed(spec: &Spec, drive_courses: &[(String, DriveCourse)], fr
                 step_s: drive_course.step_s,
                 values,
                 mean: 0.0,
-                findings: Vec::new(),
+                issues: Vec::new(),
             };
             (*start_s, *record) = (-from_s, Some(Arc::new(samples)));
         }

@@ -135,7 +135,7 @@ pub fn hammer_test(plant: &Plant, test: &HammerTest) -> Result<Recording, RigErr
     let slowest_mode = ringing(plant, test.block_s).filter(|slowest_mode| {
         test.hits > 1 && slowest_mode.remaining_share > MIN_REPORTED_RINGING
     });
-    let findings = slowest_mode
+    let issues = slowest_mode
         .into_iter()
         .map(|slowest_mode| slowest_mode.issue())
         .collect();
@@ -144,7 +144,7 @@ pub fn hammer_test(plant: &Plant, test: &HammerTest) -> Result<Recording, RigErr
         over: Over::Time,
         grid,
         channels,
-        findings,
+        issues,
     })
 }
 

@@ -115,7 +115,7 @@ pub fn shaker_test(
         );
         Issue::new(IssueKind::Simulated, 1, None, message)
     };
-    let findings = jumps
+    let issues = jumps
         .iter()
         .skip(1)
         .map(|(at_s, _)| jump_issue(*at_s))
@@ -125,7 +125,7 @@ pub fn shaker_test(
         over: Over::Time,
         grid,
         channels,
-        findings,
+        issues,
     })
 }
 
@@ -398,7 +398,7 @@ mod tests {
             over: Over::Time,
             grid,
             channels,
-            findings: Vec::new(),
+            issues: Vec::new(),
         };
         let mean = on_recorded_base(&mut spec, &recorded, "a", false).unwrap();
         assert!((mean - 9.81).abs() < 1e-9 && (spec.run.duration_s - 5.999).abs() < 1e-12);

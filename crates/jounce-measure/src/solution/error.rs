@@ -1,4 +1,4 @@
-//! Errors of finding the solutions of a model.
+//! Errors of issue the solutions of a model.
 
 use jounce_core::analysis::AnalysisError;
 use jounce_core::orbit::OrbitError;

@@ -54,7 +54,7 @@ mod tests {
                 over: Over::Time,
                 grid,
                 channels,
-                findings: Vec::new(),
+                issues: Vec::new(),
             };
             first_varying(&record, Quantity::Voltage).map(|channel| channel.name.clone())
         };

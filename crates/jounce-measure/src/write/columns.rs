@@ -90,10 +90,10 @@ fn rows(
 
 /// Manifest of the recording: its issues, and location, direction and reference of its channels.
 pub(super) fn manifest(recording: &RecordingSummary) -> Manifest {
-    let findings: Vec<String> = recording.findings.iter().map(ToString::to_string).collect();
+    let issues: Vec<String> = recording.issues.iter().map(ToString::to_string).collect();
     let manifest = Manifest::new("")
         .with("recording", &recording.name)
-        .with("findings", findings.join("; "));
+        .with("issues", issues.join("; "));
     let attributes_of = |channel: &ChannelSummary| {
         let attributes = [
             (PLACE, &channel.place),

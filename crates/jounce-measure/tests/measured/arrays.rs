@@ -128,41 +128,41 @@ fn a_single_number_of_a_matrix_file_gives_the_rate() {
             "{name}"
         );
         assert!(
-            recording.findings[0].to_string().contains(&format!(
+            recording.issues[0].to_string().contains(&format!(
                 "at 2000 Hz, starting at 0 s, from {name} = {number} "
             )),
             "{:?}",
-            recording.findings
+            recording.issues
         );
     }
-    let assert_finding = |bytes: &[u8], notes: Option<&str>, rate: f64, words: &str| {
+    let assert_issue = |bytes: &[u8], notes: Option<&str>, rate: f64, words: &str| {
         let recording = one("a.mat", bytes, notes);
         assert!(
             (recording.rate() / rate - 1.0).abs() < 1e-9,
             "{}",
             recording.rate()
         );
-        let recording: Vec<String> = recording.findings.iter().map(ToString::to_string).collect();
+        let recording: Vec<String> = recording.issues.iter().map(ToString::to_string).collect();
         assert!(
             recording
                 .iter()
-                .any(|assert_finding| assert_finding.contains(words)),
+                .any(|assert_issue| assert_issue.contains(words)),
             "{recording:?} {words}"
         );
     };
-    assert_finding(
+    assert_issue(
         &with_numbers(&[("fs", 2000.0)], true),
         None,
         1000.0,
         "fs = 2000 in the file is 2000 Hz, the stamps give 1000.000000 Hz; the stamps are used",
     );
-    assert_finding(
+    assert_issue(
         &with_numbers(&[("fs", 2000.0)], false),
         Some("rate = \"500 Hz\"\n"),
         500.0,
         "the notes specify 500.000000 Hz; the notes are used",
     );
-    assert_finding(
+    assert_issue(
         &with_numbers(&[("fs", 2000.0), ("dt", 1e-3)], false),
         None,
         2000.0,

@@ -58,7 +58,7 @@ fn responses(output: Quantity, input: Quantity) -> MeasuredResponses {
         hits: Vec::new(),
         block_s: None,
         window_decay_per_s: 0.0,
-        findings: Vec::new(),
+        issues: Vec::new(),
     }
 }
 
@@ -134,7 +134,7 @@ fn shaker_record(
         over: Over::Time,
         grid: Grid::even(0.0, 1e-3, 8000).expect("a grid"),
         channels,
-        findings: Vec::new(),
+        issues: Vec::new(),
     }
 }
 

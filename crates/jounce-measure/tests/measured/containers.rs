@@ -134,7 +134,7 @@ fn several_grids_in_one_file_are_several_recordings() {
     let h12 = &contents.recordings[2].channels[2];
     assert_eq!(h12.values, sine(400, 0.0)[200..300]);
     assert_eq!(h12.imaginary.as_deref(), Some(&sine(400, 1.0)[200..300]));
-    let about: Vec<String> = contents.findings.iter().map(ToString::to_string).collect();
+    let about: Vec<String> = contents.issues.iter().map(ToString::to_string).collect();
     assert!(
         about
             .iter()

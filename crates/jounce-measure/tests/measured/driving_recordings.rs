@@ -44,10 +44,7 @@ fn motion(of: &Motion) -> Option<Recording> {
         .expect("even times");
     for trap in of.traps {
         assert!(
-            recording
-                .findings
-                .iter()
-                .any(|finding| finding.kind == *trap),
+            recording.issues.iter().any(|issue| issue.kind == *trap),
             "{}: {trap:?} is not reported",
             of.file
         );

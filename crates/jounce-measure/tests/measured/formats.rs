@@ -80,9 +80,9 @@ fn a_text_with_units_gaps_and_words_is_read_and_reported() {
     let latin = one("b.csv", b"t [s],a [m/s\xb2]\n0,1\n1,2\n2,3\n", None);
     assert_eq!(latin.channels[0].quantity, Quantity::Acceleration);
     assert!(
-        latin.findings.iter().any(|f| f.kind == IssueKind::Encoding)
+        latin.issues.iter().any(|f| f.kind == IssueKind::Encoding)
             && latin
-                .findings
+                .issues
                 .iter()
                 .any(|f| f.kind == IssueKind::NonAsciiUnit)
     );
@@ -157,12 +157,12 @@ fn a_letter_that_may_be_a_label_is_reported() {
         names,
         [("sensor (A)", ""), ("channel", "V"), ("channel (B)", "")]
     );
-    let findings: Vec<String> = recording.findings.iter().map(ToString::to_string).collect();
+    let issues: Vec<String> = recording.issues.iter().map(ToString::to_string).collect();
     assert!(
         kinds(&recording) == [IssueKind::Assumed; 2]
-            && findings[0].contains("as a label")
-            && findings[1].contains("as the unit V"),
-        "{findings:?}"
+            && issues[0].contains("as a label")
+            && issues[1].contains("as the unit V"),
+        "{issues:?}"
     );
     let notes = "[channel.\"sensor (A)\"]\nname = \"sensor A\"\n[channel.channel]\nunit = \"V\"\n";
     assert_eq!(kinds(&one("a.csv", text, Some(notes))), []);
@@ -217,12 +217,12 @@ fn decibels_are_converted_with_their_reference() {
 #[test]
 fn a_last_line_without_an_end_is_reported() {
     let open = one("a.csv", b"t [s],a [m/s^2]\n0,1\n1,20\n2,3", None);
-    let findings: Vec<String> = open.findings.iter().map(ToString::to_string).collect();
+    let issues: Vec<String> = open.issues.iter().map(ToString::to_string).collect();
     assert!(
-        findings.len() == 1
-            && findings[0].starts_with("the last line has no end")
-            && findings[0].ends_with("(at line 4)"),
-        "{findings:?}"
+        issues.len() == 1
+            && issues[0].starts_with("the last line has no end")
+            && issues[0].ends_with("(at line 4)"),
+        "{issues:?}"
     );
     assert_eq!(open.channels[0].values, [1.0, 20.0, 3.0]);
     assert_eq!(
@@ -256,7 +256,7 @@ fn the_selected_record_of_several_is_reported() {
     ] {
         let recording = recording.unwrap_or_else(|fault| panic!("{fault}"));
         assert!((recording.rate() - 1000.0).abs() < 1e-6);
-        let message = recording.findings.last().expect("a finding").to_string();
+        let message = recording.issues.last().expect("an issue").to_string();
         assert!(
             message.contains("is used") && message.contains("left out: both 2"),
             "{message}"

@@ -121,7 +121,7 @@ fn shaker_record(plant: &Plant, (samples, noise): (usize, f64), seed: u64) -> Re
         over: Over::Time,
         grid,
         channels,
-        findings: Vec::new(),
+        issues: Vec::new(),
     }
 }
 

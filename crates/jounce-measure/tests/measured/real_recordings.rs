@@ -14,9 +14,9 @@ fn recording(file: &str) -> Option<Recording> {
 
 fn kinds(recording: &Recording) -> Vec<(IssueKind, Option<&str>, usize)> {
     recording
-        .findings
+        .issues
         .iter()
-        .map(|finding| (finding.kind, finding.channel.as_deref(), finding.count))
+        .map(|issue| (issue.kind, issue.channel.as_deref(), issue.count))
         .collect()
 }
 
@@ -94,9 +94,9 @@ fn the_spectrum_in_decibels_becomes_amplitudes_over_frequency() {
     assert_eq!(recording.over, Over::Frequency);
     assert!(
         recording
-            .findings
+            .issues
             .iter()
-            .any(|finding| finding.kind == IssueKind::Decibels)
+            .any(|issue| issue.kind == IssueKind::Decibels)
     );
     let highest = (20..150_000)
         .map(|k| (recording.channels[0].values[k], recording.grid.at(k)))
@@ -140,15 +140,15 @@ fn the_zero_padding_of_the_gait_is_found() {
     };
     assert!((recording.rate() - 100.0).abs() < 1e-6);
     let constant = recording
-        .findings
+        .issues
         .iter()
-        .filter(|finding| finding.kind == IssueKind::Constant)
+        .filter(|issue| issue.kind == IssueKind::Constant)
         .count();
     assert_eq!(constant, 3);
     let padding = recording
-        .findings
+        .issues
         .iter()
-        .find(|finding| finding.kind == IssueKind::ZeroPadding)
+        .find(|issue| issue.kind == IssueKind::ZeroPadding)
         .expect("padding");
     assert!(padding.count >= 598, "{padding}");
 }
@@ -158,20 +158,16 @@ fn jitter_and_raw_counts_of_the_tree_are_found() {
     let Some(recording) = recording("tree_vibration/chainsaw_1.csv") else {
         return;
     };
-    let kinds: Vec<IssueKind> = recording
-        .findings
-        .iter()
-        .map(|finding| finding.kind)
-        .collect();
+    let kinds: Vec<IssueKind> = recording.issues.iter().map(|issue| issue.kind).collect();
     assert!(
         kinds.contains(&IssueKind::Jitter) && kinds.contains(&IssueKind::RawCounts),
         "{kinds:?}"
     );
     let even = recording.even().expect("even");
     assert!(
-        even.findings
+        even.issues
             .iter()
-            .any(|finding| finding.kind == IssueKind::Resampled)
+            .any(|issue| issue.kind == IssueKind::Resampled)
     );
     assert!((even.rate() - 333.33).abs() < 1.0);
 }
@@ -209,9 +205,9 @@ fn every_universal_file_is_read_or_refused_with_its_reason() {
     let psd = recording("uff/sample_dataset58_psd.uff").expect("there");
     assert_eq!(psd.over, Over::Frequency);
     assert!(
-        psd.findings
+        psd.issues
             .iter()
-            .any(|finding| finding.kind == IssueKind::NonAsciiUnit),
+            .any(|issue| issue.kind == IssueKind::NonAsciiUnit),
         "{:?}",
         kinds(&psd)
     );

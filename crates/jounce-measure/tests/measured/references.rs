@@ -83,7 +83,7 @@ fn responses(
         hits: Vec::new(),
         block_s: None,
         window_decay_per_s: 0.0,
-        findings: Vec::new(),
+        issues: Vec::new(),
     }
 }
 
@@ -238,7 +238,7 @@ fn recording(
         over: Over::Frequency,
         grid,
         channels,
-        findings: Vec::new(),
+        issues: Vec::new(),
     }
 }
 
@@ -334,9 +334,9 @@ fn references_without_all_their_functions_are_reported() {
             "{message}"
         );
         assert!(
-            responses.findings.len() == 1 && responses.findings[0].about.contains(message),
+            responses.issues.len() == 1 && responses.issues[0].about.contains(message),
             "{:?}",
-            responses.findings
+            responses.issues
         );
     }
     let responses = MeasuredResponses::from_functions(&[complete]).expect("responses");
@@ -344,7 +344,7 @@ fn references_without_all_their_functions_are_reported() {
         (
             responses.references.len(),
             responses.outputs.len(),
-            responses.findings.len()
+            responses.issues.len()
         ),
         (2, 3, 0)
     );

@@ -31,7 +31,7 @@ pub fn record() -> Recording {
         over: Over::Time,
         grid,
         channels: vec![force, acceleration],
-        findings: Vec::new(),
+        issues: Vec::new(),
     }
 }
 
@@ -50,7 +50,7 @@ pub fn response() -> Recording {
         over: Over::Frequency,
         grid: Grid::Stamped(stamps),
         channels: vec![channel],
-        findings: Vec::new(),
+        issues: Vec::new(),
     }
 }
 

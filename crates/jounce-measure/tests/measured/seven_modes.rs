@@ -191,7 +191,7 @@ fn voltages_and_accelerations_are_identified_together() {
         hits: Vec::new(),
         block_s: None,
         window_decay_per_s: 0.0,
-        findings: Vec::new(),
+        issues: Vec::new(),
     };
     let identification = identify(
         &Band::of(&responses, (40.0, 400.0)).expect("a band"),

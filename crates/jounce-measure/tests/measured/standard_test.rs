@@ -148,7 +148,7 @@ fn record(response: &[Complex<f64>], stream: &mut RandomStream) -> Recording {
         over: Over::Time,
         grid,
         channels,
-        findings: Vec::new(),
+        issues: Vec::new(),
     }
 }
 

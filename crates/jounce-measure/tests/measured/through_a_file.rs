@@ -31,11 +31,7 @@ pub fn through_file(recording: &Recording, name: &str) -> Recording {
 }
 
 pub fn kinds(recording: &Recording) -> Vec<IssueKind> {
-    recording
-        .findings
-        .iter()
-        .map(|finding| finding.kind)
-        .collect()
+    recording.issues.iter().map(|issue| issue.kind).collect()
 }
 
 /// Largest difference over the size of the value; measured: 0 for CSV and Parquet, 4.1e-13 for the

@@ -82,9 +82,9 @@ fn a_text_that_ends_inside_a_row_keeps_its_complete_rows() {
             "cut at {end}: {count} of {rows}"
         );
         let cut = recording
-            .findings
+            .issues
             .iter()
-            .any(|finding| finding.about.contains("ends inside a row"));
+            .any(|issue| issue.about.contains("ends inside a row"));
         assert_eq!(cut, !last.is_empty() && count == rows, "cut at {end}");
         assert!(
             (recording.rate() - 800.0).abs() < 1e-6,

@@ -217,7 +217,7 @@ pub fn into_python(py: Python<'_>, recording: Recording) -> PyResult<Bound<'_, P
                 "frequency"
             },
         )?
-        .with("issues", issues(&recording.findings)?)?
+        .with("issues", issues(&recording.issues)?)?
         .with("rate", recording.rate())?
         .with("step", step)?
         .array("places", recording.grid.places())?

@@ -52,7 +52,7 @@ impl Recording {
             channel: force.name.clone(),
             mass_kg: options.mass_kg,
             hits,
-            issues: record.findings,
+            issues: record.issues,
             pulses,
         })
     }

@@ -49,7 +49,7 @@ impl ChannelFile {
                 "" => channel.name.clone(),
                 unit => format!("{} in {unit}", channel.name),
             },
-            issues: even.findings.iter().filter(concerns).map(about).collect(),
+            issues: even.issues.iter().filter(concerns).map(about).collect(),
         })
     }
 }

@@ -79,7 +79,7 @@ impl MeasuredFrfResult {
             hits: data.hits.clone(),
             block_s: data.block_s,
             window_decay_per_s: data.window_decay_per_s,
-            issues: data.findings.clone(),
+            issues: data.issues.clone(),
             data,
         }
     }

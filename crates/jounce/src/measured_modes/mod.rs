@@ -94,7 +94,7 @@ impl MeasuredModesResult {
         let functions = decays.names();
         let used_channels = decays.outputs.iter().chain(&decays.references).cloned();
         Self {
-            issues: decays.findings,
+            issues: decays.issues,
             used_channels: used_channels.collect(),
             ..Self::new(found, functions, decays.outputs, Vec::new(), None)
         }

@@ -78,7 +78,7 @@ impl Recording {
                 .map(|square| power.mean_power_w / square),
             orders,
             spectrum,
-            issues: record.findings,
+            issues: record.issues,
         })
     }
 

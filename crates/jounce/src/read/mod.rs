@@ -63,13 +63,13 @@ impl RecordedFile {
         let FileSummary {
             recordings,
             shapes,
-            findings,
+            issues,
         } = &self.contents;
         ReadResult {
             recordings: recordings.iter().map(RecordingResult::of).collect(),
             shape_frequencies_hz: shapes.iter().map(|shape| shape.frequency_hz).collect(),
             shapes: shapes.iter().map(ShapeResult::of).collect(),
-            issues: findings.clone(),
+            issues: issues.clone(),
         }
     }
 
@@ -91,8 +91,8 @@ impl RecordedFile {
         };
         let part = options.part(recording)?;
         write_surveyed(part.as_ref().unwrap_or(recording), to.as_ref())?;
-        let issues = part.iter().flat_map(|part| &part.findings);
-        let issues = issues.filter(|issue| !recording.findings.contains(issue));
+        let issues = part.iter().flat_map(|part| &part.issues);
+        let issues = issues.filter(|issue| !recording.issues.contains(issue));
         let others = others.iter().map(|other| other.name.clone());
         let shapes = (shapes > 0).then(|| format!("{shapes} mode shapes"));
         Ok(Conversion {

@@ -85,7 +85,7 @@ impl RecordingResult {
             samples: recording.places.count(),
             rate: recording.rate(),
             channels: recording.channels.iter().map(ChannelResult::of).collect(),
-            issues: recording.findings.clone(),
+            issues: recording.issues.clone(),
             verdict: recording.verdict(),
         }
     }

@@ -58,7 +58,7 @@ impl ChannelList {
 
     pub(super) fn of_summary(recording: &RecordingSummary) -> Self {
         let is_constant = |name: &str| {
-            recording.findings.iter().any(|issue| {
+            recording.issues.iter().any(|issue| {
                 issue.kind == IssueKind::Constant && issue.channel.as_deref() == Some(name)
             })
         };
@@ -173,7 +173,7 @@ impl Recording {
             over: self.data.over,
             grid: self.data.grid.clone(),
             channels,
-            findings: kept.chain(assumed).cloned().collect(),
+            issues: kept.chain(assumed).cloned().collect(),
         };
         Ok(recording.into_even()?)
     }
@@ -246,7 +246,7 @@ mod tests {
                 channel("base", Quantity::Acceleration, 2.0),
                 channel("patch", Quantity::Voltage, 3.0),
             ],
-            findings: vec![issue("dead"), issue("patch")],
+            issues: vec![issue("dead"), issue("patch")],
         }
         .into()
     }
@@ -255,7 +255,7 @@ mod tests {
     fn a_computation_gets_its_channels_with_their_issues() {
         let loaded = recording().load(&FirstVoltage).unwrap();
         assert_eq!(loaded.channels[0].values, [1.0, 2.0, 3.0]);
-        let kinds: Vec<_> = loaded.findings.iter().map(|issue| issue.kind).collect();
+        let kinds: Vec<_> = loaded.issues.iter().map(|issue| issue.kind).collect();
         assert_eq!(kinds, [IssueKind::Clipping, IssueKind::Bridged]);
         assert_eq!(recording().list.names(), ["dead", "base", "patch"]);
     }

@@ -80,12 +80,12 @@ impl Recording {
             loaded[*number] = Some(index);
         }
         // The issues of all channels are kept.
-        let issues = std::mem::take(&mut summary.findings);
+        let issues = std::mem::take(&mut summary.issues);
         let data = summary
             .into_recording_of(&numbers)
             .map_err(Error::Scratch)?;
         let data = data::Recording {
-            findings: issues,
+            issues: issues,
             ..data
         };
         Ok(Self {
@@ -103,7 +103,7 @@ impl Recording {
             over,
             grid,
             channels,
-            findings: Vec::new(),
+            issues: Vec::new(),
         }
         .into()
     }
@@ -139,7 +139,7 @@ impl Recording {
     /// Returns the recording with further issues before its own.
     #[must_use]
     pub fn with_issues(mut self, issues: Vec<Issue>) -> Self {
-        self.data.findings.splice(0..0, issues);
+        self.data.issues.splice(0..0, issues);
         self
     }
 
@@ -178,7 +178,7 @@ impl Recording {
 
     /// Returns the data-quality issues, and the conversions made.
     pub fn issues(&self) -> &[Issue] {
-        &self.data.findings
+        &self.data.issues
     }
 
     /// Returns the channels, their samples and their places.

@@ -56,7 +56,7 @@ fn move_base(
     let recording = recording.data();
     let heads = recording.heads();
     let number = driving_channel(
-        (&recording.name, &heads, &recording.findings),
+        (&recording.name, &heads, &recording.issues),
         options.base_channel.as_deref(),
         Quantity::Acceleration,
     );
@@ -67,12 +67,12 @@ fn move_base(
     };
     let belongs = |issue: &&Issue| !issue.channel.as_ref().is_some_and(is_of_other);
     let assumed = heads[number].assumed_unit_issue(Quantity::Acceleration);
-    let issues = recording.findings.iter().filter(belongs).cloned();
+    let issues = recording.issues.iter().filter(belongs).cloned();
     let base = data::Recording {
         name: recording.name.clone(),
         over: recording.over,
         grid: recording.grid.clone(),
-        findings: issues.chain(assumed).collect(),
+        issues: issues.chain(assumed).collect(),
         channels: vec![channel],
     };
     let base = base.into_even()?;
@@ -82,7 +82,7 @@ fn move_base(
         channel: name.clone(),
         is_mean_kept: options.keep_mean,
         recording: base.name,
-        issues: base.findings,
+        issues: base.issues,
     })
 }
 

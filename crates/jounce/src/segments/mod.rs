@@ -75,7 +75,7 @@ impl Recording {
             rate_hz: record.rate(),
             time_s: places.iter().map(|place| place - first).collect(),
             values: channel.values.clone(),
-            issues: record.findings,
+            issues: record.issues,
             segmentation,
         })
     }

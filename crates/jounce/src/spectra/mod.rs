@@ -73,7 +73,7 @@ impl Recording {
             density: density.density,
             drive_hz: options.drive_hz,
             orders: orders.iter().map(OrderPeak::of).collect(),
-            issues: record.findings,
+            issues: record.issues,
             spectrogram,
         })
     }

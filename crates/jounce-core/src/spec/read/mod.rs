@@ -57,11 +57,7 @@ impl ReadState {
 
     /// Adds violated rules between keys; a key that already has a fault is skipped.
     pub(super) fn add_broken(&mut self, faults: Vec<(String, String)>) {
-        let messages: Vec<String> = self
-            .found
-            .iter()
-            .map(|finding| finding.key.clone())
-            .collect();
+        let messages: Vec<String> = self.found.iter().map(|issue| issue.key.clone()).collect();
         for (key, message) in faults {
             let below = format!("{key}.");
             let empty = key == super::validation::NO_STRUCTURE && !messages.is_empty();

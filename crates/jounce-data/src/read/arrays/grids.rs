@@ -47,10 +47,10 @@ pub(in super::super) fn into_found(mut tree: Tree) -> Result<FormatContents, Dam
         .filter(|array| array.length() > 0)
         .partition(is_single);
     if arrays.is_empty() {
-        let skipped_text = if tree.findings.is_empty() {
+        let skipped_text = if tree.issues.is_empty() {
             String::new()
         } else {
-            format!(" ({})", tree.findings[0].about)
+            format!(" ({})", tree.issues[0].about)
         };
         return Err(Damage::new(format!(
             "it contains no numeric array that could be a recording{skipped_text}; is the file truncated?"
@@ -80,10 +80,10 @@ pub(in super::super) fn into_found(mut tree: Tree) -> Result<FormatContents, Dam
     report_excluded(&mut tree, &excluded, &sets);
     let sets = merge_sets(sets)?;
     let has_several_sets = sets.len() > 1;
-    let (findings, mut of_set) = if has_several_sets {
-        (tree.findings, Vec::new())
+    let (issues, mut of_set) = if has_several_sets {
+        (tree.issues, Vec::new())
     } else {
-        (Vec::new(), tree.findings)
+        (Vec::new(), tree.issues)
     };
     let mut rates = NearestByName::default();
     spacings
@@ -99,7 +99,7 @@ pub(in super::super) fn into_found(mut tree: Tree) -> Result<FormatContents, Dam
     Ok(FormatContents {
         sets: raws.collect(),
         shapes: Vec::new(),
-        findings,
+        issues,
     })
 }
 
@@ -371,7 +371,7 @@ fn has_equal_axis(a: &SampleAxis, b: &SampleAxis) -> io::Result<bool> {
     }
 }
 
-fn raw(set: RecordingSet, rate: Option<Rate>, findings: Vec<Issue>) -> Raw {
+fn raw(set: RecordingSet, rate: Option<Rate>, issues: Vec<Issue>) -> Raw {
     let RecordingSet {
         axis,
         scope,
@@ -410,7 +410,7 @@ fn raw(set: RecordingSet, rate: Option<Rate>, findings: Vec<Issue>) -> Raw {
         over,
         stamps,
         columns,
-        findings,
+        issues,
     }
 }
 
@@ -443,7 +443,7 @@ fn report_excluded(tree: &mut Tree, excluded: &[(String, usize)], sets: &[Record
         .filter(|unlisted| *unlisted > 0)
     {
         let message = "arrays of other lengths than the recording were left out".to_owned();
-        tree.findings
+        tree.issues
             .push(Issue::new(IssueKind::Skipped, unlisted, None, message));
     }
 }

@@ -79,13 +79,13 @@ pub(super) struct Tree {
     pub arrays: Vec<Array>,
     /// Texts by scope and name.
     texts: HashMap<Vec<String>, BTreeMap<String, Vec<String>>>,
-    pub findings: Vec<Issue>,
+    pub issues: Vec<Issue>,
 }
 
 impl Tree {
     /// Records a skipped item.
     pub fn skip(&mut self, message: impl Into<String>) {
-        self.findings
+        self.issues
             .push(Issue::new(IssueKind::Skipped, 1, None, message.into()));
     }
 

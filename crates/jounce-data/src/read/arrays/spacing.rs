@@ -69,7 +69,7 @@ pub(super) fn spacings(scalars: &[Array], tree: &mut Tree) -> io::Result<Vec<Spa
                         "{} is a rate of {} Hz, {} one of {} Hz; the first is used",
                         a.source, a.rate_hz, b.source, b.rate_hz
                     );
-                    tree.findings
+                    tree.issues
                         .push(Issue::new(IssueKind::HeaderDisagrees, 1, None, message));
                 }
             }

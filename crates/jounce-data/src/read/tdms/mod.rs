@@ -38,7 +38,7 @@ struct Reader<'a> {
     /// Numbers of each channel, real and imaginary parts.
     channels: HashMap<usize, [ColumnNumbers; 2]>,
     store: &'a SampleStore,
-    findings: Vec<Issue>,
+    issues: Vec<Issue>,
 }
 
 pub(super) fn read(path: &FilePath, store: &SampleStore) -> Result<FormatContents, Damage> {
@@ -51,7 +51,7 @@ pub(super) fn read(path: &FilePath, store: &SampleStore) -> Result<FormatContent
         metadata: Metadata::default(),
         channels: HashMap::new(),
         store,
-        findings: Vec::new(),
+        issues: Vec::new(),
     };
     let mut at = 0;
     while at < size {
@@ -98,7 +98,7 @@ impl Reader<'_> {
                 "the last segment was not closed, because the program that wrote it ended \
                 early; the existing data are read"
                     .to_owned();
-            self.findings.push(Issue::new(
+            self.issues.push(Issue::new(
                 IssueKind::HeaderDisagrees,
                 1,
                 Some(IssuePlace::Byte(at as usize)),
@@ -211,7 +211,7 @@ impl Reader<'_> {
     /// Returns the channels with their properties.
     fn into_tree(mut self) -> Result<Tree, Damage> {
         let mut tree = Tree::default();
-        tree.findings.append(&mut self.findings);
+        tree.issues.append(&mut self.issues);
         let groups: std::collections::BTreeSet<&str> = self
             .metadata
             .objects

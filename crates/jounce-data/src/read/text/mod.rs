@@ -39,7 +39,7 @@ pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, D
     file.rewind().map_err(io_error)?;
     let Rows {
         mut columns,
-        mut findings,
+        mut issues,
     } = columns(
         BufReader::with_capacity(1 << 20, file),
         size,
@@ -53,10 +53,10 @@ pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, D
             .for_each(|column| written_notes.apply_to(column))
     });
     apply_preamble::apply_preamble(&mut columns, &layout)?;
-    findings.extend(layout.issues);
+    issues.extend(layout.issues);
     if let Some(line) = invalid_line {
         let message = "the header is not UTF-8; it was read as Latin-1".to_owned();
-        findings.push(Issue::new(
+        issues.push(Issue::new(
             IssueKind::Encoding,
             1,
             Some(IssuePlace::Line(line)),
@@ -73,7 +73,7 @@ pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, D
     };
     Ok(Raw {
         stamps,
-        ..Raw::columns(columns, findings)
+        ..Raw::columns(columns, issues)
     }
     .into())
 }

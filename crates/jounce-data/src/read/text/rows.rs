@@ -14,7 +14,7 @@ use crate::recording::{Issue, IssueKind, IssuePlace, Series};
 /// Columns with the issues found.
 pub(in crate::read) struct Rows {
     pub columns: Vec<RawColumn>,
-    pub findings: Vec<Issue>,
+    pub issues: Vec<Issue>,
 }
 
 /// Counter of an event in lines, with the first line.
@@ -264,7 +264,7 @@ impl<'a> RowTable<'a> {
         let unterminated = "the last line has no end; its last number is read as complete, but may be \
             truncated";
         let empty = LineTally((self.empty.0 > 0).then_some(self.empty));
-        let mut findings: Vec<Issue> = [
+        let mut issues: Vec<Issue> = [
             self.ragged.issue(IssueKind::Ragged, ragged),
             self.text.issue(IssueKind::Skipped, text),
             self.truncated.issue(IssueKind::Skipped, truncated),
@@ -281,9 +281,9 @@ impl<'a> RowTable<'a> {
             .heads
             .iter()
             .zip(self.columns)
-            .map(|(head, column)| column.into_column(head, &mut findings))
+            .map(|(head, column)| column.into_column(head, &mut issues))
             .collect();
-        Ok(Rows { columns, findings })
+        Ok(Rows { columns, issues })
     }
 }
 
@@ -316,7 +316,7 @@ impl GrowingColumn {
     }
 
     /// Returns the column under its heading. An empty column or a constant date is not a channel.
-    fn into_column(self, head: &ColumnHead, findings: &mut Vec<Issue>) -> RawColumn {
+    fn into_column(self, head: &ColumnHead, issues: &mut Vec<Issue>) -> RawColumn {
         let mut column = RawColumn {
             imaginary: self.imaginary,
             ..RawColumn::new(&head.name, &head.unit, self.numbers)
@@ -328,7 +328,7 @@ impl GrowingColumn {
                     "dates and times of day were converted to seconds since the first, \
                         {first}"
                 );
-                findings.push(
+                issues.push(
                     Issue::new(IssueKind::Converted, self.filled, None, message).of(&head.name),
                 );
             } else {

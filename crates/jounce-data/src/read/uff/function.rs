@@ -59,7 +59,7 @@ pub(super) fn read(block: Block, store: &SampleStore) -> Result<Raw, Damage> {
         over,
         stamps,
         columns: vec![column],
-        findings: Vec::new(),
+        issues: Vec::new(),
     })
 }
 

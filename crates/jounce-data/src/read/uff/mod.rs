@@ -26,7 +26,7 @@ pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, D
     let mut result = FormatContents {
         sets: Vec::new(),
         shapes: Vec::new(),
-        findings: Vec::new(),
+        issues: Vec::new(),
     };
     let mut skipped_counts: BTreeMap<u32, (usize, usize)> = BTreeMap::new();
     blocks::blocks(BufReader::with_capacity(1 << 20, file), store, |block| {
@@ -62,7 +62,7 @@ pub(super) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, D
             "data set {number} is neither a recording nor a mode shape and was \
             left out"
         );
-        result.findings.push(Issue::new(
+        result.issues.push(Issue::new(
             IssueKind::Skipped,
             count,
             Some(IssuePlace::Byte(start)),

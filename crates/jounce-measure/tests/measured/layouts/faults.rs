@@ -67,7 +67,7 @@ fn stamps_win_over_a_header_that_disagrees() {
         (recording.rate() - 1e3).abs() < 1e-6
             && kinds(&recording).contains(&IssueKind::HeaderDisagrees),
         "{:?}",
-        recording.findings
+        recording.issues
     );
 }
 
@@ -154,9 +154,9 @@ fn rounded_stamps_leave_every_sample_as_it_is() {
             .collect::<String>();
     let recording = one("a.csv", text.as_bytes(), None);
     let message = recording
-        .findings
+        .issues
         .iter()
-        .find(|finding| finding.kind == IssueKind::Jitter)
+        .find(|issue| issue.kind == IssueKind::Jitter)
         .expect("jitter")
         .to_string();
     assert!(

@@ -126,7 +126,7 @@ fn faults(layout: &Layout, text: &str) -> Vec<String> {
         }
     }
     if !faults.is_empty() {
-        faults.extend(recording.findings.iter().map(ToString::to_string));
+        faults.extend(recording.issues.iter().map(ToString::to_string));
     }
     faults
 }
