@@ -11,9 +11,8 @@ const SPEC: &str = concat!(
 #[test]
 fn an_interrupted_sweep_continues_with_the_same_bits() {
     let folder = tempfile::tempdir().unwrap();
-    let mut harvester = Harvester::read(SPEC).unwrap();
-    harvester.set("run.duration", "1 s").unwrap();
-    harvester.set("run.average_over", "0.5 s").unwrap();
+    let short = [("run.duration", "5 s"), ("run.average_over", "1 s")];
+    let harvester = Harvester::read(SPEC).unwrap().changed(short).unwrap();
     let options = |over: &str| SweepOptions {
         over: format!("drive.shaker.frequency={over}"),
         fixed_duration: true,
@@ -23,6 +22,7 @@ fn an_interrupted_sweep_continues_with_the_same_bits() {
     let expected = harvester.sweep(&five).unwrap();
     assert_eq!((expected.points.len(), expected.expected), (5, 5));
 
+    // The third run is long enough for a call of the callback.
     let stops_after_two = Control::with_callback(|control| {
         if control.progress().0 == 2 {
             control.stop();

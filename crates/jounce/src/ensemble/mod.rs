@@ -28,9 +28,8 @@ impl Harvester {
     /// ```
     /// use jounce::{EnsembleOptions, Harvester};
     /// # std::env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).unwrap();
-    /// let mut harvester = Harvester::read("examples/random-base/harvester.toml")?;
-    /// harvester.set("run.duration", "2 s")?;
-    /// harvester.set("run.average_over", "1 s")?;
+    /// let harvester = Harvester::read("examples/random-base/harvester.toml")?;
+    /// let harvester = harvester.changed([("run.duration", "2 s"), ("run.average_over", "1 s")])?;
     /// let result = harvester.ensemble(&EnsembleOptions { members: 2, ..Default::default() })?;
     /// println!("{:.3e} W +- {:?} W", result.mean_power_w, result.mean_power_half_width_w);
     /// # Ok::<(), jounce::Error>(())

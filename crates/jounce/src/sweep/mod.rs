@@ -30,9 +30,8 @@ impl Harvester {
     /// ```
     /// use jounce::{Harvester, SweepOptions};
     /// # std::env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).unwrap();
-    /// let mut harvester = Harvester::read("examples/impact-harvester-2019/harvester.toml")?;
-    /// harvester.set("run.duration", "2 s")?;
-    /// harvester.set("run.average_over", "1 s")?;
+    /// let harvester = Harvester::read("examples/impact-harvester-2019/harvester.toml")?;
+    /// let harvester = harvester.changed([("run.duration", "2 s"), ("run.average_over", "1 s")])?;
     /// let result = harvester.sweep(&SweepOptions {
     ///     over: "drive.shaker.frequency=10Hz:11Hz:0.5Hz".to_owned(),
     ///     fixed_duration: true,
