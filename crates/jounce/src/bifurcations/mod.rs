@@ -28,14 +28,14 @@ impl Harvester {
     /// # std::env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).unwrap();
     /// let harvester = Harvester::read("examples/impact-harvester-2019/harvester.toml")?;
     /// let result = harvester.bifurcations(&BifurcationsOptions {
-    ///     over: "drive.shaker.frequency=12.2Hz:12.4Hz".to_owned(),
+    ///     over: "drive.shaker.frequency=12.5Hz:12.7Hz".to_owned(),
     ///     against: "stop.tip.gap=0.99mm:1.01mm".to_owned(),
     ///     seeds: 0,
     ///     longest_period: 1,
     ///     peaks: false,
     ///     ..Default::default()
     /// })?;
-    /// assert_eq!(result.curves[0].name(), "fold");
+    /// assert!(result.curves.iter().any(|curve| curve.name() == "fold"));
     /// # Ok::<(), jounce::Error>(())
     /// ```
     pub fn bifurcations(&self, options: &BifurcationsOptions) -> Result<BifurcationsResult, Error> {
