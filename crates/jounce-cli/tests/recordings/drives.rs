@@ -126,7 +126,7 @@ fn a_recorded_drive_gives_the_powers_of_the_rig() {
         .as_array()
         .unwrap()
         .iter()
-        .filter_map(|issue| issue["finding"]["kind"].as_str())
+        .filter_map(|issue| issue["issue"]["kind"].as_str())
         .collect();
     assert!(
         kinds.contains(&"bridged") && kinds.contains(&"mean-removed"),

@@ -77,9 +77,7 @@ fn a_part_of_a_recording_is_written_for_other_commands() {
             folder.path(),
             &["power", name, "--resistance", "1kohm", "--json"],
         );
-        let power_w = json["records"][0]["mean_power_w"]
-            .as_f64()
-            .unwrap();
+        let power_w = json["records"][0]["mean_power_w"].as_f64().unwrap();
         assert!((power_w / 5e-3 - 1.0).abs() < 1e-3, "{name}: {power_w}");
     }
     for (span, message) in [
