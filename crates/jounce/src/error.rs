@@ -5,6 +5,7 @@ use jounce_core::integrate::IntegrationError;
 use jounce_core::linear::RandomError;
 use jounce_core::orbit::OrbitError;
 use jounce_core::plant::PlantError;
+use jounce_core::reproduce::ReproduceError;
 use jounce_core::run::{RunError, StartFileError};
 use jounce_core::signal::SignalError;
 use jounce_core::spec::{Fault, Faults, ReadError};
@@ -78,7 +79,7 @@ pub enum Error {
     Fit(#[from] FitError),
     /// The paper cannot be reproduced.
     #[error(transparent)]
-    Reproduce(#[from] ExperimentError),
+    Reproduce(Box<ExperimentError>),
     /// The journal of finished points cannot be used.
     #[error(transparent)]
     Journal(#[from] JournalError),
@@ -254,6 +255,18 @@ impl From<StartFileError> for Error {
 impl From<RunError> for Error {
     fn from(error: RunError) -> Self {
         Self::Analysis(error.into())
+    }
+}
+
+impl From<ExperimentError> for Error {
+    fn from(error: ExperimentError) -> Self {
+        Self::Reproduce(Box::new(error))
+    }
+}
+
+impl From<ReproduceError> for Error {
+    fn from(error: ReproduceError) -> Self {
+        ExperimentError::from(error).into()
     }
 }
 

@@ -4,7 +4,7 @@ use crate::error::Error;
 use crate::options::{defaults, on_threads};
 use jounce_core::integrate::Control;
 use jounce_core::reproduce::{Claim, Reproduction, folders};
-use jounce_measure::experiment::{ExperimentError, chapters};
+use jounce_measure::experiment::chapters;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 
@@ -58,14 +58,14 @@ pub fn reproduce(
     control: &Control,
     stage: &(dyn Fn(&str) + Sync),
 ) -> Result<ReproduceResult, Error> {
-    on_threads(options.threads, || Ok(computed(options, control, stage)?))
+    on_threads(options.threads, || computed(options, control, stage))
 }
 
 fn computed(
     options: &ReproduceOptions,
     control: &Control,
     stage: &dyn Fn(&str),
-) -> Result<ReproduceResult, ExperimentError> {
+) -> Result<ReproduceResult, Error> {
     folders(&options.out)?;
     let simulated = jounce_core::reproduce::reproduce(control, stage)?;
     stage(

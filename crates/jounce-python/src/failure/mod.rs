@@ -125,7 +125,7 @@ impl From<jounce::Error> for Failure {
             Error::Noise(error) => error.into(),
             Error::Starter(error) => error.into(),
             Error::Fit(error) => error.into(),
-            Error::Reproduce(error) => error.into(),
+            Error::Reproduce(error) => (*error).into(),
             Error::File(error) => error.into(),
             Error::Journal(error) => Self::of("FileError", &error),
             Error::Table(error) => error.into(),
