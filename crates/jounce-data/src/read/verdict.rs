@@ -62,8 +62,8 @@ impl RecordingSummary {
                 "frf and modes --measured, contact, spectra"
             }
             Over::Time if has(Quantity::Force) => "contact, spectra",
-            Over::Time if has(Quantity::Voltage) && motion => "power, regimes, spectra; fit",
-            Over::Time if has(Quantity::Voltage) => "power --resistance, regimes, spectra",
+            Over::Time if has(Quantity::Voltage) && motion => "power, segments, spectra; fit",
+            Over::Time if has(Quantity::Voltage) => "power --resistance, segments, spectra",
             Over::Time if motion => {
                 "spectra, modes --output-only or --free-decay; rig --base as the motion of a base"
             }
@@ -134,7 +134,7 @@ mod tests {
         );
         assert_eq!(
             run,
-            "1 voltage, 1 acceleration; 3 samples, 100.000000 Hz, even; next: power, regimes, spectra; fit"
+            "1 voltage, 1 acceleration; 3 samples, 100.000000 Hz, even; next: power, segments, spectra; fit"
         );
         assert!(
             verdict(
