@@ -58,6 +58,9 @@ class MeasuredModes(Result):
     model: Annotated[Complexes, Along("function line", "", "function reconstructed from the modes")]
     #: Responses of a hammer test; ``None`` without a measured force.
     frf: MeasuredFrf | None
+    #: Messages about modes that may be noise and peaks without a mode; about the window and the noise of the test.
+    warnings: list[str]
+    notes: list[str]
     issues: list[Issue]
 
     def __len__(self) -> int:
@@ -69,18 +72,7 @@ class MeasuredModes(Result):
             (f"mode {k}", f"{with_uncertainty(hz, dhz, 'Hz')}, damping ratio {with_uncertainty(zeta, dzeta)} (95 %)")
             for k, (hz, zeta, (dhz, dzeta)) in enumerate(zip(self.frequency_hz, self.damping_ratio, deviations), 1)
         ]
-        if any(self.doubtful):
-            doubtful_modes = ", ".join(str(k) for k, doubtful in enumerate(self.doubtful, 1) if doubtful)
-            lines.append(
-                ("doubtful", f"the damping of mode {doubtful_modes} is statistically indistinguishable from zero: it may be noise")
-            )
-        if len(self.unexplained_hz):
-            peaks = ", ".join(f"{hz:.6g}" for hz in self.unexplained_hz[:8])
-            lines.append(("unexplained", f"peaks at {peaks} Hz; try between=... around them, or a larger order"))
-        if self.frf is not None and self.frf.window_decay_per_s > 0.0:
-            lines.append(("window", f"its damping, {self.frf.window_decay_per_s:.5g} 1/s, was subtracted"))
-        if self.frf is not None and self.frf.block_s is None:
-            lines.append(("noise", "estimated from the residual of each line"))
+        lines += [*(("warning", text) for text in self.warnings), *(("note", text) for text in self.notes)]
         return [*lines, ("misfit", f"{self.misfit:.3g}")]
 
     def _repr_html_(self) -> str:

@@ -82,6 +82,8 @@ fn into_python<'py>(py: Python<'py>, result: &MeasuredModesResult) -> PyResult<B
         .with("measured", lines(py, &fit.measured))?
         .with("model", lines(py, &fit.model))?
         .with("frf", frf)?
+        .with("warnings", result.warnings())?
+        .with("notes", result.notes())?
         .with("issues", issues(&result.issues)?)?;
     Ok(dict.dict())
 }

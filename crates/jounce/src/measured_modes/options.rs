@@ -63,8 +63,8 @@ impl MeasuredModesOptions {
             return Err(Error::option("order", order, expected));
         }
         if free_decay && output_only {
-            let expected = "output_only is also given; give one of them";
-            return Err(Error::option("free_decay", "given", expected));
+            let expected = "free_decay is also given; give one of them";
+            return Err(Error::option("output_only", "given", expected));
         }
         let of_other_test = [
             ("span", self.span_s.is_some() && !free_decay, "free_decay"),

@@ -1,6 +1,7 @@
 //! Recordings: channels in SI units over time or frequency, with their data-quality issues.
 
 mod channels;
+mod load;
 mod options;
 
 pub use channels::{ChannelList, ChosenChannel, UsesChannels};
