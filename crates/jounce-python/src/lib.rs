@@ -80,7 +80,7 @@ mod _core {
     #[pymodule_export]
     use super::signal::spectrum;
     #[pymodule_export]
-    use super::spec::{Spec, keys, quantity_si, schema};
+    use super::spec::{Spec, keys, quantity_si, questions, schema};
     #[pymodule_export]
     use super::starters::{starter, starters};
     #[pymodule_export]

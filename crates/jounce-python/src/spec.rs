@@ -144,6 +144,13 @@ impl Spec {
     }
 }
 
+/// Returns the questions with their names and options, as JSON.
+#[pyfunction]
+pub fn questions() -> PyResult<String> {
+    let questions = serde_json::to_string(&jounce::questions());
+    Ok(questions.map_err(|error| Failure::new("JounceError", error))?)
+}
+
 /// Returns the JSON Schema of a spec.
 #[pyfunction]
 pub fn schema() -> String {

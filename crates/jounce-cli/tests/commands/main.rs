@@ -1,9 +1,10 @@
-//! The program from the outside: keys of its JSON answers, exit codes, and sweeps that stay the same whatever the threads.
+//! The program from the outside: keys of its JSON results, exit codes, and sweeps that stay the same whatever the threads.
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 mod attractors;
 mod gravity;
 mod hard_cases;
+mod names;
 mod orbits;
 mod runs;
 mod studies;
