@@ -1,7 +1,8 @@
 //! Failures of commands and their exit codes.
 
 use crate::output::print;
-use jounce::{ChannelError, Error, ErrorKind, Fault, GridError};
+use jounce::parts::{ChannelError, Fault, GridError};
+use jounce::{Error, ErrorKind};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 

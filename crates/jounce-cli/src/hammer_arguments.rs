@@ -3,7 +3,8 @@
 use crate::failure::Failure;
 use crate::measured_file::manifest;
 use clap::{Arg, Args};
-use jounce::{Manifest, MeasuredFrfOptions, ReadOptions, Recording, definitions};
+use jounce::parts::Manifest;
+use jounce::{MeasuredFrfOptions, ReadOptions, Recording, definitions};
 use std::path::PathBuf;
 
 /// Arguments of a hammer test.

@@ -1,7 +1,8 @@
 //! Output: JSON on stdout, tables and pictures in a folder.
 
 use crate::failure::Failure;
-use jounce::{Error, Figure, Manifest, Table};
+use jounce::parts::Manifest;
+use jounce::{Error, Figure, Table};
 use serde::Serialize;
 use std::io::Write;
 use std::path::Path;

@@ -2,7 +2,8 @@
 
 use crate::failure::Failure;
 use clap::Args;
-use jounce::{Error, Harvester, Manifest, Spec, SpecFile};
+use jounce::parts::Manifest;
+use jounce::{Error, Harvester, Spec, SpecFile};
 use std::path::{Path, PathBuf};
 
 /// The spec and its overrides.

@@ -4,7 +4,8 @@ use crate::cancellable::{cancellable, to_python_result};
 use crate::flat;
 use crate::run::PythonResult;
 use crate::spec::Spec;
-use jounce::{BifurcationCurve, BifurcationsOptions, BifurcationsResult};
+use jounce::parts::BifurcationCurve;
+use jounce::{BifurcationsOptions, BifurcationsResult};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 

@@ -5,7 +5,8 @@ use crate::failure::Failure;
 use crate::flat;
 use crate::run::PythonResult;
 use crate::spec::Spec;
-use jounce::{Branch, BranchOptions, BranchResult};
+use jounce::parts::Branch;
+use jounce::{BranchOptions, BranchResult};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 

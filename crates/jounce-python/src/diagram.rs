@@ -5,7 +5,8 @@ use crate::cancellable::{cancellable, to_python_result};
 use crate::flat;
 use crate::run::PythonResult;
 use crate::spec::Spec;
-use jounce::{DiagramOptions, DiagramResult, SectionPoint};
+use jounce::parts::SectionPoint;
+use jounce::{DiagramOptions, DiagramResult};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 

@@ -4,7 +4,8 @@ use crate::cancellable::{cancellable, to_python_result};
 use crate::flat;
 use crate::run::PythonResult;
 use crate::spec::Spec;
-use jounce::{EnsembleOptions, EnsembleResult, VoltageSpectrum};
+use jounce::parts::VoltageSpectrum;
+use jounce::{EnsembleOptions, EnsembleResult};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 

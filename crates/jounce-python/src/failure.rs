@@ -1,6 +1,7 @@
 //! Conversion of errors of the library to exceptions of `jounce.errors`, with their numbers.
 
-use jounce::{Control, Error, ErrorDetails, Fault, Faults};
+use jounce::parts::{Fault, Faults};
+use jounce::{Control, Error, ErrorDetails};
 use jounce_explorer::ExploreError;
 use pyo3::prelude::*;
 use serde_json::Value;

@@ -3,7 +3,8 @@
 use crate::cancellable::cancellable;
 use crate::failure::Failure;
 use crate::spec::Spec;
-use jounce::{Features, FitError};
+use jounce::Features;
+use jounce::parts::FitError;
 use pyo3::prelude::*;
 use std::path::PathBuf;
 

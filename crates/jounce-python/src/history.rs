@@ -1,7 +1,7 @@
 //! Samples of the stored end of a run, as arrays.
 
 use crate::arrays::PythonDict;
-use jounce::{History, HistorySamples};
+use jounce::parts::{History, HistorySamples};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 

@@ -1,7 +1,7 @@
 //! Spectra of sampled signals.
 
 use crate::failure::Failure;
-use jounce::{Samples, SignalError, Window};
+use jounce::parts::{Samples, SignalError, Window};
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 

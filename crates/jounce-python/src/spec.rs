@@ -1,7 +1,8 @@
 //! Spec: its text and its contents.
 
 use crate::failure::Failure;
-use jounce::{Control, Harvester, Manifest, Model, Quantity, SpecFile};
+use jounce::parts::{Manifest, Quantity};
+use jounce::{Control, Harvester, Model, SpecFile};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;

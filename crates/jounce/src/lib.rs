@@ -1,27 +1,34 @@
 //! jounce simulates, analyses and designs vibro-impact piezoelectric energy harvesters.
 //!
+//! ```
+//! use jounce::{Harvester, RunOptions};
+//! # std::env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).unwrap();
+//! let mut harvester = Harvester::read("examples/impact-harvester-2019/harvester.toml")?;
+//! harvester.set("stop.tip.gap", "0.5 mm")?;
+//! let result = harvester.run(&RunOptions { tolerance: Some(1e-8), ..Default::default() })?;
+//! println!("{} W, settled: {:?}", result.mean_power_w, result.settled);
+//! # Ok::<(), jounce::Error>(())
+//! ```
+//!
 //! A [`Harvester`] is read from a spec file. Each question is one method with its options and its
 //! result:
 //!
 //! | question | method | options | result |
 //! |---|---|---|---|
+//! | validity, with the issues of recordings | [`Harvester::check`] | | [`CheckResult`] |
 //! | natural frequencies, couplings and shapes | [`Harvester::modes`] | [`ModesOptions`] | [`ModesResult`] |
 //! | frequency responses without contact | [`Harvester::frf`] | [`FrfOptions`] | [`FrfResult`] |
 //! | response to noise without contact | [`Harvester::noise`] | [`NoiseOptions`] | [`NoiseResult`] |
-//! | validity, with the issues of recordings | [`Harvester::check`] | | [`CheckResult`] |
 //! | response from a start in time | [`Harvester::run`] | [`RunOptions`] | [`RunResult`] |
-//! | attractors and how likely each is | [`Harvester::basins`] | [`BasinsOptions`] | [`BasinsResult`] |
 //! | responses over values of a key | [`Harvester::sweep`] | [`SweepOptions`] | [`SweepResult`] |
-//! | means over realisations of noise | [`Harvester::ensemble`] | [`EnsembleOptions`] | [`EnsembleResult`] |
-//! | one quantity over several keys | [`Study::run`] | [`StudyOptions`] | [`StudyStatus`] |
-//! | keys that fit measurements | [`Harvester::fit`] | [`Features`] | [`FitResult`] |
-//! | simulated recordings of sensors | [`Harvester::rig`] | [`RigOptions`] | [`RigResult`] |
 //! | branches of periodic orbits over a key | [`Harvester::branch`] | [`BranchOptions`] | [`BranchResult`] |
 //! | bifurcation curves in two keys | [`Harvester::bifurcations`] | [`BifurcationsOptions`] | [`BifurcationsResult`] |
 //! | bifurcation diagram over a key | [`Harvester::diagram`] | [`DiagramOptions`] | [`DiagramResult`] |
-//!
-//! [`materials`], [`starters`], [`schema`] and [`key_reference`] help to write a spec;
-//! [`Harvester::drawing`] draws it; [`reproduce`] recomputes a published paper.
+//! | attractors and how likely each is | [`Harvester::basins`] | [`BasinsOptions`] | [`BasinsResult`] |
+//! | means over realisations of noise | [`Harvester::ensemble`] | [`EnsembleOptions`] | [`EnsembleResult`] |
+//! | one quantity over several keys | [`Study::run`] | [`StudyOptions`] | [`parts::StudyStatus`] |
+//! | keys that fit measurements | [`Harvester::fit`] | [`Features`] | [`FitResult`] |
+//! | simulated recordings of sensors | [`Harvester::rig`] | [`RigOptions`] | [`RigResult`] |
 //!
 //! A [`Recording`] is read from a file of an instrument, with its data-quality issues:
 //!
@@ -35,13 +42,17 @@
 //! | contact laws of force pulses | [`Recording::contact`] | [`ContactOptions`] | [`ContactResult`] |
 //! | attractors that a recording shows | [`Recording::segments`] | [`SegmentsOptions`] | [`SegmentsResult`] |
 //!
-//! [`live`] has the computations of the live page, which follow a design through small steps.
+//! [`materials`], [`starters`], [`schema`] and [`key_reference`] help to write a spec;
+//! [`Harvester::drawing`] draws it; [`reproduce`] recomputes a published paper. [`questions`] lists
+//! all questions with their names on the command line and in Python.
 //!
 //! Options have defaults: write the fields that differ, then `..Default::default()`. Results are
-//! plain data; serialised, they are the JSON of the command line. Every name ends in its unit.
+//! plain data; serialised, they are the JSON of the command line. Every name ends in its unit. The
+//! types of their fields are in [`parts`]. Tables and figures are methods of the results.
 //!
-//! All errors are one type, [`Error`]; [`Error::kind`] separates invalid input, missing convergence
-//! and a stop by the user. A [`Control`] reports the progress of a long computation and stops it.
+//! All errors are one type, [`Error`]. Its message names the value, what is allowed and what to
+//! try; [`Error::kind`] separates invalid input, missing convergence and a stop by the user. A
+//! [`Control`] reports the progress of a long computation and stops it.
 //!
 //! The computations are in `jounce_core`, recordings in `jounce_data` and `jounce_measure`; their
 //! interfaces may change.
@@ -65,6 +76,7 @@ mod measured_modes;
 mod modes;
 mod noise;
 mod options;
+pub mod parts;
 mod periodic;
 mod power;
 mod questions;
@@ -74,81 +86,47 @@ mod reference;
 mod reproduce;
 mod rig;
 mod run;
+mod segments;
+mod spectra;
 mod study;
 mod sweep;
 
-pub use bifurcations::{BifurcationCurve, BifurcationsOptions, BifurcationsResult};
-pub use branch::{
-    Bifurcation, Branch, BranchOptions, BranchPoint, BranchResult, HalfPowerBandwidth, NotProved,
-    OrbitMethod, OrbitQuantity, Termination, TerminationReason, band_limit_text,
-};
-pub use diagram::{
-    DiagramDirection, DiagramJournal, DiagramOptions, DiagramPoint, DiagramResult, SectionPoint,
-};
-pub use ensemble::{EnsembleOptions, EnsemblePatch, EnsembleResult, EnsembleStop, VoltageSpectrum};
-mod segments;
-mod spectra;
-
-pub use basins::{AttractorResult, BasinsOptions, BasinsResult, FailedStart, StartPoint};
-pub use check::{CheckResult, DriveIssue};
-pub use contact::{ContactOptions, ContactResult, FixedLawResult, HitResult};
+pub use basins::{BasinsOptions, BasinsResult};
+pub use bifurcations::{BifurcationsOptions, BifurcationsResult};
+pub use branch::{BranchOptions, BranchResult};
+pub use check::CheckResult;
+pub use contact::{ContactOptions, ContactResult};
+pub use diagram::{DiagramOptions, DiagramResult};
+pub use ensemble::{EnsembleOptions, EnsembleResult};
 pub use error::{Error, ErrorDetails, ErrorKind};
 pub use fit::FitResult;
-pub use frf::{FrfOptions, FrfResponse, FrfResult};
+pub use frf::{FrfOptions, FrfResult};
 pub use harvester::{Harvester, KeyValue};
 pub use jounce_core::analysis::Model;
-pub use jounce_core::analysis::{
-    AttractorKind, AttractorTrack, BandInterval, BandLimit, BifurcationCurvePoint, BranchKind,
-    CurveKind, GridError, IntervalEdge, PowerPeak, TrackPoint, Transition,
-};
-pub use jounce_core::analysis::{IntervalOver, Journal, Member, SweepDirection};
 pub use jounce_core::integrate::Control;
-pub use jounce_core::linear::{
-    Coupling, Density, RandomLoad, RandomPatch, RandomPoint, RandomStop,
-};
-pub use jounce_core::material::{Active, Material};
-pub use jounce_core::picture::{Drawing, Figure};
-pub use jounce_core::reproduce::Claim;
-pub use jounce_core::run::{ChargeResult, StartState, StopResult, Warning};
-pub use jounce_core::signal::{Samples, SignalError, Spectrum, Window};
-pub use jounce_core::spec::{Fault, Faults, KeyRange, NumericKey, Quantity, Spec, SpecFile};
-pub use jounce_core::starter::Starter;
-pub use jounce_core::table::{Manifest, Table, Values};
-pub use jounce_data::read::RawChannel;
-pub use jounce_data::recording::{
-    Channel, ChannelError, Grid, Issue, Over, Quantity as MeasuredQuantity,
-};
-pub use jounce_measure::contact::AllowedLaws;
-pub use jounce_measure::draw::PulseFigure;
-pub use jounce_measure::fit::{
-    Features, FitError, FitResult as FitEstimate, FittedCurve, FittedDeviation, FittedFeature,
-    FittedKey,
-};
-pub use jounce_measure::segmentation::{Candidate, MAX_PERIOD_CYCLES, MergeReason, MergedChange};
-pub use jounce_measure::spectral::HitWarning;
-pub use measured_frf::{
-    FrfEstimator, FunctionParts, MeasuredFrfOptions, MeasuredFrfResult, MeasuredResponse, PerG,
-};
-pub use measured_modes::{ComplexValues, MeasuredMode, MeasuredModesOptions, MeasuredModesResult};
-pub use modes::{BeamShapes, ModeResult, ModesOptions, ModesResult, PatchCoupling, PointShape};
+pub use jounce_core::picture::Figure;
+pub use jounce_core::run::StartState;
+pub use jounce_core::spec::{Spec, SpecFile};
+pub use jounce_core::table::Table;
+pub use jounce_measure::fit::Features;
+pub use measured_frf::{MeasuredFrfOptions, MeasuredFrfResult};
+pub use measured_modes::{MeasuredModesOptions, MeasuredModesResult};
+pub use modes::{ModesOptions, ModesResult};
 pub use noise::{NoiseOptions, NoiseResult};
 pub use options::{OptionDefinition, check_tolerance, definitions};
 pub use periodic::check_drives;
-pub use power::{OrderAmplitude, PowerOptions, PowerRecord, PowerResult};
+pub use power::{PowerOptions, PowerResult};
 pub use questions::{Question, questions};
-pub use read::{
-    ChannelResult, Conversion, ConvertOptions, ReadResult, RecordedFile, RecordingResult,
-    ShapeResult,
-};
-pub use recording::{ChannelList, ChosenChannel, ReadOptions, Recording, UsesChannels};
+pub use read::{ConvertOptions, ReadResult, RecordedFile};
+pub use recording::{ReadOptions, Recording};
 pub use reference::{key_reference, materials, schema, starter, starters};
 pub use reproduce::{ReproduceOptions, ReproduceResult, reproduce};
-pub use rig::{BaseMotion, RigOptions, RigResult};
-pub use run::{History, HistorySamples, LoadResult, PatchResult, RunOptions, RunResult};
-pub use segments::{SegmentResult, SegmentsOptions, SegmentsResult};
-pub use spectra::{OrderPeak, SegmentWindow, SpectraOptions, SpectraResult};
-pub use study::{Shard, Study, StudyFolder, StudyOptions, StudyStatus};
-pub use sweep::{SweepOptions, SweepOrder, SweepPoint, SweepResult};
+pub use rig::{RigOptions, RigResult};
+pub use run::{RunOptions, RunResult};
+pub use segments::{SegmentsOptions, SegmentsResult};
+pub use spectra::{SpectraOptions, SpectraResult};
+pub use study::{Study, StudyFolder, StudyOptions};
+pub use sweep::{SweepOptions, SweepResult};
 
 /// Rust code of the README, compiled with the documentation tests.
 #[cfg(doctest)]

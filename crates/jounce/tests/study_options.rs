@@ -1,8 +1,9 @@
 //! Options of the quantities of studies: the names and defaults are those of the questions.
 
+use jounce::parts::SweepOrder;
 use jounce::{
     BasinsOptions, BifurcationsOptions, BranchOptions, DiagramOptions, EnsembleOptions,
-    SweepOptions, SweepOrder, questions,
+    SweepOptions, questions,
 };
 use jounce_core::analysis::Recognition;
 use jounce_core::spec::SpecFile;

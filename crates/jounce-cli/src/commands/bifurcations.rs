@@ -6,7 +6,8 @@ use crate::output::{self, key_value, line, print};
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
-use jounce::{BifurcationCurve, BifurcationsOptions, BifurcationsResult, Control, Harvester};
+use jounce::parts::BifurcationCurve;
+use jounce::{BifurcationsOptions, BifurcationsResult, Control, Harvester};
 use std::path::Path;
 
 /// Arguments of `bifurcations`.

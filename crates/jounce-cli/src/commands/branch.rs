@@ -6,10 +6,8 @@ use crate::output::{self, key_value, line, print};
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
-use jounce::{
-    Bifurcation, Branch as Curve, BranchOptions, BranchResult, Control, HalfPowerBandwidth,
-    Harvester, PowerPeak, band_limit_text,
-};
+use jounce::parts::{Bifurcation, Branch as Curve, HalfPowerBandwidth, PowerPeak, band_limit_text};
+use jounce::{BranchOptions, BranchResult, Control, Harvester};
 use std::path::Path;
 
 /// Arguments of `branch`.

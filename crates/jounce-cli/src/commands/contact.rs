@@ -4,7 +4,8 @@ use crate::failure::Failure;
 use crate::measured_file::{MeasuredFile, or_issues, print_issues};
 use crate::output::{self, line, print};
 use clap::Args;
-use jounce::{AllowedLaws, ContactOptions, ContactResult, HitResult};
+use jounce::parts::{AllowedLaws, HitResult};
+use jounce::{ContactOptions, ContactResult};
 use std::path::Path;
 
 /// Number of warnings that are printed for a hit.

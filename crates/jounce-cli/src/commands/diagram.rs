@@ -7,10 +7,8 @@ use crate::output::{self, line, print};
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
-use jounce::{
-    AttractorTrack, Control, DiagramOptions, DiagramPoint, DiagramResult, Error, Harvester,
-    Transition,
-};
+use jounce::parts::{AttractorTrack, DiagramPoint, Transition};
+use jounce::{Control, DiagramOptions, DiagramResult, Error, Harvester};
 use std::path::Path;
 
 /// Arguments of `diagram`.

@@ -6,7 +6,8 @@ use crate::output::{self, line, print};
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
-use jounce::{Control, EnsembleOptions, EnsembleResult, EnsembleStop, Harvester, IntervalOver};
+use jounce::parts::{EnsembleStop, IntervalOver};
+use jounce::{Control, EnsembleOptions, EnsembleResult, Harvester};
 use std::path::Path;
 
 /// Arguments of `ensemble`.

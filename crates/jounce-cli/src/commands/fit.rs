@@ -5,7 +5,8 @@ use crate::output::{self, line, print};
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
-use jounce::{Control, Error, Features, FitEstimate, FitResult, Manifest};
+use jounce::parts::{FitEstimate, Manifest};
+use jounce::{Control, Error, Features, FitResult};
 use std::path::{Path, PathBuf};
 
 /// Format of a file of features; no line is wider than a terminal.

@@ -54,7 +54,7 @@ impl New {
 
     fn list(&self) {
         if self.json {
-            let kind = |starter: &jounce::Starter| serde_json::json!({ "kind": starter.kind, "summary": starter.summary });
+            let kind = |starter: &jounce::parts::Starter| serde_json::json!({ "kind": starter.kind, "summary": starter.summary });
             let kinds: Vec<_> = starters().iter().map(kind).collect();
             print(&serde_json::json!({ "kinds": kinds }));
             return;

@@ -5,7 +5,8 @@ use crate::measured_file::{manifest, or_issues, print_issues, with_options};
 use crate::output::{self, line, print, with_uncertainty};
 use crate::spec_arguments::OutputArguments;
 use clap::Args;
-use jounce::{PowerOptions, PowerRecord, PowerResult, ReadOptions, Recording};
+use jounce::parts::PowerRecord;
+use jounce::{PowerOptions, PowerResult, ReadOptions, Recording};
 use std::path::{Path, PathBuf};
 
 /// Arguments of `power`.

@@ -4,7 +4,8 @@ use crate::failure::Failure;
 use crate::measured_file::MeasuredFile;
 use crate::output::{self, line, print};
 use clap::{Arg, Args};
-use jounce::{ConvertOptions, Over, ReadResult, RecordedFile, RecordingResult, definitions};
+use jounce::parts::{Over, RecordingResult};
+use jounce::{ConvertOptions, ReadResult, RecordedFile, definitions};
 use std::path::{Path, PathBuf};
 
 /// Arguments of `read`.

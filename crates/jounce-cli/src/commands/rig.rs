@@ -5,7 +5,8 @@ use crate::measured_file::print_issues;
 use crate::output::{self, line, print};
 use crate::spec_arguments::SpecArguments;
 use clap::Args;
-use jounce::{BaseMotion, ReadOptions, Recording, RigOptions};
+use jounce::parts::BaseMotion;
+use jounce::{ReadOptions, Recording, RigOptions};
 use std::path::PathBuf;
 
 /// Arguments of `rig`.

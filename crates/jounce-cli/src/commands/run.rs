@@ -4,10 +4,8 @@ use crate::failure::Failure;
 use crate::output::{self, line, print};
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
-use jounce::{
-    ChargeResult, Error, Harvester, LoadResult, RunOptions, RunResult, StartState, StopResult,
-    Warning,
-};
+use jounce::parts::{ChargeResult, LoadResult, StopResult, Warning};
+use jounce::{Error, Harvester, RunOptions, RunResult, StartState};
 use std::path::{Path, PathBuf};
 
 /// Arguments of `run`.

@@ -5,9 +5,8 @@ use crate::measured_file::{MeasuredFile, print_issues, print_recording_issues};
 use crate::output::{self, line, print, with_uncertainty};
 use crate::spec_arguments::SpecArguments;
 use clap::Args;
-use jounce::{
-    Candidate, MAX_PERIOD_CYCLES, MergeReason, SegmentResult, SegmentsOptions, SegmentsResult,
-};
+use jounce::parts::{Candidate, MAX_PERIOD_CYCLES, MergeReason, SegmentResult};
+use jounce::{SegmentsOptions, SegmentsResult};
 use std::path::{Path, PathBuf};
 
 /// Arguments of `segments`.

@@ -6,7 +6,8 @@ use crate::output::{line, print};
 use crate::progress;
 use crate::spec_arguments::print_recording_issues;
 use clap::{Args, Subcommand};
-use jounce::{Control, Error, StudyFolder, StudyOptions, StudyStatus};
+use jounce::parts::StudyStatus;
+use jounce::{Control, Error, StudyFolder, StudyOptions};
 use std::path::PathBuf;
 
 /// Arguments of `study`.

@@ -113,8 +113,7 @@ fn a_recorded_drive_gives_the_powers_of_the_rig() {
         folder.path(),
         &["study", "run", "gaps.toml", "--out", "gaps"],
     );
-    let (table, _) =
-        jounce::Table::read(&folder.path().join("gaps/study.parquet")).unwrap();
+    let (table, _) = jounce::Table::read(&folder.path().join("gaps/study.parquet")).unwrap();
     for (power_w, expected) in table.floats("mean_power_w").unwrap().iter().zip(&expected) {
         assert!(
             (power_w / expected - 1.0).abs() < 1e-3,

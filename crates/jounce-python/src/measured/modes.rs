@@ -5,10 +5,8 @@ use super::recording::{RecordingInput, issues, recordings};
 use crate::arrays::PythonDict;
 use crate::failure::Failure;
 use crate::flat;
-use jounce::{
-    ComplexValues, MeasuredFrfOptions, MeasuredMode, MeasuredModesOptions, MeasuredModesResult,
-    Recording,
-};
+use jounce::parts::{ComplexValues, MeasuredMode};
+use jounce::{MeasuredFrfOptions, MeasuredModesOptions, MeasuredModesResult, Recording};
 use numpy::{Complex64, PyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;

@@ -5,7 +5,8 @@ use crate::arrays::PythonDict;
 use crate::cancellable::{detached, to_python_result};
 use crate::flat;
 use crate::run::PythonResult;
-use jounce::{PowerOptions, PowerRecord, PowerResult, Recording, Spectrum};
+use jounce::parts::{PowerRecord, Spectrum};
+use jounce::{PowerOptions, PowerResult, Recording};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 

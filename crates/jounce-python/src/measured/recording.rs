@@ -4,10 +4,8 @@ use crate::arrays::PythonDict;
 use crate::branch::json;
 use crate::failure::Failure;
 use crate::flat;
-use jounce::{
-    Channel, Error, Grid, Issue, MeasuredQuantity, Over, RawChannel, ReadOptions, RecordedFile,
-    Recording, ShapeResult,
-};
+use jounce::parts::{Channel, Grid, Issue, MeasuredQuantity, Over, RawChannel, ShapeResult};
+use jounce::{Error, ReadOptions, RecordedFile, Recording};
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;

@@ -7,7 +7,7 @@ use jounce_core::picture::{self, Axis, BranchLine, BranchMark, Figure};
 /// Returns a limit of a half-power interval in words.
 ///
 /// ```
-/// assert_eq!(jounce::band_limit_text(jounce::BandLimit::Stability), "stability lost");
+/// assert_eq!(jounce::parts::band_limit_text(jounce::parts::BandLimit::Stability), "stability lost");
 /// ```
 pub fn band_limit_text(limit: BandLimit) -> &'static str {
     match limit {

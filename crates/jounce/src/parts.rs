@@ -1,0 +1,52 @@
+//! Parts of options and results, and the types of a spec, a table, a figure and a recording.
+
+pub use crate::basins::{AttractorResult, FailedStart, StartPoint};
+pub use crate::bifurcations::BifurcationCurve;
+pub use crate::branch::{
+    Bifurcation, Branch, BranchPoint, HalfPowerBandwidth, NotProved, OrbitMethod, OrbitQuantity,
+    Termination, TerminationReason, band_limit_text,
+};
+pub use crate::check::DriveIssue;
+pub use crate::contact::{FixedLawResult, HitResult};
+pub use crate::diagram::{DiagramDirection, DiagramJournal, DiagramPoint, SectionPoint};
+pub use crate::ensemble::{EnsemblePatch, EnsembleStop, VoltageSpectrum};
+pub use crate::frf::FrfResponse;
+pub use crate::measured_frf::{FrfEstimator, FunctionParts, MeasuredResponse, PerG};
+pub use crate::measured_modes::{ComplexValues, MeasuredMode};
+pub use crate::modes::{BeamShapes, ModeResult, PatchCoupling, PointShape};
+pub use crate::power::{OrderAmplitude, PowerRecord};
+pub use crate::read::{ChannelResult, Conversion, RecordingResult, ShapeResult};
+pub use crate::recording::{ChannelList, ChosenChannel, UsesChannels};
+pub use crate::rig::BaseMotion;
+pub use crate::run::{History, HistorySamples, LoadResult, PatchResult};
+pub use crate::segments::SegmentResult;
+pub use crate::spectra::{OrderPeak, SegmentWindow};
+pub use crate::study::{Shard, StudyStatus};
+pub use crate::sweep::{SweepOrder, SweepPoint};
+pub use jounce_core::analysis::{
+    AttractorKind, AttractorTrack, BandInterval, BandLimit, BifurcationCurvePoint, BranchKind,
+    CurveKind, GridError, IntervalEdge, PowerPeak, TrackPoint, Transition,
+};
+pub use jounce_core::analysis::{IntervalOver, Journal, Member, SweepDirection};
+pub use jounce_core::linear::{
+    Coupling, Density, RandomLoad, RandomPatch, RandomPoint, RandomStop,
+};
+pub use jounce_core::material::{Active, Material};
+pub use jounce_core::picture::Drawing;
+pub use jounce_core::reproduce::Claim;
+pub use jounce_core::run::{ChargeResult, StopResult, Warning};
+pub use jounce_core::signal::{Samples, SignalError, Spectrum, Window};
+pub use jounce_core::spec::{Fault, Faults, KeyRange, NumericKey, Quantity};
+pub use jounce_core::starter::Starter;
+pub use jounce_core::table::{Manifest, Values};
+pub use jounce_data::read::RawChannel;
+pub use jounce_data::recording::{
+    Channel, ChannelError, Grid, Issue, Over, Quantity as MeasuredQuantity,
+};
+pub use jounce_measure::contact::AllowedLaws;
+pub use jounce_measure::draw::PulseFigure;
+pub use jounce_measure::fit::{
+    FitError, FitResult as FitEstimate, FittedCurve, FittedDeviation, FittedFeature, FittedKey,
+};
+pub use jounce_measure::segmentation::{Candidate, MAX_PERIOD_CYCLES, MergeReason, MergedChange};
+pub use jounce_measure::spectral::HitWarning;
