@@ -45,11 +45,13 @@ pub fn definitions<O: Args>() -> Vec<OptionDefinition> {
                 .iter()
                 .map(|value| value.to_string_lossy()),
         ),
-        choices: argument
-            .get_possible_values()
-            .iter()
-            .map(|choice| choice.get_name().to_owned())
-            .collect(),
+        choices: match argument.get_action().takes_values() {
+            true => argument.get_possible_values(),
+            false => Vec::new(),
+        }
+        .iter()
+        .map(|choice| choice.get_name().to_owned())
+        .collect(),
         help: argument
             .get_help()
             .map(ToString::to_string)
@@ -193,7 +195,7 @@ pub fn check_tolerance(tolerance: f64) -> Result<(), Error> {
     Err(Error::option(
         "tolerance",
         value,
-        "give a number from 1e-14 to 0.01",
+        "give a number from 1e-14 to below 0.01",
     ))
 }
 

@@ -1,7 +1,7 @@
 //! Options of basins of attraction.
 
 use crate::error::Error;
-use crate::options::{check_tolerance, defaults};
+use crate::options::{check_tolerance, defaults, refuse_changed};
 use jounce_core::analysis::{Cloud, Grid, InitialStates, Recognition};
 use serde::{Deserialize, Serialize};
 
@@ -50,7 +50,11 @@ impl BasinsOptions {
     /// Returns the initial states for a harvester with so many stops.
     pub(super) fn initial_states(&self, stops: usize) -> Result<InitialStates, Error> {
         if !self.grid.is_empty() {
-            self.refuse_cloud()?;
+            refuse_changed(
+                self,
+                &["starts", "seed", "spread"],
+                "it applies to a cloud of starts; omit it, or omit grid",
+            )?;
             return Ok(InitialStates::Grid(Grid::read(&self.grid, stops)?));
         }
         let &Self {
@@ -60,31 +64,6 @@ impl BasinsOptions {
             ..
         } = self;
         Ok(InitialStates::Cloud(cloud(starts, seed, spread)?))
-    }
-
-    /// Refuses options of the cloud beside a grid.
-    fn refuse_cloud(&self) -> Result<(), Error> {
-        let default = Self::default();
-        let given = [
-            (
-                "starts",
-                self.starts.to_string(),
-                self.starts == default.starts,
-            ),
-            ("seed", self.seed.to_string(), self.seed == default.seed),
-            (
-                "spread",
-                self.spread.to_string(),
-                self.spread == default.spread,
-            ),
-        ];
-        match given.into_iter().find(|(.., is_default)| !is_default) {
-            None => Ok(()),
-            Some((option, value, _)) => {
-                let expected = "it applies to a cloud of starts; omit it, or omit grid";
-                Err(Error::option(option, value, expected))
-            }
-        }
     }
 
     /// Returns the options of the recognition of attractors.
