@@ -97,7 +97,7 @@ impl Command {
     pub fn wants_json(&self) -> bool {
         match self {
             Command::New(command) => command.json,
-            Command::Check(command) => command.output.json,
+            Command::Check(command) => command.json,
             Command::Show(command) => command.json,
             Command::Modes(command) => command.output.json,
             Command::Fit(command) => command.output.json,

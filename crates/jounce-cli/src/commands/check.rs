@@ -2,7 +2,7 @@
 
 use crate::failure::{Failure, fault_line};
 use crate::output::{self, line, print};
-use crate::spec_arguments::{OutputArguments, SpecArguments};
+use crate::spec_arguments::SpecArguments;
 use clap::Args;
 use jounce::CheckResult;
 
@@ -11,15 +11,16 @@ use jounce::CheckResult;
 pub struct Check {
     #[command(flatten)]
     spec: SpecArguments,
-    #[command(flatten)]
-    pub output: OutputArguments,
+    /// Prints one JSON object on stdout; by default one line of text.
+    #[arg(long)]
+    pub json: bool,
 }
 
 impl Check {
     /// Reads the spec and builds its plant, which finds further faults.
     pub fn run(&self) -> Result<(), Failure> {
         let harvester = match self.spec.harvester() {
-            Err(Failure::Faults(path, faults)) if self.output.json => {
+            Err(Failure::Faults(path, faults)) if self.json => {
                 faults
                     .iter()
                     .for_each(|fault| eprintln!("{}", fault_line(&path, fault)));
@@ -32,7 +33,7 @@ impl Check {
         let result = harvester
             .check()
             .map_err(|error| self.spec.failure(error))?;
-        match self.output.json {
+        match self.json {
             true => print(&output::to_json(&result)?),
             false => line(format!("{}: valid", self.spec.spec.display())),
         }
