@@ -1,12 +1,26 @@
 //! Questions with their names in Rust, on the command line, in Python and in studies.
 
+use crate::basins::BasinsOptions;
+use crate::bifurcations::BifurcationsOptions;
+use crate::branch::BranchOptions;
+use crate::contact::ContactOptions;
+use crate::diagram::DiagramOptions;
+use crate::ensemble::EnsembleOptions;
+use crate::frf::FrfOptions;
+use crate::measured_frf::MeasuredFrfOptions;
+use crate::measured_modes::MeasuredModesOptions;
+use crate::modes::ModesOptions;
+use crate::noise::NoiseOptions;
 use crate::options::{OptionDefinition, definitions};
-use crate::{
-    BasinsOptions, BifurcationsOptions, BranchOptions, ContactOptions, ConvertOptions,
-    DiagramOptions, EnsembleOptions, FrfOptions, MeasuredFrfOptions, MeasuredModesOptions,
-    ModesOptions, NoiseOptions, PowerOptions, ReproduceOptions, RigOptions, RunOptions,
-    SegmentsOptions, SpectraOptions, StudyOptions, SweepOptions,
-};
+use crate::power::PowerOptions;
+use crate::read::ConvertOptions;
+use crate::reproduce::ReproduceOptions;
+use crate::rig::RigOptions;
+use crate::run::RunOptions;
+use crate::segments::SegmentsOptions;
+use crate::spectra::SpectraOptions;
+use crate::study::StudyOptions;
+use crate::sweep::SweepOptions;
 use clap::Args;
 use serde::Serialize;
 
