@@ -26,9 +26,24 @@ pub struct Run {
 }
 
 impl Run {
+    /// Refuses to replace the spec by the last state.
+    fn check_save_state(&self) -> Result<(), Failure> {
+        let file = |path: &Path| path.canonicalize().ok();
+        let state = self.save_state.as_deref().and_then(file);
+        if state.is_none() || state != file(&self.spec.spec) {
+            return Ok(());
+        }
+        let text = format!(
+            "--save-state is {}, the spec of this run; choose another name",
+            self.spec.spec.display()
+        );
+        Err(Failure::Usage(text))
+    }
+
     /// Integrates and reports.
     pub fn run(&self) -> Result<(), Failure> {
         let harvester = self.spec.harvester()?;
+        self.check_save_state()?;
         let mut options = self.options.clone();
         if let Some(path) = &self.start {
             options.start = Some(StartState::read(path).map_err(Error::from)?);

@@ -222,3 +222,17 @@ fn bad_input_ends_with_its_code_and_one_clear_sentence() {
         "{json}"
     );
 }
+
+/// The last state of a run never replaces its spec.
+#[test]
+fn a_saved_state_does_not_replace_the_spec() {
+    let folder = tempfile::tempdir().unwrap();
+    let spec = folder.path().join("harvester.toml");
+    std::fs::copy(SPEC, &spec).unwrap();
+    let before = std::fs::read(&spec).unwrap();
+    let path = spec.to_str().unwrap();
+    let (code, _, text) = jounce(&["run", path, "--save-state", path]);
+    assert_eq!(code, 2, "{text}");
+    assert!(text.contains("choose another name"), "{text}");
+    assert_eq!(std::fs::read(&spec).unwrap(), before);
+}

@@ -57,6 +57,11 @@ fn wrong_input_ends_with_its_code_and_one_clear_sentence() {
         (vec!["read", "timeless.csv"], 4, "no sampling times found"),
         (vec!["read", "switch.csv", "--to", "a.xlsx"], 4, ".parquet"),
         (
+            vec!["read", "switch.csv", "--to", "./switch.csv"],
+            2,
+            "it is the file that is read",
+        ),
+        (
             vec!["read", "switch.csv", "--out", "/proc/nowhere"],
             4,
             "/proc/nowhere",

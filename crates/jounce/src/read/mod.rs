@@ -89,6 +89,10 @@ impl RecordedFile {
             let path = self.path.clone();
             return Err(Error::NoRecording { path, shapes });
         };
+        if is_same_file(to.as_ref(), &self.path) {
+            let expected = "it is the file that is read; choose another name";
+            return Err(Error::option("to", to.as_ref().display(), expected));
+        }
         let part = options.part(recording)?;
         write_surveyed(part.as_ref().unwrap_or(recording), to.as_ref())?;
         let issues = part.iter().flat_map(|part| &part.issues);
@@ -114,6 +118,12 @@ impl RecordedFile {
         };
         recordings.map(load).collect()
     }
+}
+
+/// True where two paths lead to one existing file.
+fn is_same_file(one: &Path, two: &Path) -> bool {
+    one.canonicalize()
+        .is_ok_and(|one| two.canonicalize().is_ok_and(|two| one == two))
 }
 
 impl Recording {
