@@ -8,7 +8,7 @@ use std::path::Path;
 #[derive(Debug)]
 pub enum RequestFault {
     /// Error of the library.
-    Library(Error),
+    Library(Box<Error>),
     /// One sentence.
     Text(String),
 }
@@ -18,8 +18,10 @@ impl RequestFault {
     /// the command line; `path` is the path of the spec.
     pub fn list(&self, path: &Path) -> Value {
         let faults = match self {
-            Self::Library(Error::Spec(faults)) => faults.as_slice(),
-            Self::Library(error) => return text(&error.to_string()),
+            Self::Library(error) => match error.as_ref() {
+                Error::Spec(faults) => faults.as_slice(),
+                error => return text(&error.to_string()),
+            },
             Self::Text(message) => return text(message),
         };
         let entries = faults.iter().map(|fault| {
@@ -45,7 +47,7 @@ fn text(message: &str) -> Value {
 
 impl From<Error> for RequestFault {
     fn from(error: Error) -> Self {
-        Self::Library(error)
+        Self::Library(Box::new(error))
     }
 }
 

@@ -24,7 +24,8 @@ impl Recording {
     /// exist or does not suit, [`Error::Spectral`] for a record without a signal or too short.
     ///
     /// ```
-    /// use jounce::{Grid, Over, PowerOptions, RawChannel, Recording};
+    /// use jounce::parts::{Grid, Over, RawChannel};
+    /// use jounce::{PowerOptions, Recording};
     /// let volts: Vec<f64> = (0..5120).map(|k| (0.1 * f64::from(k)).sin()).collect();
     /// let channels = vec![RawChannel::new("patch", "V", volts)];
     /// let grid = Grid::Even { start: 0.0, step: 1e-3, count: 5120 };

@@ -85,10 +85,7 @@ impl Recording {
         let data = summary
             .into_recording_of(&numbers)
             .map_err(Error::Scratch)?;
-        let data = data::Recording {
-            issues: issues,
-            ..data
-        };
+        let data = data::Recording { issues, ..data };
         Ok(Self {
             data,
             list,

@@ -23,7 +23,8 @@ impl Recording {
     /// or segments that do not fit.
     ///
     /// ```
-    /// use jounce::{Grid, Over, RawChannel, Recording, SpectraOptions};
+    /// use jounce::parts::{Grid, Over, RawChannel};
+    /// use jounce::{Recording, SpectraOptions};
     /// let volts: Vec<f64> = (0..5120).map(|k| (0.1 * f64::from(k)).sin()).collect();
     /// let channels = vec![RawChannel::new("patch", "V", volts)];
     /// let grid = Grid::Even { start: 0.0, step: 1e-3, count: 5120 };
