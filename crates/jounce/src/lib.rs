@@ -11,7 +11,8 @@
 //! ```
 //!
 //! A [`Harvester`] is read from a spec file. Each question is one method with its options and its
-//! result:
+//! result. The exceptions are [`Harvester::check`] without options, [`Harvester::fit`] with
+//! [`Features`], and [`Study::run`], a method of a [`Study`]:
 //!
 //! | question | method | options | result |
 //! |---|---|---|---|
@@ -30,7 +31,9 @@
 //! | keys that fit measurements | [`Harvester::fit`] | [`Features`] | [`FitResult`] |
 //! | simulated recordings of sensors | [`Harvester::rig`] | [`RigOptions`] | [`RigResult`] |
 //!
-//! A [`Recording`] is read from a file of an instrument, with its data-quality issues:
+//! A [`RecordedFile`] lists the recordings in a file of an instrument and converts them; it need
+//! not hold their samples in memory. A [`Recording`] is one of them, with its samples and its
+//! data-quality issues:
 //!
 //! | question | method | options | result |
 //! |---|---|---|---|
@@ -47,8 +50,8 @@
 //! all questions with their names on the command line and in Python.
 //!
 //! Options have defaults: write the fields that differ, then `..Default::default()`. Results are
-//! plain data; serialised, they are the JSON of the command line. Every name ends in its unit. The
-//! types of their fields are in [`parts`]. Tables and figures are methods of the results.
+//! plain data; serialised, they are the JSON of the command line. Names of quantities end in their
+//! unit. The types of their fields are in [`parts`]. Tables and figures are methods of the results.
 //!
 //! All errors are one type, [`Error`]. Its message names the value, what is allowed and what to
 //! try; [`Error::kind`] separates invalid input, missing convergence and a stop by the user. A

@@ -22,7 +22,8 @@ pub struct RunOptions {
     #[arg(skip)]
     #[serde(skip)]
     pub start: Option<StartState>,
-    /// Length of the stored end of the run, for example "1 s".
+    /// Length of the stored end of the run, for example "1 s"; with 0 s the averaging window with
+    /// --out, else nothing.
     #[arg(long = "record", value_name = "TIME", value_parser = time_s, default_value = "0 s")]
     pub record_s: f64,
     /// Sampling rate of the stored end of the run.
