@@ -94,7 +94,7 @@ pub enum Error {
     Reproduce(Box<ExperimentError>),
     /// The orbit at a point of a branch cannot be computed again.
     #[error(transparent)]
-    Continuation(#[from] ContinuationError<OrbitError<AnalysisError>>),
+    Continuation(Box<ContinuationError<OrbitError<AnalysisError>>>),
     /// A recording of the page cannot be read or has no such channel.
     #[error("{0}")]
     Recording(String),
@@ -112,7 +112,7 @@ pub enum Error {
     Picture(#[from] PictureError),
     /// A study, its folder or a part of it cannot be used.
     #[error(transparent)]
-    Study(#[from] StudyError),
+    Study(Box<StudyError>),
     /// A signal is too short or holds a value that is not finite.
     #[error(transparent)]
     Signal(#[from] SignalError),
@@ -124,7 +124,7 @@ pub enum Error {
     Segmentation(#[from] SegmentationError),
     /// The solutions of a model cannot be found.
     #[error(transparent)]
-    Solution(#[from] SolutionError),
+    Solution(Box<SolutionError>),
     /// A recording cannot be read.
     #[error(transparent)]
     ReadRecording(#[from] jounce_data::read::ReadError),
@@ -230,18 +230,22 @@ impl Error {
     /// ```
     pub fn kind(&self) -> ErrorKind {
         match self {
-            Self::Analysis(error)
-            | Self::Orbit(OrbitError::Harvester(error))
-            | Self::Study(StudyError::Study(error)) => kind_of(error),
+            Self::Analysis(error) | Self::Orbit(OrbitError::Harvester(error)) => kind_of(error),
+            Self::Study(error) => match error.as_ref() {
+                StudyError::Study(error) => kind_of(error),
+                _ => ErrorKind::Input,
+            },
             Self::Orbit(OrbitError::Integration(_) | OrbitError::Multipliers { .. }) => {
                 ErrorKind::NotConverged
             }
             Self::Fit(FitError::NotConverged { .. }) => ErrorKind::NotConverged,
-            Self::Rig(RigError::Run(error)) | Self::Solution(SolutionError::Run(error)) => {
-                kind_of_run(error)
-            }
-            Self::Solution(SolutionError::Study(error)) => kind_of(error),
-            Self::Solution(SolutionError::Lost { .. }) => ErrorKind::NotConverged,
+            Self::Rig(RigError::Run(error)) => kind_of_run(error),
+            Self::Solution(error) => match error.as_ref() {
+                SolutionError::Run(error) => kind_of_run(error),
+                SolutionError::Study(error) => kind_of(error),
+                SolutionError::Lost { .. } => ErrorKind::NotConverged,
+                _ => ErrorKind::Input,
+            },
             Self::Stopped
             | Self::Fit(FitError::Stopped { .. })
             | Self::Segmentation(SegmentationError::Stopped)
@@ -282,6 +286,24 @@ impl From<StartFileError> for Error {
 impl From<RunError> for Error {
     fn from(error: RunError) -> Self {
         Self::Analysis(error.into())
+    }
+}
+
+impl From<ContinuationError<OrbitError<AnalysisError>>> for Error {
+    fn from(error: ContinuationError<OrbitError<AnalysisError>>) -> Self {
+        Self::Continuation(Box::new(error))
+    }
+}
+
+impl From<StudyError> for Error {
+    fn from(error: StudyError) -> Self {
+        Self::Study(Box::new(error))
+    }
+}
+
+impl From<SolutionError> for Error {
+    fn from(error: SolutionError) -> Self {
+        Self::Solution(Box::new(error))
     }
 }
 

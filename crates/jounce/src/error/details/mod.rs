@@ -81,7 +81,7 @@ impl From<&Error> for ErrorDetails {
             Error::Journal(error) => Self::of("FileError", error),
             Error::Table(error) => error.into(),
             Error::Picture(error) => Self::of("FileError", error),
-            Error::Study(error) => error.into(),
+            Error::Study(error) => error.as_ref().into(),
             Error::Option { option, value, .. } => {
                 Self::new("ArgumentError").with(json!({ "option": option, "value": value }))
             }
@@ -91,7 +91,7 @@ impl From<&Error> for ErrorDetails {
             }
             Error::Rig(error) => error.into(),
             Error::Segmentation(error) => error.into(),
-            Error::Solution(error) => error.into(),
+            Error::Solution(error) => error.as_ref().into(),
             Error::Signal(_)
             | Error::Threads(_)
             | Error::Stopped
