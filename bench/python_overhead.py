@@ -50,14 +50,14 @@ def in_turn(peer: subprocess.Popen[str], repeats: int) -> dict[str, list[tuple[f
     found: dict[str, list[tuple[float, float]]] = {PYTHON: [], LIBRARY: [], MARCHING: []}
     for _ in range(repeats):
         begin = time.perf_counter()
-        answer = spec.run()
+        result = spec.run()
         wall_s = time.perf_counter() - begin
-        found[PYTHON].append((wall_s, wall_s - answer.wall_time_s))
+        found[PYTHON].append((wall_s, wall_s - result.wall_time_s))
         said = json.loads(asked(peer.stdin, peer.stdout))
         if "failed" in said:
             sys.exit(f"peer-jounce failed: {said['failed']}")
-        if said["mean_power_w"] != answer.mean_power_w:
-            sys.exit(f"Rust answers {said['mean_power_w']} W, Python {answer.mean_power_w} W: not the same version")
+        if said["mean_power_w"] != result.mean_power_w:
+            sys.exit(f"Rust returns {said['mean_power_w']} W, Python {result.mean_power_w} W: not the same version")
         found[LIBRARY].append((said["run_s"], said["run_s"] - said["wall_time_s"]))
         found[MARCHING].append((said["simulate_s"], said["simulate_s"] - said["wall_time_s"]))
     return found

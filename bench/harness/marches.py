@@ -114,11 +114,11 @@ def marches(binary: Path, plant: Path, spec: Path, repeats: int, cap_s: float) -
     return found
 
 
-def record(march: March, answer: dict[str, Any]) -> None:
+def record(march: March, result: dict[str, Any]) -> None:
     """Adds one repetition."""
-    march.wall_time_s.append(float(answer["wall_time_s"]))
-    march.steps = int(answer["work"]["flight_steps"] + answer["work"]["contact_steps"])
-    march.contacts = int(answer["contacts"])
+    march.wall_time_s.append(float(result["wall_time_s"]))
+    march.steps = int(result["work"]["flight_steps"] + result["work"]["contact_steps"])
+    march.contacts = int(result["contacts"])
 
 
 def ratio_of_stops(found: list[March]) -> list[str]:

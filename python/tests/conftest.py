@@ -56,7 +56,7 @@ def short(harvester):
 
 @pytest.fixture(scope="session")
 def command_line(tmp_path_factory):
-    """Runs the program on the paper's spec and gives its JSON answer."""
+    """Runs the program on the paper's spec and returns its JSON result."""
     program_path = os.environ.get("JOUNCE_BIN")
     program = (
         Path(program_path)

@@ -1,4 +1,4 @@
-"""Noise and ensembles: the answers of the command line, and a closed form."""
+"""Noise and ensembles: the results of the command line, and a closed form."""
 
 import pickle
 

@@ -1,4 +1,4 @@
-"""Recordings of a rig: the answers of the command line, closed forms, and the same from files, arrays and SEP005 time series."""
+"""Recordings of a rig: the results of the command line, closed forms, and the same from files, arrays and SEP005 time series."""
 
 import pickle
 

@@ -163,7 +163,13 @@ def test_drawn_points_and_other_quantities(harvester, tmp_path):
 
 def test_bifurcations_as_a_quantity_end_at_the_folds_of_branches(tmp_path):
     plant, key, over = jounce.read(ROOT / "bench/plant.toml"), "drive.shaker.frequency", "12Hz:12.35Hz"
-    quantity = {"command": "bifurcations", "over": f"{key}={over}", "against": "stop.tip.gap=0.99mm:1.01mm", "seeds": 0, "longest_period": 1}
+    quantity = {
+        "command": "bifurcations",
+        "over": f"{key}={over}",
+        "against": "stop.tip.gap=0.99mm:1.01mm",
+        "seeds": 0,
+        "longest_period": 1,
+    }
     study_table = jounce.Study(plant, {"drive.shaker.amplitude": "50 N"}, quantity=quantity).run(tmp_path).table()
     folds = []
     for gap in ("0.99 mm", "1.01 mm"):

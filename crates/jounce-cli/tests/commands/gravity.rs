@@ -79,7 +79,7 @@ fn a_branch_without_power_prints_the_displacement() {
     }
     let (_, _, text) = jounce(&branch);
     assert!(!text.contains("-0.0"), "{text}");
-    // Nothing to strike and nothing to harvest: a linear answer.
+    // Nothing to strike and nothing to harvest: the linear response.
     let spec_text = "[mass.m]\non = \"ground\"\nmass = \"1 g\"\nstiffness = \"1 N/m\"\ndamping_ratio = 0.02\n\
         [drive.b]\nkind = \"base-acceleration\"\namplitude = \"0.9 g\"\nfrequency = \"10 Hz\"\n";
     std::fs::write(&path, spec_text).unwrap();

@@ -1,8 +1,8 @@
-//! Hard cases of orbits: each ends soon, with an answer or with one clear error.
+//! Hard cases of orbits: each ends soon, with a result or with one clear error.
 
 use crate::{PLANT, jounce};
 
-/// Hard cases of orbits from the outside: each ends soon, with an answer or with one clear error.
+/// Hard cases of orbits from the outside: each ends soon, with a result or with one clear error.
 #[test]
 fn hard_cases_end_with_a_result_or_a_clear_error() {
     let over = |range: &str| format!("drive.shaker.frequency={range}");
@@ -22,7 +22,7 @@ fn hard_cases_end_with_a_result_or_a_clear_error() {
         arguments.extend(["--set", set].iter().filter(|_| !set.is_empty()));
         jounce(&arguments)
     };
-    // Gaps that are closed and preloaded, contact never, a start exactly at the grazing, a stop like rock: answers.
+    // Gaps that are closed and preloaded, contact never, a start exactly at the grazing, a stop like rock: results.
     for (range, set) in [
         ("13Hz:13.2Hz", "stop.tip.gap=0 mm"),
         ("13Hz:13.2Hz", "stop.tip.gap=-0.2 mm"),

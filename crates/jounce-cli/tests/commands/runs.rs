@@ -1,4 +1,4 @@
-//! Runs, sweeps and linear answers: keys of their JSON, bad input, the same bits whatever the threads.
+//! Runs, sweeps and linear responses: keys of their JSON, bad input, the same bits whatever the threads.
 
 use crate::{SPEC, jounce};
 

@@ -209,7 +209,7 @@ fn an_interrupted_command_prints_finished_results_and_ends_with_130() {
     }
 }
 
-/// A harvester whose base has a name answers every linear question as one on the ground does: its base is the ground once no drive moves it.
+/// A harvester whose base has a name has the linear responses of one on the ground: its base is the ground once no drive moves it.
 #[test]
 fn a_named_base_gives_the_result_of_the_ground() {
     let folder = tempfile::tempdir().unwrap();

@@ -1,4 +1,4 @@
-//! What answers should not be believed without: limits of patches, recordings that end, energies that do not add up.
+//! Warnings: limits of patches, recordings that end, energies that do not add up.
 
 use crate::jounce;
 use serde_json::Value;

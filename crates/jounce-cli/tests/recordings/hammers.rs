@@ -287,7 +287,7 @@ fn hits_at_two_points_give_a_matrix_and_modes_of_both() {
         ),
         (4, 2)
     );
-    // Reciprocity: the tip under a hit at the other point answers as that point under a hit at the tip.
+    // Reciprocity: the tip under a hit at the other point responds as that point under a hit at the tip.
     let function_values = |name: &str| {
         (
             json["responses"][name]["re"].as_array().unwrap().clone(),

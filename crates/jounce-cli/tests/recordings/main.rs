@@ -1,4 +1,4 @@
-//! Commands on recordings from the outside: keys of their answers, tables and pictures.
+//! Commands on recordings from the outside: keys of their results, tables and pictures.
 
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 

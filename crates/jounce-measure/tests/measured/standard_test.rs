@@ -253,7 +253,7 @@ fn coupling_squared(spec: &Spec) -> Result<f64, AnalysisError> {
     Ok(jounce_core::linear::couplings(&structure::modes(spec).expect("modes"))[0].coupling_squared)
 }
 
-/// Mean power over the fifth load under a base as it was recorded, all its lines that the first mode answers.
+/// Mean power over the fifth load under a base as it was recorded, all its lines at which the first mode responds.
 fn power(spec: &Spec, base: &[(f64, f64)]) -> Result<f64, AnalysisError> {
     let frequency_hz: Vec<f64> = base.iter().map(|(hz, _)| *hz).collect();
     let voltages = voltage(&with_load(spec, FIFTH_OHM), &frequency_hz);
@@ -349,7 +349,7 @@ fn trial(truth: &Spec, responses: &[Vec<Complex<f64>>], seed: u64) -> Inside {
             .responses
             .extend(FLANKS_HZ.map(|band| flank_feature(&responses, band, *ohm)));
     }
-    let (answer, fitted) = fit(
+    let (result, fitted) = fit(
         &file,
         &guess,
         &features,
@@ -359,7 +359,7 @@ fn trial(truth: &Spec, responses: &[Vec<Complex<f64>>], seed: u64) -> Inside {
     .unwrap_or_else(|fault| panic!("{seed}: {fault}"));
     for (name, key) in ["frequency", "damping", "", "", "participation"]
         .into_iter()
-        .zip(&answer.keys)
+        .zip(&result.keys)
         .filter(|(name, _)| !name.is_empty())
     {
         let value = file
@@ -371,7 +371,7 @@ fn trial(truth: &Spec, responses: &[Vec<Complex<f64>>], seed: u64) -> Inside {
     }
     let mut holds = |name, of: &dyn Fn(&Spec) -> Result<f64, AnalysisError>| {
         let (interval, value) = (
-            answer.derived(&fitted, of).expect("a number"),
+            result.derived(&fitted, of).expect("a number"),
             of(truth).expect("a number"),
         );
         inside.push((name, normalized_error((interval.low, interval.high), value)));
@@ -385,7 +385,7 @@ fn trial(truth: &Spec, responses: &[Vec<Complex<f64>>], seed: u64) -> Inside {
         .expect("a power")
         .mean_power_w;
     let base = mean_squares(&fifth.channels[0].values);
-    let predicted = answer
+    let predicted = result
         .derived(&fitted, |spec| power(spec, &base))
         .expect("a power");
     // The interval of the prediction is that of the fitted keys; the noise of the sensors adds to it.
