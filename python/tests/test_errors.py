@@ -156,7 +156,7 @@ def test_an_unknown_key_is_reported_with_the_nearest_one(harvester):
         harvester.si("stop.nope.gap")
     with pytest.raises(jounce.SpecError, match="no key with a number"):
         harvester.si("stop.tip.law")
-    with pytest.raises(jounce.ArgumentError, match="use Spec.run"):
+    with pytest.raises(jounce.ArgumentError, match="or compute one run"):
         harvester.ensemble()
 
 

@@ -13,7 +13,7 @@ use crate::modes::ModesOptions;
 use crate::noise::NoiseOptions;
 use crate::options::{OptionDefinition, definitions};
 use crate::power::PowerOptions;
-use crate::read::ConvertOptions;
+use crate::recording::ReadOptions;
 use crate::reproduce::ReproduceOptions;
 use crate::rig::RigOptions;
 use crate::run::RunOptions;
@@ -146,9 +146,9 @@ fn of_harvesters() -> Vec<Question> {
 
 fn of_recordings() -> Vec<Question> {
     vec![
-        question::<ConvertOptions>(
-            "contents of a file, and its conversion",
-            ["RecordedFile::convert", "read", "RecordedFile.write"],
+        question::<ReadOptions>(
+            "contents of a file of an instrument",
+            ["RecordedFile::read", "read", "read_recordings"],
             None,
         ),
         question::<PowerOptions>(

@@ -44,7 +44,7 @@ pub enum AnalysisError {
     },
     /// The ensemble has no drive of noise.
     #[error(
-        "an ensemble needs noise: give a drive `signal = \"noise\"`; use `jounce run` for a drive that is not random"
+        "an ensemble needs noise: give a drive `signal = \"noise\"`, or compute one run"
     )]
     NoNoise,
     /// Error of the journal of finished points.
