@@ -43,9 +43,7 @@ pub enum AnalysisError {
         key: String,
     },
     /// The ensemble has no drive of noise.
-    #[error(
-        "an ensemble needs noise: give a drive `signal = \"noise\"`, or compute one run"
-    )]
+    #[error("an ensemble needs noise: give a drive `signal = \"noise\"`, or compute one run")]
     NoNoise,
     /// Error of the journal of finished points.
     #[error(transparent)]
