@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use jounce::parts::{Manifest, Quantity};
-use jounce::{Control, Harvester, Model, SpecFile};
+use jounce::{Harvester, SpecFile};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -108,11 +108,6 @@ impl Spec {
     /// Returns the contents of the spec.
     pub fn spec(&self) -> &jounce::Spec {
         self.harvester.spec()
-    }
-
-    /// Returns the model under the control of one call.
-    pub fn model(&self, control: &Control) -> Result<Model, Failure> {
-        Ok(self.harvester.with_control(control).model()?)
     }
 
     /// Returns a modifiable copy of the text.

@@ -10,6 +10,7 @@ pub use result::{BaseMotion, RigResult};
 
 use crate::error::Error;
 use crate::harvester::Harvester;
+use crate::modes::held_masses;
 
 impl Harvester {
     /// Simulates the recordings of sensors in a test, so that the true parameters are known: the
@@ -34,7 +35,7 @@ impl Harvester {
         options.check()?;
         let mut spec = self.spec().clone();
         // Masses of the model are fixed, masses of the instruments are free.
-        let fixed = options.fixed_bodies(&spec);
+        let fixed = held_masses(&spec, &options.hold, options.fixed_table);
         options.add_instruments(&mut spec)?;
         match &options.hammer {
             Some(point) => {

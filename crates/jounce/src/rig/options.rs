@@ -204,12 +204,6 @@ impl RigOptions {
         }
     }
 
-    /// Returns the names of the fixed bodies.
-    pub(super) fn fixed_bodies(&self, spec: &Spec) -> Vec<String> {
-        let masses = spec.mass.keys().filter(|_| self.fixed_table);
-        self.hold.iter().chain(masses).cloned().collect()
-    }
-
     /// Adds cables and accelerometers to a spec.
     pub(super) fn add_instruments(&self, spec: &mut Spec) -> Result<(), RigError> {
         if self.cable_f.is_some() || self.cable_leakage_ohm.is_some() {
