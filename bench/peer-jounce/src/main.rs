@@ -15,16 +15,15 @@
 //! all that the command `run` asks of the library once a spec is prepared: the kernel of the run, `simulate`, peak voltages, charges and
 //! warnings.
 
-use jounce_core::analysis::{Model, Parameter, settled_orbit};
-use jounce_core::continuation::{
-    Continuation, Corrector, Direction, Metric, Position, StepControl, correct_at, tangent,
-};
-use jounce_core::integrate::{Control, Kernel};
-use jounce_core::orbit::{HarmonicBalance, OrbitMethod, ParametricModel, Shooting};
-use jounce_core::plant::{Plant, System};
-use jounce_core::run::{RunPlan, RunResult, StartState, Warning, charges, simulate, voltage_peaks};
-use jounce_core::spec::{NumericKey, Spec, SpecFile};
-use jounce_core::structure;
+use jounce_analysis::{Model, Parameter, settled_orbit};
+use jounce_continuation::{Continuation, Corrector, Direction, Metric, Position, StepControl, correct_at, tangent};
+use jounce_control::Control;
+use jounce_dynamics::Kernel;
+use jounce_orbits::{HarmonicBalance, OrbitMethod, ParametricModel, Shooting};
+use jounce_model::plant::{Plant, System};
+use jounce_analysis::run::{RunPlan, RunResult, StartState, Warning, charges, simulate, voltage_peaks};
+use jounce_spec::{NumericKey, Spec, SpecFile};
+use jounce_model::structure;
 use rustix::time::{ClockId, clock_gettime};
 use std::error::Error;
 use std::hint::black_box;

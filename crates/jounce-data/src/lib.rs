@@ -11,3 +11,5 @@
 
 pub mod read;
 pub mod recording;
+
+pub mod write;

@@ -2,9 +2,9 @@
 
 use crate::error::Error;
 use crate::harvester::Harvester;
-use jounce_core::picture::Drawing;
-use jounce_core::spec::Fault;
 use jounce_data::recording::Issue;
+use jounce_plot::Drawing;
+use jounce_spec::Fault;
 use serde::Serialize;
 
 /// Result of a check.
@@ -73,6 +73,6 @@ impl Harvester {
     /// # Ok::<(), jounce::Error>(())
     /// ```
     pub fn drawing(&self, title: &str) -> Drawing {
-        jounce_core::show::drawing(title, self.spec())
+        jounce_plot::show::drawing(title, self.spec())
     }
 }

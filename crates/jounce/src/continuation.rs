@@ -3,9 +3,9 @@
 use crate::error::Error;
 use crate::harvester::Harvester;
 use crate::options::check_tolerance;
-use jounce_core::analysis::QuantityLevel;
-use jounce_core::plant::Plant;
-use jounce_core::spec::{KeyRange, NumericKey};
+use jounce_analysis::QuantityLevel;
+use jounce_model::plant::Plant;
+use jounce_spec::{KeyRange, NumericKey};
 
 /// Largest number of values at which integrations search for orbits.
 const MAX_SEEDS: usize = 100_000;

@@ -1,11 +1,11 @@
 //! The harvester of a spec.
 
 use crate::error::Error;
-use jounce_core::analysis::Model;
-use jounce_core::integrate::Control;
-use jounce_core::spec::{NumericKey, Spec, SpecFile};
-use jounce_core::store;
+use jounce_analysis::Model;
+use jounce_control::Control;
 use jounce_data::recording::Issue;
+use jounce_io::store;
+use jounce_spec::{NumericKey, Spec, SpecFile};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
 

@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::harvester::Harvester;
-use jounce_core::analysis::Journal;
+use jounce_analysis::Journal;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use sha2::{Digest, Sha256};

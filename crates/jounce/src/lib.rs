@@ -57,8 +57,8 @@
 //! try; [`Error::kind`] separates invalid input, missing convergence and a stop by the user. A
 //! [`Control`] reports the progress of a long computation and stops it.
 //!
-//! The computations are in `jounce_core`, recordings in `jounce_data` and `jounce_measure`; their
-//! interfaces may change.
+//! The computations are in the crates below this one (`jounce_model`, `jounce_dynamics`,
+//! `jounce_orbits`, `jounce_analysis` and others); their interfaces may change.
 
 mod basins;
 mod bifurcations;
@@ -105,13 +105,13 @@ pub use error::{Error, ErrorDetails, ErrorKind};
 pub use fit::FitResult;
 pub use frf::{FrfOptions, FrfResult};
 pub use harvester::{Harvester, KeyValue};
-pub use jounce_core::analysis::Model;
-pub use jounce_core::integrate::Control;
-pub use jounce_core::picture::Figure;
-pub use jounce_core::run::StartState;
-pub use jounce_core::spec::{Spec, SpecFile};
-pub use jounce_core::table::Table;
-pub use jounce_measure::fit::Features;
+pub use jounce_analysis::Model;
+pub use jounce_analysis::run::StartState;
+pub use jounce_control::Control;
+pub use jounce_experiment::fit::Features;
+pub use jounce_io::table::Table;
+pub use jounce_plot::Figure;
+pub use jounce_spec::{Spec, SpecFile};
 pub use measured_frf::{MeasuredFrfOptions, MeasuredFrfResult};
 pub use measured_modes::{MeasuredModesOptions, MeasuredModesResult};
 pub use modes::{ModesOptions, ModesResult};

@@ -3,7 +3,7 @@
 
 use crate::error::Error;
 use clap::{ArgMatches, Args, Command, FromArgMatches};
-use jounce_core::spec::Quantity;
+use jounce_spec::Quantity;
 
 /// Definition of an option.
 #[derive(Debug, Clone, PartialEq, Eq, serde::Serialize)]

@@ -23,30 +23,32 @@ pub use crate::segments::SegmentResult;
 pub use crate::spectra::{OrderPeak, SegmentWindow};
 pub use crate::study::{Shard, StudyStatus};
 pub use crate::sweep::{SweepOrder, SweepPoint};
-pub use jounce_core::analysis::{
+pub use impact_harvester_2019::Claim;
+pub use jounce_analysis::run::{ChargeResult, StopResult, Warning};
+pub use jounce_analysis::{
     AttractorKind, AttractorTrack, BandInterval, BandLimit, BifurcationCurvePoint, BranchKind,
     CurveKind, GridError, IntervalEdge, PowerPeak, TrackPoint, Transition,
 };
-pub use jounce_core::analysis::{IntervalOver, Journal, Member, SweepDirection};
-pub use jounce_core::linear::{
-    Coupling, Density, RandomLoad, RandomPatch, RandomPoint, RandomStop,
-};
-pub use jounce_core::material::{Active, Material};
-pub use jounce_core::picture::Drawing;
-pub use jounce_core::reproduce::Claim;
-pub use jounce_core::run::{ChargeResult, StopResult, Warning};
-pub use jounce_core::signal::{Samples, SignalError, Spectrum, Window};
-pub use jounce_core::spec::{Fault, Faults, KeyRange, NumericKey, Quantity};
-pub use jounce_core::starter::Starter;
-pub use jounce_core::table::{Manifest, Values};
+pub use jounce_analysis::{IntervalOver, Journal, Member, SweepDirection};
 pub use jounce_data::read::RawChannel;
 pub use jounce_data::recording::{
     Channel, ChannelError, Grid, Issue, Over, Quantity as MeasuredQuantity,
 };
-pub use jounce_measure::contact::AllowedLaws;
-pub use jounce_measure::draw::PulseFigure;
-pub use jounce_measure::fit::{
+pub use jounce_experiment::draw::PulseFigure;
+pub use jounce_experiment::fit::{
     FitError, FitResult as FitEstimate, FittedCurve, FittedDeviation, FittedFeature, FittedKey,
 };
-pub use jounce_measure::segmentation::{Candidate, MAX_PERIOD_CYCLES, MergeReason, MergedChange};
-pub use jounce_measure::spectral::HitWarning;
+pub use jounce_experiment::segmentation::{
+    Candidate, MAX_PERIOD_CYCLES, MergeReason, MergedChange,
+};
+pub use jounce_identification::contact::AllowedLaws;
+pub use jounce_io::table::{Manifest, Values};
+pub use jounce_model::linear::{
+    Coupling, Density, RandomLoad, RandomPatch, RandomPoint, RandomStop,
+};
+pub use jounce_plot::Drawing;
+pub use jounce_signal::spectral::HitWarning;
+pub use jounce_signal::{Samples, SignalError, Spectrum, Window};
+pub use jounce_spec::material::{Active, Material};
+pub use jounce_spec::starter::Starter;
+pub use jounce_spec::{Fault, Faults, KeyRange, NumericKey, Quantity};

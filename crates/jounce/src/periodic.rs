@@ -2,10 +2,10 @@
 
 use crate::error::Error;
 use crate::harvester::Harvester;
-use jounce_core::analysis::AnalysisError;
-use jounce_core::orbit::OrbitError;
-use jounce_core::plant::Plant;
-use jounce_core::spec::NumericKey;
+use jounce_analysis::AnalysisError;
+use jounce_model::plant::Plant;
+use jounce_orbits::OrbitError;
+use jounce_spec::NumericKey;
 
 /// Returns the key of the frequency of the first drive, and its value, Hz; `what` needs the drive.
 pub fn frequency(harvester: &Harvester, what: &'static str) -> Result<(NumericKey, f64), Error> {

@@ -1,9 +1,9 @@
 //! Materials, starter specs, and the keys of a spec.
 
 use crate::error::Error;
-use jounce_core::material::{LIBRARY, Material};
-use jounce_core::spec;
-use jounce_core::starter::{STARTERS, Starter};
+use jounce_spec as spec;
+use jounce_spec::material::{LIBRARY, Material};
+use jounce_spec::starter::{STARTERS, Starter};
 
 /// Returns the materials that a spec can name, with their sources.
 ///

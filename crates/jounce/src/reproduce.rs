@@ -2,9 +2,9 @@
 
 use crate::error::Error;
 use crate::options::{defaults, on_threads};
-use jounce_core::integrate::Control;
-use jounce_core::reproduce::{Claim, Reproduction, folders};
-use jounce_measure::experiment::chapters;
+use impact_harvester_2019::experiment::chapters;
+use impact_harvester_2019::{Claim, Reproduction, folders};
+use jounce_control::Control;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 
@@ -67,7 +67,7 @@ fn computed(
     stage: &dyn Fn(&str),
 ) -> Result<ReproduceResult, Error> {
     folders(&options.out)?;
-    let simulated = jounce_core::reproduce::reproduce(control, stage)?;
+    let simulated = impact_harvester_2019::reproduce(control, stage)?;
     stage(
         "Table 2 measured and figures 10 to 13, from the virtual rig; the model updated to Table 2",
     );

@@ -3,7 +3,7 @@
 
 use jounce::live::{BranchPlace, Design, KeySpan, LiveAnalysis, ResponseOptions};
 use jounce::{Control, Harvester};
-use jounce_core::analysis::{BranchSearch, Model, OrbitMethodKind, Parameter};
+use jounce_analysis::{BranchSearch, Model, OrbitMethodKind, Parameter};
 
 fn paper() -> Harvester {
     let path = concat!(

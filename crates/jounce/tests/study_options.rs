@@ -5,9 +5,9 @@ use jounce::{
     BasinsOptions, BifurcationsOptions, BranchOptions, DiagramOptions, EnsembleOptions,
     SweepOptions, questions,
 };
-use jounce_core::analysis::Recognition;
-use jounce_core::spec::SpecFile;
-use jounce_core::study::{Quantity, Study};
+use jounce_analysis::Recognition;
+use jounce_analysis::study::{Quantity, Study};
+use jounce_spec::SpecFile;
 use std::path::Path;
 
 const SPEC: &str = include_str!("../../../examples/impact-harvester-2019/harvester.toml");

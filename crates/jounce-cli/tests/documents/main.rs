@@ -123,7 +123,7 @@ fn every_spec_is_valid() {
 fn every_study_is_valid() {
     let base_folder = root().join("examples/impact-harvester-2019");
     let study_fault = |block: Block| {
-        let error = jounce_core::study::Study::parse(&block.text, &base_folder).err()?;
+        let error = jounce_analysis::study::Study::parse(&block.text, &base_folder).err()?;
         Some(format!(
             "{}: this study is refused\n{error}",
             block.location()

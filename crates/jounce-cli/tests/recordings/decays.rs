@@ -1,7 +1,7 @@
 //! `jounce modes --measured` without a measured force.
 
 use super::{assert_keys, assert_written, csv, jounce};
-use jounce_core::drive::RandomStream;
+use jounce_signal::RandomStream;
 use std::f64::consts::TAU;
 use std::path::Path;
 

@@ -261,7 +261,7 @@ fn a_fit_to_the_modes_of_another_support_gives_a_warning() {
 }
 
 /// A harvester without a stop: quick to compute.
-const HARVESTER: &str = include_str!("../../../jounce-measure/tests/fitted/harvester.toml");
+const HARVESTER: &str = include_str!("../../../jounce-experiment/tests/fitted/harvester.toml");
 const RUN: &str = r#"
 [drive.shaker]
 kind = "base-acceleration"

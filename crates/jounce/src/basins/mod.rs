@@ -12,9 +12,9 @@ use crate::error::Error;
 use crate::harvester::Harvester;
 use crate::options::on_threads;
 use crate::periodic;
-use jounce_core::analysis::{Basins, InitialStates, Parameter, SectionPoint};
-use jounce_core::plant::Plant;
-use jounce_core::run::WorstExcess;
+use jounce_analysis::run::WorstExcess;
+use jounce_analysis::{Basins, InitialStates, Parameter, SectionPoint};
+use jounce_model::plant::Plant;
 
 impl Harvester {
     /// Finds the attractors that a cloud or a grid of starts reaches, the share of the starts that
@@ -66,7 +66,7 @@ fn points(plant: &Plant, starts: &InitialStates) -> Vec<SectionPoint> {
 
 impl BasinsResult {
     fn new(
-        found: &jounce_core::analysis::BasinsResult,
+        found: &jounce_analysis::BasinsResult,
         starts: &InitialStates,
         points: Vec<SectionPoint>,
         seed: u64,

@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::options::{check_tolerance, defaults, refuse_changed};
-use jounce_core::analysis::{Cloud, Grid, InitialStates, Recognition};
+use jounce_analysis::{Cloud, Grid, InitialStates, Recognition};
 use serde::{Deserialize, Serialize};
 
 /// Largest number of starts of a cloud.

@@ -2,9 +2,9 @@
 
 use super::{AttractorResult, BasinsResult, StartPoint};
 use crate::error::Error;
-use jounce_core::analysis::GridAxis;
-use jounce_core::picture::{Axis, Colour, Figure, Marker, Panel, Series};
-use jounce_core::table::{Column, Table, Values};
+use jounce_analysis::GridAxis;
+use jounce_io::table::{Column, Table, Values};
+use jounce_plot::{Axis, Colour, Figure, Marker, Panel, Series};
 
 impl BasinsResult {
     /// Returns the table of the attractors.

@@ -1,7 +1,7 @@
 //! Result of basins of attraction.
 
-use jounce_core::analysis::{Attractor, GridAxis};
-use jounce_core::run::ExceededLimit;
+use jounce_analysis::run::ExceededLimit;
+use jounce_analysis::{Attractor, GridAxis};
 use serde::Serialize;
 
 /// Attractors reached from a cloud or a grid of starts, and the share of the starts that reach

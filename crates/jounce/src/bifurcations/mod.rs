@@ -11,7 +11,7 @@ use crate::continuation;
 use crate::error::Error;
 use crate::harvester::Harvester;
 use crate::options::on_threads;
-use jounce_core::analysis::{BifurcationSearch, BranchOptions};
+use jounce_analysis::{BifurcationSearch, BranchOptions};
 
 impl Harvester {
     /// Continues bifurcation curves in two keys: folds, period doublings, tori and grazings, the

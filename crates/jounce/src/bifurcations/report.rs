@@ -2,9 +2,10 @@
 
 use super::{BifurcationCurve, BifurcationsResult};
 use crate::error::Error;
-use jounce_core::analysis::BifurcationCurvePoint;
-use jounce_core::picture::{self, Axis, BifurcationLine, Figure};
-use jounce_core::table::{Column, Table};
+use jounce_analysis::BifurcationCurvePoint;
+use jounce_io::table::{Column, Table};
+use jounce_plot as picture;
+use jounce_plot::{Axis, BifurcationLine, Figure};
 
 impl BifurcationsResult {
     /// Returns the table of every point of every curve.

@@ -1,7 +1,8 @@
 //! Result of a continuation of bifurcation curves.
 
 use super::BifurcationsOptions;
-use jounce_core::analysis::{self, BifurcationCurvePoint, CurveKind};
+use jounce_analysis as analysis;
+use jounce_analysis::{BifurcationCurvePoint, CurveKind};
 use serde::Serialize;
 
 /// Bifurcation curves in the plane of two keys.

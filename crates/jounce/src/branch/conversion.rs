@@ -3,8 +3,9 @@
 use super::{
     Bifurcation, Branch, BranchPoint, HalfPowerBandwidth, NotProved, Termination, TerminationReason,
 };
-use jounce_core::analysis::{self, Bandwidth};
-use jounce_core::run::ExceededLimit;
+use jounce_analysis as analysis;
+use jounce_analysis::Bandwidth;
+use jounce_analysis::run::ExceededLimit;
 
 impl Branch {
     /// Returns a branch with the exceeded limits of each point; there may be fewer of them.

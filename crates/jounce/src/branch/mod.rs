@@ -19,9 +19,10 @@ use crate::continuation;
 use crate::error::Error;
 use crate::harvester::Harvester;
 use crate::options::on_threads;
-use jounce_core::analysis::{self, AnalysisError, BandwidthSearch, BranchSearch, Parameter};
-use jounce_core::plant::System;
-use jounce_core::run::{ExceededLimit, Limits};
+use jounce_analysis as analysis;
+use jounce_analysis::run::{ExceededLimit, Limits};
+use jounce_analysis::{AnalysisError, BandwidthSearch, BranchSearch, Parameter};
+use jounce_model::plant::System;
 
 impl Harvester {
     /// Continues every branch of periodic orbits over the range of a key, with its bifurcations,

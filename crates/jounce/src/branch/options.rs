@@ -3,8 +3,8 @@
 use crate::continuation;
 use crate::error::Error;
 use crate::options::defaults;
-use jounce_core::analysis::{BranchOptions as TracerOptions, OrbitMethodKind};
-use jounce_core::plant::Plant;
+use jounce_analysis::{BranchOptions as TracerOptions, OrbitMethodKind};
+use jounce_model::plant::Plant;
 use serde::{Deserialize, Serialize};
 
 /// Number of harmonics at the start of harmonic balance.

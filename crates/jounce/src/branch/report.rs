@@ -1,8 +1,9 @@
 //! Figure of branches, and the quantity that it shows.
 
 use super::{Bifurcation, Branch, BranchPoint, BranchResult, OrbitQuantity};
-use jounce_core::analysis::BandLimit;
-use jounce_core::picture::{self, Axis, BranchLine, BranchMark, Figure};
+use jounce_analysis::BandLimit;
+use jounce_plot as picture;
+use jounce_plot::{Axis, BranchLine, BranchMark, Figure};
 
 /// Returns a limit of a half-power interval in words.
 ///

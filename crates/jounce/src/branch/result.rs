@@ -1,8 +1,8 @@
 //! Result of a continuation of branches.
 
 use super::BranchOptions;
-use jounce_core::analysis::{BandInterval, BranchKind, PowerPeak};
-use jounce_core::run::ExceededLimit;
+use jounce_analysis::run::ExceededLimit;
+use jounce_analysis::{BandInterval, BranchKind, PowerPeak};
 use serde::Serialize;
 
 /// Branches of periodic orbits over the range of a key.

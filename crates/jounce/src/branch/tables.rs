@@ -2,8 +2,8 @@
 
 use super::{Bifurcation, Branch, BranchPoint, BranchResult, band_limit_text};
 use crate::error::Error;
-use jounce_core::analysis::{BandInterval, PowerPeak};
-use jounce_core::table::{Column, Table};
+use jounce_analysis::{BandInterval, PowerPeak};
+use jounce_io::table::{Column, Table};
 
 /// A branch with its peak, and an interval of its half-power bandwidth.
 type IntervalRow = (String, PowerPeak, BandInterval);

@@ -1,7 +1,7 @@
 //! Texts about what a continuation of branches did not find or prove.
 
 use super::{BranchOptions, BranchResult, OrbitMethod, Termination, TerminationReason};
-use jounce_core::run::WorstExcess;
+use jounce_analysis::run::WorstExcess;
 
 /// Error estimates above this have a warning.
 const MAX_ERROR_ESTIMATE: f64 = 1e-3;

@@ -9,10 +9,10 @@ pub use result::{ContactResult, FixedLawResult, HitResult};
 
 use crate::error::Error;
 use crate::recording::Recording;
-use jounce_core::signal::Samples;
-use jounce_measure::contact::fit;
-use jounce_measure::draw::PulseFigure;
-use jounce_measure::spectral::{HitSearch, hits};
+use jounce_experiment::draw::PulseFigure;
+use jounce_identification::contact::fit;
+use jounce_signal::Samples;
+use jounce_signal::spectral::{HitSearch, hits};
 
 impl Recording {
     /// Finds the hits in a force and fits contact time, exponent and restitution of each; with the

@@ -3,8 +3,8 @@
 use crate::error::Error;
 use crate::options::{check_above_zero, defaults, si};
 use crate::recording::{ChannelList, ChosenChannel, UsesChannels};
-use jounce_core::spec::Quantity as Unit;
 use jounce_data::recording::Quantity;
+use jounce_spec::Quantity as Unit;
 use serde::{Deserialize, Serialize};
 
 /// Options of [`crate::Recording::contact`].

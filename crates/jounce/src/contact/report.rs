@@ -2,9 +2,9 @@
 
 use super::{ContactResult, FixedLawResult, HitResult};
 use crate::error::Error;
-use jounce_core::picture::Figure;
-use jounce_core::table::{Column, Table};
-use jounce_measure::draw::pulses;
+use jounce_experiment::draw::pulses;
+use jounce_io::table::{Column, Table};
+use jounce_plot::Figure;
 
 /// Largest number of pulses in the figure; more would overlap.
 const MAX_DRAWN_PULSES: usize = 6;

@@ -1,9 +1,9 @@
 //! Result of the fit of contact laws.
 
 use jounce_data::recording::Issue;
-use jounce_measure::contact::{AllowedLaws, ContactError, ContactFit, FixedExponentLaw};
-use jounce_measure::draw::PulseFigure;
-use jounce_measure::spectral::{Hit, HitWarning};
+use jounce_experiment::draw::PulseFigure;
+use jounce_identification::contact::{AllowedLaws, ContactError, ContactFit, FixedExponentLaw};
+use jounce_signal::spectral::{Hit, HitWarning};
 use serde::Serialize;
 
 /// Hits of a recording, and the contact law fitted to each.

@@ -13,9 +13,10 @@ use crate::error::Error;
 use crate::harvester::Harvester;
 use crate::options::on_threads;
 use crate::{journal, periodic};
-use jounce_core::analysis::{self, AnalysisError, BranchSearch, Diagram, DiagramOrder};
-use jounce_core::analysis::{AttractorTracks, Journal, Model, OrbitMethodKind, Parameter};
-use jounce_core::spec::KeyRange;
+use jounce_analysis as analysis;
+use jounce_analysis::{AnalysisError, BranchSearch, Diagram, DiagramOrder};
+use jounce_analysis::{AttractorTracks, Journal, Model, OrbitMethodKind, Parameter};
+use jounce_spec::KeyRange;
 use std::path::Path;
 
 /// Journal of the finished runs of a diagram.

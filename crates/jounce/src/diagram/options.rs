@@ -4,7 +4,7 @@ use crate::basins::cloud;
 use crate::continuation;
 use crate::error::Error;
 use crate::options::defaults;
-use jounce_core::analysis::DiagramOrder;
+use jounce_analysis::DiagramOrder;
 use serde::{Deserialize, Serialize};
 
 /// Number of starts at each value, seed and size of their cloud, where not given.

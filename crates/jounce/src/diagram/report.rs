@@ -2,8 +2,9 @@
 
 use super::{DiagramPoint, DiagramResult};
 use crate::branch::branch_line;
-use jounce_core::analysis::{AttractorTrack, SweepDirection};
-use jounce_core::picture::{self, Axis, BranchLine, DiagramDots, DiagramView, Figure};
+use jounce_analysis::{AttractorTrack, SweepDirection};
+use jounce_plot as picture;
+use jounce_plot::{Axis, BranchLine, DiagramDots, DiagramView, Figure};
 
 impl DiagramResult {
     /// Returns the figure: displacement at the start of each drive cycle, and mean power, over the

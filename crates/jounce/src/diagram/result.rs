@@ -1,7 +1,8 @@
 //! Result of a bifurcation diagram.
 
 use crate::branch::Branch;
-use jounce_core::analysis::{self, AttractorKind, AttractorTrack, SweepDirection};
+use jounce_analysis as analysis;
+use jounce_analysis::{AttractorKind, AttractorTrack, SweepDirection};
 use serde::Serialize;
 
 /// Poincare sections over the values of a key.

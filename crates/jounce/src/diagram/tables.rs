@@ -2,8 +2,8 @@
 
 use super::{DiagramPoint, DiagramResult, SectionPoint};
 use crate::error::Error;
-use jounce_core::analysis::{AttractorTrack, TrackPoint};
-use jounce_core::table::{Column, Table};
+use jounce_analysis::{AttractorTrack, TrackPoint};
+use jounce_io::table::{Column, Table};
 
 impl DiagramResult {
     /// Returns the table of the points of the Poincare sections.

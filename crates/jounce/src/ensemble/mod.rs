@@ -10,8 +10,8 @@ pub use result::{EnsemblePatch, EnsembleResult, EnsembleStop, VoltageSpectrum};
 use crate::error::Error;
 use crate::harvester::Harvester;
 use crate::options::on_threads;
-use jounce_core::analysis::Ensemble;
-use jounce_core::run::{RunPlan, Warning};
+use jounce_analysis::Ensemble;
+use jounce_analysis::run::{RunPlan, Warning};
 
 /// Largest number of rounds of members; then the interval is reported even if it is wider than
 /// required.

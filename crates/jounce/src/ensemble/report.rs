@@ -2,9 +2,10 @@
 
 use super::EnsembleResult;
 use crate::error::Error;
-use jounce_core::analysis::Member;
-use jounce_core::picture::{self, DensityLine, Figure};
-use jounce_core::table::{Column, Table};
+use jounce_analysis::Member;
+use jounce_io::table::{Column, Table};
+use jounce_plot as picture;
+use jounce_plot::{DensityLine, Figure};
 
 /// Unit of a density.
 const DENSITY_UNIT: &str = "V^2/Hz";

@@ -1,7 +1,8 @@
 //! Result of an ensemble.
 
-use jounce_core::analysis::{self, Estimate, IntervalOver, Member, StopEstimates};
-use jounce_core::run::{ExceededLimit, Warning, WorstExcess};
+use jounce_analysis as analysis;
+use jounce_analysis::run::{ExceededLimit, Warning, WorstExcess};
+use jounce_analysis::{Estimate, IntervalOver, Member, StopEstimates};
 use serde::Serialize;
 
 /// Means over realisations of noise with the half widths of their 95 % intervals; `None` for an

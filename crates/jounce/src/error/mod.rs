@@ -4,33 +4,33 @@ mod details;
 
 pub use details::ErrorDetails;
 
-use jounce_core::analysis::{AnalysisError, GridError, JournalError};
-use jounce_core::continuation::ContinuationError;
-use jounce_core::integrate::IntegrationError;
-use jounce_core::linear::RandomError;
-use jounce_core::orbit::OrbitError;
-use jounce_core::picture::PictureError;
-use jounce_core::plant::PlantError;
-use jounce_core::reproduce::ReproduceError;
-use jounce_core::run::{RunError, StartFileError};
-use jounce_core::signal::SignalError;
-use jounce_core::spec::{Fault, Faults, ReadError};
-use jounce_core::starter::UnknownKind;
-use jounce_core::store::StoreError;
-use jounce_core::structure::StructureError;
-use jounce_core::study::StudyError;
-use jounce_core::table::TableError;
+use impact_harvester_2019::ReproduceError;
+use impact_harvester_2019::experiment::ExperimentError;
+use jounce_analysis::run::{RunError, StartFileError};
+use jounce_analysis::study::StudyError;
+use jounce_analysis::{AnalysisError, GridError, JournalError};
+use jounce_continuation::ContinuationError;
 use jounce_data::read::ArraysError;
 use jounce_data::recording::{ChannelError, NoChannel};
-use jounce_measure::experiment::ExperimentError;
-use jounce_measure::fit::FitError;
-use jounce_measure::modal::ModalError;
-use jounce_measure::response::ResponseError;
-use jounce_measure::rig::RigError;
-use jounce_measure::segmentation::SegmentationError;
-use jounce_measure::solution::SolutionError;
-use jounce_measure::spectral::SpectralError;
-use jounce_measure::write::WriteError;
+use jounce_data::write::WriteError;
+use jounce_dynamics::IntegrationError;
+use jounce_experiment::fit::FitError;
+use jounce_experiment::rig::RigError;
+use jounce_experiment::segmentation::SegmentationError;
+use jounce_experiment::solution::SolutionError;
+use jounce_identification::modal::ModalError;
+use jounce_identification::response::ResponseError;
+use jounce_io::store::StoreError;
+use jounce_io::table::TableError;
+use jounce_model::linear::RandomError;
+use jounce_model::plant::PlantError;
+use jounce_model::structure::StructureError;
+use jounce_orbits::OrbitError;
+use jounce_plot::PictureError;
+use jounce_signal::SignalError;
+use jounce_signal::spectral::SpectralError;
+use jounce_spec::starter::UnknownKind;
+use jounce_spec::{Fault, Faults, ReadError};
 
 /// Reason why a computation has no result. The message names the value, what is allowed, and what
 /// to try.

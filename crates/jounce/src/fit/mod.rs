@@ -4,7 +4,7 @@ mod report;
 
 use crate::error::Error;
 use crate::harvester::Harvester;
-use jounce_measure::fit::{Features, FitResult as FitEstimate, FittedKey, fit};
+use jounce_experiment::fit::{Features, FitResult as FitEstimate, FittedKey, fit};
 use serde::Serialize;
 
 /// Fitted keys with their uncertainty, and the harvester with the fitted values.

@@ -2,9 +2,9 @@
 
 use super::FitResult;
 use crate::error::Error;
-use jounce_core::picture::Figure;
-use jounce_core::table::{Column, Table};
-use jounce_measure::fit::{FittedCurve, FittedFeature, FittedKey};
+use jounce_experiment::fit::{FittedCurve, FittedFeature, FittedKey};
+use jounce_io::table::{Column, Table};
+use jounce_plot::Figure;
 
 impl FitResult {
     /// Returns the table of the keys.
@@ -77,7 +77,7 @@ impl FitResult {
     /// Returns the figure of the features and curves before and after.
     pub fn figure(&self) -> Figure {
         let title = "Model against measurement, before and after the fit";
-        jounce_measure::draw::fitted(title, &self.estimate)
+        jounce_experiment::draw::fitted(title, &self.estimate)
     }
 }
 

@@ -10,10 +10,10 @@ pub use result::{FrfResponse, FrfResult};
 use crate::error::Error;
 use crate::harvester::Harvester;
 use crate::modes::held_masses;
-use jounce_core::linear::{self, Frf, FrfInput};
-use jounce_core::plant::{Plant, System};
-use jounce_core::spec::{DriveKind, Gravity, Spec};
-use jounce_core::structure::modes_holding;
+use jounce_model::linear::{self, Frf, FrfInput};
+use jounce_model::plant::{Plant, System};
+use jounce_model::structure::modes_holding;
+use jounce_spec::{DriveKind, Gravity, Spec};
 
 impl Harvester {
     /// Computes the frequency responses without contact in closed form: per newton on a point, or

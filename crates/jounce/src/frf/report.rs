@@ -2,8 +2,8 @@
 
 use super::FrfResult;
 use crate::error::Error;
-use jounce_core::picture::{Figure, ResponseLine, Scale, frequency_responses};
-use jounce_core::table::{Column, Table};
+use jounce_io::table::{Column, Table};
+use jounce_plot::{Figure, ResponseLine, Scale, frequency_responses};
 
 impl FrfResult {
     /// Returns the table of the real and imaginary parts over frequency.

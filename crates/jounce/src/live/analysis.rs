@@ -3,10 +3,10 @@
 use super::linear::LastLinear;
 use super::stored_response::{StoredResponse, StoredResponses};
 use crate::error::Error;
-use jounce_core::analysis::{AnalysisError, Model};
-use jounce_core::integrate::Control;
-use jounce_core::spec::Spec;
-use jounce_core::structure::{BeamShape, shapes_along_beams};
+use jounce_analysis::{AnalysisError, Model};
+use jounce_control::Control;
+use jounce_model::structure::{BeamShape, shapes_along_beams};
+use jounce_spec::Spec;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 

@@ -2,10 +2,10 @@
 
 use super::stored_response::{Origin, StoredResponse};
 use super::{Design, LiveAnalysis};
-use jounce_core::analysis::{
+use jounce_analysis::{
     Branch, BranchUpdate, Extrapolation, KnownOrbit, Model, Parameter, WarmStart, settled_orbit,
 };
-use jounce_core::continuation::StepControl;
+use jounce_continuation::StepControl;
 use std::sync::Arc;
 
 /// Relative tolerance of the integration.

@@ -1,7 +1,7 @@
 //! Controls of a design: every number of the spec, with its unit and the range of its slider.
 
 use super::Design;
-use jounce_core::spec::NumericKey;
+use jounce_spec::NumericKey;
 use serde::Serialize;
 use toml_edit::{DocumentMut, Item};
 

@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::harvester::Harvester;
-use jounce_core::spec::{NumericKey, Spec};
+use jounce_spec::{NumericKey, Spec};
 
 /// Largest ratio of a change to the previous one for which that is extrapolated.
 const MAX_CHANGE_RATIO: f64 = 4.0;

@@ -1,8 +1,8 @@
 //! Drawing of a design, and the keys that move when its parts are dragged.
 
 use super::Design;
-use jounce_core::picture::{Drawing, DrawnShape, GripPart, Rect};
-use jounce_core::show;
+use jounce_plot::show;
+use jounce_plot::{Drawing, DrawnShape, GripPart, Rect};
 use serde::Serialize;
 
 /// Scale drawing of a design.
@@ -64,7 +64,7 @@ impl Design {
     pub fn drawing(&self, title: &str) -> DesignDrawing {
         let drawing = show::drawing(title, self.spec());
         let sheet = drawing.sheet();
-        let grip = |grip: &jounce_core::picture::Grip| {
+        let grip = |grip: &jounce_plot::Grip| {
             let (kind, name, key, length) = self.moved(&drawing, grip.part)?;
             Some(Grip {
                 kind,

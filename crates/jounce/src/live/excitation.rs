@@ -3,10 +3,10 @@
 use super::time_history::{self, Extremes, SpectralDensity};
 use super::{Design, LiveAnalysis};
 use crate::error::Error;
-use jounce_core::integrate::Control;
-use jounce_core::linear::Random;
-use jounce_core::run::{RunPlan, simulate};
-use jounce_core::spec::{DriveSignal, Spec, SpecFile};
+use jounce_analysis::run::{RunPlan, simulate};
+use jounce_control::Control;
+use jounce_model::linear::Random;
+use jounce_spec::{DriveSignal, Spec, SpecFile};
 use serde::Serialize;
 use std::path::PathBuf;
 

@@ -2,7 +2,7 @@
 
 use super::Design;
 use crate::error::Error;
-use jounce_core::spec::{KeyRange, NumericKey};
+use jounce_spec::{KeyRange, NumericKey};
 use serde::{Deserialize, Serialize};
 
 /// Largest number of values of a sweep of the page.

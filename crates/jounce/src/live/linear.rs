@@ -1,9 +1,9 @@
 //! Response without contact, stored as long as only stops change.
 
-use jounce_core::analysis::Parameter;
-use jounce_core::linear::steady_power_w;
-use jounce_core::orbit::ParametricModel;
-use jounce_core::spec::Spec;
+use jounce_analysis::Parameter;
+use jounce_model::linear::steady_power_w;
+use jounce_orbits::ParametricModel;
+use jounce_spec::Spec;
 use rayon::prelude::*;
 use serde::Serialize;
 use std::sync::{Arc, Mutex, PoisonError};

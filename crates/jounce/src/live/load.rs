@@ -4,9 +4,9 @@
 use super::key_span::values;
 use super::{Design, LinearCurve, LiveAnalysis, LivePoint};
 use crate::error::Error;
-use jounce_core::analysis::{Parameter, SweepOrder};
-use jounce_core::integrate::Control;
-use jounce_core::spec::NumericKey;
+use jounce_analysis::{Parameter, SweepOrder};
+use jounce_control::Control;
+use jounce_spec::NumericKey;
 use serde::{Deserialize, Serialize};
 
 /// Ratio of the ends of the range to the present load.

@@ -1,9 +1,9 @@
 //! Motion of the beams over the period of an orbit.
 
 use super::orbit::sample_states;
-use jounce_core::integrate::TrajectoryState;
-use jounce_core::orbit::ShootingEvaluation;
-use jounce_core::structure::BeamShape;
+use jounce_dynamics::TrajectoryState;
+use jounce_model::structure::BeamShape;
+use jounce_orbits::ShootingEvaluation;
 use serde::Serialize;
 use std::collections::BTreeMap;
 

@@ -5,12 +5,13 @@ use super::motion::{self, BeamMotion};
 use super::orbit_stop::OrbitStop;
 use super::stored_response::StoredResponse;
 use crate::error::Error;
-use jounce_core::analysis::BranchPoint;
-use jounce_core::continuation::{Corrector, Metric, Position, correct_at};
-use jounce_core::integrate::{Control, TrajectoryState};
-use jounce_core::orbit::{Orbit, OrbitMethod, Shooting, ShootingEvaluation};
-use jounce_core::plant::Stop;
-use jounce_core::signal::{Samples, Window};
+use jounce_analysis::BranchPoint;
+use jounce_continuation::{Corrector, Metric, Position, correct_at};
+use jounce_control::Control;
+use jounce_dynamics::TrajectoryState;
+use jounce_model::plant::Stop;
+use jounce_orbits::{Orbit, OrbitMethod, Shooting, ShootingEvaluation};
+use jounce_signal::{Samples, Window};
 use serde::{Deserialize, Serialize};
 
 /// Largest number of samples per drive cycle.

@@ -1,7 +1,7 @@
 //! A stop and the motion towards it over the period of an orbit.
 
-use jounce_core::plant::Stop;
-use jounce_core::spec::{Side, Spec};
+use jounce_model::plant::Stop;
+use jounce_spec::{Side, Spec};
 use serde::Serialize;
 
 /// A stop and the motion towards it; one value of each list per time.

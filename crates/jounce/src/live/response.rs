@@ -4,11 +4,11 @@ use super::stored_response::{Origin, StoredResponse};
 use super::{Design, KeySpan, LiveAnalysis, ResponseResult};
 use crate::error::Error;
 use crate::options::check_tolerance;
-use jounce_core::analysis::{
+use jounce_analysis::{
     Bandwidth, BandwidthSearch, Branch, BranchSearch, OrbitMethodKind, Parameter,
 };
-use jounce_core::integrate::Control;
-use jounce_core::spec::NumericKey;
+use jounce_control::Control;
+use jounce_spec::NumericKey;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 

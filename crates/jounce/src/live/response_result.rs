@@ -1,8 +1,8 @@
 //! Result of a response over a key.
 
 use super::LinearCurve;
-use jounce_core::analysis::{Bifurcation, Branch, BranchPoint, Termination};
-use jounce_core::spec::NumericKey;
+use jounce_analysis::{Bifurcation, Branch, BranchPoint, Termination};
+use jounce_spec::NumericKey;
 use serde::Serialize;
 
 /// Branches of periodic orbits over a key, and the harvester without contact.

@@ -1,7 +1,7 @@
 //! Responses computed so far, for the orbits of their points and for the next response.
 
-use jounce_core::analysis::{Branch, KnownOrbit, Model, Parameter};
-use jounce_core::spec::{NumericKey, Spec};
+use jounce_analysis::{Branch, KnownOrbit, Model, Parameter};
+use jounce_spec::{NumericKey, Spec};
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 

@@ -3,9 +3,9 @@
 use super::key_span::values;
 use super::{Design, KeySpan};
 use crate::error::Error;
-use jounce_core::analysis::{Sweep, SweepDirection, SweepOrder, SweepPoint};
-use jounce_core::integrate::Control;
-use jounce_core::spec::KeyRange;
+use jounce_analysis::{Sweep, SweepDirection, SweepOrder, SweepPoint};
+use jounce_control::Control;
+use jounce_spec::KeyRange;
 use serde::Serialize;
 
 /// A point of a sweep.

@@ -1,9 +1,9 @@
 //! Time histories of a run in pairs of extremes, and a spectral density in bands.
 
 use crate::error::Error;
-use jounce_core::integrate::Kernel;
-use jounce_core::run::RunResult;
-use jounce_core::signal::{Samples, Window};
+use jounce_analysis::run::RunResult;
+use jounce_dynamics::Kernel;
+use jounce_signal::{Samples, Window};
 use serde::Serialize;
 
 /// Samples per second; fewer in a long run.

@@ -1,7 +1,7 @@
 //! The hits of a hammer test, or the blocks of a shaker test, as lines of text.
 
 use super::MeasuredFrfResult;
-use jounce_measure::spectral::{HitWarning, ImpactHit};
+use jounce_signal::spectral::{HitWarning, ImpactHit};
 use std::collections::BTreeMap;
 
 /// Number of hits that are listed for each fault; for more hits only the count is printed.

@@ -11,7 +11,7 @@ pub use result::{MeasuredFrfResult, MeasuredResponse, PerG};
 use crate::error::Error;
 use crate::recording::Recording;
 use jounce_data::recording::Over;
-use jounce_measure::response::{MeasuredResponses, bridged, paired};
+use jounce_identification::response::{MeasuredResponses, bridged, paired};
 
 impl Recording {
     /// Computes the frequency responses of a hammer or shaker test from one or more recordings over

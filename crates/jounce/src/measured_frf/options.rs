@@ -3,8 +3,8 @@
 use crate::error::Error;
 use crate::options::{check_above_zero, defaults, refuse_changed, time_s};
 use clap::ValueEnum;
-use jounce_measure::response::{ChannelChoice, ComplexParts, Excitation};
-use jounce_measure::spectral::{Estimator, ImpactSettings};
+use jounce_identification::response::{ChannelChoice, ComplexParts, Excitation};
+use jounce_signal::spectral::{Estimator, ImpactSettings};
 use serde::{Deserialize, Serialize};
 
 /// Options of [`crate::Recording::measured_frf`], and of the responses from which

@@ -2,9 +2,9 @@
 
 use super::{MeasuredFrfResult, MeasuredResponse};
 use crate::error::Error;
-use jounce_core::picture::Figure;
-use jounce_core::table::{Column, Table};
-use jounce_measure::draw::measured_responses;
+use jounce_experiment::draw::measured_responses;
+use jounce_io::table::{Column, Table};
+use jounce_plot::Figure;
 
 impl MeasuredFrfResult {
     /// Returns the table of the responses and their coherence.

@@ -1,8 +1,8 @@
 //! Result of the frequency responses of a hammer or shaker test.
 
 use jounce_data::recording::Issue;
-use jounce_measure::response::MeasuredResponses;
-use jounce_measure::spectral::ImpactHit;
+use jounce_identification::response::MeasuredResponses;
+use jounce_signal::spectral::ImpactHit;
 use serde::{Serialize, Serializer};
 
 /// Frequency responses of a hammer or shaker test, in the sign convention `exp(+i w t)`.

@@ -12,10 +12,10 @@ use crate::error::Error;
 use crate::measured_frf::{MeasuredFrfOptions, MeasuredFrfResult};
 use crate::recording::Recording;
 use jounce_data::recording::Over;
-use jounce_measure::modal::{
+use jounce_identification::modal::{
     Band, Identification, ModalSettings, identify, identify_decays, mac_matrix,
 };
-use jounce_measure::response::{AmbientSettings, Decays};
+use jounce_identification::response::{AmbientSettings, Decays};
 
 impl Recording {
     /// Identifies the modes of a hammer or shaker test, of free decays or of outputs only, with the

@@ -1,9 +1,9 @@
 //! Warnings, notes and figures of measured modes.
 
 use super::MeasuredModesResult;
-use jounce_core::picture::Figure;
 use jounce_data::recording::Quantity;
-use jounce_measure::draw::{modal_fit, stabilisation};
+use jounce_experiment::draw::{modal_fit, stabilisation};
+use jounce_plot::Figure;
 
 /// Maximum number of peaks that are listed.
 const MAX_LISTED_PEAKS: usize = 8;

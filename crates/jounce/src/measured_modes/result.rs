@@ -2,8 +2,8 @@
 
 use crate::measured_frf::MeasuredFrfResult;
 use jounce_data::recording::Issue;
-use jounce_measure::modal::{Identification, Mode, Participation, ResponsePeak, StablePole};
-use jounce_measure::spectral::ImpactHit;
+use jounce_identification::modal::{Identification, Mode, Participation, ResponsePeak, StablePole};
+use jounce_signal::spectral::ImpactHit;
 use serde::Serialize;
 
 /// Modes of a hammer or shaker test, of free decays or of outputs only.

@@ -2,8 +2,8 @@
 
 use super::{ComplexValues, MeasuredMode, MeasuredModesResult};
 use crate::error::Error;
-use jounce_core::table::{Column, Table, Values};
-use jounce_measure::modal::{Stability, StablePole};
+use jounce_identification::modal::{Stability, StablePole};
+use jounce_io::table::{Column, Table, Values};
 
 impl MeasuredModesResult {
     /// Returns the table of the modes and their shapes.

@@ -9,10 +9,10 @@ pub use result::{BeamShapes, ModeResult, ModesResult, PatchCoupling, PointShape}
 
 use crate::error::Error;
 use crate::harvester::Harvester;
-use jounce_core::linear::couplings;
-use jounce_core::picture::ShapePatch;
-use jounce_core::spec::Spec;
-use jounce_core::structure::{BeamShape, Modes, modes_holding, shapes_along_beams};
+use jounce_model::linear::couplings;
+use jounce_model::structure::{BeamShape, Modes, modes_holding, shapes_along_beams};
+use jounce_plot::ShapePatch;
+use jounce_spec::Spec;
 use std::f64::consts::TAU;
 
 /// Number of places along each beam for its shapes.

@@ -2,8 +2,8 @@
 
 use super::{BeamShapes, ModeResult, ModesResult};
 use crate::error::Error;
-use jounce_core::picture::{Figure, ModeShape, mode_shapes};
-use jounce_core::table::{Column, Table};
+use jounce_io::table::{Column, Table};
+use jounce_plot::{Figure, ModeShape, mode_shapes};
 
 /// Largest number of shapes in a figure.
 const MAX_DRAWN_MODES: usize = 5;

@@ -1,7 +1,7 @@
 //! Result of modes.
 
-use jounce_core::linear::Coupling;
-use jounce_core::picture::ShapePatch;
+use jounce_model::linear::Coupling;
+use jounce_plot::ShapePatch;
 use serde::Serialize;
 
 /// Undamped short-circuit modes of a harvester.

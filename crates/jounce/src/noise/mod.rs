@@ -8,7 +8,7 @@ pub use options::NoiseOptions;
 use crate::error::Error;
 use crate::harvester::Harvester;
 use crate::options::check_band;
-use jounce_core::linear::{Density, Random, RandomLoad, RandomPatch, RandomPoint, RandomStop};
+use jounce_model::linear::{Density, Random, RandomLoad, RandomPatch, RandomPoint, RandomStop};
 use serde::Serialize;
 
 /// Means, mean squares and power spectral densities of the response to noise without contact.

@@ -2,8 +2,8 @@
 
 use super::NoiseResult;
 use crate::error::Error;
-use jounce_core::picture::{DensityLine, Figure, densities};
-use jounce_core::table::{Column, Table};
+use jounce_io::table::{Column, Table};
+use jounce_plot::{DensityLine, Figure, densities};
 
 impl NoiseResult {
     /// Returns the table of the power spectral densities over frequency.

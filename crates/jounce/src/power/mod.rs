@@ -9,8 +9,8 @@ pub use result::{OrderAmplitude, PowerRecord, PowerResult};
 
 use crate::error::Error;
 use crate::recording::Recording;
-use jounce_core::signal::{Samples, Window};
-use jounce_measure::spectral::{SpectralError, mean_power, signal};
+use jounce_signal::spectral::{SpectralError, mean_power, signal};
+use jounce_signal::{Samples, Window};
 
 /// Multiples of the drive frequency whose amplitudes are reported.
 const REPORTED_ORDERS: [f64; 8] = [0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0];

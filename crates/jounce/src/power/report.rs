@@ -2,9 +2,9 @@
 
 use super::{PowerRecord, PowerResult};
 use crate::error::Error;
-use jounce_core::picture::{Figure, Scale, SpectrumLine, spectra};
-use jounce_core::table::{Column, Table};
-use jounce_measure::draw::{LoadPoint, power_over_load};
+use jounce_experiment::draw::{LoadPoint, power_over_load};
+use jounce_io::table::{Column, Table};
+use jounce_plot::{Figure, Scale, SpectrumLine, spectra};
 
 impl PowerResult {
     /// Returns the table of the recordings.

@@ -1,8 +1,8 @@
 //! Result of the mean power of recorded voltages.
 
-use jounce_core::signal::{OrderLine, Spectrum};
 use jounce_data::recording::Issue;
-use jounce_measure::spectral::MeanPower;
+use jounce_signal::spectral::MeanPower;
+use jounce_signal::{OrderLine, Spectrum};
 use serde::Serialize;
 
 /// Mean power of each recorded voltage over its load.

@@ -11,7 +11,7 @@ use crate::error::Error;
 use crate::recording::{ReadOptions, Recording};
 use jounce_data::read::{FileSummary, summary_with_notes};
 use jounce_data::recording::{Issue, Over};
-use jounce_measure::write::{write, write_surveyed};
+use jounce_data::write::{write, write_surveyed};
 use std::path::{Path, PathBuf};
 
 /// A file of an instrument with its recordings and mode shapes. Its samples need not be in memory.

@@ -2,9 +2,9 @@
 
 use crate::error::Error;
 use crate::options::{defaults, ends};
-use jounce_core::spec::Quantity;
 use jounce_data::read::RecordingSummary;
 use jounce_data::recording::{Over, Series as _, find_channel};
+use jounce_spec::Quantity;
 use serde::{Deserialize, Serialize};
 
 /// Options of [`crate::RecordedFile::convert`].

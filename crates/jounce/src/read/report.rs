@@ -2,10 +2,10 @@
 
 use super::{ChannelResult, ReadResult, RecordedFile, RecordingResult};
 use crate::error::Error;
-use jounce_core::picture::{Axis, Figure, Line, Panel, Series, Trace, time_histories};
-use jounce_core::table::{Column, Table, Values};
 use jounce_data::read::{ChannelSummary, RecordingSummary};
 use jounce_data::recording::{Issue, Over};
+use jounce_io::table::{Column, Table, Values};
+use jounce_plot::{Axis, Figure, Line, Panel, Series, Trace, time_histories};
 
 /// Maximum number of channels in the figure of a recording.
 const MAX_SHOWN_CHANNELS: usize = 8;

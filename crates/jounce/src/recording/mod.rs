@@ -8,7 +8,7 @@ pub use channels::{ChannelList, ChosenChannel, UsesChannels};
 pub use options::ReadOptions;
 
 use crate::error::Error;
-use jounce_core::integrate::Control;
+use jounce_control::Control;
 use jounce_data::read::{self, RawChannel};
 use jounce_data::recording::{self as data, Channel, Grid, Issue, Over};
 use std::path::Path;

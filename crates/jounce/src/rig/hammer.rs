@@ -3,11 +3,11 @@
 use super::RigOptions;
 use crate::error::Error;
 use crate::recording::Recording;
-use jounce_core::linear::FrfResponse;
-use jounce_core::plant::{Plant, System};
-use jounce_core::spec::{Gravity, Spec};
-use jounce_core::structure::modes_holding;
-use jounce_measure::rig::{HammerTest, hammer_test};
+use jounce_experiment::rig::{HammerTest, hammer_test};
+use jounce_model::linear::FrfResponse;
+use jounce_model::plant::{Plant, System};
+use jounce_model::structure::modes_holding;
+use jounce_spec::{Gravity, Spec};
 
 /// Hits a point of the linear structure; records the accelerometers, by default every point and
 /// patch.

@@ -5,8 +5,8 @@ use crate::options::{
     check_above_zero, defaults, frequency_hz, refuse_changed, resistance_ohm, si, time_s,
 };
 use crate::recording::Recording;
-use jounce_core::spec::{Quantity, Spec};
-use jounce_measure::rig::{Cable, RigError, Sensor, add_accelerometers};
+use jounce_experiment::rig::{Cable, RigError, Sensor, add_accelerometers};
+use jounce_spec::{Quantity, Spec};
 use serde::{Deserialize, Serialize};
 
 /// Options that apply to a hammer test.

@@ -4,15 +4,15 @@ use super::{BaseMotion, RigOptions, RigResult};
 use crate::error::Error;
 use crate::harvester::Harvester;
 use crate::recording::Recording;
-use jounce_core::integrate::Control;
-use jounce_core::run::StartState;
-use jounce_core::spec::{Quantity as Unit, Spec, driving_channel};
-use jounce_core::structure::modes_holding;
+use jounce_analysis::run::StartState;
+use jounce_control::Control;
 use jounce_data::recording::{self as data, Issue, Quantity};
-use jounce_measure::rig::{
+use jounce_experiment::rig::{
     Disturbance, RigError, ShakerTest, on_recorded_base, shaker_test, start_of_run,
 };
-use jounce_measure::solution::{SolutionError, SolutionSearch, solutions, start_of};
+use jounce_experiment::solution::{SolutionError, SolutionSearch, solutions, start_of};
+use jounce_model::structure::modes_holding;
+use jounce_spec::{Quantity as Unit, Spec, driving_channel};
 
 /// Records the averaging window of the run, solutions of the model, or a recorded base motion.
 pub(super) fn record(

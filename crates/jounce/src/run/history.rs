@@ -1,8 +1,8 @@
 //! Samples of the stored end of a run.
 
 use super::RunOptions;
-use jounce_core::integrate::Kernel;
-use jounce_core::run::{RunPlan, RunResult};
+use jounce_analysis::run::{RunPlan, RunResult};
+use jounce_dynamics::Kernel;
 use std::f64::consts::TAU;
 
 /// Samples of the exact trajectory: evenly spaced, and once per drive cycle, up to the end of the

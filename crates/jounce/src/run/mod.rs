@@ -11,8 +11,8 @@ pub use result::{LoadResult, PatchResult, RunResult};
 
 use crate::error::Error;
 use crate::harvester::Harvester;
-use jounce_core::integrate::Kernel;
-use jounce_core::run::{RunPlan, Warning, charges, simulate, voltage_peaks};
+use jounce_analysis::run::{RunPlan, Warning, charges, simulate, voltage_peaks};
+use jounce_dynamics::Kernel;
 
 impl Harvester {
     /// Integrates one run over `run.duration` and averages over the last `run.average_over`.
@@ -52,13 +52,13 @@ impl RunResult {
     fn new(
         kernel: &Kernel,
         plan: &RunPlan,
-        run: jounce_core::run::RunResult,
+        run: jounce_analysis::run::RunResult,
         warnings: Vec<Warning>,
         history: Option<History>,
     ) -> Self {
         let peaks = voltage_peaks(kernel, &run, plan);
         let finite = |value: f64| value.is_finite().then_some(value);
-        let load = |(load, peak_v): (&jounce_core::run::LoadResult, &f64)| LoadResult {
+        let load = |(load, peak_v): (&jounce_analysis::run::LoadResult, &f64)| LoadResult {
             name: load.name.clone(),
             mean_power_w: load.mean_power_w,
             voltage_rms_v: load.voltage_rms_v,

@@ -2,8 +2,8 @@
 
 use crate::error::Error;
 use crate::options::{defaults, frequency_hz, time_s};
-use jounce_core::run::StartState;
-use jounce_core::spec::Spec;
+use jounce_analysis::run::StartState;
+use jounce_spec::Spec;
 use serde::{Deserialize, Serialize};
 
 /// Largest number of samples of a record.

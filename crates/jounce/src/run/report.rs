@@ -2,9 +2,9 @@
 
 use super::{History, RunResult};
 use crate::error::Error;
-use jounce_core::picture::{Figure, Scale, SpectrumLine, Trace, spectra, time_histories};
-use jounce_core::signal::{Samples, Window};
-use jounce_core::table::{Column, Table};
+use jounce_io::table::{Column, Table};
+use jounce_plot::{Figure, Scale, SpectrumLine, Trace, spectra, time_histories};
+use jounce_signal::{Samples, Window};
 
 /// Largest number of samples in the figure of the time histories.
 const MAX_DRAWN_SAMPLES: usize = 4096;

@@ -1,10 +1,10 @@
 //! Result of a run.
 
 use super::History;
-use jounce_core::integrate::{Energies, WorkCount};
-use jounce_core::run::{
+use jounce_analysis::run::{
     ChargeResult, LeakResult, RectifiedResult, StartState, StopResult, Warning,
 };
+use jounce_dynamics::{Energies, WorkCount};
 use serde::{Serialize, Serializer};
 
 /// Means over the averaging window at the end of a run, and the energy balance of the complete run.

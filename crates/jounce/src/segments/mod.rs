@@ -10,12 +10,12 @@ pub use result::{SegmentResult, SegmentsResult};
 use crate::error::Error;
 use crate::harvester::Harvester;
 use crate::recording::Recording;
-use jounce_core::signal::Samples;
-use jounce_measure::segmentation::{
+use jounce_experiment::segmentation::{
     RecordSegment, SegmentMatches, Segmentation, match_segments, regimes_watched,
 };
-use jounce_measure::solution::{as_recorded, solutions};
-use jounce_measure::spectral::mean_power_if_long;
+use jounce_experiment::solution::{as_recorded, solutions};
+use jounce_signal::Samples;
+use jounce_signal::spectral::mean_power_if_long;
 
 impl Recording {
     /// Cuts a long recording under a harmonic drive into segments of one attractor each. With a

@@ -4,7 +4,7 @@ use crate::error::Error;
 use crate::options::{check_above_zero, defaults, frequency_hz, refuse_changed, resistance_ohm};
 use crate::recording::{ChannelList, ChosenChannel, UsesChannels};
 use jounce_data::recording::Quantity;
-use jounce_measure::solution::SolutionSearch;
+use jounce_experiment::solution::SolutionSearch;
 use serde::{Deserialize, Serialize};
 
 /// Options of [`crate::Recording::segments`].

@@ -2,11 +2,11 @@
 
 use super::{SegmentResult, SegmentsResult};
 use crate::error::Error;
-use jounce_core::picture::Figure;
-use jounce_core::signal::Samples;
-use jounce_core::table::{Column, Table};
-use jounce_measure::draw::{segment_section, segment_spectra, segments};
-use jounce_measure::segmentation::Candidate;
+use jounce_experiment::draw::{segment_section, segment_spectra, segments};
+use jounce_experiment::segmentation::Candidate;
+use jounce_io::table::{Column, Table};
+use jounce_plot::Figure;
+use jounce_signal::Samples;
 
 impl SegmentsResult {
     /// Returns the table of the segments: with a resistance it has powers, with a model solutions.

@@ -1,10 +1,10 @@
 //! Result of the segmentation of a recording.
 
 use jounce_data::recording::Issue;
-use jounce_measure::segmentation::{
+use jounce_experiment::segmentation::{
     Candidate, MergedChange, RecordSegment, SegmentMatch, SegmentMatches, Segmentation,
 };
-use jounce_measure::spectral::MeanPower;
+use jounce_signal::spectral::MeanPower;
 use serde::Serialize;
 
 /// Segments of a recording, and the changes within one attractor.

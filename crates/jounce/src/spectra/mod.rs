@@ -9,7 +9,7 @@ pub use result::{OrderPeak, SpectraResult};
 
 use crate::error::Error;
 use crate::recording::Recording;
-use jounce_measure::spectral::{Spectra, signal, spectra_watched, spectrogram_watched};
+use jounce_signal::spectral::{Spectra, signal, spectra_watched, spectrogram_watched};
 
 /// Number of reported peaks, the highest first.
 const REPORTED_PEAKS: usize = 5;

@@ -4,9 +4,9 @@ use crate::error::Error;
 use crate::options::{check_above_zero, defaults, frequency_hz, time_s};
 use crate::recording::{ChannelList, ChosenChannel, UsesChannels};
 use clap::ValueEnum;
-use jounce_core::signal::Window;
 use jounce_data::recording::Quantity;
-use jounce_measure::spectral::SpectraSettings;
+use jounce_signal::Window;
+use jounce_signal::spectral::SpectraSettings;
 use serde::{Deserialize, Serialize};
 
 /// Options of [`crate::Recording::spectra`].

@@ -2,10 +2,10 @@
 
 use super::SpectraResult;
 use crate::error::Error;
-use jounce_core::picture::Figure;
-use jounce_core::table::{Column, Table};
-use jounce_measure::draw::{densities_of, spectrogram_of};
-use jounce_measure::spectral::{Density, density_unit};
+use jounce_experiment::draw::{densities_of, spectrogram_of};
+use jounce_io::table::{Column, Table};
+use jounce_plot::Figure;
+use jounce_signal::spectral::{Density, density_unit};
 
 impl SpectraResult {
     /// Returns the unit of the density.

@@ -1,9 +1,9 @@
 //! Result of spectra.
 
 use super::SegmentWindow;
-use jounce_core::signal::OrderLine;
 use jounce_data::recording::Issue;
-use jounce_measure::spectral::{DensityPeak, Spectrogram};
+use jounce_signal::OrderLine;
+use jounce_signal::spectral::{DensityPeak, Spectrogram};
 use serde::Serialize;
 
 /// Power spectral density, order lines and spectrogram of a channel.

@@ -3,14 +3,14 @@
 
 mod options;
 
-pub use jounce_core::study::{Folder as StudyFolder, Shard, Status as StudyStatus};
+pub use jounce_analysis::study::{Folder as StudyFolder, Shard, Status as StudyStatus};
 pub use options::StudyOptions;
 
 use crate::error::Error;
 use crate::harvester::Harvester;
 use crate::options::on_threads;
-use jounce_core::integrate::Control;
-use jounce_core::spec::Spec;
+use jounce_control::Control;
+use jounce_spec::Spec;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -18,7 +18,7 @@ use std::sync::Arc;
 /// alone fixes its points and parts, so any number of processes write the same table.
 #[derive(Debug, Clone)]
 pub struct Study {
-    study: Arc<jounce_core::study::Study>,
+    study: Arc<jounce_analysis::study::Study>,
     control: Control,
 }
 
@@ -43,7 +43,7 @@ impl Harvester {
     /// ```
     pub fn study(&self, text: &str) -> Result<Study, Error> {
         let file = self.file().clone();
-        let study = jounce_core::study::Study::with_spec(file, self.folder(), text)?;
+        let study = jounce_analysis::study::Study::with_spec(file, self.folder(), text)?;
         Ok(Study::of(study).with_control(self.control()))
     }
 }
@@ -54,10 +54,12 @@ impl Study {
     /// # Errors
     /// [`Error::Study`] for a file that cannot be read, or with all faults.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, Error> {
-        Ok(Self::of(jounce_core::study::Study::read(path.as_ref())?))
+        Ok(Self::of(jounce_analysis::study::Study::read(
+            path.as_ref(),
+        )?))
     }
 
-    fn of(study: jounce_core::study::Study) -> Self {
+    fn of(study: jounce_analysis::study::Study) -> Self {
         Self {
             study: Arc::new(study),
             control: Control::default(),

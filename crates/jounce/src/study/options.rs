@@ -1,7 +1,7 @@
 //! Options of a study.
 
 use crate::options::defaults;
-use jounce_core::study::Shard;
+use jounce_analysis::study::Shard;
 use serde::{Deserialize, Serialize};
 
 /// Options of [`crate::Study::run`].

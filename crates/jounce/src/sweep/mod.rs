@@ -11,8 +11,8 @@ use crate::error::Error;
 use crate::harvester::Harvester;
 use crate::journal;
 use crate::options::on_threads;
-use jounce_core::analysis::{Journal, Sweep};
-use jounce_core::spec::KeyRange;
+use jounce_analysis::{Journal, Sweep};
+use jounce_spec::KeyRange;
 use std::path::Path;
 
 /// Name in the keys of journals.

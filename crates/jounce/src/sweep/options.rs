@@ -46,7 +46,7 @@ impl Default for SweepOptions {
     }
 }
 
-impl From<SweepOrder> for jounce_core::analysis::SweepOrder {
+impl From<SweepOrder> for jounce_analysis::SweepOrder {
     fn from(order: SweepOrder) -> Self {
         match order {
             SweepOrder::Up => Self::Up,

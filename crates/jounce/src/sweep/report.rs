@@ -2,9 +2,10 @@
 
 use super::{SweepPoint, SweepResult};
 use crate::error::Error;
-use jounce_core::analysis::SweepDirection;
-use jounce_core::picture::{self, Axis, Figure, LineDirection, SweepLine, SweepLook};
-use jounce_core::table::{Column, Table, Values};
+use jounce_analysis::SweepDirection;
+use jounce_io::table::{Column, Table, Values};
+use jounce_plot as picture;
+use jounce_plot::{Axis, Figure, LineDirection, SweepLine, SweepLook};
 
 impl SweepResult {
     /// Returns the table of the points, in order.

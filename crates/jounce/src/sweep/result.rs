@@ -1,7 +1,7 @@
 //! Result of a sweep.
 
-use jounce_core::analysis::{Sweep, SweepDirection};
-use jounce_core::run::{ExceededLimit, WorstExcess};
+use jounce_analysis::run::{ExceededLimit, WorstExcess};
+use jounce_analysis::{Sweep, SweepDirection};
 use serde::Serialize;
 
 /// Runs at every value of a key, in the order of the points.
@@ -50,7 +50,7 @@ pub struct SweepPoint {
 }
 
 impl SweepResult {
-    pub(super) fn new(study: &Sweep, points: Vec<jounce_core::analysis::SweepPoint>) -> Self {
+    pub(super) fn new(study: &Sweep, points: Vec<jounce_analysis::SweepPoint>) -> Self {
         let key = study.range.key();
         let mut drives = study.spec.drive.values();
         Self {
@@ -88,7 +88,7 @@ impl SweepResult {
 }
 
 impl SweepPoint {
-    fn of(point: jounce_core::analysis::SweepPoint) -> Self {
+    fn of(point: jounce_analysis::SweepPoint) -> Self {
         Self {
             parameter: point.parameter,
             direction: point.direction,

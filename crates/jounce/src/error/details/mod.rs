@@ -3,19 +3,19 @@
 mod recordings;
 
 use super::Error;
-use jounce_core::analysis::AnalysisError;
-use jounce_core::integrate::SensitivityError;
-use jounce_core::linear::RandomError;
-use jounce_core::orbit::OrbitError;
-use jounce_core::plant::PlantError;
-use jounce_core::reproduce::ReproduceError;
-use jounce_core::run::RunError;
-use jounce_core::spec::{Fault, Faults, ReadError};
-use jounce_core::starter::UnknownKind;
-use jounce_core::store::StoreError;
-use jounce_core::structure::StructureError;
-use jounce_core::study::StudyError;
-use jounce_core::table::TableError;
+use impact_harvester_2019::ReproduceError;
+use jounce_analysis::AnalysisError;
+use jounce_analysis::run::RunError;
+use jounce_analysis::study::StudyError;
+use jounce_dynamics::SensitivityError;
+use jounce_io::store::StoreError;
+use jounce_io::table::TableError;
+use jounce_model::linear::RandomError;
+use jounce_model::plant::PlantError;
+use jounce_model::structure::StructureError;
+use jounce_orbits::OrbitError;
+use jounce_spec::starter::UnknownKind;
+use jounce_spec::{Fault, Faults, ReadError};
 use serde::Serialize;
 use serde_json::{Value, json};
 

@@ -1,19 +1,19 @@
 //! Details of errors of computations on recordings.
 
 use super::ErrorDetails;
-use jounce_core::signal::SignalError;
+use impact_harvester_2019::experiment::ExperimentError;
 use jounce_data::read::ArraysError;
 use jounce_data::recording::{ChannelError, GridError, NoChannel};
-use jounce_measure::contact::ContactError;
-use jounce_measure::experiment::ExperimentError;
-use jounce_measure::fit::FitError;
-use jounce_measure::modal::ModalError;
-use jounce_measure::response::ResponseError;
-use jounce_measure::rig::RigError;
-use jounce_measure::segmentation::SegmentationError;
-use jounce_measure::solution::SolutionError;
-use jounce_measure::spectral::SpectralError;
-use jounce_measure::write::WriteError;
+use jounce_data::write::WriteError;
+use jounce_experiment::fit::FitError;
+use jounce_experiment::rig::RigError;
+use jounce_experiment::segmentation::SegmentationError;
+use jounce_experiment::solution::SolutionError;
+use jounce_identification::contact::ContactError;
+use jounce_identification::modal::ModalError;
+use jounce_identification::response::ResponseError;
+use jounce_signal::SignalError;
+use jounce_signal::spectral::SpectralError;
 use serde_json::{Value, json};
 
 /// Errors of recordings that allow no result.

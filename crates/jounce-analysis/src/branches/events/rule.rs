@@ -1,0 +1,295 @@
+//! Rule by which a step of a curve is accepted.
+
+use super::coupling::{Couplings, may_push_out};
+use super::interpolant::Interpolant;
+use super::spectrum::{
+    MultiplierGroup, StepEnd, TestFunction, between, doubling, fold, groups, is_enclosed,
+    is_torus_crossing, torus,
+};
+use super::turning_points::{Extremum, extrema, may_touch_unseen};
+use crate::branches::branch::BranchKind;
+use crate::branches::halves::meets_halves;
+use crate::branches::orbit_point::OrbitPoint;
+use crate::branches::tracer::BranchTracer;
+use jounce_continuation::{CurvePoint, HermiteSegment, Metric, correct, tangent};
+use jounce_orbits::OrbitMethod;
+use serde::Serialize;
+
+/// Largest number of halvings of one step; an interval not proved at a thousandth of it is listed.
+const MAX_STEP_HALVINGS: u32 = 10;
+
+/// Largest number of points added on one step: five for each halving, which limits the cost where
+/// every proof fails.
+const MAX_STEP_POINTS: u32 = 50;
+
+/// Interval of a branch that may contain two more events of a kind than are listed.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct NotProved {
+    /// Kind of the event.
+    pub event: BranchKind,
+    /// Value of the key at the begin of the interval, SI.
+    pub from: f64,
+    /// Value of the key at the end of the interval, SI.
+    pub to: f64,
+    /// Reason why the proof failed.
+    pub why: String,
+}
+
+impl NotProved {
+    /// Adds an interval to a list, or extends the previous one of the same kind.
+    fn add(list: &mut Vec<Self>, event: BranchKind, [from, to]: [f64; 2], reason: &str) {
+        match list
+            .iter_mut()
+            .rev()
+            .find(|known| known.event == event)
+            .filter(|known| known.to == from && known.why == reason)
+        {
+            Some(known) => known.to = to,
+            None => list.push(Self {
+                event,
+                from,
+                to,
+                why: reason.to_owned(),
+            }),
+        }
+    }
+}
+
+impl BranchTracer {
+    /// Returns the points that prove the events of a step, and its last point; intervals that are
+    /// not proved are added to the list.
+    ///
+    /// # Errors
+    /// As [`BranchTracer::walk`].
+    pub(in crate::branches) fn resolved<M: OrbitMethod>(
+        &self,
+        method: &M,
+        before: &OrbitPoint<M>,
+        after: OrbitPoint<M>,
+        not_proved: &mut Vec<NotProved>,
+    ) -> Result<Vec<OrbitPoint<M>>, M::Error> {
+        self.halved(
+            method,
+            (before, after),
+            MAX_STEP_HALVINGS,
+            &mut { MAX_STEP_POINTS },
+            not_proved,
+        )
+    }
+
+    fn halved<M: OrbitMethod>(
+        &self,
+        method: &M,
+        (before, after): (&OrbitPoint<M>, OrbitPoint<M>),
+        halvings: u32,
+        points: &mut u32,
+        not_proved: &mut Vec<NotProved>,
+    ) -> Result<Vec<OrbitPoint<M>>, M::Error> {
+        let unproved = self.doubts(method, before, &after);
+        if unproved.is_empty() {
+            return Ok(vec![after]);
+        }
+        let may_halve = halvings > 0 && *points > 0;
+        let middle = if may_halve {
+            self.half_way(method, &before.step, &after.step)
+        } else {
+            None
+        };
+        let Some(middle) = middle else {
+            let reason = if may_halve {
+                "no orbit was found at the midpoint of a step"
+            } else {
+                "not proved on the smallest steps"
+            };
+            unproved.into_iter().for_each(|event| {
+                NotProved::add(
+                    not_proved,
+                    event,
+                    [before, &after].map(|at| at.point.parameter),
+                    reason,
+                )
+            });
+            return Ok(vec![after]);
+        };
+        *points -= 1;
+        let middle = OrbitPoint::new(method, middle)?;
+        let mut orbit_points =
+            self.halved(method, (before, middle), halvings - 1, points, not_proved)?;
+        if let Some(last) = orbit_points.pop() {
+            let rest = self.halved(method, (&last, after), halvings - 1, points, not_proved)?;
+            orbit_points.push(last);
+            orbit_points.extend(rest);
+        }
+        Ok(orbit_points)
+    }
+
+    /// Returns the point of the curve half-way between two.
+    fn half_way<M: OrbitMethod>(
+        &self,
+        method: &M,
+        before: &CurvePoint<M::Evaluation>,
+        after: &CurvePoint<M::Evaluation>,
+    ) -> Option<CurvePoint<M::Evaluation>> {
+        let metric = Metric::at(&before.position, self.parameter_scale());
+        let segment = HermiteSegment::between(
+            &metric,
+            (&before.position, &before.tangent),
+            (&after.position, &after.tangent),
+        );
+        let direction = metric.unit(before.position.to(&after.position));
+        let corrected = correct(
+            method,
+            &self.corrector,
+            &metric,
+            &direction,
+            segment.at(0.5 * segment.length),
+        )
+        .ok()?;
+        let direction = tangent(&corrected.local, &metric, &direction)?;
+        Some(CurvePoint {
+            position: corrected.position,
+            tangent: direction,
+            local: corrected.local,
+            error: corrected.error,
+        })
+    }
+
+    /// Returns the kinds of events that may occur more than once on a step.
+    fn doubts<M: OrbitMethod>(
+        &self,
+        method: &M,
+        before: &OrbitPoint<M>,
+        after: &OrbitPoint<M>,
+    ) -> Vec<BranchKind> {
+        let mut unproved = Vec::new();
+        let meets = meets_halves(&before.point.orbit, &after.point.orbit);
+        if !meets
+            && self
+                .turns(&before.step, &after.step)
+                .crossings()
+                .is_none_or(|count| count > 1)
+        {
+            unproved.push(BranchKind::Fold);
+        }
+        let Some(ends) = self.ends(method, before, after) else {
+            unproved.extend([
+                BranchKind::PeriodDoubling,
+                BranchKind::NeimarkSacker,
+                BranchKind::Grazing,
+            ]);
+            return unproved;
+        };
+        let [one, two] = ends.map(|end| end.readings);
+        // Without contacts and switches the multipliers are those of the plant, all inside the unit
+        // circle.
+        if !(one.current.is_free && two.current.is_free) {
+            let couplings = Self::couplings(method, before, after);
+            let is_tied = |one, two| {
+                couplings
+                    .as_ref()
+                    .is_none_or(|couplings| may_push_out(ends, couplings, one, two))
+            };
+            unproved.extend(
+                doubtful_multipliers(ends, is_tied)
+                    .into_iter()
+                    .filter(|kind| !(meets && *kind == BranchKind::BranchPoint)),
+            );
+        }
+        let is_open = |turn: &Extremum| turn.past_m.crossings().is_none_or(|count| count > 1);
+        if may_touch_unseen(ends) || extrema(ends).iter().any(is_open) {
+            unproved.push(BranchKind::Grazing);
+        }
+        let level = |k: usize| Interpolant {
+            values: [one, two].map(|at| at.current.levels[k]),
+            slopes: ends.map(|end| end.level(k)),
+        };
+        if (0..self.levels.len()).any(|k| level(k).crossings().is_none_or(|count| count > 1)) {
+            unproved.push(BranchKind::Level);
+        }
+        unproved
+    }
+
+    /// Returns the ends of a step with the data of their test functions; `None` where these cannot
+    /// be computed.
+    pub(in crate::branches) fn ends<'p, M: OrbitMethod>(
+        &self,
+        method: &M,
+        before: &'p OrbitPoint<M>,
+        after: &'p OrbitPoint<M>,
+    ) -> Option<[StepEnd<'p>; 2]> {
+        let end = |at: &'p OrbitPoint<M>| {
+            let metric = Metric::at(&at.step.position, self.parameter_scale());
+            Some(StepEnd {
+                readings: at.readings(method, self)?,
+                length: metric.length(&before.step.position.to(&after.step.position)),
+            })
+        };
+        Some([end(before)?, end(after)?])
+    }
+
+    /// Returns the couplings of the multipliers at each end of a step, computed from the map at the
+    /// other end.
+    fn couplings<M: OrbitMethod>(
+        method: &M,
+        before: &OrbitPoint<M>,
+        after: &OrbitPoint<M>,
+    ) -> Option<[Couplings; 2]> {
+        let maps = [before, after].map(|point| method.shot(&point.step.local).ok());
+        let one = (&maps[0]?.block_map, before.eigenbasis(method));
+        let two = (&maps[1]?.block_map, after.eigenbasis(method));
+        let of = |point: &OrbitPoint<M>, maps| Couplings::of(&point.point.orbit.multipliers, maps);
+        Some([of(before, [one, two]), of(after, [two, one])])
+    }
+
+    /// Returns the parameter's component of the tangent, by the cubic of the parameter.
+    fn turns<L>(&self, before: &CurvePoint<L>, after: &CurvePoint<L>) -> Interpolant {
+        let metric = Metric::at(&before.position, self.parameter_scale());
+        let chord = before.position.to(&after.position);
+        let length = metric.length(&chord);
+        let rate = |step: &CurvePoint<L>| metric.unit(step.tangent.clone()).parameter * length;
+        let [first, last] = [rate(before), rate(after)];
+        // Bernstein coefficients of its derivative: first, middle, last.
+        let middle = 3.0 * chord.parameter - first - last;
+        Interpolant {
+            values: [first, last],
+            slopes: [2.0 * (middle - first), 2.0 * (last - middle)],
+        }
+    }
+}
+
+/// Returns the kinds for which multipliers may pass the critical value more than once.
+fn doubtful_multipliers(
+    ends: [StepEnd; 2],
+    is_tied: impl Fn((usize, usize), (usize, usize)) -> bool,
+) -> Vec<BranchKind> {
+    let groups: Vec<MultiplierGroup> = groups(ends, is_tied)
+        .into_iter()
+        .filter(|group| !is_enclosed(ends, group))
+        .collect();
+    let kinds: [(BranchKind, TestFunction); 3] = [
+        (BranchKind::PeriodDoubling, doubling),
+        (BranchKind::BranchPoint, fold),
+        (BranchKind::NeimarkSacker, torus),
+    ];
+    let is_doubtful = |kind: BranchKind, f: TestFunction| {
+        let mut count = 0;
+        for group in &groups {
+            let Some(readings) = between(ends, group, f).crossings() else {
+                return true;
+            };
+            let crosses = if kind == BranchKind::NeimarkSacker && readings > 0 {
+                is_torus_crossing(ends, group)
+            } else {
+                Some(true)
+            };
+            let Some(crosses) = crosses else { return true };
+            count += if crosses { readings } else { 0 };
+        }
+        count > 1
+    };
+    kinds
+        .into_iter()
+        .filter(|(kind, f)| is_doubtful(*kind, *f))
+        .map(|(kind, _)| kind)
+        .collect()
+}

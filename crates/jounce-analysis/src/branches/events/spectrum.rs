@@ -1,0 +1,339 @@
+//! Multipliers of two neighbouring points, joined into groups with test functions that are smooth
+//! where members meet.
+//!
+//! ```text
+//! doubling  prod (1 + mu_i)      fold, branch point  prod (1 - mu_i)      Neimark-Sacker  prod_(i < j) (mu_i mu_j - 1)
+//! ```
+//!
+//! A group contains its conjugates. Where two real multipliers become a complex pair on the step,
+//! it contains both. So the products are real and smooth, unlike single multipliers. Products over
+//! all multipliers would be smooth too. But pairs of fast modes rotate several times about the
+//! origin on a step, and would hide the slow ones.
+//!
+//! Multipliers are joined by extrapolation with their derivatives, in the logarithm, where the pair
+//! of a mode rotates uniformly.
+
+use super::interpolant::Interpolant;
+use super::pairing::paired;
+use super::test_data::TestDataPair;
+use faer::c64;
+use std::f64::consts::TAU;
+
+/// Function of the multipliers of a group.
+pub(super) type TestFunction = fn(&[c64]) -> f64;
+
+/// Group of multipliers, by their indices at the two ends of a step.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct MultiplierGroup {
+    pub from: Vec<usize>,
+    pub to: Vec<usize>,
+}
+
+/// One end of a step: its data, and the length of the step as measured there.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::branches) struct StepEnd<'r> {
+    pub readings: &'r TestDataPair,
+    pub length: f64,
+}
+
+impl StepEnd<'_> {
+    pub fn value(&self, i: usize) -> c64 {
+        self.readings.current.multipliers[i]
+    }
+
+    /// Returns the change of a multiplier over the step, by its derivative.
+    pub fn change(&self, i: usize) -> c64 {
+        (self.readings.multipliers[i] - self.value(i)) * self.per()
+    }
+
+    /// Returns the factor from differences to derivatives times the length of the step.
+    pub fn per(&self) -> f64 {
+        self.length / self.readings.length
+    }
+
+    fn count(&self) -> usize {
+        self.readings.current.multipliers.len()
+    }
+
+    /// Returns the index of the conjugate.
+    fn conjugate(&self, i: usize) -> usize {
+        let conjugate = self.value(i).conj();
+        let distance = |j: &usize| (self.value(*j) - conjugate).norm();
+        if conjugate.im == 0.0 {
+            i
+        } else {
+            (0..self.count())
+                .min_by(|a, b| distance(a).total_cmp(&distance(b)))
+                .unwrap_or(i)
+        }
+    }
+
+    /// Returns a function of some multipliers, and its change over the step by its derivative.
+    fn of(&self, members: &[usize], f: TestFunction) -> (f64, f64) {
+        let all = |values: &[c64]| f(&members.iter().map(|i| values[*i]).collect::<Vec<_>>());
+        let value = all(&self.readings.current.multipliers);
+        (
+            value,
+            (all(&self.readings.multipliers) - value) * self.per(),
+        )
+    }
+}
+
+/// Returns a function of a group between two ends.
+pub(super) fn between(
+    [a, b]: [StepEnd; 2],
+    group: &MultiplierGroup,
+    f: TestFunction,
+) -> Interpolant {
+    let (from, to) = (a.of(&group.from, f), b.of(&group.to, f));
+    Interpolant {
+        values: [from.0, to.0],
+        slopes: [from.1, to.1],
+    }
+}
+
+/// True where the blocks of the group hold it inside the unit circle on the step. Their discs lie
+/// inside it at both ends, and remain inside if they change by the same amount again.
+pub(super) fn is_enclosed([a, b]: [StepEnd; 2], group: &MultiplierGroup) -> bool {
+    let radius = |end: StepEnd, members: &[usize]| {
+        members
+            .iter()
+            .map(|i| end.readings.current.radii[*i])
+            .fold(0.0, f64::max)
+    };
+    let [one, two] = [radius(a, &group.from), radius(b, &group.to)];
+    one.max(two) + (one - two).abs() < 1.0
+}
+
+/// Zero where a member of the group is -1.
+pub(super) fn doubling(values: &[c64]) -> f64 {
+    values.iter().map(|mu| 1.0 + mu).product::<c64>().re
+}
+
+/// Zero where a member of the group is +1.
+pub(super) fn fold(values: &[c64]) -> f64 {
+    values.iter().map(|mu| 1.0 - mu).product::<c64>().re
+}
+
+/// Zero where the product of two members is one.
+pub(super) fn torus(values: &[c64]) -> f64 {
+    let pairs = (0..values.len()).flat_map(|j| (0..j).map(move |i| values[i] * values[j] - 1.0));
+    pairs.product::<c64>().re
+}
+
+/// Zero where two real multipliers meet.
+fn discriminant(values: &[c64]) -> f64 {
+    (values[0] - values[1]).powi(2).re
+}
+
+/// True where the multipliers whose product passes one are a complex pair: a Neimark-Sacker
+/// bifurcation. False where they are real: no event. `None` where two real ones may become a pair
+/// on the step.
+pub(super) fn is_torus_crossing(ends: [StepEnd; 2], group: &MultiplierGroup) -> Option<bool> {
+    let [a, b] = ends;
+    let is_real = |i: &usize, end: StepEnd| end.value(*i).im == 0.0;
+    let real = group.from.iter().filter(|i| is_real(i, a)).count()
+        + group.to.iter().filter(|i| is_real(i, b)).count();
+    match real {
+        0 => Some(true),
+        4 if group.from.len() == 2 && between(ends, group, discriminant).crossings() == Some(0) => {
+            Some(false)
+        }
+        _ => None,
+    }
+}
+
+/// Multiplier with its extrapolation to the other end of the step.
+struct LinkedMultiplier {
+    value: c64,
+    log: c64,
+    /// Half of its relative change over the step.
+    half: c64,
+}
+
+impl LinkedMultiplier {
+    fn all(end: StepEnd) -> Vec<Self> {
+        let led = |i: usize| Self {
+            value: end.value(i),
+            log: end.value(i).ln(),
+            half: 0.5 * end.change(i) / end.value(i),
+        };
+        (0..end.count()).map(led).collect()
+    }
+
+    /// Returns the squared distance between two multipliers, each extrapolated towards the other
+    /// end of the step.
+    fn squared_distance(&self, to: &Self) -> f64 {
+        let size = self.value.norm_sqr().max(to.value.norm_sqr());
+        let distance = (to.value - self.value).norm_sqr();
+        if size == 0.0 {
+            return 0.0;
+        }
+        let log_error = to.log - self.log - (self.half + to.half);
+        let turns = log_error.im - TAU * (log_error.im / TAU).round();
+        let off = size * (log_error.re * log_error.re + turns * turns);
+        // Where two real multipliers meet, their derivatives are unbounded.
+        let is_real = self.value.im == 0.0 || to.value.im == 0.0;
+        let off = if is_real { off.min(distance) } else { off };
+        if off.is_finite() { off } else { distance }
+    }
+}
+
+/// Returns the groups between two ends. `is_tied` returns true for two complex multipliers, given
+/// by their indices at both ends, that belong to one group.
+pub(super) fn groups(
+    ends: [StepEnd; 2],
+    is_tied: impl Fn((usize, usize), (usize, usize)) -> bool,
+) -> Vec<MultiplierGroup> {
+    let [a, b] = ends;
+    let (from, to) = (LinkedMultiplier::all(a), LinkedMultiplier::all(b));
+    let pairs = paired(from.len(), to.len(), |i, j| {
+        from[i].squared_distance(&to[j])
+    });
+    // Index of the group of each pair.
+    let mut group: Vec<usize> = (0..pairs.len()).collect();
+    let join = |group: &mut Vec<usize>, one: usize, two: usize| {
+        let (one, two) = (group[one], group[two]);
+        group
+            .iter_mut()
+            .filter(|member| **member == two)
+            .for_each(|member| *member = one);
+    };
+    for (k, (i, j)) in pairs.iter().enumerate() {
+        let (conjugate, opposite) = (a.conjugate(*i), b.conjugate(*j));
+        for (other, (i, j)) in pairs.iter().enumerate() {
+            if *i == conjugate || *j == opposite {
+                join(&mut group, k, other);
+            }
+        }
+    }
+    let members = |group: &[usize], number: usize| {
+        let member = || {
+            pairs
+                .iter()
+                .zip(group)
+                .filter(move |(_, member)| **member == number)
+        };
+        MultiplierGroup {
+            from: member().map(|((i, _), _)| *i).collect(),
+            to: member().map(|((_, j), _)| *j).collect(),
+        }
+    };
+    // Two real multipliers may meet and separate again on the step.
+    for k in 0..pairs.len() {
+        for other in 0..k {
+            let (one, two) = (pairs[k], pairs[other]);
+            let values = [
+                a.value(one.0),
+                a.value(two.0),
+                b.value(one.1),
+                b.value(two.1),
+            ];
+            let is_real = values
+                .iter()
+                .all(|mu| mu.im == 0.0 && (mu.re > 0.0) == (values[0].re > 0.0));
+            let both = MultiplierGroup {
+                from: vec![one.0, two.0],
+                to: vec![one.1, two.1],
+            };
+            let meets = || is_real && between(ends, &both, discriminant).crossings() != Some(0);
+            if group[k] != group[other] && (meets() || is_tied(one, two)) {
+                join(&mut group, k, other);
+            }
+        }
+    }
+    let mut numbers = group.clone();
+    numbers.sort_unstable();
+    numbers.dedup();
+    numbers
+        .into_iter()
+        .map(|number| members(&group, number))
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::branches::events::test_data::TestData;
+
+    /// Data of multipliers at a point of a curve, and at 1e-6 ahead.
+    fn at(multipliers: impl Fn(f64) -> Vec<c64>, s: f64) -> TestDataPair {
+        let (turns, levels, radii) = (Vec::new(), Vec::new(), vec![2.0; multipliers(s).len()]);
+        let data = TestData {
+            multipliers: multipliers(s),
+            radii,
+            turns,
+            levels,
+            period_s: 1.0,
+            cycles: 1,
+            is_free: false,
+        };
+        TestDataPair {
+            current: data,
+            multipliers: multipliers(s + 1e-6),
+            turns: Vec::new(),
+            levels: Vec::new(),
+            length: 1e-6,
+        }
+    }
+
+    fn groups_of(
+        multipliers: impl Fn(f64) -> Vec<c64>,
+        (from, to): (f64, f64),
+    ) -> (Vec<MultiplierGroup>, [TestDataPair; 2]) {
+        let readings = [at(&multipliers, from), at(&multipliers, to)];
+        let ends = readings.each_ref().map(|readings| StepEnd {
+            readings,
+            length: to - from,
+        });
+        (groups(ends, |_, _| false), readings.clone())
+    }
+
+    /// A pair that meets at -0.9, passes -1 on the real axis and returns: `mu^2 + 2 b mu + 0.9`
+    /// with `b` from 0.9 to 0.97 and back.
+    #[test]
+    fn a_pair_that_becomes_real_and_comes_back_is_one_group() {
+        let pair = |s: f64| {
+            let b = 0.97 - 0.3 * (s - 0.5) * (s - 0.5);
+            let root = c64::new(b * b - 0.9, 0.0).sqrt();
+            vec![-root - b, root - b, c64::new(0.2, 0.0)]
+        };
+        let (multiplier_groups, readings) = groups_of(pair, (0.0, 0.6));
+        let wide = multiplier_groups.iter().find(|group| group.from.len() == 2);
+        assert!(
+            wide.is_some() && multiplier_groups.len() == 2,
+            "{multiplier_groups:?}"
+        );
+        let ends = readings.each_ref().map(|readings| StepEnd {
+            readings,
+            length: 0.6,
+        });
+        let test = wide.map(|group| between(ends, group, doubling));
+        let exact = |s: f64| 1.9 - 2.0 * (0.97 - 0.3 * (s - 0.5) * (s - 0.5));
+        assert!(
+            test.is_some_and(|test| (test.values[0] - exact(0.0)).abs() < 1e-12
+                && (test.slopes[0] + 0.36).abs() < 1e-4),
+            "{test:?}"
+        );
+    }
+
+    /// Two pairs that rotate by 1.5 and by 9 rad; the second ends where the first began.
+    #[test]
+    fn pairs_are_joined_by_where_they_turn() {
+        let pair =
+            |size: f64, angle: f64| [c64::from_polar(size, angle), c64::from_polar(size, -angle)];
+        let both = |s: f64| {
+            [
+                pair(0.97, 0.4 + 1.5 * s),
+                pair(0.9, 0.4 - 9.0 * s + 0.1 * s * s),
+            ]
+            .concat()
+        };
+        let (multiplier_groups, _) = groups_of(both, (0.0, 1.0));
+        assert_eq!(multiplier_groups.len(), 2);
+        assert!(
+            multiplier_groups.iter().all(|group| group.from == group.to),
+            "{multiplier_groups:?}"
+        );
+    }
+}

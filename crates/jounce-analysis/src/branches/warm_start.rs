@@ -1,0 +1,98 @@
+//! Branches of a model next to another one with known orbits, fast enough for interactive use.
+//!
+//! Newton's method corrects every known orbit at its own value of the key, and both directions are
+//! followed from there. Nothing is integrated to a steady state, so branches without a known orbit
+//! are not found: [`BranchSearch`](super::BranchSearch) finds those.
+
+use super::branch::Branch;
+use super::tracer::{BranchTracer, newton_tolerance};
+use crate::{AnalysisError, Parameter};
+use jounce_continuation::{Corrector, Metric, Position, StepControl, correct_at};
+use jounce_dynamics::Kernel;
+use jounce_orbits::{OrbitError, OrbitMethod, Shooting};
+
+/// Orbit of a neighbouring model.
+#[derive(Debug, Clone, PartialEq)]
+pub struct KnownOrbit {
+    /// Period in drive cycles.
+    pub period_cycles: u32,
+    /// State at the start of the period, energy coordinates.
+    pub state: Vec<f64>,
+    /// Value of the key, SI.
+    pub parameter: f64,
+}
+
+/// Definition of a continuation from known orbits.
+#[derive(Debug)]
+pub struct WarmStart<'s> {
+    /// Family of models over the key.
+    pub harvester: &'s Parameter<'s>,
+    /// Kernel of one of these models.
+    pub kernel: &'s Kernel,
+    /// Ends of the range of the key.
+    pub range: (f64, f64),
+    /// Relative tolerance of the integrations.
+    pub tolerance: f64,
+    /// Step size control.
+    pub control: StepControl,
+    /// Length in the metric (a twentieth of the range counts as one) to which bifurcations are
+    /// located.
+    pub resolution: f64,
+}
+
+impl WarmStart<'_> {
+    /// Follows the branches; known orbits at which Newton's method fails are omitted.
+    ///
+    /// # Errors
+    /// [`OrbitError`].
+    pub fn run(&self, known: &[KnownOrbit]) -> Result<Vec<Branch>, OrbitError<AnalysisError>> {
+        let target_residual = newton_tolerance(self.tolerance);
+        let tracer = BranchTracer {
+            range: self.range,
+            corrector: Corrector {
+                goal: target_residual,
+                most: 8,
+            },
+            control: self.control,
+            most_points: 2000,
+            budget: usize::MAX,
+            resolution: self.resolution,
+            levels: Vec::new(),
+        };
+        let mut branches: Vec<Branch> = Vec::new();
+        for orbit in known {
+            let parameter = orbit.parameter.clamp(self.range.0, self.range.1);
+            let shooting = Shooting::new(
+                self.harvester,
+                self.kernel,
+                orbit.period_cycles,
+                self.tolerance,
+            );
+            if orbit.state.len() != shooting.scale.len() {
+                continue;
+            }
+            let position = Position {
+                unknown: orbit.state.clone(),
+                parameter,
+            };
+            let Ok(corrected) = correct_at(
+                &shooting,
+                &tracer.corrector,
+                &Metric::at(&position, tracer.parameter_scale()),
+                position,
+            ) else {
+                continue;
+            };
+            let corrected_orbit = shooting.orbit(&corrected.local, corrected.error)?;
+            if corrected_orbit.repeats_early()
+                || branches
+                    .iter()
+                    .any(|branch| branch.holds(&tracer, &shooting, (&corrected_orbit, parameter)))
+            {
+                continue;
+            }
+            branches.extend(tracer.both_ways(&shooting, corrected_orbit.start(), parameter)?);
+        }
+        Ok(branches)
+    }
+}

@@ -1,0 +1,53 @@
+//! Analyses: many runs of one spec.
+
+mod bandwidth;
+mod basins;
+mod bifurcations;
+mod branches;
+mod diagram;
+mod ensemble;
+mod journal;
+mod model;
+mod model_at_start;
+mod orbit_limits;
+mod parameter;
+mod recognition;
+pub mod run;
+pub mod study;
+mod sweep;
+mod sweep_point;
+
+pub use bandwidth::{
+    BandInterval, BandLimit, Bandwidth, BandwidthSearch, Bandwidths, IntervalEdge, PowerPeak,
+};
+pub use basins::{
+    Attractor, BasinFraction, Basins, BasinsResult, Cloud, Grid, GridAxis, GridError, GridSide,
+    InitialStates, wilson,
+};
+pub use bifurcations::{
+    BifurcationCurve, BifurcationCurvePoint, BifurcationSearch, CurveKind, KeyPlane,
+};
+pub use branches::{
+    Bifurcation, Branch, BranchKind, BranchOptions, BranchPoint, BranchSearch, BranchUpdate,
+    Termination, UpdatedBranches, WarmStart,
+};
+pub use branches::{Extrapolation, KnownOrbit, NotProved, OrbitMethodKind, QuantityLevel};
+pub use diagram::{
+    AttractorTrack, AttractorTracks, Diagram, DiagramOrder, DiagramPoint, SectionPoint, TrackPoint,
+    Transition,
+};
+pub use ensemble::{
+    ContactCount, Ensemble, EnsembleResult, Estimate, IntervalOver, Member, MemberStop,
+    StopEstimates, VoltageSpectrum,
+};
+pub use journal::{Journal, JournalError};
+pub use model::{AnalysisError, Model};
+pub use model_at_start::ModelAtStart;
+pub use parameter::Parameter;
+pub(crate) use recognition::settled_orbits;
+pub use recognition::{
+    Aperiodic, AttractingOrbit, AttractorKind, Lyapunov, Recognition, Recognizer, SteadyState,
+};
+pub use recognition::{largest_exponent, settled_orbit};
+pub use sweep::{Sweep, SweepOrder};
+pub use sweep_point::{SweepDirection, SweepPoint};

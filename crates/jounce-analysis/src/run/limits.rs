@@ -1,0 +1,322 @@
+//! Strain and voltage of the patches in a run, compared with their limits.
+//!
+//! The strain of the outer face is `sum_i strain_i q_i` at several positions of each patch. Strain
+//! and voltage are sampled over the recorded end of the run.
+
+use jounce_dynamics::{Kernel, Trajectory};
+use jounce_model::plant::Plant;
+use jounce_spec::Spec;
+use jounce_spec::material;
+use serde::{Deserialize, Serialize};
+use std::fmt;
+
+/// Number of sampling intervals of the record.
+const RECORD_SAMPLES: usize = 2048;
+
+/// Quantity of a patch that has limits.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum LimitedQuantity {
+    /// Strain along the beam, dimensionless.
+    Strain,
+    /// Voltage, V.
+    Voltage,
+}
+
+/// Limit of a patch that a run exceeds.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ExceededLimit {
+    /// Name of the patch.
+    pub patch: String,
+    /// Quantity that exceeds its limits.
+    pub quantity: LimitedQuantity,
+    /// Value with the largest excess.
+    pub reached: f64,
+    /// Lowest and highest allowed value.
+    pub limits: [f64; 2],
+}
+
+impl fmt::Display for ExceededLimit {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [low, high] = self.limits;
+        match self.quantity {
+            LimitedQuantity::Strain => {
+                write!(
+                    out,
+                    "patch {}: its strain reaches {:.0} ppm; {:.0} ppm are recommended",
+                    self.patch,
+                    1e6 * self.reached,
+                    1e6 * high
+                )
+            }
+            LimitedQuantity::Voltage => {
+                write!(
+                    out,
+                    "patch {}: its voltage reaches {:.3} V; it bears {low} V to {high} V",
+                    self.patch, self.reached
+                )
+            }
+        }
+    }
+}
+
+impl ExceededLimit {
+    /// Returns the excess over the limits, in the unit of the quantity.
+    fn excess(&self) -> f64 {
+        excess(self.reached, self.limits)
+    }
+}
+
+/// Largest excess over one limit among many results.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WorstExcess {
+    /// The largest excess.
+    pub exceeded: ExceededLimit,
+    /// Index of its result.
+    pub place: usize,
+    /// Number of results that exceed the limit.
+    pub results_over: usize,
+}
+
+impl WorstExcess {
+    /// Returns the worst case of each limit that any result exceeds.
+    pub fn of<'e>(results: impl IntoIterator<Item = &'e [ExceededLimit]>) -> Vec<Self> {
+        let mut worst: Vec<Self> = Vec::new();
+        for (index, exceeded) in
+            results
+                .into_iter()
+                .enumerate()
+                .flat_map(|(index, all_exceeded)| {
+                    all_exceeded.iter().map(move |exceeded| (index, exceeded))
+                })
+        {
+            match worst.iter_mut().find(|known| {
+                (&known.exceeded.patch, known.exceeded.quantity)
+                    == (&exceeded.patch, exceeded.quantity)
+            }) {
+                Some(known) => {
+                    known.results_over += 1;
+                    if exceeded.excess() > known.exceeded.excess() {
+                        (known.exceeded, known.place) = (exceeded.clone(), index);
+                    }
+                }
+                None => worst.push(Self {
+                    exceeded: exceeded.clone(),
+                    place: index,
+                    results_over: 1,
+                }),
+            }
+        }
+        worst
+    }
+
+    /// Returns the worst cases as messages. `noun` names the results, `describe` the result at an
+    /// index.
+    pub fn messages(
+        results: &[&[ExceededLimit]],
+        noun: &str,
+        describe: impl Fn(usize) -> String,
+    ) -> Vec<String> {
+        let sentence = |worst: Self| {
+            let (count, of) = (worst.results_over, results.len());
+            format!(
+                "{}; {count} of {of} {noun} pass the limit, worst at {}",
+                worst.exceeded,
+                describe(worst.place)
+            )
+        };
+        Self::of(results.iter().copied())
+            .into_iter()
+            .map(sentence)
+            .collect()
+    }
+}
+
+/// Limits of the patches of a harvester: `strain_limit` and the voltage limits of the material.
+#[derive(Debug, Clone)]
+pub struct Limits {
+    patches: Vec<PatchLimits>,
+}
+
+impl Limits {
+    /// Collects the limits of the patches of a plant.
+    pub fn of(spec: &Spec, plant: &Plant) -> Self {
+        let names = plant.system.modes.patch.keys().enumerate();
+        Self {
+            patches: names
+                .filter_map(|(index, name)| PatchLimits::of(spec, index, name))
+                .collect(),
+        }
+    }
+
+    /// True where no patch has a limit.
+    pub fn is_empty(&self) -> bool {
+        self.patches.is_empty()
+    }
+
+    /// Returns the limits that a record exceeds.
+    pub fn exceeded(&self, kernel: &Kernel, trajectory: &Trajectory) -> Vec<ExceededLimit> {
+        let (Some(first), Some(last)) =
+            (trajectory.segments().first(), trajectory.segments().last())
+        else {
+            return Vec::new();
+        };
+        if self.is_empty() {
+            return Vec::new();
+        }
+        let plant = &kernel.plant;
+        let (begin_s, end_s) = (first.start_s, last.start_s + last.length_s);
+        let times: Vec<f64> = (0..=RECORD_SAMPLES)
+            .map(|k| begin_s + (end_s - begin_s) * k as f64 / RECORD_SAMPLES as f64)
+            .collect();
+        let states: Vec<Vec<f64>> = trajectory
+            .at(kernel, &times)
+            .iter()
+            .map(|at| plant.to_physical(&at.state, at.time_s))
+            .collect();
+        self.patches
+            .iter()
+            .flat_map(|patch| patch.exceeded(plant, &states))
+            .collect()
+    }
+}
+
+/// Returns the limits that the recorded part of a run exceeds. The record is sampled only if a
+/// patch has a limit.
+pub fn exceeded(spec: &Spec, kernel: &Kernel, trajectory: &Trajectory) -> Vec<ExceededLimit> {
+    Limits::of(spec, &kernel.plant).exceeded(kernel, trajectory)
+}
+
+/// Limits of one patch.
+#[derive(Debug, Clone)]
+struct PatchLimits {
+    name: String,
+    /// Index among the patches of the plant.
+    index: usize,
+    strain: Option<f64>,
+    voltages_v: Option<[f64; 2]>,
+}
+
+impl PatchLimits {
+    fn of(spec: &Spec, index: usize, name: &str) -> Option<Self> {
+        let patch = spec.patch.get(name)?;
+        let voltages_v =
+            material::named(&patch.material).and_then(|material| material.voltage_limits_v);
+        let strain = patch.strain_limit;
+        (strain.is_some() || voltages_v.is_some()).then(|| Self {
+            name: name.to_owned(),
+            index,
+            strain,
+            voltages_v,
+        })
+    }
+
+    /// Returns the limits of the patch that the states exceed.
+    fn exceeded(&self, plant: &Plant, states: &[Vec<f64>]) -> Vec<ExceededLimit> {
+        let strained = self.strain.and_then(|limit| {
+            let strain = |x: &Vec<f64>, shape: &Vec<f64>| {
+                shape.iter().zip(x).map(|(s, q)| s * q).sum::<f64>()
+            };
+            let shapes = &plant.system.modes.patch[&self.name].strain;
+            let strains = states
+                .iter()
+                .flat_map(|x| shapes.iter().map(move |shape| strain(x, shape)));
+            beyond(
+                &self.name,
+                LimitedQuantity::Strain,
+                strains,
+                [-limit, limit],
+            )
+        });
+        let voltages = || states.iter().map(|x| plant.patch_voltages_v(x)[self.index]);
+        let charged = self
+            .voltages_v
+            .and_then(|limits| beyond(&self.name, LimitedQuantity::Voltage, voltages(), limits));
+        strained.into_iter().chain(charged).collect()
+    }
+}
+
+fn beyond(
+    patch: &str,
+    quantity: LimitedQuantity,
+    values: impl Iterator<Item = f64>,
+    limits: [f64; 2],
+) -> Option<ExceededLimit> {
+    let reached =
+        values.max_by(|one, other| excess(*one, limits).total_cmp(&excess(*other, limits)))?;
+    (excess(reached, limits) > 0.0).then(|| ExceededLimit {
+        patch: patch.to_owned(),
+        quantity,
+        reached,
+        limits,
+    })
+}
+
+/// Returns the excess of a value over its limits; negative within them.
+fn excess(value: f64, [low, high]: [f64; 2]) -> f64 {
+    (low - value).max(value - high)
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+    use crate::run::{RunPlan, StartState, simulate};
+    use jounce_model::plant::System;
+    use jounce_model::structure::modes;
+
+    /// Cantilever with a patch of known static strain: a force F at the end gives the curvature
+    /// `F L / EI` at the root.
+    #[test]
+    fn a_slow_force_strains_the_patch_as_statics_says() {
+        let text = "[beam.b]\nmaterial = \"aluminium\"\nlength = \"100 mm\"\nwidth = \"28 mm\"\nthickness = \"1 mm\"\n\
+            [patch.p]\non = \"b\"\nmaterial = \"MFC-P2\"\nstart = \"0 mm\"\nlength = \"50 mm\"\nwidth = \"28 mm\"\nthickness = \"0.3 mm\"\n\
+            [circuit.c]\npatch = \"p\"\nresistance = \"1 ohm\"\n[drive.d]\nat = \"b.end\"\namplitude = \"6 N\"\nfrequency = \"0.5 Hz\"\n\
+            [damping]\nbeyond = 0.01\n[reduction]\nmodes = 12\n[run]\nstart = \"linear\"\nduration = \"4 s\"\naverage_over = \"2 s\"\n";
+        let spec = Spec::from_toml(text).unwrap();
+        let plant = Plant::new(System::assemble(&spec, modes(&spec).unwrap()).unwrap()).unwrap();
+        let start = StartState::linear(&plant);
+        let kernel = Kernel::new(plant).unwrap();
+        let plan = RunPlan {
+            duration_s: 4.0,
+            average_over_s: 2.0,
+            tolerance: 1e-9,
+            record_s: 2.0,
+        };
+        let result = simulate(&kernel, &start, &plan).unwrap();
+        let warned = exceeded(&spec, &kernel, &result.trajectory);
+        let section = jounce_model::structure::section::CrossSection::covered(
+            &spec.beam["b"],
+            spec.patch.values(),
+        );
+        let strain = 6.0 * 0.1 / section.bending_stiffness_n_m2 * (1.3e-3 - section.neutral_axis_m);
+        assert_eq!(
+            (warned.len(), warned[0].quantity),
+            (1, LimitedQuantity::Strain)
+        );
+        // Twelve modes give the curvature at the root to 5 %.
+        assert!(
+            (warned[0].reached.abs() / strain - 1.0).abs() < 0.05,
+            "{} {strain}",
+            warned[0].reached
+        );
+        assert!(
+            warned[0].to_string().contains("600 ppm are recommended"),
+            "{}",
+            warned[0]
+        );
+        let worse = ExceededLimit {
+            reached: 2.0 * warned[0].reached,
+            ..warned[0].clone()
+        };
+        let worst = WorstExcess::of([&warned[..], &[], std::slice::from_ref(&worse)]);
+        assert_eq!(
+            worst,
+            [WorstExcess {
+                exceeded: worse,
+                place: 2,
+                results_over: 2
+            }]
+        );
+    }
+}

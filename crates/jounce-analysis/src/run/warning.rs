@@ -1,0 +1,108 @@
+//! Warnings of a run.
+
+use super::{ExceededLimit, Limits, RunPlan, RunResult};
+use jounce_data::recording::Issue;
+use jounce_dynamics::Kernel;
+use jounce_spec::{DriveSignal, Spec};
+use serde::Serialize;
+
+/// Fraction of the averaging window that may lie after the end of a recording.
+const MAX_UNRECORDED_SHARE: f64 = 0.01;
+
+/// Energy residual, relative to the largest energy, above which roundoff dominates the results.
+const MAX_ENERGY_RESIDUAL: f64 = 1e-3;
+
+/// A warning of a run.
+#[derive(Debug, Clone, PartialEq, Serialize, thiserror::Error)]
+#[serde(tag = "warning", rename_all = "kebab-case")]
+pub enum Warning {
+    /// The strain or voltage of a patch exceeds its limits.
+    #[error("{0}")]
+    Limit(ExceededLimit),
+    /// A recording ends before the averaging window.
+    #[error(
+        "drive {drive}: its recording ends at {ends_s} s, but the averaging window goes from {from_s} s to {to_s} s, and after its end the drive is 0; shorten run.duration, or give a longer recording"
+    )]
+    RecordingEnds {
+        /// Name of the drive.
+        drive: String,
+        /// Time of its last sample, s.
+        ends_s: f64,
+        /// Start of the averaging window, s.
+        from_s: f64,
+        /// End of the averaging window, s.
+        to_s: f64,
+    },
+    /// The recording of a drive has a data-quality issue.
+    #[error("drive {drive}: {issue}")]
+    Recording {
+        /// Name of the drive.
+        drive: String,
+        /// The issue.
+        issue: Issue,
+    },
+    /// The energy balance does not close.
+    #[error(
+        "the energy residual is {residual_relative:.1e} of the largest energy: roundoff dominates these results; look for a dimension or a number that differs widely from the others (`jounce show` draws the harvester to scale)"
+    )]
+    Unbalanced {
+        /// Energy residual over the largest energy.
+        residual_relative: f64,
+    },
+}
+
+impl Warning {
+    /// Returns a warning for each recording of a spec that ends before the averaging window of a
+    /// plan.
+    pub fn of_recordings(spec: &Spec, plan: &RunPlan) -> Vec<Self> {
+        let (from_s, to_s) = (plan.duration_s - plan.average_over_s, plan.duration_s);
+        let ends = spec
+            .drive
+            .iter()
+            .filter_map(|(name, drive)| match &drive.signal {
+                DriveSignal::Recording {
+                    start_s,
+                    record: Some(record),
+                    ..
+                } => Some((name.clone(), start_s + record.duration_s())),
+                _ => None,
+            });
+        let early =
+            ends.filter(|(_, ends_s)| to_s - ends_s > MAX_UNRECORDED_SHARE * plan.average_over_s);
+        early
+            .map(|(drive, ends_s)| Self::RecordingEnds {
+                drive,
+                ends_s: printed(ends_s),
+                from_s: printed(from_s),
+                to_s,
+            })
+            .collect()
+    }
+
+    /// Returns all warnings of a run.
+    pub fn of(spec: &Spec, kernel: &Kernel, plan: &RunPlan, result: &RunResult) -> Vec<Self> {
+        let limits = Limits::of(spec, &kernel.plant)
+            .exceeded(kernel, &result.trajectory)
+            .into_iter()
+            .map(Self::Limit);
+        let residual_relative = result.energies.residual_relative();
+        let is_unbalanced =
+            !(residual_relative.abs() <= MAX_ENERGY_RESIDUAL || result.is_trivial());
+        let unbalanced = is_unbalanced.then_some(Self::Unbalanced { residual_relative });
+        let noticed = spec.issues().filter(|(_, issue)| !issue.kind.is_note());
+        let noticed = noticed.map(|(drive, issue)| Self::Recording {
+            drive: drive.to_owned(),
+            issue: issue.clone(),
+        });
+        limits
+            .chain(Self::of_recordings(spec, plan))
+            .chain(noticed)
+            .chain(unbalanced)
+            .collect()
+    }
+}
+
+/// Rounds a sum of decimal times to nine digits after the point.
+fn printed(time_s: f64) -> f64 {
+    format!("{time_s:.9e}").parse().unwrap_or(time_s)
+}

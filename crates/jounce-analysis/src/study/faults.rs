@@ -1,0 +1,156 @@
+//! The text of a study as a table whose values have positions, and its faults.
+
+use jounce_spec::Fault;
+use std::ops::Range;
+use toml_edit::{Document, Item, Table};
+
+/// Collector of faults.
+#[derive(Debug)]
+pub(super) struct FaultCollector<'t> {
+    text: &'t str,
+    pub(super) faults: Vec<Fault>,
+}
+
+impl<'t> FaultCollector<'t> {
+    pub(super) fn new(text: &'t str) -> Self {
+        Self {
+            text,
+            faults: Vec::new(),
+        }
+    }
+
+    /// Parses the document; a syntax error is then the only fault.
+    pub(super) fn document(&mut self) -> Option<Document<&'t str>> {
+        match Document::parse(self.text) {
+            Ok(document) => Some(document),
+            Err(error) => {
+                let message = format!("this is no TOML: {}", error.message());
+                self.fault("", error.span(), message);
+                None
+            }
+        }
+    }
+
+    /// Returns a value exactly as written.
+    pub(super) fn bare(&self, item: &Item) -> &'t str {
+        item.span()
+            .and_then(|span| self.text.get(span))
+            .unwrap_or_default()
+    }
+
+    /// Adds a fault.
+    pub(super) fn fault(
+        &mut self,
+        key: &str,
+        span: Option<Range<usize>>,
+        message: impl Into<String>,
+    ) {
+        let before = span.map_or("", |span| self.text.get(..span.start).unwrap_or(self.text));
+        let line = before.matches('\n').count() + 1;
+        let column = before
+            .rsplit('\n')
+            .next()
+            .unwrap_or_default()
+            .chars()
+            .count()
+            + 1;
+        self.faults.push(Fault {
+            line,
+            column,
+            key: key.to_owned(),
+            message: message.into(),
+            set: None,
+        });
+    }
+
+    /// Refuses unknown keys.
+    pub(super) fn known(&mut self, path: &str, table: &Table, known: &[&str]) {
+        for (key, item) in table {
+            if !known.contains(&key) {
+                let span = table
+                    .key(key)
+                    .and_then(toml_edit::Key::span)
+                    .or(item.span());
+                self.fault(
+                    &format!("{path}{key}"),
+                    span,
+                    format!(
+                        "{path}{key}: there is no such key; there are {}",
+                        known.join(", ")
+                    ),
+                );
+            }
+        }
+    }
+
+    /// Returns a table inside another; `None` if it is absent.
+    pub(super) fn table<'i>(&mut self, path: &str, item: Option<&'i Item>) -> Option<&'i Table> {
+        let item = item?;
+        if item.as_table().is_none() {
+            self.fault(
+                path,
+                item.span(),
+                format!("{path} must be a table, [{path}]"),
+            );
+        }
+        item.as_table()
+    }
+
+    /// Returns a text.
+    pub(super) fn text<'i>(&mut self, path: &str, item: Option<&'i Item>) -> Option<&'i str> {
+        let item = item?;
+        if item.as_str().is_none() {
+            self.fault(
+                path,
+                item.span(),
+                format!("{path} must be a text, as in {path} = \"...\""),
+            );
+        }
+        item.as_str()
+    }
+
+    /// Returns an integer within limits, or its default.
+    pub(super) fn integer(
+        &mut self,
+        path: &str,
+        item: Option<&Item>,
+        limits: (u64, u64),
+        default: u64,
+    ) -> u64 {
+        let Some(item) = item else { return default };
+        let value = item
+            .as_integer()
+            .and_then(|number| u64::try_from(number).ok())
+            .filter(|n| (limits.0..=limits.1).contains(n));
+        if value.is_none() {
+            let message = format!(" is {}; it", self.bare(item));
+            self.fault(
+                path,
+                item.span(),
+                format!(
+                    "{path}{message} must be a whole number from {} to {}",
+                    limits.0, limits.1
+                ),
+            );
+        }
+        value.unwrap_or(default)
+    }
+
+    /// Returns a number above 0, or its default.
+    pub(super) fn positive(&mut self, path: &str, item: Option<&Item>, default: f64) -> f64 {
+        let Some(item) = item else { return default };
+        let number = item
+            .as_float()
+            .or(item.as_integer().map(|number| number as f64))
+            .filter(|number| *number > 0.0 && number.is_finite());
+        if number.is_none() {
+            let message = format!(" is {}; it", self.bare(item));
+            self.fault(
+                path,
+                item.span(),
+                format!("{path}{message} must be a number greater than 0"),
+            );
+        }
+        number.unwrap_or(default)
+    }
+}

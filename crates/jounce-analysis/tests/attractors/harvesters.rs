@@ -1,0 +1,108 @@
+//! Comparisons on random harvesters: a few in every run, many if environment variables request
+//! them.
+//!
+//! ```text
+//! JOUNCE_DRAWN_SYSTEMS=60 JOUNCE_DRAWN_STARTS=400 cargo test --release -p jounce --test attractors many_random -- --nocapture
+//! ```
+//!
+//! `JOUNCE_DRAWN_FIRST` is the number of the first harvester, default 0; `JOUNCE_DRAWN_CYCLES` the
+//! cycles after which a motion is not periodic, default 20,000.
+
+use crate::agreement::{Verdict, compare};
+use crate::brute::Patience;
+use crate::random_specs::random_spec;
+use jounce_analysis::{Cloud, InitialStates};
+use jounce_spec::SpecFile;
+
+/// Seed of the harvesters.
+const SEED: u64 = 22;
+
+/// Error of a brute-force step, relative to the size of the motion.
+const TOLERANCE: f64 = 1e-13;
+
+fn number(name: &str) -> Option<usize> {
+    std::env::var(name).ok().map(|text| {
+        text.parse()
+            .unwrap_or_else(|_| panic!("{name} is `{text}`, no number"))
+    })
+}
+
+fn cloud(starts: usize) -> InitialStates {
+    InitialStates::Cloud(Cloud {
+        starts,
+        seed: 5,
+        spread: 3.0,
+    })
+}
+
+/// Random harvesters of low cost: their motions settle within some hundred cycles. Neither the
+/// library nor brute force classifies any of them as chaos or a torus.
+const QUICK: [u64; 6] = [8, 15, 18, 20, 25, 26];
+
+#[test]
+fn a_few_random_harvesters_end_where_brute_force_ends() {
+    for index in QUICK {
+        let agreement = compare(
+            &SpecFile::from_text(random_spec(SEED, index)),
+            cloud(40),
+            Patience {
+                cycles: 4000,
+                period: 64,
+            },
+            TOLERANCE,
+        );
+        eprint!("{index:3} {agreement}");
+        assert!(
+            agreement.count(Verdict::Different) == 0,
+            "harvester {index}: {agreement}"
+        );
+        assert!(
+            agreement.count(Verdict::Same) >= 38,
+            "harvester {index}: {agreement}"
+        );
+        assert_eq!(
+            agreement.attractors()[0],
+            agreement.attractors()[1],
+            "harvester {index}: {agreement}"
+        );
+        assert_eq!(
+            agreement.same_starts[0], agreement.same_starts[1],
+            "harvester {index}: {agreement}"
+        );
+    }
+}
+
+#[test]
+fn many_random_harvesters_end_where_brute_force_ends() {
+    let Some(systems) = number("JOUNCE_DRAWN_SYSTEMS") else {
+        eprintln!("SKIPPED: JOUNCE_DRAWN_SYSTEMS gives the number of harvesters");
+        return;
+    };
+    let (starts, first) = (
+        number("JOUNCE_DRAWN_STARTS").unwrap_or(400),
+        number("JOUNCE_DRAWN_FIRST").unwrap_or(0),
+    );
+    let patience = Patience {
+        cycles: number("JOUNCE_DRAWN_CYCLES").unwrap_or(20_000),
+        period: 64,
+    };
+    let mut failures = Vec::new();
+    let (mut checked, mut inside) = (0, 0);
+    for index in first..first + systems {
+        let file = SpecFile::from_text(random_spec(SEED, index as u64));
+        let agreement = compare(&file, cloud(starts), patience, TOLERANCE);
+        eprint!("{index:3} {agreement}");
+        checked += agreement.other_starts[0];
+        inside += agreement.other_starts[1];
+        if agreement.count(Verdict::Different) > 0
+            || agreement.attractors()[0] != agreement.attractors()[1]
+        {
+            failures.push(index);
+        }
+    }
+    eprintln!("shares of other starts in their intervals: {inside} of {checked}");
+    assert!(
+        failures.is_empty(),
+        "harvesters with other attractors or starts attributed wrongly: {failures:?}"
+    );
+}

@@ -1,0 +1,95 @@
+//! Random small harvesters: the energy balance holds for any plant, law and drive.
+
+use crate::plants::{from_rest, kernel};
+use jounce_model::contact::{Cubic, Hertz, HuntCrossley, KelvinVoigt, Law};
+use jounce_model::plant::{Drive, Load, Stop, System};
+use jounce_model::structure::{Modes, PatchModes};
+use proptest::prelude::*;
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+
+fn law() -> impl Strategy<Value = Law> {
+    let exponent = prop_oneof![Just(1.0), Just(1.5), 1.0..2.5f64];
+    prop_oneof![
+        (2.0..6.0f64, exponent.clone()).prop_map(|(decades, exponent)| Law::Hertz(Hertz {
+            stiffness: 10f64.powf(decades),
+            exponent
+        })),
+        (2.0..5.0f64, -1.0..1.0f64).prop_map(|(k, c)| {
+            Law::KelvinVoigt(KelvinVoigt {
+                stiffness_n_m: 10f64.powf(k),
+                damping_n_s_m: 10f64.powf(c),
+            })
+        }),
+        (2.0..6.0f64, exponent, 0.01..1.0f64).prop_map(|(decades, exponent, damping_s_m)| {
+            Law::HuntCrossley(HuntCrossley {
+                elastic: Hertz {
+                    stiffness: 10f64.powf(decades),
+                    exponent,
+                },
+                damping_s_m,
+            })
+        }),
+        (-100.0..1e3f64, 4.0..8.0f64).prop_map(|(stiffness_n_m, k)| Law::Cubic(Cubic {
+            stiffness_n_m,
+            cubic_stiffness_n_m3: 10f64.powf(k)
+        })),
+    ]
+}
+
+fn modes() -> impl Strategy<Value = Modes> {
+    let mode = (
+        0.0..2.5f64,
+        0.001..0.2f64,
+        -8.0..8.0f64,
+        0.1..1.0f64,
+        -0.02..0.02f64,
+    );
+    (prop::collection::vec(mode, 1..5), -8.0..-6.0f64).prop_map(|(modes, capacitance)| Modes {
+        frequency_rad_s: modes.iter().map(|mode| TAU * 10f64.powf(mode.0)).collect(),
+        damping_ratio: modes.iter().map(|mode| mode.1).collect(),
+        shape: BTreeMap::from([
+            ("tip".into(), modes.iter().map(|mode| mode.2).collect()),
+            ("base".into(), modes.iter().map(|mode| mode.3).collect()),
+        ]),
+        patch: BTreeMap::from([(
+            "patch".into(),
+            PatchModes {
+                coupling_n_per_v: modes.iter().map(|mode| mode.4).collect(),
+                capacitance_f: 10f64.powf(capacitance),
+                leakage_ohm: None,
+                strain: Vec::new(),
+            },
+        )]),
+        participation_sqrt_kg: vec![0.0; modes.len()],
+        base_sqrt_kg: BTreeMap::new(),
+        discretisation_error: vec![0.0; modes.len()],
+    })
+}
+
+prop_compose! {
+    fn harvester()(modes in modes(), law in law(), resistance in 3.0..7.0f64, gap in -1e-3..5e-3f64, amplitude_n in 0.1..50.0f64,
+        frequency_hz in 2.0..60.0f64) -> System {
+        System {
+            loads: vec![Load::resistor("load", "patch", 10f64.powf(resistance))],
+            stops: vec![Stop { name: "stop".into(), shape: modes.shape["tip"].clone(), gap_m: gap, law, bases: Vec::new() }],
+            drives: vec![Drive { name: "drive".into(), shape: modes.shape["base"].clone(), amplitude_n, frequency_hz, phase_rad: 0.3, base: None }],
+            signals: Vec::new(), bridges: Vec::new(), dashpots: Vec::new(),
+            modes: modes.into(),
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 64, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn energy_is_balanced(system in harvester()) {
+        let result = from_rest(&kernel(system), 1.0, 1e-8);
+        let residual = result.energies.residual_relative();
+        // Each step may have an error of a tenth of the tolerance; in an endless contact with a
+        // damped law these add up.
+        let promised = 1e-9 * (result.work.contact_steps as f64).max(100.0);
+        prop_assert!(residual.abs() < promised, "residual {:e} after {} contacts", residual, result.contacts);
+    }
+}

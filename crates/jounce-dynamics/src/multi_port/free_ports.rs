@@ -1,0 +1,155 @@
+//! Ports in flight during the contact of others.
+
+use super::flight::StepOutcome;
+use super::joint_solve::JointStep;
+use crate::basis::NODES;
+use crate::contact_step::{ContactStep, SolvedStep};
+use crate::crossing::Crossing;
+use crate::flight::FlightVerdict;
+use crate::forced_flight::rest_bounds;
+use crate::integrator::Integrator;
+use crate::joint_tables::StepLength;
+use crate::port_state::ContactState;
+use crate::small_list::SmallList;
+use crate::state::{add_force_response, dot};
+use jounce_simd::{F64x8, Simd};
+
+impl Integrator<'_> {
+    /// Judges the flight of every other port over a solved step; the free motion to its end is left
+    /// in `next`.
+    #[inline(always)]
+    pub(super) fn check_free_ports<W: Simd>(
+        &mut self,
+        w: W,
+        length: StepLength,
+        steps: &[ContactStep],
+        solved: &[SolvedStep],
+    ) -> StepOutcome {
+        w.out_of_line(
+            #[inline(always)]
+            || self.check_free_ports_all(w, length, steps, solved),
+        )
+    }
+
+    #[inline(always)]
+    fn check_free_ports_all<W: Simd>(
+        &mut self,
+        w: W,
+        length: StepLength,
+        steps: &[ContactStep],
+        solved: &[SolvedStep],
+    ) -> StepOutcome {
+        steps[0].table.flow.apply(w, &self.y, &mut self.next);
+        let forces: SmallList<F64x8> = solved
+            .iter()
+            .map(|solution| nodal(&solution.force))
+            .collect();
+        let mut outcome = StepOutcome::Clear;
+        for p in 0..self.kernel.plant.ports.len() {
+            if self.ports[p].regime == ContactState::Flight {
+                self.update_free_port(w, p);
+                outcome = outcome.and(p, self.check_free_port(w, length, steps, &forces, p));
+            }
+        }
+        outcome
+    }
+
+    /// Returns the verdict on one port.
+    #[inline(always)]
+    fn check_free_port<W: Simd>(
+        &self,
+        w: W,
+        length: StepLength,
+        steps: &[ContactStep],
+        forces: &[F64x8],
+        p: usize,
+    ) -> FlightVerdict {
+        let flight = |step: &ContactStep| length.flight(self.kernel, (step.port, step.shape), p);
+        let flights: SmallList<_> = steps.iter().map(flight).collect();
+        let mut forced = w.zero();
+        for (flight, force) in flights.iter().zip(forces) {
+            forced = add_force_response(w, forced, &flight.end, force);
+        }
+        let forced = w.store(forced).0;
+        let [rest_m, rest_m_s] = rest_bounds(w, &flights, forces);
+        let drive = self.drive_at_end(p, steps[0].port, length);
+        let rows = &self.ports[p].rows;
+        let free = [
+            dot(w, &rows.displacement, &self.next) + drive[0] - rows.gap_m,
+            dot(w, &rows.velocity, &self.next) + drive[1],
+        ];
+        let mut step = self.step_of(w, p, length.level(), length.seconds(), free, drive);
+        step.distance_m[1] += forced[0];
+        step.speed_m_s[0] += forced[2];
+        step.speed_m_s[1] += forced[1];
+        step.fast_bound_m += rest_m;
+        step.fast_bound_m_s += rest_m_s;
+        let end_m = free[0] + forced[0];
+        // A point that touches and is pushed in has its impact now: in contact the law decides.
+        let touches = end_m > 0.0
+            && self.ports[p].penetration_m.abs() <= self.touch_m(p)
+            && !self.is_rigid(p)
+            && !self.is_guard(p);
+        let now = Crossing {
+            from_s: 0.0,
+            guess_s: 0.0,
+            to_s: step.length_s,
+        };
+        if touches {
+            FlightVerdict::Strike(now)
+        } else {
+            self.judge_with_others(w, p, &step, end_m)
+        }
+    }
+
+    /// Returns the motion of a port in flight at the end of a solved step: distance past the stop,
+    /// m, and its rate, m/s.
+    #[inline(always)]
+    pub(super) fn motion_at_end<W: Simd>(
+        &mut self,
+        w: W,
+        joint: &JointStep,
+        solved: &[SolvedStep],
+        p: usize,
+    ) -> [f64; 2] {
+        let table = joint.steps[0].table;
+        table.flow.apply(w, &self.y, &mut self.next);
+        for (step, solution) in joint.steps.iter().zip(solved) {
+            self.push_on(w, step, &nodal(&solution.force));
+        }
+        let (rows, drive) = (
+            &self.ports[p].rows,
+            self.drive_at_end(p, joint.steps[0].port, joint.tables.length),
+        );
+        let immediate: f64 = joint
+            .steps
+            .iter()
+            .zip(solved)
+            .map(|(step, solution)| self.kernel.direct_gain(step.port, p) * solution.force.0[NODES])
+            .sum();
+        [
+            dot(w, &rows.displacement, &self.next) + drive[0] - rows.gap_m,
+            dot(w, &rows.velocity, &self.next) + drive[1] + immediate,
+        ]
+    }
+
+    /// Returns displacement and velocity of a port under the drive at the end of a step of another
+    /// one in contact.
+    #[inline(always)]
+    fn drive_at_end(&self, p: usize, in_contact: usize, length: StepLength) -> [f64; 2] {
+        let mut drive = self.excitation.motion_after(p, length.seconds());
+        for tone in &self.tones {
+            let [displacement, speed] = tone.motion_after(p, tone.samples[in_contact].end());
+            drive = [drive[0] + displacement, drive[1] + speed];
+        }
+        drive
+    }
+}
+
+/// Returns the nodal forces with 0 in the lane of the end of the step.
+#[inline(always)]
+pub fn nodal(force: &F64x8) -> F64x8 {
+    let mut force = *force;
+    force.0[NODES] = 0.0;
+    force
+}

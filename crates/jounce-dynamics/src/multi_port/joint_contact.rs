@@ -1,0 +1,206 @@
+//! Integration through contacts of several ports: choice and acceptance of the steps.
+
+use super::RESOLVED_DISTANCE;
+use super::flight::StepOutcome;
+use super::sticking::StickingPorts;
+use crate::contact::share;
+use crate::contact_step::{ContactStep, SolvedStep};
+use crate::crossing::Crossing;
+use crate::error::IntegrationError;
+use crate::integrator::Integrator;
+use crate::joint_tables::{JointTables, StepLength};
+use crate::kernel::{ForceBasis, Kernel};
+use crate::port_state::ContactState;
+use crate::small_list::SmallList;
+use crate::step_size::LEVELS_PER_OCTAVE;
+use jounce_simd::Simd;
+
+/// Largest number of Newton iterations for the length of a step that ends in an impact.
+const MAX_LANDING_ITERATIONS: u32 = 12;
+
+/// Time error, relative to the first step of the following contact, within which an impact is
+/// located.
+const LANDING_TOLERANCE: f64 = 1e-14;
+
+impl Integrator<'_> {
+    /// Integrates until all ports fly, a rigid stop has an impact, or the end is reached.
+    #[inline(always)]
+    pub(super) fn integrate_joint_contact<W: Simd>(
+        &mut self,
+        w: W,
+        end_s: f64,
+    ) -> Result<(), IntegrationError> {
+        // On steps this short no second contact can follow the first.
+        let safe = Kernel::level_within(1.0 / self.kernel.fastest_rad_s) + 3 * LEVELS_PER_OCTAVE;
+        while self.time_s < end_s
+            && self.switching.pending_event.is_none()
+            && !self.hits_rigid_stop()
+        {
+            self.release()?;
+            let ports = self.ports_with_bases();
+            if let [(p, _)] = ports.as_slice()
+                && !self.is_rigid(*p)
+                && self.stay_single_port(w, *p, end_s)?
+            {
+                continue;
+            }
+            let Some(mut level) = ports.iter().map(|(p, _)| self.ports[*p].level).max() else {
+                return Ok(());
+            };
+            loop {
+                let remaining_s = self.excitation.remaining_s(self.time_s, end_s);
+                let landing = Kernel::length_s(level) >= remaining_s;
+                let length = if landing {
+                    StepLength::Odd {
+                        length_s: remaining_s,
+                        level,
+                    }
+                } else {
+                    StepLength::Level(level)
+                };
+                let outcome = match ports.as_slice() {
+                    [(p, shape)] if !self.is_rigid(*p) => {
+                        self.attempt_single_port(w, (*p, *shape), length, level >= safe)
+                    }
+                    several => self.joint_attempt(w, several, length, level >= safe),
+                };
+                match outcome {
+                    StepOutcome::Clear => {
+                        if landing {
+                            self.time_s = end_s;
+                        }
+                        break;
+                    }
+                    StepOutcome::Strikes(strikes)
+                        if self.end_at_first_impact(w, &ports, &strikes, level) =>
+                    {
+                        break;
+                    }
+                    StepOutcome::Strikes(_) => level += LEVELS_PER_OCTAVE,
+                    StepOutcome::Unclear(down) => {
+                        level = if landing {
+                            Kernel::level_within(remaining_s) + down
+                        } else {
+                            level + down
+                        }
+                    }
+                }
+                self.work.contact_rejections += 1;
+                if level > Kernel::finest() {
+                    return Err(self.diverged(ports[0].0));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Returns the ports in contact, each with the basis of its next step.
+    fn ports_with_bases(&self) -> SmallList<(usize, ForceBasis)> {
+        // The force of a sticking port follows the others immediately: its basis would have to
+        // include their onset.
+        let rests = self
+            .in_regime(ContactState::Contact)
+            .any(|p| self.is_rigid(p));
+        let strikes = |p: usize| self.ports[p].entering && self.ports[p].rate_m_s > 0.0 && !rests;
+        let shape = |p: usize| {
+            if strikes(p) {
+                self.kernel.first_shape(p)
+            } else {
+                ForceBasis::Smooth
+            }
+        };
+        self.in_regime(ContactState::Contact)
+            .map(|p| (p, shape(p)))
+            .collect()
+    }
+
+    /// Attempts a step, accepted when it is accurate for all ports in contact and clear for all in
+    /// flight.
+    #[inline(always)]
+    fn joint_attempt<W: Simd>(
+        &mut self,
+        w: W,
+        ports: &[(usize, ForceBasis)],
+        length: StepLength,
+        is_short: bool,
+    ) -> StepOutcome {
+        let tables = JointTables::new(self.kernel, ports, length);
+        let joint = self.joint_step(w, &tables);
+        let resting = StickingPorts::new(self, &tables);
+        let solved = self.solve_joint(w, &joint, &resting);
+        let Some(solved) = solved.filter(|all| self.is_accepted(&joint.steps, all, is_short))
+        else {
+            return StepOutcome::Unclear(LEVELS_PER_OCTAVE);
+        };
+        let outcome = self.check_free_ports(w, length, &joint.steps, &solved);
+        if let StepOutcome::Clear = outcome {
+            self.forget_clearances();
+            self.accept_joint_step(w, length, &joint.steps, &solved, Some(&tables));
+        }
+        outcome
+    }
+
+    /// True where the step is accurate and reliable at every port.
+    #[inline(always)]
+    pub(super) fn is_accepted(
+        &self,
+        steps: &[ContactStep],
+        solved: &[SolvedStep],
+        is_short: bool,
+    ) -> bool {
+        let allowed_n_s = self.allowed_with_others_n_s(steps, solved);
+        steps.iter().zip(solved).all(|(step, solution)| {
+            let is_decided = self.is_rigid(step.port) || self.law(step.port).acts_on_both_sides();
+            solution.error_n_s <= share(step.shape) * allowed_n_s
+                && (is_decided || solution.is_sound(step.shape, is_short))
+        })
+    }
+
+    /// Ends the step at the first of several impacts; false when that fails.
+    #[inline(always)]
+    fn end_at_first_impact<W: Simd>(
+        &mut self,
+        w: W,
+        ports: &[(usize, ForceBasis)],
+        strikes: &[(usize, Crossing)],
+        level: i32,
+    ) -> bool {
+        let first = strikes
+            .iter()
+            .min_by(|a, b| a.1.guess_s.total_cmp(&b.1.guess_s));
+        let Some((striker, crossing)) = first else {
+            return false;
+        };
+        let scale_s = Kernel::length_s(self.ports[*striker].entry_level);
+        let mut length_s = crossing.guess_s;
+        for _ in 0..MAX_LANDING_ITERATIONS {
+            if length_s <= super::SIMULTANEOUS_CONTACT * scale_s {
+                self.join(w, *striker);
+                return true;
+            }
+            let length = StepLength::Odd { length_s, level };
+            let tables = JointTables::new(self.kernel, ports, length);
+            let joint = self.joint_step(w, &tables);
+            let resting = StickingPorts::new(self, &tables);
+            let Some(solved) = self.solve_joint(w, &joint, &resting) else {
+                return false;
+            };
+            let [distance_m, speed_m_s] = self.motion_at_end(w, &joint, &solved, *striker);
+            let change_s = -distance_m / speed_m_s;
+            // The roundoff of the distance limits the accuracy of the time.
+            let roundoff_s = RESOLVED_DISTANCE * self.terms_m(w, *striker) / speed_m_s.abs();
+            if change_s.abs() <= roundoff_s.max(LANDING_TOLERANCE * scale_s.max(length_s)) {
+                self.check_free_ports(w, length, &joint.steps, &solved);
+                self.forget_clearances();
+                self.accept_joint_step(w, length, &joint.steps, &solved, Some(&tables));
+                self.join(w, *striker);
+                return true;
+            }
+            length_s += change_s;
+            if !(length_s >= 0.0 && length_s <= 2.0 * crossing.to_s) {
+                return false;
+            }
+        }
+        false
+    }
+}

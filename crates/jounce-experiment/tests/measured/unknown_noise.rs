@@ -1,0 +1,178 @@
+//! Coverage of the stated intervals of modes where response functions have no noise information.
+
+use faer::c64;
+use jounce_identification::modal::{
+    Band, Identification, ModalSettings, ResponseQuantity, identify,
+};
+use jounce_signal::RandomStream;
+use rayon::prelude::*;
+use std::f64::consts::TAU;
+
+const TRUTH: [(f64, f64); 2] = [(62.0, 0.02), (110.0, 0.012)];
+const TRIALS: u64 = 200;
+
+/// Shapes of the two modes at four places, force at the first.
+fn exact(output: usize, reference: usize, frequency_hz: f64) -> c64 {
+    let s = c64::new(0.0, TAU * frequency_hz);
+    let shape = |mode: usize, at: usize| (0.7 * (mode + 1) as f64 * (at + 1) as f64).sin();
+    let mode = |(r, (hz, zeta)): (usize, &(f64, f64))| {
+        let w = TAU * hz;
+        s * s * shape(r, output) * shape(r, reference) / (s * s + 2.0 * zeta * w * s + w * w)
+    };
+    TRUTH.iter().enumerate().map(mode).sum()
+}
+
+/// Noise of a response.
+#[derive(Clone, Copy)]
+struct Noise {
+    /// Noise of the sensor, over the rms of the response.
+    sensor: f64,
+    /// Noise of the response, relative to it.
+    response: f64,
+    /// Noise of the force, relative to it, common to all responses to one reference.
+    force: f64,
+}
+
+fn trial(outputs: usize, references: usize, noise: Noise, seed: u64) -> Identification {
+    let mut stream = RandomStream::new(seed, 11);
+    let mut draw = |size: f64| {
+        let [re, im] = stream.normal_pair();
+        c64::new(re, im) * (size / 2f64.sqrt())
+    };
+    let frequency_hz: Vec<f64> = (80..=400).map(|k| 0.5 * f64::from(k)).collect();
+    let force: Vec<Vec<c64>> = (0..references)
+        .map(|_| {
+            frequency_hz
+                .iter()
+                .map(|_| 1.0 + draw(noise.force))
+                .collect()
+        })
+        .collect();
+    let mut response = Vec::new();
+    for (o, i) in (0..outputs).flat_map(|o| (0..references).map(move |i| (o, i))) {
+        let clean: Vec<c64> = frequency_hz.iter().map(|hz| exact(o, i, *hz)).collect();
+        let rms = (clean.iter().map(|h| h.norm_sqr()).sum::<f64>() / clean.len() as f64).sqrt();
+        response.push(
+            clean
+                .iter()
+                .zip(&force[i])
+                .map(|(h, force)| {
+                    h * force * (1.0 + draw(noise.response)) + draw(noise.sensor * rms)
+                })
+                .collect(),
+        );
+    }
+    let band = Band::new(
+        &frequency_hz,
+        &response,
+        &[],
+        references,
+        ResponseQuantity::Acceleration,
+        (40.0, 200.0),
+    )
+    .expect("a band");
+    identify(&band, ModalSettings { order: 12 }).expect("modes")
+}
+
+/// Fractions of trials in which the intervals contain frequencies and damping ratios.
+fn coverage_fractions(name: &str, outputs: usize, references: usize, noise: Noise) {
+    let errors_of = |seed| {
+        let identification = trial(outputs, references, noise, seed);
+        TRUTH.map(|(hz, ratio)| {
+            let near = identification
+                .modes
+                .iter()
+                .find(|mode| (mode.frequency_hz / hz - 1.0).abs() < 0.05);
+            near.map_or([f64::INFINITY; 2], |mode| {
+                [
+                    (mode.frequency_hz - hz) / mode.frequency_half_width_hz(),
+                    (mode.damping_ratio - ratio) / mode.damping_half_width(),
+                ]
+            })
+        })
+    };
+    let errors: Vec<[[f64; 2]; 2]> = (0..TRIALS).into_par_iter().map(errors_of).collect();
+    let inside = |mode: usize, number: usize| {
+        errors
+            .iter()
+            .filter(|trial| trial[mode][number].abs() <= 1.0)
+            .count() as f64
+            / TRIALS as f64
+    };
+    let each = [0, 1].map(|mode| [inside(mode, 0), inside(mode, 1)]);
+    let mean = each.iter().flatten().sum::<f64>() / 4.0;
+    eprintln!("{name}: {mean:.3} inside; {each:.3?}");
+    assert!((0.92..=0.98).contains(&mean), "{name}: {mean} {each:?}");
+}
+
+#[test]
+fn intervals_hold_the_truth_under_noise_of_the_sensors() {
+    coverage_fractions(
+        "1 response, sensor",
+        1,
+        1,
+        Noise {
+            sensor: 0.03,
+            response: 0.0,
+            force: 0.0,
+        },
+    );
+    coverage_fractions(
+        "4 responses, sensor",
+        4,
+        1,
+        Noise {
+            sensor: 0.03,
+            response: 0.0,
+            force: 0.0,
+        },
+    );
+}
+
+#[test]
+fn intervals_hold_the_truth_under_noise_that_grows_with_the_response() {
+    coverage_fractions(
+        "1 response, growing",
+        1,
+        1,
+        Noise {
+            sensor: 0.0,
+            response: 0.03,
+            force: 0.0,
+        },
+    );
+    coverage_fractions(
+        "4 responses, growing",
+        4,
+        1,
+        Noise {
+            sensor: 0.003,
+            response: 0.03,
+            force: 0.0,
+        },
+    );
+}
+
+#[test]
+fn intervals_hold_the_truth_under_noise_that_responses_share() {
+    coverage_fractions(
+        "4 responses, force",
+        4,
+        1,
+        Noise {
+            sensor: 0.003,
+            response: 0.0,
+            force: 0.03,
+        },
+    );
+    coverage_fractions(
+        "4 responses to 2 forces",
+        4,
+        2,
+        Noise {
+            sensor: 0.003,
+            response: 0.0,
+            force: 0.03,
+        },
+    );
+}

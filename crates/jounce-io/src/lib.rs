@@ -1,0 +1,7 @@
+//! Files that appear whole or not at all, and tables.
+//!
+//! [`store`] writes a file beside its place and renames it when it is complete. [`table`] holds
+//! named columns with units and writes them as CSV, Parquet and JSON.
+
+pub mod store;
+pub mod table;

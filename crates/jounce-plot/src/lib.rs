@@ -1,0 +1,57 @@
+//! Pictures in SVG and PNG for papers and reports.
+//!
+//! A [`Figure`] is a column of [`Panel`]s. A panel has two [`Axis`], [`Series`] of data, shaded
+//! bands, reference lines and notes. The ready-made figures ([`mode_shapes`], [`time_histories`],
+//! [`spectra`], [`frequency_responses`], [`sweep`], [`power_against_resistance`]) take plain data
+//! and choose these.
+//!
+//! Lengths are in pixels of 1/96 inch; a figure is 720 wide by default. Text is set in DejaVu Sans,
+//! whose file is part of the program (Bitstream Vera licence: free to use, embed and pass on). PNGs
+//! therefore look the same on a machine without fonts, and widths are measured. The SVG names
+//! common fonts of similar width after it. A picture does not depend on time or machine: the same
+//! figure gives the same bytes.
+//!
+//! Elements have the classes `paper`, `ink`, `rule` and `grid` (prefixed `jounce-`); a page may
+//! recolour an inline SVG with them.
+mod axis;
+mod colour;
+mod curve;
+mod drawing;
+mod error;
+mod field;
+mod figure;
+mod file;
+mod frame;
+mod layout;
+mod legend;
+mod marks;
+mod panel;
+mod raster;
+mod ready;
+pub mod report;
+mod series;
+pub mod show;
+mod span;
+mod svg;
+mod text;
+mod ticks;
+mod unit;
+
+pub use axis::{Axis, Scale};
+pub use colour::Colour;
+pub use drawing::{
+    Drawing, DrawnBeam, DrawnBody, DrawnCircuit, DrawnContact, DrawnDrive, DrawnElement,
+    DrawnPatch, DrawnPlace, DrawnShape, Grip, GripPart, GripSheet, Rect, Seat,
+};
+pub use error::PictureError;
+pub use field::Field;
+pub use figure::Figure;
+pub use panel::{Along, Panel, PanelBand, PanelNote, ReferenceLine};
+pub use ready::{
+    BifurcationLine, BranchLine, BranchMark, DensityLine, DiagramDots, DiagramView, LineDirection,
+    ModeShape, ResponseLine, ShapePatch, SpectrumLine, SweepLine, SweepLook, TimeSpectrum, Trace,
+    bifurcations, branches, densities, diagram, ensemble, frequency_responses, mode_shapes,
+    power_against_resistance, spectra, spectrogram, sweep, time_histories,
+};
+pub use series::{Line, Marker, Series};
+pub(crate) use svg::escape;

@@ -1,0 +1,14 @@
+//! `[gravity]`
+
+use crate::key::{Key, Kind, Slot};
+use crate::{Gravity, Quantity};
+
+pub(super) static KEYS: &[Key<Gravity>] = &[Key::with_slot(
+    "acceleration",
+    Kind::Quantity(Quantity::Acceleration),
+    "acceleration of gravity along the positive direction of motion; negative if it acts in the opposite direction",
+    Slot::Optional {
+        get: |g: &Gravity| g.acceleration_m_s2,
+        set: |g, x| g.acceleration_m_s2 = Some(x),
+    },
+)];

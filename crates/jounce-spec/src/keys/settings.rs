@@ -1,0 +1,90 @@
+//! `[damping]`, `[reduction]` and `[run]`
+
+use crate::key::{Key, Kind, Range, Slot};
+use crate::{Damping, Quantity, Reduction, Run, Start};
+
+/// More modes than any beam here resolves with useful accuracy.
+const MAX_MODES: f64 = 200.0;
+
+pub(super) static DAMPING: &[Key<Damping>] = &[
+    Key::with_slot(
+        "ratios",
+        Kind::Numbers,
+        "damping ratios, one per flexible mode, ascending",
+        Slot::Numbers {
+            get: |d: &Damping| &d.ratios,
+            open: |d| &mut d.ratios,
+        },
+    )
+    .within(Range::from(0.0, 10.0))
+    .optional(),
+    Key::with_slot(
+        "beyond",
+        Kind::Number,
+        "damping ratio of every mode after those of the list",
+        Slot::Optional {
+            get: |d: &Damping| d.beyond,
+            set: |d, x| d.beyond = Some(x),
+        },
+    )
+    .within(Range::from(0.0, 10.0))
+    .optional(),
+];
+
+pub(super) static REDUCTION: &[Key<Reduction>] = &[
+    Key::with_slot(
+        "modes",
+        Kind::Count,
+        "number of retained modes",
+        Slot::Count {
+            get: |r: &Reduction| r.modes,
+            set: |r, x| r.modes = x,
+        },
+    )
+    .within(Range::from(1.0, MAX_MODES))
+    .optional(),
+    Key::number(
+        "mesh_tolerance",
+        "required relative error of every retained frequency",
+        |r: &Reduction| r.mesh_tolerance,
+        |r, x| r.mesh_tolerance = x,
+    )
+    .within(Range::from(1e-12, 0.1))
+    .optional(),
+];
+
+pub(super) static RUN: &[Key<Run>] = &[
+    Key::text(
+        "start",
+        Kind::ChoiceOrPath(&["rest", "linear"]),
+        "`\"rest\"`, `\"linear\"` (the steady state without the stops), or the path of a state file relative to the spec",
+        |r: &Run| match &r.start {
+            Start::Rest => "rest".to_owned(),
+            Start::Linear => "linear".to_owned(),
+            Start::State(path) => path.clone(),
+        },
+        |r, x| {
+            r.start = match x {
+                "rest" => Start::Rest,
+                "linear" => Start::Linear,
+                path => Start::State(path.to_owned()),
+            };
+        },
+    )
+    .optional(),
+    Key::quantity("duration", Quantity::Time, "duration of the run", |r: &Run| r.duration_s, |r, x| r.duration_s = x)
+        .within(Range::POSITIVE)
+        .optional(),
+    Key::quantity(
+        "average_over",
+        Quantity::Time,
+        "length of the averaging window at the end of the run",
+        |r: &Run| r.average_over_s,
+        |r, x| r.average_over_s = x,
+    )
+    .within(Range::POSITIVE)
+    .optional(),
+    Key::number("tolerance", "required relative error of the response", |r: &Run| r.tolerance, |r, x| r.tolerance = x)
+        .within(Range::from(1e-13, 0.1))
+        .optional(),
+];

@@ -1,0 +1,314 @@
+//! A key that holds one number, for sweeps.
+
+use super::fault::Fault;
+use super::key::{Key, KeyInfo, Kind, Slot, applies};
+use super::keys::SPEC;
+use super::nearest::clip;
+use super::{Spec, validation};
+
+/// A number of a spec that can be set repeatedly.
+///
+/// ```
+/// use jounce_spec::{NumericKey, Spec};
+/// let mut spec = Spec::from_toml("[mass.table]\nmass = \"12 kg\"\nfrequency = \"1 Hz\"\ndamping_ratio = 0.3")?;
+/// NumericKey::find(&spec, "mass.table.damping_ratio")?.set(&mut spec, 0.05)?;
+/// assert_eq!(spec.mass["table"].damping_ratio, Some(0.05));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct NumericKey {
+    path: String,
+    kind: Kind,
+    info: KeyInfo,
+    /// A key and its value that are retained when this key changes: the frequency of a mass whose
+    /// spring it defines.
+    retained_value: Option<(String, f64)>,
+}
+
+/// Properties of the number at a path.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Numeric {
+    info: KeyInfo,
+    kind: Kind,
+    value: f64,
+}
+
+impl NumericKey {
+    /// Finds the key by its dotted path, `"drive.shaker.frequency"`; numbers of a list are counted
+    /// from 1, `"damping.ratios.2"`.
+    ///
+    /// # Errors
+    /// A path without a number, or of a complete list. The exponent of a contact law is refused,
+    /// because the unit of its stiffness depends on it.
+    pub fn find(spec: &Spec, path: &str) -> Result<Self, Fault> {
+        let Some(entry) = locate(SPEC, spec, &segments(path)) else {
+            return Err(Fault::without_position(
+                path,
+                format!("{}: {}", clip(path), no_number(spec, path)),
+            ));
+        };
+        if path.starts_with("stop.") && entry.info.name == "exponent" {
+            let reason = "cannot be varied alone, because the unit of `stiffness` depends on it; write one spec for each exponent";
+            return Err(Fault::without_position(path, format!("{path} {reason}")));
+        }
+        Ok(Self {
+            path: path.to_owned(),
+            kind: entry.kind,
+            info: entry.info,
+            retained_value: None,
+        })
+    }
+
+    /// Returns every number of the list at a path; empty if there is no list.
+    pub(super) fn all_in(spec: &Spec, path: &str) -> Result<Vec<Self>, Fault> {
+        (1..=listed(spec, path))
+            .map(|number| Self::find(spec, &format!("{path}.{number}")))
+            .collect()
+    }
+
+    /// Holds another number of the spec at a value whenever this key is set.
+    pub(super) fn holding(mut self, path: String, value: f64) -> Self {
+        self.retained_value = Some((path, value));
+        self
+    }
+
+    /// Returns the dotted path.
+    pub fn path(&self) -> &str {
+        &self.path
+    }
+
+    /// Returns the SI unit of the number; empty for a plain number.
+    pub fn unit(&self) -> String {
+        if let Kind::Quantity(quantity) | Kind::NamedQuantities(quantity) = self.kind {
+            quantity.si_unit()
+        } else {
+            String::new()
+        }
+    }
+
+    /// Returns the smallest and largest value that the key itself allows, SI; infinite if there is
+    /// no limit.
+    pub fn limits(&self) -> (f64, f64) {
+        (self.info.range.low, self.info.range.high)
+    }
+
+    /// Returns a value as written in a spec, `"0.5 mm"`.
+    pub fn show(&self, value_si: f64) -> String {
+        self.kind.show(value_si)
+    }
+
+    /// Returns the help text of the key.
+    pub fn about(&self) -> &'static str {
+        self.info.doc
+    }
+
+    /// True for a whole number.
+    pub fn is_count(&self) -> bool {
+        self.info.kind == Kind::Count
+    }
+
+    /// Returns the value in a spec, SI.
+    ///
+    /// # Errors
+    /// A spec without this key.
+    pub fn get(&self, spec: &Spec) -> Result<f64, Fault> {
+        let entry = locate(SPEC, spec, &segments(&self.path));
+        entry.map(|entry| entry.value).ok_or_else(|| {
+            Fault::without_position(
+                &self.path,
+                format!("{}: this spec has no such key", self.path),
+            )
+        })
+    }
+
+    /// Sets the value, SI. On an error the spec is unchanged.
+    ///
+    /// # Errors
+    /// A value outside the limits of the key, or a value that violates a rule between keys (a patch
+    /// beyond its beam).
+    pub fn set(&self, spec: &mut Spec, value_si: f64) -> Result<(), Fault> {
+        self.check(value_si)?;
+        let before = self.get(spec)?;
+        self.store(spec, value_si);
+        let faults = validation::first(spec);
+        if let Some((_, message)) = faults {
+            self.store(spec, before);
+            return Err(Fault::without_position(
+                &self.path,
+                format!("{} = {}: {message}", self.path, self.kind.show(value_si)),
+            ));
+        }
+        Ok(())
+    }
+
+    /// Checks a value against the limits of the key itself.
+    pub(super) fn check(&self, value_si: f64) -> Result<(), Fault> {
+        let is_allowed = self.info.kind != Kind::Count || value_si.fract() == 0.0;
+        if self.info.range.holds(value_si) && is_allowed {
+            return Ok(());
+        }
+        let rule = if is_allowed {
+            self.info.range.broken(value_si, self.kind)
+        } else {
+            "must be a whole number".to_owned()
+        };
+        Err(Fault::without_position(
+            &self.path,
+            format!("{} is {}; it {rule}", self.path, self.kind.show(value_si)),
+        ))
+    }
+
+    pub(super) fn kind(&self) -> Kind {
+        self.kind
+    }
+
+    fn store(&self, spec: &mut Spec, value: f64) {
+        store(SPEC, spec, &segments(&self.path), value);
+        if let Some((path, value)) = &self.retained_value {
+            store(SPEC, spec, &segments(path), *value);
+        }
+    }
+}
+
+impl Spec {
+    /// Sets one number by its dotted path, SI. For a mass on a spring, setting `mass` retains the
+    /// stiffness; the key of [`SpecFile::numeric_key`](super::SpecFile::numeric_key) retains a
+    /// given frequency. On an error the spec is unchanged.
+    ///
+    /// # Errors
+    /// As [`NumericKey::find`] and [`NumericKey::set`].
+    pub fn set_si(&mut self, path: &str, value_si: f64) -> Result<(), Fault> {
+        NumericKey::find(self, path)?.set(self, value_si)
+    }
+}
+
+fn segments(path: &str) -> Vec<&str> {
+    path.split('.').collect()
+}
+
+/// Returns the length of the list at a path; 0 if there is no list.
+fn listed(spec: &Spec, path: &str) -> usize {
+    let is_listed = |number: &usize| {
+        let entry = locate(SPEC, spec, &segments(&format!("{path}.{number}")));
+        entry.is_some_and(|entry| matches!(entry.info.kind, Kind::Numbers | Kind::NamedNumbers))
+    };
+    (1..).take_while(is_listed).count()
+}
+
+/// Returns why there is no number at a path.
+fn no_number(spec: &Spec, path: &str) -> String {
+    let above = path
+        .rsplit_once('.')
+        .map(|(list, _)| (list, listed(spec, list)))
+        .filter(|(_, count)| *count > 0);
+    match (listed(spec, path), above) {
+        (0, None) => "this spec has no key with a number here".to_owned(),
+        (0, Some((list, count))) => beyond(list, count),
+        (count, _) => format!("this is a list; {}", one_of(path, count)),
+    }
+}
+
+/// Returns the message for a number that is not in a list.
+pub(super) fn beyond(list: &str, count: usize) -> String {
+    format!(
+        "{list} holds {}; {}",
+        if count == 1 {
+            "1 number".to_owned()
+        } else {
+            format!("{count} numbers")
+        },
+        one_of(list, count)
+    )
+}
+
+fn one_of(list: &str, count: usize) -> String {
+    if count == 1 {
+        format!("write {list}.1")
+    } else {
+        format!("write one of {list}.1 to {list}.{count}")
+    }
+}
+
+/// Returns the index of a number in its list; numbers are counted from 1.
+pub(super) fn list_index(number: &str) -> Option<usize> {
+    number.parse::<usize>().ok()?.checked_sub(1)
+}
+
+/// Returns the number at a path below an element.
+pub(super) fn locate<T>(keys: &[Key<T>], element: &T, path: &[&str]) -> Option<Numeric> {
+    let (name, rest) = path.split_first()?;
+    let key = keys
+        .iter()
+        .find(|key| key.info.name == *name && applies(keys, element, &key.info))?;
+    let numeric = |value| Numeric {
+        info: key.info,
+        kind: key.kind_in(element),
+        value,
+    };
+    match (&key.slot, rest) {
+        (Slot::Number { get, .. } | Slot::Derived { get, .. }, []) => Some(numeric(get(element))),
+        (Slot::Optional { get, .. }, []) => Some(numeric(get(element)?)),
+        (Slot::Count { get, .. }, []) => Some(numeric(get(element) as f64)),
+        (Slot::NamedQuantities { get, .. }, [name]) => {
+            get(element).get(*name).map(|value| numeric(*value))
+        }
+        (Slot::Numbers { get, .. }, [number]) => get(element)
+            .get(list_index(number)?)
+            .map(|value| one_of_list(key.info, *value)),
+        (Slot::NamedNumbers { get, .. }, [name, number]) => get(element)
+            .get(*name)?
+            .get(list_index(number)?)
+            .map(|value| one_of_list(key.info, *value)),
+        (Slot::Inner(inner), rest) => inner.locate(element, rest),
+        _ => None,
+    }
+}
+
+fn one_of_list(info: KeyInfo, value: f64) -> Numeric {
+    Numeric {
+        info,
+        kind: Kind::Number,
+        value,
+    }
+}
+
+/// Stores a number at a path below an element; false if there is none.
+pub(super) fn store<T>(keys: &[Key<T>], element: &mut T, path: &[&str], value: f64) -> bool {
+    let Some((name, rest)) = path.split_first() else {
+        return false;
+    };
+    let Some(key) = keys
+        .iter()
+        .find(|key| key.info.name == *name && applies(keys, element, &key.info))
+    else {
+        return false;
+    };
+    match (&key.slot, rest) {
+        (Slot::Number { set, .. } | Slot::Derived { set, .. } | Slot::Optional { set, .. }, []) => {
+            set(element, value)
+        }
+        (Slot::Count { set, .. }, []) => set(element, value as usize),
+        (Slot::NamedQuantities { open, .. }, [name]) => {
+            let Some(slot) = open(element).get_mut(*name) else {
+                return false;
+            };
+            *slot = value;
+        }
+        (Slot::Numbers { open, .. }, [number]) => {
+            return store_in_list(open(element), number, value);
+        }
+        (Slot::NamedNumbers { open, .. }, [name, number]) => {
+            return open(element)
+                .get_mut(*name)
+                .is_some_and(|list| store_in_list(list, number, value));
+        }
+        (Slot::Inner(inner), rest) => return inner.store(element, rest, value),
+        _ => return false,
+    }
+    true
+}
+
+fn store_in_list(list: &mut [f64], number: &str, value: f64) -> bool {
+    let slot = list_index(number).and_then(|slot| list.get_mut(slot));
+    slot.map(|slot| *slot = value).is_some()
+}

@@ -1,0 +1,101 @@
+//! Values whose choice is missing or wrong: `stiffness` without a `law`.
+//!
+//! The applicable row of the table of keys is unknown. A value is reported only if it is wrong for
+//! every choice, or if its unit fits and its magnitude does not.
+
+use super::value::{read_number, read_slot};
+use super::{ReadState, join};
+use crate::key::{Key, Range, Slot};
+use crate::nearest::join_words;
+use crate::source::Entry;
+
+/// Verdict of one row of the table of keys on a value.
+enum RowVerdict {
+    Good,
+    /// The unit fits the row, but the magnitude is not allowed.
+    Size(String),
+    /// The row cannot read the value.
+    Kind(String),
+}
+
+/// Reports the faults of a value of a key whose rows all depend on the choice `on`.
+pub(super) fn check<T>(
+    keys: &[Key<T>],
+    on: &str,
+    path: &str,
+    entry: &Entry,
+    element: &mut T,
+    reading: &mut ReadState,
+) {
+    let rows: Vec<&Key<T>> = keys
+        .iter()
+        .filter(|key| key.info.name == entry.name)
+        .collect();
+    let path = join(path, &entry.name);
+    reading.positions.insert(path.clone(), entry.node.position);
+    if let [row] = rows[..] {
+        read_slot(row, &path, &entry.node, element, reading);
+        return;
+    }
+    let verdicts: Vec<RowVerdict> = rows
+        .iter()
+        .map(|row| verdict(row, entry, element))
+        .collect();
+    let good = rows
+        .iter()
+        .zip(&verdicts)
+        .filter(|(_, verdict)| matches!(verdict, RowVerdict::Good))
+        .map(|(row, _)| row);
+    let words: Vec<&str> = good
+        .filter_map(|row| row.info.when)
+        .flat_map(|when| when.is.iter().copied())
+        .collect();
+    let size = verdicts.iter().find_map(|verdict| {
+        if let RowVerdict::Size(text) = verdict {
+            Some(text)
+        } else {
+            None
+        }
+    });
+    let mut kinds: Vec<&str> = verdicts
+        .iter()
+        .filter_map(|verdict| {
+            if let RowVerdict::Kind(text) = verdict {
+                Some(text.as_str())
+            } else {
+                None
+            }
+        })
+        .collect();
+    kinds.dedup();
+    match size {
+        Some(text) if words.is_empty() => {
+            reading.fault(entry.node.position, &path, || text.clone())
+        }
+        Some(text) => reading.fault(entry.node.position, &path, || {
+            format!("{text}, except with {on} = {}", join_words(words))
+        }),
+        None if words.is_empty() => {
+            reading.fault(entry.node.position, &path, || kinds.join("; or "))
+        }
+        None => {}
+    }
+}
+
+fn verdict<T>(row: &Key<T>, entry: &Entry, element: &T) -> RowVerdict {
+    if !matches!(
+        row.slot,
+        Slot::Number { .. } | Slot::Optional { .. } | Slot::Derived { .. } | Slot::Count { .. }
+    ) {
+        return RowVerdict::Good;
+    }
+    let kind = row.kind_in(element);
+    match (
+        read_number(kind, Range::ANY, &entry.node),
+        read_number(kind, row.info.range, &entry.node),
+    ) {
+        (_, Ok(_)) => RowVerdict::Good,
+        (Ok(_), Err(text)) => RowVerdict::Size(text),
+        (Err(text), Err(_)) => RowVerdict::Kind(text),
+    }
+}

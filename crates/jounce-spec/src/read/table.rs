@@ -1,0 +1,238 @@
+//! Tables: present, missing and unknown keys.
+
+use super::value::read_slot;
+use super::{ReadState, join, missing_choice};
+use crate::key::{Key, Kind, Need, Slot, applies, chosen};
+use crate::nearest::{clip, did_you_mean, join_words, nearest};
+use crate::source::{Entry, Node};
+
+/// Reads a table of keys into an element. Choices precede the keys that depend on them in the table
+/// of keys.
+pub(crate) fn read_keys<T>(
+    keys: &'static [Key<T>],
+    path: &str,
+    node: &Node,
+    element: &mut T,
+    reading: &mut ReadState,
+) {
+    let Some(entries) = node.entries() else {
+        return reading.fault(node.position, path, || {
+            format!(
+                "expected a table: write [{path}] with its keys below; found {}",
+                node.found()
+            )
+        });
+    };
+    let mut doubtful: Vec<&str> = Vec::new();
+    for key in keys {
+        let info = &key.info;
+        if let Some(choice) = info
+            .when
+            .map(|when| when.key)
+            .filter(|choice| doubtful.contains(choice))
+        {
+            if first_of_its_name(keys, key)
+                && let Some(entry) = entries.iter().find(|entry| entry.name == info.name)
+            {
+                missing_choice::check(keys, choice, path, entry, element, reading);
+            }
+            continue;
+        }
+        let unmeasured = key.quantity.as_ref().is_some_and(|measure| {
+            doubtful.contains(&measure.by) || (measure.quantity)(element).is_none()
+        });
+        if unmeasured || !applies(keys, element, info) {
+            continue;
+        }
+        let Some(entry) = entries.iter().find(|entry| entry.name == info.name) else {
+            if missing(keys, key, path, node, reading) {
+                doubtful.push(info.name);
+            }
+            continue;
+        };
+        let path = join(path, info.name);
+        reading.positions.insert(path.clone(), entry.node.position);
+        if let Slot::Inner(inner) = &key.slot {
+            inner.read(element, &path, &entry.node, reading);
+        } else if !read_slot(key, &path, &entry.node, element, reading) {
+            doubtful.push(info.name);
+        }
+    }
+    for entry in entries {
+        if reading.has_room() {
+            check_known(keys, path, entry, element, &doubtful, reading);
+        }
+    }
+    check_alternatives(keys, path, entries, reading);
+}
+
+fn first_of_its_name<T>(keys: &[Key<T>], key: &Key<T>) -> bool {
+    keys.iter()
+        .find(|other| other.info.name == key.info.name)
+        .is_some_and(|first| std::ptr::eq(first, key))
+}
+
+/// Reports a required key that is absent, unless a misspelt key replaces it; true if one is
+/// missing.
+fn missing<T>(
+    keys: &[Key<T>],
+    key: &Key<T>,
+    path: &str,
+    node: &Node,
+    reading: &mut ReadState,
+) -> bool {
+    let entries = node.entries().unwrap_or_default();
+    let stands = |name: &&str| entries.iter().any(|entry| entry.name == *name);
+    let text = || match key.info.need {
+        Need::OneOf(names) => format!("one of {} is missing", quoted(names)),
+        _ => format!(
+            "`{}` is missing; {}",
+            key.info.name,
+            key.info.kind.expectation()
+        ),
+    };
+    let is_replaced = key.info.unless.is_some_and(|other| stands(&other));
+    let must = match key.info.need {
+        _ if is_replaced => false,
+        Need::Default | Need::AtMostOne(_) => false,
+        Need::Required => true,
+        Need::OneOf(names) => names.first() == Some(&key.info.name) && !names.iter().any(stands),
+    };
+    let names = || keys.iter().map(|key| key.info.name);
+    let misspelt = |entry: &Entry| {
+        names().all(|name| name != entry.name)
+            && nearest(&entry.name, names()) == Some(key.info.name)
+    };
+    if must && reading.complete && reading.has_room() && !entries.iter().any(misspelt) {
+        reading.fault(node.position, path, text);
+    }
+    must
+}
+
+fn check_known<T>(
+    keys: &[Key<T>],
+    path: &str,
+    entry: &Entry,
+    element: &T,
+    doubtful: &[&str],
+    reading: &mut ReadState,
+) {
+    let named = || keys.iter().filter(|key| key.info.name == entry.name);
+    let key = join(path, &entry.name);
+    if named().next().is_none() {
+        let names = distinct(keys.iter().map(|key| key.info.name));
+        return reading.fault(entry.position, &key, || {
+            format!(
+                "unknown key{}; keys here: {}",
+                did_you_mean(&entry.name, names.iter().copied()),
+                join_words(names.iter().copied())
+            )
+        });
+    }
+    if named().any(|key| applies(keys, element, &key.info)) {
+        return;
+    }
+    let Some(when) = named()
+        .find_map(|key| key.info.when)
+        .filter(|when| !doubtful.contains(&when.key))
+    else {
+        return;
+    };
+    let word = chosen(keys, element, when.key).unwrap_or_default();
+    let words = distinct(
+        named()
+            .filter_map(|key| key.info.when)
+            .flat_map(|when| when.is.iter().copied()),
+    );
+    reading.fault(entry.position, &key, || {
+        format!(
+            "does not apply with {} = \"{word}\", only with {}",
+            when.key,
+            join_words(words.iter().copied())
+        )
+    });
+}
+
+fn check_alternatives<T>(keys: &[Key<T>], path: &str, entries: &[Entry], reading: &mut ReadState) {
+    for key in keys {
+        let names = key.info.need.alternatives();
+        let mut standing = entries
+            .iter()
+            .filter(|entry| names.contains(&entry.name.as_str()));
+        if names.first() == Some(&key.info.name)
+            && let (Some(first), Some(second)) = (standing.next(), standing.next())
+        {
+            let key = join(path, &second.name);
+            reading.fault(second.position, &key, || {
+                format!(
+                    "`{}` is given too; give exactly one of {}",
+                    first.name,
+                    quoted(names)
+                )
+            });
+        }
+    }
+}
+
+/// Reads a table with names chosen by the user. `kind` is the kind of each entry.
+pub(crate) fn read_named(
+    path: &str,
+    node: &Node,
+    kind: Kind,
+    reading: &mut ReadState,
+    mut read: impl FnMut(&str, &str, &Node, &mut ReadState),
+) {
+    let Some(entries) = node.entries() else {
+        let hint = match kind {
+            Kind::Things => {
+                format!("expected named elements: write [{path}.NAME] with its keys below")
+            }
+            _ => format!("expected a table: write [{path}] with NAME = VALUE below"),
+        };
+        return reading.fault(node.position, path, || {
+            format!("{hint}; found {}", node.found())
+        });
+    };
+    let mut unknown_keys = 0;
+    for entry in entries {
+        let path_of = join(path, &entry.name);
+        let allowed = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
+        if entry.name.is_empty() || !entry.name.chars().all(allowed) {
+            reading.fault(entry.position, path, || {
+                format!(
+                    "the name {:?} is not allowed; use the letters a to z and A to Z, digits, _ and -",
+                    clip(&entry.name)
+                )
+            });
+        }
+        if matches!(kind, Kind::Things) && entry.node.entries().is_none() {
+            unknown_keys += 1;
+            if unknown_keys == 1 {
+                let text =
+                    || format!("expected a name here: write [{path}.NAME] with its keys below");
+                reading.fault(entry.position, &path_of, text);
+            }
+            continue;
+        }
+        reading.positions.insert(path_of.clone(), entry.position);
+        read(&entry.name, &path_of, &entry.node, reading);
+    }
+}
+
+fn quoted(names: &[&str]) -> String {
+    names
+        .iter()
+        .map(|name| format!("`{name}`"))
+        .collect::<Vec<_>>()
+        .join(" or ")
+}
+
+fn distinct<'k>(names: impl Iterator<Item = &'k str>) -> Vec<&'k str> {
+    let mut names_so_far = Vec::new();
+    for name in names {
+        if !names_so_far.contains(&name) {
+            names_so_far.push(name);
+        }
+    }
+    names_so_far
+}

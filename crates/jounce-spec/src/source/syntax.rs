@@ -1,0 +1,201 @@
+//! Conversion of TOML to a tree, past as many syntax errors as is safe.
+//!
+//! After an error the faulty line is blanked and the text is read again, so several errors are
+//! reported at once. A line that is valid alone is not blanked: then the cause lies elsewhere, and
+//! reading stops.
+
+use toml_edit::Document;
+
+use super::lines::{Lines, boundary};
+use super::node::{Node, Value, entries};
+use crate::nearest::clip;
+use jounce_units::Decimal;
+
+/// Largest number of reported syntax errors.
+const MAX_SYNTAX_ERRORS: usize = 20;
+
+/// Largest number of bytes that are read again after errors, in addition to the size of the file.
+const MAX_REREAD_BYTES: usize = 4 << 20;
+
+/// A spec as text and as a tree.
+#[derive(Debug, Clone)]
+pub(crate) struct Source {
+    /// The complete file as a table.
+    pub(crate) root: Node,
+    /// Syntax errors.
+    pub(crate) errors: Vec<SyntaxError>,
+    /// False if lines were skipped, so keys of the file may be missing.
+    pub(crate) complete: bool,
+}
+
+/// A syntax error.
+#[derive(Debug, Clone)]
+pub(crate) struct SyntaxError {
+    pub(crate) offset: usize,
+    pub(crate) key: String,
+    pub(crate) message: String,
+}
+
+/// Reads a text.
+pub(crate) fn parse(text: &str) -> Source {
+    let mut work = text.to_owned();
+    let mut source = Source {
+        root: Node::at(0, Value::Table(Vec::new())),
+        errors: Vec::new(),
+        complete: true,
+    };
+    let most = (MAX_REREAD_BYTES / text.len().max(1)).clamp(1, MAX_SYNTAX_ERRORS);
+    while source.errors.len() < most {
+        let error = match Document::parse(work.as_str()) {
+            Ok(document) => {
+                source.root.value = Value::Table(entries(&work, document.as_table(), 0));
+                return source;
+            }
+            Err(error) => error,
+        };
+        let span = error.span().unwrap_or(0..0);
+        let offset = boundary(&work, span.start);
+        let duplicate = error.message() == "duplicate key";
+        source.complete &= duplicate;
+        source.errors.push(if duplicate {
+            duplicated(&work, offset, &span)
+        } else {
+            malformed(&work, offset, error.message())
+        });
+        if !leave_out(&mut work, offset, duplicate) {
+            break;
+        }
+    }
+    source.complete = false;
+    source
+}
+
+/// Blanks the faulty text of an error; false if that is ambiguous.
+fn leave_out(work: &mut String, offset: usize, duplicate: bool) -> bool {
+    let lines = Lines::new(work);
+    let line = lines.range(offset);
+    let content = &work[line.clone()];
+    if content.trim().is_empty() || (!duplicate && Document::parse(content).is_ok()) {
+        return false;
+    }
+    let mut end = line.end;
+    if is_header(content) {
+        // The keys below a header are blanked with it; in another table they would have another
+        // meaning.
+        while end < work.len() && !is_header(&work[lines.range(end + 1)]) {
+            end = lines.range(end + 1).end;
+        }
+    }
+    let blank: String = work[line.start..end]
+        .bytes()
+        .map(|byte| if byte == b'\n' { '\n' } else { ' ' })
+        .collect();
+    work.replace_range(line.start..end, &blank);
+    true
+}
+
+fn is_header(line: &str) -> bool {
+    line.trim_start().starts_with('[')
+}
+
+/// Returns `beam.beam` for `[beam.beam]  # comment`.
+fn header_name(line: &str) -> &str {
+    line.trim_start()
+        .trim_start_matches('[')
+        .split(']')
+        .next()
+        .unwrap_or_default()
+        .trim()
+}
+
+fn duplicated(text: &str, offset: usize, span: &std::ops::Range<usize>) -> SyntaxError {
+    let lines = Lines::new(text);
+    let line = &text[lines.range(offset)];
+    if is_header(line) {
+        let name = header_name(line);
+        let first = first_line(text, |other| is_header(other) && header_name(other) == name)
+            .filter(|first| *first < lines.line_and_column(offset).0);
+        let hint = first
+            .map(|first| format!(" (first on line {first})"))
+            .unwrap_or_default();
+        let message = format!(
+            "[{}] is defined twice{hint}; rename the second one, or merge the two",
+            clip(name)
+        );
+        return SyntaxError {
+            offset,
+            key: clip(name),
+            message,
+        };
+    }
+    let key = text.get(span.clone()).unwrap_or_default().trim();
+    let before = &text[..lines.range(offset).start];
+    let header = before
+        .lines()
+        .enumerate()
+        .filter(|(_, other)| is_header(other))
+        .last();
+    let name = header
+        .map(|(_, line)| header_name(line))
+        .unwrap_or_default();
+    let path = if name.is_empty() {
+        clip(key)
+    } else {
+        format!("{}.{}", clip(name), clip(key))
+    };
+    let header_before = before
+        .lines()
+        .enumerate()
+        .skip(header.map_or(0, |(index, _)| index + 1));
+    let first = header_before
+        .filter(|(_, other)| {
+            other
+                .split('=')
+                .next()
+                .is_some_and(|other| other.trim() == key)
+        })
+        .map(|(index, _)| index + 1)
+        .next();
+    let hint = first
+        .map(|first| format!(" (first on line {first})"))
+        .unwrap_or_default();
+    let message = format!("{path}: the key appears twice in this table{hint}; remove one of them");
+    SyntaxError {
+        offset,
+        key: path,
+        message,
+    }
+}
+
+fn first_line(text: &str, predicate: impl Fn(&str) -> bool) -> Option<usize> {
+    text.lines().position(predicate).map(|index| index + 1)
+}
+
+fn malformed(text: &str, offset: usize, reason: &str) -> SyntaxError {
+    let line = &text[Lines::new(text).range(offset)];
+    let hint = line
+        .split_once('=')
+        .and_then(|(key, value)| unquoted(key.trim(), value.trim()));
+    let message = hint.unwrap_or_else(|| format!("this is not valid TOML: {reason}"));
+    SyntaxError {
+        offset,
+        key: String::new(),
+        message,
+    }
+}
+
+/// Detects the likely mistake `frequency = 13 Hz`.
+fn unquoted(key: &str, value: &str) -> Option<String> {
+    let value = value.split('#').next().unwrap_or_default().trim();
+    let (_, unit) = Decimal::split(value)?;
+    let begins_a_unit = unit
+        .trim_start()
+        .starts_with(|c: char| c.is_alphabetic() || c == '\u{b0}');
+    begins_a_unit.then(|| {
+        format!(
+            "{}: write the quantity in quotes: \"{}\"",
+            clip(key),
+            clip(value)
+        )
+    })
+}

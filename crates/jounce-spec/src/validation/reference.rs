@@ -1,0 +1,215 @@
+//! References name existing elements without ambiguity.
+
+use std::cell::LazyCell;
+
+use super::ValidationFaults;
+use crate::nearest::{clip, did_you_mean, join_words};
+use crate::{GROUND, Spec};
+
+pub(super) fn check(spec: &Spec, faults: &mut ValidationFaults) {
+    check_names(spec, faults);
+    for (name, patch) in &spec.patch {
+        if !patch.on.is_empty() && !spec.beam.contains_key(&patch.on) {
+            let beams = || spec.beam.keys().map(String::as_str);
+            faults.push(
+                || format!("patch.{name}.on"),
+                || unknown("beam", &patch.on, "beams", beams),
+            );
+        }
+    }
+    for (name, layer) in &spec.layer {
+        if !layer.on.is_empty() && !spec.beam.contains_key(&layer.on) {
+            let beams = || spec.beam.keys().map(String::as_str);
+            faults.push(
+                || format!("layer.{name}.on"),
+                || unknown("beam", &layer.on, "beams", beams),
+            );
+        }
+    }
+    // Listed once, and only if there is a fault; a huge file may have many points and many wrong
+    // references.
+    let points = LazyCell::new(|| points(spec));
+    for (name, drive) in spec
+        .drive
+        .iter()
+        .filter(|(_, drive)| drive.base().is_none())
+    {
+        check_point(
+            spec,
+            &points,
+            || format!("drive.{name}.at"),
+            &drive.at,
+            false,
+            faults,
+        );
+    }
+    for (name, stop) in &spec.stop {
+        check_point(
+            spec,
+            &points,
+            || format!("stop.{name}.at"),
+            &stop.at,
+            false,
+            faults,
+        );
+        check_point(
+            spec,
+            &points,
+            || format!("stop.{name}.frame"),
+            &stop.frame,
+            true,
+            faults,
+        );
+        if !stop.at.is_empty() && stop.at == stop.frame {
+            faults.push(
+                || format!("stop.{name}.frame"),
+                || {
+                    format!(
+                        "\"{}\" would strike itself; name another body or \"ground\"",
+                        clip(&stop.at)
+                    )
+                },
+            );
+        }
+    }
+}
+
+fn check_names(spec: &Spec, faults: &mut ValidationFaults) {
+    for name in spec
+        .modal
+        .keys()
+        .filter(|name| spec.beam.contains_key(*name))
+    {
+        let text = || {
+            format!(
+                "a beam has this name too, so \"{}.end\" is ambiguous; rename one of them",
+                clip(name)
+            )
+        };
+        faults.push(|| format!("modal.{name}"), text);
+    }
+    for reserved in [GROUND, "nothing"]
+        .into_iter()
+        .filter(|name| spec.mass.contains_key(*name))
+    {
+        let text = || {
+            format!(
+                "the name \"{reserved}\" is reserved{}; choose another",
+                if reserved == GROUND {
+                    " for the ground"
+                } else {
+                    ""
+                }
+            )
+        };
+        faults.push(|| format!("mass.{reserved}"), text);
+    }
+    for (name, beam) in &spec.beam {
+        for end in ["root", "end"]
+            .into_iter()
+            .filter(|end| beam.point.contains_key(*end))
+        {
+            let text = || {
+                format!(
+                    "\"{}.{end}\" always exists; choose another name",
+                    clip(name)
+                )
+            };
+            faults.push(|| format!("beam.{name}.point.{end}"), text);
+        }
+    }
+}
+
+fn check_point<F: FnOnce() -> Vec<String>>(
+    spec: &Spec,
+    points: &LazyCell<Vec<String>, F>,
+    key: impl FnOnce() -> String,
+    point: &str,
+    ground: bool,
+    faults: &mut ValidationFaults,
+) {
+    if point.is_empty()
+        || has_point(spec, point)
+        || (ground && spec.is_base(point))
+        || faults.is_full()
+    {
+        return;
+    }
+    let words = || {
+        [GROUND]
+            .into_iter()
+            .chain(spec.bases())
+            .filter(|_| ground)
+            .chain(points.iter().map(String::as_str))
+    };
+    faults.push(key, || {
+        unknown("point or mass", point, "points and masses", words)
+    });
+}
+
+fn has_point(spec: &Spec, name: &str) -> bool {
+    let Some((body, point)) = name.split_once('.') else {
+        return spec.mass.contains_key(name);
+    };
+    let on_beam = spec
+        .beam
+        .get(body)
+        .is_some_and(|beam| point == "root" || point == "end" || beam.point.contains_key(point));
+    on_beam
+        || spec
+            .modal
+            .get(body)
+            .is_some_and(|modal| modal.point.contains_key(point))
+}
+
+fn points(spec: &Spec) -> Vec<String> {
+    let on_beams = spec.beam.iter().flat_map(|(body, beam)| {
+        let named = beam
+            .point
+            .keys()
+            .map(String::as_str)
+            .filter(|point| !["root", "end"].contains(point));
+        named
+            .chain(["root", "end"])
+            .map(move |point| format!("{body}.{point}"))
+    });
+    let on_modal = spec.modal.iter().flat_map(|(body, modal)| {
+        modal
+            .point
+            .keys()
+            .map(move |point| format!("{body}.{point}"))
+    });
+    on_beams
+        .chain(on_modal)
+        .chain(spec.mass.keys().cloned())
+        .collect()
+}
+
+pub(super) fn patches(spec: &Spec) -> Vec<String> {
+    let modal = spec.modal.iter().flat_map(|(body, modal)| {
+        modal
+            .patch
+            .keys()
+            .map(move |patch| format!("{body}.{patch}"))
+    });
+    spec.patch.keys().cloned().chain(modal).collect()
+}
+
+pub(super) fn unknown<'n, I: Iterator<Item = &'n str>>(
+    noun: &str,
+    name: &str,
+    many: &str,
+    known: impl Fn() -> I,
+) -> String {
+    let suggestion = did_you_mean(name, known());
+    let listed = join_words(known());
+    let listed = if listed.is_empty() {
+        format!("this spec has no {many}")
+    } else {
+        format!("{many} here: {listed}")
+    };
+    format!(
+        "there is no {noun} \"{}\"{suggestion}; {listed}",
+        clip(name)
+    )
+}
