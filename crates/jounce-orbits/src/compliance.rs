@@ -9,8 +9,8 @@
 //! times the number of harmonics.
 
 use faer::c64;
+use jounce_fft::{ComplexToReal, RealToComplex};
 use jounce_model::plant::Plant;
-use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use std::f64::consts::SQRT_2;
 use std::sync::Arc;
 
@@ -32,11 +32,10 @@ impl std::fmt::Debug for FourierGrid {
 impl FourierGrid {
     /// Creates a grid with an even number of samples.
     pub fn new(samples: usize) -> Self {
-        let mut planner = RealFftPlanner::new();
         Self {
             samples,
-            forward: planner.plan_fft_forward(samples),
-            backward: planner.plan_fft_inverse(samples),
+            forward: jounce_fft::forward(samples),
+            backward: jounce_fft::inverse(samples),
         }
     }
 

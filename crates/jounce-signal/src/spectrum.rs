@@ -1,7 +1,6 @@
 //! Amplitude spectrum of a complete record.
 
-use realfft::RealFftPlanner;
-use realfft::num_complex::Complex;
+use jounce_fft::Complex;
 
 use super::{Samples, Window};
 
@@ -53,7 +52,7 @@ impl Samples<'_> {
 }
 
 pub(super) fn transform(mut values: Vec<f64>) -> Vec<Complex<f64>> {
-    let plan = RealFftPlanner::new().plan_fft_forward(values.len());
+    let plan = jounce_fft::forward(values.len());
     let mut bins = plan.make_output_vec();
     plan.process(&mut values, &mut bins)
         .expect("the plan made both buffers' lengths");

@@ -5,7 +5,6 @@ use std::f64::consts::PI;
 use jounce_model::linear::{FrfInput, FrfResponse, frf};
 use jounce_model::plant::Plant;
 use jounce_signal::RandomStream;
-use realfft::RealFftPlanner;
 
 use super::{RigError, Sensor};
 use jounce_data::recording::{Channel, Grid, Issue, IssueKind, Over, Quantity, Recording};
@@ -85,8 +84,7 @@ pub fn hammer_test(plant: &Plant, test: &HammerTest) -> Result<Recording, RigErr
     let padded = padded(plant, count, test.rate_hz)?;
     let mut stream = RandomStream::new(test.seed, 0);
     let force = force(test, count, &mut stream);
-    let mut planner = RealFftPlanner::new();
-    let forward = planner.plan_fft_forward(padded);
+    let forward = jounce_fft::forward(padded);
     let mut spectrum = forward.make_output_vec();
     let mut input = force.clone();
     input.resize(padded, 0.0);
@@ -102,7 +100,7 @@ pub fn hammer_test(plant: &Plant, test: &HammerTest) -> Result<Recording, RigErr
         &test.responses,
         &frequency_hz,
     )?;
-    let backward = planner.plan_fft_inverse(padded);
+    let backward = jounce_fft::inverse(padded);
     let sensed = |truth: &[f64], stream: &mut RandomStream| test.sensor.read(truth, stream);
     let force_channel = Channel::new("force", Quantity::Force, "N", sensed(&force, &mut stream));
     let mut channels = vec![Channel {

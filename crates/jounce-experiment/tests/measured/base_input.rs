@@ -2,12 +2,12 @@
 //! and errors.
 
 use jounce_data::recording::{Channel, Grid, Over, Quantity, Recording};
+use jounce_fft::Complex;
 use jounce_identification::modal::{Band, ModalSettings, identify};
 use jounce_identification::response::{
     ChannelChoice, Excitation, MeasuredResponses, ResponseError,
 };
 use jounce_signal::spectral::{Estimator, FrequencyResponse, ImpactSettings, WindowBias};
-use realfft::num_complex::Complex;
 use std::f64::consts::TAU;
 
 /// Frequency, Hz, damping ratio, participation at the tip. The participations sum to 1, as those of

@@ -18,7 +18,6 @@ use jounce_model::structure::modes_holding;
 use jounce_signal::Samples;
 use jounce_signal::spectral::{MeanPower, mean_power};
 use jounce_spec::SpecFile;
-use realfft::RealFftPlanner;
 
 const RATE_HZ: f64 = 1024.0;
 const LOAD_OHM: f64 = 1e5;
@@ -109,11 +108,7 @@ fn transformed_w(plant: &Plant, record: &Recording) -> f64 {
     let base = &record.channel("base.acceleration").expect("a base").values;
     // The first mode decays to 1e-5 in 110 s.
     let padded = (base.len() + 120 * RATE_HZ as usize).next_power_of_two();
-    let mut planner = RealFftPlanner::new();
-    let (forward, backward) = (
-        planner.plan_fft_forward(padded),
-        planner.plan_fft_inverse(padded),
-    );
+    let (forward, backward) = (jounce_fft::forward(padded), jounce_fft::inverse(padded));
     let mut input = base.clone();
     input.resize(padded, 0.0);
     let mut bins = forward.make_output_vec();

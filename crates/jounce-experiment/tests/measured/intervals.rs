@@ -11,7 +11,6 @@ use jounce_signal::RandomStream;
 use jounce_signal::spectral::{Estimator, ImpactSettings};
 use jounce_spec::SpecFile;
 use rayon::prelude::*;
-use realfft::RealFftPlanner;
 
 /// Three modes in the band and three above it, the first of them near.
 const RIG: &str = r#"
@@ -67,11 +66,7 @@ fn shaker_record(plant: &Plant, (samples, noise): (usize, f64), seed: u64) -> Re
     let force: Vec<f64> = (0..samples / 2)
         .flat_map(|_| stream.normal_pair())
         .collect();
-    let mut planner = RealFftPlanner::new();
-    let (forward, backward) = (
-        planner.plan_fft_forward(samples),
-        planner.plan_fft_inverse(samples),
-    );
+    let (forward, backward) = (jounce_fft::forward(samples), jounce_fft::inverse(samples));
     let (mut input, mut spectrum) = (force.clone(), forward.make_output_vec());
     forward
         .process(&mut input, &mut spectrum)

@@ -11,6 +11,7 @@ use jounce_experiment::fit::{
     Deviation, Features, MeasuredLines, ModeFeature, ResponseFeature, fit,
 };
 use jounce_experiment::rig::Sensor;
+use jounce_fft::Complex;
 use jounce_identification::modal::{Band, ModalSettings, Mode, identify};
 use jounce_identification::response::{ChannelChoice, Excitation, MeasuredResponses};
 use jounce_model::linear::{FrfInput, FrfResponse, frf, optimal_resistance};
@@ -20,8 +21,6 @@ use jounce_signal::RandomStream;
 use jounce_signal::spectral::{ImpactSettings, mean_power};
 use jounce_spec::{Spec, SpecFile};
 use rayon::prelude::*;
-use realfft::RealFftPlanner;
-use realfft::num_complex::Complex;
 use std::f64::consts::TAU;
 use std::path::Path;
 
@@ -113,11 +112,7 @@ fn record(response: &[Complex<f64>], stream: &mut RandomStream) -> Recording {
         .flat_map(|_| stream.normal_pair())
         .map(|x| 3.0 * x)
         .collect();
-    let mut planner = RealFftPlanner::new();
-    let (forward, backward) = (
-        planner.plan_fft_forward(SAMPLES),
-        planner.plan_fft_inverse(SAMPLES),
-    );
+    let (forward, backward) = (jounce_fft::forward(SAMPLES), jounce_fft::inverse(SAMPLES));
     let (mut input, mut bins) = (base.clone(), forward.make_output_vec());
     forward
         .process(&mut input, &mut bins)
@@ -297,7 +292,7 @@ fn sensor_deviation(spec: &Spec, base: &[(f64, f64)]) -> f64 {
 
 /// Mean square of each line of a record.
 fn mean_squares(values: &[f64]) -> Vec<(f64, f64)> {
-    let plan = RealFftPlanner::new().plan_fft_forward(values.len());
+    let plan = jounce_fft::forward(values.len());
     let (mut input, mut bins) = (values.to_vec(), plan.make_output_vec());
     plan.process(&mut input, &mut bins)
         .expect("the plan made the length");

@@ -22,7 +22,6 @@
 //! system identification in the field of experimental and operational modal analysis (2004).
 
 use faer::c64;
-use realfft::RealFftPlanner;
 
 use super::identify::{Identification, ModalSettings, candidates, refine};
 use super::jackknife::leave_one_out;
@@ -163,7 +162,7 @@ fn half_spectrum(values: &[f64], rate_hz: f64) -> Vec<c64> {
     let mut samples = values[..last].to_vec();
     // z^K = 1: the last sample coincides with the first.
     samples[0] = (values[0] + values[last]) / 2.0;
-    let plan = RealFftPlanner::new().plan_fft_forward(last);
+    let plan = jounce_fft::forward(last);
     let mut bins = plan.make_output_vec();
     plan.process(&mut samples, &mut bins)
         .expect("the plan made the length");
@@ -486,7 +485,7 @@ mod tests {
         let poles = [POLES[0], POLES[1], POLES[3]];
         let mut values = decay(&poles, 4096);
         let samples = values.swap_remove(0);
-        let plan = RealFftPlanner::new().plan_fft_forward(4096);
+        let plan = jounce_fft::forward(4096);
         let (mut input, mut bins) = (samples, plan.make_output_vec());
         plan.process(&mut input, &mut bins).unwrap();
         let amplitude = bins.iter().map(|bin| bin.norm()).collect();

@@ -13,8 +13,8 @@
 //! Source: G. James, T. Carne, J. Lauffer, The natural excitation technique (NExT), Sandia
 //! SAND92-1666 (1993).
 
-use realfft::RealFftPlanner;
-use realfft::num_complex::Complex;
+use jounce_fft::{Complex, ComplexToReal, RealToComplex};
+use std::sync::Arc;
 
 use super::ResponseError;
 use jounce_data::recording::{Issue, Over, Recording};
@@ -240,7 +240,7 @@ impl Decays {
                 .skip(usize::from(lines_below == 0.0))
                 .for_each(|(bin, a)| bin.re = a * a);
             let length = 2 * (lines - 1);
-            let plan = RealFftPlanner::new().plan_fft_inverse(length);
+            let plan = jounce_fft::inverse(length);
             let mut values = plan.make_output_vec();
             plan.process(&mut bins, &mut values)
                 .expect("the plan made the length, and the bins are real");
@@ -328,29 +328,30 @@ struct Correlation {
     length: usize,
     lags: usize,
     padded: usize,
-    planner: std::cell::RefCell<RealFftPlanner<f64>>,
+    forward: Arc<dyn RealToComplex<f64>>,
+    inverse: Arc<dyn ComplexToReal<f64>>,
 }
 
 impl Correlation {
     fn new(length: usize, lags: usize) -> Self {
+        let padded = (length + lags + 1).next_power_of_two();
         Self {
             length,
             lags,
-            padded: (length + lags + 1).next_power_of_two(),
-            planner: RealFftPlanner::new().into(),
+            padded,
+            forward: jounce_fft::forward(padded),
+            inverse: jounce_fft::inverse(padded),
         }
     }
 
     /// Computes `sum_t output(t + k) reference(t) / length` for `t` in the block that starts at a
     /// sample.
     fn of(&self, output: &[f64], reference: &[f64], start: usize) -> Vec<f64> {
-        let mut planner = self.planner.borrow_mut();
-        let forward = planner.plan_fft_forward(self.padded);
         let transform = |values: &[f64]| {
             let mut padded = values.to_vec();
             padded.resize(self.padded, 0.0);
-            let mut bins = forward.make_output_vec();
-            forward
+            let mut bins = self.forward.make_output_vec();
+            self.forward
                 .process(&mut padded, &mut bins)
                 .expect("the plan made the length");
             bins
@@ -362,9 +363,8 @@ impl Correlation {
         let mut bins: Vec<Complex<f64>> = x.iter().zip(&y).map(|(x, y)| x.conj() * y).collect();
         let last = bins.len() - 1;
         (bins[0].im, bins[last].im) = (0.0, 0.0);
-        let inverse = planner.plan_fft_inverse(self.padded);
-        let mut values = inverse.make_output_vec();
-        inverse
+        let mut values = self.inverse.make_output_vec();
+        self.inverse
             .process(&mut bins, &mut values)
             .expect("the plan made the length");
         values[..=self.lags]

@@ -1,6 +1,6 @@
 //! Imported response functions.
 
-use realfft::num_complex::Complex;
+use jounce_fft::Complex;
 
 use super::forces::force_position;
 use super::{MeasuredResponses, ResponseError};

@@ -12,9 +12,8 @@
 //! random phases.
 
 use super::{Wave, hold};
+use jounce_fft::Complex;
 use jounce_signal::RandomStream;
-use realfft::RealFftPlanner;
-use realfft::num_complex::Complex;
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::Duration;
 
@@ -75,8 +74,7 @@ fn unless_stopped(
 fn realised(band: &NoiseBand, count: usize, seed: u64) -> Vec<f64> {
     let step_s = 1.0 / band.sample_rate_hz;
     let df = band.sample_rate_hz / count as f64;
-    let mut planner = RealFftPlanner::<f64>::new();
-    let inverse = planner.plan_fft_inverse(count);
+    let inverse = jounce_fft::inverse(count);
     let mut lines = inverse.make_input_vec();
     let mut stream = RandomStream::new(seed, 0);
     let first = (band.low_hz / df).ceil().max(1.0) as usize;

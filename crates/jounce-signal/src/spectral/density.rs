@@ -106,7 +106,7 @@ impl Segments {
 mod tests {
     use super::*;
     use crate::RandomStream;
-    use realfft::num_complex::Complex;
+    use jounce_fft::Complex;
     use std::f64::consts::TAU;
 
     fn noise(count: usize, seed: u64) -> Vec<f64> {

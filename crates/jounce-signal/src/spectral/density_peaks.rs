@@ -6,7 +6,6 @@
 //! line between it and a higher one is scatter. The logarithm of a line averaged over `n` segments
 //! scatters by `1 / sqrt(n)`, upwards at the maximum and downwards at the lowest line.
 
-use realfft::RealFftPlanner;
 use serde::Serialize;
 
 use super::{Density, Segments, Spectra};
@@ -84,7 +83,7 @@ fn peaks(density: &Density, segments: &Segments, most: usize) -> Vec<DensityPeak
 fn leakage(weights: &[f64]) -> Vec<f64> {
     let mut padded = weights.to_vec();
     padded.resize(VALUES_PER_LINE * weights.len(), 0.0);
-    let plan = RealFftPlanner::new().plan_fft_forward(padded.len());
+    let plan = jounce_fft::forward(padded.len());
     let mut bins = plan.make_output_vec();
     plan.process(&mut padded, &mut bins)
         .expect("the plan made the length");

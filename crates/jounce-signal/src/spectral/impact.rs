@@ -2,7 +2,7 @@
 //! continuous.
 
 use crate::{Samples, Window};
-use realfft::num_complex::Complex;
+use jounce_fft::Complex;
 use serde::Serialize;
 
 use super::pre_trigger_check::ringing;

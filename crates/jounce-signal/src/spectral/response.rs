@@ -11,7 +11,7 @@
 //! Source: K. Shin, J. Hammond, Fundamentals of Signal Processing (2008), section 9.3; random error of `|H1|` by Bendat and Piersol (2010),
 //! equation 9.73.
 
-use realfft::num_complex::Complex;
+use jounce_fft::Complex;
 use serde::Serialize;
 
 use super::{SpectralError, WindowBias};

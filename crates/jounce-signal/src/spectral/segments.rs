@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use crate::{Samples, Window};
-use realfft::num_complex::Complex;
-use realfft::{RealFftPlanner, RealToComplex};
+use jounce_fft::Complex;
+use jounce_fft::RealToComplex;
 
 use super::SpectralError;
 
@@ -47,7 +47,7 @@ impl Segments {
             length,
             step,
             weights: window.values(length),
-            plan: RealFftPlanner::new().plan_fft_forward(length),
+            plan: jounce_fft::forward(length),
         })
     }
 

@@ -18,7 +18,7 @@
 //! Source: J. Bendat, A. Piersol, Random Data, 4th ed. (2010), section 8.5 (bias by the window);
 //! the correlation by integration of `sin^2(pi t / T) sin^2(pi (t + u T) / T)`.
 
-use realfft::num_complex::Complex;
+use jounce_fft::Complex;
 use std::f64::consts::TAU;
 
 /// Weight of the blocks on an impulse response.
