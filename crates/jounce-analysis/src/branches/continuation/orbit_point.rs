@@ -1,14 +1,14 @@
 //! Point of a continuation with its orbit.
 
-use super::branch::BranchPoint;
-use super::events::TestDataPair;
 use super::tracer::BranchTracer;
+use crate::branches::branch::BranchPoint;
+use crate::branches::events::TestDataPair;
 use jounce_continuation::CurvePoint;
 use jounce_orbits::{Eigenbasis, OrbitMethod};
 use std::sync::OnceLock;
 
 /// Point of a continuation with its orbit.
-pub(super) struct OrbitPoint<M: OrbitMethod> {
+pub(in crate::branches) struct OrbitPoint<M: OrbitMethod> {
     pub step: CurvePoint<M::Evaluation>,
     pub point: BranchPoint,
     readings: OnceLock<Option<TestDataPair>>,

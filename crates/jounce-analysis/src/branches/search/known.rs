@@ -9,8 +9,8 @@
 //! fold. Newton's method finds the intersection from `F`. The orbit lies on the branch if it is
 //! that intersection.
 
-use super::branch::{Branch, BranchKind, BranchPoint, Termination};
-use super::tracer::BranchTracer;
+use crate::branches::branch::{Branch, BranchKind, BranchPoint, Termination};
+use crate::branches::continuation::tracer::BranchTracer;
 use jounce_continuation::{Direction, Metric, Position, correct};
 use jounce_orbits::{Orbit, ParametricModel, Shooting};
 use std::rc::Rc;
@@ -104,7 +104,7 @@ fn compared_positions(orbit: &Orbit, parameter: f64) -> impl Iterator<Item = Pos
 
 impl Branch {
     /// True when an orbit lies on the branch, shifted by any number of drive cycles; `shooting` has the period of the orbit.
-    pub(super) fn holds<H: ParametricModel>(
+    pub(in crate::branches) fn holds<H: ParametricModel>(
         &self,
         tracer: &BranchTracer,
         shooting: &Shooting<'_, H>,

@@ -7,10 +7,13 @@
 //! of one period it takes the parent with the largest area below its power first. Integrations run
 //! in parallel; the order of the rest is fixed. The search ends when its budget is spent.
 
+mod known;
+mod ramp_down;
+mod starts;
+
 use super::branch::{Branch, BranchKind, BranchPoint};
-use super::known::is_end_of_one;
+use super::continuation::tracer::{BranchTracer, RESOLUTION, newton_tolerance};
 use super::options::BranchOptions;
-use super::tracer::{BranchTracer, RESOLUTION, newton_tolerance};
 use crate::{AnalysisError, Model, Parameter};
 use faer::Mat;
 use jounce_continuation::{
@@ -19,6 +22,7 @@ use jounce_continuation::{
 use jounce_orbits::{
     HarmonicBalance, Orbit, OrbitError, OrbitMethod, ParametricModel, Shooting, null_vector,
 };
+use known::is_end_of_one;
 
 /// Method of computing orbits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

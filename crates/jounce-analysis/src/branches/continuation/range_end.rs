@@ -3,9 +3,9 @@
 //! The last point lies exactly on the edge. It is searched along the curve, not along a line of
 //! guesses: just below a fold a line crosses to the other side of it.
 
-use super::branch::{Branch, Termination};
 use super::orbit_point::{OrbitPoint, point};
 use super::tracer::BranchTracer;
+use crate::branches::branch::{Branch, Termination};
 use jounce_continuation::{CurvePoint, Metric, Position, correct_at, locate, tangent};
 use jounce_orbits::OrbitMethod;
 

@@ -10,8 +10,8 @@
 //! chord of `d` over a short step passes through zero there. A difference that only rotates does
 //! not.
 
-use super::branch::{Bifurcation, Branch, BranchKind};
 use super::orbit_point::OrbitPoint;
+use crate::branches::branch::{Bifurcation, Branch, BranchKind};
 use jounce_continuation::Position;
 use jounce_orbits::{Orbit, OrbitMethod};
 
@@ -94,7 +94,7 @@ pub(super) fn turns_round<M: OrbitMethod>(
 /// True where the distance of an orbit from its copy shifted by half a period changes by half or
 /// passes zero. There a doubled branch meets its parent and turns; the square of the distance is a
 /// factor of its distance from +1.
-pub(super) fn meets_halves(one: &Orbit, two: &Orbit) -> bool {
+pub(in crate::branches) fn meets_halves(one: &Orbit, two: &Orbit) -> bool {
     let (Some(one), Some(two)) = (one.half_period_difference(), two.half_period_difference())
     else {
         return false;

@@ -1,9 +1,9 @@
 //! Detection of the events between two points of a branch.
 
-use super::branch::{Bifurcation, Branch, BranchKind, BranchPoint};
-use super::events::{Extremum, extrema};
 use super::orbit_point::{OrbitPoint, point};
 use super::tracer::BranchTracer;
+use crate::branches::branch::{Bifurcation, Branch, BranchKind, BranchPoint};
+use crate::branches::events::{Extremum, extrema};
 use jounce_continuation::{CurvePoint, Metric, Position, locate};
 use jounce_orbits::{
     Orbit, OrbitMethod, ShootingEvaluation, determinant_at, multipliers, nearest_pair_to_circle,
@@ -41,7 +41,7 @@ impl BranchTracer {
     ///
     /// # Errors
     /// As [`BranchTracer::walk`].
-    pub(super) fn between<M: OrbitMethod>(
+    pub(in crate::branches) fn between<M: OrbitMethod>(
         &self,
         method: &M,
         a: &OrbitPoint<M>,

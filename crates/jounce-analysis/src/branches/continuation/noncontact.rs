@@ -5,7 +5,7 @@
 //! fold. But if it leaves the orbits without contact and returns to them at an earlier value, it
 //! has turned back. The turning point is half-way.
 
-use super::branch::{Branch, BranchPoint, Termination};
+use crate::branches::branch::{Branch, BranchPoint, Termination};
 use faer::ColRef;
 
 /// Point where continuation left the orbits without contact.

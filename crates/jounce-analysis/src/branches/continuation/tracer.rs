@@ -1,13 +1,13 @@
 //! Continuation of one branch from one of its orbits, with its events.
 
 use super::adapt_order::COARSER_BELOW_ERROR;
-use super::branch::{Bifurcation, Branch, BranchKind, BranchPoint, Termination};
 use super::detection::add_crossings;
-use super::events::QuantityLevel;
 use super::halves::{drop_doubling, merge, turns_round};
 use super::noncontact::NoncontactEnd;
 use super::orbit_point::{OrbitPoint, point};
 use super::range_end::RangeCrossing;
+use crate::branches::branch::{Bifurcation, Branch, BranchKind, BranchPoint, Termination};
+use crate::branches::events::QuantityLevel;
 use jounce_continuation::{
     Checkpoint, Continuation, ContinuationError, CorrectedPoint, Corrector, CurvePoint, Direction,
     Metric, Position, StepControl, correct_at, passes, tangent,
@@ -29,7 +29,7 @@ const NEWTON_GOAL_FACTOR: f64 = 50.0;
 const NEWTON_GOAL_LIMITS: (f64, f64) = (1e-11, 1e-6);
 
 /// Returns Newton's goal for a tolerance of integration.
-pub(super) fn newton_tolerance(tolerance: f64) -> f64 {
+pub(in crate::branches) fn newton_tolerance(tolerance: f64) -> f64 {
     (NEWTON_GOAL_FACTOR * tolerance)
         .clamp(NEWTON_GOAL_LIMITS.0, NEWTON_GOAL_LIMITS.1.max(tolerance))
 }
@@ -56,7 +56,7 @@ pub struct BranchTracer {
 impl BranchTracer {
     /// Returns the tracer for one more branch of a period, with as many points as the budget
     /// permits; `None` where it permits no step.
-    pub(super) fn within(&self, branches: &[Branch], cycles: u32) -> Option<Self> {
+    pub(in crate::branches) fn within(&self, branches: &[Branch], cycles: u32) -> Option<Self> {
         let remaining = self
             .budget
             .saturating_sub(branches.iter().map(Branch::work).sum());
@@ -77,7 +77,7 @@ impl BranchTracer {
     ///
     /// # Errors
     /// As [`BranchTracer::walk`].
-    pub(super) fn both_ways<M: OrbitMethod>(
+    pub(in crate::branches) fn both_ways<M: OrbitMethod>(
         &self,
         method: &M,
         state: &[f64],

@@ -1,7 +1,7 @@
 //! Orbits on which integrations settle, from which branches are followed.
 
+use super::BranchSearch;
 use super::ramp_down::ramped_down_start;
-use super::search::BranchSearch;
 use crate::settled_orbits;
 use jounce_orbits::{Orbit, ParametricModel};
 use rayon::prelude::*;
