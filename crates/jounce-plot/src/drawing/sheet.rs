@@ -3,11 +3,11 @@
 use super::canvas::Canvas;
 use super::grips::grips;
 use super::layout::DrawingLayout;
-use super::rect::Rect;
-use super::{
-    Drawing, DrawnCircuit, DrawnContact, GripSheet, bodies, circuit, close_up, contacts, dimension,
-    drives, scale,
-};
+use super::layout::rect::Rect;
+use super::layout::scale;
+use super::parts::{bodies, circuit, close_up, contacts, drives};
+use super::symbols::dimension;
+use super::{Drawing, DrawnCircuit, DrawnContact, GripSheet};
 use crate::svg::{Anchor, Svg};
 use crate::text::{SMALL, TITLE, wrap};
 

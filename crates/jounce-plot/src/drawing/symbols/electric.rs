@@ -1,6 +1,6 @@
 //! Symbols of circuits in a vertical wire from `top` to `bottom`, and one in a horizontal wire.
 
-use super::canvas::INK;
+use crate::drawing::canvas::INK;
 use crate::svg::{Svg, number};
 
 /// Half the length of a symbol, px.

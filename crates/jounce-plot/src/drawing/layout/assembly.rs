@@ -1,7 +1,7 @@
 //! Assemblies: bodies fixed to other bodies, each at its position relative to its carrier.
 
 use super::rect::Rect;
-use super::{Drawing, DrawnBeam, DrawnPatch, DrawnPlace, DrawnShape, Seat};
+use crate::drawing::{Drawing, DrawnBeam, DrawnPatch, DrawnPlace, DrawnShape, Seat};
 
 /// Size of a mass, px.
 pub const BLOCK: (f64, f64) = (86.0, 44.0);

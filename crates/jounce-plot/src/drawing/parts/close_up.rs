@@ -1,12 +1,12 @@
 //! Close-up of a stop: the gap and its two sides, at a larger scale.
 
-use super::assembly::covers;
 use super::bodies::{BODY, LAYER, PATCH};
-use super::canvas::THIN;
-use super::hatch::{HatchSide, ground};
-use super::{
-    Drawing, DrawnContact, DrawnPatch, DrawnPlace, DrawnShape, contacts, dimension, symbols,
-};
+use super::contacts;
+use crate::drawing::canvas::THIN;
+use crate::drawing::layout::assembly::covers;
+use crate::drawing::symbols::dimension;
+use crate::drawing::symbols::hatch::{HatchSide, ground};
+use crate::drawing::{Drawing, DrawnContact, DrawnPatch, DrawnPlace, DrawnShape, symbols};
 use crate::svg::{Anchor, Svg, number};
 use crate::text::SMALL;
 

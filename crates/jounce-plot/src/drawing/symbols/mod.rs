@@ -1,5 +1,9 @@
 //! Symbols of mechanics: a spring, the tip of a stop.
 
+pub(super) mod dimension;
+pub(super) mod electric;
+pub(super) mod hatch;
+
 use super::canvas::INK;
 use crate::svg::{Svg, number};
 

@@ -1,9 +1,14 @@
 //! Layout of the bodies: two bodies of a contact stand opposite to each other at the distance of
 //! the gap.
 
-use super::assembly::{DrawnSpot, assemblies, face, room};
-use super::rect::Rect;
+pub(super) mod assembly;
+pub(super) mod labels;
+pub(super) mod rect;
+pub(super) mod scale;
+
 use super::{Drawing, DrawnContact, DrawnPlace, DrawnShape, Seat};
+use assembly::{DrawnSpot, assemblies, face, room};
+use rect::Rect;
 
 /// Positions of all bodies.
 #[derive(Debug, Clone)]

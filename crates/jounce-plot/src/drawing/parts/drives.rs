@@ -1,11 +1,13 @@
 //! Drives of a group.
 
-use super::assembly::{face, room};
 use super::bodies::WALL;
-use super::canvas::Canvas;
-use super::layout::DrawingLayout;
-use super::rect::Rect;
-use super::{Drawing, DrawnDrive, DrawnPlace, DrawnShape, Seat, contacts, dimension};
+use super::contacts;
+use crate::drawing::canvas::Canvas;
+use crate::drawing::layout::DrawingLayout;
+use crate::drawing::layout::assembly::{face, room};
+use crate::drawing::layout::rect::Rect;
+use crate::drawing::symbols::dimension;
+use crate::drawing::{Drawing, DrawnDrive, DrawnPlace, DrawnShape, Seat};
 use std::collections::BTreeSet;
 
 /// Height of the arrow of a drive, px.

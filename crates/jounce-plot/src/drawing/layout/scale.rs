@@ -1,7 +1,7 @@
 //! The largest scale at which all groups have room.
 
-use super::layout::DrawingLayout;
-use super::{Drawing, DrawnShape};
+use super::DrawingLayout;
+use crate::drawing::{Drawing, DrawnShape};
 
 /// Width of the room of a group, px.
 const WIDTH: f64 = 560.0;

@@ -1,13 +1,13 @@
 //! Drawing of the bodies of a group.
 
-use super::assembly::{SPRING, carrier, room, sides, thick, under};
-use super::canvas::{Canvas, INK, THIN};
-use super::dimension;
-use super::hatch::{HATCH, HatchSide, ground};
-use super::layout::DrawingLayout;
-use super::rect::Rect;
-use super::symbols::spring;
-use super::{Drawing, DrawnBeam, DrawnShape, Seat};
+use crate::drawing::canvas::{Canvas, INK, THIN};
+use crate::drawing::layout::DrawingLayout;
+use crate::drawing::layout::assembly::{SPRING, carrier, room, sides, thick, under};
+use crate::drawing::layout::rect::Rect;
+use crate::drawing::symbols::dimension;
+use crate::drawing::symbols::hatch::{HATCH, HatchSide, ground};
+use crate::drawing::symbols::spring;
+use crate::drawing::{Drawing, DrawnBeam, DrawnShape, Seat};
 use crate::svg::number;
 
 /// Style of a mass, of a patch and of a layer.

@@ -1,8 +1,9 @@
 //! A circuit: its elements between two wires.
 
-use super::canvas::INK;
-use super::labels::{LINE, size_of};
-use super::{DrawnCircuit, DrawnElement, electric};
+use crate::drawing::canvas::INK;
+use crate::drawing::layout::labels::{LINE, size_of};
+use crate::drawing::symbols::electric;
+use crate::drawing::{DrawnCircuit, DrawnElement};
 use crate::svg::{Anchor, Svg, number};
 use crate::text::{SMALL, width};
 

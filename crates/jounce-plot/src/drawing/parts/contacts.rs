@@ -1,13 +1,14 @@
 //! The stops of a group: gaps between opposite bodies, and tips on the ground or on an arm.
 
-use super::assembly::{carrier, face, room};
 use super::bodies::arm;
-use super::canvas::{Canvas, INK};
-use super::hatch::{HATCH, HatchSide, ground};
-use super::layout::{DrawingLayout, sign};
-use super::rect::Rect;
-use super::symbols::tip;
-use super::{Drawing, DrawnContact, dimension};
+use crate::drawing::canvas::{Canvas, INK};
+use crate::drawing::layout::assembly::{carrier, face, room};
+use crate::drawing::layout::rect::Rect;
+use crate::drawing::layout::{DrawingLayout, sign};
+use crate::drawing::symbols::dimension;
+use crate::drawing::symbols::hatch::{HATCH, HatchSide, ground};
+use crate::drawing::symbols::tip;
+use crate::drawing::{Drawing, DrawnContact};
 use crate::svg::number;
 
 /// Half the width of a tip, px.
