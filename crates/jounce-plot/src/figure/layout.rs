@@ -1,10 +1,10 @@
 //! Layout: the frames of the panels and the room around them for ticks, titles and names.
 
 use super::panel::Along;
-use super::span::Span;
-use super::text::{LABEL, LEADING, SMALL, TITLE, width, wrap};
-use super::ticks::Ticks;
-use super::{Figure, Panel, PictureError};
+use crate::axis::span::Span;
+use crate::axis::ticks::Ticks;
+use crate::text::{LABEL, LEADING, SMALL, TITLE, width, wrap};
+use crate::{Figure, Panel, PictureError};
 
 /// Length of a tick and its distance to the label, pixels.
 pub(super) const TICK: f64 = 5.0;

@@ -5,9 +5,9 @@
 
 use std::fmt::Write as _;
 
-use super::PictureError;
 use super::layout::Plot;
-use super::svg::{Svg, number};
+use crate::PictureError;
+use crate::svg::{Svg, number};
 
 /// Values on a grid, drawn behind all other elements of a panel.
 #[derive(Debug, Clone, PartialEq)]
@@ -114,8 +114,8 @@ fn colour(level: usize) -> String {
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
-    use super::super::{Axis, Figure, Panel};
     use super::*;
+    use crate::{Axis, Figure, Panel};
 
     fn draw_field(columns: Vec<Vec<f64>>) -> Result<String, PictureError> {
         let field = Field {

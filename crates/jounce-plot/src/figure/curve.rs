@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::svg::number;
+use crate::svg::number;
 
 /// Returns the points of a series in pixels of its frame, one run for each segment without a gap.
 pub(super) fn runs(points: impl Iterator<Item = Option<(f64, f64)>>) -> Vec<Vec<(f64, f64)>> {

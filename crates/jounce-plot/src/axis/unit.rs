@@ -54,7 +54,7 @@ pub(super) fn takes_prefix(unit: &str) -> bool {
 }
 
 /// Returns the prefix of a power of ten, if it has one.
-pub(super) fn prefix(exponent: i32) -> Option<&'static str> {
+pub(crate) fn prefix(exponent: i32) -> Option<&'static str> {
     PREFIXES
         .iter()
         .find(|(known, _)| *known == exponent)

@@ -5,9 +5,9 @@ use std::fmt::Write as _;
 use super::curve::{path, runs};
 use super::layout::Plot;
 use super::panel::Along;
-use super::svg::{Anchor, Svg, number};
-use super::text::{SMALL, width};
-use super::{Colour, Line, Marker, Series};
+use crate::svg::{Anchor, Svg, number};
+use crate::text::{SMALL, width};
+use crate::{Colour, Line, Marker, Series};
 
 /// Smallest distance of markers on a line, pixels.
 const MARKER_DISTANCE: f64 = 14.0;

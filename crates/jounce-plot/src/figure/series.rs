@@ -1,6 +1,6 @@
 //! A series of points and its style.
 
-use super::Colour;
+use crate::Colour;
 
 /// Points `(x, y)`, joined by a line, marked, or both. NaN and infinities are gaps.
 #[derive(Debug, Clone, PartialEq)]

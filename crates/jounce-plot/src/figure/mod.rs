@@ -1,14 +1,27 @@
 //! A figure: panels under one title, to SVG, PNG or a file.
 
+mod curve;
+mod field;
+mod frame;
+mod layout;
+mod legend;
+mod marks;
+mod panel;
+mod series;
+
+pub use field::Field;
+pub use panel::{Along, Panel, PanelBand, PanelNote, ReferenceLine};
+pub use series::{Line, Marker, Series};
+
 use std::path::Path;
 
-use super::frame::{frame, grid};
-use super::layout::{FigureLayout, Plot};
-use super::legend::{self, LegendPlace};
-use super::marks::{markers, marks};
 use super::svg::{Anchor, Svg};
 use super::text::{LEADING, TITLE, width};
-use super::{Panel, PictureError, file, raster};
+use super::{PictureError, file, raster};
+use frame::{frame, grid};
+use layout::{FigureLayout, Plot};
+use legend::LegendPlace;
+use marks::{markers, marks};
 
 /// A column of panels under one title. Panels over equal horizontal axes share one; if their
 /// vertical axes are also equal, they share the vertical range.

@@ -3,8 +3,8 @@
 use std::fmt::Write as _;
 
 use super::layout::{Plot, TICK};
-use super::svg::{Anchor, Svg, number};
-use super::text::{LABEL, LEADING, SMALL};
+use crate::svg::{Anchor, Svg, number};
+use crate::text::{LABEL, LEADING, SMALL};
 
 const GRID: &str = "class=\"jounce-grid\" fill=\"none\" stroke=\"#e6e6e6\" stroke-width=\"0.8\"";
 const RULE: &str = "class=\"jounce-rule\" fill=\"none\" stroke=\"#333333\" stroke-width=\"0.9\"";

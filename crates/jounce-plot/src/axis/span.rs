@@ -3,12 +3,12 @@
 //! Linear: `(x - low) / (high - low)`; logarithmic: `ln(x / low) / ln(high / low)`; 0 at the low
 //! end, 1 at the high end.
 
-use super::axis::MAX_PLOTTED_VALUE;
-use super::{Axis, PictureError, Scale};
+use super::MAX_PLOTTED_VALUE;
+use crate::{Axis, PictureError, Scale};
 
 /// Both ends of an axis and its scale.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Span {
+pub(crate) struct Span {
     pub low: f64,
     pub high: f64,
     pub scale: Scale,

@@ -3,9 +3,9 @@
 use super::curve::along;
 use super::layout::Plot;
 use super::marks::{band_style, line_style, marker_path, marker_points, marker_style, pixel_runs};
-use super::svg::{Anchor, Svg, number};
-use super::text::{SMALL, width};
-use super::{Panel, Series};
+use crate::svg::{Anchor, Svg, number};
+use crate::text::{SMALL, width};
+use crate::{Panel, Series};
 
 const ROW: f64 = 18.0;
 const KEY: f64 = 28.0;

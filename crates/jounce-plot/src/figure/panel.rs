@@ -1,6 +1,6 @@
 //! One pair of axes and its contents.
 
-use super::{Axis, Colour, Field, Series};
+use crate::{Axis, Colour, Field, Series};
 
 /// A pair of axes with series, bands, reference lines and notes.
 #[derive(Debug, Clone, PartialEq)]

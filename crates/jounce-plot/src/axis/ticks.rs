@@ -5,11 +5,12 @@
 //! plain decimals of a prefixed unit if these lie between 0.001 and 10000, else as powers of ten.
 
 use super::span::Span;
-use super::{Axis, Scale, unit};
+use super::unit;
+use crate::{Axis, Scale};
 
 /// Ticks of one axis.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Ticks {
+pub(crate) struct Ticks {
     /// Labelled ticks.
     pub major: Vec<(f64, String)>,
     /// Ticks without a label.

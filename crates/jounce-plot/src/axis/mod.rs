@@ -1,5 +1,9 @@
 //! Axis of a panel.
 
+pub(super) mod span;
+pub(super) mod ticks;
+pub(super) mod unit;
+
 use super::PictureError;
 
 /// A quantity along one side of a panel.
