@@ -4,8 +4,8 @@
 //! Source: impact-harvester paper (2019), Table 2; density of the patch 5440 kg/m^3 from its
 //! manufacturer (the paper neglects the mass of the patch).
 
-use super::harvester::PaperHarvester;
-use super::{NamedTable, ReproduceError};
+use crate::harvester::PaperHarvester;
+use crate::{NamedTable, ReproduceError};
 use jounce_io::table::{Column, Table};
 use jounce_model::structure::modes_holding;
 
@@ -17,7 +17,7 @@ const HALF_DIGIT_HZ: [f64; 7] = [0.005, 0.05, 0.05, 0.05, 0.05, 0.05, 0.05];
 const MEASURED_HZ: [f64; 7] = [9.01, 49.7, 133.2, 262.8, 436.2, 651.3, 918.1];
 
 /// Frequencies of the clamped beam, Hz.
-pub(super) struct Frequencies {
+pub(crate) struct Frequencies {
     pub thin_skin_hz: Vec<f64>,
     pub laminate_hz: Vec<f64>,
 }

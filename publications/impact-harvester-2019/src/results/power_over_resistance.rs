@@ -2,9 +2,9 @@
 //!
 //! Every resistance is a separate run from rest; without impact the power is the closed form.
 
-use super::harvester::{PaperCase, PaperHarvester};
-use super::named::NamedStop;
-use super::{NamedFigure, NamedTable, ReproduceError};
+use crate::harvester::{PaperCase, PaperHarvester};
+use crate::named::NamedStop;
+use crate::{NamedFigure, NamedTable, ReproduceError};
 use jounce_io::table::{Column, Table};
 use jounce_model::linear::{Optimum, optimal_resistance, steady_power_w};
 use jounce_plot::{LineDirection, SweepLine, power_against_resistance};
@@ -17,7 +17,7 @@ const LINE_PER_DECADE: u32 = 60;
 const PER_DECADE: u32 = 10;
 
 /// Data of one of the two figures.
-pub(super) struct PowerOverResistance {
+pub(crate) struct PowerOverResistance {
     pub case: PaperCase,
     pub resistance_ohm: Vec<f64>,
     pub impact_w: Vec<f64>,

@@ -1,14 +1,14 @@
 //! Frequency sweeps up and down with the state carried over and continuous phase, as in the paper's
 //! figure 6.
 
-use super::ReproduceError;
 use super::coexistence::Coexistence;
-use super::harvester::{MEGOHM, PaperCase, PaperHarvester};
+use crate::ReproduceError;
+use crate::harvester::{MEGOHM, PaperCase, PaperHarvester};
 use jounce_analysis::run::{StartState, simulate};
 
 /// One direction of a stepped sweep.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(super) struct SteppedBranch {
+pub(crate) struct SteppedBranch {
     pub frequency_hz: Vec<f64>,
     /// Mean power per force squared, W/N^2.
     pub power_w_n2: Vec<f64>,
@@ -21,7 +21,7 @@ pub(super) struct SteppedBranch {
 
 /// Force level swept up and then down.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct DriveLevel {
+pub(crate) struct DriveLevel {
     pub amplitude_n: f64,
     pub up: SteppedBranch,
     pub down: SteppedBranch,

@@ -1,8 +1,8 @@
 //! Figure 7: voltage over the last second at 13 Hz and 200 N, its spectrum, and its lines at
 //! multiples of the drive frequency.
 
-use super::harvester::{ABOVE_RESONANCE, PaperHarvester};
-use super::{NamedFigure, NamedTable, ReproduceError};
+use crate::harvester::{ABOVE_RESONANCE, PaperHarvester};
+use crate::{NamedFigure, NamedTable, ReproduceError};
 use jounce_analysis::run::{RunPlan, RunResult, StartState, simulate};
 use jounce_io::table::{Column, Table};
 use jounce_plot::{Scale, SpectrumLine, Trace, spectra, time_histories};
@@ -16,7 +16,7 @@ const HIGHEST_HZ: f64 = 120.0;
 const HIGHEST_ORDER: u32 = 9;
 
 /// Run and its voltage over the averaging window.
-pub(super) struct VoltageRecord {
+pub(crate) struct VoltageRecord {
     pub result: RunResult,
     time_s: Vec<f64>,
     voltage_v: Vec<f64>,

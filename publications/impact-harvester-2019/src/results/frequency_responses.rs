@@ -1,8 +1,8 @@
 //! Figures 4 and 5: tip acceleration and open-circuit patch voltage per hammer force 15 mm from the
 //! root, with fixed table.
 
-use super::harvester::PaperHarvester;
-use super::{NamedFigure, NamedTable, ReproduceError};
+use crate::harvester::PaperHarvester;
+use crate::{NamedFigure, NamedTable, ReproduceError};
 use jounce_io::table::{Column, Table};
 use jounce_model::linear::{FrfInput, FrfResponse, frf};
 use jounce_model::plant::{Plant, System};
@@ -10,7 +10,7 @@ use jounce_model::structure::modes_holding;
 use jounce_plot::{ResponseLine as Curve, Scale, frequency_responses};
 
 /// The two complex frequency responses, per newton.
-pub(super) struct HammerTest {
+pub(crate) struct HammerTest {
     frequency_hz: Vec<f64>,
     /// Tip acceleration, m/s^2/N.
     acceleration: Curve,

@@ -4,23 +4,23 @@
 //! The paper gives neither the levels nor the step. The values 50, 100 and 200 N and 0.1 Hz are
 //! guesses; figures 7 to 9 of the paper use two of these levels.
 
-use super::harvester::{MEGOHM, PaperCase, PaperHarvester};
-use super::named::NamedStop;
 use super::stepped::{DriveLevel, SteppedBranch, stepped};
-use super::{NamedFigure, NamedTable, ReproduceError};
+use crate::harvester::{MEGOHM, PaperCase, PaperHarvester};
+use crate::named::NamedStop;
+use crate::{NamedFigure, NamedTable, ReproduceError};
 use jounce_io::table::{Column, Table};
 use jounce_model::linear::{FrfInput, FrfResponse, frf};
 use jounce_plot::{LineDirection, Scale, SweepLine, SweepLook, sweep};
 use rayon::prelude::*;
 
 /// Force levels, N, zero to peak.
-pub(super) const LEVELS_N: [f64; 3] = [50.0, 100.0, 200.0];
+pub(crate) const LEVELS_N: [f64; 3] = [50.0, 100.0, 200.0];
 
 /// Force levels, N, for the comparison with the stop that differs from the paper's eq. (5).
-pub(super) const FEWER_LEVELS_N: [f64; 2] = [50.0, 200.0];
+pub(crate) const FEWER_LEVELS_N: [f64; 2] = [50.0, 200.0];
 
 /// Curves of figure 6.
-pub(super) struct PowerOverFrequency {
+pub(crate) struct PowerOverFrequency {
     pub linear: SteppedBranch,
     pub levels: Vec<DriveLevel>,
 }

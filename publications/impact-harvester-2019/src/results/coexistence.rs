@@ -1,10 +1,10 @@
 //! Coexisting orbits: the upward and downward sweeps continue at one frequency until transients
 //! decay.
 
-use super::ReproduceError;
-use super::harvester::{MEGOHM, PaperCase, PaperHarvester};
-use super::impact::LONG_RUN_S;
 use super::stepped::SteppedBranch;
+use crate::ReproduceError;
+use crate::harvester::{MEGOHM, PaperCase, PaperHarvester};
+use crate::impact::LONG_RUN_S;
 use jounce_analysis::run::{RunPlan, StartState, simulate};
 
 /// Distance from the peak of the upward sweep within which jumps are searched, Hz.
@@ -12,7 +12,7 @@ const AROUND_PEAK_HZ: f64 = 2.0;
 
 /// Two continued runs at one frequency.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Coexistence {
+pub(crate) struct Coexistence {
     pub frequency_hz: f64,
     /// Mean power per force squared after the upward sweep, W/N^2.
     pub up_w_n2: f64,

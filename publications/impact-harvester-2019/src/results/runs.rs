@@ -1,14 +1,14 @@
 //! Results of the two runs behind the paper's figures 7 to 9.
 
-use super::harvester::{ABOVE_RESONANCE, BELOW_RESONANCE, PaperCase};
-use super::impact::{Impact, LONG_RUN_S};
-use super::{NamedTable, ReproduceError};
+use crate::harvester::{ABOVE_RESONANCE, BELOW_RESONANCE, PaperCase};
+use crate::impact::{Impact, LONG_RUN_S};
+use crate::{NamedTable, ReproduceError};
 use jounce_analysis::run::RunResult;
 use jounce_io::table::{Column, Table};
 use jounce_model::linear::steady_power_w;
 
 /// Returns the table of both runs, and of the first run continued to steady state.
-pub(super) fn table(computed: &Impact) -> Result<NamedTable, ReproduceError> {
+pub(crate) fn table(computed: &Impact) -> Result<NamedTable, ReproduceError> {
     let duration_s = computed.harvester.spec.run.duration_s;
     let rows: [(PaperCase, f64, &RunResult); 3] = [
         (ABOVE_RESONANCE, duration_s, &computed.voltage.result),

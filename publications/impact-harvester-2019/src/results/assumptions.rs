@@ -1,9 +1,9 @@
 //! Assumptions that the paper does not specify: the default, the alternative, and the power at 13
 //! Hz and 200 N with each.
 
-use super::harvester::{ABOVE_RESONANCE, PaperHarvester};
-use super::impact::long_run;
-use super::{NamedTable, ReproduceError};
+use crate::harvester::{ABOVE_RESONANCE, PaperHarvester};
+use crate::impact::long_run;
+use crate::{NamedTable, ReproduceError};
 use jounce_control::Control;
 use jounce_io::table::{Column, Table};
 use jounce_model::structure::section::CrossSection;
@@ -98,7 +98,7 @@ const CHOICES: [Choice; 13] = [
 ];
 
 /// One alternative and its results.
-pub(super) struct Variant {
+pub(crate) struct Variant {
     question: &'static str,
     default: &'static str,
     other: &'static str,
@@ -109,7 +109,7 @@ pub(super) struct Variant {
 }
 
 /// Runs every alternative.
-pub(super) fn variants(control: &Control) -> Result<Vec<Variant>, ReproduceError> {
+pub(crate) fn variants(control: &Control) -> Result<Vec<Variant>, ReproduceError> {
     let owned = |(key, value): &(&str, &str)| ((*key).to_owned(), (*value).to_owned());
     let mut choices: Vec<_> = CHOICES
         .iter()
@@ -176,7 +176,7 @@ impl Variant {
 }
 
 /// Returns the table of all alternatives.
-pub(super) fn table(variants: &[Variant]) -> Result<NamedTable, ReproduceError> {
+pub(crate) fn table(variants: &[Variant]) -> Result<NamedTable, ReproduceError> {
     let texts = |of: fn(&Variant) -> &'static str| {
         variants
             .iter()

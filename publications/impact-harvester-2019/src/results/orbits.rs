@@ -1,9 +1,9 @@
 //! Results that stepped sweeps cannot give: all branches of figure 6, and the jumps as functions of
 //! the gap.
 
-use super::harvester::{MEGOHM, PaperHarvester};
 use super::power_over_frequency::{LEVELS_N, PowerOverFrequency};
-use super::{NamedFigure, NamedTable, ReproduceError};
+use crate::harvester::{MEGOHM, PaperHarvester};
+use crate::{NamedFigure, NamedTable, ReproduceError};
 use jounce_analysis::{
     BifurcationCurve, BifurcationCurvePoint, BifurcationSearch, Branch, BranchPoint, BranchSearch,
     Model, OrbitMethodKind, Parameter,
@@ -33,7 +33,7 @@ const MAX_PERIOD_CYCLES: u32 = 4;
 const TOLERANCE: f64 = 1e-9;
 
 /// Branches of every force level, N, and the map of jumps.
-pub(super) struct PaperOrbits {
+pub(crate) struct PaperOrbits {
     levels: Vec<(f64, Vec<Branch>)>,
     jumps: Vec<BifurcationCurve>,
 }
