@@ -1,9 +1,9 @@
 //! One run.
 
-use crate::cancellable::{on_this_thread, to_python_result};
-use crate::failure::Failure;
-use crate::spec::Spec;
-use crate::{flat, history};
+use crate::conversion::cancellable::{on_this_thread, to_python_result};
+use crate::conversion::failure::Failure;
+use crate::conversion::{flat, history};
+use crate::input::spec::Spec;
 use jounce::{RunOptions, RunResult, StartState};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;

@@ -1,8 +1,8 @@
 //! Reproduction of the paper.
 
-use crate::cancellable::{cancellable, to_python_result};
-use crate::flat;
-use crate::run::PythonResult;
+use super::run::PythonResult;
+use crate::conversion::cancellable::{cancellable, to_python_result};
+use crate::conversion::flat;
 use jounce::ReproduceOptions;
 use pyo3::prelude::*;
 

@@ -4,8 +4,8 @@
 //! array for each of their fields: `loads: [{name, mean_power_w}]` is `load`, the names, and
 //! `load_mean_power_w`. A list of numbers is an array. A missing number is NaN in an array.
 
-use crate::arrays::PythonDict;
-use crate::failure::Failure;
+use super::arrays::PythonDict;
+use super::failure::Failure;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::{Map, Value};

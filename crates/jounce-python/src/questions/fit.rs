@@ -1,8 +1,8 @@
 //! Fit of keys of a spec to measured features.
 
-use crate::cancellable::cancellable;
-use crate::failure::Failure;
-use crate::spec::Spec;
+use crate::conversion::cancellable::cancellable;
+use crate::conversion::failure::Failure;
+use crate::input::spec::Spec;
 use jounce::Features;
 use jounce::parts::FitError;
 use pyo3::prelude::*;

@@ -1,11 +1,11 @@
 //! Studies in parts.
 
-use crate::arrays::PythonDict;
-use crate::cancellable::{cancellable, to_python_result};
-use crate::failure::Failure;
-use crate::flat;
-use crate::run::PythonResult;
-use crate::spec::Spec;
+use super::run::PythonResult;
+use crate::conversion::arrays::PythonDict;
+use crate::conversion::cancellable::{cancellable, to_python_result};
+use crate::conversion::failure::Failure;
+use crate::conversion::flat;
+use crate::input::spec::Spec;
 use jounce::parts::Values;
 use jounce::{Error, StudyFolder, StudyOptions, Table};
 use numpy::PyArray1;

@@ -1,6 +1,6 @@
 //! Samples of the stored end of a run, as arrays.
 
-use crate::arrays::PythonDict;
+use super::arrays::PythonDict;
 use jounce::parts::{History, HistorySamples};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;

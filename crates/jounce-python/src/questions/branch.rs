@@ -1,10 +1,10 @@
 //! Branches of periodic orbits.
 
-use crate::cancellable::{cancellable, to_python_result};
-use crate::failure::Failure;
-use crate::flat;
-use crate::run::PythonResult;
-use crate::spec::Spec;
+use super::run::PythonResult;
+use crate::conversion::cancellable::{cancellable, to_python_result};
+use crate::conversion::failure::Failure;
+use crate::conversion::flat;
+use crate::input::spec::Spec;
 use jounce::parts::Branch;
 use jounce::{BranchOptions, BranchResult};
 use pyo3::prelude::*;

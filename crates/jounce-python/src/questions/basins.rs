@@ -1,9 +1,9 @@
 //! Attractors and how likely each is.
 
-use crate::cancellable::{cancellable, to_python_result};
-use crate::flat;
-use crate::run::PythonResult;
-use crate::spec::Spec;
+use super::run::PythonResult;
+use crate::conversion::cancellable::{cancellable, to_python_result};
+use crate::conversion::flat;
+use crate::input::spec::Spec;
 use jounce::parts::StartPoint;
 use jounce::{BasinsOptions, BasinsResult};
 use pyo3::prelude::*;

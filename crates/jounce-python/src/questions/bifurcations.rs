@@ -1,9 +1,9 @@
 //! Bifurcation curves in two keys.
 
-use crate::cancellable::{cancellable, to_python_result};
-use crate::flat;
-use crate::run::PythonResult;
-use crate::spec::Spec;
+use super::run::PythonResult;
+use crate::conversion::cancellable::{cancellable, to_python_result};
+use crate::conversion::flat;
+use crate::input::spec::Spec;
 use jounce::parts::BifurcationCurve;
 use jounce::{BifurcationsOptions, BifurcationsResult};
 use pyo3::prelude::*;

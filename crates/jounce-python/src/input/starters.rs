@@ -1,6 +1,6 @@
 //! Commented starter specs.
 
-use crate::failure::Failure;
+use crate::conversion::failure::Failure;
 use pyo3::prelude::*;
 
 /// Returns kind and summary of every starter.

@@ -1,9 +1,9 @@
 //! Modes and couplings.
 
-use crate::arrays::{PythonDict, matrix};
-use crate::failure::Failure;
-use crate::flat;
-use crate::spec::Spec;
+use crate::conversion::arrays::{PythonDict, matrix};
+use crate::conversion::failure::Failure;
+use crate::conversion::flat;
+use crate::input::spec::Spec;
 use jounce::{ModesOptions, ModesResult};
 use numpy::PyArray1;
 use pyo3::prelude::*;

@@ -1,10 +1,10 @@
 //! Bifurcation diagrams.
 
-use crate::branch::branch_dicts;
-use crate::cancellable::{cancellable, to_python_result};
-use crate::flat;
-use crate::run::PythonResult;
-use crate::spec::Spec;
+use super::branch::branch_dicts;
+use super::run::PythonResult;
+use crate::conversion::cancellable::{cancellable, to_python_result};
+use crate::conversion::flat;
+use crate::input::spec::Spec;
 use jounce::parts::SectionPoint;
 use jounce::{DiagramOptions, DiagramResult};
 use pyo3::prelude::*;

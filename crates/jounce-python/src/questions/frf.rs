@@ -1,10 +1,10 @@
 //! Frequency response functions without contact.
 
-use crate::arrays::PythonDict;
-use crate::cancellable::{cancellable, to_python_result};
-use crate::flat;
-use crate::run::PythonResult;
-use crate::spec::Spec;
+use super::run::PythonResult;
+use crate::conversion::arrays::PythonDict;
+use crate::conversion::cancellable::{cancellable, to_python_result};
+use crate::conversion::flat;
+use crate::input::spec::Spec;
 use jounce::parts::FrfResponse;
 use jounce::{FrfOptions, FrfResult};
 use numpy::{Complex64, PyArray1};

@@ -1,10 +1,10 @@
 //! Virtual test: simulated sensor recordings of a harvester.
 
-use crate::cancellable::{cancellable, to_python_result};
-use crate::flat;
+use super::run::PythonResult;
+use crate::conversion::cancellable::{cancellable, to_python_result};
+use crate::conversion::flat;
+use crate::input::spec::Spec;
 use crate::measured::recording::{RecordingInput, into_python};
-use crate::run::PythonResult;
-use crate::spec::Spec;
 use jounce::RigOptions;
 use pyo3::prelude::*;
 

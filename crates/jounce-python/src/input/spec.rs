@@ -1,6 +1,6 @@
 //! Spec: its text and its contents.
 
-use crate::failure::Failure;
+use crate::conversion::failure::Failure;
 use jounce::parts::{Manifest, Quantity};
 use jounce::{Harvester, SpecFile};
 use pyo3::exceptions::PyValueError;

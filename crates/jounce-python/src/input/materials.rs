@@ -1,6 +1,6 @@
 //! The library of materials.
 
-use crate::failure::Failure;
+use crate::conversion::failure::Failure;
 use pyo3::prelude::*;
 
 /// Returns every material as JSON, with SI units in the names.
