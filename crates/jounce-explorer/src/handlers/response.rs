@@ -1,10 +1,10 @@
 //! Response over a key: first the branches near those of the previous design, then all branches
 //! that `jounce branch` finds.
 
-use crate::cancellation::Cancellation;
-use crate::fault::RequestFault;
-use crate::frame::Frame;
 use crate::session::Session;
+use crate::session::cancellation::Cancellation;
+use crate::session::fault::RequestFault;
+use crate::session::frame::Frame;
 use jounce::live::{
     Design, KeySpan, ResponseBifurcation, ResponseBranch, ResponseOptions, ResponseResult,
 };

@@ -1,7 +1,7 @@
 //! Spec as text, and the commands that give the response on the page.
 
-use crate::fault::RequestFault;
-use crate::frame::Frame;
+use crate::session::fault::RequestFault;
+use crate::session::frame::Frame;
 use jounce::live::{Design, KeySpan};
 use std::path::Path;
 

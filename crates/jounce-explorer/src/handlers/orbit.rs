@@ -1,9 +1,9 @@
 //! Orbit of a point of a response.
 
-use crate::cancellation::Cancellation;
-use crate::fault::RequestFault;
-use crate::frame::Frame;
 use crate::session::Session;
+use crate::session::cancellation::Cancellation;
+use crate::session::fault::RequestFault;
+use crate::session::frame::Frame;
 use jounce::live::{BeamMotion, BranchPlace, OrbitResult, OrbitStop};
 use serde_json::{Value, json};
 

@@ -1,10 +1,18 @@
 //! Server of one spec at one address.
 
-use crate::assets::{refusal, serve};
-use crate::authenticator::{Authenticator, RequestRefusal};
-use crate::saved_address::SavedAddress;
+mod assets;
+mod authenticator;
+mod file_watch;
+mod launch;
+mod saved_address;
+mod socket;
+
+pub use launch::open_in_browser;
+pub use saved_address::state_folder;
+
 use crate::source::Source;
-use crate::{file_watch, socket};
+use assets::{refusal, serve};
+use authenticator::{Authenticator, RequestRefusal};
 use axum::Router;
 use axum::extract::State;
 use axum::extract::ws::WebSocketUpgrade;
@@ -12,6 +20,7 @@ use axum::extract::ws::rejection::WebSocketUpgradeRejection;
 use axum::http::{HeaderMap, Method, StatusCode, Uri};
 use axum::response::Response;
 use axum::serve::ListenerExt as _;
+use saved_address::SavedAddress;
 use std::net::{Ipv4Addr, SocketAddr};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;

@@ -1,11 +1,11 @@
 //! Response under noise, or under a recording dropped onto the page, in place of the first drive.
 
-use crate::cancellation::Cancellation;
-use crate::fault::RequestFault;
-use crate::frame::Frame;
-use crate::request::ExcitationRequest;
+use super::upload::write_channel;
 use crate::session::Session;
-use crate::upload::write_channel;
+use crate::session::cancellation::Cancellation;
+use crate::session::fault::RequestFault;
+use crate::session::frame::Frame;
+use crate::session::request::ExcitationRequest;
 use jounce::Error;
 use jounce::live::{ChannelFile, Design, Excitation, ExcitationResult};
 use std::path::Path;

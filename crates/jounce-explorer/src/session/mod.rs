@@ -1,14 +1,20 @@
 //! Session of one page: its requests, and data that speed up the next response.
 
-use crate::cancellation::Cancellation;
-use crate::export::export;
-use crate::fault::RequestFault;
-use crate::frame::Frame;
-use crate::latest_requests::LatestRequests;
-use crate::request::{Request, RequestKind};
+pub(super) mod cancellation;
+pub(super) mod fault;
+pub(super) mod frame;
+mod latest_requests;
+pub(super) mod request;
+
+use crate::handlers::export::export;
+use crate::handlers::{basins, excitation, orbit, response, sweep};
 use crate::server::Host;
-use crate::{basins, excitation, orbit, response, sweep};
+use cancellation::Cancellation;
+use fault::RequestFault;
+use frame::Frame;
 use jounce::live::{Design, LiveAnalysis};
+use latest_requests::LatestRequests;
+use request::{Request, RequestKind};
 use serde_json::json;
 use std::sync::Arc;
 use tokio::sync::mpsc;

@@ -1,6 +1,6 @@
 //! Latest request of each kind on a socket: a new request cancels the previous one.
 
-use crate::cancellation::Cancellation;
+use super::cancellation::Cancellation;
 use std::collections::HashMap;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 

@@ -1,9 +1,9 @@
 //! Connection of one page: its socket from opening to close.
 
-use crate::frame::Frame;
-use crate::request::{MAX_OVERRIDES, Request};
-use crate::server::Host;
+use super::Host;
 use crate::session::Session;
+use crate::session::frame::Frame;
+use crate::session::request::{MAX_OVERRIDES, Request};
 use axum::extract::ws::{Message, WebSocket};
 use futures_util::{SinkExt, StreamExt};
 use std::sync::Arc;

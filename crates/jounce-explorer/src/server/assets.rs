@@ -13,22 +13,22 @@ const FILES: [(&str, &str, &[u8]); 4] = [
     (
         "",
         "text/html; charset=utf-8",
-        include_bytes!("../page/index.html"),
+        include_bytes!("../../page/index.html"),
     ),
     (
         "app.js",
         "text/javascript; charset=utf-8",
-        include_bytes!("../page/app.js"),
+        include_bytes!("../../page/app.js"),
     ),
     (
         "app.css",
         "text/css; charset=utf-8",
-        include_bytes!("../page/app.css"),
+        include_bytes!("../../page/app.css"),
     ),
     (
         "icon.svg",
         "image/svg+xml",
-        include_bytes!("../page/icon.svg"),
+        include_bytes!("../../page/icon.svg"),
     ),
 ];
 

@@ -1,9 +1,9 @@
 //! Basins of attraction over a plane of initial displacements and velocities.
 
-use crate::cancellation::Cancellation;
-use crate::fault::RequestFault;
-use crate::frame::Frame;
 use crate::session::Session;
+use crate::session::cancellation::Cancellation;
+use crate::session::fault::RequestFault;
+use crate::session::frame::Frame;
 use jounce::BasinsOptions;
 use jounce::live::Design;
 use jounce::parts::StartPoint;

@@ -1,9 +1,9 @@
 //! Sweeps over a key and over the load; points are sent one by one.
 
-use crate::cancellation::Cancellation;
-use crate::fault::RequestFault;
-use crate::frame::Frame;
 use crate::session::Session;
+use crate::session::cancellation::Cancellation;
+use crate::session::fault::RequestFault;
+use crate::session::frame::Frame;
 use jounce::live::{Design, KeySpan, LivePoint, LoadOptions};
 
 /// Sends each point up and down over a key as soon as it is integrated.

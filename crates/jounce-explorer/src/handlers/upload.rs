@@ -1,6 +1,6 @@
 //! Recording dropped onto the page, converted to times and values for a spec.
 
-use crate::fault::RequestFault;
+use crate::session::fault::RequestFault;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use jounce::live::ChannelFile;
