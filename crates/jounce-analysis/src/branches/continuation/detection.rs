@@ -81,6 +81,7 @@ impl BranchTracer {
         )
     }
 
+    /// Returns the events between two points, each with its distance along the step.
     fn on_the_way<M: OrbitMethod>(
         &self,
         method: &M,
@@ -88,35 +89,14 @@ impl BranchTracer {
         b: &OrbitPoint<M>,
     ) -> Result<Vec<(f64, Bifurcation)>, M::Error> {
         let turns = a.step.tangent.parameter * b.step.tangent.parameter < 0.0;
-        let length = self.along(&a.step, &b.step, &b.step.position);
         let mut events = Vec::new();
         for event in crossed_events(&a.point.orbit, &b.point.orbit, turns)
             .into_iter()
             .chain(self.read_between(method, a, b))
         {
-            let share = |step: &CurvePoint<M::Evaluation>| {
-                self.along(&a.step, &b.step, &step.position) / length
+            let Some(located) = self.locate_event(method, event, (a, b)) else {
+                continue;
             };
-            let value = |step: &CurvePoint<M::Evaluation>| match (event, method.shot(&step.local)) {
-                (DetectedEvent::Fold, _) => step.tangent.parameter,
-                (_, Err(_)) => 0.0,
-                (DetectedEvent::Grazing(turn), Ok(evaluation)) => {
-                    turn.past_m(evaluation, share(step))
-                }
-                (DetectedEvent::Level(number), Ok(evaluation)) => {
-                    self.levels[number].relative_difference(evaluation)
-                }
-                (_, Ok(evaluation)) => of_multipliers(event, step, (evaluation, &a.point.orbit)),
-            };
-            let located = locate(
-                method,
-                &self.corrector,
-                self.parameter_scale(),
-                (&a.step, &b.step),
-                self.resolution,
-                value,
-            );
-            let Some(located) = located else { continue };
             let at = point(method, &located)?;
             // Two real multipliers that meet outside the unit circle are no Neimark-Sacker
             // bifurcation.
@@ -150,6 +130,37 @@ impl BranchTracer {
         // Near a fold the key alone gives no order.
         events.sort_by(|x, y| x.0.total_cmp(&y.0));
         Ok(events)
+    }
+
+    /// Returns the point where the test function of an event is zero; `None` where it is not
+    /// found.
+    fn locate_event<M: OrbitMethod>(
+        &self,
+        method: &M,
+        event: DetectedEvent,
+        (a, b): (&OrbitPoint<M>, &OrbitPoint<M>),
+    ) -> Option<CurvePoint<M::Evaluation>> {
+        let length = self.along(&a.step, &b.step, &b.step.position);
+        let share = |step: &CurvePoint<M::Evaluation>| {
+            self.along(&a.step, &b.step, &step.position) / length
+        };
+        let value = |step: &CurvePoint<M::Evaluation>| match (event, method.shot(&step.local)) {
+            (DetectedEvent::Fold, _) => step.tangent.parameter,
+            (_, Err(_)) => 0.0,
+            (DetectedEvent::Grazing(turn), Ok(evaluation)) => turn.past_m(evaluation, share(step)),
+            (DetectedEvent::Level(number), Ok(evaluation)) => {
+                self.levels[number].relative_difference(evaluation)
+            }
+            (_, Ok(evaluation)) => of_multipliers(event, step, (evaluation, &a.point.orbit)),
+        };
+        locate(
+            method,
+            &self.corrector,
+            self.parameter_scale(),
+            (&a.step, &b.step),
+            self.resolution,
+            value,
+        )
     }
 
     /// Returns grazings and level crossings between two points, by the signs of their test

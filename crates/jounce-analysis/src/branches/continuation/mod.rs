@@ -2,9 +2,11 @@
 
 mod adapt_order;
 mod detection;
+mod ending;
 pub(super) mod halves;
 mod noncontact;
 pub(super) mod orbit_point;
 mod range_end;
 mod sheet_guard;
 pub(super) mod tracer;
+mod tracer_start;

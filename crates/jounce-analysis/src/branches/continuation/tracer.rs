@@ -2,21 +2,18 @@
 
 use super::adapt_order::COARSER_BELOW_ERROR;
 use super::detection::add_crossings;
-use super::halves::{drop_doubling, merge, turns_round};
-use super::noncontact::NoncontactEnd;
+use super::ending::{end, failure_at_edge};
+use super::halves::turns_round;
 use super::orbit_point::{OrbitPoint, point};
 use super::range_end::RangeCrossing;
-use crate::branches::branch::{Bifurcation, Branch, BranchKind, BranchPoint, Termination};
-use crate::branches::events::QuantityLevel;
+use super::tracer_start::TracerStart;
+use crate::branches::branch::{Branch, Termination};
+use crate::branches::events::{NotProved, QuantityLevel};
 use jounce_continuation::{
-    Checkpoint, Continuation, ContinuationError, CorrectedPoint, Corrector, CurvePoint, Direction,
-    Metric, Position, StepControl, correct_at, passes, tangent,
+    Checkpoint, Continuation, CorrectedPoint, Corrector, CurvePoint, Direction, Metric, Position,
+    StepControl, correct_at, tangent,
 };
-use jounce_dynamics::SensitivityError;
-use jounce_orbits::{OrbitError, OrbitMethod, nearest_extremum_m};
-
-/// Distance from the stop, relative to the size of the motion, below which an orbit touches it.
-const GRAZING_DISTANCE: f64 = 1e-6;
+use jounce_orbits::OrbitMethod;
 
 /// Default length, in the metric, to which a bifurcation is located.
 pub(crate) const RESOLUTION: f64 = 1e-8;
@@ -51,6 +48,15 @@ pub struct BranchTracer {
     pub resolution: f64,
     /// Levels of quantities that are labelled.
     pub levels: Vec<QuantityLevel>,
+}
+
+/// Points that a step adds to a branch.
+struct StepPoints<M: OrbitMethod> {
+    points: Vec<OrbitPoint<M>>,
+    /// Intervals of the step where the events are not proved complete.
+    not_proved: Vec<NotProved>,
+    /// True where the step leads to an orbit of fewer cycles.
+    merges: bool,
 }
 
 impl BranchTracer {
@@ -168,11 +174,8 @@ impl BranchTracer {
         let mut walk = self.resume_from(method, &start, mark.as_ref());
         let mut before = OrbitPoint::new(method, start)?;
         if let Some(mark) = &mark {
-            add_crossings(
-                mark.tangent().parameter * before.step.tangent.parameter < 0.0,
-                &before.point,
-                branch,
-            );
+            let turns = mark.tangent().parameter * before.step.tangent.parameter < 0.0;
+            add_crossings(turns, &before.point, branch);
         }
         let (mut mark, mut spare) = (walk.mark(), COARSER_BELOW_ERROR);
         while let Some(next) = walk.next() {
@@ -192,34 +195,20 @@ impl BranchTracer {
             }
             let step = self.refined_point(method, step)?;
             if let Some((finer, start)) = self.finer(method, &step, &before.step)? {
-                return self.continue_branch(
-                    &finer,
-                    start,
-                    (beginning.resampled(&finer), Some(mark)),
-                    branch,
-                );
+                let resumed = (beginning.resampled(&finer), Some(mark));
+                return self.continue_branch(&finer, start, resumed, branch);
             }
             let after = OrbitPoint::new(method, step)?;
-            if self.may_be_off_branch(&before, &after) && walk.retreat(mark.clone()) {
+            let retreats = || walk.retreat(mark.clone());
+            let Some(step) = self.step_points(method, &before, after, retreats)? else {
                 continue;
-            }
-            let mut not_proved = Vec::new();
-            let points = match after.point.orbit.repeats_early() {
-                true => vec![after],
-                false => self.resolved(method, &before, after, &mut not_proved)?,
             };
-            // Newton's method may have reached an orbit of fewer cycles; if a short step gets there
-            // too, the branch ends on it.
-            let merges = points.iter().any(|point| point.point.orbit.repeats_early());
-            if (merges || turns_round(&before, &points)) && walk.retreat(mark.clone()) {
-                continue;
-            }
-            if merges {
+            if step.merges {
                 end(Termination::Merged, branch);
                 return Ok(());
             }
-            branch.not_proved.extend(not_proved);
-            for after in points {
+            branch.not_proved.extend(step.not_proved);
+            for after in step.points {
                 if self.ends_with(method, &mut beginning, (&before, &after), branch)? {
                     return Ok(());
                 }
@@ -227,15 +216,41 @@ impl BranchTracer {
             }
             mark = walk.mark();
             if let Some((coarser, start)) = self.coarser(method, &before.step, &mut spare)? {
-                return self.continue_branch(
-                    &coarser,
-                    start,
-                    (beginning.resampled(&coarser), Some(mark)),
-                    branch,
-                );
+                let resumed = (beginning.resampled(&coarser), Some(mark));
+                return self.continue_branch(&coarser, start, resumed, branch);
             }
         }
         Ok(())
+    }
+
+    /// Returns the points that a step adds; `None` where `retreats` succeeds, so that a shorter step
+    /// decides.
+    fn step_points<M: OrbitMethod>(
+        &self,
+        method: &M,
+        before: &OrbitPoint<M>,
+        after: OrbitPoint<M>,
+        mut retreats: impl FnMut() -> bool,
+    ) -> Result<Option<StepPoints<M>>, M::Error> {
+        if self.may_be_off_branch(before, &after) && retreats() {
+            return Ok(None);
+        }
+        let mut not_proved = Vec::new();
+        let points = match after.point.orbit.repeats_early() {
+            true => vec![after],
+            false => self.resolved(method, before, after, &mut not_proved)?,
+        };
+        // Newton's method may have reached an orbit of fewer cycles; if a short step gets there
+        // too, the branch ends on it.
+        let merges = points.iter().any(|point| point.point.orbit.repeats_early());
+        if (merges || turns_round(before, &points)) && retreats() {
+            return Ok(None);
+        }
+        Ok(Some(StepPoints {
+            points,
+            not_proved,
+            merges,
+        }))
     }
 
     /// Creates a continuation from a start, with the step size of the checkpoint.
@@ -258,169 +273,5 @@ impl BranchTracer {
             walk.resume(mark, |unknown| method.resampled(unknown));
         }
         walk
-    }
-
-    /// Adds a point with the events before it; true where the branch ends with it.
-    fn ends_with<M: OrbitMethod>(
-        &self,
-        method: &M,
-        beginning: &mut TracerStart,
-        (before, after): (&OrbitPoint<M>, &OrbitPoint<M>),
-        branch: &mut Branch,
-    ) -> Result<bool, M::Error> {
-        beginning.noncontact =
-            NoncontactEnd::between(&before.point, &after.point, branch).or(beginning.noncontact);
-        let points = branch.points.len() + 1;
-        let return_point = self.return_point(beginning, before, after, points);
-        let merge = if return_point.is_none() && points > 3 {
-            merge(before, after)
-        } else {
-            None
-        };
-        branch
-            .bifurcations
-            .extend(match return_point.or(merge.as_ref()) {
-                // Events beyond the start were listed at the beginning; beyond a merge the other half
-                // repeats earlier events.
-                Some(end) => self.until(method, (before, after), end)?,
-                None => self.between(method, before, after)?,
-            });
-        branch.points.push(after.point.clone());
-        if let Some((noncontact, back_at)) = beginning
-            .noncontact
-            .and_then(|noncontact| Some((noncontact, noncontact.comes_back(branch)?)))
-        {
-            noncontact.end(branch, back_at);
-            return Ok(true);
-        }
-        let last = (points >= self.most_points).then_some(Termination::Points);
-        let ending = return_point
-            .map(|_| Termination::Closed)
-            .or(merge.map(|_| Termination::Merged))
-            .or(last);
-        let ends = ending.is_some();
-        ending.into_iter().for_each(|ending| end(ending, branch));
-        Ok(ends)
-    }
-
-    /// Ends a branch whose continuation failed: with sticking where the smallest step leads to a
-    /// motion that sticks, or at a grazing where the orbit touches the stop. On a stiff stop a
-    /// branch turns there more sharply than any step can follow.
-    fn end_with_failure<M: OrbitMethod>(
-        &self,
-        method: &M,
-        last: OrbitPoint<M>,
-        error: ContinuationError<M::Error>,
-        branch: &mut Branch,
-    ) -> Result<(), M::Error> {
-        let evaluation = method.shot(&last.step.local)?;
-        let distance_m = nearest_extremum_m(evaluation).map_or(f64::INFINITY, f64::abs);
-        let (parameter, reason) = (last.point.parameter, error.to_string());
-        if let ContinuationError::Family(OrbitError::Integration(SensitivityError::Rests {
-            stop,
-            ..
-        })) = error
-        {
-            branch.bifurcations.push(Bifurcation {
-                kind: BranchKind::Sticking,
-                level: None,
-                stop: Some(stop),
-                at: last.point,
-            });
-            branch.endings.push(Termination::Sticking {
-                why: reason,
-                parameter,
-            });
-        } else if distance_m < GRAZING_DISTANCE * evaluation.kernel.plant.scale_m() {
-            branch
-                .bifurcations
-                .push(Bifurcation::grazing(last.point, evaluation));
-            branch.endings.push(Termination::Grazing {
-                why: reason,
-                parameter,
-            });
-        } else {
-            branch.endings.push(Termination::Failed {
-                why: reason,
-                parameter,
-            });
-        }
-        Ok(())
-    }
-
-    /// Returns the position of its start that a branch passes on a step.
-    fn return_point<'b, M: OrbitMethod>(
-        &self,
-        beginning: &'b TracerStart,
-        before: &OrbitPoint<M>,
-        after: &OrbitPoint<M>,
-        points: usize,
-    ) -> Option<&'b Position> {
-        let metric = Metric::at(&after.step.position, self.parameter_scale());
-        // Another sheet of the curve may pass nearby in the opposite direction.
-        let goes_alike = beginning.sense * after.step.tangent.parameter > 0.0;
-        let closes = |origin: &&Position| {
-            passes(&metric, origin, &before.step.position, &after.step.position)
-        };
-        if points > 4 && goes_alike {
-            beginning.origins.iter().find(closes)
-        } else {
-            None
-        }
-    }
-}
-
-fn failure_at_edge(parameter: f64) -> Termination {
-    let reason = "the branch leaves the range beyond this value, and no orbit was found on the edge; give a wider range".to_owned();
-    Termination::Failed {
-        why: reason,
-        parameter,
-    }
-}
-
-fn end(ending: Termination, branch: &mut Branch) {
-    if ending == Termination::Merged {
-        drop_doubling(branch);
-    }
-    branch.endings.push(ending);
-}
-
-/// Start of a continuation.
-struct TracerStart {
-    /// First orbit at each of its drive cycles; a branch closes where it returns to any of them.
-    origins: Vec<Position>,
-    /// Direction of the parameter.
-    sense: f64,
-    /// Point where the continuation left the orbits without contact.
-    noncontact: Option<NoncontactEnd>,
-}
-
-impl TracerStart {
-    fn of<M: OrbitMethod>(method: &M, first: &BranchPoint, sense: f64) -> Result<Self, M::Error> {
-        let cycles = first.orbit.period_cycles as usize;
-        let strobe_states = first.orbit.strobe_states.iter().take(cycles);
-        let origin = |state: &Vec<f64>| {
-            Ok(Position {
-                unknown: method.unknown_of(state, first.parameter)?,
-                parameter: first.parameter,
-            })
-        };
-        Ok(Self {
-            origins: strobe_states.map(origin).collect::<Result<_, M::Error>>()?,
-            sense,
-            noncontact: None,
-        })
-    }
-
-    /// Converts to the unknown of another method.
-    fn resampled<M: OrbitMethod>(self, method: &M) -> Self {
-        let resampled = |origin: Position| Position {
-            unknown: method.resampled(&origin.unknown),
-            ..origin
-        };
-        Self {
-            origins: self.origins.into_iter().map(resampled).collect(),
-            ..self
-        }
     }
 }
