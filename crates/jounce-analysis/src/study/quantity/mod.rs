@@ -1,5 +1,9 @@
 //! Quantity computed at each point.
 
+pub(super) mod evaluation;
+mod key_quantities;
+pub(super) mod read;
+
 use crate::{DiagramOrder, Recognition, SweepOrder};
 use jounce_io::table::{Column, Values};
 

@@ -2,7 +2,7 @@
 
 use super::Quantity;
 use super::evaluation::default_excitation;
-use super::faults::FaultCollector;
+use crate::study::faults::FaultCollector;
 use crate::{DiagramOrder, Recognition, SweepOrder};
 use jounce_model::linear::FrfResponse;
 use jounce_spec::{Drive, DriveSignal, KeyRange, Quantity as Kind, SpecFile};
@@ -53,7 +53,7 @@ struct QuantityTable<'a> {
 }
 
 /// Reads the quantity with its options.
-pub(super) fn quantity(
+pub(in crate::study) fn quantity(
     reader: &mut FaultCollector,
     item: Option<&Item>,
     file: &SpecFile,

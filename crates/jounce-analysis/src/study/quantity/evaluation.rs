@@ -1,8 +1,8 @@
 //! One quantity at one point.
 
 use super::key_quantities::{bifurcations, diagram, sweep};
-use super::{Quantity, StudyError};
 use crate::run::{RunPlan, simulate};
+use crate::study::{Quantity, StudyError};
 use crate::{
     AnalysisError, BandwidthSearch, Basins, BranchSearch, Cloud, Ensemble, InitialStates, Model,
     OrbitMethodKind, Parameter, Recognition,
@@ -18,7 +18,7 @@ use std::path::Path;
 ///
 /// # Errors
 /// The reason as text: a failed point is a row of the table.
-pub(super) fn evaluate(
+pub(in crate::study) fn evaluate(
     quantity: &Quantity,
     model: &Model,
     folder: &Path,
