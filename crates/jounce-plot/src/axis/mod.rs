@@ -1,6 +1,7 @@
 //! Axis of a panel.
 
 pub(super) mod span;
+mod tick_positions;
 pub(super) mod ticks;
 pub(super) mod unit;
 

@@ -127,24 +127,12 @@ fn distance(a: (f64, f64), b: (f64, f64)) -> f64 {
     (a.0 - b.0).hypot(a.1 - b.1)
 }
 
+/// Returns the cheapest free position of a label, or one below everything if there is none.
 fn cheapest(request: &LabelRequest, obstacles: &[Rect], labels: &[Label], page: Rect) -> Rect {
     let size = size_of(&request.lines);
     let free = |room: &Rect| {
-        let with_margin = room.grown(3.0);
-        // Side by side, two names are read as one unless a wide space separates them.
-        let with_space = Rect {
-            left: room.left - 12.0,
-            right: room.right + 12.0,
-            ..*room
-        };
         let inside = room.left >= page.left && room.right <= page.right;
-        inside
-            && !obstacles.iter().any(|other| with_margin.meets(other))
-            && !labels.iter().any(|label| {
-                with_margin.meets(&label.room)
-                    || with_space.meets(&label.room)
-                    || pierced(label, &with_margin)
-            })
+        inside && is_free(room, obstacles, labels)
     };
     // Centred at the anchor, or with an edge near it, on either side.
     let sides =
@@ -183,19 +171,46 @@ fn cheapest(request: &LabelRequest, obstacles: &[Rect], labels: &[Label], page: 
     // A position straight above or below nearly always exists, and leaves few others to be tried.
     let above = search(&[0.0], f64::INFINITY);
     let best = search(&across, above.map_or(f64::INFINITY, |(cost, _)| cost));
-    let below = || {
-        let lowest = obstacles
-            .iter()
-            .chain(labels.iter().map(|label| &label.room))
-            .map(|rect| rect.bottom)
-            .fold(request.anchor.1, f64::max);
-        let x = request.anchor.0.clamp(
-            page.left + 0.5 * size.0,
-            (page.right - 0.5 * size.0).max(page.left + 0.5 * size.0),
-        );
-        Rect::around((x, lowest + 8.0 + 0.5 * size.1), size)
+    best.map_or_else(
+        || below_all(request.anchor, size, (obstacles, labels), page),
+        |(_, room)| room,
+    )
+}
+
+/// True where an area meets no element, no label and no leader.
+fn is_free(room: &Rect, obstacles: &[Rect], labels: &[Label]) -> bool {
+    let with_margin = room.grown(3.0);
+    // Side by side, two names are read as one unless a wide space separates them.
+    let with_space = Rect {
+        left: room.left - 12.0,
+        right: room.right + 12.0,
+        ..*room
     };
-    best.map_or_else(below, |(_, room)| room)
+    !obstacles.iter().any(|other| with_margin.meets(other))
+        && !labels.iter().any(|label| {
+            with_margin.meets(&label.room)
+                || with_space.meets(&label.room)
+                || pierced(label, &with_margin)
+        })
+}
+
+/// Returns the position below all elements and labels, as near to the anchor as the page allows.
+fn below_all(
+    anchor: (f64, f64),
+    size: (f64, f64),
+    (obstacles, labels): (&[Rect], &[Label]),
+    page: Rect,
+) -> Rect {
+    let lowest = obstacles
+        .iter()
+        .chain(labels.iter().map(|label| &label.room))
+        .map(|rect| rect.bottom)
+        .fold(anchor.1, f64::max);
+    let x = anchor.0.clamp(
+        page.left + 0.5 * size.0,
+        (page.right - 0.5 * size.0).max(page.left + 0.5 * size.0),
+    );
+    Rect::around((x, lowest + 8.0 + 0.5 * size.1), size)
 }
 
 fn pierced(label: &Label, room: &Rect) -> bool {

@@ -2,7 +2,7 @@
 
 use crate::drawing::canvas::{Canvas, INK, THIN};
 use crate::drawing::layout::DrawingLayout;
-use crate::drawing::layout::assembly::{SPRING, carrier, room, sides, thick, under};
+use crate::drawing::layout::assembly::{DrawnSpot, SPRING, carrier, room, sides, thick, under};
 use crate::drawing::layout::rect::Rect;
 use crate::drawing::symbols::dimension;
 use crate::drawing::symbols::hatch::{HATCH, HatchSide, ground};
@@ -38,34 +38,7 @@ pub fn body(
     );
     match &body_drawing.shape {
         DrawnShape::Beam(shape) => {
-            let foot = carrier(drawing, body)
-                .map(|support| layout.point(drawing, support).1 + shift.1)
-                .filter(|y| (y - spot.y).abs() > 1.0);
-            if let Some(y) = foot.filter(|_| {
-                matches!(
-                    drawing.bodies[carrier(drawing, body).map_or(0, |p| p.body)].shape,
-                    DrawnShape::Beam(_)
-                )
-            }) {
-                canvas.solid(
-                    Rect::between((spot.x - 4.0, spot.y), (spot.x + 4.0, y)),
-                    BODY,
-                );
-            }
-            beam(canvas, shape, spot.way, (spot.x, spot.y), layout.px_per_m);
-            if body_drawing.seat == Seat::Ground {
-                wall(canvas, (spot.x, spot.y), spot.way);
-            }
-            let (anchor, toward) = named_at(shape, (spot.x, spot.y), spot.way, layout.px_per_m);
-            // If another beam lies close to this face, the name goes to the other face.
-            let other = (toward.1 != 0.0).then_some((anchor.0, 2.0 * spot.y - anchor.1));
-            let mut words = body_drawing.words.clone();
-            words.push(format!(
-                "{} × {}",
-                dimension::length(shape.length_m),
-                dimension::length(shape.thickness_m)
-            ));
-            canvas.label_along(anchor, other.into_iter().collect(), toward, words);
+            beam_body(canvas, drawing, layout, (body, shape), (spot, shift));
             return;
         }
         DrawnShape::Ball => {
@@ -97,6 +70,45 @@ pub fn body(
         (1.0, 0.0),
         body_drawing.words.clone(),
     );
+}
+
+/// Draws a beam on its support, with its name and its size.
+fn beam_body(
+    canvas: &mut Canvas,
+    drawing: &Drawing,
+    layout: &DrawingLayout,
+    (body, shape): (usize, &DrawnBeam),
+    (spot, shift): (DrawnSpot, (f64, f64)),
+) {
+    let body_drawing = &drawing.bodies[body];
+    let foot = carrier(drawing, body)
+        .map(|support| layout.point(drawing, support).1 + shift.1)
+        .filter(|y| (y - spot.y).abs() > 1.0);
+    if let Some(y) = foot.filter(|_| {
+        matches!(
+            drawing.bodies[carrier(drawing, body).map_or(0, |p| p.body)].shape,
+            DrawnShape::Beam(_)
+        )
+    }) {
+        canvas.solid(
+            Rect::between((spot.x - 4.0, spot.y), (spot.x + 4.0, y)),
+            BODY,
+        );
+    }
+    beam(canvas, shape, spot.way, (spot.x, spot.y), layout.px_per_m);
+    if body_drawing.seat == Seat::Ground {
+        wall(canvas, (spot.x, spot.y), spot.way);
+    }
+    let (anchor, toward) = named_at(shape, (spot.x, spot.y), spot.way, layout.px_per_m);
+    // If another beam lies close to this face, the name goes to the other face.
+    let other = (toward.1 != 0.0).then_some((anchor.0, 2.0 * spot.y - anchor.1));
+    let mut words = body_drawing.words.clone();
+    words.push(format!(
+        "{} × {}",
+        dimension::length(shape.length_m),
+        dimension::length(shape.thickness_m)
+    ));
+    canvas.label_along(anchor, other.into_iter().collect(), toward, words);
 }
 
 /// Returns the position of a beam's name: over a bare face, else at its right end.

@@ -127,22 +127,7 @@ pub fn draw(
         scale,
     );
     match contact.on {
-        None => {
-            svg.path(
-                &symbols::tip(middle, stop_face, sign, 14.0),
-                "class=\"jounce-stop\" fill=\"#8a8a8a\" fill-opacity=\"0.8\" stroke=\"none\"",
-            );
-            ground(
-                svg,
-                (middle - 50.0, stop_face + sign * 28.0),
-                100.0,
-                if contact.above {
-                    HatchSide::Above
-                } else {
-                    HatchSide::Below
-                },
-            );
-        }
+        None => ground_tip(svg, (middle, stop_face), sign),
         Some(on) => side(
             svg,
             (stop_face, sign),
@@ -166,6 +151,24 @@ pub fn draw(
         SMALL,
         Anchor::Start,
         &times(scale / px_per_m),
+    );
+}
+
+/// Draws the tip of a stop on the ground; `sign` is -1 if it is above the gap.
+fn ground_tip(svg: &mut Svg, (middle, stop_face): (f64, f64), sign: f64) {
+    svg.path(
+        &symbols::tip(middle, stop_face, sign, 14.0),
+        "class=\"jounce-stop\" fill=\"#8a8a8a\" fill-opacity=\"0.8\" stroke=\"none\"",
+    );
+    ground(
+        svg,
+        (middle - 50.0, stop_face + sign * 28.0),
+        100.0,
+        if sign < 0.0 {
+            HatchSide::Above
+        } else {
+            HatchSide::Below
+        },
     );
 }
 
