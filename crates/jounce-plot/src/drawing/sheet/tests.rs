@@ -79,7 +79,7 @@ fn no_label_of_any_example_or_starter_lies_over_another_or_leaves_the_page() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let all = [
         specs(&root.join("../../examples")),
-        specs(&root.join("src/starter")),
+        specs(&root.join("../jounce-spec/src/starter")),
     ]
     .concat();
     assert!(all.len() > 20, "{all:?}");
@@ -135,7 +135,7 @@ fn no_leader_of_any_example_or_starter_crosses_a_beam() {
     let mut leader_count = 0;
     for path in [
         specs(&root.join("../../examples")),
-        specs(&root.join("src/starter")),
+        specs(&root.join("../jounce-spec/src/starter")),
     ]
     .concat()
     {
