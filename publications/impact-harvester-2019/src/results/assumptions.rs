@@ -3,9 +3,10 @@
 
 use crate::harvester::{ABOVE_RESONANCE, PaperHarvester};
 use crate::impact::long_run;
+use crate::named::column;
 use crate::{NamedTable, ReproduceError};
 use jounce_control::Control;
-use jounce_io::table::{Column, Table};
+use jounce_io::table::Table;
 use jounce_model::structure::section::CrossSection;
 use jounce_spec::Spec;
 use rayon::prelude::*;
@@ -177,59 +178,40 @@ impl Variant {
 
 /// Returns the table of all alternatives.
 pub(crate) fn table(variants: &[Variant]) -> Result<NamedTable, ReproduceError> {
-    let texts = |of: fn(&Variant) -> &'static str| {
-        variants
-            .iter()
-            .map(|variant| of(variant).to_owned())
-            .collect::<Vec<_>>()
-    };
-    let power = |run: usize| {
-        variants
-            .iter()
-            .map(|variant| variant.power_w[run])
-            .collect::<Vec<f64>>()
-    };
-    let settled = |run: usize| {
-        variants
-            .iter()
-            .map(|variant| variant.settled[run])
-            .collect::<Vec<bool>>()
-    };
     let default_w = variants
         .first()
         .map_or(f64::NAN, |variant| variant.power_w[0]);
     let table = Table::new(vec![
-        Column::new(
-            "question",
-            "",
-            "What the paper leaves open",
-            texts(|variant| variant.question),
+        column(
+            variants,
+            ("question", "", "What the paper leaves open"),
+            |variant| variant.question.to_owned(),
         ),
-        Column::new(
-            "default",
-            "",
-            "Our default",
-            texts(|variant| variant.default),
+        column(variants, ("default", "", "Our default"), |variant| {
+            variant.default.to_owned()
+        }),
+        column(variants, ("other", "", "Other choice"), |variant| {
+            variant.other.to_owned()
+        }),
+        column(
+            variants,
+            ("power_20_s_w", "W", "Mean power, last 10 of 20 s"),
+            |variant| variant.power_w[0],
         ),
-        Column::new("other", "", "Other choice", texts(|variant| variant.other)),
-        Column::new("power_20_s_w", "W", "Mean power, last 10 of 20 s", power(0)),
-        Column::new(
-            "ratio",
-            "",
-            "Times the default",
-            power(0)
-                .iter()
-                .map(|power_w| power_w / default_w)
-                .collect::<Vec<_>>(),
+        column(variants, ("ratio", "", "Times the default"), |variant| {
+            variant.power_w[0] / default_w
+        }),
+        column(variants, ("settled_20_s", "", "Settled"), |variant| {
+            variant.settled[0]
+        }),
+        column(
+            variants,
+            ("power_100_s_w", "W", "Mean power, last 10 of 100 s"),
+            |variant| variant.power_w[1],
         ),
-        Column::new("settled_20_s", "", "Settled", settled(0)),
-        Column::new(
-            "power_100_s_w",
-            "W",
-            "Mean power, last 10 of 100 s",
-            power(1),
-        ),
-        Column::new("settled_100_s", "", "Settled", settled(1)),
+        column(variants, ("settled_100_s", "", "Settled"), |variant| {
+            variant.settled[1]
+        }),
     ])?;
     Ok(NamedTable::new(
         "assumptions",

@@ -3,13 +3,14 @@
 
 use super::power_over_frequency::{LEVELS_N, PowerOverFrequency};
 use crate::harvester::{MEGOHM, PaperHarvester};
+use crate::named::column;
 use crate::{NamedFigure, NamedTable, ReproduceError};
 use jounce_analysis::{
     BifurcationCurve, BifurcationCurvePoint, BifurcationSearch, Branch, BranchPoint, BranchSearch,
     Model, OrbitMethodKind, Parameter,
 };
 use jounce_control::Control;
-use jounce_io::table::{Column, Table};
+use jounce_io::table::{Table, TableError};
 use jounce_plot::{
     Axis, BifurcationLine, BranchLine, BranchMark, Colour, Marker, Series, bifurcations, branches,
 };
@@ -134,6 +135,24 @@ impl PaperOrbits {
 
     /// Returns the data of both figures.
     pub fn tables(&self) -> Result<Vec<NamedTable>, ReproduceError> {
+        Ok(vec![
+            NamedTable::new(
+                "figure-6-branches",
+                "Periodic orbits of figure 6.",
+                5,
+                self.branch_points()?,
+            ),
+            NamedTable::new(
+                "jumps-over-gap",
+                "Jumps over frequency and gap at 50 N.",
+                5,
+                self.jump_points()?,
+            ),
+        ])
+    }
+
+    /// Returns the points of all branches, with the force level and the number of the branch.
+    fn branch_points(&self) -> Result<Table, TableError> {
         let points: Vec<(f64, u64, &BranchPoint)> = (self.levels.iter())
             .flat_map(|(level, found)| {
                 found
@@ -143,97 +162,60 @@ impl PaperOrbits {
             })
             .flat_map(|(level, k, branch)| branch.points.iter().map(move |point| (level, k, point)))
             .collect();
-        let floats = |read: fn(&(f64, u64, &BranchPoint)) -> f64| {
-            points.iter().map(read).collect::<Vec<f64>>()
-        };
-        let periods: Vec<u64> = points
-            .iter()
-            .map(|(.., point)| u64::from(point.orbit.period_cycles))
-            .collect();
-        let branches = Table::new(vec![
-            Column::new(
-                "amplitude_n",
-                "N",
-                "Force, peak",
-                floats(|(level, ..)| *level),
+        Table::new(vec![
+            column(
+                &points,
+                ("amplitude_n", "N", "Force, peak"),
+                |(level, ..)| *level,
             ),
-            Column::new(
-                "branch",
-                "",
-                "Number of the branch",
-                points.iter().map(|(_, k, _)| *k).collect::<Vec<u64>>(),
+            column(
+                &points,
+                ("branch", "", "Number of the branch"),
+                |(_, k, _)| *k,
             ),
-            Column::new("period_cycles", "", "Period in drive cycles", periods),
-            Column::new(
-                "frequency_hz",
-                "Hz",
-                "Drive frequency",
-                floats(|(.., point)| point.parameter),
+            column(
+                &points,
+                ("period_cycles", "", "Period in drive cycles"),
+                |(.., point)| u64::from(point.orbit.period_cycles),
             ),
-            Column::new(
-                "power_w_n2",
-                "W/N^2",
-                "Mean power per force squared",
-                floats(|(level, _, point)| point.orbit.mean_power_w / (level * level)),
+            column(
+                &points,
+                ("frequency_hz", "Hz", "Drive frequency"),
+                |(.., point)| point.parameter,
             ),
-            Column::new(
-                "stable",
-                "",
-                "Attracts",
-                points
-                    .iter()
-                    .map(|(.., point)| point.orbit.is_stable())
-                    .collect::<Vec<bool>>(),
+            column(
+                &points,
+                ("power_w_n2", "W/N^2", "Mean power per force squared"),
+                |(level, _, point)| point.orbit.mean_power_w / (level * level),
             ),
-        ])?;
+            column(&points, ("stable", "", "Attracts"), |(.., point)| {
+                point.orbit.is_stable()
+            }),
+        ])
+    }
+
+    /// Returns the points of the curves of jumps.
+    fn jump_points(&self) -> Result<Table, TableError> {
         let jumps: Vec<(&BifurcationCurve, &BifurcationCurvePoint)> = self
             .jumps
             .iter()
             .flat_map(|curve| curve.points.iter().map(move |point| (curve, point)))
             .collect();
-        let floats = |read: fn(&BifurcationCurvePoint) -> f64| {
-            jumps
-                .iter()
-                .map(|(_, point)| read(point))
-                .collect::<Vec<f64>>()
-        };
-        let map = Table::new(vec![
-            Column::new(
-                "kind",
-                "",
-                "What happens",
-                jumps
-                    .iter()
-                    .map(|(curve, _)| curve.kind.name().to_owned())
-                    .collect::<Vec<_>>(),
+        Table::new(vec![
+            column(&jumps, ("kind", "", "What happens"), |(curve, _)| {
+                curve.kind.name().to_owned()
+            }),
+            column(
+                &jumps,
+                ("frequency_hz", "Hz", "Drive frequency"),
+                |(_, point)| point.parameter,
             ),
-            Column::new(
-                "frequency_hz",
-                "Hz",
-                "Drive frequency",
-                floats(|point| point.parameter),
-            ),
-            Column::new("gap_m", "m", "Gap", floats(|point| point.parameter_2)),
-            Column::new(
-                "mean_power_w",
-                "W",
-                "Mean power",
-                floats(|point| point.mean_power_w),
-            ),
-        ])?;
-        Ok(vec![
-            NamedTable::new(
-                "figure-6-branches",
-                "Periodic orbits of figure 6.",
-                5,
-                branches,
-            ),
-            NamedTable::new(
-                "jumps-over-gap",
-                "Jumps over frequency and gap at 50 N.",
-                5,
-                map,
-            ),
+            column(&jumps, ("gap_m", "m", "Gap"), |(_, point)| {
+                point.parameter_2
+            }),
+            column(&jumps, ("mean_power_w", "W", "Mean power"), |(_, point)| {
+                point.mean_power_w
+            }),
         ])
     }
 }
