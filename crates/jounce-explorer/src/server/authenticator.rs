@@ -146,52 +146,45 @@ mod tests {
                 .unwrap()
                 .token()
         );
-        let check = |token: &str, host: &str, origin, socket| {
-            authenticator.check(token, &request_headers(host, origin), socket)
-        };
-        assert_eq!(
-            check(
-                &token,
+        let own = "127.0.0.1:4321";
+        let [host, origin, refused_token] = [
+            RequestRefusal::Host,
+            RequestRefusal::Origin,
+            RequestRefusal::Token,
+        ]
+        .map(Err);
+        let cases = [
+            (
+                &*token,
                 "localhost:4321",
-                Some("http://localhost:4321"),
-                true
+                "http://localhost:4321",
+                true,
+                Ok(()),
             ),
-            Ok(())
-        );
-        assert_eq!(check(&token, "127.0.0.1:4321", None, false), Ok(()));
-        assert_eq!(
-            check(&token, "127.0.0.1:4321", None, true),
-            Err(RequestRefusal::Origin)
-        );
-        assert_eq!(
-            check(&token, "127.0.0.1:4321", Some("http://evil.example"), false),
-            Err(RequestRefusal::Origin)
-        );
-        assert_eq!(
-            check(&token, "127.0.0.1:4321", Some("null"), true),
-            Err(RequestRefusal::Origin)
-        );
-        assert_eq!(
-            check(
-                &token,
+            (&*token, own, "", false, Ok(())),
+            (&*token, own, "", true, origin),
+            (&*token, own, "http://evil.example", false, origin),
+            (&*token, own, "null", true, origin),
+            (
+                &*token,
                 "evil.example:4321",
-                Some("http://evil.example:4321"),
-                true
+                "http://evil.example:4321",
+                true,
+                host,
             ),
-            Err(RequestRefusal::Host)
-        );
-        assert_eq!(
-            check(&token, "127.0.0.1:9", None, false),
-            Err(RequestRefusal::Host)
-        );
-        assert_eq!(
-            check(&token[1..], "127.0.0.1:4321", None, false),
-            Err(RequestRefusal::Token)
-        );
-        assert_eq!(
-            check("", "127.0.0.1:4321", None, false),
-            Err(RequestRefusal::Token)
-        );
+            (&*token, "127.0.0.1:9", "", false, host),
+            (&token[1..], own, "", false, refused_token),
+            ("", own, "", false, refused_token),
+        ];
+        for (token, host, origin, socket, expected) in cases {
+            let headers = request_headers(host, Some(origin).filter(|origin| !origin.is_empty()));
+            let result = authenticator.check(token, &headers, socket);
+            assert_eq!(result, expected, "{token} {host} {origin} {socket}");
+        }
+    }
+
+    #[test]
+    fn a_server_on_all_addresses_accepts_addresses_and_no_names() {
         let unspecified = Authenticator::new("0.0.0.0:4321".parse().unwrap(), None).unwrap();
         let check = |host: &str| {
             unspecified.check(unspecified.token(), &request_headers(host, None), false)
