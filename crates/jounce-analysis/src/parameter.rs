@@ -11,7 +11,7 @@ use super::{AnalysisError, Model};
 use faer::c64;
 use jounce_dynamics::{Kernel, ParameterSensitivity};
 use jounce_model::contact::Law;
-use jounce_model::plant::Drive;
+use jounce_model::plant::{Drive, Plant};
 use jounce_orbits::{ModelInstance, ParameterDerivatives, ParametricModel};
 use jounce_spec::{DriveKind, NumericKey};
 use std::f64::consts::TAU;
@@ -106,74 +106,69 @@ impl<'s> Parameter<'s> {
         }
     }
 
+    /// Returns the derivatives by the key, where they have a closed form.
     fn change(&self, kernel: &Kernel, parameter: f64) -> Option<ParameterDerivatives> {
         let plant = &kernel.plant;
-        let zero = vec![0.0; plant.len()];
-        let without_frequency = |drift: ParameterSensitivity| ParameterDerivatives {
+        let of_stop = |drift: ParameterSensitivity| ParameterDerivatives {
             drift,
-            steady: zero.clone(),
+            steady: vec![0.0; plant.len()],
             period_relative: 0.0,
         };
         match self.role {
-            KeyRole::Gap => {
-                return Some(without_frequency(ParameterSensitivity {
-                    gap_m: vec![1.0],
-                    ..ParameterSensitivity::default()
-                }));
-            }
-            KeyRole::Stiffness => {
-                return Some(without_frequency(ParameterSensitivity {
-                    force_relative: vec![1.0 / parameter],
-                    ..ParameterSensitivity::default()
-                }));
-            }
-            KeyRole::Frequency | KeyRole::Amplitude | KeyRole::Other => {}
-        }
-        let tone = plant.tones.first()?;
-        let with_frequency = |by: Vec<c64>, frequency: f64, period_relative: f64| {
-            let ports = plant
-                .ports
-                .iter()
-                .map(|port| {
-                    port.displacement
-                        .iter()
-                        .zip(&by)
-                        .map(|(c, y)| *y * *c)
-                        .sum()
-                })
-                .collect();
-            let drift = ParameterSensitivity {
-                tones: vec![(ports, frequency)],
+            KeyRole::Gap => Some(of_stop(ParameterSensitivity {
+                gap_m: vec![1.0],
                 ..ParameterSensitivity::default()
-            };
-            ParameterDerivatives {
-                drift,
-                steady: by.iter().map(|y| y.re).collect(),
-                period_relative,
-            }
-        };
-        match self.role {
+            })),
+            KeyRole::Stiffness => Some(of_stop(ParameterSensitivity {
+                force_relative: vec![1.0 / parameter],
+                ..ParameterSensitivity::default()
+            })),
             KeyRole::Frequency => {
+                let tone = plant.tones.first()?;
                 let resolved = plant
                     .diagonal
                     .block
                     .resolve(c64::new(0.0, tone.angular_frequency_rad_s), &tone.steady);
-                Some(with_frequency(
-                    resolved
-                        .into_iter()
-                        .map(|y| y * c64::new(0.0, -TAU))
-                        .collect(),
-                    TAU,
-                    -1.0 / parameter,
-                ))
+                let by = resolved.into_iter().map(|y| y * c64::new(0.0, -TAU));
+                let drive = (TAU, -1.0 / parameter);
+                Some(drive_derivatives(plant, by.collect(), drive))
             }
-            KeyRole::Amplitude if parameter != 0.0 => Some(with_frequency(
-                tone.steady.iter().map(|y| *y / parameter).collect(),
-                0.0,
-                0.0,
-            )),
-            _ => None,
+            KeyRole::Amplitude if parameter != 0.0 => {
+                let tone = plant.tones.first()?;
+                let by = tone.steady.iter().map(|y| *y / parameter);
+                Some(drive_derivatives(plant, by.collect(), (0.0, 0.0)))
+            }
+            KeyRole::Amplitude | KeyRole::Other => None,
         }
+    }
+}
+
+/// Returns the derivatives by a key of the drive from those of the steady state, of the angular
+/// frequency, and of the period relative to itself.
+fn drive_derivatives(
+    plant: &Plant,
+    steady: Vec<c64>,
+    (frequency, period_relative): (f64, f64),
+) -> ParameterDerivatives {
+    let ports = plant
+        .ports
+        .iter()
+        .map(|port| {
+            port.displacement
+                .iter()
+                .zip(&steady)
+                .map(|(c, y)| *y * *c)
+                .sum()
+        })
+        .collect();
+    let drift = ParameterSensitivity {
+        tones: vec![(ports, frequency)],
+        ..ParameterSensitivity::default()
+    };
+    ParameterDerivatives {
+        drift,
+        steady: steady.iter().map(|y| y.re).collect(),
+        period_relative,
     }
 }
 

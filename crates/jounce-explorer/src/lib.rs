@@ -39,29 +39,12 @@
 //! *Failure.* Faults of a design are returned by key, with the messages of the command line. If the
 //! file changes, the server notifies the page, which repeats its requests.
 
-mod assets;
-mod authenticator;
-mod basins;
-mod cancellation;
-mod excitation;
-mod export;
-mod fault;
-mod file_watch;
-mod frame;
-mod latest_requests;
-mod launch;
-mod orbit;
-mod request;
-mod response;
-mod saved_address;
+mod handlers;
 mod server;
 mod session;
-mod socket;
 mod source;
-mod sweep;
-mod upload;
 
-pub use launch::open_in_browser;
-pub use saved_address::state_folder;
-pub use server::{ExploreError, Explorer, ServerLimits, ServerOptions, Stopper};
+pub use server::{
+    ExploreError, Explorer, ServerLimits, ServerOptions, Stopper, open_in_browser, state_folder,
+};
 pub use source::Source;

@@ -15,27 +15,16 @@
 //! recolour an inline SVG with them.
 mod axis;
 mod colour;
-mod curve;
 mod drawing;
 mod error;
-mod field;
 mod figure;
 mod file;
-mod frame;
-mod layout;
-mod legend;
-mod marks;
-mod panel;
 mod raster;
 mod ready;
 pub mod report;
-mod series;
 pub mod show;
-mod span;
 mod svg;
 mod text;
-mod ticks;
-mod unit;
 
 pub use axis::{Axis, Scale};
 pub use colour::Colour;
@@ -44,14 +33,13 @@ pub use drawing::{
     DrawnPatch, DrawnPlace, DrawnShape, Grip, GripPart, GripSheet, Rect, Seat,
 };
 pub use error::PictureError;
-pub use field::Field;
-pub use figure::Figure;
-pub use panel::{Along, Panel, PanelBand, PanelNote, ReferenceLine};
+pub use figure::{
+    Along, Field, Figure, Line, Marker, Panel, PanelBand, PanelNote, ReferenceLine, Series,
+};
 pub use ready::{
     BifurcationLine, BranchLine, BranchMark, DensityLine, DiagramDots, DiagramView, LineDirection,
     ModeShape, ResponseLine, ShapePatch, SpectrumLine, SweepLine, SweepLook, TimeSpectrum, Trace,
     bifurcations, branches, densities, diagram, ensemble, frequency_responses, mode_shapes,
     power_against_resistance, spectra, spectrogram, sweep, time_histories,
 };
-pub use series::{Line, Marker, Series};
 pub(crate) use svg::escape;

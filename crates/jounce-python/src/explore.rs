@@ -1,7 +1,7 @@
 //! Live page of a harvester, served from a thread of this process.
 
-use crate::failure::Failure;
-use crate::spec::Spec;
+use crate::conversion::failure::Failure;
+use crate::input::spec::Spec;
 use jounce_explorer::{
     ExploreError, Explorer as Server, ServerLimits, ServerOptions, Source, Stopper,
     open_in_browser, state_folder,

@@ -1,56 +1,26 @@
 //! The Python module of jounce: it reads arguments, calls the library and returns arrays. It
 //! computes nothing itself; the package that uses it is in `python/jounce`.
 
-mod arrays;
-mod basins;
-mod bifurcations;
-mod branch;
-mod cancellable;
-mod diagram;
-mod ensemble;
-mod examples;
+mod conversion;
 mod explore;
-mod failure;
-mod fit;
-mod flat;
-mod frf;
-mod history;
-mod materials;
+mod input;
 mod measured;
-mod modes;
-mod noise;
-mod reproduce;
-mod rig;
-mod run;
+mod questions;
 mod signal;
-mod spec;
-mod starters;
-mod study;
-mod sweep;
 
 /// The module seen from Python.
 #[pyo3::pymodule]
 mod _core {
     #[pymodule_export]
-    use super::basins::basins;
-    #[pymodule_export]
-    use super::bifurcations::bifurcations;
-    #[pymodule_export]
-    use super::branch::branch;
-    #[pymodule_export]
-    use super::diagram::diagram;
-    #[pymodule_export]
-    use super::ensemble::ensemble;
-    #[pymodule_export]
-    use super::examples::examples;
-    #[pymodule_export]
     use super::explore::Explorer;
     #[pymodule_export]
-    use super::fit::fit;
+    use super::input::examples::examples;
     #[pymodule_export]
-    use super::frf::frf;
+    use super::input::materials::materials;
     #[pymodule_export]
-    use super::materials::materials;
+    use super::input::spec::{Spec, keys, quantity_si, questions, schema};
+    #[pymodule_export]
+    use super::input::starters::{starter, starters};
     #[pymodule_export]
     use super::measured::contact::contact;
     #[pymodule_export]
@@ -68,25 +38,35 @@ mod _core {
     #[pymodule_export]
     use super::measured::spectra::spectra;
     #[pymodule_export]
-    use super::modes::modes;
+    use super::questions::basins::basins;
     #[pymodule_export]
-    use super::noise::noise;
+    use super::questions::bifurcations::bifurcations;
     #[pymodule_export]
-    use super::reproduce::reproduce;
+    use super::questions::branch::branch;
     #[pymodule_export]
-    use super::rig::rig;
+    use super::questions::diagram::diagram;
     #[pymodule_export]
-    use super::run::run;
+    use super::questions::ensemble::ensemble;
+    #[pymodule_export]
+    use super::questions::fit::fit;
+    #[pymodule_export]
+    use super::questions::frf::frf;
+    #[pymodule_export]
+    use super::questions::modes::modes;
+    #[pymodule_export]
+    use super::questions::noise::noise;
+    #[pymodule_export]
+    use super::questions::reproduce::reproduce;
+    #[pymodule_export]
+    use super::questions::rig::rig;
+    #[pymodule_export]
+    use super::questions::run::run;
+    #[pymodule_export]
+    use super::questions::study::{Study, study_merge, study_status, table_read};
+    #[pymodule_export]
+    use super::questions::sweep::sweep;
     #[pymodule_export]
     use super::signal::spectrum;
-    #[pymodule_export]
-    use super::spec::{Spec, keys, quantity_si, questions, schema};
-    #[pymodule_export]
-    use super::starters::{starter, starters};
-    #[pymodule_export]
-    use super::study::{Study, study_merge, study_status, table_read};
-    #[pymodule_export]
-    use super::sweep::sweep;
 
     /// Loads the interface of numpy. If the first array of a result loaded it, a pending Ctrl-C
     /// could make that fail.

@@ -1,6 +1,6 @@
 //! Spectra of sampled signals.
 
-use crate::failure::Failure;
+use crate::conversion::failure::Failure;
 use jounce::parts::{Samples, SignalError, Window};
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;

@@ -238,82 +238,85 @@ mod tests {
         );
     }
 
+    /// Texts that are refused: quantity, text, part of the message.
+    const REFUSED: [(Quantity, &str, &str); 16] = [
+        (
+            Quantity::Frequency,
+            "13 mm",
+            "\"13 mm\" is a length; expected a frequency in Hz, kHz, 1/min",
+        ),
+        (
+            Quantity::Frequency,
+            "13 rad/s",
+            "\"13 rad/s\" is an angular frequency; expected a frequency in Hz, kHz, 1/min",
+        ),
+        (
+            Quantity::Frequency,
+            "13",
+            "13 has no unit; expected a frequency in Hz, kHz, 1/min",
+        ),
+        (
+            Quantity::Force,
+            "fifty N",
+            "\"fifty N\" does not start with a number; expected a force in N, mN, kN",
+        ),
+        (
+            Quantity::Force,
+            "nan N",
+            "\"nan N\" does not start with a number; expected a force in N, mN, kN",
+        ),
+        (
+            Quantity::Force,
+            "5 newtons",
+            "\"5 newtons\": \"newtons\" is not a known unit; expected a force in N, mN, kN",
+        ),
+        (
+            Quantity::Damping,
+            "5 N/m s",
+            "a product after a quotient is ambiguous; use parentheses, as in N/(m s)",
+        ),
+        (
+            Quantity::Length,
+            "1,5 mm",
+            "write decimals with a point, not a comma",
+        ),
+        (
+            Quantity::Length,
+            "1e400 mm",
+            "\"1e400 mm\" is too large or too small for a number in m",
+        ),
+        (
+            Quantity::Length,
+            "1e-400 mm",
+            "\"1e-400 mm\" is too large or too small for a number in m",
+        ),
+        (
+            Quantity::Pressure,
+            "1 N/m2",
+            "write a power with ^, as in m^2",
+        ),
+        (
+            Quantity::Pressure,
+            "1 N/m^99",
+            "powers must be from -12 to 12",
+        ),
+        (
+            Quantity::Pressure,
+            "1 N/(m^2",
+            "a parenthesis is not closed",
+        ),
+        (Quantity::Pressure, "1 N//m^2", "unexpected `/`"),
+        (Quantity::Pressure, "1 N/", "the unit is incomplete"),
+        (
+            Quantity::ContactStiffness { exponent: 2.0 },
+            "1 N/m^1.5",
+            "is a contact stiffness in N/m^1.5; expected a contact stiffness in N/m^2, kN/m^2",
+        ),
+    ];
+
     #[test]
     fn wrong_texts_are_refused_with_the_units_that_fit() {
-        for (quantity, text, message) in [
-            (
-                Quantity::Frequency,
-                "13 mm",
-                "\"13 mm\" is a length; expected a frequency in Hz, kHz, 1/min",
-            ),
-            (
-                Quantity::Frequency,
-                "13 rad/s",
-                "\"13 rad/s\" is an angular frequency; expected a frequency in Hz, kHz, 1/min",
-            ),
-            (
-                Quantity::Frequency,
-                "13",
-                "13 has no unit; expected a frequency in Hz, kHz, 1/min",
-            ),
-            (
-                Quantity::Force,
-                "fifty N",
-                "\"fifty N\" does not start with a number; expected a force in N, mN, kN",
-            ),
-            (
-                Quantity::Force,
-                "nan N",
-                "\"nan N\" does not start with a number; expected a force in N, mN, kN",
-            ),
-            (
-                Quantity::Force,
-                "5 newtons",
-                "\"5 newtons\": \"newtons\" is not a known unit; expected a force in N, mN, kN",
-            ),
-            (
-                Quantity::Damping,
-                "5 N/m s",
-                "a product after a quotient is ambiguous; use parentheses, as in N/(m s)",
-            ),
-            (
-                Quantity::Length,
-                "1,5 mm",
-                "write decimals with a point, not a comma",
-            ),
-            (
-                Quantity::Length,
-                "1e400 mm",
-                "\"1e400 mm\" is too large or too small for a number in m",
-            ),
-            (
-                Quantity::Length,
-                "1e-400 mm",
-                "\"1e-400 mm\" is too large or too small for a number in m",
-            ),
-            (
-                Quantity::Pressure,
-                "1 N/m2",
-                "write a power with ^, as in m^2",
-            ),
-            (
-                Quantity::Pressure,
-                "1 N/m^99",
-                "powers must be from -12 to 12",
-            ),
-            (
-                Quantity::Pressure,
-                "1 N/(m^2",
-                "a parenthesis is not closed",
-            ),
-            (Quantity::Pressure, "1 N//m^2", "unexpected `/`"),
-            (Quantity::Pressure, "1 N/", "the unit is incomplete"),
-            (
-                Quantity::ContactStiffness { exponent: 2.0 },
-                "1 N/m^1.5",
-                "is a contact stiffness in N/m^1.5; expected a contact stiffness in N/m^2, kN/m^2",
-            ),
-        ] {
+        for (quantity, text, message) in REFUSED {
             let refusal = quantity.read(text).unwrap_err().to_string();
             assert!(refusal.contains(message), "{text}: {refusal}");
         }

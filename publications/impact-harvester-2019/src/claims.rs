@@ -1,9 +1,9 @@
 //! Claims S2 to S9 of the paper, each tested with computed numbers only.
 
 use super::impact::{Impact, LONG_RUN_S};
-use super::power_over_resistance::PowerOverResistance;
-use super::stepped::{DriveLevel, SteppedBranch};
 use super::{Claim, NamedTable, ReproduceError};
+use crate::results::power_over_resistance::PowerOverResistance;
+use crate::results::stepped::{DriveLevel, SteppedBranch};
 use jounce_io::table::{Column, Table};
 
 /// Returns all claims in order, tested with the stop on the ground. The evidence ends with the

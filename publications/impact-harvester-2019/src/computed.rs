@@ -1,12 +1,12 @@
 //! All numbers of the reproduction, for tables, figures and claims.
 
 use super::ReproduceError;
-use super::assumptions::{Variant, variants};
-use super::frequency_responses::HammerTest;
 use super::impact::Impact;
-use super::orbits::PaperOrbits;
-use super::power_over_frequency::{FEWER_LEVELS_N, LEVELS_N};
-use super::table_2::Frequencies;
+use crate::results::assumptions::{Variant, variants};
+use crate::results::frequency_responses::HammerTest;
+use crate::results::orbits::PaperOrbits;
+use crate::results::power_over_frequency::{FEWER_LEVELS_N, LEVELS_N};
+use crate::results::table_2::Frequencies;
 use jounce_control::Control;
 
 /// All computed results.

@@ -2,9 +2,9 @@
 
 use super::ReproduceError;
 use super::harvester::{ABOVE_RESONANCE, BELOW_RESONANCE, PaperHarvester};
-use super::power_over_frequency::PowerOverFrequency;
-use super::power_over_resistance::PowerOverResistance;
-use super::voltage::VoltageRecord;
+use crate::results::power_over_frequency::PowerOverFrequency;
+use crate::results::power_over_resistance::PowerOverResistance;
+use crate::results::voltage::VoltageRecord;
 use jounce_analysis::run::{RunPlan, RunResult, StartState, simulate};
 use jounce_control::Control;
 use jounce_model::linear::{Coupling, couplings};

@@ -12,27 +12,18 @@
 //! println!("{}", written.report.display());
 //! # Ok::<(), impact_harvester_2019::ReproduceError>(())
 //! ```
-mod assumptions;
 mod chapter;
 mod claim;
 mod claims;
-mod coexistence;
 mod computed;
 mod error;
 pub mod experiment;
-mod frequency_responses;
 mod harvester;
 mod impact;
 mod named;
-mod orbits;
 mod page;
-mod power_over_frequency;
-mod power_over_resistance;
 mod reproduction;
-mod runs;
-mod stepped;
-mod table_2;
-mod voltage;
+mod results;
 
 pub use chapter::Chapter;
 pub use claim::Claim;

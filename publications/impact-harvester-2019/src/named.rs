@@ -1,6 +1,6 @@
 //! Tables and figures with the names of their files.
 
-use jounce_io::table::Table;
+use jounce_io::table::{Column, Table, Values};
 use jounce_plot::Figure;
 
 /// Table of the report.
@@ -66,4 +66,21 @@ impl NamedFigure {
             figure,
         }
     }
+}
+
+/// Returns a column (name, unit, heading) with one value for each row.
+pub(super) fn column<R, V>(
+    rows: &[R],
+    (name, unit, heading): (&str, &str, &str),
+    value: impl Fn(&R) -> V,
+) -> Column
+where
+    Vec<V>: Into<Values>,
+{
+    Column::new(
+        name,
+        unit,
+        heading,
+        rows.iter().map(value).collect::<Vec<V>>(),
+    )
 }

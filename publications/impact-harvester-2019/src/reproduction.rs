@@ -2,9 +2,8 @@
 
 use super::computed::Computed;
 use super::named::{ON_GROUND, ON_TABLE};
-use super::{
-    Chapter, Claim, NamedFigure, NamedTable, ReproduceError, assumptions, claims, page, runs,
-};
+use crate::results::{assumptions, runs};
+use crate::{Chapter, Claim, NamedFigure, NamedTable, ReproduceError, claims, page};
 use jounce_control::Control;
 use jounce_io::table::Manifest;
 use rayon::prelude::*;

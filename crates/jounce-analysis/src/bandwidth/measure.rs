@@ -10,11 +10,10 @@
 //! distance to the farther one of its two neighbouring points. The residual error of Newton's
 //! method is added to each.
 
-use super::curve_piece::{CurvePiece, PiecePoint};
+use super::curve_piece::CurvePiece;
 use super::merge::merged;
 use super::result::{BandInterval, BandLimit, Bandwidth, Bandwidths, IntervalEdge, PowerPeak};
 use super::stable_segment::{SegmentEnd, StableSegment};
-use crate::branches::RESOLUTION;
 use crate::{Branch, BranchPoint, Model, Parameter, Termination};
 use jounce_continuation::Corrector;
 use jounce_orbits::Shooting;
@@ -27,11 +26,8 @@ const MIN_PEAK_SHARE: f64 = 0.9;
 /// half-power interval and are not located.
 const MIN_HALF_SHARE: f64 = 0.4;
 
-/// Error of a multiplier relative to the tolerance of the integration.
-const MULTIPLIER_ERROR_FACTOR: f64 = 1e3;
-
 /// Distance to the neighbouring point of a difference, as a fraction of a piece.
-const NEIGHBOUR_DISTANCE: f64 = 0.02;
+pub(super) const NEIGHBOUR_DISTANCE: f64 = 0.02;
 
 /// Definition of a bandwidth computation.
 #[derive(Debug)]
@@ -121,7 +117,8 @@ impl<'s> BandwidthSearch<'s> {
         })
     }
 
-    fn piece(&self, segment: &StableSegment) -> Option<CurvePiece<'s, Parameter<'s>>> {
+    /// Returns the curve between the two points of a segment.
+    pub(super) fn piece(&self, segment: &StableSegment) -> Option<CurvePiece<'s, Parameter<'s>>> {
         let shooting = Shooting::new(
             self.parameter,
             &self.base.kernel,
@@ -184,63 +181,6 @@ impl<'s> BandwidthSearch<'s> {
             }
         }
         Some(segment)
-    }
-
-    /// Returns the point where the largest multiplier has modulus one; `inwards` leads to the
-    /// stable side.
-    fn stability_edge(&self, segment: &StableSegment, inwards: f64) -> Option<SegmentEnd> {
-        let piece = self.piece(segment)?;
-        let margin = |point: &PiecePoint| Some(1.0 - point.floquet_max_abs()?);
-        let zero = piece.zero((0.0, 1.0), self.tolerance, margin)?;
-        let neighbour = piece.at(zero.point.x + inwards)?;
-        let slope = (margin(&neighbour)? - zero.value) / inwards;
-        let x_error = (zero.value.abs() + MULTIPLIER_ERROR_FACTOR * self.tolerance) / slope.abs();
-        // At a fold the key is stationary, so the second-order term counts.
-        let parameter_error = piece.parameter_error(&zero.point, x_error)?
-            + x_error * x_error * (self.range.1 - self.range.0);
-        // The boundary lies between the two points, even where the multiplier passes modulus one
-        // slowly.
-        let parameter_error = parameter_error.min(segment.largest_distance(zero.point.parameter()));
-        let edge = IntervalEdge {
-            parameter: zero.point.parameter(),
-            parameter_error,
-            at: BandLimit::Stability,
-        };
-        let power_error = 2.0 * piece.orbit(&zero.point)?.error_estimate;
-        Some(SegmentEnd {
-            x: zero.point.x,
-            power_w: zero.point.mean_power_w(),
-            power_error,
-            edge,
-        })
-    }
-
-    /// Returns the bifurcation located during continuation, where the curve between the points
-    /// cannot be computed; `stable` is the stable end.
-    fn located(
-        &self,
-        segment: &StableSegment,
-        branch: &Branch,
-        stable: usize,
-    ) -> Option<SegmentEnd> {
-        let [a, b] = segment.points;
-        let event = branch.bifurcation_between([a, b])?;
-        let x_error = MULTIPLIER_ERROR_FACTOR * self.tolerance
-            / (a.orbit.floquet_max_abs() - b.orbit.floquet_max_abs()).abs();
-        let parameter_error = x_error * (a.parameter - b.parameter).abs()
-            + RESOLUTION * (self.range.1 - self.range.0);
-        let edge = IntervalEdge {
-            parameter: event.parameter,
-            parameter_error,
-            at: BandLimit::Stability,
-        };
-        let power_error = 2.0 * event.orbit.error_estimate;
-        Some(SegmentEnd {
-            edge,
-            power_w: event.orbit.mean_power_w,
-            power_error,
-            ..segment.ends[stable]
-        })
     }
 
     /// Returns the largest power on some segments, at an end or inside, with its relative error.

@@ -7,6 +7,7 @@ mod curve_piece;
 mod measure;
 mod merge;
 mod result;
+mod stability_edge;
 mod stable_segment;
 
 pub(super) use curve_piece::{CurvePiece, PieceZero};

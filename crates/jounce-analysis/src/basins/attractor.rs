@@ -122,8 +122,35 @@ pub(super) fn counted(
     };
     let failures: Vec<(usize, String)> = ends.iter().filter_map(failed).collect();
     let of = ends.len() - failures.len();
+    let mut attractors = periodic(&orbits(ends), mirrored, of);
+    for kind in [
+        AttractorKind::Chaos,
+        AttractorKind::Torus,
+        AttractorKind::Undecided,
+    ] {
+        attractors.extend(aperiodic(kind, ends, of));
+    }
+    let [
+        expected_power_w,
+        expected_power_low_w,
+        expected_power_high_w,
+    ] = expected(&attractors);
+    BasinsResult {
+        attractors,
+        expected_power_w,
+        expected_power_low_w,
+        expected_power_high_w,
+        lost: failures,
+    }
+}
+
+/// Returns the attracting orbits as attractors, named by period and order.
+fn periodic(
+    orbits: &[(Arc<AttractingOrbit>, Vec<usize>)],
+    mirrored: impl Fn(&AttractingOrbit, &AttractingOrbit) -> bool,
+    of: usize,
+) -> Vec<Attractor> {
     let mut attractors: Vec<Attractor> = Vec::new();
-    let orbits = orbits(ends);
     for (k, (attracting, starts)) in orbits.iter().enumerate() {
         let orbit = &attracting.orbit;
         let number = attractors
@@ -155,25 +182,7 @@ pub(super) fn counted(
             )
         });
     }
-    for kind in [
-        AttractorKind::Chaos,
-        AttractorKind::Torus,
-        AttractorKind::Undecided,
-    ] {
-        attractors.extend(aperiodic(kind, ends, of));
-    }
-    let [
-        expected_power_w,
-        expected_power_low_w,
-        expected_power_high_w,
-    ] = expected(&attractors);
-    BasinsResult {
-        attractors,
-        expected_power_w,
-        expected_power_low_w,
-        expected_power_high_w,
-        lost: failures,
-    }
+    attractors
 }
 
 /// Returns the expected power and its interval. Undecided starts may have zero power or the largest

@@ -60,9 +60,8 @@ impl BifurcationSearch<'_> {
         (first, direction): (CorrectedPoint<ExtendedEvaluation>, Direction),
         mut curve: BifurcationCurve,
     ) -> BifurcationCurve {
-        curve
-            .points
-            .push(point(tracking, &first.position, &first.local));
+        let first_point = point(tracking, &first.position, &first.local);
+        curve.points.push(first_point);
         let (origin, outset) = (first.position.clone(), direction.clone());
         let mut walk = self.continuation_from(tracking, corrector, first.position, direction);
         let (mut current, mut came_back) = (first.local, false);
@@ -76,11 +75,7 @@ impl BifurcationSearch<'_> {
                 }
                 None => break,
             };
-            if local.power_curvature.is_some_and(|bend| bend >= 0.0) {
-                curve.failures.push(format!(
-                    "at {} the maximum of power merges with a minimum",
-                    position.parameter
-                ));
+            if maximum_merges(&local, &mut curve, position.parameter) {
                 break;
             }
             let metric = Metric::at(&position, self.scale_2());
@@ -91,9 +86,7 @@ impl BifurcationSearch<'_> {
                 break;
             }
             if let Some(edge) = self.edge_between(tracking, &before, &position) {
-                if edge.share >= EDGE_SHARE
-                    && !self.end_on(tracking, corrector, (&before, &position), edge, &mut curve)
-                {
+                if !self.end_on(tracking, corrector, (&before, &position), edge, &mut curve) {
                     if walk.retreat(mark) {
                         continue;
                     }
@@ -106,9 +99,8 @@ impl BifurcationSearch<'_> {
             }
             curve.points.push(point(tracking, &position, &local));
             let ends = (&before, &position);
-            let closure = (curve.points.len() > 4)
-                .then(|| closure_of(tracking.condition, &metric, (&origin, &outset), ends))
-                .flatten();
+            let closure = closure_of(tracking.condition, &metric, (&origin, &outset), ends)
+                .filter(|_| curve.points.len() > 4);
             came_back = closure == Some(CurveClosure::Backwards);
             if closure.is_some()
                 || is_born(&local, POINT_BRANCH_SHARE)
@@ -197,8 +189,8 @@ impl BifurcationSearch<'_> {
         })
     }
 
-    /// Ends a curve with the point on an edge; false where it is not found, which a start nearer to
-    /// the edge may remedy.
+    /// Ends a curve with the point on an edge, unless its last point counts as on it; false where
+    /// the point is not found, which a start nearer to the edge may remedy.
     fn end_on(
         &self,
         tracking: &ExtendedProblem<KeyPlane>,
@@ -207,6 +199,9 @@ impl BifurcationSearch<'_> {
         edge: PlaneEdge,
         curve: &mut BifurcationCurve,
     ) -> bool {
+        if edge.share < EDGE_SHARE {
+            return true;
+        }
         let Some(edge_point) = self.correct_on_edge(tracking, corrector, ends, edge) else {
             return false;
         };
@@ -294,6 +289,21 @@ fn closure_of(
     };
     let is_other_arm = sense == CurveClosure::Backwards && condition == Condition::Multiplier(1.0);
     (passes(metric, origin, before, after) && !is_other_arm).then_some(sense)
+}
+
+/// True where the maximum of power merges with a minimum; adds the message.
+fn maximum_merges(
+    local: &ExtendedEvaluation,
+    curve: &mut BifurcationCurve,
+    parameter_2: f64,
+) -> bool {
+    let merges = local.power_curvature.is_some_and(|bend| bend >= 0.0);
+    if merges {
+        curve.failures.push(format!(
+            "at {parameter_2} the maximum of power merges with a minimum"
+        ));
+    }
+    merges
 }
 
 /// True for a curve that has reached the limit of points; adds the message.

@@ -64,50 +64,24 @@ pub fn restart_beyond(
         return None;
     }
     let metric = Metric::at(position, scale_2);
-    let across = eigenvector(&metric, local, direction);
-    let parameter_index = tracking.parameter_index();
-    let keys = |direction: &Direction| {
-        [
-            direction.unknown[parameter_index] / metric.unknown,
-            direction.parameter / metric.parameter,
-        ]
+    let search = EigenvectorSearch {
+        across: eigenvector(&metric, local, direction),
+        tracking,
+        corrector,
+        position,
+        metric,
     };
-    let speeds =
-        |tangent: &Direction| keys(tangent).map(|key| key / metric.inner(tangent, &across));
-    // Returns the point at a distance along the eigenvector, with its tangent.
-    let corrected_at = |step: f64| {
-        let corrected = correct(
-            tracking,
-            corrector,
-            &metric,
-            &across,
-            position.offset_along(&across, step),
-        )
-        .ok()?;
-        let tangent = tangent(&corrected.local, &metric, &across)?;
-        Some((corrected, tangent))
-    };
-    let before = speeds(direction);
-    let is_past =
-        |step: f64, (corrected, tangent): &(CorrectedPoint<ExtendedEvaluation>, Direction)| {
-            let displacement = position.to(&corrected.position);
-            let (key_change, after) = (keys(&displacement), speeds(tangent));
-            let residual = [0, 1].map(|k| key_change[k] - 0.5 * step * (before[k] + after[k]));
-            let is_fast = length(after) > length(before).max(MIN_KEY_SPEED);
-            is_fast
-                && metric.length(&displacement) < MAX_RESTART_DISTANCE
-                && length(residual) < MAX_PARABOLA_DISTANCE * step * length(after)
-        };
+    let before = search.key_speeds(direction);
     let (beyond, (corrected, tangent)) = SEARCH_DISTANCES.into_iter().find_map(|step| {
-        Some((
-            step,
-            corrected_at(step).filter(|corrected| is_past(step, corrected))?,
-        ))
+        let point = search
+            .corrected_at(step)
+            .filter(|point| search.is_past(before, step, point))?;
+        Some((step, point))
     })?;
     // Speed in the direction of the keys before the turn.
     let forward_speed =
         |speeds: [f64; 2]| (speeds[0] * before[0] + speeds[1] * before[1]) / length(before);
-    let after = forward_speed(speeds(&tangent));
+    let after = forward_speed(search.key_speeds(&tangent));
     if length(before) < MAX_CUSP_KEY_SPEED || after > 0.0 {
         return Some(RestartPoint {
             found: corrected,
@@ -118,8 +92,8 @@ pub fn restart_beyond(
     let mut turn = Bracket::between((0.0, length(before)), (beyond, after));
     for _ in 0..MAX_TRIALS {
         let step = turn.next(MIN_END_DISTANCE * beyond);
-        let (corrected, tangent) = corrected_at(step)?;
-        let key_speeds = speeds(&tangent);
+        let (corrected, tangent) = search.corrected_at(step)?;
+        let key_speeds = search.key_speeds(&tangent);
         if length(key_speeds) < MAX_CUSP_KEY_SPEED {
             return Some(RestartPoint {
                 found: corrected,
@@ -134,6 +108,62 @@ pub fn restart_beyond(
         tangent,
         step: beyond,
     })
+}
+
+/// Search along the critical eigenvector from a position on the curve.
+struct EigenvectorSearch<'a> {
+    tracking: &'a ExtendedProblem<'a, KeyPlane<'a>>,
+    corrector: &'a Corrector,
+    position: &'a Position,
+    metric: Metric,
+    /// Unit direction of the state along the eigenvector.
+    across: Direction,
+}
+
+impl EigenvectorSearch<'_> {
+    /// Returns the change of both keys in a direction, in the metric.
+    fn keys(&self, direction: &Direction) -> [f64; 2] {
+        [
+            direction.unknown[self.tracking.parameter_index()] / self.metric.unknown,
+            direction.parameter / self.metric.parameter,
+        ]
+    }
+
+    /// Returns the speeds of both keys over the distance along the eigenvector.
+    fn key_speeds(&self, tangent: &Direction) -> [f64; 2] {
+        self.keys(tangent)
+            .map(|key| key / self.metric.inner(tangent, &self.across))
+    }
+
+    /// Returns the point at a distance along the eigenvector, with its tangent.
+    fn corrected_at(&self, step: f64) -> Option<(CorrectedPoint<ExtendedEvaluation>, Direction)> {
+        let corrected = correct(
+            self.tracking,
+            self.corrector,
+            &self.metric,
+            &self.across,
+            self.position.offset_along(&self.across, step),
+        )
+        .ok()?;
+        let tangent = tangent(&corrected.local, &self.metric, &self.across)?;
+        Some((corrected, tangent))
+    }
+
+    /// True for a point past the turn; `before` are the speeds of the keys at the start.
+    fn is_past(
+        &self,
+        before: [f64; 2],
+        step: f64,
+        (corrected, tangent): &(CorrectedPoint<ExtendedEvaluation>, Direction),
+    ) -> bool {
+        let displacement = self.position.to(&corrected.position);
+        let (key_change, after) = (self.keys(&displacement), self.key_speeds(tangent));
+        let residual = [0, 1].map(|k| key_change[k] - 0.5 * step * (before[k] + after[k]));
+        let is_fast = length(after) > length(before).max(MIN_KEY_SPEED);
+        is_fast
+            && self.metric.length(&displacement) < MAX_RESTART_DISTANCE
+            && length(residual) < MAX_PARABOLA_DISTANCE * step * length(after)
+    }
 }
 
 fn length([first, second]: [f64; 2]) -> f64 {

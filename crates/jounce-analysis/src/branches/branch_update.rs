@@ -12,8 +12,8 @@
 //! [`BranchSearch`](super::BranchSearch) finds them all.
 
 use super::branch::{Bifurcation, Branch, BranchPoint};
-use super::orbit_point::OrbitPoint;
-use super::tracer::BranchTracer;
+use super::continuation::orbit_point::OrbitPoint;
+use super::continuation::tracer::BranchTracer;
 use crate::Parameter;
 use jounce_continuation::{
     Corrector, CurvePoint, Direction, Metric, Position, StepControl, correct, tangent,
@@ -94,6 +94,7 @@ impl BranchUpdate<'_> {
         updated
     }
 
+    /// Adds the updated pieces of a branch to the result.
     fn update_branch(
         &self,
         tracer: &BranchTracer,
@@ -115,41 +116,8 @@ impl BranchUpdate<'_> {
             updated.lost += branch.points.len();
             return;
         }
-        let corrected = |index: usize, guess: Option<Position>| {
-            self.corrected(tracer, &shooting, &branch.points, (index, guess))
-        };
-        let count = branch.points.len();
-        let first = |index: usize| {
-            predicted_positions
-                .and_then(|predicted_positions| {
-                    corrected(index, Some(predicted_positions[index].clone()))
-                })
-                .or_else(|| corrected(index, None))
-        };
-        let mut updated_points: Vec<_> = (0..count).into_par_iter().map(first).collect();
-        // A point with a failed correction, for example near a fold, is moved as its neighbours
-        // were.
-        loop {
-            let retry = |index: usize| {
-                let neighbours = [index.wrapping_sub(1), index + 1]
-                    .into_iter()
-                    .filter(|other| *other < count);
-                let (other, neighbour_point) = neighbours
-                    .filter(|_| updated_points[index].is_none())
-                    .find_map(|other| Some((other, updated_points[other].as_ref()?)))?;
-                let guess = at(&branch.points[index]).offset_along(
-                    &at(&branch.points[other]).to(&neighbour_point.step.position),
-                    1.0,
-                );
-                Some((index, corrected(index, Some(guess))?))
-            };
-            let more: Vec<_> = (0..count).into_par_iter().filter_map(retry).collect();
-            if more.is_empty() {
-                break;
-            }
-            more.into_iter()
-                .for_each(|(index, corrected)| updated_points[index] = Some(corrected));
-        }
+        let updated_points =
+            self.corrected_points(tracer, &shooting, &branch.points, predicted_positions);
         updated.lost += updated_points
             .iter()
             .filter(|corrected| corrected.is_none())
@@ -179,6 +147,50 @@ impl BranchUpdate<'_> {
                 endings: branch.endings.clone(),
                 not_followed: 0,
             });
+        }
+    }
+
+    /// Corrects all points of a branch: from their predicted positions, then from their old ones,
+    /// then from those of corrected neighbours.
+    fn corrected_points<'p, 's>(
+        &self,
+        tracer: &BranchTracer,
+        shooting: &Shooting<'p, Parameter<'s>>,
+        points: &[BranchPoint],
+        predicted_positions: Option<&[Position]>,
+    ) -> Vec<Option<OrbitPoint<Shooting<'p, Parameter<'s>>>>> {
+        let corrected = |index: usize, guess: Option<Position>| {
+            self.corrected(tracer, shooting, points, (index, guess))
+        };
+        let count = points.len();
+        let first = |index: usize| {
+            predicted_positions
+                .and_then(|predicted_positions| {
+                    corrected(index, Some(predicted_positions[index].clone()))
+                })
+                .or_else(|| corrected(index, None))
+        };
+        let mut updated_points: Vec<_> = (0..count).into_par_iter().map(first).collect();
+        // A point with a failed correction, for example near a fold, is moved as its neighbours
+        // were.
+        loop {
+            let retry = |index: usize| {
+                let neighbours = [index.wrapping_sub(1), index + 1]
+                    .into_iter()
+                    .filter(|other| *other < count);
+                let (other, neighbour_point) = neighbours
+                    .filter(|_| updated_points[index].is_none())
+                    .find_map(|other| Some((other, updated_points[other].as_ref()?)))?;
+                let guess = at(&points[index])
+                    .offset_along(&at(&points[other]).to(&neighbour_point.step.position), 1.0);
+                Some((index, corrected(index, Some(guess))?))
+            };
+            let more: Vec<_> = (0..count).into_par_iter().filter_map(retry).collect();
+            if more.is_empty() {
+                return updated_points;
+            }
+            more.into_iter()
+                .for_each(|(index, corrected)| updated_points[index] = Some(corrected));
         }
     }
 

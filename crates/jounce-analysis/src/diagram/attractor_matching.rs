@@ -52,16 +52,7 @@ impl Diagram<'_> {
         for (step, value) in self.values.iter().enumerate() {
             let mut current = groups(visits, *value);
             let forward = self.continued(&before, *value)?;
-            for (visit, _) in &forward {
-                if visit.motion != AttractorKind::Lost
-                    && !current.iter().any(|group| group.first.is_of(visit))
-                {
-                    current.push(VisitGroup {
-                        first: visit.clone(),
-                        visits: Vec::new(),
-                    });
-                }
-            }
+            add_reached(&mut current, &forward);
             let backward = match step {
                 0 => Vec::new(),
                 _ => self.reached(
@@ -84,38 +75,21 @@ impl Diagram<'_> {
             let partners = partners(&before, &current, &next_groups, &behind);
             let mut homes = Vec::with_capacity(current.len());
             for (j, group) in current.iter().enumerate() {
-                let other = || {
-                    behind
-                        .get(j)
-                        .copied()
-                        .flatten()
-                        .map(|i| history.attractors[before[i].1].id.clone())
-                };
-                let birth = || {
-                    (step > 0).then(|| Transition {
-                        parameter: *value,
-                        other: other(),
-                    })
-                };
                 let known = partners
                     .iter()
                     .find(|(_, partner)| *partner == j)
                     .map(|(i, _)| before[*i].1);
-                let birth = if known.is_none() { birth() } else { None };
+                let from = behind.get(j).copied().flatten().map(|i| before[i].1);
+                let birth = (known.is_none() && step > 0).then(|| Transition {
+                    parameter: *value,
+                    other: from.map(|track| history.attractors[track].id.clone()),
+                });
                 homes.push(known.unwrap_or_else(|| history.start_track(&group.first, birth)));
             }
-            for (i, (_, track)) in before
-                .iter()
-                .enumerate()
-                .filter(|(_, (_, track))| !homes.contains(track))
-            {
-                let other = next_groups[i]
-                    .0
-                    .map(|j| history.attractors[homes[j]].id.clone());
-                history.attractors[*track].died = Some(Transition {
-                    parameter: *value,
-                    other,
-                });
+            for (i, (_, track)) in before.iter().enumerate() {
+                if !homes.contains(track) {
+                    history.end_track(*track, *value, next_groups[i].0.map(|j| homes[j]));
+                }
             }
             let of = visits
                 .iter()
@@ -219,6 +193,13 @@ impl AttractorTracks {
         self.attractors.len() - 1
     }
 
+    /// Ends a track at a value where its attractor is missing; `other` is the track on which the
+    /// integration from it ended.
+    fn end_track(&mut self, track: usize, parameter: f64, other: Option<usize>) {
+        let other = other.map(|other| self.attractors[other].id.clone());
+        self.attractors[track].died = Some(Transition { parameter, other });
+    }
+
     fn record(&mut self, group: &VisitGroup, track: usize, of: usize) {
         group
             .visits
@@ -233,6 +214,20 @@ impl AttractorTracks {
             fraction_low: share.low,
             fraction_high: share.high,
         });
+    }
+}
+
+/// Adds the attractors that only the integrations from the previous value reach.
+fn add_reached(current: &mut Vec<VisitGroup>, forward: &[(DiagramPoint, bool)]) {
+    for (visit, _) in forward {
+        if visit.motion != AttractorKind::Lost
+            && !current.iter().any(|group| group.first.is_of(visit))
+        {
+            current.push(VisitGroup {
+                first: visit.clone(),
+                visits: Vec::new(),
+            });
+        }
     }
 }
 

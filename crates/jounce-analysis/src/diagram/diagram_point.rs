@@ -6,7 +6,7 @@ use crate::{
     SweepDirection,
 };
 use jounce_dynamics::{IntegrationError, Integrator, Kernel};
-use jounce_orbits::ParametricModel;
+use jounce_orbits::{Orbit, ParametricModel, Shooting};
 use serde::{Deserialize, Serialize};
 
 /// Relative distance of two sections, below which they belong to one orbit; far above the error of
@@ -86,18 +86,7 @@ impl DiagramPoint {
         visit.motion = steady_state.kind();
         match steady_state {
             SteadyState::Periodic(steady_state) => {
-                let orbit = &steady_state.orbit;
-                let shooting = jounce_orbits::Shooting::new(
-                    parameter,
-                    &base.kernel,
-                    orbit.period_cycles,
-                    tolerance,
-                );
-                visit.period_cycles = orbit.period_cycles;
-                visit.contacts_per_period = orbit.contacts;
-                visit.mean_power_w = orbit.mean_power_w;
-                visit.end = shooting.physical(orbit.start());
-                visit.section = SectionPoint::of_orbit(base, parameter, value, orbit)?;
+                visit.set_orbit((base, parameter), &steady_state.orbit, tolerance)?;
             }
             SteadyState::Aperiodic(steady_state) => {
                 match strobe_states(&kernel, &steady_state.state, cycles, tolerance) {
@@ -115,6 +104,22 @@ impl DiagramPoint {
             SteadyState::Failed(_) => {}
         }
         Ok(visit)
+    }
+
+    /// Stores the values of the orbit on which the integration ended.
+    fn set_orbit(
+        &mut self,
+        (base, parameter): (&Model, &Parameter),
+        orbit: &Orbit,
+        tolerance: f64,
+    ) -> Result<(), AnalysisError> {
+        let shooting = Shooting::new(parameter, &base.kernel, orbit.period_cycles, tolerance);
+        self.period_cycles = orbit.period_cycles;
+        self.contacts_per_period = orbit.contacts;
+        self.mean_power_w = orbit.mean_power_w;
+        self.end = shooting.physical(orbit.start());
+        self.section = SectionPoint::of_orbit(base, parameter, self.parameter, orbit)?;
+        Ok(())
     }
 
     /// True when both end on one attractor: on one orbit, or on aperiodic motions of one kind.

@@ -62,15 +62,8 @@ impl Member {
         index: usize,
         mut sampling: Option<&mut Sampling>,
     ) -> Result<Self, IntegrationError> {
-        let mut integrator = Integrator::new(
-            kernel,
-            &kernel.plant.from_physical(&start.physical(), 0.0),
-            0.0,
-            plan.tolerance,
-        )?;
-        let (begin_s, window_s) = (plan.duration_s - plan.average_over_s, plan.average_over_s);
-        integrator.advance_to(begin_s)?;
-        integrator.reset_statistics();
+        let window_s = plan.average_over_s;
+        let mut integrator = at_window(kernel, start, plan)?;
         let opened = integrator.energies();
         let mut stops = vec![
             (ContactCount::default(), Vec::with_capacity(BATCHES));
@@ -79,23 +72,17 @@ impl Member {
         let (mut batches_w, mut before_j) = (Vec::with_capacity(BATCHES), opened.delivered_j());
         let mut exceeded_per_batch: Vec<Vec<ExceededLimit>> = Vec::new();
         for batch in 1..=BATCHES {
-            let end = |batch: usize| {
-                if batch == BATCHES {
-                    plan.duration_s
-                } else {
-                    begin_s + window_s * batch as f64 / BATCHES as f64
-                }
-            };
+            let ends_s = [batch - 1, batch].map(|batch| batch_end_s(plan, batch));
             let records = sampling.is_some() || !limits.is_empty();
             if records {
                 integrator.start_record();
             }
-            integrator.advance_to(end(batch))?;
+            integrator.advance_to(ends_s[1])?;
             if records {
                 let record = integrator.take_record();
                 exceeded_per_batch.push(limits.exceeded(kernel, &record));
                 if let Some(sampling) = sampling.as_deref_mut() {
-                    sampling.read(kernel, &record, [end(batch - 1), end(batch)]);
+                    sampling.read(kernel, &record, ends_s);
                 }
             }
             let now_j = integrator.energies().delivered_j();
@@ -165,6 +152,33 @@ impl Member {
             energy_residual_relative: energies.residual_relative(),
             exceeded: Vec::new(),
         }
+    }
+}
+
+/// Returns the integration of a start at the beginning of its averaging window.
+fn at_window<'k>(
+    kernel: &'k Kernel,
+    start: &StartState,
+    plan: &RunPlan,
+) -> Result<Integrator<'k>, IntegrationError> {
+    let mut integrator = Integrator::new(
+        kernel,
+        &kernel.plant.from_physical(&start.physical(), 0.0),
+        0.0,
+        plan.tolerance,
+    )?;
+    integrator.advance_to(plan.duration_s - plan.average_over_s)?;
+    integrator.reset_statistics();
+    Ok(integrator)
+}
+
+/// Returns the end of a batch of the averaging window, s.
+fn batch_end_s(plan: &RunPlan, batch: usize) -> f64 {
+    if batch == BATCHES {
+        plan.duration_s
+    } else {
+        let begin_s = plan.duration_s - plan.average_over_s;
+        begin_s + plan.average_over_s * batch as f64 / BATCHES as f64
     }
 }
 

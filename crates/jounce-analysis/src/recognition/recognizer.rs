@@ -139,9 +139,14 @@ impl<H: ParametricModel> Recognizer<'_, H> {
                 }
             }
         }
-        let mut exponent = self.exponent(&motion, EXPONENT_CYCLES)?;
+        self.without_orbit(&motion)
+    }
+
+    /// Returns chaos or an undecided end for a motion without a proved attractor.
+    fn without_orbit(&self, motion: &Transient<'_>) -> Result<SteadyState, SensitivityError> {
+        let mut exponent = self.exponent(motion, EXPONENT_CYCLES)?;
         if exponent.kind() == AttractorKind::Chaos {
-            exponent = self.exponent(&motion, CONFIRMATION_CYCLES)?;
+            exponent = self.exponent(motion, CONFIRMATION_CYCLES)?;
         }
         let is_chaos = exponent.kind() == AttractorKind::Chaos;
         Ok(aperiodic(
@@ -151,7 +156,7 @@ impl<H: ParametricModel> Recognizer<'_, H> {
                 AttractorKind::Undecided
             },
             Some(exponent),
-            &motion,
+            motion,
         ))
     }
 

@@ -15,7 +15,7 @@
 
 use super::{RunPlan, RunResult};
 use jounce_dynamics::Kernel;
-use jounce_model::plant::{Scheme, Storage};
+use jounce_model::plant::{Bridge, Scheme, Storage};
 use serde::Serialize;
 
 /// Charge balance of one rectified circuit over the averaging window.
@@ -45,56 +45,71 @@ pub fn charges(kernel: &Kernel, result: &RunResult, plan: &RunPlan) -> Vec<Charg
         .segments()
         .first()
         .is_some_and(|first| first.start_s <= from_s * (1.0 + 1e-12));
-    let mut results = Vec::new();
-    for (k, bridge) in plant.system.bridges.iter().enumerate().filter(|_| recorded) {
-        let (
-            Storage::Capacitor {
-                capacitance_f,
-                load_ohm,
-            },
-            Some(node),
-        ) = (bridge.storage, plant.electrical.bridges[k].storage)
-        else {
-            continue;
-        };
-        // SECE transfers energy and passes no charge.
-        if matches!(bridge.scheme, Scheme::Extraction { .. }) {
-            continue;
-        }
-        let state_index = 2 * plant.system.modes.len() + node;
-        let flux_v_s = result
-            .trajectory
-            .integral(kernel, from_s, plan.duration_s, state_index);
-        let stored_v = result.end.voltage_v[node]
-            - result
-                .trajectory
-                .physical_at(kernel, from_s)
-                .get(state_index)
-                .copied()
-                .unwrap_or(f64::NAN);
-        let rectified_c = result.rectified[k].mean_current_a * plan.average_over_s;
-        let (load_c, leakage_c) = (
-            flux_v_s / load_ohm,
-            bridge.leakage_ohm.map_or(0.0, |ohm| flux_v_s / ohm),
-        );
-        let storage_c = capacitance_f * stored_v;
-        let largest_c = [rectified_c, load_c, leakage_c, storage_c]
-            .iter()
-            .fold(0.0_f64, |max, charge| max.max(charge.abs()));
-        let residual_c = rectified_c - load_c - leakage_c - storage_c;
-        let residual_relative = if largest_c > 0.0 {
-            residual_c / largest_c
-        } else {
-            0.0
-        };
-        results.push(ChargeResult {
-            name: bridge.name.clone(),
-            passed_c: rectified_c,
-            load_c,
-            leakage_c,
-            storage_c,
-            residual_relative,
-        });
+    plant
+        .system
+        .bridges
+        .iter()
+        .enumerate()
+        .filter(|_| recorded)
+        .filter_map(|circuit| charge(kernel, result, plan, circuit))
+        .collect()
+}
+
+/// Returns the charge balance of one circuit; `None` where its diodes feed no capacitor.
+fn charge(
+    kernel: &Kernel,
+    result: &RunResult,
+    plan: &RunPlan,
+    (k, bridge): (usize, &Bridge),
+) -> Option<ChargeResult> {
+    let plant = &kernel.plant;
+    let from_s = plan.duration_s - plan.average_over_s;
+    let (
+        Storage::Capacitor {
+            capacitance_f,
+            load_ohm,
+        },
+        Some(node),
+    ) = (bridge.storage, plant.electrical.bridges[k].storage)
+    else {
+        return None;
+    };
+    // SECE transfers energy and passes no charge.
+    if matches!(bridge.scheme, Scheme::Extraction { .. }) {
+        return None;
     }
-    results
+    let state_index = 2 * plant.system.modes.len() + node;
+    let flux_v_s = result
+        .trajectory
+        .integral(kernel, from_s, plan.duration_s, state_index);
+    let stored_v = result.end.voltage_v[node]
+        - result
+            .trajectory
+            .physical_at(kernel, from_s)
+            .get(state_index)
+            .copied()
+            .unwrap_or(f64::NAN);
+    let rectified_c = result.rectified[k].mean_current_a * plan.average_over_s;
+    let (load_c, leakage_c) = (
+        flux_v_s / load_ohm,
+        bridge.leakage_ohm.map_or(0.0, |ohm| flux_v_s / ohm),
+    );
+    let storage_c = capacitance_f * stored_v;
+    let largest_c = [rectified_c, load_c, leakage_c, storage_c]
+        .iter()
+        .fold(0.0_f64, |max, charge| max.max(charge.abs()));
+    let residual_c = rectified_c - load_c - leakage_c - storage_c;
+    let residual_relative = if largest_c > 0.0 {
+        residual_c / largest_c
+    } else {
+        0.0
+    };
+    Some(ChargeResult {
+        name: bridge.name.clone(),
+        passed_c: rectified_c,
+        load_c,
+        leakage_c,
+        storage_c,
+        residual_relative,
+    })
 }

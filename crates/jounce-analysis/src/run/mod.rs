@@ -2,7 +2,9 @@
 //! steady-state test.
 
 mod charge;
+mod error;
 mod limits;
+mod plan;
 mod result;
 mod settle;
 mod simulate;
@@ -11,11 +13,13 @@ mod voltage_peak;
 mod warning;
 
 pub use charge::{ChargeResult, charges};
+pub use error::RunError;
+pub(crate) use error::check_outside;
 pub use limits::{ExceededLimit, LimitedQuantity, Limits, WorstExcess, exceeded};
+pub use plan::RunPlan;
 pub use result::{LeakResult, LoadResult, RectifiedResult, RunResult, StopResult};
 pub use settle::Settlement;
-pub(crate) use simulate::check_outside;
-pub use simulate::{RunError, RunPlan, simulate};
+pub use simulate::simulate;
 pub use start::{StartFileError, StartState};
 pub use voltage_peak::{VoltagePeaks, voltage_peaks};
 pub use warning::Warning;

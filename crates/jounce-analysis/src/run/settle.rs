@@ -4,6 +4,7 @@
 //! to the orbit is about `d_2 r / (1 - r)`, `r = d_2 / d_1`: a slow mode changes little in a period
 //! and may still be far from its orbit.
 
+use jounce_dynamics::{Kernel, Trajectory};
 use serde::Serialize;
 
 /// Steady-state test at the end of a run.
@@ -28,6 +29,56 @@ pub(super) const STROBE_STATES: usize = 2 * MAX_PERIOD_CYCLES + 1;
 
 /// Relative distance to the orbit below which a run has settled.
 pub const SETTLED_DISTANCE: f64 = 1e-4;
+
+/// Motion, relative to the forced response without contact, below which a body counts as at rest.
+const REST_MOTION_SHARE: f64 = 1e-9;
+
+/// Applies the steady-state test to the state at each period of the drives at the end of the run.
+pub(super) fn settled(
+    kernel: &Kernel,
+    trajectory: &Trajectory,
+    end_s: f64,
+    period_s: f64,
+    noise: f64,
+) -> Settlement {
+    let times: Vec<f64> = (0..STROBE_STATES)
+        .rev()
+        .map(|k| end_s - k as f64 * period_s)
+        .filter(|time_s| *time_s > -1e-9 * period_s)
+        .collect();
+    let plant = &kernel.plant;
+    let frequencies = &plant.system.modes.frequency_rad_s;
+    let mechanical = frequencies
+        .iter()
+        .copied()
+        .chain(std::iter::repeat_n(1.0, frequencies.len()));
+    let scales: Vec<f64> = mechanical.chain(plant.electrical.energy_scale()).collect();
+    let states: Vec<Vec<f64>> = (trajectory.at(kernel, &times).iter())
+        .map(|at| {
+            kernel
+                .plant
+                .to_physical(&at.state, at.time_s)
+                .iter()
+                .zip(&scales)
+                .map(|(x, s)| x * s)
+                .collect()
+        })
+        .collect();
+    // A ball at rest on its table moves by roundoff of the forced response.
+    let driven = plant.tones.iter().map(|tone| {
+        let amplitude = |i: usize| {
+            (0..plant.len())
+                .map(|j| tone.steady[j] * plant.diagonal.to_physical[(i, j)])
+                .sum::<faer::c64>()
+        };
+        norm((0..plant.len()).map(|i| scales[i] * amplitude(i).norm()))
+    });
+    settlement(
+        &states,
+        noise,
+        REST_MOTION_SHARE * driven.fold(0.0, f64::max),
+    )
+}
 
 /// Tests states one drive period apart, oldest first, in energy coordinates.
 ///

@@ -7,15 +7,12 @@
 
 mod design;
 mod error;
-mod evaluation;
 mod faults;
 mod folder;
-mod key_quantities;
 mod lock;
 mod parametric_study;
 mod quantity;
 mod read;
-mod read_quantity;
 mod sampling;
 mod shard;
 mod sobol;

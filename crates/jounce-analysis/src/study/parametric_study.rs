@@ -1,6 +1,6 @@
 //! A study: its points, its parts, and the computation of a part.
 
-use super::evaluation::evaluate;
+use super::quantity::evaluation::evaluate;
 use super::read::{StudyText, read};
 use super::{Design, Quantity, StudyError};
 use crate::{AnalysisError, Model};

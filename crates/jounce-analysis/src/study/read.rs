@@ -14,7 +14,7 @@
 
 use super::design::{Design, Varied};
 use super::faults::FaultCollector;
-use super::read_quantity::quantity;
+use super::quantity::read::quantity;
 use super::sampling::Sampling;
 use super::sobol::MAX_DIMENSIONS;
 use super::{Quantity, StudyError};

@@ -201,50 +201,20 @@ fn read_column(
         ));
     }
     match kind {
-        "float" => typed(
-            parts,
-            |r| {
-                if let ColumnReader::DoubleColumnReader(r) = r {
-                    Some(r)
-                } else {
-                    None
-                }
-            },
-            wrong,
-        )
-        .map(Values::Float),
-        "integer" => integers(parts, wrong).map(Values::Integer),
+        "float" => typed(parts, doubles, wrong).map(Values::Float),
+        "integer" => typed(parts, integers, wrong).map(Values::Integer),
         "count" => Ok(Values::Count(
-            integers(parts, wrong)?
+            typed(parts, integers, wrong)?
                 .into_iter()
                 .map(i64::cast_unsigned)
                 .collect(),
         )),
-        "flag" => typed(
-            parts,
-            |r| {
-                if let ColumnReader::BoolColumnReader(r) = r {
-                    Some(r)
-                } else {
-                    None
-                }
-            },
-            wrong,
-        )
-        .map(Values::Flag),
+        "flag" => typed(parts, flags, wrong).map(Values::Flag),
         "text" => {
-            let pick = |r| {
-                if let ColumnReader::ByteArrayColumnReader(r) = r {
-                    Some(r)
-                } else {
-                    None
-                }
-            };
-            let texts = typed(parts, pick, wrong)?;
             let text = |bytes: ByteArray| {
                 String::from_utf8(bytes.data().to_vec()).map_err(|fault| fault.to_string())
             };
-            texts
+            typed(parts, texts, wrong)?
                 .into_iter()
                 .map(text)
                 .collect::<Result<_, _>>()
@@ -254,21 +224,36 @@ fn read_column(
     }
 }
 
-fn integers(
-    parts: Vec<(ColumnReader, i64)>,
-    wrong: impl Fn() -> String,
-) -> Result<Vec<i64>, String> {
-    typed(
-        parts,
-        |r| {
-            if let ColumnReader::Int64ColumnReader(r) = r {
-                Some(r)
-            } else {
-                None
-            }
-        },
-        wrong,
-    )
+fn doubles(reader: ColumnReader) -> Option<ColumnReaderImpl<DoubleType>> {
+    if let ColumnReader::DoubleColumnReader(reader) = reader {
+        Some(reader)
+    } else {
+        None
+    }
+}
+
+fn integers(reader: ColumnReader) -> Option<ColumnReaderImpl<Int64Type>> {
+    if let ColumnReader::Int64ColumnReader(reader) = reader {
+        Some(reader)
+    } else {
+        None
+    }
+}
+
+fn flags(reader: ColumnReader) -> Option<ColumnReaderImpl<BoolType>> {
+    if let ColumnReader::BoolColumnReader(reader) = reader {
+        Some(reader)
+    } else {
+        None
+    }
+}
+
+fn texts(reader: ColumnReader) -> Option<ColumnReaderImpl<ByteArrayType>> {
+    if let ColumnReader::ByteArrayColumnReader(reader) = reader {
+        Some(reader)
+    } else {
+        None
+    }
 }
 
 fn typed<T: DataType>(

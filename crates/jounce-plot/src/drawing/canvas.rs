@@ -1,7 +1,7 @@
 //! A sheet that records covered areas, so that labels find free positions.
 
-use super::labels::{LINE, LabelRequest, place_labels};
-use super::rect::Rect;
+use super::layout::labels::{LINE, LabelRequest, place_labels};
+use super::layout::rect::Rect;
 use crate::svg::{Anchor, Svg, number};
 use crate::text::SMALL;
 

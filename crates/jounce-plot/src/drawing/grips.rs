@@ -1,10 +1,10 @@
 //! Movable parts of a drawing, with their positions on the sheet.
 
-use super::assembly::{face, thick};
-use super::close_up::{self, CloseUpSize};
-use super::contacts::PIN;
+use super::layout::assembly::{face, thick};
+use super::layout::rect::Rect;
 use super::layout::{DrawingLayout, sign};
-use super::rect::Rect;
+use super::parts::close_up::{self, CloseUpSize};
+use super::parts::contacts::PIN;
 use super::{Drawing, DrawnShape};
 
 /// A drawing with the positions of its parts, px from its upper left corner.

@@ -5,31 +5,20 @@
 //! view; a line thinner than a pixel is drawn one pixel wide. Masses, springs and the ground are
 //! symbols. The bodies of a contact stand apart by its gap. A gap too small for the side view has a
 //! close-up with its own scale, printed next to it.
-mod assembly;
-mod bodies;
 mod canvas;
-mod circuit;
-mod close_up;
-mod contacts;
-mod dimension;
-mod drives;
-mod electric;
 mod grips;
-mod hatch;
-mod labels;
 mod layout;
 mod model;
-mod rect;
-mod scale;
+mod parts;
 mod sheet;
 mod symbols;
 
 pub use grips::{Grip, GripPart, GripSheet};
+pub use layout::rect::Rect;
 pub use model::{
     Drawing, DrawnBeam, DrawnBody, DrawnCircuit, DrawnContact, DrawnDrive, DrawnElement,
     DrawnPatch, DrawnPlace, DrawnShape, Seat,
 };
-pub use rect::Rect;
 
 use super::{PictureError, file, raster};
 use std::path::Path;

@@ -1,7 +1,7 @@
 //! Power against load resistance, with and without impact, as in the paper's figures 8 and 9.
 
 use super::sweep::{LineDirection, SweepLine, SweepLook, sweep};
-use crate::unit::prefix;
+use crate::axis::unit::prefix;
 use crate::{Along, Axis, Figure, Line, ReferenceLine};
 
 /// Draws lines over resistance (ohm, logarithmic axis); `unit` is the unit of the power: `W`, or

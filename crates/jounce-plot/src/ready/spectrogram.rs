@@ -70,6 +70,12 @@ pub fn spectrogram(title: &str, of: &TimeSpectrum, drive_hz: Option<f64>) -> Fig
         Axis::linear("Time", "s").between(from_s, to_s),
         Axis::linear("Frequency", "Hz").between(low_hz, high_hz),
     );
+    let panel = with_orders(axes.high(340.0).field(field), drive_hz, high_hz);
+    Figure::new(title).with(panel).with(scale(of, largest))
+}
+
+/// Marks the multiples of the drive frequency on a panel, if they are few.
+fn with_orders(panel: Panel, drive_hz: Option<f64>, high_hz: f64) -> Panel {
     let orders = drive_hz
         .filter(|f| *f > 0.0 && high_hz / f <= 20.0)
         .map_or(0, |f| (high_hz / f) as u32);
@@ -85,8 +91,7 @@ pub fn spectrogram(title: &str, of: &TimeSpectrum, drive_hz: Option<f64>) -> Fig
             Some(&label),
         )
     };
-    let panel = (1..=orders).fold(axes.high(340.0).field(field), mark);
-    Figure::new(title).with(panel).with(scale(of, largest))
+    (1..=orders).fold(panel, mark)
 }
 
 /// Draws the scale of the colours.

@@ -1,9 +1,9 @@
 //! Force pulses of a hammer and the contact laws fitted to them.
 
 use super::recording::{RecordingInput, issues};
-use crate::branch::json;
-use crate::failure::Failure;
-use crate::flat;
+use crate::conversion::failure::Failure;
+use crate::conversion::flat;
+use crate::questions::branch::json;
 use jounce::ContactOptions;
 use jounce::parts::PulseFigure;
 use numpy::PyArray1;

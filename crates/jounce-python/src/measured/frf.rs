@@ -1,9 +1,9 @@
 //! Frequency responses of a hammer or shaker test.
 
 use super::recording::{RecordingInput, issues, recordings};
-use crate::arrays::PythonDict;
-use crate::failure::Failure;
-use crate::flat;
+use crate::conversion::arrays::PythonDict;
+use crate::conversion::failure::Failure;
+use crate::conversion::flat;
 use jounce::{MeasuredFrfOptions, MeasuredFrfResult, Recording};
 use numpy::{Complex64, PyArray1};
 use pyo3::prelude::*;

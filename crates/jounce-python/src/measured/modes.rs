@@ -2,9 +2,9 @@
 
 use super::frf::{self, complex};
 use super::recording::{RecordingInput, issues, recordings};
-use crate::arrays::PythonDict;
-use crate::failure::Failure;
-use crate::flat;
+use crate::conversion::arrays::PythonDict;
+use crate::conversion::failure::Failure;
+use crate::conversion::flat;
 use jounce::parts::{ComplexValues, MeasuredMode};
 use jounce::{MeasuredFrfOptions, MeasuredModesOptions, MeasuredModesResult, Recording};
 use numpy::{Complex64, PyArray1};

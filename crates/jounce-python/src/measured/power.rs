@@ -1,10 +1,10 @@
 //! Mean power of recorded voltages.
 
 use super::recording::{RecordingInput, issues, recordings};
-use crate::arrays::PythonDict;
-use crate::cancellable::{detached, to_python_result};
-use crate::flat;
-use crate::run::PythonResult;
+use crate::conversion::arrays::PythonDict;
+use crate::conversion::cancellable::{detached, to_python_result};
+use crate::conversion::flat;
+use crate::questions::run::PythonResult;
 use jounce::parts::{PowerRecord, Spectrum};
 use jounce::{PowerOptions, PowerResult, Recording};
 use pyo3::prelude::*;

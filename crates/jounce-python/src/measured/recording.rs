@@ -1,9 +1,9 @@
 //! Conversion of recordings from Python and back.
 
-use crate::arrays::PythonDict;
-use crate::branch::json;
-use crate::failure::Failure;
-use crate::flat;
+use crate::conversion::arrays::PythonDict;
+use crate::conversion::failure::Failure;
+use crate::conversion::flat;
+use crate::questions::branch::json;
 use jounce::parts::{Channel, Grid, Issue, MeasuredQuantity, Over, RawChannel, ShapeResult};
 use jounce::{Error, ReadOptions, RecordedFile, Recording};
 use numpy::{PyArray1, PyReadonlyArray1};

@@ -1,11 +1,11 @@
 //! Segmentation of a long record into steady-state responses.
 
 use super::recording::{RecordingInput, issues};
-use crate::branch::json;
-use crate::cancellable::{cancellable, to_python_result};
-use crate::flat;
-use crate::run::PythonResult;
-use crate::spec::Spec;
+use crate::conversion::cancellable::{cancellable, to_python_result};
+use crate::conversion::flat;
+use crate::input::spec::Spec;
+use crate::questions::branch::json;
+use crate::questions::run::PythonResult;
 use jounce::{SegmentsOptions, SegmentsResult};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;

@@ -1,9 +1,9 @@
 //! Spectra of a recorded channel.
 
 use super::recording::{RecordingInput, issues};
-use crate::cancellable::{detached, to_python_result};
-use crate::flat;
-use crate::run::PythonResult;
+use crate::conversion::cancellable::{detached, to_python_result};
+use crate::conversion::flat;
+use crate::questions::run::PythonResult;
 use jounce::{SpectraOptions, SpectraResult};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;

@@ -1,15 +1,18 @@
 //! Figures 12 and 13: a record that changes between two solutions, segmented.
 
+use crate::named::column;
 use crate::{NamedFigure, NamedTable, paper_spec};
 use jounce_control::Control;
-use jounce_io::table::{Column, Table};
+use jounce_io::table::Table;
 use jounce_model::structure;
 use jounce_signal::{Samples, Window};
 
 use super::{ExperimentError, NOISE, RATE_HZ, RECORD_S};
 use jounce_experiment::draw::{segment_section, segment_spectra, segments, spectrogram_of};
 use jounce_experiment::rig::{Disturbance, Sensor, ShakerTest, shaker_test};
-use jounce_experiment::segmentation::{SegmentMatches, Segmentation, match_segments, regimes};
+use jounce_experiment::segmentation::{
+    Candidate, SegmentMatches, Segmentation, match_segments, regimes,
+};
 use jounce_experiment::solution::{Solution, SolutionSearch, solutions, start_of};
 use jounce_signal::spectral::{MeanPower, Segments, mean_power, spectrogram};
 
@@ -156,83 +159,40 @@ impl Alternating {
     }
 
     pub fn table(&self) -> Result<NamedTable, ExperimentError> {
-        let segments = &self.found.stretches;
-        let nearest = |distance: &dyn Fn(&jounce_experiment::segmentation::Candidate) -> f64| {
-            self.matches
-                .iter()
-                .map(|matches| matches.candidates.first().map_or(f64::NAN, distance))
-                .collect::<Vec<f64>>()
+        let (segments, powers, matches) = (&self.found.stretches, &self.powers, &self.matches);
+        let nearest = |heading, distance: fn(&Candidate) -> f64| {
+            column(matches, heading, |matches| {
+                matches.candidates.first().map_or(f64::NAN, distance)
+            })
         };
-        let ids = self
-            .matches
-            .iter()
-            .map(|matches| matches.id().unwrap_or("none").to_owned())
-            .collect::<Vec<_>>();
         let table = Table::new(vec![
-            Column::new(
-                "start_s",
-                "s",
-                "From",
-                segments
-                    .iter()
-                    .map(|segment| segment.start_s)
-                    .collect::<Vec<_>>(),
+            column(segments, ("start_s", "s", "From"), |segment| {
+                segment.start_s
+            }),
+            column(segments, ("end_s", "s", "To"), |segment| segment.end_s),
+            column(
+                segments,
+                ("period_cycles", "", "Period, drive cycles (0: none)"),
+                |segment| segment.period.cycles.unwrap_or(0) as u64,
             ),
-            Column::new(
-                "end_s",
-                "s",
-                "To",
-                segments
-                    .iter()
-                    .map(|segment| segment.end_s)
-                    .collect::<Vec<_>>(),
+            column(powers, ("mean_power_w", "W", "Mean power"), |power| {
+                power.mean_power_w
+            }),
+            column(powers, ("half_width_w", "W", "± 95 %"), |power| {
+                power.half_width_w
+            }),
+            column(
+                matches,
+                ("solution", "", "Solution of the model"),
+                |matches| matches.id().unwrap_or("none").to_owned(),
             ),
-            Column::new(
-                "period_cycles",
-                "",
-                "Period, drive cycles (0: none)",
-                segments
-                    .iter()
-                    .map(|segment| segment.period.cycles.unwrap_or(0) as u64)
-                    .collect::<Vec<_>>(),
-            ),
-            Column::new(
-                "mean_power_w",
-                "W",
-                "Mean power",
-                self.powers
-                    .iter()
-                    .map(|power| power.mean_power_w)
-                    .collect::<Vec<_>>(),
-            ),
-            Column::new(
-                "half_width_w",
-                "W",
-                "± 95 %",
-                self.powers
-                    .iter()
-                    .map(|power| power.half_width_w)
-                    .collect::<Vec<_>>(),
-            ),
-            Column::new("solution", "", "Solution of the model", ids),
-            Column::new(
-                "model_power_w",
-                "W",
-                "Its mean power",
-                nearest(&|c| c.mean_power_w),
-            ),
-            Column::new(
-                "waveform_distance",
-                "",
-                "Distance of its waveform",
-                nearest(&|c| c.waveform_distance.unwrap_or(f64::NAN)),
-            ),
-            Column::new(
-                "spectrum_distance",
-                "",
-                "Distance of its spectrum",
-                nearest(&|c| c.spectrum_distance.unwrap_or(f64::NAN)),
-            ),
+            nearest(("model_power_w", "W", "Its mean power"), |c| c.mean_power_w),
+            nearest(("waveform_distance", "", "Distance of its waveform"), |c| {
+                c.waveform_distance.unwrap_or(f64::NAN)
+            }),
+            nearest(("spectrum_distance", "", "Distance of its spectrum"), |c| {
+                c.spectrum_distance.unwrap_or(f64::NAN)
+            }),
         ])?;
         let caption = format!(
             "Segments of the record of figure 12 (simulated), compared with the {} solutions of \

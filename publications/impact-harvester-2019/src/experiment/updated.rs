@@ -1,5 +1,6 @@
 //! The laminate model fitted to the measured column of Table 2.
 
+use crate::named::column;
 use crate::{NamedFigure, NamedTable, paper_file};
 use jounce_control::Control;
 use jounce_io::table::{Column, Table};
@@ -8,7 +9,7 @@ use std::path::Path;
 
 use super::ExperimentError;
 use jounce_experiment::draw::fitted;
-use jounce_experiment::fit::{Features, FitError, FitResult, FittedFeature, FittedKey, fit};
+use jounce_experiment::fit::{Features, FitError, FitResult, FittedFeature, fit};
 
 /// Measured values and free keys.
 const MEASURED: &str = include_str!("../../../../examples/impact-harvester-2019/measured.toml");
@@ -76,79 +77,46 @@ impl Updated {
 
     pub fn tables(&self) -> Result<Vec<NamedTable>, ExperimentError> {
         let FitResult { keys, features, .. } = &self.result;
-        let number = |column_of: &dyn Fn(&FittedFeature) -> f64| {
-            features.iter().map(column_of).collect::<Vec<f64>>()
-        };
+        let modes = (1..=features.len() as u64).collect::<Vec<_>>();
         let modes = Table::new(vec![
-            Column::new(
-                "mode",
-                "",
-                "Mode",
-                (1..=features.len() as u64).collect::<Vec<_>>(),
+            Column::new("mode", "", "Mode", modes),
+            column(
+                features,
+                ("measured_hz", "Hz", "Measured (paper)"),
+                |feature| feature.measured,
             ),
-            Column::new(
-                "measured_hz",
-                "Hz",
-                "Measured (paper)",
-                number(&|feature| feature.measured),
+            column(features, ("before_hz", "Hz", "Laminate"), |feature| {
+                feature.before
+            }),
+            column(
+                features,
+                ("before_error_percent", "%", "its error"),
+                |feature| 100.0 * feature.errors().0,
             ),
-            Column::new(
-                "before_hz",
-                "Hz",
-                "Laminate",
-                number(&|feature| feature.before),
+            column(features, ("updated_hz", "Hz", "Updated"), |feature| {
+                feature.after
+            }),
+            column(
+                features,
+                ("updated_error_percent", "%", "its error"),
+                |feature| 100.0 * feature.errors().1,
             ),
-            Column::new(
-                "before_error_percent",
-                "%",
-                "its error",
-                number(&|feature| 100.0 * feature.errors().0),
+            column(
+                features,
+                ("low_hz", "Hz", "A further measurement, from"),
+                |feature| feature.low,
             ),
-            Column::new(
-                "updated_hz",
-                "Hz",
-                "Updated",
-                number(&|feature| feature.after),
-            ),
-            Column::new(
-                "updated_error_percent",
-                "%",
-                "its error",
-                number(&|feature| 100.0 * feature.errors().1),
-            ),
-            Column::new(
-                "low_hz",
-                "Hz",
-                "A further measurement, from",
-                number(&|feature| feature.low),
-            ),
-            Column::new(
-                "high_hz",
-                "Hz",
-                "to (95 %)",
-                number(&|feature| feature.high),
-            ),
+            column(features, ("high_hz", "Hz", "to (95 %)"), |feature| {
+                feature.high
+            }),
         ])?;
-        let value = |column_of: &dyn Fn(&FittedKey) -> f64| {
-            keys.iter().map(column_of).collect::<Vec<f64>>()
-        };
         let keys = Table::new(vec![
-            Column::new(
-                "key",
-                "",
-                "Key",
-                keys.iter().map(|key| key.key.clone()).collect::<Vec<_>>(),
-            ),
-            Column::new(
-                "unit",
-                "",
-                "Unit",
-                keys.iter().map(|key| key.unit.clone()).collect::<Vec<_>>(),
-            ),
-            Column::new("before", "", "Before", value(&|key| key.before)),
-            Column::new("after", "", "After", value(&|key| key.after)),
-            Column::new("low", "", "From", value(&|key| key.low)),
-            Column::new("high", "", "to (95 %)", value(&|key| key.high)),
+            column(keys, ("key", "", "Key"), |key| key.key.clone()),
+            column(keys, ("unit", "", "Unit"), |key| key.unit.clone()),
+            column(keys, ("before", "", "Before"), |key| key.before),
+            column(keys, ("after", "", "After"), |key| key.after),
+            column(keys, ("low", "", "From"), |key| key.low),
+            column(keys, ("high", "", "to (95 %)"), |key| key.high),
         ])?;
         Ok(vec![
             NamedTable::new(

@@ -8,9 +8,9 @@ use super::spectrum::{
 };
 use super::turning_points::{Extremum, extrema, may_touch_unseen};
 use crate::branches::branch::BranchKind;
-use crate::branches::halves::meets_halves;
-use crate::branches::orbit_point::OrbitPoint;
-use crate::branches::tracer::BranchTracer;
+use crate::branches::continuation::halves::meets_halves;
+use crate::branches::continuation::orbit_point::OrbitPoint;
+use crate::branches::continuation::tracer::BranchTracer;
 use jounce_continuation::{CurvePoint, HermiteSegment, Metric, correct, tangent};
 use jounce_orbits::OrbitMethod;
 use serde::Serialize;

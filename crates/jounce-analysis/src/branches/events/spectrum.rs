@@ -192,13 +192,6 @@ pub(super) fn groups(
     });
     // Index of the group of each pair.
     let mut group: Vec<usize> = (0..pairs.len()).collect();
-    let join = |group: &mut Vec<usize>, one: usize, two: usize| {
-        let (one, two) = (group[one], group[two]);
-        group
-            .iter_mut()
-            .filter(|member| **member == two)
-            .for_each(|member| *member = one);
-    };
     for (k, (i, j)) in pairs.iter().enumerate() {
         let (conjugate, opposite) = (a.conjugate(*i), b.conjugate(*j));
         for (other, (i, j)) in pairs.iter().enumerate() {
@@ -207,37 +200,10 @@ pub(super) fn groups(
             }
         }
     }
-    let members = |group: &[usize], number: usize| {
-        let member = || {
-            pairs
-                .iter()
-                .zip(group)
-                .filter(move |(_, member)| **member == number)
-        };
-        MultiplierGroup {
-            from: member().map(|((i, _), _)| *i).collect(),
-            to: member().map(|((_, j), _)| *j).collect(),
-        }
-    };
-    // Two real multipliers may meet and separate again on the step.
     for k in 0..pairs.len() {
         for other in 0..k {
             let (one, two) = (pairs[k], pairs[other]);
-            let values = [
-                a.value(one.0),
-                a.value(two.0),
-                b.value(one.1),
-                b.value(two.1),
-            ];
-            let is_real = values
-                .iter()
-                .all(|mu| mu.im == 0.0 && (mu.re > 0.0) == (values[0].re > 0.0));
-            let both = MultiplierGroup {
-                from: vec![one.0, two.0],
-                to: vec![one.1, two.1],
-            };
-            let meets = || is_real && between(ends, &both, discriminant).crossings() != Some(0);
-            if group[k] != group[other] && (meets() || is_tied(one, two)) {
+            if group[k] != group[other] && (may_meet(ends, one, two) || is_tied(one, two)) {
                 join(&mut group, k, other);
             }
         }
@@ -245,10 +211,48 @@ pub(super) fn groups(
     let mut numbers = group.clone();
     numbers.sort_unstable();
     numbers.dedup();
-    numbers
-        .into_iter()
-        .map(|number| members(&group, number))
-        .collect()
+    let members = |number: usize| {
+        let member = || {
+            pairs
+                .iter()
+                .zip(&group)
+                .filter(move |(_, member)| **member == number)
+        };
+        MultiplierGroup {
+            from: member().map(|((i, _), _)| *i).collect(),
+            to: member().map(|((_, j), _)| *j).collect(),
+        }
+    };
+    numbers.into_iter().map(members).collect()
+}
+
+/// Joins the groups of two pairs of linked multipliers.
+fn join(group: &mut [usize], one: usize, two: usize) {
+    let (one, two) = (group[one], group[two]);
+    group
+        .iter_mut()
+        .filter(|member| **member == two)
+        .for_each(|member| *member = one);
+}
+
+/// True where two real multipliers, given by their indices at both ends, may meet and separate
+/// again on the step.
+fn may_meet(ends: [StepEnd; 2], one: (usize, usize), two: (usize, usize)) -> bool {
+    let [a, b] = ends;
+    let values = [
+        a.value(one.0),
+        a.value(two.0),
+        b.value(one.1),
+        b.value(two.1),
+    ];
+    let is_real = values
+        .iter()
+        .all(|mu| mu.im == 0.0 && (mu.re > 0.0) == (values[0].re > 0.0));
+    let both = MultiplierGroup {
+        from: vec![one.0, two.0],
+        to: vec![one.1, two.1],
+    };
+    is_real && between(ends, &both, discriminant).crossings() != Some(0)
 }
 
 #[cfg(test)]

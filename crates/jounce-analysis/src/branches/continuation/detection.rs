@@ -1,0 +1,252 @@
+//! Detection of the events between two points of a branch.
+
+use super::orbit_point::{OrbitPoint, point};
+use super::tracer::BranchTracer;
+use crate::branches::branch::{Bifurcation, Branch, BranchKind, BranchPoint};
+use crate::branches::events::{Extremum, extrema};
+use jounce_continuation::{CurvePoint, Metric, Position, locate};
+use jounce_orbits::{
+    Orbit, OrbitMethod, ShootingEvaluation, determinant_at, multipliers, nearest_pair_to_circle,
+    pairs_outside,
+};
+
+/// Event between two neighbouring orbits.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum DetectedEvent {
+    Fold,
+    BranchPoint,
+    PeriodDoubling,
+    NeimarkSacker,
+    /// This turning point passes the surface of its stop.
+    Grazing(Extremum),
+    /// Level of this index.
+    Level(usize),
+}
+
+impl DetectedEvent {
+    fn kind(self) -> BranchKind {
+        match self {
+            DetectedEvent::Fold => BranchKind::Fold,
+            DetectedEvent::BranchPoint => BranchKind::BranchPoint,
+            DetectedEvent::PeriodDoubling => BranchKind::PeriodDoubling,
+            DetectedEvent::NeimarkSacker => BranchKind::NeimarkSacker,
+            DetectedEvent::Grazing(_) => BranchKind::Grazing,
+            DetectedEvent::Level(_) => BranchKind::Level,
+        }
+    }
+}
+
+impl BranchTracer {
+    /// Returns all events between two points, in the order of the curve.
+    ///
+    /// # Errors
+    /// As [`BranchTracer::walk`].
+    pub(in crate::branches) fn between<M: OrbitMethod>(
+        &self,
+        method: &M,
+        a: &OrbitPoint<M>,
+        b: &OrbitPoint<M>,
+    ) -> Result<Vec<Bifurcation>, M::Error> {
+        Ok(self
+            .on_the_way(method, a, b)?
+            .into_iter()
+            .map(|(_, event)| event)
+            .collect())
+    }
+
+    /// Returns the events up to a position between the two points.
+    ///
+    /// # Errors
+    /// As [`BranchTracer::walk`].
+    pub(super) fn until<M: OrbitMethod>(
+        &self,
+        method: &M,
+        (a, b): (&OrbitPoint<M>, &OrbitPoint<M>),
+        end: &Position,
+    ) -> Result<Vec<Bifurcation>, M::Error> {
+        let end = self.along(&a.step, &b.step, end);
+        let events = self
+            .on_the_way(method, a, b)?
+            .into_iter()
+            .filter(|(along, _)| *along <= end);
+        Ok(events.map(|(_, events)| events).collect())
+    }
+
+    /// Returns the distance of a position along the chord of a step, in the metric.
+    fn along<L>(&self, from: &CurvePoint<L>, to: &CurvePoint<L>, position: &Position) -> f64 {
+        let metric = Metric::at(&from.position, self.parameter_scale());
+        metric.inner(
+            &metric.unit(from.position.to(&to.position)),
+            &from.position.to(position),
+        )
+    }
+
+    /// Returns the events between two points, each with its distance along the step.
+    fn on_the_way<M: OrbitMethod>(
+        &self,
+        method: &M,
+        a: &OrbitPoint<M>,
+        b: &OrbitPoint<M>,
+    ) -> Result<Vec<(f64, Bifurcation)>, M::Error> {
+        let turns = a.step.tangent.parameter * b.step.tangent.parameter < 0.0;
+        let mut events = Vec::new();
+        for event in crossed_events(&a.point.orbit, &b.point.orbit, turns)
+            .into_iter()
+            .chain(self.read_between(method, a, b))
+        {
+            let Some(located) = self.locate_event(method, event, (a, b)) else {
+                continue;
+            };
+            let at = point(method, &located)?;
+            // Two real multipliers that meet outside the unit circle are no Neimark-Sacker
+            // bifurcation.
+            let on_circle = at
+                .orbit
+                .multipliers
+                .iter()
+                .any(|value| value.im > 1e-9 && (value.norm() - 1.0).abs() < 1e-4);
+            if event == DetectedEvent::NeimarkSacker && !on_circle {
+                continue;
+            }
+            let stops = &method.shot(&located.local)?.kernel.plant.system.stops;
+            let (level, stop) = match event {
+                DetectedEvent::Level(number) => (Some(self.levels[number].text.clone()), None),
+                DetectedEvent::Grazing(turn) => (
+                    None,
+                    stops.get(turn.from.port).map(|stop| stop.name.clone()),
+                ),
+                _ => (None, None),
+            };
+            events.push((
+                self.along(&a.step, &b.step, &located.position),
+                Bifurcation {
+                    kind: event.kind(),
+                    level,
+                    stop,
+                    at,
+                },
+            ));
+        }
+        // Near a fold the key alone gives no order.
+        events.sort_by(|x, y| x.0.total_cmp(&y.0));
+        Ok(events)
+    }
+
+    /// Returns the point where the test function of an event is zero; `None` where it is not
+    /// found.
+    fn locate_event<M: OrbitMethod>(
+        &self,
+        method: &M,
+        event: DetectedEvent,
+        (a, b): (&OrbitPoint<M>, &OrbitPoint<M>),
+    ) -> Option<CurvePoint<M::Evaluation>> {
+        let length = self.along(&a.step, &b.step, &b.step.position);
+        let share = |step: &CurvePoint<M::Evaluation>| {
+            self.along(&a.step, &b.step, &step.position) / length
+        };
+        let value = |step: &CurvePoint<M::Evaluation>| match (event, method.shot(&step.local)) {
+            (DetectedEvent::Fold, _) => step.tangent.parameter,
+            (_, Err(_)) => 0.0,
+            (DetectedEvent::Grazing(turn), Ok(evaluation)) => turn.past_m(evaluation, share(step)),
+            (DetectedEvent::Level(number), Ok(evaluation)) => {
+                self.levels[number].relative_difference(evaluation)
+            }
+            (_, Ok(evaluation)) => of_multipliers(event, step, (evaluation, &a.point.orbit)),
+        };
+        locate(
+            method,
+            &self.corrector,
+            self.parameter_scale(),
+            (&a.step, &b.step),
+            self.resolution,
+            value,
+        )
+    }
+
+    /// Returns grazings and level crossings between two points, by the signs of their test
+    /// functions.
+    fn read_between<M: OrbitMethod>(
+        &self,
+        method: &M,
+        a: &OrbitPoint<M>,
+        b: &OrbitPoint<M>,
+    ) -> Vec<DetectedEvent> {
+        let Some(ends) = self.ends(method, a, b) else {
+            return Vec::new();
+        };
+        let [one, two] = ends.map(|end| &end.readings.current.levels);
+        let levels = (0..self.levels.len())
+            .filter(|k| (one[*k] > 0.0) != (two[*k] > 0.0))
+            .map(DetectedEvent::Level);
+        extrema(ends)
+            .into_iter()
+            .filter(Extremum::grazes)
+            .map(DetectedEvent::Grazing)
+            .chain(levels)
+            .collect()
+    }
+}
+
+/// Adds the bifurcations between the last point of a branch and another one. The methods may
+/// disagree on the side of a bifurcation nearer than the accuracy.
+pub(super) fn add_crossings(turns: bool, at: &BranchPoint, branch: &mut Branch) {
+    let Some(last) = branch.points.last() else {
+        return;
+    };
+    let grazes = (last.orbit.contacts != at.orbit.contacts).then_some(BranchKind::Grazing);
+    let kinds = crossed_events(&last.orbit, &at.orbit, turns)
+        .into_iter()
+        .map(DetectedEvent::kind)
+        .chain(grazes);
+    branch.bifurcations.extend(kinds.map(|kind| Bifurcation {
+        kind,
+        level: None,
+        stop: None,
+        at: at.clone(),
+    }));
+}
+
+/// Returns the events implied by two orbits; `turns` is true where the branch turns between them.
+fn crossed_events(one: &Orbit, two: &Orbit, turns: bool) -> Vec<DetectedEvent> {
+    let passes = |s: f64| one.determinant_at(s) * two.determinant_at(s) < 0.0;
+    let candidates = [
+        (DetectedEvent::Fold, turns),
+        (DetectedEvent::BranchPoint, passes(1.0) != turns),
+        (DetectedEvent::PeriodDoubling, passes(-1.0)),
+        (
+            DetectedEvent::NeimarkSacker,
+            one.pairs_outside() != two.pairs_outside(),
+        ),
+    ];
+    candidates
+        .into_iter()
+        .filter(|(_, is_there)| *is_there)
+        .map(|(event, _)| event)
+        .collect()
+}
+
+/// Returns the function of the multipliers that is zero at a bifurcation between two points.
+fn of_multipliers<L>(
+    event: DetectedEvent,
+    step: &CurvePoint<L>,
+    (evaluation, before): (&ShootingEvaluation, &Orbit),
+) -> f64 {
+    let map = &evaluation.block_map;
+    match event {
+        DetectedEvent::PeriodDoubling => determinant_at(map, -1.0),
+        DetectedEvent::NeimarkSacker => {
+            // The number of pairs outside gives the sign: where real multipliers meet, the sign of
+            // a product means nothing.
+            let Some(values) = multipliers(map) else {
+                return 0.0;
+            };
+            let distance = nearest_pair_to_circle(&values);
+            if pairs_outside(&values) == before.pairs_outside() {
+                -distance
+            } else {
+                distance
+            }
+        }
+        _ => determinant_at(map, 1.0) * step.tangent.parameter.signum(),
+    }
+}

@@ -1,0 +1,314 @@
+//! Search for all branches of a spec over a range of one key.
+//!
+//! The search first follows the branches on which integrations settle. These start at both ends of
+//! the range and at values between. The initial states are rest, the steady state without the stop,
+//! a large initial velocity and the end of a ramp down from a stronger drive. The search then
+//! follows the branches that leave these at period doublings, shorter periods first. Among branches
+//! of one period it takes the parent with the largest area below its power first. Integrations run
+//! in parallel; the order of the rest is fixed. The search ends when its budget is spent.
+
+mod known;
+mod ramp_down;
+mod starts;
+
+use super::branch::{Branch, BranchKind, BranchPoint};
+use super::continuation::tracer::{BranchTracer, RESOLUTION, newton_tolerance};
+use super::options::BranchOptions;
+use crate::{AnalysisError, Model, Parameter};
+use faer::Mat;
+use jounce_continuation::{
+    CorrectedPoint, Corrector, Direction, Metric, Position, Problem, StepControl, correct, tangent,
+};
+use jounce_orbits::{
+    HarmonicBalance, Orbit, OrbitError, OrbitMethod, ParametricModel, Shooting, null_vector,
+};
+use known::is_end_of_one;
+
+/// Method of computing orbits.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum OrbitMethodKind {
+    /// Shooting on the exact flow.
+    Shooting,
+    /// Harmonic balance at the ports, with as many harmonics as the accuracy needs.
+    HarmonicBalance {
+        /// Initial number of harmonics of the drive.
+        harmonics: usize,
+    },
+}
+
+/// Definition of a search for branches.
+#[derive(Debug)]
+pub struct BranchSearch<'s> {
+    /// Model of the spec, unchanged.
+    pub base: &'s Model,
+    /// Family of models over the key.
+    pub parameter: &'s Parameter<'s>,
+    /// Ends of the range.
+    pub range: (f64, f64),
+    /// Method of computing orbits.
+    pub method: OrbitMethodKind,
+    /// Relative tolerance of the integrations.
+    pub tolerance: f64,
+    /// Number of values between the ends of the range at which integrations search for orbits.
+    pub seeds: usize,
+    /// Longest period of a branch, drive cycles.
+    pub longest_period: u32,
+}
+
+/// Largest number of points of a branch.
+const MAX_POINTS: usize = 4000;
+
+/// Golden section of the range. There two frequencies, one of them proportional to the key, have no
+/// common period by chance.
+const GOLDEN_SHARE: f64 = 0.618_033_988_749_894_9;
+
+/// Permitted error of the mean power in harmonic balance, relative to the tolerance of an
+/// integration.
+const POWER_ERROR_FACTOR: f64 = 300.0;
+
+type Failure = OrbitError<AnalysisError>;
+
+impl BranchSearch<'_> {
+    fn following(&self, options: &BranchOptions) -> BranchTracer {
+        BranchTracer {
+            range: self.range,
+            corrector: Corrector {
+                goal: newton_tolerance(self.tolerance),
+                most: 8,
+            },
+            control: StepControl {
+                longest: options.largest_step,
+                ..StepControl::default()
+            },
+            most_points: MAX_POINTS,
+            budget: options.budget,
+            resolution: RESOLUTION,
+            levels: options.levels.clone(),
+        }
+    }
+
+    fn shooting(&self, cycles: u32) -> Shooting<'_, Parameter<'_>> {
+        Shooting::new(self.parameter, &self.base.kernel, cycles, self.tolerance)
+    }
+
+    /// Finds and follows the branches; after cancellation returns the finished ones.
+    ///
+    /// # Errors
+    /// [`OrbitError`].
+    pub fn run(&self) -> Result<Vec<Branch>, Failure> {
+        self.run_with(&BranchOptions::default())
+    }
+
+    /// Finds and follows the branches with the given options.
+    ///
+    /// # Errors
+    /// [`OrbitError`].
+    pub fn run_with(&self, options: &BranchOptions) -> Result<Vec<Branch>, Failure> {
+        let tracer = self.following(options);
+        match self.method {
+            OrbitMethodKind::Shooting => self.run_by(&tracer, |cycles| Ok(self.shooting(cycles))),
+            OrbitMethodKind::HarmonicBalance { harmonics } => self.run_by(&tracer, |cycles| {
+                let accuracy = POWER_ERROR_FACTOR * self.tolerance;
+                HarmonicBalance::new(
+                    self.shooting(cycles),
+                    &self.base.kernel,
+                    harmonics * cycles as usize,
+                    accuracy,
+                )
+            }),
+        }
+    }
+
+    fn run_by<M: OrbitMethod<Fault = AnalysisError>>(
+        &self,
+        tracer: &BranchTracer,
+        make: impl Fn(u32) -> Result<M, Failure>,
+    ) -> Result<Vec<Branch>, Failure> {
+        self.check_ends()?;
+        make(1)?;
+        let control = &self.base.kernel.control;
+        let mut branches: Vec<Branch> = Vec::new();
+        let starts = self.starts();
+        control.expect(starts.len());
+        for (orbit, parameter) in starts {
+            if orbit.period_cycles <= self.longest_period
+                && !self.is_known(&branches, tracer, (&orbit, parameter))
+            {
+                match tracer.within(&branches, orbit.period_cycles) {
+                    Some(within) => {
+                        let branch =
+                            within.both_ways(&make(orbit.period_cycles)?, orbit.start(), parameter);
+                        branches.extend(if control.is_stopped() {
+                            branch.unwrap_or(None)
+                        } else {
+                            branch?
+                        });
+                    }
+                    None => branches.push(Branch::of_one(orbit, parameter)),
+                }
+            }
+            control.count();
+        }
+        let doubled = self.doubled(tracer, &make, &mut branches);
+        if !control.is_stopped() {
+            doubled?;
+        }
+        Ok(self.without_duplicates(tracer, branches))
+    }
+
+    /// Checks that models exist at both ends of the range, and that their drives have a common
+    /// period there and between.
+    fn check_ends(&self) -> Result<(), Failure> {
+        Parameter::check_key(self.parameter.key()).map_err(OrbitError::Harvester)?;
+        let between = self.range.0 + GOLDEN_SHARE * (self.range.1 - self.range.0);
+        for value in [self.range.0, self.range.1, between] {
+            let kernel = self
+                .parameter
+                .at(value)
+                .map_err(OrbitError::Harvester)?
+                .kernel;
+            if kernel.plant.period_s().is_none() {
+                return Err(OrbitError::Frequencies {
+                    frequencies: kernel.plant.tones.len(),
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// True when an orbit lies on one of the branches.
+    fn is_known(&self, branches: &[Branch], tracer: &BranchTracer, orbit: (&Orbit, f64)) -> bool {
+        let shooting = self.shooting(orbit.0.period_cycles);
+        branches
+            .iter()
+            .any(|branch| branch.holds(tracer, &shooting, orbit))
+    }
+
+    /// Removes branches that are parts of others. Two continuations may have followed one curve
+    /// from different points.
+    fn without_duplicates(&self, tracer: &BranchTracer, mut branches: Vec<Branch>) -> Vec<Branch> {
+        let mut k = 0;
+        while k < branches.len() {
+            let (part, shooting) = (&branches[k], self.shooting(branches[k].period_cycles));
+            let is_longer =
+                |other: usize| (branches[other].points.len(), k) > (part.points.len(), other);
+            let mut others = (0..branches.len()).filter(|other| *other != k && is_longer(*other));
+            let complete =
+                others.find(|other| part.is_part_of(&branches[*other], tracer, &shooting));
+            match complete {
+                Some(complete) => {
+                    branches[complete].not_followed += branches[k].not_followed;
+                    branches.remove(k);
+                }
+                None => k += 1,
+            }
+        }
+        branches
+    }
+
+    /// Follows doubled branches until all are followed.
+    fn doubled<M: OrbitMethod<Fault = AnalysisError>>(
+        &self,
+        tracer: &BranchTracer,
+        make: &impl Fn(u32) -> Result<M, Failure>,
+        branches: &mut Vec<Branch>,
+    ) -> Result<(), Failure> {
+        let mut entered = vec![false; branches.len()];
+        while let Some(parent) = self.next_parent(branches, &entered) {
+            entered[parent] = true;
+            let cycles = 2 * branches[parent].period_cycles;
+            let doublings = branches[parent]
+                .bifurcations
+                .iter()
+                .filter(|found| found.kind == BranchKind::PeriodDoubling);
+            let doublings: Vec<BranchPoint> = doublings.map(|found| found.at.clone()).collect();
+            for at in doublings {
+                if is_end_of_one(branches, &at, tracer) {
+                    continue;
+                }
+                let Some(within) = tracer.within(branches, cycles) else {
+                    branches[parent].not_followed += 1;
+                    continue;
+                };
+                let method = make(cycles)?;
+                let Some((first, direction)) = self.displaced_orbit(tracer, &method, &at) else {
+                    branches[parent].not_followed += 1;
+                    continue;
+                };
+                let orbit = method.orbit(&first.local, first.error)?;
+                if !self.is_known(branches, tracer, (&orbit, first.position.parameter)) {
+                    let found = within.walk(&method, first, direction)?;
+                    // A continuation of one point has fallen back to the parent.
+                    if found.points.len() > 1 {
+                        branches.push(found);
+                        entered.push(false);
+                    } else {
+                        branches[parent].not_followed += 1;
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Returns the branch whose doublings are followed next: of the shortest period, then of the
+    /// largest area below its power.
+    fn next_parent(&self, branches: &[Branch], entered: &[bool]) -> Option<usize> {
+        let remaining = (0..branches.len())
+            .filter(|k| !entered[*k] && 2 * branches[*k].period_cycles <= self.longest_period);
+        remaining.min_by(|one, two| {
+            let [one, two] = [one, two].map(|k| &branches[*k]);
+            one.period_cycles
+                .cmp(&two.period_cycles)
+                .then(two.area_w().total_cmp(&one.area_w()))
+        })
+    }
+
+    /// Returns a first orbit on the doubled branch, displaced from the doubling along the
+    /// eigenvector of the multiplier -1.
+    fn displaced_orbit<M: OrbitMethod<Fault = AnalysisError>>(
+        &self,
+        tracer: &BranchTracer,
+        method: &M,
+        at: &BranchPoint,
+    ) -> Option<(CorrectedPoint<M::Evaluation>, Direction)> {
+        let state = at.orbit.start();
+        let evaluation = self
+            .shooting(method.cycles() / 2)
+            .at(state, at.parameter)
+            .ok()?;
+        let map = evaluation.map();
+        let n = state.len();
+        let vector = null_vector(&Mat::from_fn(n, n, |i, j| {
+            map[(i, j)] + if i == j { 1.0 } else { 0.0 }
+        }));
+        let size = at.orbit.size();
+        let origin = Position {
+            unknown: method.unknown_of(state, at.parameter).ok()?,
+            parameter: at.parameter,
+        };
+        let metric = Metric::at(&origin, tracer.parameter_scale());
+        [1e-2, 3e-3, 3e-2].into_iter().find_map(|length| {
+            let shifted: Vec<f64> = (0..n)
+                .map(|i| state[i] + length * size * vector[i])
+                .collect();
+            let guess = Position {
+                unknown: method.unknown_of(&shifted, at.parameter).ok()?,
+                parameter: at.parameter,
+            };
+            let difference = guess
+                .unknown
+                .iter()
+                .zip(&origin.unknown)
+                .map(|(a, b)| a - b)
+                .collect();
+            let direction = metric.unit(Direction {
+                unknown: difference,
+                parameter: 0.0,
+            });
+            let corrected = correct(method, &tracer.corrector, &metric, &direction, guess).ok()?;
+            let direction = tangent(&corrected.local, &metric, &direction)?;
+            Some((corrected, direction))
+        })
+    }
+}

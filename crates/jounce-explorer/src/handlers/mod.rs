@@ -1,0 +1,9 @@
+//! Computation of the result of each kind of request.
+
+pub(super) mod basins;
+pub(super) mod excitation;
+pub(super) mod export;
+pub(super) mod orbit;
+pub(super) mod response;
+pub(super) mod sweep;
+mod upload;

@@ -1,0 +1,195 @@
+//! Authentication of requests by token, host and origin.
+
+use axum::http::HeaderMap;
+use axum::http::header::{HOST, ORIGIN};
+use sha2::{Digest, Sha256};
+use std::fmt::Write as _;
+use std::net::SocketAddr;
+
+/// Random bytes of a token.
+const TOKEN_BYTES: usize = 16;
+
+/// Authentication data of one server.
+#[derive(Debug, Clone)]
+pub struct Authenticator {
+    token: String,
+    digest: [u8; 32],
+    hosts: Vec<String>,
+    /// True where the server listens on all addresses of this machine, so that any of them is
+    /// accepted.
+    any_address: bool,
+    port: u16,
+}
+
+/// Reason of a refusal.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RequestRefusal {
+    /// Wrong token.
+    Token,
+    /// The host is not this server, as in an attack by DNS rebinding.
+    Host,
+    /// The origin is the page of another server.
+    Origin,
+}
+
+impl Authenticator {
+    /// Creates the authenticator of a server at an address, with the token of the previous server
+    /// or a new one.
+    ///
+    /// # Errors
+    /// The system provides no random numbers.
+    pub fn new(
+        address: SocketAddr,
+        previous_token: Option<String>,
+    ) -> Result<Self, getrandom::Error> {
+        let token = previous_token.map_or_else(random_token, Ok)?;
+        let port = address.port();
+        let mut hosts = vec![address.to_string()];
+        if address.ip().is_loopback() || address.ip().is_unspecified() {
+            hosts.extend(["127.0.0.1", "localhost", "[::1]"].map(|name| format!("{name}:{port}")));
+        }
+        Ok(Self {
+            digest: Sha256::digest(token.as_bytes()).into(),
+            token,
+            hosts,
+            any_address: address.ip().is_unspecified(),
+            port,
+        })
+    }
+
+    /// Returns the token.
+    pub fn token(&self) -> &str {
+        &self.token
+    }
+
+    /// Checks a request; `needs_origin` holds for a socket, which every browser opens with its
+    /// origin.
+    ///
+    /// # Errors
+    /// [`RequestRefusal`].
+    pub fn check(
+        &self,
+        token: &str,
+        headers: &HeaderMap,
+        needs_origin: bool,
+    ) -> Result<(), RequestRefusal> {
+        let host = headers
+            .get(HOST)
+            .and_then(|host| host.to_str().ok())
+            .unwrap_or_default();
+        // An attack by rebinding needs a host name; a request by address is safe.
+        let by_address = self.any_address
+            && host
+                .parse::<SocketAddr>()
+                .is_ok_and(|address| address.port() == self.port);
+        if !by_address
+            && !self
+                .hosts
+                .iter()
+                .any(|host_name| host_name.eq_ignore_ascii_case(host))
+        {
+            return Err(RequestRefusal::Host);
+        }
+        let origins: Vec<_> = headers.get_all(ORIGIN).iter().collect();
+        let expected_origin = format!("http://{host}");
+        if origins.iter().any(|origin| {
+            !origin
+                .as_bytes()
+                .eq_ignore_ascii_case(expected_origin.as_bytes())
+        }) || (needs_origin && origins.is_empty())
+        {
+            return Err(RequestRefusal::Origin);
+        }
+        // Digests are compared, so that the duration reveals nothing about the token.
+        let token_matches = <[u8; 32]>::from(Sha256::digest(token.as_bytes())) == self.digest;
+        if token_matches {
+            Ok(())
+        } else {
+            Err(RequestRefusal::Token)
+        }
+    }
+}
+
+/// Returns a random token.
+fn random_token() -> Result<String, getrandom::Error> {
+    let mut bytes = [0; TOKEN_BYTES];
+    getrandom::fill(&mut bytes)?;
+    Ok(bytes.iter().fold(String::new(), |mut text, byte| {
+        let _ = write!(text, "{byte:02x}");
+        text
+    }))
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+    use axum::http::HeaderValue;
+
+    fn request_headers(host: &str, origin: Option<&str>) -> HeaderMap {
+        let mut headers = HeaderMap::new();
+        headers.insert(HOST, HeaderValue::from_str(host).unwrap());
+        origin.iter().for_each(|origin| {
+            drop(headers.insert(ORIGIN, HeaderValue::from_str(origin).unwrap()))
+        });
+        headers
+    }
+
+    #[test]
+    fn only_requests_of_the_page_with_the_token_are_accepted() {
+        let authenticator = Authenticator::new("127.0.0.1:4321".parse().unwrap(), None).unwrap();
+        let token = authenticator.token().to_owned();
+        assert_eq!(token.len(), 32);
+        assert_ne!(
+            token,
+            Authenticator::new("127.0.0.1:4321".parse().unwrap(), None)
+                .unwrap()
+                .token()
+        );
+        let own = "127.0.0.1:4321";
+        let [host, origin, refused_token] = [
+            RequestRefusal::Host,
+            RequestRefusal::Origin,
+            RequestRefusal::Token,
+        ]
+        .map(Err);
+        let cases = [
+            (
+                &*token,
+                "localhost:4321",
+                "http://localhost:4321",
+                true,
+                Ok(()),
+            ),
+            (&*token, own, "", false, Ok(())),
+            (&*token, own, "", true, origin),
+            (&*token, own, "http://evil.example", false, origin),
+            (&*token, own, "null", true, origin),
+            (
+                &*token,
+                "evil.example:4321",
+                "http://evil.example:4321",
+                true,
+                host,
+            ),
+            (&*token, "127.0.0.1:9", "", false, host),
+            (&token[1..], own, "", false, refused_token),
+            ("", own, "", false, refused_token),
+        ];
+        for (token, host, origin, socket, expected) in cases {
+            let headers = request_headers(host, Some(origin).filter(|origin| !origin.is_empty()));
+            let result = authenticator.check(token, &headers, socket);
+            assert_eq!(result, expected, "{token} {host} {origin} {socket}");
+        }
+    }
+
+    #[test]
+    fn a_server_on_all_addresses_accepts_addresses_and_no_names() {
+        let unspecified = Authenticator::new("0.0.0.0:4321".parse().unwrap(), None).unwrap();
+        let check = |host: &str| {
+            unspecified.check(unspecified.token(), &request_headers(host, None), false)
+        };
+        assert_eq!(check("192.168.1.7:4321"), Ok(()));
+        assert_eq!(check("evil.example:4321"), Err(RequestRefusal::Host));
+    }
+}

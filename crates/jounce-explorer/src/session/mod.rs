@@ -1,0 +1,173 @@
+//! Session of one page: its requests, and data that speed up the next response.
+
+pub(super) mod cancellation;
+pub(super) mod fault;
+pub(super) mod frame;
+mod latest_requests;
+pub(super) mod request;
+
+use crate::handlers::export::export;
+use crate::handlers::{basins, excitation, orbit, response, sweep};
+use crate::server::Host;
+use cancellation::Cancellation;
+use fault::RequestFault;
+use frame::Frame;
+use jounce::live::{Design, LiveAnalysis};
+use latest_requests::LatestRequests;
+use request::{Request, RequestKind};
+use serde_json::json;
+use std::sync::Arc;
+use tokio::sync::mpsc;
+
+/// Session of a page.
+pub struct Session {
+    host: Arc<Host>,
+    sender: mpsc::Sender<Vec<u8>>,
+    latest_requests: LatestRequests,
+    /// Computations, with data that speed up the next one.
+    pub analysis: LiveAnalysis,
+}
+
+impl Session {
+    /// Creates the session of a new page.
+    pub fn new(host: Arc<Host>, sender: mpsc::Sender<Vec<u8>>) -> Self {
+        Self {
+            host,
+            sender,
+            latest_requests: LatestRequests::default(),
+            analysis: LiveAnalysis::default(),
+        }
+    }
+
+    /// Sends a frame.
+    pub async fn send_async(&self, frame: Frame) {
+        let _ = self.sender.send(frame.encode()).await;
+    }
+
+    /// Sends a frame from a computing thread, unless it is cancelled.
+    pub fn send(&self, cancellation: &Cancellation, frame: Frame) {
+        if !cancellation.is_stopped() {
+            let _ = self.sender.blocking_send(frame.encode());
+        }
+    }
+
+    /// Sends a frame that may be lost, such as progress.
+    pub fn try_send(&self, cancellation: &Cancellation, frame: Frame) {
+        if !cancellation.is_stopped() {
+            let _ = self.sender.try_send(frame.encode());
+        }
+    }
+
+    /// Sends the description of this server.
+    pub async fn send_hello(&self) {
+        let mut frame = Frame::new(0, "hello", "done");
+        let options = &self.host.options;
+        frame
+            .put("file", options.spec.name().display().to_string())
+            .put("set", json!(options.set))
+            .put("jounce", env!("CARGO_PKG_VERSION"));
+        self.send_async(frame).await;
+    }
+
+    /// Cancels all requests of the page.
+    pub fn cancel_all(&self) {
+        self.latest_requests.stop_all();
+    }
+
+    /// Handles a request.
+    pub fn handle_request(self: &Arc<Self>, request: Request) {
+        if let RequestKind::Stop { what } = &request.kind {
+            return self.latest_requests.stop(what);
+        }
+        let cancellation = self.latest_requests.register(request.kind.name());
+        let session = Arc::clone(self);
+        tokio::spawn(async move {
+            let is_long = matches!(
+                request.kind,
+                RequestKind::Sweep { .. }
+                    | RequestKind::Load(_)
+                    | RequestKind::Basins(_)
+                    | RequestKind::Shake { .. }
+            );
+            let permits = if is_long {
+                &session.host.long_permits
+            } else {
+                &session.host.quick_permits
+            };
+            let Ok(_permit) = Arc::clone(permits).acquire_owned().await else {
+                return;
+            };
+            if cancellation.is_stopped() {
+                return;
+            }
+            let max_time = session.host.options.limits.max_computation_time;
+            let timeout_cancellation = cancellation.clone();
+            let timer = tokio::spawn(async move {
+                tokio::time::sleep(max_time).await;
+                timeout_cancellation.stop_on_timeout();
+            });
+            let (id, name) = (request.id, request.kind.name());
+            let (worker, worker_cancellation) = (Arc::clone(&session), cancellation.clone());
+            let outcome =
+                tokio::task::spawn_blocking(move || worker.compute(&request, &worker_cancellation))
+                    .await;
+            timer.abort();
+            let fault = match outcome {
+                _ if cancellation.is_timed_out() => Some(RequestFault::Text(format!(
+                    "this took longer than {} s and was stopped; request less",
+                    max_time.as_secs()
+                ))),
+                Ok(Ok(())) => None,
+                Ok(Err(fault)) => Some(fault),
+                Err(_) => Some(RequestFault::Text(
+                    "the computation failed unexpectedly; please report the spec that caused it"
+                        .to_owned(),
+                )),
+            };
+            if let Some(fault) =
+                fault.filter(|_| !cancellation.is_stopped() || cancellation.is_timed_out())
+            {
+                let mut frame = Frame::new(id, name, "fault");
+                frame.put("faults", fault.list(session.host.options.spec.name()));
+                session.send_async(frame).await;
+            }
+        });
+    }
+
+    fn compute(&self, request: &Request, cancellation: &Cancellation) -> Result<(), RequestFault> {
+        let source = &self.host.options.spec;
+        let design = &Design::new(&source.read()?, &request.set)?;
+        let id = request.id;
+        match &request.kind {
+            RequestKind::Design => {
+                let title = source.name().file_stem().unwrap_or_default();
+                let mut frame = Frame::new(id, "design", "done");
+                frame
+                    .put("drawing", json!(design.drawing(&title.to_string_lossy())))
+                    .put("controls", json!(design.controls()));
+                self.send(cancellation, frame);
+                Ok(())
+            }
+            RequestKind::Response { span, options } => {
+                response::respond(self, id, design, (span, options), cancellation)
+            }
+            RequestKind::Orbit(place) => orbit::respond(self, id, place, cancellation),
+            RequestKind::Sweep { span, points } => {
+                sweep::respond(self, id, design, (span, *points), cancellation)
+            }
+            RequestKind::Load(options) => {
+                sweep::respond_load(self, id, design, options, cancellation)
+            }
+            RequestKind::Basins(options) => {
+                basins::respond(self, id, design, options, cancellation)
+            }
+            RequestKind::Shake { by } => excitation::respond(self, id, design, by, cancellation),
+            RequestKind::Export(span) => {
+                let frame = export(id, design, span, &request.set, source.name())?;
+                self.send(cancellation, frame);
+                Ok(())
+            }
+            RequestKind::Stop { .. } => Ok(()),
+        }
+    }
+}

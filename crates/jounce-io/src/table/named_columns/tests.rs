@@ -1,0 +1,160 @@
+//! Tables written and read again, and tables that are refused.
+
+use super::*;
+
+fn awkward() -> Table {
+    let floats = vec![
+        0.1 + 0.2,
+        -0.0,
+        f64::NAN,
+        5e-324,
+        f64::MAX,
+        f64::NEG_INFINITY,
+        1e-7,
+        7.023_747_569_4e-5,
+    ];
+    let texts = [
+        "plain",
+        "comma, quote \" and\nnewline",
+        "",
+        "µΩ",
+        " ",
+        "NaN",
+        "1",
+        "'",
+    ];
+    Table::new(vec![
+        Column::new("power_w", "W", "mean power", floats),
+        Column::new(
+            "shift",
+            "",
+            "signed",
+            vec![i64::MIN, -1, 0, 1, 2, 3, 4, i64::MAX],
+        ),
+        Column::new(
+            "contacts",
+            "",
+            "count",
+            vec![0u64, 1, 2, 3, 4, 5, 1 << 53 | 1, u64::MAX],
+        ),
+        Column::new(
+            "settled",
+            "",
+            "yes or no",
+            vec![true, false, true, true, false, false, true, false],
+        ),
+        Column::new("label", "", "text", texts.map(str::to_owned).to_vec()),
+    ])
+    .unwrap()
+}
+
+fn manifest() -> Manifest {
+    Manifest {
+        seed: Some(7),
+        ..Manifest::new("00ff")
+            .with("command", "sweep")
+            .with("over", "drive.shaker.frequency=4Hz:20Hz:0.1Hz")
+    }
+}
+
+/// True where the bits are equal; `==` differs for NaN and -0.
+fn same_bits(a: &Table, b: &Table) -> bool {
+    let bits = |t: &Table| {
+        t.floats("power_w")
+            .unwrap()
+            .iter()
+            .map(|x| x.to_bits())
+            .collect::<Vec<_>>()
+    };
+    bits(a) == bits(b) && a.columns()[1..] == b.columns()[1..]
+}
+
+#[test]
+fn csv_and_parquet_round_trip_bit_for_bit() {
+    let folder = tempfile::tempdir().unwrap();
+    for name in ["t.csv", "t.parquet"] {
+        let path = folder.path().join(name);
+        awkward().write(&path, &manifest()).unwrap();
+        let (table, read) = Table::read(&path).unwrap();
+        assert!(same_bits(&table, &awkward()), "{name}: {table:?}");
+        assert_eq!(read, manifest(), "{name}");
+        assert_eq!(table.columns()[0].unit, "W");
+    }
+}
+
+#[test]
+fn the_same_table_gives_the_same_bytes() {
+    let folder = tempfile::tempdir().unwrap();
+    for name in ["t.csv", "t.parquet", "t.json"] {
+        let (a, b) = (
+            folder.path().join(name),
+            folder.path().join(format!("again-{name}")),
+        );
+        awkward().write(&a, &manifest()).unwrap();
+        awkward().write(&b, &manifest()).unwrap();
+        assert_eq!(
+            std::fs::read(&a).unwrap(),
+            std::fs::read(&b).unwrap(),
+            "{name}"
+        );
+    }
+}
+
+#[test]
+fn empty_tables_survive() {
+    let folder = tempfile::tempdir().unwrap();
+    let no_rows = Table::new(vec![Column::new("a", "m", "", Vec::<f64>::new())]).unwrap();
+    for (name, table) in [
+        ("a.csv", &no_rows),
+        ("a.parquet", &no_rows),
+        ("b.csv", &Table::default()),
+        ("b.parquet", &Table::default()),
+    ] {
+        let path = folder.path().join(name);
+        table.write(&path, &manifest()).unwrap();
+        assert_eq!(&Table::read(&path).unwrap().0, table, "{name}");
+    }
+}
+
+#[test]
+fn unequal_lengths_and_double_names_are_errors() {
+    let two = || Column::new("a", "", "", vec![1.0, 2.0]);
+    let three = Column::new("b", "", "", vec![1.0, 2.0, 3.0]);
+    assert!(matches!(
+        Table::new(vec![two(), three]),
+        Err(TableError::Lengths {
+            rows: 3,
+            expected: 2,
+            ..
+        })
+    ));
+    assert!(matches!(
+        Table::new(vec![two(), two()]),
+        Err(TableError::Name { .. })
+    ));
+}
+
+#[test]
+fn unwritable_or_unreadable_path_is_an_error() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    assert!(matches!(
+        awkward().write(&at("no/t.csv"), &manifest()),
+        Err(TableError::Store(_))
+    ));
+    assert!(matches!(
+        awkward().write(&at("t.xls"), &manifest()),
+        Err(TableError::Format { .. })
+    ));
+    for name in ["t.csv", "t.parquet"] {
+        assert!(
+            matches!(Table::read(&at(name)), Err(TableError::Read { .. })),
+            "{name} is missing"
+        );
+        std::fs::write(at(name), b"\xff\x00garbage").unwrap();
+        assert!(
+            matches!(Table::read(&at(name)), Err(TableError::Read { .. })),
+            "{name} is garbage"
+        );
+    }
+}

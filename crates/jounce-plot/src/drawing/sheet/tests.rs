@@ -1,0 +1,216 @@
+//! Labels, leaders and the scale of drawings.
+
+use super::*;
+use crate::text::width;
+use jounce_spec::SpecFile;
+use std::path::{Path, PathBuf};
+
+/// Returns the value of an attribute of an element.
+fn number(element: &str, name: &str) -> f64 {
+    element
+        .split(&format!(" {name}=\""))
+        .nth(1)
+        .unwrap()
+        .split('"')
+        .next()
+        .unwrap()
+        .parse()
+        .unwrap()
+}
+
+/// Returns every text with its area.
+fn texts(svg: &str) -> Vec<(Rect, String)> {
+    let labels = svg.split("<text").skip(1).map(|element| {
+        let text = element
+            .split('>')
+            .nth(1)
+            .unwrap()
+            .trim_end_matches("</text")
+            .replace("&quot;", "\"");
+        let (x, y, size) = (
+            number(element, "x"),
+            number(element, "y"),
+            number(element, "font-size"),
+        );
+        let text_width = width(&text, size);
+        let left = if element.contains("\"middle\"") {
+            x - 0.5 * text_width
+        } else {
+            x
+        };
+        (
+            Rect {
+                left,
+                right: left + text_width,
+                top: y - 0.75 * size,
+                bottom: y + 0.2 * size,
+            },
+            text,
+        )
+    });
+    labels.collect()
+}
+
+fn specs(folder: &Path) -> Vec<PathBuf> {
+    let paths = std::fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().path());
+    let mut spec_paths: Vec<PathBuf> = Vec::new();
+    for path in paths {
+        match path.is_dir() {
+            true => spec_paths.extend(specs(&path)),
+            false
+                if path.extension().is_some_and(|ending| ending == "toml")
+                    && !["expected.toml", "measured.toml", "study.toml"]
+                        .iter()
+                        .any(|name| path.ends_with(name)) =>
+            {
+                spec_paths.push(path)
+            }
+            false => (),
+        }
+    }
+    spec_paths.sort();
+    spec_paths
+}
+
+#[test]
+fn no_label_of_any_example_or_starter_lies_over_another_or_leaves_the_page() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let all = [
+        specs(&root.join("../../examples")),
+        specs(&root.join("../jounce-spec/src/starter")),
+    ]
+    .concat();
+    assert!(all.len() > 20, "{all:?}");
+    for path in all {
+        let spec = SpecFile::read(&path)
+            .unwrap()
+            .spec()
+            .unwrap_or_else(|faults| panic!("{}: {faults}", path.display()));
+        let svg = crate::show::drawing("title", &spec).to_svg();
+        let page = Rect::between((0.0, 0.0), (number(&svg, "width"), number(&svg, "height")));
+        let texts = texts(&svg);
+        for (k, (room, text)) in texts.iter().enumerate() {
+            assert!(
+                page.joined(room) == page,
+                "{}: \"{text}\" leaves the page: {room:?}",
+                path.display()
+            );
+            let over = texts[..k].iter().find(|(other, _)| other.meets(room));
+            assert!(
+                over.is_none(),
+                "{}: \"{text}\" lies over {over:?}",
+                path.display()
+            );
+        }
+    }
+}
+
+/// Returns the ends of every thin straight line.
+fn thin_lines(svg: &str) -> Vec<[(f64, f64); 2]> {
+    let paths = svg
+        .split("<path")
+        .filter_map(|element| element.split_once('>'))
+        .filter(|(element, _)| element.contains("jounce-grid"));
+    let ends = paths.filter_map(|(element, _)| {
+        let steps = element.split("d=\"M").nth(1)?.split('"').next()?;
+        let points: Vec<f64> = steps
+            .split(['L', ' '])
+            .filter_map(|number| number.parse().ok())
+            .collect();
+        if let [a, b, c, d] = points[..] {
+            Some([(a, b), (c, d)])
+        } else {
+            None
+        }
+    });
+    ends.collect()
+}
+
+/// No leader crosses a beam, its own or another.
+#[test]
+fn no_leader_of_any_example_or_starter_crosses_a_beam() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut leader_count = 0;
+    for path in [
+        specs(&root.join("../../examples")),
+        specs(&root.join("../jounce-spec/src/starter")),
+    ]
+    .concat()
+    {
+        let sheet =
+            crate::show::drawing("title", &SpecFile::read(&path).unwrap().spec().unwrap()).sheet();
+        let leaders: Vec<_> = thin_lines(&sheet.svg)
+            .into_iter()
+            .filter(|[from, _]| from.1 < sheet.side.bottom)
+            .collect();
+        leader_count += leaders.len();
+        for element in sheet
+            .svg
+            .split("<rect")
+            .filter(|element| element.contains("jounce-beam"))
+        {
+            let (x, y) = (number(element, "x"), number(element, "y"));
+            let beam = Rect::between(
+                (x, y),
+                (x + number(element, "width"), y + number(element, "height")),
+            )
+            .grown(-0.05);
+            let crossing = leaders.iter().find(|[from, to]| beam.crossed(*from, *to));
+            assert!(
+                crossing.is_none(),
+                "{}: {crossing:?} crosses {beam:?}",
+                path.display()
+            );
+        }
+    }
+    assert!(leader_count > 20, "{leader_count} lines");
+}
+
+/// Returns the width and height of the first rectangle of a class.
+fn rectangle(svg: &str, class: &str) -> (f64, f64) {
+    let element = svg
+        .split("<rect")
+        .find(|element| element.contains(&format!("class=\"{class}\"")))
+        .unwrap();
+    (number(element, "width"), number(element, "height"))
+}
+
+#[test]
+fn length_thickness_and_gap_have_one_scale() {
+    let beams = "[beam.a]\nmaterial = \"steel\"\nlength = \"300 mm\"\nwidth = \"10 mm\"\nthickness = \"6 mm\"\n\
+        [stop.tip]\nat = \"a.end\"\nlaw = \"rigid\"\nrestitution = 1\ngap = \"2 mm\"\n[damping]\nbeyond = 0.01\n";
+    let svg = crate::show::drawing("", &SpecFile::from_text(beams).spec().unwrap()).to_svg();
+    let (length, thickness) = rectangle(&svg, "jounce-beam");
+    assert!(
+        (thickness / length - 0.02).abs() < 1e-4,
+        "{length} {thickness}"
+    );
+    // The tip starts where the gap above the beam ends.
+    let beam = svg
+        .split("<rect")
+        .find(|element| element.contains("jounce-beam"))
+        .unwrap();
+    let tip = svg
+        .split("<path")
+        .find(|element| element.contains("jounce-stop"))
+        .unwrap();
+    let impact_length: f64 = tip
+        .split('Q')
+        .nth(1)
+        .unwrap()
+        .split(' ')
+        .nth(1)
+        .unwrap()
+        .parse()
+        .unwrap();
+    assert!(
+        ((number(beam, "y") - impact_length) / length - 2.0 / 300.0).abs() < 1e-4,
+        "{svg}"
+    );
+    assert!(
+        svg.contains("gap 2 mm") && svg.contains("drawn 4 times larger than above"),
+        "{svg}"
+    );
+}

@@ -1,0 +1,11 @@
+//! The library of materials.
+
+use crate::conversion::failure::Failure;
+use pyo3::prelude::*;
+
+/// Returns every material as JSON, with SI units in the names.
+#[pyfunction]
+pub fn materials() -> PyResult<String> {
+    let materials = serde_json::to_string(jounce::materials());
+    Ok(materials.map_err(|error| Failure::new("JounceError", error))?)
+}

@@ -1,0 +1,16 @@
+//! Questions about a harvester, a file for each: its options as JSON, its result as a dictionary.
+
+pub mod basins;
+pub mod bifurcations;
+pub mod branch;
+pub mod diagram;
+pub mod ensemble;
+pub mod fit;
+pub mod frf;
+pub mod modes;
+pub mod noise;
+pub mod reproduce;
+pub mod rig;
+pub mod run;
+pub mod study;
+pub mod sweep;
