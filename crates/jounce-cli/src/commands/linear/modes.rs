@@ -1,7 +1,7 @@
 //! `jounce modes SPEC`
 
 use super::frf::missing_input;
-use super::measured_modes;
+use crate::commands::recordings::measured_modes;
 use crate::failure::Failure;
 use crate::hammer_arguments::{HammerArguments, of_test};
 use crate::output::{self, line, print};

@@ -1,6 +1,6 @@
 //! `jounce frf SPEC`
 
-use super::measured_frf;
+use crate::commands::recordings::measured_frf;
 use crate::failure::Failure;
 use crate::hammer_arguments::HammerArguments;
 use crate::model_or_measured::ModelOrMeasured;
