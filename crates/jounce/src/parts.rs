@@ -24,7 +24,7 @@ pub use crate::spectra::{OrderPeak, SegmentWindow};
 pub use crate::study::{Shard, StudyStatus};
 pub use crate::sweep::{SweepOrder, SweepPoint};
 pub use impact_harvester_2019::Claim;
-pub use jounce_analysis::run::{ChargeResult, StopResult, Warning};
+pub use jounce_analysis::run::{ChargeResult, RectifiedResult, StopResult, Warning};
 pub use jounce_analysis::{
     AttractorKind, AttractorTrack, BandInterval, BandLimit, BifurcationCurvePoint, BranchKind,
     CurveKind, GridError, IntervalEdge, PowerPeak, TrackPoint, Transition,
