@@ -61,6 +61,11 @@ pub(super) fn quantity(
     let empty = Table::new();
     let table = reader.table("quantity", item).unwrap_or(&empty);
     let request = QuantityTable { table, file };
+    if item.is_some() && !table.contains_key("command") {
+        let reason = "quantity.command is missing; write command = \"run\", or another command, below [quantity]";
+        reader.fault("quantity.command", table.span(), reason);
+        return Quantity::Run;
+    }
     let command = reader
         .text("quantity.command", table.get("command"))
         .unwrap_or("run");
@@ -269,8 +274,10 @@ impl QuantityTable<'_> {
         }
     }
 
+    /// Returns the place of a key, or of the table where the key is missing.
     fn span(&self, key: &str) -> Option<std::ops::Range<usize>> {
-        self.table.get(key).and_then(Item::span)
+        let item = self.table.get(key);
+        item.and_then(Item::span).or(self.table.span())
     }
 
     /// Reads one word of a list, by default the first.
@@ -367,7 +374,7 @@ impl QuantityTable<'_> {
         if item.is_none() {
             reader.fault(
                 &path,
-                None,
+                self.span(key),
                 format!("{path} is missing; write {key} = \"{example}\""),
             );
         }
