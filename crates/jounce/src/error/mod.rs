@@ -52,6 +52,16 @@ pub enum Error {
         /// The allowed values and what to try.
         expected: String,
     },
+    /// The key or the range of an option has faults.
+    #[error("{option} is {value}; {}", reasons(.faults))]
+    Range {
+        /// Name of the option.
+        option: &'static str,
+        /// Its value, as text.
+        value: String,
+        /// The faults.
+        faults: Faults,
+    },
     /// The grid of starts cannot be read.
     #[error("grid: {0}")]
     Grid(#[from] GridError),
@@ -200,6 +210,8 @@ pub enum Error {
 /// Kinds of errors that a user treats differently.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ErrorKind {
+    /// An option has a value that is not allowed; correct it.
+    Option,
     /// The input is invalid; correct it.
     Input,
     /// The computation did not converge; change its settings.
@@ -230,6 +242,17 @@ impl Error {
     /// ```
     pub fn kind(&self) -> ErrorKind {
         match self {
+            Self::Option { .. }
+            | Self::Range { .. }
+            | Self::Channel {
+                error: ChannelError::Unnamed { .. },
+                ..
+            }
+            | Self::Starter(_)
+            | Self::Analysis(AnalysisError::OfRuns { .. })
+            | Self::Rig(RigError::Setting { .. })
+            | Self::Spectral(SpectralError::Overlap { .. }) => ErrorKind::Option,
+            Self::Grid(error) if *error != GridError::NoStop => ErrorKind::Option,
             Self::Analysis(error) | Self::Orbit(OrbitError::Harvester(error)) => kind_of(error),
             Self::Study(error) => match error.as_ref() {
                 StudyError::Study(error) => kind_of(error),
@@ -254,6 +277,17 @@ impl Error {
             _ => ErrorKind::Input,
         }
     }
+}
+
+/// Returns the reasons of faults of a key, without the name of the key in front.
+fn reasons(faults: &Faults) -> String {
+    let reason = |fault: &Fault| {
+        let text = fault.message.strip_prefix(fault.key.as_str());
+        let text = text.and_then(|text| text.strip_prefix(": "));
+        text.unwrap_or(&fault.message).to_owned()
+    };
+    let reasons: Vec<String> = faults.as_slice().iter().map(reason).collect();
+    reasons.join("; ")
 }
 
 fn kind_of(error: &AnalysisError) -> ErrorKind {
