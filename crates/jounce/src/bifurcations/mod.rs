@@ -19,7 +19,7 @@ impl Harvester {
     /// finished curves.
     ///
     /// # Errors
-    /// [`Error::Option`], [`Error::Spec`] for an unknown key, [`Error::Analysis`] and
+    /// [`Error::Option`], [`Error::Range`] for an unknown key, [`Error::Analysis`] and
     /// [`Error::Orbit`] for drives without a common period, and [`Error::Stopped`] where no curve
     /// was finished.
     ///

@@ -35,7 +35,7 @@ impl Harvester {
     /// result holds the finished runs.
     ///
     /// # Errors
-    /// [`Error::Option`], [`Error::Spec`] for an unknown key or an invalid value,
+    /// [`Error::Option`], [`Error::Range`] for an unknown key or an invalid value,
     /// [`Error::DriveAtRest`], [`Error::Journal`], and [`Error::Stopped`] where no run was
     /// finished.
     ///

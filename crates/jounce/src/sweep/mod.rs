@@ -24,7 +24,7 @@ impl Harvester {
     /// After a stop by the control the result holds the finished points.
     ///
     /// # Errors
-    /// [`Error::Spec`] for an unknown key or an invalid range, [`Error::Analysis`] for an
+    /// [`Error::Range`] for an unknown key or an invalid range, [`Error::Analysis`] for an
     /// integration that does not converge.
     ///
     /// ```
@@ -72,7 +72,7 @@ impl Harvester {
     /// control.
     ///
     /// # Errors
-    /// [`Error::Spec`] for an unknown key or an invalid range, [`Error::Journal`].
+    /// [`Error::Range`] for an unknown key or an invalid range, [`Error::Journal`].
     pub fn sweep_journal(
         &self,
         options: &SweepOptions,
@@ -112,8 +112,8 @@ impl Harvester {
         let harvester = self.with_tolerance(options.tolerance)?;
         let range = key_range(&harvester, "over", &options.over)?;
         let is_stepped = options.direction != SweepOrder::Independent;
-        if is_stepped && range.key().is_count() {
-            let expected = "a whole number changes the model itself, so a point cannot start from the state of the point before; choose independent as `direction`";
+        if is_stepped && range.key().path() == "reduction.modes" {
+            let expected = "the number of modes differs, so a point cannot start from the state of the point before; choose independent as `direction`";
             return Err(Error::option("over", &options.over, expected));
         }
         Ok((harvester, range))
