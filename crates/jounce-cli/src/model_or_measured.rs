@@ -36,7 +36,7 @@ fn refuse_other<A: Args, B: Args>(matches: &ArgMatches) -> Result<(), clap::Erro
         true => (
             &measured,
             &model,
-            "applies to a spec: omit it, or omit --measured",
+            "does not apply to recordings: omit it, or omit --measured",
         ),
         false => (
             &model,

@@ -189,6 +189,12 @@ fn number_of_samples(reader: &mut FaultCollector, root: &Table, sampling: Sampli
 const DRAWN_RANGE_HINT: &str =
     "drawn values need a range FROM:TO, or FROM:TO:log above 0, from a smaller to a larger value";
 
+fn no_key(reason: &str) -> String {
+    format!(
+        "vary names no key{reason}; write [vary] and \"stop.tip.gap\" = \"0.5mm:1.5mm:3x\" below it"
+    )
+}
+
 /// Reads the keys to be varied, with their values.
 fn varied(
     reader: &mut FaultCollector,
@@ -198,15 +204,8 @@ fn varied(
 ) -> Vec<Varied> {
     let table = reader.table("vary", item);
     let Some(table) = table.filter(|table| !table.is_empty()) else {
-        let reason = match item {
-            None => ": the table [vary] is missing",
-            Some(_) => "",
-        };
-        reader.fault(
-            "vary",
-            item.and_then(Item::span),
-            format!("vary names no key{reason}; write [vary] and \"stop.tip.gap\" = \"0.5mm:1.5mm:3x\" below it"),
-        );
+        let reason = item.map_or(": the table [vary] is missing", |_| "");
+        reader.fault("vary", item.and_then(Item::span), no_key(reason));
         return Vec::new();
     };
     let mut entries = Vec::new();
