@@ -1,7 +1,8 @@
 //! Failures of commands and their exit codes.
 
+use crate::option_names::on_command_line;
 use crate::output::print;
-use jounce::parts::{ChannelError, Fault, GridError};
+use jounce::parts::{Fault, StudyError};
 use jounce::{Error, ErrorKind};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -77,41 +78,40 @@ impl Failure {
 pub fn fault_line(path: &Path, fault: &Fault) -> String {
     match fault.set {
         Some(_) => fault.to_string(),
+        None if fault.line == 0 => format!("{}: {fault}", path.display()),
         None => format!("{}:{fault}", path.display()),
+    }
+}
+
+/// Returns the failure of a study file; faults in it get its name.
+pub fn of_study(path: &Path, error: Error) -> Failure {
+    match error {
+        Error::Study(error) => match *error {
+            StudyError::Faults(faults) => Failure::faults(path, faults),
+            error => Error::from(error).into(),
+        },
+        error => error.into(),
     }
 }
 
 impl From<Error> for Failure {
     fn from(error: Error) -> Self {
-        match (error.kind(), error) {
-            (
-                _,
-                Error::Option {
-                    option,
-                    value,
-                    expected,
-                },
-            ) => Failure::Usage(format!(
-                "--{} is {value}; {expected}",
-                option.replace('_', "-")
-            )),
-            (
-                _,
-                Error::Channel {
-                    option,
-                    error: error @ ChannelError::Unnamed { .. },
-                },
-            ) => Failure::Usage(format!("--{}: {error}", option.replace('_', "-"))),
-            (_, Error::Channel { option, error }) => {
-                Failure::Input(format!("--{}: {error}", option.replace('_', "-")))
+        let text = match &error {
+            Error::Option { option, .. }
+            | Error::Range { option, .. }
+            | Error::Channel { option, .. } => {
+                let text = error.to_string();
+                let rest = text.strip_prefix(option).unwrap_or(&text);
+                on_command_line(&format!("`{option}`{rest}"))
             }
-            (_, Error::Grid(error)) if error != GridError::NoStop => {
-                Failure::Usage(format!("--grid: {error}"))
-            }
-            (_, Error::Starter(error)) => Failure::Usage(error.to_string()),
-            (ErrorKind::NotConverged, error) => Failure::NotConverged(error.to_string()),
-            (ErrorKind::Stopped, error) => Failure::Interrupted(error.to_string()),
-            (ErrorKind::Input, error) => Failure::Input(error.to_string()),
+            Error::Grid(_) => format!("--{error}"),
+            _ => error.to_string(),
+        };
+        match error.kind() {
+            ErrorKind::Option => Failure::Usage(text),
+            ErrorKind::NotConverged => Failure::NotConverged(text),
+            ErrorKind::Stopped => Failure::Interrupted(text),
+            ErrorKind::Input => Failure::Input(text),
         }
     }
 }

@@ -2,15 +2,13 @@
 
 use crate::failure::Failure;
 use crate::measured_file::manifest;
-use clap::{Arg, Args};
+use clap::Args;
 use jounce::parts::Manifest;
-use jounce::{MeasuredFrfOptions, ReadOptions, Recording, definitions};
+use jounce::{MeasuredFrfOptions, ReadOptions, Recording};
 use std::path::PathBuf;
 
 /// Arguments of a hammer test.
 #[derive(Debug, Args)]
-#[command(mut_args(of_test::<MeasuredFrfOptions>))]
-#[command(mut_args(of_test::<ReadOptions>))]
 pub struct HammerArguments {
     /// Recordings of a hammer or shaker test instead of a spec: input and responses over time, with
     /// one or more hits or a continuous input, at one or more excitation points; or one file of
@@ -33,14 +31,5 @@ impl HammerArguments {
     /// Returns the manifest of a result.
     pub fn manifest(&self, command: &str) -> Result<Manifest, Failure> {
         manifest(command, &self.measured)
-    }
-}
-
-/// Lets an argument of a test require recordings; `--input` is also an argument of a spec.
-pub fn of_test<O: Args>(argument: Arg) -> Arg {
-    let id = argument.get_id().as_str();
-    match id != "input" && definitions::<O>().iter().any(|option| option.name == id) {
-        true => argument.requires("measured"),
-        false => argument,
     }
 }

@@ -9,9 +9,11 @@ mod hammer_arguments;
 mod interruption;
 mod measured_file;
 mod model_or_measured;
+mod option_names;
 mod output;
 mod progress;
 mod spec_arguments;
+mod value_error;
 
 use clap::{CommandFactory, FromArgMatches};
 use mimalloc::MiMalloc;
@@ -26,8 +28,9 @@ fn main() -> ExitCode {
     // A negative number is a value, not an option, so that the option can refuse it by name.
     let command = arguments::Arguments::command()
         .mut_subcommands(|command| command.allow_negative_numbers(true));
-    let arguments = arguments::Arguments::from_arg_matches(&command.get_matches())
-        .unwrap_or_else(|error| error.exit());
+    let arguments = (command.try_get_matches())
+        .and_then(|matches| arguments::Arguments::from_arg_matches(&matches))
+        .unwrap_or_else(|error| value_error::explained(error).exit());
     let json = arguments.command.wants_json();
     match commands::run(arguments.command) {
         Ok(()) => ExitCode::SUCCESS,

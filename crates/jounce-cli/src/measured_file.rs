@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::output;
 use crate::spec_arguments::OutputArguments;
 use clap::Args;
-use jounce::parts::{Issue, Manifest, UsesChannels};
+use jounce::parts::{Issue, Manifest, UsesChannels, unreadable};
 use jounce::{Error, ReadOptions, Recording};
 use serde::Serialize;
 use serde_json::Value;
@@ -70,7 +70,7 @@ pub fn with_options(manifest: Manifest, options: &impl Serialize) -> Result<Mani
 
 /// Computes the SHA-256 of a file, read in blocks.
 fn hash_hex(file: &Path) -> Result<String, Failure> {
-    let fault = |reason: std::io::Error| Failure::Input(format!("{}: {reason}", file.display()));
+    let fault = |error: std::io::Error| Failure::Input(unreadable(file, &error));
     let mut input = std::fs::File::open(file).map_err(fault)?;
     let (mut hash, mut buffer) = (Sha256::new(), vec![0; 1 << 16]);
     loop {

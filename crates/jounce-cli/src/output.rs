@@ -1,7 +1,8 @@
 //! Output: JSON on stdout, tables and pictures in a folder.
 
 use crate::failure::Failure;
-use jounce::parts::Manifest;
+use crate::option_names::on_command_line;
+use jounce::parts::{Manifest, unwritable_folder};
 use jounce::{Error, Figure, Table};
 use serde::Serialize;
 use std::io::Write;
@@ -20,6 +21,21 @@ pub fn to_json(result: &impl Serialize) -> Result<serde_json::Value, Failure> {
 /// Prints a line on stdout.
 pub fn line(text: impl std::fmt::Display) {
     let _ = writeln!(std::io::stdout().lock(), "{text}");
+}
+
+/// Prints warnings on stderr. A warning is printed once, with the number of its repetitions.
+pub fn warn(warnings: &[String]) {
+    for (index, text) in warnings.iter().enumerate() {
+        if warnings[..index].contains(text) {
+            continue;
+        }
+        let count = warnings.iter().filter(|other| *other == text).count();
+        let text = on_command_line(text);
+        match count {
+            1 => eprintln!("warning: {text}"),
+            _ => eprintln!("warning: {text} ({count} times)"),
+        }
+    }
 }
 
 /// Formats a value of a key in SI: six decimals, or more where a small value needs them for seven
@@ -98,12 +114,8 @@ pub fn figure(folder: &Path, name: &str, figure: &Figure) -> Result<(), Failure>
 }
 
 fn make(folder: &Path) -> Result<(), Failure> {
-    std::fs::create_dir_all(folder).map_err(|error| {
-        Failure::Input(format!(
-            "the folder {} cannot be created: {error}",
-            folder.display()
-        ))
-    })
+    std::fs::create_dir_all(folder)
+        .map_err(|error| Failure::Input(unwritable_folder(folder, error)))
 }
 
 #[cfg(test)]

@@ -29,6 +29,26 @@ pub struct OutputArguments {
     pub out: Option<PathBuf>,
 }
 
+/// The spec of a command that also takes recordings, and the options of its question.
+#[derive(Debug, Args)]
+#[command(mut_arg("spec", |spec| spec.required(false)))]
+pub struct ModelArguments<O: Args> {
+    #[command(flatten)]
+    spec: Option<SpecArguments>,
+    #[command(flatten)]
+    pub options: O,
+}
+
+impl<O: Args> ModelArguments<O> {
+    /// Returns the spec; without one, and so without recordings too, the failure.
+    pub fn spec(&self) -> Result<&SpecArguments, Failure> {
+        let text = "give a SPEC, or recordings of a hammer test with --measured FILE...";
+        self.spec
+            .as_ref()
+            .ok_or_else(|| Failure::usage(text.to_owned()))
+    }
+}
+
 impl SpecArguments {
     /// Reads the file and applies the overrides.
     pub fn file(&self) -> Result<SpecFile, Failure> {

@@ -265,7 +265,8 @@ fn an_impossible_test_is_reported() {
             2,
             "@42s",
         ),
-        (vec!["--amplitude-wander", "2"], 4, "from 0 to 0.3"),
+        (vec!["--amplitude-wander", "2"], 2, "from 0 to 0.3"),
+        (vec!["--wander-time", "3s"], 2, "give --amplitude-wander or"),
         (vec!["--cable", "0nF"], 2, "--cable"),
         (vec!["--base", "missing.csv"], 4, "missing.csv"),
         (

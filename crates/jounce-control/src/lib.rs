@@ -35,7 +35,7 @@ struct Callback(Arc<dyn Fn(&Control) + Send + Sync>);
 
 impl fmt::Debug for Callback {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("Visitor")
+        f.write_str("Callback")
     }
 }
 

@@ -23,7 +23,7 @@ const ERROR_PER_LEVEL: [f64; 2] = [38.0, 13.0];
 /// harder than the last.
 const PLANNED_ERROR_SHARE: f64 = 0.3;
 
-/// Largest increase of the level at once.
+/// Largest number of levels by which a step becomes longer at once; a longer step has a lower level.
 const MAX_LEVEL_INCREASE: i32 = 3 * LEVELS_PER_OCTAVE;
 
 /// Factor by which the error is smaller than the power of `rho`, for an end like `t^1.5`.

@@ -184,7 +184,29 @@ impl SpecFile {
                 },
             }
         });
-        Faults::new(syntax.chain(read).collect())
+        Faults::new(self.with_causes(syntax.chain(read).collect()))
+    }
+
+    /// Names the overrides in faults of the file that the file alone does not have.
+    fn with_causes(&self, faults: Vec<Fault>) -> Vec<Fault> {
+        if self.overrides.is_empty() {
+            return faults;
+        }
+        let unchanged = Self::from_text(self.text.clone()).in_folder(&self.folder);
+        let own = unchanged.spec().err();
+        let is_own = |fault: &Fault| {
+            let own = own.as_ref().map_or(&[][..], Faults::as_slice);
+            own.contains(fault)
+        };
+        let overrides: Vec<String> = self.overrides.iter().map(Override::to_string).collect();
+        let with_cause = |fault: Fault| match fault.set.is_none() && !is_own(&fault) {
+            true => Fault {
+                message: format!("{}; caused by {}", fault.message, overrides.join(" ")),
+                ..fault
+            },
+            false => fault,
+        };
+        faults.into_iter().map(with_cause).collect()
     }
 
     /// Returns the text with the overrides written into it; comments and layout are retained.
@@ -203,8 +225,16 @@ impl SpecFile {
     /// # Errors
     /// A spec with faults, an unknown key, or a key without a number.
     pub fn numeric_key(&self, key: &str) -> Result<NumericKey, Faults> {
-        resolve(&self.source.root, key)
+        let info = resolve(&self.source.root, key)
             .map_err(|message| Fault::without_position(&clip(key), message))?;
+        if !info.kind.is_numeric() {
+            let expected = info.kind.expectation();
+            let message = format!(
+                "{}: this spec has no key with a number here: {expected}",
+                clip(key)
+            );
+            return Err(Fault::without_position(&clip(key), message).into());
+        }
         let numeric = NumericKey::find(&self.spec()?, key)?;
         // A mass whose spring is given by its frequency retains the frequency, as if the file were
         // edited.

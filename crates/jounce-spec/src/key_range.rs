@@ -85,12 +85,15 @@ fn points(key: &NumericKey, text: &str) -> Result<Vec<f64>, String> {
     if let Some(count) = spacing.strip_suffix('x') {
         return Ok(linear(from.value, to.value, count_of(count)?));
     }
-    let step = DecimalNumber::read(key, spacing)?;
-    if step.value <= 0.0 {
-        return Err(format!(
-            "the step is {}; it must be greater than 0",
+    let invalid_step = |reason: &str| {
+        format!(
+            "the step is {}; {reason}, or give a number of points, as in 3x",
             clip(spacing)
-        ));
+        )
+    };
+    let step = DecimalNumber::read(key, spacing).map_err(|reason| invalid_step(&reason))?;
+    if step.value <= 0.0 {
+        return Err(invalid_step("it must be greater than 0"));
     }
     stepped(&from, &to, &step)
 }

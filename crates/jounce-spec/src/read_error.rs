@@ -13,7 +13,7 @@ pub(super) const MAX_SPEC_BYTES: usize = 16 << 20;
 #[derive(Debug, thiserror::Error)]
 pub enum ReadError {
     /// The file does not exist.
-    #[error("{} does not exist", path.display())]
+    #[error("{}", jounce_io::store::missing(path))]
     Missing {
         /// the path
         path: PathBuf,
@@ -39,7 +39,7 @@ pub enum ReadError {
         fault: Fault,
     },
     /// The operating system refuses to read the file.
-    #[error("{} cannot be read: {source}", path.display())]
+    #[error("{}", jounce_io::store::unreadable(path, source))]
     Unreadable {
         /// the path
         path: PathBuf,

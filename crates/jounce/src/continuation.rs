@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::harvester::Harvester;
-use crate::options::check_tolerance;
+use crate::options::{check_tolerance, range_error};
 use jounce_analysis::QuantityLevel;
 use jounce_model::plant::Plant;
 use jounce_spec::{KeyRange, NumericKey};
@@ -22,16 +22,38 @@ pub(crate) fn range(
     };
     let form = "write KEY=FROM:TO, as in drive.shaker.frequency=4Hz:20Hz";
     let (name, ends) = text.split_once('=').ok_or_else(|| invalid(form))?;
-    let (from, to) = ends
-        .split_once(':')
-        .filter(|(_, to)| !to.contains(':'))
-        .ok_or_else(|| invalid(form))?;
-    let key = harvester.file().numeric_key(name.trim())?;
-    let range = KeyRange::parse(key.clone(), &format!("{from},{to}"))?;
+    let (from, to) = ends.split_once(':').ok_or_else(|| invalid(form))?;
+    if let Some((to, _)) = to.split_once(':') {
+        let form = format!(
+            "continuation covers the range without steps: omit the third value, as in {name}={from}:{to}"
+        );
+        return Err(invalid(&form));
+    }
+    let key = harvester.file().numeric_key(name.trim());
+    let key = key.map_err(|faults| range_error(option, text, faults))?;
+    check_continuous(&key, option, text)?;
+    let range = KeyRange::parse(key.clone(), &format!("{from},{to}"));
+    let range = range.map_err(|fault| range_error(option, text, fault))?;
     match range.values() {
         [low, high] if low < high => Ok((key, (*low, *high))),
         _ => Err(invalid("the first value must be below the second")),
     }
+}
+
+/// Refuses a key with a whole number where branches are continued over its values.
+pub(crate) fn check_continuous(
+    key: &NumericKey,
+    option: &'static str,
+    text: &str,
+) -> Result<(), Error> {
+    if !key.is_count() {
+        return Ok(());
+    }
+    let expected = format!(
+        "{} is a whole number and cannot vary continuously; give a key with a real number; a sweep takes whole numbers too",
+        key.path()
+    );
+    Err(Error::option(option, text, expected))
 }
 
 /// Checks the options of the search for the first orbits.

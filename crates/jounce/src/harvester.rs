@@ -113,10 +113,16 @@ impl Harvester {
 
     /// Returns a copy with a tolerance of the integration; `None` keeps the one of the spec.
     pub(crate) fn with_tolerance(&self, tolerance: Option<f64>) -> Result<Self, Error> {
-        match tolerance {
-            Some(tolerance) => self.changed([("run.tolerance", format!("{tolerance:e}").as_str())]),
-            None => Ok(self.clone()),
+        let Some(tolerance) = tolerance else {
+            return Ok(self.clone());
+        };
+        let key = "run.tolerance";
+        let (low, high) = NumericKey::find(self.spec(), key)?.limits();
+        if !(low..=high).contains(&tolerance) {
+            let expected = format!("it must be from {low:e} to {high}");
+            return Err(Error::option("tolerance", tolerance, expected));
         }
+        self.changed([(key, format!("{tolerance:e}").as_str())])
     }
 
     /// Returns the value of a key with a number.

@@ -2,8 +2,9 @@
 //! fields as arguments, Python as keyword arguments.
 
 use crate::error::Error;
+use crate::harvester::Harvester;
 use clap::{ArgMatches, Args, Command, FromArgMatches};
-use jounce_spec::Quantity;
+use jounce_spec::{Faults, KeyRange, Quantity};
 
 /// Definition of an option.
 #[derive(Debug, Clone, PartialEq, Eq, serde::Serialize)]
@@ -158,6 +159,26 @@ pub(crate) fn frequencies_hz(text: &str) -> Result<(f64, f64), String> {
     ends(text, Quantity::Frequency)
 }
 
+/// Reads `KEY=RANGE` of an option: a key with its values.
+pub(crate) fn key_range(
+    harvester: &Harvester,
+    option: &'static str,
+    text: &str,
+) -> Result<KeyRange, Error> {
+    let range = harvester.file().range(text);
+    range.map_err(|faults| range_error(option, text, faults))
+}
+
+/// Returns the error of a key or a range of an option.
+pub(crate) fn range_error(option: &'static str, text: &str, faults: impl Into<Faults>) -> Error {
+    let value = if text.is_empty() { "empty" } else { text };
+    Error::Range {
+        option,
+        value: value.to_owned(),
+        faults: faults.into(),
+    }
+}
+
 /// Returns the value of an option if it is finite and above 0.
 pub(crate) fn check_above_zero(option: &'static str, value: f64, unit: &str) -> Result<f64, Error> {
     if value > 0.0 && value.is_finite() {
@@ -173,7 +194,7 @@ const MAX_POINTS: usize = 1_000_000;
 /// Checks the ends of a band, Hz, and the number of its frequencies.
 pub(crate) fn check_band([low_hz, high_hz]: [f64; 2], points: usize) -> Result<(), Error> {
     if !(low_hz > 0.0 && low_hz < high_hz && high_hz.is_finite()) {
-        let expected = format!("it must be above 0 Hz and below high = {high_hz} Hz");
+        let expected = format!("it must be above 0 Hz and below `high`, {high_hz} Hz");
         return Err(Error::option("low", format!("{low_hz} Hz"), expected));
     }
     if !(2..=MAX_POINTS).contains(&points) {

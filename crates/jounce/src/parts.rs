@@ -24,7 +24,8 @@ pub use crate::spectra::{OrderPeak, SegmentWindow};
 pub use crate::study::{Shard, StudyStatus};
 pub use crate::sweep::{SweepOrder, SweepPoint};
 pub use impact_harvester_2019::Claim;
-pub use jounce_analysis::run::{ChargeResult, StopResult, Warning};
+pub use jounce_analysis::run::{ChargeResult, RectifiedResult, StopResult, Warning};
+pub use jounce_analysis::study::StudyError;
 pub use jounce_analysis::{
     AttractorKind, AttractorTrack, BandInterval, BandLimit, BifurcationCurvePoint, BranchKind,
     CurveKind, GridError, IntervalEdge, PowerPeak, TrackPoint, Transition,
@@ -42,6 +43,7 @@ pub use jounce_experiment::segmentation::{
     Candidate, MAX_PERIOD_CYCLES, MergeReason, MergedChange,
 };
 pub use jounce_identification::contact::AllowedLaws;
+pub use jounce_io::store::{unreadable, unwritable_folder};
 pub use jounce_io::table::{Manifest, Values};
 pub use jounce_model::linear::{
     Coupling, Density, RandomLoad, RandomPatch, RandomPoint, RandomStop,

@@ -50,9 +50,13 @@ pub struct Question {
 /// assert!(run.options.iter().any(|option| option.name == "tolerance"));
 /// ```
 pub fn questions() -> Vec<Question> {
-    let mut questions = of_harvesters();
-    questions.extend(of_recordings());
-    questions
+    let groups = [
+        without_contact(),
+        of_runs_and_orbits(),
+        of_many_runs(),
+        of_recordings(),
+    ];
+    groups.into_iter().flatten().collect()
 }
 
 fn question<O: Args>(
@@ -70,7 +74,8 @@ fn question<O: Args>(
     }
 }
 
-fn of_harvesters() -> Vec<Question> {
+/// Returns the questions about a harvester without contact.
+fn without_contact() -> Vec<Question> {
     vec![
         question::<ModesOptions>(
             "natural frequencies, couplings and mode shapes",
@@ -87,6 +92,12 @@ fn of_harvesters() -> Vec<Question> {
             ["Harvester::noise", "noise", "Spec.noise"],
             Some("noise"),
         ),
+    ]
+}
+
+/// Returns the questions about runs, periodic orbits and attractors.
+fn of_runs_and_orbits() -> Vec<Question> {
+    vec![
         question::<RunOptions>(
             "response from a start in time",
             ["Harvester::run", "run", "Spec.run"],
@@ -121,6 +132,12 @@ fn of_harvesters() -> Vec<Question> {
             ["Harvester::basins", "basins", "Spec.basins"],
             Some("basins"),
         ),
+    ]
+}
+
+/// Returns the questions about realisations, parametric studies and simulated tests.
+fn of_many_runs() -> Vec<Question> {
+    vec![
         question::<EnsembleOptions>(
             "means over realisations of noise",
             ["Harvester::ensemble", "ensemble", "Spec.ensemble"],
@@ -144,6 +161,7 @@ fn of_harvesters() -> Vec<Question> {
     ]
 }
 
+/// Returns the questions about recordings.
 fn of_recordings() -> Vec<Question> {
     vec![
         question::<ReadOptions>(

@@ -47,7 +47,7 @@ pub enum ReproduceError {
     #[error(transparent)]
     Orbit(#[from] OrbitError<AnalysisError>),
     /// The output folder cannot be created.
-    #[error("cannot create the folder \"{path}\": {reason}; choose another one")]
+    #[error("{}", jounce_io::store::unwritable_folder(path, reason))]
     Folder {
         /// Path of the folder.
         path: PathBuf,

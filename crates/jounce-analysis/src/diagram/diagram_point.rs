@@ -145,13 +145,13 @@ impl DiagramPoint {
                 .map(|point| read(point).abs())
                 .fold(f64::MIN_POSITIVE, f64::max)
         };
-        let (far_m, fast_m_per_s) = (
+        let (far_m, fast_m_s) = (
             largest(|point| point.displacement_m),
-            largest(|point| point.velocity_m_per_s),
+            largest(|point| point.velocity_m_s),
         );
         let between = |a: &SectionPoint, b: &SectionPoint| {
             ((a.displacement_m - b.displacement_m) / far_m)
-                .hypot((a.velocity_m_per_s - b.velocity_m_per_s) / fast_m_per_s)
+                .hypot((a.velocity_m_s - b.velocity_m_s) / fast_m_s)
         };
         let rotated_distance = |by: usize| {
             (0..cycles)

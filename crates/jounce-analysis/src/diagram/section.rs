@@ -11,7 +11,7 @@ pub struct SectionPoint {
     /// Displacement of the port towards the stop, m; with several stops, at the first of the spec.
     pub displacement_m: f64,
     /// Velocity of the port, m/s.
-    pub velocity_m_per_s: f64,
+    pub velocity_m_s: f64,
     /// Voltage of the first patch, V.
     pub voltage_v: f64,
 }
@@ -28,7 +28,7 @@ impl SectionPoint {
         let along = |part: &[f64]| shape.iter().zip(part).map(|(s, q)| s * q).sum();
         Self {
             displacement_m: along(&state[..n]),
-            velocity_m_per_s: along(&state[n..2 * n]),
+            velocity_m_s: along(&state[n..2 * n]),
             voltage_v: state.get(2 * n).copied().unwrap_or_default(),
         }
     }

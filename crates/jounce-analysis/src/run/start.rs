@@ -1,6 +1,6 @@
 //! Initial state of a run.
 
-use jounce_io::store::StoreError;
+use jounce_io::store::{self, StoreError};
 use jounce_model::plant::Plant;
 use jounce_model::structure::Modes;
 use jounce_spec::Spec;
@@ -9,14 +9,11 @@ use std::path::{Path, PathBuf};
 
 /// A state file that cannot be used.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error, Serialize)]
-#[error(
-    "the start state {} cannot be read: {reason}; write one with `jounce run SPEC --save-state FILE`",
-    .path.display()
-)]
+#[error("{reason}; write a start state with `jounce run SPEC --save-state FILE`")]
 pub struct StartFileError {
     /// The file.
     pub path: PathBuf,
-    /// The reason.
+    /// The reason, with the path.
     pub reason: String,
 }
 
@@ -46,8 +43,11 @@ impl StartState {
             path: path.to_path_buf(),
             reason,
         };
-        let text = std::fs::read_to_string(path).map_err(|error| fault(error.to_string()))?;
-        serde_json::from_str(&text).map_err(|error| fault(error.to_string()))
+        let text = std::fs::read_to_string(path);
+        let text = text.map_err(|error| fault(store::unreadable(path, &error)))?;
+        let not_a_state =
+            |error| fault(format!("{} holds no start state: {error}", path.display()));
+        serde_json::from_str(&text).map_err(not_a_state)
     }
 
     /// Writes the state to a file, completely or not at all.
@@ -56,7 +56,7 @@ impl StartState {
     /// A file that cannot be written.
     pub fn write(&self, path: &Path) -> Result<(), StoreError> {
         let text = serde_json::to_string_pretty(self).unwrap_or_default();
-        jounce_io::store::write(path, text.as_bytes())
+        store::write(path, text.as_bytes())
     }
 
     /// Returns the state at rest, with each drive at its initial angle.

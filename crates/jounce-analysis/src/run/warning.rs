@@ -9,7 +9,8 @@ use serde::Serialize;
 /// Fraction of the averaging window that may lie after the end of a recording.
 const MAX_UNRECORDED_SHARE: f64 = 0.01;
 
-/// Energy residual, relative to the largest energy, above which roundoff dominates the results.
+/// Energy residual, relative to the largest energy, above which rounding errors make the results
+/// unreliable.
 const MAX_ENERGY_RESIDUAL: f64 = 1e-3;
 
 /// A warning of a run.
@@ -43,7 +44,7 @@ pub enum Warning {
     },
     /// The energy balance does not close.
     #[error(
-        "the energy residual is {residual_relative:.1e} of the largest energy: roundoff dominates these results; look for a dimension or a number that differs widely from the others (`jounce show` draws the harvester to scale)"
+        "the energy balance is off by {residual_relative:.1e} of the largest energy, so rounding errors make these results unreliable; find the value of the spec that is far too large or too small, often a wrong unit (`jounce show` draws the harvester to scale), and correct it"
     )]
     Unbalanced {
         /// Energy residual over the largest energy.

@@ -1,7 +1,7 @@
 //! Errors of a study.
 
 use crate::AnalysisError;
-use jounce_io::store::StoreError;
+use jounce_io::store::{StoreError, unwritable_folder};
 use jounce_io::table::TableError;
 use jounce_spec::{Fault, Faults, ReadError};
 use std::path::PathBuf;
@@ -10,11 +10,11 @@ use std::path::PathBuf;
 #[derive(Debug, thiserror::Error)]
 pub enum StudyError {
     /// The study file cannot be read.
-    #[error("cannot read the study \"{path}\": {reason}")]
+    #[error("{reason}")]
     Unreadable {
         /// Path of the file.
         path: PathBuf,
-        /// Cause.
+        /// Cause, with the path.
         reason: String,
     },
     /// All faults in the text of the study.
@@ -24,8 +24,13 @@ pub enum StudyError {
     #[error(transparent)]
     SpecFile(#[from] ReadError),
     /// The spec of the study has faults.
-    #[error("the spec of the study: {}", listed(.0.as_slice()))]
-    Spec(Faults),
+    #[error("{}", listed_in(file, faults))]
+    Spec {
+        /// Name of the spec.
+        file: String,
+        /// Its faults.
+        faults: Faults,
+    },
     /// No point of the study can be evaluated.
     #[error(transparent)]
     Study(#[from] AnalysisError),
@@ -70,9 +75,7 @@ pub enum StudyError {
         first: usize,
     },
     /// A folder that cannot be created or written.
-    #[error(
-        "cannot write into the folder \"{folder}\": {reason}; choose another one, where you may write"
-    )]
+    #[error("{}", unwritable_folder(folder, reason))]
     Folder {
         /// The folder.
         folder: PathBuf,
@@ -95,6 +98,12 @@ pub enum StudyError {
     /// A file that cannot be written.
     #[error(transparent)]
     Store(#[from] StoreError),
+}
+
+fn listed_in(file: &str, faults: &Faults) -> String {
+    let line = |fault: &Fault| format!("{file}: {fault}");
+    let lines: Vec<String> = faults.as_slice().iter().map(line).collect();
+    lines.join("\n")
 }
 
 fn listed(faults: &[Fault]) -> String {

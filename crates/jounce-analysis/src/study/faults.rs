@@ -45,15 +45,16 @@ impl<'t> FaultCollector<'t> {
         span: Option<Range<usize>>,
         message: impl Into<String>,
     ) {
-        let before = span.map_or("", |span| self.text.get(..span.start).unwrap_or(self.text));
-        let line = before.matches('\n').count() + 1;
-        let column = before
-            .rsplit('\n')
-            .next()
-            .unwrap_or_default()
-            .chars()
-            .count()
-            + 1;
+        let place = |span: Range<usize>| {
+            let before = self.text.get(..span.start).unwrap_or(self.text);
+            let last_line = before.rsplit('\n').next().unwrap_or_default();
+            (
+                before.matches('\n').count() + 1,
+                last_line.chars().count() + 1,
+            )
+        };
+        // Something that is missing has no place.
+        let (line, column) = span.map_or((0, 0), place);
         self.faults.push(Fault {
             line,
             column,

@@ -6,7 +6,7 @@ use super::{Design, Quantity, StudyError};
 use crate::{AnalysisError, Model};
 use jounce_control::Control;
 use jounce_io::table::{Column, Manifest, Table};
-use jounce_spec::{Spec, SpecFile};
+use jounce_spec::{Fault, Spec, SpecFile};
 use sha2::{Digest, Sha256};
 use std::fmt::Write as _;
 use std::ops::Range;
@@ -35,7 +35,7 @@ impl Study {
     pub fn read(path: &Path) -> Result<Self, StudyError> {
         let unreadable = |reason: std::io::Error| StudyError::Unreadable {
             path: path.to_owned(),
-            reason: reason.to_string(),
+            reason: jounce_io::store::unreadable(path, &reason),
         };
         let text = std::fs::read_to_string(path).map_err(unreadable)?;
         Self::parse(&text, path.parent().unwrap_or(Path::new("")))
@@ -49,15 +49,12 @@ impl Study {
         let mut sibling_folder = folder.to_path_buf();
         let parsed = read(text, |named| {
             let Some(named) = named else {
-                let path = folder.join("spec");
-                return Err(StudyError::Unreadable {
-                    path,
-                    reason: "the study names no spec; write spec = \"harvester.toml\"".to_owned(),
-                });
+                let message = "the study names no spec; write spec = \"harvester.toml\" at its top";
+                return Err(fault_of_spec(message));
             };
             let path = folder.join(named);
             sibling_folder = path.parent().map_or_else(PathBuf::new, Path::to_path_buf);
-            Ok(SpecFile::read(&path)?)
+            Ok((SpecFile::read(&path)?, path.display().to_string()))
         })?;
         Self::of(parsed, sibling_folder)
     }
@@ -68,17 +65,19 @@ impl Study {
     /// As [`Study::read`], and a text that names a spec.
     pub fn with_spec(file: SpecFile, folder: &Path, text: &str) -> Result<Self, StudyError> {
         let parsed = read(text, |named| match named {
-            None => Ok(file),
-            Some(named) => Err(StudyError::Unreadable {
-                path: named.into(),
-                reason: "the spec of this study is given beside it".to_owned(),
-            }),
+            None => Ok((file, "the spec of the study".to_owned())),
+            Some(named) => Err(fault_of_spec(&format!(
+                "spec is \"{named}\", but this study has a spec already; omit the key"
+            ))),
         })?;
         Self::of(parsed, folder.to_path_buf())
     }
 
     fn of(parsed: StudyText, folder: PathBuf) -> Result<Self, StudyError> {
-        let spec = parsed.file.spec().map_err(StudyError::Spec)?;
+        let spec = parsed.file.spec().map_err(|faults| StudyError::Spec {
+            file: "the spec of the study".to_owned(),
+            faults,
+        })?;
         let hash_hex = digest(&spec, &parsed);
         let StudyText {
             design,
@@ -211,6 +210,17 @@ impl Study {
         *last = Some(model);
         result
     }
+}
+
+/// Returns the error of the key `spec`.
+fn fault_of_spec(message: &str) -> StudyError {
+    StudyError::Faults(vec![Fault {
+        line: 0,
+        column: 0,
+        key: "spec".to_owned(),
+        message: message.to_owned(),
+        set: None,
+    }])
 }
 
 /// Returns the digest of everything that determines the bits of the table.

@@ -41,10 +41,11 @@ pub(super) struct StudyText {
     pub points_per_part: usize,
 }
 
-/// Reads a text; `file` finds the spec by the path in the text, `None` if it names no path.
+/// Reads a text; `file` finds the spec and its name in messages by the path in the text, `None` if
+/// it names no path.
 pub(super) fn read(
     text: &str,
-    file: impl FnOnce(Option<&str>) -> Result<SpecFile, StudyError>,
+    file: impl FnOnce(Option<&str>) -> Result<(SpecFile, String), StudyError>,
 ) -> Result<StudyText, StudyError> {
     let mut reader = FaultCollector::new(text);
     let Some(document) = reader.document() else {
@@ -66,9 +67,9 @@ pub(super) fn read(
         ],
     );
     let path = reader.text("spec", root.get("spec"));
-    let mut file = file(path)?;
+    let (mut file, name) = file(path)?;
     settings(&mut reader, root.get("set"), &mut file);
-    file.spec().map_err(StudyError::Spec)?;
+    check_spec(&mut reader, root.get("set"), &file, name)?;
     let sampling = sampling(&mut reader, root.get("sampling"));
     let varied = varied(&mut reader, root.get("vary"), &file, sampling);
     let seed = reader.integer("seed", root.get("seed"), (0, 1 << 53), 1);
@@ -121,6 +122,28 @@ fn settings(reader: &mut FaultCollector, item: Option<&Item>, file: &mut SpecFil
     }
 }
 
+/// Checks the spec; faults of a key in `[set]` are faults of the study.
+fn check_spec(
+    reader: &mut FaultCollector,
+    settings: Option<&Item>,
+    file: &SpecFile,
+    name: String,
+) -> Result<(), StudyError> {
+    let Err(faults) = file.spec() else {
+        return Ok(());
+    };
+    let of_settings = faults.as_slice().iter().filter(|fault| fault.set.is_some());
+    for fault in of_settings {
+        let item = settings.and_then(|settings| settings.get(&fault.key));
+        let span = item.and_then(Item::span);
+        reader.fault(&fault.key, span, format!("set: {}", fault.message));
+    }
+    Err(match reader.faults.is_empty() {
+        true => StudyError::Spec { file: name, faults },
+        false => StudyError::Faults(std::mem::take(&mut reader.faults)),
+    })
+}
+
 fn sampling(reader: &mut FaultCollector, item: Option<&Item>) -> Sampling {
     let Some(name) = reader.text("sampling", item) else {
         return Sampling::Grid;
@@ -166,6 +189,12 @@ fn number_of_samples(reader: &mut FaultCollector, root: &Table, sampling: Sampli
 const DRAWN_RANGE_HINT: &str =
     "drawn values need a range FROM:TO, or FROM:TO:log above 0, from a smaller to a larger value";
 
+fn no_key(reason: &str) -> String {
+    format!(
+        "vary names no key{reason}; write [vary] and \"stop.tip.gap\" = \"0.5mm:1.5mm:3x\" below it"
+    )
+}
+
 /// Reads the keys to be varied, with their values.
 fn varied(
     reader: &mut FaultCollector,
@@ -175,11 +204,8 @@ fn varied(
 ) -> Vec<Varied> {
     let table = reader.table("vary", item);
     let Some(table) = table.filter(|table| !table.is_empty()) else {
-        reader.fault(
-            "vary",
-            item.and_then(Item::span),
-            "vary names no key; write [vary] and \"stop.tip.gap\" = \"0.5mm:1.5mm:3x\" below it",
-        );
+        let reason = item.map_or(": the table [vary] is missing", |_| "");
+        reader.fault("vary", item.and_then(Item::span), no_key(reason));
         return Vec::new();
     };
     let mut entries = Vec::new();

@@ -162,7 +162,7 @@ fn a_grid_starts_at_its_limits() {
     let point = SectionPoint::of(&plant.system, &grid.start(&plant, 2 + 3 + 6));
     assert!(
         (point.displacement_m - 5e-3).abs() < 1e-15
-            && (point.velocity_m_per_s - 0.5).abs() < 1e-13
+            && (point.velocity_m_s - 0.5).abs() < 1e-13
             && point.voltage_v == 2.0,
         "{point:?}"
     );

@@ -1,32 +1,19 @@
-//! One file per command.
+//! One file per command, in folders by what a command computes.
 
-pub mod basins;
-pub mod bifurcations;
-pub mod branch;
-pub mod check;
 pub mod completions;
-pub mod contact;
-pub mod diagram;
-pub mod ensemble;
 pub mod explore;
-pub mod fit;
-pub mod frf;
-pub mod materials;
-mod measured_frf;
-pub mod measured_modes;
-pub mod modes;
-pub mod new;
-pub mod noise;
-pub mod power;
-pub mod read;
+mod linear;
+mod orbits;
+mod recordings;
 pub mod reproduce;
-pub mod rig;
-pub mod run;
-pub mod segments;
-pub mod show;
-pub mod spectra;
-pub mod study;
-pub mod sweep;
+mod runs;
+mod specs;
+
+pub use linear::{frf, modes, noise};
+pub use orbits::{basins, bifurcations, branch, diagram};
+pub use recordings::{contact, fit, power, read, rig, segments, spectra};
+pub use runs::{ensemble, run, study, sweep};
+pub use specs::{check, materials, new, show};
 
 use crate::arguments::Command;
 use crate::failure::Failure;

@@ -45,7 +45,7 @@ fn hard_cases_end_with_a_result_or_a_clear_error() {
     // Beyond what a key allows, and a tolerance out of reach: refused with the limit.
     let (code, json, _) = branch("0Hz:10Hz", "");
     assert!(
-        code == 4 && json["error"].as_str().unwrap().contains("1 uHz"),
+        code == 2 && json["error"].as_str().unwrap().contains("1 uHz"),
         "{json}"
     );
     let fine_range = [
@@ -122,7 +122,7 @@ fn keys_without_orbits_are_refused_with_their_reason() {
         let (code, json, _) = jounce(&["branch", PLANT, "--over", key, "--json"]);
         let error = json["error"].as_str().unwrap();
         assert!(
-            code == 4
+            code == 2
                 && error.starts_with(key.split_once('=').unwrap().0)
                 && error.contains("stop.NAME.gap"),
             "{error}"
@@ -130,7 +130,7 @@ fn keys_without_orbits_are_refused_with_their_reason() {
         let against = ["--over", "stop.tip.gap=1mm:2mm", "--against", key, "--json"];
         let (code, json, _) = jounce(&[&["bifurcations", PLANT][..], &against].concat());
         assert!(
-            code == 4
+            code == 2
                 && json["error"]
                     .as_str()
                     .unwrap()

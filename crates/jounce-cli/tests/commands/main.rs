@@ -4,6 +4,7 @@
 mod attractors;
 mod gravity;
 mod hard_cases;
+mod messages;
 mod names;
 mod orbits;
 mod runs;

@@ -323,10 +323,14 @@ fn options_that_would_be_ignored_are_refused() {
         "--json",
     ];
     let cases: [(&[&str], [&str; 2], &str); 4] = [
-        (&branch, ["--harmonics", "64"], "method = harmonic-balance"),
-        (&diagram, ["--starts", "6"], "direction = starts"),
-        (&diagram, ["--seed", "1"], "direction = starts"),
-        (&diagram, ["--spread", "5"], "direction = starts"),
+        (
+            &branch,
+            ["--harmonics", "64"],
+            "harmonic-balance as --method",
+        ),
+        (&diagram, ["--starts", "6"], "starts as --direction"),
+        (&diagram, ["--seed", "1"], "starts as --direction"),
+        (&diagram, ["--spread", "5"], "starts as --direction"),
     ];
     for (command, option, remedy) in cases {
         let (code, json, _) = jounce(&[command, &option].concat());

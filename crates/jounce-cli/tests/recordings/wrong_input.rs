@@ -165,6 +165,16 @@ fn wrong_input_ends_with_its_code_and_one_clear_sentence() {
             "all 4000 samples of piezo are 3",
         ),
         (
+            vec!["spectra", "switch.csv", "--drive", "1MHz"],
+            2,
+            "--drive is 1000000 Hz; it must be below half the sampling rate",
+        ),
+        (
+            vec!["modes", "--measured", "still.csv", "--set", "a.b=1"],
+            2,
+            "--set does not apply to recordings",
+        ),
+        (
             vec!["modes", "--measured", "still.csv", "--free-decay"],
             4,
             "no signal",

@@ -8,7 +8,7 @@ use crate::recording::{GridError, Issue, IssuePlace};
 #[derive(Debug, thiserror::Error)]
 pub enum ReadError {
     /// The file cannot be opened.
-    #[error("{}: {reason}", path.display())]
+    #[error("{}", jounce_io::store::unreadable(path, reason))]
     Open {
         /// The file.
         path: PathBuf,

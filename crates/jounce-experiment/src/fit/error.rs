@@ -9,7 +9,7 @@ use jounce_spec::{Fault, Faults};
 #[derive(Debug, thiserror::Error)]
 pub enum FitError {
     /// The features file cannot be read.
-    #[error("{}: {reason}", path.display())]
+    #[error("{}", jounce_io::store::unreadable(path, reason))]
     Open {
         /// The file.
         path: PathBuf,
@@ -17,7 +17,7 @@ pub enum FitError {
         reason: std::io::Error,
     },
     /// The features file contains faults; lists all of them.
-    #[error("{}", faults.join("; "))]
+    #[error("{}", faults.join("\n"))]
     Features {
         /// One sentence for each fault.
         faults: Vec<String>,

@@ -1,38 +1,66 @@
 //! Parses tables of a features file and collects all faults.
 
 use jounce_spec::Quantity;
+use std::path::Path;
 use toml_edit::{Array, Item, TableLike, Value};
 
 use super::Deviation;
+
+/// Fault in a features file.
+#[derive(Debug)]
+pub(super) struct FeatureFault {
+    /// Byte at which it begins; `None` for something that is missing in the file.
+    pub start: Option<usize>,
+    /// One sentence with the name of the key.
+    pub message: String,
+}
+
+impl FeatureFault {
+    /// Returns the fault as text with the line in the file, from 1.
+    pub fn in_file(&self, path: &Path, text: &str) -> String {
+        let message = &self.message;
+        match self.start.and_then(|start| text.get(..start)) {
+            Some(before) => {
+                let line = before.matches('\n').count() + 1;
+                format!("{}:line {line}: {message}", path.display())
+            }
+            None => format!("{}: {message}", path.display()),
+        }
+    }
+}
 
 /// Table with its faults.
 pub(super) struct FeatureTable<'t> {
     pub table: &'t dyn TableLike,
     /// Prefix of each fault: `mode 2, `.
     pub position: String,
-    pub faults: &'t mut Vec<String>,
+    /// Byte at which the table begins; `None` for the complete file.
+    pub start: Option<usize>,
+    pub faults: &'t mut Vec<FeatureFault>,
 }
 
 impl<'t> FeatureTable<'t> {
     /// Reports keys that the table must not contain.
     pub fn refuse_all_but(&mut self, keys: &[&str]) {
-        let unknown_keys = self
-            .table
-            .iter()
-            .map(|(key, _)| key)
-            .filter(|key| !keys.contains(key));
-        let messages = unknown_keys.map(|key| {
-            format!(
-                "{}{key} is not a key of features; the keys are {}",
-                self.position,
-                keys.join(", ")
-            )
-        });
-        self.faults.extend(messages.collect::<Vec<_>>());
+        let is_unknown = |key: &&str| !keys.contains(key);
+        let unknown_keys = self.table.iter().map(|(key, _)| key).filter(is_unknown);
+        for key in unknown_keys.map(str::to_owned).collect::<Vec<_>>() {
+            let keys = keys.join(", ");
+            let message = format!("{key} is not a key of features; the keys are {keys}");
+            self.fault(&key, message);
+        }
     }
 
-    pub fn fault(&mut self, message: impl std::fmt::Display) {
-        self.faults.push(format!("{}{message}", self.position));
+    /// Reports a fault of a key, at the key or, if it is missing, at the table.
+    pub fn fault(&mut self, key: &str, message: impl std::fmt::Display) {
+        let span = self
+            .table
+            .get_key_value(key)
+            .and_then(|(key, item)| key.span().or(item.span()));
+        self.faults.push(FeatureFault {
+            start: span.map(|span| span.start).or(self.start),
+            message: format!("{}{message}", self.position),
+        });
     }
 
     /// Returns a required text.
@@ -43,9 +71,10 @@ impl<'t> FeatureTable<'t> {
             .and_then(Item::as_str)
             .map(str::to_owned);
         if result.is_none() {
-            self.fault(format!(
-                "{key} must be a text, such as {key} = \"{example}\""
-            ));
+            self.fault(
+                key,
+                format!("{key} must be a text, such as {key} = \"{example}\""),
+            );
         }
         result
     }
@@ -67,10 +96,13 @@ impl<'t> FeatureTable<'t> {
             _ => positive(item).map(Deviation::Given),
         };
         if result.is_none() {
-            self.fault(format!(
-                "{key} must be a relative standard deviation, a number above 0 \
+            self.fault(
+                key,
+                format!(
+                    "{key} must be a relative standard deviation, a number above 0 \
                 such as 0.002, or \"residuals\""
-            ));
+                ),
+            );
         }
         result
     }
@@ -79,6 +111,7 @@ impl<'t> FeatureTable<'t> {
     pub fn own_deviation(&mut self) -> Deviation {
         if !self.table.contains_key("deviation") {
             self.fault(
+                "deviation",
                 "deviation is missing: expected the relative standard deviation, such as \
                 0.02, or \"residuals\"",
             );
@@ -93,7 +126,7 @@ impl<'t> FeatureTable<'t> {
         };
         let result = item.as_bool();
         if result.is_none() {
-            self.fault(format!("{key} must be true or false"));
+            self.fault(key, format!("{key} must be true or false"));
         }
         result.unwrap_or(false)
     }
@@ -103,9 +136,12 @@ impl<'t> FeatureTable<'t> {
         let text = self.text(key, example)?;
         let result = quantity.read(&text).ok().filter(|value| *value > 0.0);
         if result.is_none() {
-            self.fault(format!(
-                "{key} is \"{text}\"; it must be above 0, with its unit, such as \"{example}\""
-            ));
+            self.fault(
+                key,
+                format!(
+                    "{key} is \"{text}\"; it must be above 0, with its unit, such as \"{example}\""
+                ),
+            );
         }
         result
     }
@@ -118,10 +154,13 @@ impl<'t> FeatureTable<'t> {
             .map(|text| quantity.read(text).ok().filter(|value| *value > 0.0))
             .collect();
         if result.is_none() {
-            self.fault(format!(
-                "{key} must contain values above 0 with their units, such as {key} = \
+            self.fault(
+                key,
+                format!(
+                    "{key} must contain values above 0 with their units, such as {key} = \
                 [\"{example}\"]"
-            ));
+                ),
+            );
         }
         result.unwrap_or_default()
     }
@@ -134,9 +173,10 @@ impl<'t> FeatureTable<'t> {
             .and_then(|list| list.iter().map(text).collect::<Option<Vec<String>>>())
             .filter(|list| !list.is_empty());
         if result.is_none() {
-            self.fault(format!(
-                "{key} must be a list of texts, such as {key} = [\"{example}\"]"
-            ));
+            self.fault(
+                key,
+                format!("{key} must be a list of texts, such as {key} = [\"{example}\"]"),
+            );
         }
         result.unwrap_or_default()
     }
@@ -153,9 +193,12 @@ impl<'t> FeatureTable<'t> {
             .array(key)
             .and_then(|list| list.iter().map(number).collect::<Option<Vec<f64>>>());
         if result.as_ref().is_none_or(|list| list.len() != count) {
-            self.fault(format!(
-                "{key} must be a list of {count} numbers, one for each value of the swept key"
-            ));
+            self.fault(
+                key,
+                format!(
+                    "{key} must be a list of {count} numbers, one for each value of the swept key"
+                ),
+            );
         }
         result
             .filter(|list| list.len() == count)
@@ -170,6 +213,7 @@ impl<'t> FeatureTable<'t> {
         };
         let Some(table) = item.as_table_like() else {
             self.fault(
+                "set",
                 "set must be a table of keys, such as set = { \"circuit.load.resistance\" \
                 = \"100 kohm\" }",
             );

@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use toml_edit::{DocumentMut, Item, TableLike};
+use toml_edit::{Document, Item, TableLike};
 
-use super::feature_table::{FeatureTable, positive};
+use super::feature_table::{FeatureFault, FeatureTable, positive};
 use super::{FitError, HistoryFeature, JumpFeature, ModeFeature, PowerFeature, ResponseFeature};
 
 /// Free keys and measured values.
@@ -51,13 +51,11 @@ impl Features {
             reason,
         })?;
         let folder = path.parent().map_or_else(PathBuf::new, Path::to_path_buf);
-        Self::from_toml(&text)
+        let in_file = |fault: &FeatureFault| fault.in_file(path, &text);
+        Self::parse(&text)
             .map(|features| Self { folder, ..features })
             .map_err(|faults| FitError::Features {
-                faults: faults
-                    .into_iter()
-                    .map(|fault| format!("{}: {fault}", path.display()))
-                    .collect(),
+                faults: faults.iter().map(in_file).collect(),
             })
     }
 
@@ -66,13 +64,22 @@ impl Features {
     /// # Errors
     /// One sentence for each fault.
     pub fn from_toml(text: &str) -> Result<Self, Vec<String>> {
-        let document = text
-            .parse::<DocumentMut>()
-            .map_err(|fault| vec![fault.to_string().trim_end().to_owned()])?;
+        let message = |fault: FeatureFault| fault.message;
+        Self::parse(text).map_err(|faults| faults.into_iter().map(message).collect())
+    }
+
+    fn parse(text: &str) -> Result<Self, Vec<FeatureFault>> {
+        let document = Document::parse(text).map_err(|fault| {
+            vec![FeatureFault {
+                start: fault.span().map(|span| span.start),
+                message: format!("this is not TOML: {}", fault.message()),
+            }]
+        })?;
         let (root, mut faults) = (document.as_table(), Vec::new());
         let mut reader = FeatureTable {
             table: root,
             position: String::new(),
+            start: None,
             faults: &mut faults,
         };
         reader.refuse_all_but(&KEYS);
@@ -95,10 +102,11 @@ impl Features {
         };
         let kinds = ["mode", "response", "power", "jump", "history"];
         if !kinds.iter().any(|kind| root.contains_key(kind)) {
-            faults.push(
-                "nothing is measured: write [[mode]] with number and frequency, [[response]], [[power]], [[jump]] or [[history]]"
-                    .to_owned(),
-            );
+            let message = "nothing is measured: write [[mode]] with number and frequency, [[response]], [[power]], [[jump]] or [[history]]";
+            faults.push(FeatureFault {
+                start: None,
+                message: message.to_owned(),
+            });
         }
         if faults.is_empty() {
             Ok(result)
@@ -112,22 +120,24 @@ impl Features {
 fn read_tables<T>(
     root: &dyn TableLike,
     kind: &str,
-    faults: &mut Vec<String>,
+    faults: &mut Vec<FeatureFault>,
     read: impl Fn(&mut FeatureTable<'_>) -> Option<T>,
 ) -> Vec<T> {
     let Some(item) = root.get(kind) else {
         return Vec::new();
     };
     let Some(tables) = item.as_array_of_tables() else {
-        faults.push(format!(
-            "{kind} must be tables: write [[{kind}]] before each table"
-        ));
+        faults.push(FeatureFault {
+            start: item.span().map(|span| span.start),
+            message: format!("{kind} must be tables: write [[{kind}]] before each table"),
+        });
         return Vec::new();
     };
     let one = |(k, table): (usize, &toml_edit::Table)| {
         read(&mut FeatureTable {
             table,
             position: format!("{kind} {}, ", k + 1),
+            start: table.span().map(|span| span.start),
             faults: &mut *faults,
         })
     };
@@ -144,7 +154,10 @@ fn read_hold(reader: &mut FeatureTable<'_>) -> Vec<String> {
             .collect()
     });
     if names.is_none() {
-        reader.fault("hold must be a list of names, such as hold = [\"table\"]");
+        reader.fault(
+            "hold",
+            "hold must be a list of names, such as hold = [\"table\"]",
+        );
     }
     names.unwrap_or_default()
 }
@@ -160,14 +173,17 @@ fn read_free(reader: &mut FeatureTable<'_>) -> Vec<(String, f64)> {
     {
         match positive(item) {
             Some(deviation) => free.push((key.to_owned(), deviation)),
-            None => reader.fault(format!(
-                "free.{key:?} must be its relative standard deviation, a number above 0 such as \
-                0.05"
-            )),
+            None => reader.faults.push(FeatureFault {
+                start: item.span().map(|span| span.start),
+                message: format!(
+                    "free.{key:?} must be its relative standard deviation, a number above 0 such as 0.05"
+                ),
+            }),
         }
     }
     if free.is_empty() && reader.faults.len() == previous_faults {
         reader.fault(
+            "free",
             "no key is free: give [free] with lines such as \"beam.NAME.thickness\" = \
             0.01",
         );

@@ -63,7 +63,7 @@ impl HistoryFeature {
             result,
             Some(FrfResponse::Acceleration(_) | FrfResponse::LoadVoltage(_))
         ) {
-            reader.fault(format!("output: {HISTORIES}"));
+            reader.fault("output", format!("output: {HISTORIES}"));
             return None;
         }
         let begins_s = reader.text_if_any("begins", "0 s").map(|text| {
@@ -72,10 +72,13 @@ impl HistoryFeature {
                 .ok()
                 .filter(|time_s| *time_s >= 0.0);
             if result.is_none() {
-                reader.fault(format!(
-                    "begins is \"{text}\"; it must be a time of the run, not \
+                reader.fault(
+                    "begins",
+                    format!(
+                        "begins is \"{text}\"; it must be a time of the run, not \
                     negative, with its unit, such as \"0 s\""
-                ));
+                    ),
+                );
             }
             result.unwrap_or_default()
         });

@@ -35,6 +35,7 @@ impl JumpFeature {
         let between: Result<[String; 2], _> = between.try_into();
         if between.is_err() {
             reader.fault(
+                "between",
                 "between must be two values on both sides of the jump, such as between = \
                 [\"12 Hz\", \"13 Hz\"]",
             );

@@ -50,7 +50,7 @@ impl ModeFeature {
             .and_then(|number| usize::try_from(number).ok());
         let number = number.filter(|number| *number > 0);
         if number.is_none() {
-            reader.fault("number must be a whole number from 1");
+            reader.fault("number", "number must be a whole number from 1");
         }
         let explicit_deviations = [
             reader.deviation("frequency_deviation"),
@@ -62,16 +62,16 @@ impl ModeFeature {
             .then(|| reader.quantity("frequency", Quantity::Frequency, "9.01 Hz"));
         let damping = reader.table.get("damping_ratio").map(positive);
         if damping == Some(None) {
-            reader.fault("damping_ratio must be a number above 0");
+            reader.fault("damping_ratio", "damping_ratio must be a number above 0");
         }
         if frequency_hz.is_none() && damping.is_none() {
-            reader.fault("frequency and damping_ratio are both missing");
+            reader.fault("frequency", "frequency and damping_ratio are both missing");
         }
         let mut with = |value: Option<Option<f64>>, k: usize, name: &str| {
             let value = value.flatten()?;
             let deviation = explicit_deviations[k].or(defaults[k]);
             if deviation.is_none() {
-                reader.fault(format!(
+                reader.fault(name, format!(
                     "{name} is missing: expected the relative standard deviation, such as 0.002, \
                     or \"residuals\", here or at the top of the file"
                 ));

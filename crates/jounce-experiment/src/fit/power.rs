@@ -31,7 +31,10 @@ impl PowerFeature {
         let values = reader.texts("values", "100 kohm");
         let mean_power_w = reader.numbers("mean_power_w", values.len());
         if mean_power_w.iter().any(|power| *power <= 0.0) {
-            reader.fault("mean_power_w must contain numbers above 0, in watts");
+            reader.fault(
+                "mean_power_w",
+                "mean_power_w must contain numbers above 0, in watts",
+            );
         }
         let (deviation, set) = (reader.own_deviation(), reader.conditions());
         Some(Self {

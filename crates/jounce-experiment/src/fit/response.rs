@@ -145,7 +145,7 @@ pub(super) fn output(text: &str, reader: &mut FeatureTable<'_>) -> Option<FrfRes
         })
     });
     if result.is_none() {
-        reader.fault(format!(
+        reader.fault("output", format!(
             "output is \"{text}\"; it must be a point with .displacement, .velocity or .acceleration, a patch with .voltage, or a circuit with .load_voltage"
         ));
     }
@@ -161,7 +161,7 @@ fn lines(reader: &mut FeatureTable<'_>) -> Option<MeasuredLines> {
             vec![0.0, f64::INFINITY]
         };
         let [low, high] = between[..] else {
-            reader.fault("between must be two frequencies");
+            reader.fault("between", "between must be two frequencies");
             return None;
         };
         return Some(MeasuredLines::File {
@@ -186,7 +186,7 @@ fn lines(reader: &mut FeatureTable<'_>) -> Option<MeasuredLines> {
     }
     let magnitude = reader.numbers("magnitude", frequency_hz.len());
     if magnitude.iter().any(|value| *value <= 0.0) {
-        reader.fault("magnitude must contain numbers above 0");
+        reader.fault("magnitude", "magnitude must contain numbers above 0");
     }
     Some(MeasuredLines::Magnitude(frequency_hz, magnitude))
 }

@@ -19,7 +19,7 @@ impl RequestFault {
     pub fn list(&self, path: &Path) -> Value {
         let faults = match self {
             Self::Library(error) => match error.as_ref() {
-                Error::Spec(faults) => faults.as_slice(),
+                Error::Spec(faults) | Error::Range { faults, .. } => faults.as_slice(),
                 error => return text(&error.to_string()),
             },
             Self::Text(message) => return text(message),

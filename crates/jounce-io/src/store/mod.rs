@@ -5,5 +5,7 @@
 //! the old file or the new one, never a part.
 mod atomic;
 mod clean;
+mod reason;
 pub use atomic::{StoreError, create, write, write_from};
 pub use clean::clean;
+pub use reason::{missing, unreadable, unwritable_folder};

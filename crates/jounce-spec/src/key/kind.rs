@@ -42,6 +42,19 @@ pub(crate) enum Kind {
 }
 
 impl Kind {
+    /// True for a number or a list of numbers.
+    pub(crate) fn is_numeric(self) -> bool {
+        matches!(
+            self,
+            Self::Quantity(_)
+                | Self::Number
+                | Self::Count
+                | Self::Numbers
+                | Self::NamedQuantities(_)
+                | Self::NamedNumbers
+        )
+    }
+
     /// Returns the expected value for a message: `"expected a plain number"`.
     pub(crate) fn expectation(self) -> String {
         match self {

@@ -268,6 +268,23 @@ fn faults_name_the_override_as_their_place() {
 }
 
 #[test]
+fn a_fault_in_the_file_names_the_override_that_causes_it() {
+    let mut file = SpecFile::from_text(paper());
+    file.set("beam.beam.length", "50 mm").unwrap();
+    let faults = file.spec().unwrap_err();
+    assert!(!faults.as_slice().is_empty());
+    for fault in faults.as_slice() {
+        assert!(
+            fault.line > 0
+                && fault
+                    .message
+                    .ends_with("; caused by --set beam.beam.length=50 mm"),
+            "{fault}"
+        );
+    }
+}
+
+#[test]
 fn faults_cross_to_json_with_their_place() {
     let mut file = SpecFile::from_text(paper().replace("length = \"85 mm\"", "length = 85"));
     file.set("stop.tip.gap", "true").unwrap();

@@ -79,7 +79,7 @@ impl BasinsResult {
         }
         let point = |(point, attractor): (SectionPoint, Option<usize>)| StartPoint {
             displacement_m: point.displacement_m,
-            velocity_m_s: point.velocity_m_per_s,
+            velocity_m_s: point.velocity_m_s,
             voltage_v: point.voltage_v,
             attractor,
         };

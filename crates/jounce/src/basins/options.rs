@@ -53,7 +53,7 @@ impl BasinsOptions {
             refuse_changed(
                 self,
                 &["starts", "seed", "spread"],
-                "it applies to a cloud of starts; omit it, or omit grid",
+                "it applies to a cloud of starts; omit it, or omit `grid`",
             )?;
             return Ok(InitialStates::Grid(Grid::read(&self.grid, stops)?));
         }

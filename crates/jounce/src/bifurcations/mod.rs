@@ -19,7 +19,7 @@ impl Harvester {
     /// finished curves.
     ///
     /// # Errors
-    /// [`Error::Option`], [`Error::Spec`] for an unknown key, [`Error::Analysis`] and
+    /// [`Error::Option`], [`Error::Range`] for an unknown key, [`Error::Analysis`] and
     /// [`Error::Orbit`] for drives without a common period, and [`Error::Stopped`] where no curve
     /// was finished.
     ///
@@ -50,7 +50,7 @@ impl Harvester {
         let (key, range) = continuation::range(self, "over", &options.over)?;
         let (key_2, range_2) = continuation::range(self, "against", &options.against)?;
         if key.path() == key_2.path() {
-            let expected = "over has this key too; give two different keys";
+            let expected = "`over` has this key too; give two different keys";
             return Err(Error::option("against", &options.against, expected));
         }
         let base = self.model()?;

@@ -46,7 +46,7 @@ impl BifurcationsOptions {
     /// Returns the note on the curves that the search may miss.
     pub(super) fn note(&self) -> String {
         format!(
-            "the search misses curves that pass neither an edge of the two ranges nor the second key's value in the spec, and curves of branches that none of {} seeds converges to or of a period above {} cycles; other ranges, more seeds and a larger longest_period find more",
+            "the search misses curves that pass neither an edge of the two ranges nor the second key's value in the spec, and curves of branches that none of {} seeds converges to or of a period above {} cycles; other ranges, more `seeds` and a larger `longest_period` find more",
             self.seeds, self.longest_period
         )
     }

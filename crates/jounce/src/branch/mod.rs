@@ -30,7 +30,7 @@ impl Harvester {
     /// finished branches.
     ///
     /// # Errors
-    /// [`Error::Option`], [`Error::Spec`] for an unknown key, [`Error::Linear`],
+    /// [`Error::Option`], [`Error::Range`] for an unknown key, [`Error::Linear`],
     /// [`Error::Analysis`] and [`Error::Orbit`] for drives without a common period, and
     /// [`Error::Stopped`] where no branch was finished.
     ///

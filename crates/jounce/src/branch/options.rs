@@ -76,7 +76,7 @@ impl BranchOptions {
             }
             (OrbitMethod::Shooting, Some(harmonics)) => invalid(
                 harmonics,
-                "shooting has no harmonics; give method = harmonic-balance, or omit harmonics",
+                "shooting has no harmonics; choose harmonic-balance as `method`, or omit it",
             ),
             (OrbitMethod::Shooting, None) => Ok(OrbitMethodKind::Shooting),
             (OrbitMethod::HarmonicBalance, harmonics) => Ok(OrbitMethodKind::HarmonicBalance {
@@ -91,6 +91,9 @@ impl BranchOptions {
         if !(1e-3..=1.0).contains(&largest_step) {
             let expected = "give a number from 0.001 to 1";
             return Err(Error::option("largest_step", largest_step, expected));
+        }
+        if self.budget == 0 {
+            return Err(Error::option("budget", 0, "it must be at least 1"));
         }
         Ok(TracerOptions {
             largest_step,

@@ -10,7 +10,7 @@ impl BranchOptions {
     /// Returns the note on the branches that the search may miss.
     pub(super) fn note(&self) -> String {
         format!(
-            "the search misses branches that none of {} seeds converges to, and branches of a period above {} cycles; more seeds and a larger longest_period find more",
+            "the search misses branches that none of {} seeds converges to, and branches of a period above {} cycles; more `seeds` and a larger `longest_period` find more",
             self.seeds, self.longest_period
         )
     }
@@ -22,7 +22,7 @@ impl BranchResult {
     pub fn warnings(&self) -> Vec<String> {
         if self.branches.is_empty() {
             return vec![format!(
-                "no periodic orbit was found over {}: no integration reached one; try more seeds, a larger longest_period, more damping or another range",
+                "no periodic orbit was found over {}: no integration reached one; try more `seeds`, a larger `longest_period`, more damping or another range",
                 self.options.over
             )];
         }
@@ -50,7 +50,7 @@ impl BranchResult {
                     TerminationReason::Sticking => "begins to stick and ends",
                     TerminationReason::Points => {
                         let points = branch.points.len();
-                        texts.push(format!("a branch of period {cycles} was stopped after {points} points: give a shorter range or a larger budget"));
+                        texts.push(format!("a branch of period {cycles} was stopped after {points} points: give a shorter range or a larger `budget`"));
                         continue;
                     }
                     TerminationReason::Range
@@ -100,10 +100,10 @@ impl BranchResult {
         let (error, parameter) = (worst.error_estimate, worst.parameter);
         let method = match self.options.method {
             OrbitMethod::Shooting => "",
-            OrbitMethod::HarmonicBalance => " or method = shooting",
+            OrbitMethod::HarmonicBalance => " or shooting as `method`",
         };
         Some(format!(
-            "the largest error estimate is {error:.1e}, at {parameter} {}: try a smaller tolerance{method}",
+            "the largest error estimate is {error:.1e}, at {parameter} {}: try a smaller `tolerance`{method}",
             self.unit
         ))
     }

@@ -9,9 +9,10 @@ pub use options::{DiagramDirection, DiagramOptions};
 pub use result::{DiagramPoint, DiagramResult, SectionPoint};
 
 use crate::branch::Branch;
+use crate::continuation;
 use crate::error::Error;
 use crate::harvester::Harvester;
-use crate::options::on_threads;
+use crate::options::{key_range, on_threads};
 use crate::{journal, periodic};
 use jounce_analysis as analysis;
 use jounce_analysis::{AnalysisError, BranchSearch, Diagram, DiagramOrder};
@@ -34,7 +35,7 @@ impl Harvester {
     /// result holds the finished runs.
     ///
     /// # Errors
-    /// [`Error::Option`], [`Error::Spec`] for an unknown key or an invalid value,
+    /// [`Error::Option`], [`Error::Range`] for an unknown key or an invalid value,
     /// [`Error::DriveAtRest`], [`Error::Journal`], and [`Error::Stopped`] where no run was
     /// finished.
     ///
@@ -162,7 +163,8 @@ impl Harvester {
 
     /// Returns the key and its increasing values.
     fn diagram_range(&self, options: &DiagramOptions) -> Result<KeyRange, Error> {
-        let range = self.file().range(&options.over)?;
+        let range = key_range(self, "over", &options.over)?;
+        continuation::check_continuous(range.key(), "over", &options.over)?;
         if range.values().windows(2).any(|pair| pair[0] >= pair[1]) {
             let expected = "the values of a diagram must increase";
             return Err(Error::option("over", &options.over, expected));

@@ -123,7 +123,7 @@ impl DiagramOptions {
             None => Ok(order),
             Some((option, value)) => {
                 let expected =
-                    "it applies to a cloud of starts; give direction = starts, or omit it";
+                    "it applies to a cloud of starts; choose starts as `direction`, or omit it";
                 Err(Error::option(option, value, expected))
             }
         }

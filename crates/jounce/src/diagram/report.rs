@@ -98,7 +98,7 @@ impl DiagramResult {
         if lost == 0 {
             Vec::new()
         } else if lost == of {
-            vec!["every run failed; try a larger tolerance or another range".to_owned()]
+            vec!["every run failed; try a larger `tolerance` or another range".to_owned()]
         } else {
             vec![format!(
                 "{lost} of {of} runs failed; their motion is `lost`"

@@ -66,7 +66,7 @@ impl DiagramPoint {
     pub(super) fn new(point: &analysis::DiagramPoint, attractor: Option<String>) -> Self {
         let section = |point: &analysis::SectionPoint| SectionPoint {
             displacement_m: point.displacement_m,
-            velocity_m_s: point.velocity_m_per_s,
+            velocity_m_s: point.velocity_m_s,
             voltage_v: point.voltage_v,
         };
         Self {

@@ -1,8 +1,10 @@
 //! Errors of the computations.
 
 mod details;
+mod kind;
 
 pub use details::ErrorDetails;
+pub use kind::ErrorKind;
 
 use impact_harvester_2019::ReproduceError;
 use impact_harvester_2019::experiment::ExperimentError;
@@ -13,7 +15,6 @@ use jounce_continuation::ContinuationError;
 use jounce_data::read::ArraysError;
 use jounce_data::recording::{ChannelError, NoChannel};
 use jounce_data::write::WriteError;
-use jounce_dynamics::IntegrationError;
 use jounce_experiment::fit::FitError;
 use jounce_experiment::rig::RigError;
 use jounce_experiment::segmentation::SegmentationError;
@@ -51,6 +52,16 @@ pub enum Error {
         value: String,
         /// The allowed values and what to try.
         expected: String,
+    },
+    /// The key or the range of an option has faults.
+    #[error("{option} is {value}; {}", reasons(.faults))]
+    Range {
+        /// Name of the option.
+        option: &'static str,
+        /// Its value, as text.
+        value: String,
+        /// The faults.
+        faults: Faults,
     },
     /// The grid of starts cannot be read.
     #[error("grid: {0}")]
@@ -197,17 +208,6 @@ pub enum Error {
     Stopped,
 }
 
-/// Kinds of errors that a user treats differently.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ErrorKind {
-    /// The input is invalid; correct it.
-    Input,
-    /// The computation did not converge; change its settings.
-    NotConverged,
-    /// The user stopped the computation.
-    Stopped,
-}
-
 impl Error {
     /// Returns the error of an option.
     pub(crate) fn option(
@@ -221,54 +221,17 @@ impl Error {
             expected: expected.into(),
         }
     }
-
-    /// Returns the kind.
-    ///
-    /// ```
-    /// let error = jounce::Harvester::from_text("", ".").unwrap_err();
-    /// assert_eq!(error.kind(), jounce::ErrorKind::Input);
-    /// ```
-    pub fn kind(&self) -> ErrorKind {
-        match self {
-            Self::Analysis(error) | Self::Orbit(OrbitError::Harvester(error)) => kind_of(error),
-            Self::Study(error) => match error.as_ref() {
-                StudyError::Study(error) => kind_of(error),
-                _ => ErrorKind::Input,
-            },
-            Self::Orbit(OrbitError::Integration(_) | OrbitError::Multipliers { .. }) => {
-                ErrorKind::NotConverged
-            }
-            Self::Fit(FitError::NotConverged { .. }) => ErrorKind::NotConverged,
-            Self::Rig(RigError::Run(error)) => kind_of_run(error),
-            Self::Solution(error) => match error.as_ref() {
-                SolutionError::Run(error) => kind_of_run(error),
-                SolutionError::Study(error) => kind_of(error),
-                SolutionError::Lost { .. } => ErrorKind::NotConverged,
-                _ => ErrorKind::Input,
-            },
-            Self::Stopped
-            | Self::Fit(FitError::Stopped { .. })
-            | Self::Segmentation(SegmentationError::Stopped)
-            | Self::Spectral(SpectralError::Stopped) => ErrorKind::Stopped,
-            Self::Continuation(_) => ErrorKind::NotConverged,
-            _ => ErrorKind::Input,
-        }
-    }
 }
 
-fn kind_of(error: &AnalysisError) -> ErrorKind {
-    match error {
-        AnalysisError::Run(error) => kind_of_run(error),
-        _ => ErrorKind::Input,
-    }
-}
-
-fn kind_of_run(error: &RunError) -> ErrorKind {
-    match error {
-        RunError::Integration(IntegrationError::Stopped { .. }) => ErrorKind::Stopped,
-        RunError::Integration(_) => ErrorKind::NotConverged,
-        _ => ErrorKind::Input,
-    }
+/// Returns the reasons of faults of a key, without the name of the key in front.
+fn reasons(faults: &Faults) -> String {
+    let reason = |fault: &Fault| {
+        let text = fault.message.strip_prefix(fault.key.as_str());
+        let text = text.and_then(|text| text.strip_prefix(": "));
+        text.unwrap_or(&fault.message).to_owned()
+    };
+    let reasons: Vec<String> = faults.as_slice().iter().map(reason).collect();
+    reasons.join("; ")
 }
 
 impl From<Fault> for Error {

@@ -105,7 +105,7 @@ fn input(spec: &Spec, options: &FrfOptions) -> Result<FrfInput, Error> {
         (true, Some(point)) => Err(Error::option(
             "input",
             point,
-            "the base is excited too: omit input, or omit base",
+            "the base is excited too: omit `input`, or omit `base`",
         )),
         (true, None) => base(spec),
         (false, Some(point)) => Ok(FrfInput::Force(point.clone())),
@@ -114,7 +114,7 @@ fn input(spec: &Spec, options: &FrfOptions) -> Result<FrfInput, Error> {
             None => Err(Error::option(
                 "input",
                 "missing",
-                "this spec has no force: name a point, or set base to excite the base",
+                "this spec has no force: name a point, or give `base` to excite the base",
             )),
         },
     }

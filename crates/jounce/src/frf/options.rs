@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 #[serde(default, deny_unknown_fields)]
 pub struct FrfOptions {
     /// A frequency, as in 12.5Hz, instead of a band; can be given several times.
-    #[arg(long = "frequency", value_name = "FREQUENCY", value_parser = frequency_hz)]
+    #[arg(long = "frequency", value_name = "FREQUENCY", value_parser = frequency_hz, conflicts_with_all = ["low_hz", "high_hz", "points"])]
     pub frequency_hz: Vec<f64>,
     /// Lowest frequency of the band.
     #[arg(long = "low", value_name = "FREQUENCY", value_parser = frequency_hz, default_value = "1 Hz")]
@@ -53,7 +53,8 @@ impl FrfOptions {
         let is_default = [self.low_hz, self.high_hz] == [default.low_hz, default.high_hz]
             && self.points == default.points;
         if !is_default {
-            let expected = "low, high and points apply to a band; omit them, or omit frequency";
+            let expected =
+                "`low`, `high` and `points` apply to a band; omit them, or omit `frequency`";
             let value = format!("{} Hz", self.frequency_hz[0]);
             return Err(Error::option("frequency", value, expected));
         }

@@ -1,7 +1,6 @@
 //! Data that speed up the next computation.
 
-use super::linear::LastLinear;
-use super::stored_response::{StoredResponse, StoredResponses};
+use super::responses::{LastLinear, StoredResponse, StoredResponses};
 use crate::error::Error;
 use jounce_analysis::{AnalysisError, Model};
 use jounce_control::Control;

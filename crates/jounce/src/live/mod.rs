@@ -17,22 +17,16 @@
 //! | response to noise or to a recording | [`LiveAnalysis::excite`] |
 
 mod analysis;
-mod carry;
 mod channel_file;
 mod controls;
 mod design;
 mod drawing;
 mod excitation;
 mod key_span;
-mod linear;
 mod load;
-mod motion;
-mod orbit;
-mod orbit_stop;
+mod orbits;
 mod plane;
-mod response;
-mod response_result;
-mod stored_response;
+mod responses;
 mod sweep;
 mod time_history;
 
@@ -43,12 +37,10 @@ pub use design::Design;
 pub use drawing::{DesignDrawing, Grip, GripKind};
 pub use excitation::{Excitation, ExcitationResult};
 pub use key_span::KeySpan;
-pub use linear::LinearCurve;
 pub use load::{LinearLoad, LoadOptions};
-pub use motion::BeamMotion;
-pub use orbit::{BranchPlace, OrbitResult};
-pub use orbit_stop::OrbitStop;
-pub use response::ResponseOptions;
-pub use response_result::{ResponseBifurcation, ResponseBranch, ResponseResult};
+pub use orbits::{BeamMotion, BranchPlace, OrbitResult, OrbitStop};
+pub use responses::{
+    LinearCurve, ResponseBifurcation, ResponseBranch, ResponseOptions, ResponseResult,
+};
 pub use sweep::LivePoint;
 pub use time_history::{Extremes, SpectralDensity};

@@ -116,7 +116,7 @@ impl MeasuredFrfOptions {
     pub(super) fn choice(&self) -> Result<ChannelChoice, Error> {
         let excitation = match (&self.input, &self.force) {
             (Some(input), Some(_)) => {
-                let expected = "force is also given; give one of them";
+                let expected = "`force` is also given; give one of them";
                 return Err(Error::option("input", input, expected));
             }
             (Some(channel), None) => Excitation::Channel(channel.clone()),
@@ -151,7 +151,7 @@ impl MeasuredFrfOptions {
             "functions",
             "bridge",
         ];
-        let expected = "free_decay and output_only are for tests without a measured input, so they exclude it; give one of them";
+        let expected = "`free_decay` and `output_only` are for tests without a measured input: omit it, or omit them";
         refuse_changed(self, &of_input, expected)
     }
 }

@@ -63,7 +63,7 @@ impl MeasuredModesOptions {
             return Err(Error::option("order", order, expected));
         }
         if free_decay && output_only {
-            let expected = "free_decay is also given; give one of them";
+            let expected = "`free_decay` is also given; give one of them";
             return Err(Error::option("output_only", "given", expected));
         }
         let of_other_test = [
@@ -76,7 +76,7 @@ impl MeasuredModesOptions {
             ("lags", self.lags_s.is_some() && !output_only, "output_only"),
         ];
         if let Some((option, _, test)) = of_other_test.into_iter().find(|one| one.1) {
-            let expected = format!("it needs {test}; give {test} also, or omit {option}");
+            let expected = format!("it needs `{test}`: give it too, or omit `{option}`");
             return Err(Error::option(option, "given", expected));
         }
         for (option, ends) in [("span", self.span_s), ("between", self.between_hz)] {

@@ -18,7 +18,7 @@ impl MeasuredModesResult {
             .collect();
         let doubtful = (!doubtful.is_empty()).then(|| {
             format!(
-                "the damping of mode {} is statistically indistinguishable from zero, so it may be noise; try a smaller order or a narrower \
+                "the damping of mode {} is statistically indistinguishable from zero, so it may be noise; try a smaller `order` or a narrower \
                  band: if the mode disappears, it is noise",
                 doubtful.join(", ")
             )
@@ -33,7 +33,7 @@ impl MeasuredModesResult {
         };
         let unexplained = (!peaks.is_empty()).then(|| {
             format!(
-                "the responses have peaks at {}{more} Hz that no mode explains; try a band around them, or a larger order",
+                "the responses have peaks at {}{more} Hz that no mode explains; try a band around them, or a larger `order`",
                 peaks.join(", ")
             )
         });

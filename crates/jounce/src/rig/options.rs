@@ -12,8 +12,9 @@ use serde::{Deserialize, Serialize};
 /// Options that apply to a hammer test.
 const OF_HAMMER: [&str; 4] = ["hits", "block_s", "peak_n", "contact_s"];
 /// Options that apply to a shaker test.
-const OF_SHAKER: [&str; 5] = [
+const OF_SHAKER: [&str; 6] = [
     "solution",
+    "wander_time_s",
     "amplitude_wander",
     "frequency_wander",
     "amplitude_drift",
@@ -135,6 +136,23 @@ impl Default for RigOptions {
 impl RigOptions {
     /// Checks the quantities, and that every option applies to the test.
     pub(super) fn check(&self) -> Result<(), Error> {
+        self.check_quantities()?;
+        for (applies, fields, expected) in self.conditions() {
+            if !applies {
+                refuse_changed(self, fields, expected)?;
+            }
+        }
+        match &self.base {
+            Some(base) if self.hammer.is_some() || !self.solution.is_empty() => {
+                let expected = "it replaces the drives: omit it, or omit `hammer` and `solution`";
+                Err(Error::option("base", base.name(), expected))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Checks that every quantity is above 0.
+    fn check_quantities(&self) -> Result<(), Error> {
         let quantities = [
             ("rate", Some(self.rate_hz), "Hz"),
             ("sensor_mass", self.sensor_mass_kg, "kg"),
@@ -150,7 +168,14 @@ impl RigOptions {
                 check_above_zero(option, value, unit)?;
             }
         }
-        let conditions: [(bool, &[&'static str], &str); 6] = [
+        Ok(())
+    }
+
+    /// Returns the conditions of options: true where the options apply, their fields, and what they
+    /// need.
+    fn conditions(&self) -> [(bool, &'static [&'static str], &'static str); 7] {
+        let is_unsteady = self.amplitude_wander != 0.0 || self.frequency_wander != 0.0;
+        [
             (
                 !self.at.is_empty(),
                 &["sensor_mass_kg"],
@@ -167,6 +192,11 @@ impl RigOptions {
                 "it applies to a shaker test: omit it, or omit `hammer`",
             ),
             (
+                is_unsteady,
+                &["wander_time_s"],
+                "it is the correlation time of a fluctuation: give `amplitude_wander` or `frequency_wander` too, or omit it",
+            ),
+            (
                 !self.solution.is_empty(),
                 &OF_SOLUTION,
                 "it applies to solutions as starts: name them with `solution`, or omit it",
@@ -181,19 +211,7 @@ impl RigOptions {
                 &OF_BASE,
                 "it applies to a recorded base motion: give the recording as `base`, or omit it",
             ),
-        ];
-        for (applies, fields, expected) in conditions {
-            if !applies {
-                refuse_changed(self, fields, expected)?;
-            }
-        }
-        match &self.base {
-            Some(base) if self.hammer.is_some() || !self.solution.is_empty() => {
-                let expected = "it replaces the drives: omit it, or omit `hammer` and `solution`";
-                Err(Error::option("base", base.name(), expected))
-            }
-            _ => Ok(()),
-        }
+        ]
     }
 
     /// Returns the sensors.

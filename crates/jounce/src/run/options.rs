@@ -70,7 +70,7 @@ impl RunOptions {
         }
         if record_s * rate_hz > MAX_SAMPLES {
             let expected = format!(
-                "with record = {record_s} s that is {:e} samples; at most {MAX_SAMPLES:e} are stored",
+                "with a `record` of {record_s} s that is {:e} samples; at most {MAX_SAMPLES:e} are stored",
                 record_s * rate_hz
             );
             return Err(Error::option(

@@ -54,7 +54,7 @@ impl SegmentsOptions {
             refuse_changed(
                 self,
                 &of_model,
-                "it applies to a model: give one, or omit it",
+                "it applies to a model: give one as `model`, or omit it",
             )?;
         }
         if self.starts == 0 {

@@ -34,8 +34,8 @@ impl Recording {
     /// # Ok::<(), jounce::Error>(())
     /// ```
     pub fn spectra(&self, options: &SpectraOptions) -> Result<SpectraResult, Error> {
-        let settings = options.settings()?;
         let record = self.load(options)?;
+        let settings = options.settings(record.rate())?;
         let channel = &record.channels[0];
         let samples = signal(channel, record.rate())?;
         let spectra = spectra_watched(&samples, &settings, self.control())?;

@@ -65,7 +65,14 @@ impl UsesChannels for SpectraOptions {
 }
 
 impl SpectraOptions {
-    pub(super) fn settings(&self) -> Result<SpectraSettings, Error> {
+    /// Returns the settings for a record of a rate, Hz.
+    pub(super) fn settings(&self, rate_hz: f64) -> Result<SpectraSettings, Error> {
+        let nyquist_hz = rate_hz / 2.0;
+        if let Some(drive_hz) = self.drive_hz.filter(|drive_hz| *drive_hz >= nyquist_hz) {
+            let expected =
+                format!("it must be below half the sampling rate, which is {nyquist_hz} Hz");
+            return Err(Error::option("drive", format!("{drive_hz} Hz"), expected));
+        }
         let checked = |option: &'static str, value: Option<f64>, unit: &str| {
             let check = |value| check_above_zero(option, value, unit);
             value.map(check).transpose()

@@ -10,7 +10,7 @@ pub use result::{SweepPoint, SweepResult};
 use crate::error::Error;
 use crate::harvester::Harvester;
 use crate::journal;
-use crate::options::on_threads;
+use crate::options::{key_range, on_threads};
 use jounce_analysis::{Journal, Sweep};
 use jounce_spec::KeyRange;
 use std::path::Path;
@@ -24,7 +24,7 @@ impl Harvester {
     /// After a stop by the control the result holds the finished points.
     ///
     /// # Errors
-    /// [`Error::Spec`] for an unknown key or an invalid range, [`Error::Analysis`] for an
+    /// [`Error::Range`] for an unknown key or an invalid range, [`Error::Analysis`] for an
     /// integration that does not converge.
     ///
     /// ```
@@ -72,7 +72,7 @@ impl Harvester {
     /// control.
     ///
     /// # Errors
-    /// [`Error::Spec`] for an unknown key or an invalid range, [`Error::Journal`].
+    /// [`Error::Range`] for an unknown key or an invalid range, [`Error::Journal`].
     pub fn sweep_journal(
         &self,
         options: &SweepOptions,
@@ -110,7 +110,12 @@ impl Harvester {
     /// Returns the harvester with the tolerance of a sweep, and the values of its key.
     fn swept(&self, options: &SweepOptions) -> Result<(Self, KeyRange), Error> {
         let harvester = self.with_tolerance(options.tolerance)?;
-        let range = harvester.file().range(&options.over)?;
+        let range = key_range(&harvester, "over", &options.over)?;
+        let is_stepped = options.direction != SweepOrder::Independent;
+        if is_stepped && range.key().path() == "reduction.modes" {
+            let expected = "the number of modes differs, so a point cannot start from the state of the point before; choose independent as `direction`";
+            return Err(Error::option("over", &options.over, expected));
+        }
         Ok((harvester, range))
     }
 }

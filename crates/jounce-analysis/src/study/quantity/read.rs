@@ -56,6 +56,11 @@ pub(in crate::study) fn quantity(
     let empty = Table::new();
     let table = reader.table("quantity", item).unwrap_or(&empty);
     let request = QuantityTable { table, file };
+    if item.is_some() && !table.contains_key("command") {
+        let reason = "quantity.command is missing; write command = \"run\", or another command, below [quantity]";
+        reader.fault("quantity.command", table.span(), reason);
+        return Quantity::Run;
+    }
     let command = reader
         .text("quantity.command", table.get("command"))
         .unwrap_or("run");

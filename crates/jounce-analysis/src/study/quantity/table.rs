@@ -52,7 +52,8 @@ impl QuantityTable<'_> {
 
     /// Returns the position of an entry in the text.
     pub fn span(&self, key: &str) -> Option<std::ops::Range<usize>> {
-        self.table.get(key).and_then(Item::span)
+        let item = self.table.get(key);
+        item.and_then(Item::span).or(self.table.span())
     }
 
     /// Reads one word of a list, by default the first.
@@ -160,7 +161,7 @@ impl QuantityTable<'_> {
         if item.is_none() {
             reader.fault(
                 &path,
-                None,
+                self.span(key),
                 format!("{path} is missing; write {key} = \"{example}\""),
             );
         }

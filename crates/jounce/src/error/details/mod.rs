@@ -70,7 +70,7 @@ impl From<&Error> for ErrorDetails {
     fn from(error: &Error) -> Self {
         match error {
             Error::Read(error) => error.into(),
-            Error::Spec(faults) => faults.into(),
+            Error::Spec(faults) | Error::Range { faults, .. } => faults.into(),
             Error::Analysis(error) => error.into(),
             Error::Orbit(error) => error.into(),
             Error::Noise(error) => error.into(),
@@ -214,7 +214,7 @@ impl From<&StudyError> for ErrorDetails {
         match error {
             StudyError::Study(error) => error.into(),
             StudyError::Faults(faults) => Self::of_faults(faults),
-            StudyError::Spec(faults) => faults.into(),
+            StudyError::Spec { faults, .. } => faults.into(),
             error => Self::new("StudyError").with(survey_details(error)),
         }
     }

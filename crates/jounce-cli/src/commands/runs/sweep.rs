@@ -45,10 +45,7 @@ impl Sweep {
         if let Some(text) = result.unsettled() {
             eprintln!("{text}");
         }
-        result
-            .warnings()
-            .iter()
-            .for_each(|text| eprintln!("warning: {text}"));
+        output::warn(&result.warnings());
         if let Some(folder) = &self.output.out {
             self.write(folder, &harvester, &result)?;
         }

@@ -1,8 +1,9 @@
 //! Response over a key: first the branches near those of the previous design, then all branches.
 
+use super::ResponseResult;
 use super::stored_response::{Origin, StoredResponse};
-use super::{Design, KeySpan, LiveAnalysis, ResponseResult};
 use crate::error::Error;
+use crate::live::{Design, KeySpan, LiveAnalysis};
 use crate::options::check_tolerance;
 use jounce_analysis::{
     Bandwidth, BandwidthSearch, Branch, BranchSearch, OrbitMethodKind, Parameter,

@@ -22,7 +22,7 @@ pub struct LinearCurve {
 
 impl LinearCurve {
     /// Computes the curve at values of a key.
-    pub(super) fn over(parameter: &Parameter, values: Vec<f64>) -> Self {
+    pub(in crate::live) fn over(parameter: &Parameter, values: Vec<f64>) -> Self {
         let power = |value: &f64| {
             parameter
                 .at(*value)

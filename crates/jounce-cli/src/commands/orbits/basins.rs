@@ -38,10 +38,7 @@ impl Basins {
             let (start, reason) = (first_failure.start, &first_failure.reason);
             eprintln!("{failed} of {finished} runs failed; start {start}: {reason}");
         }
-        result
-            .warnings()
-            .iter()
-            .for_each(|text| eprintln!("warning: {text}"));
+        output::warn(&result.warnings());
         if let Some(folder) = &self.output.out {
             self.write(folder, &harvester, &result)?;
         }

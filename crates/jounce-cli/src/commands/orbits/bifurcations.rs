@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::interruption;
+use crate::option_names::on_command_line;
 use crate::output::{self, key_value, line, print};
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
@@ -29,10 +30,7 @@ impl Bifurcations {
         interruption::install(&control);
         let result = progress::with_progress(&control, || harvester.bifurcations(&self.options));
         let result = result.map_err(|error| self.spec.failure(error))?;
-        result
-            .warnings()
-            .iter()
-            .for_each(|text| eprintln!("warning: {text}"));
+        output::warn(&result.warnings());
         if let Some(folder) = &self.output.out {
             self.write(folder, &harvester, &result)?;
         }
@@ -94,6 +92,6 @@ impl Bifurcations {
                 ));
             }
         }
-        line(&result.note);
+        line(on_command_line(&result.note));
     }
 }

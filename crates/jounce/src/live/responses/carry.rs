@@ -1,7 +1,7 @@
 //! Branches of a design from those of the previous one.
 
 use super::stored_response::{Origin, StoredResponse};
-use super::{Design, LiveAnalysis};
+use crate::live::{Design, LiveAnalysis};
 use jounce_analysis::{
     Branch, BranchUpdate, Extrapolation, KnownOrbit, Model, Parameter, WarmStart, settled_orbit,
 };

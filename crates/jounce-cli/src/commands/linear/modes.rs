@@ -1,42 +1,47 @@
 //! `jounce modes SPEC`
 
-use super::frf::missing_input;
-use super::measured_modes;
+use crate::commands::recordings::measured_modes;
 use crate::failure::Failure;
-use crate::hammer_arguments::{HammerArguments, of_test};
+use crate::hammer_arguments::HammerArguments;
+use crate::model_or_measured::ModelOrMeasured;
 use crate::output::{self, line, print};
-use crate::spec_arguments::{OutputArguments, SpecArguments};
+use crate::spec_arguments::{ModelArguments, OutputArguments};
 use clap::Args;
 use jounce::{MeasuredModesOptions, ModesOptions, ModesResult};
 
 /// Arguments of `modes`.
 #[derive(Debug, Args)]
-#[command(mut_arg("spec", |spec| spec.required(false).required_unless_present("measured")))]
-#[command(mut_arg("input", |input| input.requires("measured")))]
-#[command(mut_args(of_test::<MeasuredModesOptions>))]
 pub struct Modes {
     #[command(flatten)]
-    spec: Option<SpecArguments>,
+    arguments: ModelOrMeasured<ModelArguments<ModesOptions>, MeasuredArguments>,
+    #[command(flatten)]
+    pub output: OutputArguments,
+}
+
+/// Arguments of the modes of recordings.
+#[derive(Debug, Args)]
+struct MeasuredArguments {
     #[command(flatten)]
     hammer: HammerArguments,
     #[command(flatten)]
     identification: MeasuredModesOptions,
-    #[command(flatten)]
-    options: ModesOptions,
-    #[command(flatten)]
-    pub output: OutputArguments,
 }
 
 impl Modes {
     /// Prints modes and couplings.
     pub fn run(&self) -> Result<(), Failure> {
-        if !self.hammer.measured.is_empty() {
-            return measured_modes::run(&self.hammer, &self.identification, &self.output);
+        let ModelOrMeasured { model, measured } = &self.arguments;
+        let MeasuredArguments {
+            hammer,
+            identification,
+        } = measured;
+        if !hammer.measured.is_empty() {
+            return measured_modes::run(hammer, identification, &self.output);
         }
-        let spec = self.spec.as_ref().ok_or_else(missing_input)?;
+        let spec = model.spec()?;
         let harvester = spec.harvester()?;
         let result = harvester
-            .modes(&self.options)
+            .modes(&model.options)
             .map_err(|error| spec.failure(error))?;
         if let Some(folder) = &self.output.out {
             let manifest = spec.manifest(harvester.spec(), "modes");

@@ -3,6 +3,7 @@
 use crate::failure::Failure;
 use crate::hammer_arguments::HammerArguments;
 use crate::measured_file::{or_issues, print_issues, with_options};
+use crate::option_names::on_command_line;
 use crate::output::{self, line, print, with_uncertainty};
 use crate::spec_arguments::OutputArguments;
 use jounce::{MeasuredModesOptions, MeasuredModesResult, Recording};
@@ -63,7 +64,7 @@ fn print_lines(result: &MeasuredModesResult) {
         ));
     }
     for warning in result.warnings() {
-        line(format!("warning: {warning}"));
+        line(format!("warning: {}", on_command_line(&warning)));
     }
     result.notes().iter().for_each(line);
     for (number, mode) in (1..).zip(&result.modes) {

@@ -1,11 +1,11 @@
 //! `jounce frf SPEC`
 
-use super::measured_frf;
+use crate::commands::recordings::measured_frf;
 use crate::failure::Failure;
 use crate::hammer_arguments::HammerArguments;
 use crate::model_or_measured::ModelOrMeasured;
 use crate::output::{self, line, print};
-use crate::spec_arguments::{OutputArguments, SpecArguments};
+use crate::spec_arguments::{ModelArguments, OutputArguments};
 use clap::Args;
 use jounce::{FrfOptions, FrfResult};
 
@@ -16,12 +16,9 @@ const INPUT: &str = "With --measured: channel of the input, which need not be a 
 /// Arguments of `frf`.
 #[derive(Debug, Args)]
 #[command(mut_arg("input", |input| input.help(INPUT)))]
-#[command(mut_arg("spec", |spec| spec.required(false).required_unless_present("measured")))]
 pub struct Frf {
     #[command(flatten)]
-    spec: Option<SpecArguments>,
-    #[command(flatten)]
-    arguments: ModelOrMeasured<FrfOptions, HammerArguments>,
+    arguments: ModelOrMeasured<ModelArguments<FrfOptions>, HammerArguments>,
     #[command(flatten)]
     pub output: OutputArguments,
 }
@@ -29,14 +26,17 @@ pub struct Frf {
 impl Frf {
     /// Prints the acceleration of every point and the voltage of every patch and circuit, per newton or per m/s^2 of the base.
     pub fn run(&self) -> Result<(), Failure> {
-        let hammer = &self.arguments.measured;
+        let ModelOrMeasured {
+            model,
+            measured: hammer,
+        } = &self.arguments;
         if !hammer.measured.is_empty() {
             return measured_frf::run(hammer, &self.output);
         }
-        let spec = self.spec.as_ref().ok_or_else(missing_input)?;
+        let spec = model.spec()?;
         let harvester = spec.harvester()?;
         let result = harvester
-            .frf(&self.arguments.model)
+            .frf(&model.options)
             .map_err(|error| spec.failure(error))?;
         if let Some(folder) = &self.output.out {
             for (name, figure) in result.figures() {
@@ -61,9 +61,4 @@ fn print_lines(result: &FrfResult) {
             line(format!("{name}: highest {size:.5e} {unit} at {hz:.4} Hz"));
         }
     }
-}
-
-/// Returns the failure where neither a spec nor recordings are given.
-pub fn missing_input() -> Failure {
-    Failure::usage("give a SPEC, or recordings of a hammer test with --measured FILE...".to_owned())
 }

@@ -30,10 +30,7 @@ impl Ensemble {
         let work = || harvester.ensemble(&self.options);
         let result = progress::with_parts("members", &control, work);
         let result = result.map_err(|error| self.spec.failure(error))?;
-        result
-            .warnings()
-            .iter()
-            .for_each(|text| eprintln!("warning: {text}"));
+        output::warn(&result.warnings());
         if let Some(folder) = &self.output.out {
             self.write(folder, &harvester, &result)?;
         }

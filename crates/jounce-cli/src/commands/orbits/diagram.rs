@@ -3,6 +3,7 @@
 use crate::cache;
 use crate::failure::Failure;
 use crate::interruption;
+use crate::option_names::on_command_line;
 use crate::output::{self, line, print};
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
@@ -45,11 +46,9 @@ impl Diagram {
         journal.finish().map_err(Error::from)?;
         let warnings = result.warnings();
         if result.points.iter().all(DiagramPoint::is_lost) {
-            return Err(Failure::NotConverged(warnings.join("\n")));
+            return Err(Failure::NotConverged(on_command_line(&warnings.join("\n"))));
         }
-        warnings
-            .iter()
-            .for_each(|text| eprintln!("warning: {text}"));
+        output::warn(&warnings);
         if let Some(folder) = &self.output.out {
             self.write(folder, &harvester, &result)?;
         }

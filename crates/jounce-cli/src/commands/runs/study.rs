@@ -1,6 +1,6 @@
 //! `jounce study run|merge|status`
 
-use crate::failure::Failure;
+use crate::failure::{Failure, of_study};
 use crate::interruption;
 use crate::output::{line, print};
 use crate::progress;
@@ -91,7 +91,9 @@ impl Existing {
 impl Run {
     fn run(&self) -> Result<(), Failure> {
         let control = Control::default();
-        let study = jounce::Study::read(&self.study)?.with_control(&control);
+        let study = jounce::Study::read(&self.study);
+        let study = study.map_err(|error| of_study(&self.study, error))?;
+        let study = study.with_control(&control);
         print_recording_issues(study.spec());
         interruption::install(&control);
         let work = || study.run(&self.out, &self.options);

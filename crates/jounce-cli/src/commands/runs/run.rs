@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::output::{self, line, print};
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
-use jounce::parts::{ChargeResult, LoadResult, StopResult, Warning};
+use jounce::parts::{ChargeResult, LoadResult, RectifiedResult, StopResult, Warning};
 use jounce::{Error, Harvester, RunOptions, RunResult, StartState};
 use std::path::{Path, PathBuf};
 
@@ -100,35 +100,7 @@ fn print_lines(result: &RunResult) {
     line(format!("mean power         {:.6e} W", result.mean_power_w));
     print_voltages(result);
     for circuit in &result.rectified {
-        // Synchronous extraction transfers energy, without a charge through diodes.
-        let current = if circuit.mean_current_a == 0.0 {
-            String::new()
-        } else {
-            format!(", {:.4e} A", circuit.mean_current_a)
-        };
-        line(format!(
-            "storage            {:.6} V{current}  (circuit {})",
-            circuit.voltage_rms_v, circuit.name
-        ));
-        // A loss of zero may have roundoff of either sign.
-        let [diodes, switch, leakage] = [
-            circuit.diode_loss_w,
-            circuit.switch_loss_w,
-            circuit.leakage_w,
-        ]
-        .map(|loss_w| loss_w.max(0.0));
-        line(format!(
-            "  delivered        {:.4e} W, filling the storage {:.4e} W",
-            circuit.mean_power_w, circuit.storage_w
-        ));
-        line(format!(
-            "  lost             diodes {diodes:.4e} W, switch {switch:.4e} W, leakage {leakage:.4e} W"
-        ));
-        result
-            .charges
-            .iter()
-            .filter(|charge| charge.name == circuit.name)
-            .for_each(print_charge);
+        print_storage(result, circuit);
     }
     for leak in &result.leaks {
         line(format!(
@@ -136,6 +108,51 @@ fn print_lines(result: &RunResult) {
             leak.mean_power_w, leak.name
         ));
     }
+    print_contacts(result);
+    print_quality(result);
+    line(format!(
+        "computed in        {:.3} ms, {} flight and {} contact steps",
+        1e3 * result.wall_time_s,
+        result.work.flight_steps,
+        result.work.contact_steps
+    ));
+}
+
+/// Prints the storage of a rectified circuit with its powers and charges.
+fn print_storage(result: &RunResult, circuit: &RectifiedResult) {
+    // Synchronous extraction transfers energy, without a charge through diodes.
+    let current = if circuit.mean_current_a == 0.0 {
+        String::new()
+    } else {
+        format!(", {:.4e} A", circuit.mean_current_a)
+    };
+    line(format!(
+        "storage            {:.6} V{current}  (circuit {})",
+        circuit.voltage_rms_v, circuit.name
+    ));
+    // A loss of zero may have roundoff of either sign.
+    let [diodes, switch, leakage] = [
+        circuit.diode_loss_w,
+        circuit.switch_loss_w,
+        circuit.leakage_w,
+    ]
+    .map(|loss_w| loss_w.max(0.0));
+    line(format!(
+        "  delivered        {:.4e} W, filling the storage {:.4e} W",
+        circuit.mean_power_w, circuit.storage_w
+    ));
+    line(format!(
+        "  lost             diodes {diodes:.4e} W, switch {switch:.4e} W, leakage {leakage:.4e} W"
+    ));
+    result
+        .charges
+        .iter()
+        .filter(|charge| charge.name == circuit.name)
+        .for_each(print_charge);
+}
+
+/// Prints the contacts of all stops, then those of each stop.
+fn print_contacts(result: &RunResult) {
     if !result.stops.is_empty() {
         // Contact times of several stops may overlap, so their shares are not added.
         let share = if result.stops.len() == 1 {
@@ -155,6 +172,10 @@ fn print_lines(result: &RunResult) {
     for stop in &result.stops {
         print_stop(stop, result.stops.len() > 1);
     }
+}
+
+/// Prints the energy residual, and whether the response has settled.
+fn print_quality(result: &RunResult) {
     match result.is_trivial {
         true => line(
             "energy             zero: no contact began, and no energy changed by more than roundoff",
@@ -176,12 +197,6 @@ fn print_lines(result: &RunResult) {
             "no period          the drives have no common period, so there is no periodic steady state",
         ),
     }
-    line(format!(
-        "computed in        {:.3} ms, {} flight and {} contact steps",
-        1e3 * result.wall_time_s,
-        result.work.flight_steps,
-        result.work.contact_steps
-    ));
 }
 
 /// Prints the voltages of the loads, and the largest voltage of each patch without a load.

@@ -1,10 +1,10 @@
 //! Orbit of a point of a response, sampled over its period.
 
-use super::LiveAnalysis;
 use super::motion::{self, BeamMotion};
 use super::orbit_stop::OrbitStop;
-use super::stored_response::StoredResponse;
 use crate::error::Error;
+use crate::live::LiveAnalysis;
+use crate::live::responses::StoredResponse;
 use jounce_analysis::BranchPoint;
 use jounce_continuation::{Corrector, Metric, Position, correct_at};
 use jounce_control::Control;

@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::interruption;
+use crate::option_names::on_command_line;
 use crate::output::{self, key_value, line, print};
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
@@ -31,11 +32,9 @@ impl Branch {
         let result = result.map_err(|error| self.spec.failure(error))?;
         let warnings = result.warnings();
         if result.branches.is_empty() {
-            return Err(Failure::NotConverged(warnings.join("\n")));
+            return Err(Failure::NotConverged(on_command_line(&warnings.join("\n"))));
         }
-        warnings
-            .iter()
-            .for_each(|text| eprintln!("warning: {text}"));
+        output::warn(&warnings);
         if let Some(folder) = &self.output.out {
             self.write(folder, &harvester, &result)?;
         }
@@ -81,7 +80,7 @@ fn print_lines(result: &BranchResult) {
         line("all branches together");
         print_bandwidth(result, &result.peak, &result.half_power_bandwidth);
     }
-    line(&result.note);
+    line(on_command_line(&result.note));
 }
 
 fn print_branch(result: &BranchResult, branch: &Curve) {

@@ -1,0 +1,6 @@
+//! Commands that integrate in time.
+
+pub mod ensemble;
+pub mod run;
+pub mod study;
+pub mod sweep;

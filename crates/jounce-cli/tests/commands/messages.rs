@@ -1,0 +1,149 @@
+//! Messages about wrong options and faults in files: each names the option or the place, and what to
+//! do.
+
+use crate::{SPEC, jounce};
+
+const GAP_OVER: &str = "stop.tip.gap=1mm:2mm:3";
+
+/// Commands with a wrong option, and the message of each; `SPEC` precedes the options.
+const WRONG_OPTIONS: [(&str, &[&str], &str); 16] = [
+    (
+        "modes",
+        &["--order", "3"],
+        "--order applies to recordings: name them with --measured FILE..., or omit it",
+    ),
+    (
+        "modes",
+        &["--measured", "a.csv"],
+        "SPEC does not apply to recordings: omit it, or omit --measured",
+    ),
+    ("frf", &["--estimator", "h2"], "--estimator applies to"),
+    (
+        "frf",
+        &["--base", "--frequency", "10Hz", "--low", "1Hz"],
+        "--low",
+    ),
+    (
+        "frf",
+        &["--base", "--input", "table"],
+        "omit --input, or omit --base",
+    ),
+    (
+        "basins",
+        &["--starts", "x"],
+        "--starts is x; it must be a whole number",
+    ),
+    (
+        "basins",
+        &["--spread", "wide"],
+        "--spread is wide; it must be a number",
+    ),
+    (
+        "basins",
+        &["--grid", "voltage=-1V:1V:3x", "--starts", "5"],
+        "or omit --grid",
+    ),
+    (
+        "run",
+        &["--tolerance", "-1"],
+        "--tolerance is -1; it must be from 1e-13 to 0.1",
+    ),
+    (
+        "sweep",
+        &["--over", GAP_OVER],
+        "--over is stop.tip.gap=1mm:2mm:3; the step is 3",
+    ),
+    (
+        "sweep",
+        &["--over", "stop.tip.law=1,3"],
+        "no key with a number",
+    ),
+    (
+        "sweep",
+        &["--over", "reduction.modes=1,3"],
+        "choose independent as --direction",
+    ),
+    (
+        "branch",
+        &["--over", GAP_OVER],
+        "as in stop.tip.gap=1mm:2mm",
+    ),
+    (
+        "branch",
+        &["--over", "reduction.modes=1:3"],
+        "is a whole number",
+    ),
+    (
+        "branch",
+        &["--over", "stop.tip.gap=2mm:1mm"],
+        "the first value must be below the second",
+    ),
+    (
+        "branch",
+        &["--over", "stop.tip.gap=1mm:2mm", "--budget", "0"],
+        "--budget is 0; it must be at least 1",
+    ),
+];
+
+#[test]
+fn wrong_options_are_refused_by_name() {
+    for (command, options, message) in WRONG_OPTIONS {
+        let (code, _, stderr) = jounce(&[&[command, SPEC], options].concat());
+        assert!(
+            code == 2 && stderr.contains(message) && !stderr.contains("panicked"),
+            "{command} {options:?}: {code} {stderr}"
+        );
+    }
+}
+
+#[test]
+fn faults_of_a_study_name_the_file_and_the_place() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("study.toml");
+    let vary = "[vary]\n\"stop.tip.gap\" = \"1mm:2mm:2x\"\n";
+    for (text, message) in [
+        (vary.to_owned(), "study.toml: the study names no spec"),
+        (
+            format!("spec = {SPEC:?}\n[quantity]\ncommand = \"modes\"\n"),
+            "study.toml: vary names no key: the table [vary] is missing",
+        ),
+        (
+            format!("spec = {SPEC:?}\n{vary}[quantity]\ncount = 3\n"),
+            "study.toml:line 4, column 1: quantity.command is missing",
+        ),
+        (
+            format!("spec = {SPEC:?}\n[set]\n\"stop.tip.gap\" = \"1 kg\"\n{vary}"),
+            "study.toml:line 3, column 18: set: stop.tip.gap",
+        ),
+    ] {
+        std::fs::write(&file, text).unwrap();
+        let out = folder.path().join("out");
+        let arguments = ["study", "run", file.to_str().unwrap(), "--out"];
+        let (code, _, stderr) = jounce(&[&arguments[..], &[out.to_str().unwrap()]].concat());
+        assert!(
+            code == 4 && stderr.contains(message) && !stderr.contains("panicked"),
+            "{code} {stderr}"
+        );
+    }
+}
+
+#[test]
+fn faults_of_features_have_one_line_each() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("features.toml");
+    let text =
+        "hold = 3\n[free]\n\"beam.beam.length\" = -1\n[[mode]]\nnumber = 0\nfrequency = \"3 mm\"\n";
+    std::fs::write(&file, text).unwrap();
+    let (code, _, stderr) = jounce(&["fit", SPEC, "--to", file.to_str().unwrap()]);
+    let lines: Vec<&str> = stderr.lines().collect();
+    assert_eq!((code, lines.len()), (4, 4), "{stderr}");
+    for (line, place) in lines
+        .iter()
+        .zip(["line 1: ", "line 3: ", "line 5: ", "line 6: "])
+    {
+        assert!(
+            line.contains(&format!("features.toml:{place}")),
+            "{place}: {line}"
+        );
+    }
+}

@@ -1,0 +1,9 @@
+//! Orbit of one point of a response, with the motion of stops and beams.
+
+mod motion;
+mod orbit;
+mod orbit_stop;
+
+pub use motion::BeamMotion;
+pub use orbit::{BranchPlace, OrbitResult};
+pub use orbit_stop::OrbitStop;

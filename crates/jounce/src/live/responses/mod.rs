@@ -1,0 +1,13 @@
+//! Responses over a key, stored for the next design.
+
+mod carry;
+mod linear;
+mod response;
+mod response_result;
+mod stored_response;
+
+pub(super) use linear::LastLinear;
+pub use linear::LinearCurve;
+pub use response::ResponseOptions;
+pub use response_result::{ResponseBifurcation, ResponseBranch, ResponseResult};
+pub(super) use stored_response::{StoredResponse, StoredResponses};
