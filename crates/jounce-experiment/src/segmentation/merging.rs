@@ -252,7 +252,7 @@ fn merge_reason(lines: &[Vec<c64>], previous: (f64, f64), next: (f64, f64)) -> O
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
-    use super::super::{Segmentation, regimes};
+    use super::super::{Segmentation, segments};
     use super::*;
     use jounce_signal::RandomStream;
     use std::f64::consts::TAU;
@@ -263,7 +263,7 @@ mod tests {
         let values: Vec<f64> = (0..130_560)
             .map(|k| value(f64::from(k) / 1536.0, stream.normal_pair()[0]))
             .collect();
-        regimes(&Samples::new(&values, 1536.0).unwrap(), 13.0).unwrap()
+        segments(&Samples::new(&values, 1536.0).unwrap(), 13.0).unwrap()
     }
 
     fn base(t: f64) -> f64 {
@@ -360,7 +360,7 @@ mod tests {
                     + amplitudes[2] * (TAU * 13.0 / 3.0 * t).sin();
                 values.push(if t < 25.0 { irregular } else { 1.5 * base(t) } + 0.02 * noise);
             }
-            let result = regimes(&Samples::new(&values, 1536.0).unwrap(), 13.0).unwrap();
+            let result = segments(&Samples::new(&values, 1536.0).unwrap(), 13.0).unwrap();
             let [start, .., last] = &result.stretches[..] else {
                 panic!("{seed}: {:?}", result.stretches)
             };

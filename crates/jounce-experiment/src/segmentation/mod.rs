@@ -38,4 +38,4 @@ pub use matching::{Candidate, SegmentMatch, SegmentMatches, match_segments};
 pub use merging::{MergeReason, MergedChange};
 pub use period::{MAX_PERIOD_CYCLES, RepetitionPeriod, period};
 pub use section::{Section, section};
-pub use segments::{RecordSegment, Segmentation, SegmentationError, regimes, regimes_watched};
+pub use segments::{RecordSegment, Segmentation, SegmentationError, segments, segments_watched};

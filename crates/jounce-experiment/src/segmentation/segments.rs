@@ -91,16 +91,16 @@ const SEGMENT_COST: f64 = 3.0;
 /// # Errors
 /// A drive that is not suitable for the sampling rate, a record of fewer than 24 cycles, a constant
 /// record.
-pub fn regimes(samples: &Samples<'_>, drive_hz: f64) -> Result<Segmentation, SegmentationError> {
-    regimes_watched(samples, drive_hz, &Control::default())
+pub fn segments(samples: &Samples<'_>, drive_hz: f64) -> Result<Segmentation, SegmentationError> {
+    segments_watched(samples, drive_hz, &Control::default())
 }
 
-/// Segments a record as [`regimes`] does, with a cancellation check for each block, each end of a
+/// Segments a record as [`segments`] does, with a cancellation check for each block, each end of a
 /// piece and each tested period.
 ///
 /// # Errors
-/// Those of [`regimes`], and [`SegmentationError::Stopped`].
-pub fn regimes_watched(
+/// Those of [`segments`], and [`SegmentationError::Stopped`].
+pub fn segments_watched(
     samples: &Samples<'_>,
     drive_hz: f64,
     control: &Control,
@@ -251,7 +251,7 @@ mod tests {
     fn solution_changes_and_periods_are_found_at_any_noise() {
         for noise in [0.0, 0.3] {
             let values = switching(noise);
-            let result = regimes(&Samples::new(&values, 1536.0).unwrap(), 13.0).unwrap();
+            let result = segments(&Samples::new(&values, 1536.0).unwrap(), 13.0).unwrap();
             assert_eq!(result.stretches.len(), 3, "{noise}: {:?}", result.stretches);
             for (k, change) in [(1, 31.7), (2, 60.2)] {
                 assert!(
@@ -276,23 +276,23 @@ mod tests {
             .map(|k| (TAU * 13.0 * f64::from(k) / 1536.0).sin() + 0.5 * stream.normal_pair()[0])
             .collect();
         let samples = Samples::new(&values, 1536.0).unwrap();
-        assert_eq!(regimes(&samples, 13.0).unwrap().stretches.len(), 1);
+        assert_eq!(segments(&samples, 13.0).unwrap().stretches.len(), 1);
         assert!(matches!(
-            regimes(&samples, 500.0),
+            segments(&samples, 500.0),
             Err(SegmentationError::Drive { .. })
         ));
         assert!(matches!(
-            regimes(&samples, 0.1),
+            segments(&samples, 0.1),
             Err(SegmentationError::Short { .. })
         ));
         assert_eq!(
-            regimes(&Samples::new(&[1.0; 9000], 100.0).unwrap(), 5.0),
+            segments(&Samples::new(&[1.0; 9000], 100.0).unwrap(), 5.0),
             Err(SegmentationError::Constant)
         );
         let control = Control::default();
         control.stop();
         assert_eq!(
-            regimes_watched(&samples, 13.0, &control),
+            segments_watched(&samples, 13.0, &control),
             Err(SegmentationError::Stopped)
         );
     }
