@@ -3,7 +3,8 @@
 use crate::{OrderLine, Samples, Window};
 use jounce_control::Control;
 
-use super::{Density, Segments, SpectralError};
+use super::{Density, Segments};
+use crate::spectral::SpectralError;
 
 /// Multiples of the drive frequency whose amplitudes are reported.
 const REPORTED_ORDERS: [f64; 10] = [1.0 / 3.0, 0.5, 2.0 / 3.0, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0];

@@ -14,7 +14,8 @@
 use realfft::num_complex::Complex;
 use serde::Serialize;
 
-use super::{SpectralError, WindowBias};
+use super::WindowBias;
+use crate::spectral::SpectralError;
 
 /// Estimator, by the assumed noise.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -240,9 +241,9 @@ impl FrequencyResponse {
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 pub(super) mod tests {
-    use super::super::Segments;
     use super::*;
     use crate::RandomStream;
+    use crate::spectral::Segments;
     use crate::{Samples, Window};
     use std::f64::consts::TAU;
 

@@ -16,7 +16,7 @@
 //! Source: J. Burg, Maximum entropy spectral analysis, Stanford (1975); C. Chatfield, The Analysis
 //! of Time Series (2003), section 4.2 (bias of fitted coefficients).
 
-use super::student_95;
+use crate::spectral::student_95;
 
 /// Maximum order of the process.
 const MAX_ORDER: usize = 6;

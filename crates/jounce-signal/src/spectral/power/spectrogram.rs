@@ -12,7 +12,8 @@
 use crate::Samples;
 use jounce_control::Control;
 
-use super::{Segments, SpectralError};
+use super::Segments;
+use crate::spectral::SpectralError;
 
 /// Amplitude spectra of overlapping segments.
 #[derive(Debug, Clone, PartialEq)]

@@ -6,7 +6,7 @@ use crate::{Samples, Window};
 use realfft::num_complex::Complex;
 use realfft::{RealFftPlanner, RealToComplex};
 
-use super::SpectralError;
+use crate::spectral::SpectralError;
 
 /// Minimum number of samples of a segment.
 const MIN_SEGMENT_SAMPLES: usize = 8;

@@ -8,9 +8,10 @@ use serde::Serialize;
 use super::pre_trigger_check::ringing;
 use super::shaker::{is_continuous, shaker_responses};
 use super::{
-    Estimator, FrequencyResponse, Hit, HitSearch, Segments, SpectralError, SpectrumAverages,
-    WindowBias, exponential_window, force_window, hits,
+    Estimator, FrequencyResponse, Hit, HitSearch, SpectrumAverages, WindowBias, exponential_window,
+    force_window, hits,
 };
+use crate::spectral::{Segments, SpectralError};
 
 /// Settings for cutting and windowing the blocks.
 #[derive(Debug, Clone, Copy, PartialEq)]

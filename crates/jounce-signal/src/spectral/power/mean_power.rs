@@ -27,8 +27,8 @@
 use crate::Samples;
 use serde::Serialize;
 
-use super::SpectralError;
 use super::long_run_variance::long_run;
+use crate::spectral::SpectralError;
 
 /// Mean power with its 95 % confidence interval.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]

@@ -3,7 +3,7 @@
 use crate::Samples;
 use serde::Serialize;
 
-use super::SpectralError;
+use crate::spectral::SpectralError;
 
 /// Settings of the search for hits.
 #[derive(Debug, Clone, Copy, PartialEq)]

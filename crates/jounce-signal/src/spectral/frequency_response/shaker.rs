@@ -14,10 +14,8 @@
 
 use crate::{Samples, Window};
 
-use super::{
-    ImpactRecord, ImpactResponses, ImpactSettings, Segments, SpectralError, SpectrumAverages,
-    WindowBias,
-};
+use super::{ImpactRecord, ImpactResponses, ImpactSettings, SpectrumAverages, WindowBias};
+use crate::spectral::{Segments, SpectralError};
 
 /// Minimum ratio of peak to RMS of a hammer record.
 const MIN_HAMMER_CREST: f64 = 10.0;

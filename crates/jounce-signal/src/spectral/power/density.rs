@@ -3,7 +3,8 @@
 use crate::{Samples, Window};
 use jounce_control::Control;
 
-use super::{Segments, SpectralError};
+use super::Segments;
+use crate::spectral::SpectralError;
 
 /// One-sided power spectral density: its integral over frequency is the variance.
 #[derive(Debug, Clone, PartialEq)]
