@@ -3,12 +3,12 @@
 use jounce_spec::NumericKey;
 
 use super::deviation::DeviationGroup;
-use super::history::{HistoryModel, HistorySamples};
-use super::jump::JumpModel;
-use super::mode::ModeModel;
+use super::features::history::{HistoryModel, HistorySamples};
+use super::features::jump::JumpModel;
+use super::features::mode::ModeModel;
+use super::features::power::PowerModel;
+use super::features::response::{MeasuredLines, ResponseModel};
 use super::model::{Conditions, FitSource};
-use super::power::PowerModel;
-use super::response::{MeasuredLines, ResponseModel};
 use super::{
     Deviation, FeatureModel, Features, FitError, HistoryFeature, JumpFeature, ModeFeature,
     PowerFeature, ResponseFeature,

@@ -3,9 +3,9 @@
 use jounce_analysis::AnalysisError;
 use jounce_analysis::run::{RunPlan, simulate};
 
-use super::feature_table::FeatureTable;
-use super::model::Conditions;
-use super::{Deviation, FeatureModel, FitError, FitModel};
+use super::table::FeatureTable;
+use crate::fit::model::Conditions;
+use crate::fit::{Deviation, FeatureModel, FitError, FitModel};
 
 /// Measured mean powers over one key.
 #[derive(Debug, Clone, PartialEq)]
@@ -45,7 +45,7 @@ impl PowerFeature {
 }
 
 /// Mean power of one run of `run.duration` for each condition.
-pub(super) struct PowerModel(pub Vec<Conditions>);
+pub(in crate::fit) struct PowerModel(pub Vec<Conditions>);
 
 impl FeatureModel for PowerModel {
     fn predict(&self, model: &FitModel<'_>) -> Result<Vec<f64>, FitError> {

@@ -7,9 +7,9 @@ use jounce_model::structure::{self, Modes};
 use jounce_spec::{Gravity, Quantity, Spec};
 use toml_edit::Item;
 
-use super::feature_table::{FeatureTable, positive};
-use super::model::Conditions;
-use super::{Deviation, FeatureModel, FitError, FitModel};
+use super::table::{FeatureTable, positive};
+use crate::fit::model::Conditions;
+use crate::fit::{Deviation, FeatureModel, FitError, FitModel};
 
 /// A measured mode.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -93,7 +93,7 @@ impl ModeFeature {
     }
 
     /// Suffix of the name: the conditions, and that circuits are connected.
-    pub(super) fn conditions_in_words(&self) -> String {
+    pub(in crate::fit) fn conditions_in_words(&self) -> String {
         let set = self
             .set
             .iter()
@@ -113,7 +113,7 @@ impl ModeFeature {
 }
 
 /// Modes under the same conditions.
-pub(super) struct ModeModel {
+pub(in crate::fit) struct ModeModel {
     /// Mode numbers from 0, with true for a frequency, false for a damping ratio.
     pub requested: Vec<(usize, bool)>,
     pub loaded: bool,

@@ -7,10 +7,10 @@ use jounce_analysis::{AnalysisError, Model};
 use jounce_model::linear::FrfResponse;
 use jounce_spec::Quantity;
 
-use super::feature_table::FeatureTable;
-use super::model::Conditions;
 use super::response::output;
-use super::{Deviation, FeatureModel, FitError, FitModel};
+use super::table::FeatureTable;
+use crate::fit::model::Conditions;
+use crate::fit::{Deviation, FeatureModel, FitError, FitModel};
 use jounce_data::read;
 
 /// Measured time history. Its stamps are times of the run, unless `begins` is given.
@@ -41,7 +41,7 @@ const BEGINS: &str = "give `begins`, the time of the run at the first sample, su
     \"0 s\" for the start of the run";
 
 /// Samples of a record at times of the run.
-pub(super) struct HistorySamples {
+pub(in crate::fit) struct HistorySamples {
     pub time_s: Vec<f64>,
     pub values: Vec<f64>,
     pub unit: String,
@@ -99,7 +99,7 @@ impl HistoryFeature {
     }
 
     /// Reads the samples with their times.
-    pub(super) fn samples(
+    pub(in crate::fit) fn samples(
         &self,
         folder: &Path,
         position: &str,
@@ -147,7 +147,7 @@ impl HistoryFeature {
     }
 
     /// Refuses stamps beyond the run, which are usually from a clock that was not set.
-    pub(super) fn within(
+    pub(in crate::fit) fn within(
         &self,
         time_s: &[f64],
         duration_s: f64,
@@ -165,7 +165,7 @@ impl HistoryFeature {
     }
 
     /// Warning about a record whose stamps begin later than the run.
-    pub(super) fn late_start_warning(&self, first_s: f64, position: &str) -> String {
+    pub(in crate::fit) fn late_start_warning(&self, first_s: f64, position: &str) -> String {
         format!(
             "{position}, {}: its first stamp, {first_s} s, is read as a time of the run; use \
             `begins` for another time, such as begins = \"0 s\"",
@@ -175,7 +175,7 @@ impl HistoryFeature {
 }
 
 /// Run of the model, sampled at the times of the record.
-pub(super) struct HistoryModel {
+pub(in crate::fit) struct HistoryModel {
     pub output: FrfResponse,
     pub time_s: Vec<f64>,
     pub conditions: Conditions,

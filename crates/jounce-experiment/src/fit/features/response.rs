@@ -8,9 +8,9 @@ use jounce_model::plant::{Plant, System};
 use jounce_model::structure;
 use jounce_spec::{Gravity, Quantity};
 
-use super::feature_table::FeatureTable;
-use super::model::Conditions;
-use super::{Deviation, FeatureModel, FitError, FitModel};
+use super::table::FeatureTable;
+use crate::fit::model::Conditions;
+use crate::fit::{Deviation, FeatureModel, FitError, FitModel};
 use jounce_data::read;
 use jounce_data::recording::{Over, Quantity as Measures, Unit};
 
@@ -96,7 +96,7 @@ impl ResponseFeature {
     }
 
     /// Output, input and unit required of a file.
-    pub(super) fn channels(&self) -> ResponseChannels {
+    pub(in crate::fit) fn channels(&self) -> ResponseChannels {
         let output = match self.output {
             FrfResponse::Displacement(_) => Measures::Displacement,
             FrfResponse::Velocity(_) => Measures::Velocity,
@@ -116,7 +116,7 @@ impl ResponseFeature {
     }
 
     /// Note on a motion over a moving base that is read as relative by default.
-    pub(super) fn relative_in_words(&self, position: &str) -> Option<String> {
+    pub(in crate::fit) fn relative_in_words(&self, position: &str) -> Option<String> {
         let is_motion = matches!(
             self.output,
             FrfResponse::Displacement(_) | FrfResponse::Velocity(_) | FrfResponse::Acceleration(_)
@@ -192,7 +192,7 @@ fn lines(reader: &mut FeatureTable<'_>) -> Option<MeasuredLines> {
 }
 
 /// Output and input of a response, and its unit.
-pub(super) struct ResponseChannels {
+pub(in crate::fit) struct ResponseChannels {
     output: Measures,
     input: Measures,
     unit: &'static str,
@@ -200,7 +200,7 @@ pub(super) struct ResponseChannels {
 
 impl MeasuredLines {
     /// Returns the lines and the assumptions about them; reads a file if needed.
-    pub(super) fn read(
+    pub(in crate::fit) fn read(
         &self,
         folder: &Path,
         position: &str,
@@ -275,7 +275,7 @@ impl MeasuredLines {
 }
 
 /// Response to be evaluated: magnitudes, or real parts followed by imaginary parts.
-pub(super) struct ResponseModel {
+pub(in crate::fit) struct ResponseModel {
     pub input: FrfInput,
     pub output: FrfResponse,
     pub absolute: bool,

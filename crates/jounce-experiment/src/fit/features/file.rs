@@ -4,8 +4,9 @@ use std::path::{Path, PathBuf};
 
 use toml_edit::{DocumentMut, Item, TableLike};
 
-use super::feature_table::{FeatureTable, positive};
-use super::{FitError, HistoryFeature, JumpFeature, ModeFeature, PowerFeature, ResponseFeature};
+use super::table::{FeatureTable, positive};
+use super::{HistoryFeature, JumpFeature, ModeFeature, PowerFeature, ResponseFeature};
+use crate::fit::FitError;
 
 /// Free keys and measured values.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -178,8 +179,8 @@ fn read_free(reader: &mut FeatureTable<'_>) -> Vec<(String, f64)> {
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
-    use super::super::Deviation;
     use super::*;
+    use crate::fit::Deviation;
 
     #[test]
     fn features_are_read_and_all_faults_are_listed() {

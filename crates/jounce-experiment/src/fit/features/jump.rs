@@ -3,9 +3,9 @@
 use jounce_analysis::{BranchKind, BranchSearch, OrbitMethodKind, Parameter};
 use jounce_spec::NumericKey;
 
-use super::feature_table::FeatureTable;
-use super::model::Conditions;
-use super::{Deviation, FeatureModel, FitError, FitModel};
+use super::table::FeatureTable;
+use crate::fit::model::Conditions;
+use crate::fit::{Deviation, FeatureModel, FitError, FitModel};
 
 /// A measured jump.
 #[derive(Debug, Clone, PartialEq)]
@@ -51,7 +51,7 @@ impl JumpFeature {
 }
 
 /// Fold nearest to the measured jump, on the branches through both ends of a range.
-pub(super) struct JumpModel {
+pub(in crate::fit) struct JumpModel {
     pub key: NumericKey,
     pub at: f64,
     pub range: (f64, f64),

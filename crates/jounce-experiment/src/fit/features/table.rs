@@ -3,7 +3,7 @@
 use jounce_spec::Quantity;
 use toml_edit::{Array, Item, TableLike, Value};
 
-use super::Deviation;
+use crate::fit::Deviation;
 
 /// Table with its faults.
 pub(super) struct FeatureTable<'t> {
