@@ -3,7 +3,7 @@
 use faer::c64;
 
 use super::ModalError;
-use super::noise::variance;
+use super::maximum_likelihood::variance;
 use crate::response::MeasuredResponses;
 use jounce_data::recording::Quantity;
 use jounce_signal::spectral::{LeaveOneOutResponse, WindowBias};

@@ -4,12 +4,9 @@ use faer::c64;
 use serde::Serialize;
 use std::f64::consts::TAU;
 
-use super::close_modes::split_close_modes;
-use super::likelihood::{ModalFit, fit};
-use super::multi_band::stable;
+use super::maximum_likelihood::{ModalFit, fit, fit_shared};
 use super::peaks::{ResponsePeak, unexplained};
-use super::references::fit_shared;
-use super::stabilisation::MAX_DAMPING;
+use super::poles::{MAX_DAMPING, split_close_modes, stable};
 use super::{Band, ModalError, Pole, StablePole};
 use jounce_signal::spectral::student_95;
 
@@ -358,7 +355,7 @@ fn identification(
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
-    use super::super::plscf::tests::{POLES, exact_responses, shape};
+    use super::super::poles::plscf::tests::{POLES, exact_responses, shape};
     use super::super::{ResponseQuantity, mac};
     use super::*;
     use jounce_signal::RandomStream;

@@ -24,10 +24,10 @@
 use faer::c64;
 use realfft::RealFftPlanner;
 
-use super::identify::{Identification, ModalSettings, candidates, refine};
 use super::jackknife::leave_one_out;
 use super::warp::{Warp, without_decay};
-use super::{Band, ModalError, Mode, Pole, ResponseQuantity};
+use crate::modal::identify::{Identification, ModalSettings, candidates, refine};
+use crate::modal::{Band, ModalError, Mode, Pole, ResponseQuantity};
 use crate::response::Decays;
 
 /// Highest frequency over the rate: warped frequencies diverge towards a half.
@@ -37,7 +37,7 @@ const END_RATIO: f64 = 0.03;
 /// Lines on both sides of a line over which the variance between blocks is averaged.
 const NEIGHBOUR_LINES: usize = 4;
 
-/// Identifies the modes of decays between two frequencies, as [`super::identify`] does for
+/// Identifies the modes of decays between two frequencies, as [`crate::modal::identify`] does for
 /// responses. For correlations in blocks, the variance over the blocks weights each line, and
 /// deviations are computed by leaving out one block at a time.
 ///
@@ -203,8 +203,8 @@ fn deviations(mean: &[Vec<c64>], blocks: &[Vec<Vec<c64>>]) -> Vec<Vec<f64>> {
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
-    use super::super::plscf::tests::{POLES, shape};
     use super::*;
+    use crate::modal::poles::plscf::tests::{POLES, shape};
     use crate::response::AmbientSettings;
     use jounce_data::recording::{Channel, Grid, Over, Quantity, Recording};
     use jounce_signal::RandomStream;

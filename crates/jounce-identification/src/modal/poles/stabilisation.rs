@@ -36,7 +36,7 @@ const DAMPING_LIMIT: f64 = 0.05;
 const HALF_WIDTH_LINE_SHARE: f64 = 0.1;
 const COARSE_DAMPING_LIMIT: f64 = 0.2;
 /// Upper bound on the damping ratio of a mode.
-pub(super) const MAX_DAMPING: f64 = 0.2;
+pub(in crate::modal) const MAX_DAMPING: f64 = 0.2;
 /// Relative distance below which stable poles belong to one mode.
 pub(super) const SAME_MODE_DISTANCE: f64 = 2e-3;
 /// Minimum share of the orders above its first in which a mode is stable in frequency, and of those

@@ -16,7 +16,7 @@
 
 use faer::c64;
 
-use super::Band;
+use crate::modal::Band;
 use jounce_signal::spectral::FrequencyResponse;
 
 /// Lines on both sides of a line that are fitted together.
@@ -33,7 +33,7 @@ pub(super) const RESIDUAL_FITS: usize = 2;
 pub(super) const MIN_FREE_SHARE: f64 = 0.05;
 
 /// Variance of each line of a response of several blocks, real and imaginary part together.
-pub(super) fn variance(function: &FrequencyResponse) -> Vec<f64> {
+pub(in crate::modal) fn variance(function: &FrequencyResponse) -> Vec<f64> {
     let power: Vec<f64> = function.value.iter().map(|h| h.norm_sqr()).collect();
     // A relative deviation concerns only the magnitude, half of the variance.
     let line_variance = |k: usize| 2.0 * (function.relative_deviation(k).powi(2) * power[k]);

@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 
 use faer::c64;
 
-use super::{Identification, Pole};
+use crate::modal::{Identification, Pole};
 
 /// Minimum damping of an initial pole.
 const MIN_START_DAMPING: f64 = 1e-4;

@@ -16,7 +16,7 @@
 
 use faer::Mat;
 
-use super::band::LeaveOneOutChange;
+use crate::modal::band::LeaveOneOutChange;
 use jounce_signal::spectral::WindowBias;
 
 /// Number of parts above which their scatter needs no turned copies.

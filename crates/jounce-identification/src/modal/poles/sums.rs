@@ -3,7 +3,7 @@
 use faer::c64;
 use rayon::prelude::*;
 
-use super::Band;
+use crate::modal::Band;
 
 /// Summed signals: the responses, their products over the outputs by pairs of inputs, and ones.
 pub(super) fn signals(band: &Band) -> Vec<Vec<c64>> {

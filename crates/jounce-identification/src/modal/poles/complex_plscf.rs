@@ -16,8 +16,9 @@ use faer::{Mat, Side, c64};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
+use super::Pole;
 use super::sums::{fourier_sums, signals};
-use super::{Band, ModalError, Pole};
+use crate::modal::{Band, ModalError};
 
 /// Sums over the lines, shared by all orders.
 struct ComplexMoments {
@@ -174,8 +175,8 @@ impl ComplexMoments {
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::super::plscf::tests::{exact_responses, shape};
-    use super::super::{ModalSettings, ResponseQuantity, identify};
     use super::*;
+    use crate::modal::{ModalSettings, ResponseQuantity, identify};
 
     fn pole(frequency_hz: f64, damping_ratio: f64) -> Pole {
         Pole {
@@ -224,7 +225,7 @@ mod tests {
     #[test]
     fn poles_far_from_zero_are_found_with_modes_outside_the_band() {
         for inputs in [1, 2] {
-            let result = super::super::poles(&band((200.0, 300.0), &modes(), inputs), 24)
+            let result = crate::modal::poles(&band((200.0, 300.0), &modes(), inputs), 24)
                 .unwrap()
                 .pop()
                 .unwrap();
@@ -264,7 +265,7 @@ mod tests {
             let result = identify(&band(between_hz, &modes, 1), ModalSettings { order }).unwrap();
             for pole in &modes[indices] {
                 let relative_error =
-                    |mode: &super::super::Mode| (mode.frequency_hz / pole.frequency_hz - 1.0).abs();
+                    |mode: &crate::modal::Mode| (mode.frequency_hz / pole.frequency_hz - 1.0).abs();
                 let nearest = result
                     .modes
                     .iter()
@@ -298,7 +299,7 @@ mod tests {
         )
         .unwrap();
         assert!(matches!(
-            super::super::poles(&band, 8),
+            crate::modal::poles(&band, 8),
             Err(ModalError::Singular { .. })
         ));
     }

@@ -16,11 +16,11 @@ use super::line_selection::select_lines;
 use super::noise;
 use super::semi_normal::NormalEquations;
 use super::variable_projection::{LinearSolution, ProjectedProblem};
-use super::{Band, Pole};
+use crate::modal::{Band, Pole};
 use jounce_signal::spectral::WindowBias;
 
 /// Poles, their covariance, and the residues of every response.
-pub(super) struct ModalFit {
+pub(in crate::modal) struct ModalFit {
     pub poles: Vec<Pole>,
     /// Standard deviations of frequency (Hz) and damping ratio.
     pub deviation: Vec<(f64, f64)>,
@@ -67,7 +67,7 @@ pub(super) fn by_orthogonal_columns(
 }
 
 /// Fits one reference from initial poles.
-pub(super) fn fit(band: &Band, start: &[Pole]) -> Option<ModalFit> {
+pub(in crate::modal) fn fit(band: &Band, start: &[Pole]) -> Option<ModalFit> {
     fit_reweighted(band, start, fit_weighted)
 }
 

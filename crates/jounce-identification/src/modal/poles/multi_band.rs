@@ -8,7 +8,8 @@
 
 use super::plscf::from_zero;
 use super::stabilisation::{SAME_MODE_DISTANCE, modes};
-use super::{Band, ModalError, ModalSettings, Pole, StablePole, diagram, poles};
+use super::{Pole, StablePole, diagram, poles};
+use crate::modal::{Band, ModalError, ModalSettings};
 
 /// Ratio of the upper ends of consecutive bands.
 const BAND_RATIO: f64 = 0.5;
@@ -19,7 +20,7 @@ const MAX_POLE_SHARE: f64 = 0.8;
 ///
 /// # Errors
 /// Too few lines in the complete band, responses that are zero.
-pub(super) fn stable(
+pub(in crate::modal) fn stable(
     band: &Band,
     settings: ModalSettings,
 ) -> Result<(Vec<StablePole>, Vec<Pole>), ModalError> {

@@ -4,7 +4,7 @@
 //! `D^-4`, and the response varies over distances of `D` only. Therefore all lines within some
 //! half-power widths of a pole are kept, and beyond that one line per share of `D`.
 
-use super::Pole;
+use crate::modal::Pole;
 
 /// Bands of at most so many lines keep all lines.
 const MAX_ALL_LINES: usize = 4096;

@@ -16,7 +16,7 @@ const MIN_ORDER_SHARE: f64 = 0.6;
 
 /// Returns the initial poles; each that represents several close ones is replaced by them, at most
 /// `max_count` at one frequency.
-pub(super) fn split_close_modes(
+pub(in crate::modal) fn split_close_modes(
     diagram: &[StablePole],
     start: &[Pole],
     max_count: usize,

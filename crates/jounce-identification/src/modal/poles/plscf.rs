@@ -19,7 +19,8 @@ use rayon::prelude::*;
 use std::f64::consts::TAU;
 
 use super::sums::{fourier_sums, signals};
-use super::{Band, ModalError, Pole, complex_plscf};
+use super::{Pole, complex_plscf};
+use crate::modal::{Band, ModalError};
 
 /// Sums over the lines, shared by all orders.
 struct PlscfMoments {
@@ -176,9 +177,9 @@ impl PlscfMoments {
 
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
-pub(super) mod tests {
-    use super::super::ResponseQuantity;
+pub(in crate::modal) mod tests {
     use super::*;
+    use crate::modal::ResponseQuantity;
 
     /// Displacement per force of outputs and inputs for known poles and shapes (mass 1).
     pub fn exact_responses(

@@ -14,7 +14,7 @@ pub struct Pole {
 
 impl Pole {
     /// Converts a complex pole, rad/s.
-    pub(super) fn of(p: c64) -> Self {
+    pub(in crate::modal) fn of(p: c64) -> Self {
         Self {
             frequency_hz: p.norm() / TAU,
             damping_ratio: -p.re / p.norm(),
@@ -22,7 +22,7 @@ impl Pole {
     }
 
     /// Complex pole, rad/s.
-    pub(super) fn complex(self) -> c64 {
+    pub(in crate::modal) fn complex(self) -> c64 {
         let w = TAU * self.frequency_hz;
         c64::new(
             -self.damping_ratio * w,

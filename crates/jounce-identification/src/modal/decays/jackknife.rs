@@ -2,8 +2,8 @@
 
 use faer::c64;
 
-use super::likelihood::fit;
-use super::{Band, ModalError, Mode, Pole};
+use crate::modal::maximum_likelihood::fit;
+use crate::modal::{Band, ModalError, Mode, Pole};
 use jounce_signal::spectral::student_95;
 
 /// Computes deviations of the modes by the jackknife: the modes of all blocks except one, for each

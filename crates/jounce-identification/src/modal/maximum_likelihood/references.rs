@@ -21,7 +21,7 @@ use super::likelihood::{
     residues,
 };
 use super::variable_projection::{LinearSolution, ProjectedProblem};
-use super::{Band, Pole};
+use crate::modal::{Band, Pole};
 
 /// Fitted unknowns: poles, and the participation of every reference in each mode.
 #[derive(Clone)]
@@ -41,7 +41,7 @@ struct ConvergedModel {
 }
 
 /// Fits several references from initial poles.
-pub(super) fn fit_shared(band: &Band, start: &[Pole]) -> Option<ModalFit> {
+pub(in crate::modal) fn fit_shared(band: &Band, start: &[Pole]) -> Option<ModalFit> {
     fit_reweighted(band, start, fit_weighted)
 }
 
