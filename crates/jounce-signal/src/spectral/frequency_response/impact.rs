@@ -1,89 +1,12 @@
 //! Frequency responses of a hammer test, one block per hit, or of a shaker test if the force is
 //! continuous.
 
-use crate::{Samples, Window};
-use realfft::num_complex::Complex;
-use serde::Serialize;
+use crate::Window;
 
-use super::pre_trigger_check::ringing;
+use super::hit_blocks::HitBlocks;
 use super::shaker::{is_continuous, shaker_responses};
-use super::{
-    Estimator, FrequencyResponse, Hit, HitSearch, SpectrumAverages, WindowBias, exponential_window,
-    force_window, hits,
-};
+use super::{Hit, HitSearch, ImpactRecord, ImpactResponses, ImpactSettings, hits};
 use crate::spectral::{Segments, SpectralError};
-
-/// Settings for cutting and windowing the blocks.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ImpactSettings {
-    /// Estimator, by the assumed noise.
-    pub estimator: Estimator,
-    /// Length of a block, s. Default for hits: the complete record if it contains one hit, else the
-    /// shortest distance between hits. Default for a continuous force: an eighth of the shortest
-    /// record, or all of it for a sweep.
-    pub block_s: Option<f64>,
-    /// Sets the force after the hit, which is noise, to zero.
-    pub force_window: bool,
-    /// Final value of an exponential window on force and responses, for responses that do not decay
-    /// within the block.
-    pub end_ratio: Option<f64>,
-    /// Treats the force as a shaker's; by default only a continuous force of both signs is.
-    pub shaker: bool,
-}
-
-impl Default for ImpactSettings {
-    fn default() -> Self {
-        Self {
-            estimator: Estimator::H1,
-            block_s: None,
-            force_window: false,
-            end_ratio: None,
-            shaker: false,
-        }
-    }
-}
-
-/// Record of a hammer test: the force, and responses of equal length.
-#[derive(Debug, Clone)]
-pub struct ImpactRecord<'a> {
-    /// Force of the hammer, compression positive.
-    pub force: Samples<'a>,
-    /// Responses.
-    pub responses: Vec<Samples<'a>>,
-}
-
-/// Hit with its record.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct ImpactHit {
-    /// Index of the record, from 0.
-    pub record: usize,
-    /// Hit.
-    #[serde(flatten)]
-    pub hit: Hit,
-    /// False where its block would extend beyond the record, so that it was left out.
-    pub used: bool,
-}
-
-/// Responses of a hammer test.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ImpactResponses {
-    /// One response function for each response.
-    pub responses: Vec<FrequencyResponse>,
-    /// All detected hits; empty for a continuous force.
-    pub hits: Vec<ImpactHit>,
-    /// True for a sweep.
-    pub is_sweep: bool,
-    /// Length of a block, s.
-    pub block_s: f64,
-    /// Damping that the exponential window adds to every mode, 1/s: the damping ratio of a mode at
-    /// `w` rad/s is too high by this over `w`.
-    pub window_decay_per_s: f64,
-}
-
-/// Share of a block before its hit.
-const PRE_TRIGGER_SHARE: f64 = 0.01;
-/// Length of the slope of the force window relative to the pulse.
-const WINDOW_SLOPE_RATIO: f64 = 1.0;
 
 /// Averages the blocks of all hits of all records, or all blocks of a continuous force.
 ///
@@ -97,28 +20,7 @@ pub fn impact(
     let first = records.first().ok_or(SpectralError::Nothing)?;
     let rate_hz = first.force.rate_hz();
     for record in records {
-        let mismatched = record
-            .responses
-            .iter()
-            .find(|response| response.values().len() != record.force.values().len());
-        if let Some(response) = mismatched {
-            return Err(SpectralError::Lengths {
-                force: record.force.values().len(),
-                response: response.values().len(),
-            });
-        }
-        if (record.force.rate_hz() / rate_hz - 1.0).abs() > 1e-6 {
-            return Err(SpectralError::Rates {
-                first_hz: rate_hz,
-                other_hz: record.force.rate_hz(),
-            });
-        }
-        if record.responses.len() != first.responses.len() {
-            return Err(SpectralError::Lengths {
-                force: first.responses.len(),
-                response: record.responses.len(),
-            });
-        }
+        check_record(record, first)?;
     }
     if settings.shaker || records.iter().all(|record| is_continuous(&record.force)) {
         return shaker_responses(records, settings);
@@ -127,7 +29,6 @@ pub fn impact(
         .iter()
         .map(|record| hits(&record.force, HitSearch::default()))
         .collect::<Result<Vec<_>, _>>()?;
-    let samples = first.force.values().len();
     let length = match settings.block_s {
         Some(block_s) => (block_s * rate_hz).round() as usize,
         None => default_block_length(records, &result),
@@ -139,57 +40,49 @@ pub fn impact(
     {
         return Err(SpectralError::Segment {
             segment: length,
-            samples,
+            samples: first.force.values().len(),
         });
     }
-    let (decay, window_decay_per_s) = match settings.end_ratio {
-        Some(end_ratio) => exponential_window(length, rate_hz, end_ratio),
-        None => (vec![1.0; length], 0.0),
-    };
-    let mut averages = vec![SpectrumAverages::new(length / 2 + 1); first.responses.len()];
-    let (mut all_hits, mut tails_s) = (Vec::new(), Vec::new());
+    let mut blocks = HitBlocks::new(settings, segments, rate_hz, first.responses.len());
     for (number, (record, result)) in records.iter().zip(result).enumerate() {
-        let is_full_record = result.len() == 1 && record.force.values().len() == length;
-        for mut hit in result {
-            let start = if is_full_record {
-                0
-            } else {
-                hit.start
-                    .saturating_sub((PRE_TRIGGER_SHARE * length as f64) as usize)
-            };
-            let used = start + length <= record.force.values().len();
-            if used {
-                tails_s.push((start + length - hit.peak) as f64 / rate_hz);
-                hit.warnings
-                    .extend(ringing(&record.responses, (start, hit.start), length));
-                let weights = force_weights(settings, &hit, start, &decay);
-                let force = transform(&segments, &record.force, start, &weights)?;
-                for (average, response) in averages.iter_mut().zip(&record.responses) {
-                    average.add(&force, &transform(&segments, response, start, &decay)?)?;
-                }
-            }
-            all_hits.push(ImpactHit {
-                record: number,
-                hit,
-                used,
-            });
-        }
+        blocks.add(number, record, result)?;
     }
-    let frequency_hz = segments.frequency_hz(rate_hz);
-    let window_bias = WindowBias::Cut {
-        length_s: tails_s.iter().sum::<f64>() / tails_s.len().max(1) as f64,
-    };
-    let response = |average: &SpectrumAverages| {
-        average.response(frequency_hz.clone(), settings.estimator, window_bias)
-    };
-    let responses = averages.iter().map(response).collect::<Result<_, _>>()?;
     Ok(ImpactResponses {
-        responses,
-        hits: all_hits,
+        responses: blocks.responses()?,
+        window_decay_per_s: blocks.window_decay_per_s,
+        hits: blocks.hits,
         is_sweep: false,
         block_s: length as f64 / rate_hz,
-        window_decay_per_s,
     })
+}
+
+/// Checks that the lengths within a record are equal, and its rate and number of responses those of
+/// the first record.
+fn check_record(record: &ImpactRecord<'_>, first: &ImpactRecord<'_>) -> Result<(), SpectralError> {
+    let mismatched = record
+        .responses
+        .iter()
+        .find(|response| response.values().len() != record.force.values().len());
+    if let Some(response) = mismatched {
+        return Err(SpectralError::Lengths {
+            force: record.force.values().len(),
+            response: response.values().len(),
+        });
+    }
+    let rate_hz = first.force.rate_hz();
+    if (record.force.rate_hz() / rate_hz - 1.0).abs() > 1e-6 {
+        return Err(SpectralError::Rates {
+            first_hz: rate_hz,
+            other_hz: record.force.rate_hz(),
+        });
+    }
+    if record.responses.len() != first.responses.len() {
+        return Err(SpectralError::Lengths {
+            force: first.responses.len(),
+            response: record.responses.len(),
+        });
+    }
+    Ok(())
 }
 
 /// Complete record if each contains one hit, else the shortest distance between hits or from the
@@ -217,38 +110,13 @@ fn default_block_length(records: &[ImpactRecord<'_>], result: &[Vec<Hit>]) -> us
         * 2
 }
 
-fn force_weights(settings: &ImpactSettings, hit: &Hit, start: usize, decay: &[f64]) -> Vec<f64> {
-    if !settings.force_window {
-        return decay.to_vec();
-    }
-    let slope = (WINDOW_SLOPE_RATIO * (hit.end - hit.start) as f64).ceil() as usize;
-    force_window(decay.len(), hit.end - start, slope)
-        .iter()
-        .zip(decay)
-        .map(|(a, b)| a * b)
-        .collect()
-}
-
-fn transform(
-    segments: &Segments,
-    samples: &Samples<'_>,
-    start: usize,
-    weights: &[f64],
-) -> Result<Vec<Complex<f64>>, SpectralError> {
-    let weighted: Vec<f64> = samples.values()[start..start + weights.len()]
-        .iter()
-        .zip(weights)
-        .map(|(x, w)| x * w)
-        .collect();
-    Ok(segments.transform(&Samples::new(&weighted, samples.rate_hz())?, 0, 0.0))
-}
-
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::super::HitWarning;
-    use super::super::response::tests::Oscillator;
+    use super::super::oscillator::Oscillator;
     use super::*;
+    use crate::Samples;
 
     const RATE: f64 = 1000.0;
 

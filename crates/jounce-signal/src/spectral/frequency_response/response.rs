@@ -15,7 +15,6 @@ use realfft::num_complex::Complex;
 use serde::Serialize;
 
 use super::WindowBias;
-use crate::spectral::SpectralError;
 
 /// Estimator, by the assumed noise.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -30,77 +29,6 @@ pub enum Estimator {
         /// Ratio of the noise densities of response and force, (unit_y/unit_x)^2.
         noise_ratio: f64,
     },
-}
-
-/// Maximum number of parts of the blocks for leave-one-out estimates.
-const MAX_PARTS: usize = 16;
-
-/// Sums of spectra of blocks of equal length and rate.
-#[derive(Debug, Clone, PartialEq)]
-pub struct SpectrumAverages {
-    all: SpectrumSums,
-    /// Sums over consecutive blocks, equally many in each part except the last.
-    parts: Vec<SpectrumSums>,
-    /// Blocks per part.
-    blocks_per_part: usize,
-}
-
-/// Sums of products of spectra.
-#[derive(Debug, Clone, PartialEq)]
-struct SpectrumSums {
-    xx: Vec<f64>,
-    yy: Vec<f64>,
-    xy: Vec<Complex<f64>>,
-    blocks: usize,
-}
-
-impl SpectrumSums {
-    fn new(lines: usize) -> Self {
-        Self {
-            xx: vec![0.0; lines],
-            yy: vec![0.0; lines],
-            xy: vec![Complex::new(0.0, 0.0); lines],
-            blocks: 0,
-        }
-    }
-
-    fn add(&mut self, force: &[Complex<f64>], response: &[Complex<f64>]) {
-        for (k, (x, y)) in force.iter().zip(response).enumerate() {
-            self.xx[k] += x.norm_sqr();
-            self.yy[k] += y.norm_sqr();
-            self.xy[k] += x.conj() * y;
-        }
-        self.blocks += 1;
-    }
-
-    /// Adds or subtracts other sums.
-    fn join(&mut self, other: &Self, sign: f64) {
-        for k in 0..self.xx.len() {
-            self.xx[k] += sign * other.xx[k];
-            self.yy[k] += sign * other.yy[k];
-            self.xy[k] += other.xy[k] * sign;
-        }
-    }
-
-    fn values(&self, estimator: Estimator) -> Vec<Complex<f64>> {
-        (0..self.xx.len())
-            .map(|k| self.value(k, estimator))
-            .collect()
-    }
-
-    fn value(&self, k: usize, estimator: Estimator) -> Complex<f64> {
-        let (xx, yy, yx) = (self.xx[k], self.yy[k], self.xy[k].conj());
-        match estimator {
-            Estimator::H1 => self.xy[k] / xx,
-            Estimator::H2 => yy / yx,
-            Estimator::Hv { noise_ratio } => {
-                let difference = noise_ratio * xx - yy;
-                (yy - noise_ratio * xx
-                    + (difference.powi(2) + 4.0 * noise_ratio * yx.norm_sqr()).sqrt())
-                    / (2.0 * yx)
-            }
-        }
-    }
 }
 
 /// Frequency response with its coherence.
@@ -129,105 +57,6 @@ pub struct LeaveOneOutResponse {
     pub value: Vec<Complex<f64>>,
 }
 
-impl SpectrumAverages {
-    /// Returns empty sums for spectra of `lines` lines.
-    pub fn new(lines: usize) -> Self {
-        Self {
-            all: SpectrumSums::new(lines),
-            parts: Vec::new(),
-            blocks_per_part: 1,
-        }
-    }
-
-    /// Adds the transforms of one block of force and response.
-    ///
-    /// # Errors
-    /// Another number of lines.
-    pub fn add(
-        &mut self,
-        force: &[Complex<f64>],
-        response: &[Complex<f64>],
-    ) -> Result<(), SpectralError> {
-        let lines = self.all.xx.len();
-        if force.len() != lines || response.len() != lines {
-            return Err(SpectralError::Lengths {
-                force: force.len(),
-                response: response.len(),
-            });
-        }
-        self.all.add(force, response);
-        if self
-            .parts
-            .last()
-            .is_none_or(|part| part.blocks == self.blocks_per_part)
-        {
-            if self.parts.len() == 2 * MAX_PARTS {
-                self.merge_pairs();
-            }
-            self.parts.push(SpectrumSums::new(lines));
-        }
-        if let Some(part) = self.parts.last_mut() {
-            part.add(force, response);
-        }
-        Ok(())
-    }
-
-    /// Joins consecutive parts in pairs.
-    fn merge_pairs(&mut self) {
-        let mut parts = std::mem::take(&mut self.parts).into_iter();
-        while let Some(mut part) = parts.next() {
-            if let Some(next) = parts.next() {
-                part.join(&next, 1.0);
-                part.blocks += next.blocks;
-            }
-            self.parts.push(part);
-        }
-        self.blocks_per_part *= 2;
-    }
-
-    /// Computes the response at frequencies `frequency_hz` for blocks with a given window bias.
-    ///
-    /// # Errors
-    /// No block was added.
-    pub fn response(
-        &self,
-        frequency_hz: Vec<f64>,
-        estimator: Estimator,
-        window_bias: WindowBias,
-    ) -> Result<FrequencyResponse, SpectralError> {
-        let all = &self.all;
-        if all.blocks == 0 {
-            return Err(SpectralError::Nothing);
-        }
-        let coherence = (0..all.xx.len()).map(|k| {
-            let product = all.xx[k] * all.yy[k];
-            if product > 0.0 {
-                (all.xy[k].norm_sqr() / product).min(1.0)
-            } else {
-                0.0
-            }
-        });
-        let leave_one_out = |part: &SpectrumSums| {
-            let mut remaining = all.clone();
-            remaining.join(part, -1.0);
-            LeaveOneOutResponse {
-                share: part.blocks as f64 / all.blocks as f64,
-                value: remaining.values(estimator),
-            }
-        };
-        let parts = self.parts.iter().filter(|_| self.parts.len() > 1);
-        let (coherence, leave_one_out) = (coherence.collect(), parts.map(leave_one_out).collect());
-        Ok(FrequencyResponse {
-            frequency_hz,
-            value: all.values(estimator),
-            coherence,
-            blocks: all.blocks,
-            window_bias,
-            leave_one_out,
-        })
-    }
-}
-
 impl FrequencyResponse {
     /// Relative standard deviation of `|H|` at a line, `sqrt((1 - c) / (2 (n - 1) c))` for coherence `c` of `n` independent blocks.
     pub fn relative_deviation(&self, line: usize) -> f64 {
@@ -240,58 +69,12 @@ impl FrequencyResponse {
 
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
-pub(super) mod tests {
+mod tests {
+    use super::super::SpectrumAverages;
+    use super::super::oscillator::{Oscillator, noise};
     use super::*;
-    use crate::RandomStream;
-    use crate::spectral::Segments;
+    use crate::spectral::{Segments, SpectralError};
     use crate::{Samples, Window};
-    use std::f64::consts::TAU;
-
-    /// The bilinear recursion of an oscillator is linear and time-invariant: its response is known
-    /// at every frequency.
-    pub(in super::super) struct Oscillator {
-        b: [f64; 3],
-        a: [f64; 2],
-    }
-
-    impl Oscillator {
-        pub fn new(frequency_hz: f64, damping_ratio: f64, rate_hz: f64) -> Self {
-            let (w, c) = (TAU * frequency_hz, 2.0 * rate_hz);
-            let a0 = c * c + 2.0 * damping_ratio * w * c + w * w;
-            let a = [
-                (2.0 * w * w - 2.0 * c * c) / a0,
-                (c * c - 2.0 * damping_ratio * w * c + w * w) / a0,
-            ];
-            Self {
-                b: [1.0 / a0, 2.0 / a0, 1.0 / a0],
-                a,
-            }
-        }
-
-        pub fn simulate(&self, force: &[f64]) -> Vec<f64> {
-            let (mut x, mut y) = ([0.0; 2], [0.0; 2]);
-            let step = |f: &f64| {
-                let output = self.b[0] * f + self.b[1] * x[0] + self.b[2] * x[1]
-                    - self.a[0] * y[0]
-                    - self.a[1] * y[1];
-                (x, y) = ([*f, x[0]], [output, y[0]]);
-                output
-            };
-            force.iter().map(step).collect()
-        }
-
-        /// Displacement per force for exp(+jwt), mass 1.
-        pub fn exact(&self, cycles_per_sample: f64) -> Complex<f64> {
-            let z = Complex::from_polar(1.0, -TAU * cycles_per_sample);
-            (self.b[0] + self.b[1] * z + self.b[2] * z * z)
-                / (1.0 + self.a[0] * z + self.a[1] * z * z)
-        }
-    }
-
-    fn noise(count: usize, seed: u64) -> Vec<f64> {
-        let mut stream = RandomStream::new(seed, 0);
-        (0..count / 2).flat_map(|_| stream.normal_pair()).collect()
-    }
 
     fn averaged(
         force: &[f64],

@@ -14,6 +14,8 @@
 
 use crate::{Samples, Window};
 
+use super::averages::responses;
+use super::sweep::all_sweep;
 use super::{ImpactRecord, ImpactResponses, ImpactSettings, SpectrumAverages, WindowBias};
 use crate::spectral::{Segments, SpectralError};
 
@@ -22,63 +24,7 @@ const MIN_HAMMER_CREST: f64 = 10.0;
 /// Maximum tension relative to the peak of a hammer, which only pushes.
 const MAX_PULL_SHARE: f64 = 0.3;
 /// Default block length as a part of the shortest record: with half overlaps, 15 blocks.
-const RECORD_PARTS: usize = 8;
-
-/// Share of the blocks, by their squared powers, below which a line is driven by a sweep; noise
-/// drives it in half of them.
-const MAX_SWEEP_SHARE: f64 = 0.25;
-/// Minimum share of the blocks in which a sweep drives all lines together; a hit or a burst has
-/// less.
-const MIN_STEADY_SHARE: f64 = 0.5;
-/// Number of blocks that distinguishes a sweep from noise; lines below this share of the power of
-/// the strongest are ignored.
-const MIN_BLOCKS: usize = 128;
-const MIN_DRIVEN_SHARE: f64 = 0.01;
-
-/// True for a force that drives the lines one after the other.
-fn sweeps(force: &Samples<'_>) -> Result<bool, SpectralError> {
-    let length = force.values().len() / RECORD_PARTS / 2 * 2;
-    if length < MIN_BLOCKS {
-        return Ok(false);
-    }
-    let segments = Segments::new(length, 0.5, Window::Hann)?;
-    let (mut powers, mut squares, mut totals) = (
-        vec![0.0; length / 2 + 1],
-        vec![0.0; length / 2 + 1],
-        Vec::new(),
-    );
-    for start in segments.starts(force.values().len())? {
-        let previous_total: f64 = powers.iter().sum();
-        for (k, x) in segments
-            .transform(force, start, force.mean())
-            .iter()
-            .enumerate()
-        {
-            powers[k] += x.norm_sqr();
-            squares[k] += x.norm_sqr().powi(2);
-        }
-        totals.push(powers.iter().sum::<f64>() - previous_total);
-    }
-    let occupancy =
-        |power: f64, square_sum: f64| power * power / (square_sum * totals.len() as f64);
-    let steady = occupancy(
-        totals.iter().sum(),
-        totals.iter().map(|total| total * total).sum(),
-    );
-    let strongest = powers.iter().copied().fold(0.0, f64::max);
-    let driven = powers
-        .iter()
-        .zip(&squares)
-        .filter(|(power, _)| **power > MIN_DRIVEN_SHARE * strongest);
-    let mut occupancies: Vec<f64> = driven
-        .map(|(power, square_sum)| occupancy(*power, *square_sum))
-        .collect();
-    occupancies.sort_by(f64::total_cmp);
-    Ok(steady > MIN_STEADY_SHARE
-        && occupancies
-            .get(occupancies.len() / 2)
-            .is_some_and(|occupancy| *occupancy < MAX_SWEEP_SHARE))
-}
+pub(super) const RECORD_PARTS: usize = 8;
 
 /// True for a continuous force of both signs: its peak is near its RMS, and tension is similar to
 /// compression.
@@ -110,12 +56,7 @@ pub(super) fn shaker_responses(
         .map(|record| record.force.values().len())
         .min()
         .unwrap_or(0);
-    let is_sweep = records
-        .iter()
-        .map(|record| sweeps(&record.force))
-        .collect::<Result<Vec<_>, _>>()?
-        .into_iter()
-        .all(|is_sweep| is_sweep);
+    let is_sweep = all_sweep(records)?;
     let is_single_block = is_sweep && settings.block_s.is_none();
     let default_length = if is_single_block {
         least_length / 2 * 2
@@ -131,7 +72,31 @@ pub(super) fn shaker_responses(
         (0.5, Window::Hann)
     };
     let segments = Segments::new(length, overlap, window)?;
-    let mut averages = vec![SpectrumAverages::new(length / 2 + 1); first.responses.len()];
+    let averages = averages(records, &segments, is_single_block)?;
+    let block_s = length as f64 / rate_hz;
+    let window_bias = if is_single_block {
+        WindowBias::Whole
+    } else {
+        WindowBias::Hann { length_s: block_s }
+    };
+    let frequency_hz = segments.frequency_hz(rate_hz);
+    Ok(ImpactResponses {
+        responses: responses(&averages, &frequency_hz, settings.estimator, window_bias)?,
+        hits: Vec::new(),
+        is_sweep,
+        block_s,
+        window_decay_per_s: 0.0,
+    })
+}
+
+/// Averages over the blocks of all records, one for each response.
+fn averages(
+    records: &[ImpactRecord<'_>],
+    segments: &Segments,
+    is_single_block: bool,
+) -> Result<Vec<SpectrumAverages>, SpectralError> {
+    let (lines, responses) = (segments.length() / 2 + 1, records[0].responses.len());
+    let mut averages = vec![SpectrumAverages::new(lines); responses];
     for record in records {
         // The mean of a sweep is not its offset, which affects no line above 0.
         let mean = |samples: &Samples<'_>| if is_single_block { 0.0 } else { samples.mean() };
@@ -146,40 +111,17 @@ pub(super) fn shaker_responses(
             }
         }
     }
-    let frequency_hz = segments.frequency_hz(rate_hz);
-    let block_s = length as f64 / rate_hz;
-    let window_bias = if is_single_block {
-        WindowBias::Whole
-    } else {
-        WindowBias::Hann { length_s: block_s }
-    };
-    let response = |average: &SpectrumAverages| {
-        average.response(frequency_hz.clone(), settings.estimator, window_bias)
-    };
-    let responses = averages.iter().map(response).collect::<Result<_, _>>()?;
-    Ok(ImpactResponses {
-        responses,
-        hits: Vec::new(),
-        is_sweep,
-        block_s,
-        window_decay_per_s: 0.0,
-    })
+    Ok(averages)
 }
 
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::super::impact;
-    use super::super::response::tests::Oscillator;
+    use super::super::oscillator::{Oscillator, noise};
     use super::*;
-    use crate::RandomStream;
 
     const RATE: f64 = 1000.0;
-
-    fn noise(count: usize, seed: u64) -> Vec<f64> {
-        let mut stream = RandomStream::new(seed, 0);
-        (0..count / 2).flat_map(|_| stream.normal_pair()).collect()
-    }
 
     fn measure(
         force: &[f64],

@@ -138,21 +138,20 @@ fn series(s: Complex<f64>, t: f64, order: u32) -> (Complex<f64>, Complex<f64>) {
 mod tests {
     use super::*;
 
-    /// Compares with Simpson's rule, with the autocorrelation of the window summed from its
-    /// samples.
-    #[test]
-    fn transforms_are_those_of_the_windows() {
-        let length_s = 2.0;
-        let count = 4000_usize;
-        let window: Vec<f64> = (0..=count)
+    const LENGTH_S: f64 = 2.0;
+    const SAMPLES: usize = 4000;
+
+    /// Autocorrelation of a Hann window, summed from its samples.
+    fn hann_autocorrelation() -> Vec<f64> {
+        let window: Vec<f64> = (0..=SAMPLES)
             .map(|k| {
-                (std::f64::consts::PI * k as f64 / count as f64)
+                (std::f64::consts::PI * k as f64 / SAMPLES as f64)
                     .sin()
                     .powi(2)
             })
             .collect();
         let power: f64 = window.iter().map(|w| w * w).sum();
-        let hann: Vec<f64> = (0..=count)
+        (0..=SAMPLES)
             .map(|lag| {
                 window[lag..]
                     .iter()
@@ -161,7 +160,31 @@ mod tests {
                     .sum::<f64>()
                     / power
             })
-            .collect();
+            .collect()
+    }
+
+    /// Integral of `(-t)^moment r(t) exp(-s t)` by Simpson's rule.
+    fn integral(kernel: &[f64], s: Complex<f64>, moment: i32) -> Complex<f64> {
+        let step = LENGTH_S / SAMPLES as f64;
+        let at = |k: usize| {
+            (-(k as f64) * step).powi(moment) * kernel[k] * (-s * (k as f64 * step)).exp()
+        };
+        let weight = |k: usize| {
+            if k == 0 || k == SAMPLES {
+                1.0
+            } else {
+                2.0 + 2.0 * (k % 2) as f64
+            }
+        };
+        (0..=SAMPLES)
+            .map(|k| at(k) * weight(k))
+            .sum::<Complex<f64>>()
+            * (step / 3.0)
+    }
+
+    #[test]
+    fn transforms_are_those_of_the_windows() {
+        let length_s = LENGTH_S;
         let numbers = [
             (0.3, 0.05),
             (0.1, 4.0),
@@ -170,31 +193,15 @@ mod tests {
             (5.0, 0.0),
         ]
         .map(|(re, im)| Complex::new(re, im));
-        for s in numbers {
-            for (window_bias, kernel) in [
-                (WindowBias::Hann { length_s }, hann.clone()),
-                (WindowBias::Cut { length_s }, vec![1.0; count + 1]),
-            ] {
-                let step = length_s / count as f64;
-                let integral = |moment: i32| -> Complex<f64> {
-                    let at = |k: usize| {
-                        (-(k as f64) * step).powi(moment)
-                            * kernel[k]
-                            * (-s * (k as f64 * step)).exp()
-                    };
-                    let weight = |k: usize| {
-                        if k == 0 || k == count {
-                            1.0
-                        } else {
-                            2.0 + 2.0 * (k % 2) as f64
-                        }
-                    };
-                    (0..=count).map(|k| at(k) * weight(k)).sum::<Complex<f64>>() * (step / 3.0)
-                };
+        for (window_bias, kernel) in [
+            (WindowBias::Hann { length_s }, hann_autocorrelation()),
+            (WindowBias::Cut { length_s }, vec![1.0; SAMPLES + 1]),
+        ] {
+            for s in numbers {
                 let (value, slope) = window_bias.transform(s);
                 let errors = [
-                    (value - integral(0)).norm() / value.norm(),
-                    (slope - integral(1)).norm() / slope.norm(),
+                    (value - integral(&kernel, s, 0)).norm() / value.norm(),
+                    (slope - integral(&kernel, s, 1)).norm() / slope.norm(),
                 ];
                 assert!(
                     errors[0] < 1e-6 && errors[1] < 1e-6,
@@ -202,7 +209,11 @@ mod tests {
                 );
             }
         }
-        // The series and the closed form agree.
+    }
+
+    #[test]
+    fn series_and_closed_form_agree() {
+        let length_s = LENGTH_S;
         for window_bias in [WindowBias::Hann { length_s }, WindowBias::Cut { length_s }] {
             let (below, above) = (Complex::new(0.2, 0.149_999), Complex::new(0.2, 0.150_001));
             let ((a, da), (b, db)) = (window_bias.transform(below), window_bias.transform(above));

@@ -27,6 +27,7 @@
 use crate::Samples;
 use serde::Serialize;
 
+use super::batches::PowerSamples;
 use super::long_run_variance::long_run;
 use crate::spectral::SpectralError;
 
@@ -79,7 +80,6 @@ pub fn mean_power(
     remove_mean: bool,
 ) -> Result<MeanPower, SpectralError> {
     let mean_voltage_v = voltage.mean();
-    let offset = if remove_mean { mean_voltage_v } else { 0.0 };
     let samples = voltage.values();
     let too_short = SpectralError::Short {
         samples: samples.len(),
@@ -88,19 +88,14 @@ pub fn mean_power(
     if samples.len() < BATCHES[0].0 * MIN_BATCH_SAMPLES {
         return Err(too_short);
     }
-    let power_w = |values: &[f64]| {
-        values
-            .iter()
-            .map(|v| (v - offset).powi(2) / resistance_ohm)
-            .sum::<f64>()
-            / values.len() as f64
+    let power = PowerSamples {
+        voltage_v: samples,
+        offset_v: if remove_mean { mean_voltage_v } else { 0.0 },
+        resistance_ohm,
     };
-    let mean_power_w = power_w(samples);
+    let mean_power_w = power.mean_w(0..samples.len());
     let with_batches = |(batches, quantile): (usize, f64)| {
-        let boundary = |k: usize| k * samples.len() / batches;
-        let means: Vec<f64> = (0..batches)
-            .map(|k| power_w(&samples[boundary(k)..boundary(k + 1)]))
-            .collect();
+        let means = power.batch_means_w(batches);
         let (batch_mean, count) = (mean(&means), batches as f64);
         let variance = means.iter().map(|x| (x - batch_mean).powi(2)).sum::<f64>() / (count - 1.0);
         let batch_correlation = correlation(&means);
@@ -123,29 +118,30 @@ pub fn mean_power(
         .find(|result| !result.correlated)
         .or(candidates.last().copied())
         .ok_or(too_short)?;
-    let count = MEMORY_MEANS.min(samples.len());
-    let means: Vec<f64> = (0..count)
-        .map(|k| power_w(&samples[k * samples.len() / count..(k + 1) * samples.len() / count]))
-        .collect();
-    let long_run_variance = long_run(&means);
+    Ok(with_memory(result, &power))
+}
+
+/// Widens the interval of batch means where the record has few independent values.
+fn with_memory(result: MeanPower, power: &PowerSamples<'_>) -> MeanPower {
+    let count = MEMORY_MEANS.min(power.voltage_v.len());
+    let long_run_variance = long_run(&power.batch_means_w(count));
     let effective_samples = long_run_variance.effective_count;
     if effective_samples >= MANY_INDEPENDENT_VALUES
-        || long_run_variance.variance <= (POWER_ROUNDOFF * mean_power_w).powi(2)
+        || long_run_variance.variance <= (POWER_ROUNDOFF * result.mean_power_w).powi(2)
     {
-        return Ok(MeanPower {
+        return MeanPower {
             effective_samples,
             ..result
-        });
+        };
     }
-    let relative = long_run_variance.half_width / mean_power_w;
+    let relative = long_run_variance.half_width / result.mean_power_w;
     let half_width_w = long_run_variance.half_width * (1.0 + SKEW_FACTOR * relative.min(1.0));
-    let correlated = effective_samples < MIN_INDEPENDENT_VALUES;
-    Ok(MeanPower {
+    MeanPower {
         effective_samples,
         half_width_w: result.half_width_w.max(half_width_w),
-        correlated,
+        correlated: effective_samples < MIN_INDEPENDENT_VALUES,
         ..result
-    })
+    }
 }
 
 fn mean(values: &[f64]) -> f64 {

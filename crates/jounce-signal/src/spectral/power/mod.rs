@@ -1,4 +1,5 @@
 //! Power of a signal: its mean with an interval, and its spectra averaged over blocks.
+mod batches;
 mod density;
 mod density_peaks;
 mod long_run_variance;
