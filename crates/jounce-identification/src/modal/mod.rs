@@ -23,20 +23,24 @@
 //! identification of modal parameters with uncertainty intervals, Mech. Syst. Signal Process. 37
 //! (2013) 422.
 mod band;
+mod band_lines;
 mod decays;
 mod error;
 mod identify;
 mod mac;
 mod maximum_likelihood;
+mod mode;
 mod participation;
 mod peaks;
 mod poles;
+mod refinement;
 
 pub use band::{Band, ResponseQuantity};
 pub use decays::identify_decays;
 pub use error::ModalError;
-pub use identify::{Identification, ModalSettings, Mode, identify};
+pub use identify::{Identification, ModalSettings, identify};
 pub use mac::{mac, mac_matrix};
+pub use mode::Mode;
 pub use participation::Participation;
 pub use peaks::ResponsePeak;
 pub use poles::{Pole, Stability, StablePole, diagram, poles};

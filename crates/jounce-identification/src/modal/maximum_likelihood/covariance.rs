@@ -6,12 +6,13 @@ use faer::{Mat, Side, c64};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
-use super::likelihood::FitData;
+use super::fit_data::FitData;
 use super::noise::MIN_FREE_SHARE;
 use super::scatter::Scatter;
 use super::variable_projection::ProjectedProblem;
 use crate::modal::Band;
-use crate::modal::band::{BandNoise, LeaveOneOutChange};
+use crate::modal::band::BandNoise;
+use crate::modal::band_lines::LeaveOneOutChange;
 
 /// Covariance of the unknowns of a fit. The first unknowns are the real and imaginary parts of the
 /// poles.

@@ -1,9 +1,11 @@
 //! Maximum-likelihood fit of the modal model, with the covariance of its poles.
 mod covariance;
 mod design_matrix;
+mod fit_data;
 mod likelihood;
 mod line_selection;
 mod noise;
+mod reference_model;
 mod references;
 mod scatter;
 mod semi_normal;

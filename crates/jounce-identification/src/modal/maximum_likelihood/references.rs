@@ -16,22 +16,13 @@ use std::f64::consts::TAU;
 
 use super::covariance::PoleCovariance;
 use super::design_matrix::{DesignMatrix, LinearTerms};
+use super::fit_data::{FitData, WeightedResponse};
 use super::likelihood::{
-    FitData, MAX_STEPS, MAX_UPPER_TERMS, ModalFit, STEP_TOLERANCE, damped_factor, fit_reweighted,
-    residues,
+    MAX_STEPS, MAX_UPPER_TERMS, ModalFit, STEP_TOLERANCE, damped_factor, fit_reweighted,
 };
+use super::reference_model::ReferenceModel;
 use super::variable_projection::{LinearSolution, ProjectedProblem};
 use crate::modal::{Band, Pole};
-
-/// Fitted unknowns: poles, and the participation of every reference in each mode.
-#[derive(Clone)]
-struct ReferenceModel {
-    poles: Vec<c64>,
-    /// Mode, reference.
-    participation: Vec<Vec<c64>>,
-    /// Reference of each mode whose participation is fixed at 1.
-    fixed: Vec<usize>,
-}
 
 /// Modes at the minimum, for a given number of terms for those above the band.
 struct ConvergedModel {
@@ -107,62 +98,6 @@ fn converge(
     })
 }
 
-impl ReferenceModel {
-    /// Initial participations: the first right singular vector of unconstrained residues.
-    fn initial(band: &Band, data: &FitData, start: &[Pole]) -> Option<Self> {
-        let poles: Vec<c64> = start.iter().map(|pole| pole.complex()).collect();
-        let residue = residues(data, &poles);
-        let initial_participation = |r: usize| {
-            let residues_of_mode = Mat::from_fn(band.outputs(), band.inputs, |o, i| {
-                residue[o * band.inputs + i][r]
-            });
-            let svd = residues_of_mode.thin_svd().ok()?;
-            let row: Vec<c64> = (0..band.inputs).map(|i| svd.V()[(i, 0)].conj()).collect();
-            let fixed = (0..row.len()).max_by(|a, b| row[*a].norm().total_cmp(&row[*b].norm()))?;
-            Some((row.iter().map(|b| b / row[fixed]).collect(), fixed))
-        };
-        let (participation, fixed) = (0..start.len())
-            .map(initial_participation)
-            .collect::<Option<Vec<_>>>()?
-            .into_iter()
-            .unzip();
-        Some(Self {
-            poles,
-            participation,
-            fixed,
-        })
-    }
-
-    /// Mode and reference of each fitted participation.
-    fn free(&self) -> Vec<(usize, usize)> {
-        let free_of_mode = |(r, row): (usize, &Vec<c64>)| {
-            (0..row.len())
-                .filter(|i| *i != self.fixed[r])
-                .map(|i| (r, i))
-                .collect::<Vec<_>>()
-        };
-        self.participation
-            .iter()
-            .enumerate()
-            .flat_map(free_of_mode)
-            .collect()
-    }
-
-    fn with_step(&self, step: &Mat<f64>) -> Self {
-        let mut trial = self.clone();
-        let step_of = |k: usize| c64::new(step[(2 * k, 0)], step[(2 * k + 1, 0)]);
-        trial
-            .poles
-            .iter_mut()
-            .enumerate()
-            .for_each(|(r, pole)| *pole += step_of(r));
-        for (k, (r, i)) in self.free().into_iter().enumerate() {
-            trial.participation[r][i] += step_of(self.poles.len() + k);
-        }
-        trial
-    }
-}
-
 /// Normal equations over all outputs, in parallel and summed in order, and the weighted squared
 /// error.
 fn equations(
@@ -196,77 +131,128 @@ fn equations(
     Some((normal, rhs, error))
 }
 
-/// Rows: the lines of one reference after those of the other.
+/// Eliminates the linear unknowns of an output.
 fn project_output(
     o: usize,
     data: &FitData,
     terms: &[DesignMatrix],
     modal: &ReferenceModel,
 ) -> ProjectedProblem {
-    let (modes, inputs, lines) = (
-        modal.poles.len(),
-        modal.participation[0].len(),
-        terms[0].linear.nrows(),
-    );
-    let residual_terms = terms[0].linear.ncols() - 2 * modes;
-    let (rows, width) = (inputs * lines, 2 * modes + residual_terms * inputs);
-    let response = |row: usize| &data.responses[o * inputs + row / lines];
-    let weight = |row: usize| response(row).weight[row % lines / 2];
-    let of_kind = |row: usize| &terms[response(row).kind];
-    let base = |row: usize, c: usize| weight(row) * of_kind(row).linear[(row % lines, c)];
-    // A residue x + j y has the terms x E + y O; here it is the shape times the participation.
-    let combined_column = |row: usize, r: usize, residue: c64| {
-        residue.re * base(row, 2 * r) + residue.im * base(row, 2 * r + 1)
+    let output = OutputRows {
+        responses: &data.responses[o * modal.participation[0].len()..],
+        terms,
+        modal,
     };
-    let j = c64::new(0.0, 1.0);
-    let column = |row: usize, c: usize| {
-        let i = row / lines;
-        match c.checked_sub(2 * modes) {
-            None if c.is_multiple_of(2) => {
-                combined_column(row, c / 2, modal.participation[c / 2][i])
-            }
-            None => combined_column(row, c / 2, modal.participation[c / 2][i] * j),
-            Some(k) if k / residual_terms == i => base(row, 2 * modes + k % residual_terms),
-            Some(_) => 0.0,
-        }
-    };
-    let a = Mat::from_fn(rows, width, column);
-    let value = |row: usize| response(row).value[row % lines / 2];
+    let (rows, width) = (output.count(), output.width());
+    let a = Mat::from_fn(rows, width, |row, c| output.column(row, c));
     let b = Mat::from_fn(rows, 1, |row, _| {
-        if row % 2 == 0 {
-            value(row).re
-        } else {
-            value(row).im
-        }
+        let value = output.response(row).value[output.part(row) / 2];
+        if row % 2 == 0 { value.re } else { value.im }
     });
     let solution = LinearSolution::new(a, &b);
     let linear = &solution.linear;
     let shape = |r: usize| c64::new(linear[(2 * r, 0)], linear[(2 * r + 1, 0)]);
-    let free = modal.free();
+    let (modes, free) = (modal.poles.len(), modal.free());
     let derivative = |row: usize, c: usize| {
-        let (i, k, rotation) = (
-            row / lines,
-            c / 2,
-            if c.is_multiple_of(2) {
-                c64::new(1.0, 0.0)
-            } else {
-                j
-            },
-        );
+        let k = c / 2;
+        let rotation = if c.is_multiple_of(2) {
+            c64::new(1.0, 0.0)
+        } else {
+            c64::new(0.0, 1.0)
+        };
         if k < modes {
-            let residue = shape(k) * modal.participation[k][i] * rotation;
-            let derivatives = |c: usize| weight(row) * of_kind(row).derivatives[(row % lines, c)];
-            return residue.re * derivatives(2 * k) + residue.im * derivatives(2 * k + 1);
+            return output.by_pole(row, k, shape(k), rotation);
         }
         let (r, reference) = free[k - modes];
-        if reference == i {
-            combined_column(row, r, shape(r) * rotation)
+        if reference == output.reference(row) {
+            output.combined_column(row, r, shape(r) * rotation)
         } else {
             0.0
         }
     };
     let by_modes = Mat::from_fn(rows, 2 * (modes + free.len()), derivative);
     solution.project(&by_modes)
+}
+
+/// Equations of one output. Rows: the lines of one reference after those of the other.
+struct OutputRows<'a> {
+    /// Responses of the output to each reference, then those of further outputs.
+    responses: &'a [WeightedResponse],
+    terms: &'a [DesignMatrix],
+    modal: &'a ReferenceModel,
+}
+
+impl OutputRows<'_> {
+    /// Rows of one reference.
+    fn per_reference(&self) -> usize {
+        self.terms[0].linear.nrows()
+    }
+
+    fn count(&self) -> usize {
+        self.modal.participation[0].len() * self.per_reference()
+    }
+
+    /// Terms of each response for the modes outside the band.
+    fn residual_terms(&self) -> usize {
+        self.terms[0].linear.ncols() - 2 * self.modal.poles.len()
+    }
+
+    /// Linear unknowns: and the residual terms of each reference.
+    fn width(&self) -> usize {
+        2 * self.modal.poles.len() + self.residual_terms() * self.modal.participation[0].len()
+    }
+
+    fn reference(&self, row: usize) -> usize {
+        row / self.per_reference()
+    }
+
+    /// Index of a row among those of its reference.
+    fn part(&self, row: usize) -> usize {
+        row % self.per_reference()
+    }
+
+    fn response(&self, row: usize) -> &WeightedResponse {
+        &self.responses[self.reference(row)]
+    }
+
+    fn weight(&self, row: usize) -> f64 {
+        self.response(row).weight[self.part(row) / 2]
+    }
+
+    fn terms_of(&self, row: usize) -> &DesignMatrix {
+        &self.terms[self.response(row).kind]
+    }
+
+    fn base(&self, row: usize, c: usize) -> f64 {
+        self.weight(row) * self.terms_of(row).linear[(self.part(row), c)]
+    }
+
+    /// Column of a mode. A residue `x + j y` has the terms `x E + y O`; here it is the shape times
+    /// the participation.
+    fn combined_column(&self, row: usize, r: usize, residue: c64) -> f64 {
+        residue.re * self.base(row, 2 * r) + residue.im * self.base(row, 2 * r + 1)
+    }
+
+    /// Column of a linear unknown.
+    fn column(&self, row: usize, c: usize) -> f64 {
+        let (modes, residual_terms) = (self.modal.poles.len(), self.residual_terms());
+        let i = self.reference(row);
+        let participation = |r: usize| self.modal.participation[r][i];
+        match c.checked_sub(2 * modes) {
+            None if c.is_multiple_of(2) => self.combined_column(row, c / 2, participation(c / 2)),
+            None => self.combined_column(row, c / 2, participation(c / 2) * c64::new(0.0, 1.0)),
+            Some(k) if k / residual_terms == i => self.base(row, 2 * modes + k % residual_terms),
+            Some(_) => 0.0,
+        }
+    }
+
+    /// Derivative by the real (rotation 1) or imaginary part (rotation j) of a pole.
+    fn by_pole(&self, row: usize, r: usize, shape: c64, rotation: c64) -> f64 {
+        let residue = shape * self.modal.participation[r][self.reference(row)] * rotation;
+        let derivatives =
+            |c: usize| self.weight(row) * self.terms_of(row).derivatives[(self.part(row), c)];
+        residue.re * derivatives(2 * r) + residue.im * derivatives(2 * r + 1)
+    }
 }
 
 fn modal_fit(

@@ -16,7 +16,7 @@
 
 use faer::Mat;
 
-use crate::modal::band::LeaveOneOutChange;
+use crate::modal::band_lines::LeaveOneOutChange;
 use jounce_signal::spectral::WindowBias;
 
 /// Number of parts above which their scatter needs no turned copies.

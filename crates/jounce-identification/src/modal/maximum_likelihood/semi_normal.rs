@@ -19,7 +19,7 @@ use faer::linalg::solvers::{Llt, Solve};
 use faer::{Accum, Mat, Par, Side};
 
 use super::design_matrix::DesignMatrix;
-use super::likelihood::WeightedResponse;
+use super::fit_data::WeightedResponse;
 
 /// Rows multiplied at once: so many rows of all columns fit into the cache.
 const ROWS_AT_ONCE: usize = 256;
