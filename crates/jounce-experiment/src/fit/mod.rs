@@ -21,6 +21,8 @@ mod deviation;
 mod discrepancy;
 mod error;
 mod features;
+mod intervals;
+mod measured;
 mod model;
 mod observations;
 mod problem;

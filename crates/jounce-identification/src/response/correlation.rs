@@ -54,8 +54,8 @@ impl Correlation {
     }
 }
 
-/// Autocorrelation of a decay from its amplitude spectrum, up to the length of
-/// the original record over `max_lag_divisor`; `first` is the line of the first amplitude, of `lines` lines from 0.
+/// Autocorrelation of a decay from its amplitude spectrum, up to the length of the original record
+/// over `max_lag_divisor`. The first amplitude is at line `first`, of `lines` lines from 0.
 pub(super) fn autocorrelation(
     amplitude: &[f64],
     (first, lines): (usize, usize),

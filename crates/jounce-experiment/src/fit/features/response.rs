@@ -12,7 +12,7 @@ use super::table::FeatureTable;
 use crate::fit::model::Conditions;
 use crate::fit::{Deviation, FeatureModel, FitError, FitModel};
 use jounce_data::read;
-use jounce_data::recording::{Over, Quantity as Measures, Unit};
+use jounce_data::recording::{Channel, Over, Quantity as Measures, Recording, Unit};
 
 /// Measured values of a response.
 #[derive(Debug, Clone, PartialEq)]
@@ -229,48 +229,61 @@ impl MeasuredLines {
         let result = recording
             .channel(channel)
             .map_err(|fault| file_error(fault.to_string()))?;
-        let unit = result.unit.as_str();
-        let has_no_unit = !result.head().has_unit();
-        if !has_no_unit
-            && (Unit::responds(unit), Unit::per(unit))
-                != (Some(expected.output), Some(expected.input))
-        {
-            return Err(file_error(format!(
-                "channel {channel} is in {unit}, but this response is in {}; correct input, \
-                output or unit",
-                expected.unit
-            )));
-        }
-        let warning = has_no_unit.then(|| {
+        let has_unit = expected.check(result).map_err(file_error)?;
+        let warning = (!has_unit).then(|| {
             format!(
                 "{position}: channel {channel} has no unit; {} is assumed",
                 expected.unit
             )
         });
+        let lines = Self::of_channel(&recording, result, *between_hz)
+            .ok_or_else(|| file_error("no line is in the band".to_owned()))?;
+        Ok((lines, warning))
+    }
+
+    /// Lines of a channel in a band above 0; `None` without any.
+    fn of_channel(
+        recording: &Recording,
+        channel: &Channel,
+        (low_hz, high_hz): (f64, f64),
+    ) -> Option<Self> {
         let frequencies = recording.grid.places();
         let indices: Vec<usize> = (0..frequencies.len())
-            .filter(|k| {
-                frequencies[*k] > 0.0 && (between_hz.0..=between_hz.1).contains(&frequencies[*k])
-            })
+            .filter(|k| frequencies[*k] > 0.0 && (low_hz..=high_hz).contains(&frequencies[*k]))
             .collect();
         if indices.is_empty() {
-            return Err(file_error("no line is in the band".to_owned()));
+            return None;
         }
         let frequency_hz = indices.iter().map(|k| frequencies[*k]).collect();
-        let lines = match &result.imaginary {
+        Some(match &channel.imaginary {
             Some(imaginary) => Self::Complex(
                 frequency_hz,
                 indices
                     .iter()
-                    .map(|k| c64::new(result.values[*k], imaginary[*k]))
+                    .map(|k| c64::new(channel.values[*k], imaginary[*k]))
                     .collect(),
             ),
             None => Self::Magnitude(
                 frequency_hz,
-                indices.iter().map(|k| result.values[*k]).collect(),
+                indices.iter().map(|k| channel.values[*k]).collect(),
             ),
-        };
-        Ok((lines, warning))
+        })
+    }
+}
+
+impl ResponseChannels {
+    /// Checks the unit of a channel of a file; false if it has none.
+    fn check(&self, channel: &Channel) -> Result<bool, String> {
+        let (has_unit, unit) = (channel.head().has_unit(), channel.unit.as_str());
+        if has_unit
+            && (Unit::responds(unit), Unit::per(unit)) != (Some(self.output), Some(self.input))
+        {
+            return Err(format!(
+                "channel {} is in {unit}, but this response is in {}; correct input, output or unit",
+                channel.name, self.unit
+            ));
+        }
+        Ok(has_unit)
     }
 }
 
