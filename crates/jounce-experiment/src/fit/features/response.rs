@@ -229,7 +229,7 @@ impl MeasuredLines {
         let result = recording
             .channel(channel)
             .map_err(|fault| file_error(fault.to_string()))?;
-        let has_unit = expected.check(result).map_err(file_error)?;
+        let has_unit = expected.check(channel, result).map_err(file_error)?;
         let warning = (!has_unit).then(|| {
             format!(
                 "{position}: channel {channel} has no unit; {} is assumed",
@@ -273,14 +273,14 @@ impl MeasuredLines {
 
 impl ResponseChannels {
     /// Checks the unit of a channel of a file; false if it has none.
-    fn check(&self, channel: &Channel) -> Result<bool, String> {
+    fn check(&self, name: &str, channel: &Channel) -> Result<bool, String> {
         let (has_unit, unit) = (channel.head().has_unit(), channel.unit.as_str());
         if has_unit
             && (Unit::responds(unit), Unit::per(unit)) != (Some(self.output), Some(self.input))
         {
             return Err(format!(
-                "channel {} is in {unit}, but this response is in {}; correct input, output or unit",
-                channel.name, self.unit
+                "channel {name} is in {unit}, but this response is in {}; correct input, output or unit",
+                self.unit
             ));
         }
         Ok(has_unit)
