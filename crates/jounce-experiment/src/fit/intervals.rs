@@ -8,7 +8,8 @@ use super::profile::Profile;
 use super::solve::Minimum;
 use super::{FitError, FittedCurve, FittedFeature, FittedKey};
 
-/// Keys with their intervals by profile likelihood, and the paths of those whose profile has no end.
+/// Keys with their intervals by profile likelihood, and the paths of those whose profile has no
+/// end.
 pub(super) fn fitted_keys<'p>(
     problem: &'p FitProblem<'_>,
     minimum: &Minimum,

@@ -278,8 +278,8 @@ fn default_lags(samples: usize) -> usize {
     (samples / 64).max(512).min(samples / 4)
 }
 
-/// Number of the first line of an amplitude spectrum, and the spacing of its lines (Hz), which are at
-/// multiples of it.
+/// Number of the first line of an amplitude spectrum, and the spacing of its lines (Hz), which are
+/// at multiples of it.
 fn even_lines(spectrum: &Recording) -> Result<(usize, f64), ResponseError> {
     let not_amplitude = |reason: &'static str| ResponseError::NotAmplitude {
         recording: spectrum.name.clone(),

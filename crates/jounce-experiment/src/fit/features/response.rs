@@ -248,9 +248,9 @@ impl MeasuredLines {
         (low_hz, high_hz): (f64, f64),
     ) -> Option<Self> {
         let frequencies = recording.grid.places();
-        let indices: Vec<usize> = (0..frequencies.len())
-            .filter(|k| frequencies[*k] > 0.0 && (low_hz..=high_hz).contains(&frequencies[*k]))
-            .collect();
+        let is_in_band = |hz: f64| hz > 0.0 && (low_hz..=high_hz).contains(&hz);
+        let indices = 0..frequencies.len();
+        let indices: Vec<usize> = indices.filter(|k| is_in_band(frequencies[*k])).collect();
         if indices.is_empty() {
             return None;
         }
@@ -263,10 +263,10 @@ impl MeasuredLines {
                     .map(|k| c64::new(channel.values[*k], imaginary[*k]))
                     .collect(),
             ),
-            None => Self::Magnitude(
-                frequency_hz,
-                indices.iter().map(|k| channel.values[*k]).collect(),
-            ),
+            None => {
+                let sizes = indices.iter().map(|k| channel.values[*k]).collect();
+                Self::Magnitude(frequency_hz, sizes)
+            }
         })
     }
 }
@@ -275,11 +275,11 @@ impl ResponseChannels {
     /// Checks the unit of a channel of a file; false if it has none.
     fn check(&self, name: &str, channel: &Channel) -> Result<bool, String> {
         let (has_unit, unit) = (channel.head().has_unit(), channel.unit.as_str());
-        if has_unit
-            && (Unit::responds(unit), Unit::per(unit)) != (Some(self.output), Some(self.input))
-        {
+        let (output, input) = (Unit::responds(unit), Unit::per(unit));
+        if has_unit && (output, input) != (Some(self.output), Some(self.input)) {
             return Err(format!(
-                "channel {name} is in {unit}, but this response is in {}; correct input, output or unit",
+                "channel {name} is in {unit}, but this response is in {}; correct input, output \
+                or unit",
                 self.unit
             ));
         }

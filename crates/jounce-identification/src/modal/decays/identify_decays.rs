@@ -16,7 +16,8 @@ use crate::response::Decays;
 pub(super) const MAX_FREQUENCY_RATIO: f64 = 0.45;
 /// Final value of the window on the decays in which poles are sought.
 const END_RATIO: f64 = 0.03;
-/// Identifies the modes of decays between two frequencies, as [`crate::modal::identify`] does for
+
+/// Identifies the modes of decays between two frequencies, as [`crate::modal::identify()`] does for
 /// responses. For correlations in blocks, the variance over the blocks weights each line, and
 /// deviations are computed by leaving out one block at a time.
 ///
@@ -94,8 +95,8 @@ fn spectra(values: &[Vec<f64>], rate_hz: f64) -> Vec<Vec<c64>> {
         .collect()
 }
 
-/// Stabilisation diagram and stable poles of decays multiplied by a window that ends them within the
-/// record: broad peaks make clear diagrams. The damping that the window adds is subtracted.
+/// Stabilisation diagram and stable poles of decays multiplied by a window that ends them within
+/// the record: broad peaks make clear diagrams. The damping that the window adds is subtracted.
 fn windowed_candidates(
     decays: &Decays,
     frequency_hz: &[f64],

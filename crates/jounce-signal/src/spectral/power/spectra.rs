@@ -35,7 +35,7 @@ pub struct SpectraSettings {
 pub struct Spectra {
     /// One-sided power spectral density.
     pub density: Density,
-    /// Segments of the average; [`super::spectrogram`] of them contains as many numbers as the
+    /// Segments of the average; [`super::spectrogram()`] of them contains as many numbers as the
     /// record, and more where they overlap.
     pub segments: Segments,
     /// Amplitudes at the multiples of the drive frequency below half the sampling rate.
