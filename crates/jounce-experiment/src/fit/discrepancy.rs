@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 use jounce_model::structure::modes_holding;
 
 use super::Deviation;
-use super::observations::MeasuredNumber;
+use super::measured::MeasuredNumber;
 use super::problem::FitProblem;
 
 /// Estimated deviation above which the model does not fit.

@@ -20,17 +20,13 @@ mod derived;
 mod deviation;
 mod discrepancy;
 mod error;
-mod feature_table;
 mod features;
-mod history;
-mod jump;
-mod mode;
+mod intervals;
+mod measured;
 mod model;
 mod observations;
-mod power;
 mod problem;
 mod profile;
-mod response;
 mod result;
 mod solve;
 mod warnings;
@@ -38,12 +34,10 @@ mod warnings;
 pub use derived::Derived;
 pub use deviation::Deviation;
 pub use error::FitError;
-pub use features::Features;
-pub use history::HistoryFeature;
-pub use jump::JumpFeature;
-pub use mode::ModeFeature;
-pub use power::PowerFeature;
-pub use response::{MeasuredLines, ResponseFeature};
+pub use features::{
+    Features, HistoryFeature, JumpFeature, MeasuredLines, ModeFeature, PowerFeature,
+    ResponseFeature,
+};
 pub use result::{FitResult, FittedCurve, FittedDeviation, FittedFeature, FittedKey};
 pub use solve::fit;
 

@@ -3,39 +3,17 @@
 use jounce_spec::NumericKey;
 
 use super::deviation::DeviationGroup;
-use super::history::{HistoryModel, HistorySamples};
-use super::jump::JumpModel;
-use super::mode::ModeModel;
+use super::features::history::{HistoryModel, HistorySamples};
+use super::features::jump::JumpModel;
+use super::features::mode::ModeModel;
+use super::features::power::PowerModel;
+use super::features::response::{MeasuredLines, ResponseModel};
+use super::measured::{MeasuredCurve, MeasuredNumber};
 use super::model::{Conditions, FitSource};
-use super::power::PowerModel;
-use super::response::{MeasuredLines, ResponseModel};
 use super::{
     Deviation, FeatureModel, Features, FitError, HistoryFeature, JumpFeature, ModeFeature,
     PowerFeature, ResponseFeature,
 };
-
-/// Measured number.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct MeasuredNumber {
-    pub name: String,
-    pub unit: String,
-    pub value: f64,
-    /// Scale of the deviation; without one the error is logarithmic.
-    pub scale: Option<f64>,
-    /// Index of its group.
-    pub group: usize,
-    /// Index of its curve, and the position on it.
-    pub on: Option<(usize, f64)>,
-}
-
-/// Measured curve.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct MeasuredCurve {
-    pub name: String,
-    pub unit: String,
-    /// `frequency_hz` or `time_s`
-    pub over: &'static str,
-}
 
 /// All model evaluations with all measured numbers, in the same order.
 #[derive(Default)]
@@ -164,40 +142,13 @@ impl Observations {
             feature.output.name(),
             feature.output.unit(&feature.input).to_owned(),
         );
-        let curve = |component: &str| MeasuredCurve {
-            name: format!("{name} {component}"),
-            unit: unit.clone(),
-            over: "frequency_hz",
-        };
         self.warnings.extend(feature.relative_in_words(position));
         let (lines, unit_warning) =
             feature
                 .lines
                 .read(&features.folder, position, &feature.channels())?;
         self.warnings.extend(unit_warning);
-        let (complex, frequency_hz) = match lines {
-            MeasuredLines::Magnitude(frequency_hz, sizes) => {
-                self.curve(curve("size"), (&frequency_hz, &sizes), |_| None, group);
-                (false, frequency_hz)
-            }
-            MeasuredLines::Complex(frequency_hz, values) => {
-                let (re, im): (Vec<f64>, Vec<f64>) = values.iter().map(|h| (h.re, h.im)).unzip();
-                self.curve(
-                    curve("real part"),
-                    (&frequency_hz, &re),
-                    |k| Some(values[k].norm()),
-                    group,
-                );
-                self.curve(
-                    curve("imaginary part"),
-                    (&frequency_hz, &im),
-                    |k| Some(values[k].norm()),
-                    group,
-                );
-                (true, frequency_hz)
-            }
-            MeasuredLines::File { .. } => (false, Vec::new()),
-        };
+        let (complex, frequency_hz) = self.response_curves(lines, (&name, &unit), group);
         let (input, output, absolute) = (
             feature.input.clone(),
             feature.output.clone(),
@@ -212,6 +163,36 @@ impl Observations {
             conditions,
         }));
         Ok(())
+    }
+
+    /// Adds the sizes, or the real and imaginary parts, of a response; returns whether it is complex,
+    /// and its frequencies.
+    fn response_curves(
+        &mut self,
+        lines: MeasuredLines,
+        (name, unit): (&str, &str),
+        group: usize,
+    ) -> (bool, Vec<f64>) {
+        let curve = |component: &str| MeasuredCurve {
+            name: format!("{name} {component}"),
+            unit: unit.to_owned(),
+            over: "frequency_hz",
+        };
+        match lines {
+            MeasuredLines::Magnitude(frequency_hz, sizes) => {
+                self.curve(curve("size"), (&frequency_hz, &sizes), |_| None, group);
+                (false, frequency_hz)
+            }
+            MeasuredLines::Complex(frequency_hz, values) => {
+                let (re, im): (Vec<f64>, Vec<f64>) = values.iter().map(|h| (h.re, h.im)).unzip();
+                for (component, part) in [("real part", re), ("imaginary part", im)] {
+                    let size = |k: usize| Some(values[k].norm());
+                    self.curve(curve(component), (&frequency_hz, &part), size, group);
+                }
+                (true, frequency_hz)
+            }
+            MeasuredLines::File { .. } => (false, Vec::new()),
+        }
     }
 
     fn curve(

@@ -9,7 +9,8 @@ use levenberg_marquardt::LeastSquaresProblem;
 use nalgebra::storage::Owned;
 use nalgebra::{DMatrix, DVector, Dyn};
 
-use super::observations::{MeasuredNumber, Observations};
+use super::measured::MeasuredNumber;
+use super::observations::Observations;
 use super::{FitError, FitModel};
 
 /// Least-squares problem with keys `p0 exp(x)`; residuals of the features, then of the priors.

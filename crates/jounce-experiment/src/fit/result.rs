@@ -1,12 +1,13 @@
 //! Results of a fit.
 
+use nalgebra::DMatrix;
 use serde::Serialize;
 
 use super::FitError;
+use super::deviation::DeviationGroup;
 use super::discrepancy::discrepancies;
-use super::observations::MeasuredNumber;
+use super::intervals::{curve, feature_results, fitted_keys};
 use super::problem::FitProblem;
-use super::profile::Profile;
 use super::solve::Minimum;
 use super::warnings::warnings;
 use jounce_identification::modal::Mode;
@@ -145,12 +146,6 @@ impl FittedCurve {
     }
 }
 
-/// Measured number with its results.
-struct FeatureResult<'m> {
-    measured: &'m MeasuredNumber,
-    feature: FittedFeature,
-}
-
 impl FitResult {
     pub(super) fn of(
         problem: &FitProblem<'_>,
@@ -167,43 +162,16 @@ impl FitResult {
         let deviation: Vec<f64> = (0..count)
             .map(|k| minimum.covariance[(k, k)].sqrt())
             .collect();
-        let correlation: Vec<Vec<f64>> = (0..count)
-            .map(|a| {
-                (0..count)
-                    .map(|b| minimum.covariance[(a, b)] / (deviation[a] * deviation[b]))
-                    .collect()
-            })
-            .collect();
+        let correlation = correlation(&minimum.covariance, &deviation);
         let errors = problem.errors(&problem.unknowns)?;
         let chi_square = errors.rows(0, observations.measured.len()).norm_squared();
-        let profile = Profile {
-            errors: &|unknowns| problem.errors(unknowns),
-            least: &problem.unknowns,
-            at_least: &errors,
-            objective: errors.norm_squared(),
-            derivatives: &minimum.derivatives,
-            covariance: &minimum.covariance,
-        };
-        let mut linear = Vec::new();
-        let mut keys = Vec::with_capacity(count);
-        for (k, deviation) in deviation.iter().enumerate() {
-            let ends = [profile.end(k, -quantile)?, profile.end(k, quantile)?];
-            if ends.contains(&None) {
-                linear.push(problem.keys[k].path());
-            }
-            keys.push(key(problem, k, (*deviation, quantile), ends));
-        }
+        let (keys, linear) = fitted_keys(problem, minimum, &errors, (&deviation, quantile))?;
         let results = feature_results(
             problem,
             minimum,
             (before, &problem.model(&problem.unknowns)?),
             quantile,
         );
-        let of_group = |(g, group): (usize, &super::deviation::DeviationGroup)| FittedDeviation {
-            name: group.name.clone(),
-            deviation: problem.deviation[g],
-            degrees_of_freedom: minimum.freedom[g],
-        };
         Ok(Self {
             keys,
             features: results
@@ -214,12 +182,7 @@ impl FitResult {
             curves: (0..observations.curves.len())
                 .map(|number| curve(problem, &results, number))
                 .collect(),
-            deviations: observations
-                .groups
-                .iter()
-                .enumerate()
-                .map(of_group)
-                .collect(),
+            deviations: group_deviations(problem, minimum),
             warnings: [
                 observations.warnings.clone(),
                 discrepancies(problem, errors.as_slice()),
@@ -241,93 +204,30 @@ impl FitResult {
     }
 }
 
-/// Where the profile has no end, the interval of the covariance is used.
-fn key(
-    problem: &FitProblem<'_>,
-    k: usize,
-    (deviation, quantile): (f64, f64),
-    profile: [Option<f64>; 2],
-) -> FittedKey {
-    let (least, start) = (problem.unknowns[k], problem.start[k]);
-    let after = start * least.exp();
-    let end = |(profile, sign): (Option<f64>, f64)| {
-        start * profile.unwrap_or(least + sign * quantile * deviation).exp()
-    };
-    let ends = [(profile[0], -1.0), (profile[1], 1.0)].map(end);
-    FittedKey {
-        key: problem.keys[k].path().to_owned(),
-        unit: problem.keys[k].unit(),
-        before: problem.start[k],
-        after,
-        low: ends[0].min(ends[1]),
-        high: ends[0].max(ends[1]),
-        prior_deviation: problem.prior[k],
-        deviation,
-    }
-}
-
-fn feature_results<'m>(
-    problem: &'m FitProblem<'_>,
-    minimum: &Minimum,
-    (before, after): (&[f64], &[f64]),
-    quantile: f64,
-) -> Vec<FeatureResult<'m>> {
-    let feature_result = |(i, measured): (usize, &'m MeasuredNumber)| {
-        let deviation = problem.deviation_of(measured);
-        let row = minimum.derivatives.row(i) * deviation;
-        let predicted_deviation = (&row * &minimum.covariance * row.transpose())[(0, 0)]
-            .max(0.0)
-            .sqrt();
-        let half_width = quantile * deviation.hypot(predicted_deviation);
-        let ends = [-half_width, half_width].map(|error| measured.shifted(after[i], error));
-        let feature = FittedFeature {
-            name: measured.name.clone(),
-            unit: measured.unit.clone(),
-            measured: measured.value,
-            deviation,
-            before: before[i],
-            after: after[i],
-            predicted_deviation,
-            low: ends[0].min(ends[1]),
-            high: ends[0].max(ends[1]),
-        };
-        FeatureResult { measured, feature }
+/// Deviations shared by the features of each group.
+fn group_deviations(problem: &FitProblem<'_>, minimum: &Minimum) -> Vec<FittedDeviation> {
+    let of_group = |(g, group): (usize, &DeviationGroup)| FittedDeviation {
+        name: group.name.clone(),
+        deviation: problem.deviation[g],
+        degrees_of_freedom: minimum.freedom[g],
     };
     problem
         .observations
-        .measured
+        .groups
         .iter()
         .enumerate()
-        .map(feature_result)
+        .map(of_group)
         .collect()
 }
 
-fn curve(problem: &FitProblem<'_>, results: &[FeatureResult<'_>], number: usize) -> FittedCurve {
-    let on: Vec<(&FittedFeature, f64)> = results
-        .iter()
-        .filter_map(|result| {
-            result
-                .measured
-                .on
-                .filter(|(curve, _)| *curve == number)
-                .map(|(_, at)| (&result.feature, at))
+/// Correlation matrix of the keys.
+fn correlation(covariance: &DMatrix<f64>, deviation: &[f64]) -> Vec<Vec<f64>> {
+    let keys = || 0..deviation.len();
+    keys()
+        .map(|a| {
+            keys()
+                .map(|b| covariance[(a, b)] / (deviation[a] * deviation[b]))
+                .collect()
         })
-        .collect();
-    let values = |value: fn(&FittedFeature) -> f64| {
-        on.iter()
-            .map(|(feature, _)| value(feature))
-            .collect::<Vec<f64>>()
-    };
-    let curve = &problem.observations.curves[number];
-    FittedCurve {
-        name: curve.name.clone(),
-        unit: curve.unit.clone(),
-        over: curve.over.to_owned(),
-        at: on.iter().map(|(_, at)| *at).collect(),
-        measured: values(|feature| feature.measured),
-        before: values(|feature| feature.before),
-        after: values(|feature| feature.after),
-        low: values(|feature| feature.low),
-        high: values(|feature| feature.high),
-    }
+        .collect()
 }

@@ -21,18 +21,8 @@ pub(super) fn warnings(
     chi_square: f64,
 ) -> Vec<String> {
     let (count, features) = (problem.keys.len(), problem.observations.measured.len());
-    let path = |k: usize| problem.keys[k].path();
     let mut result = Vec::new();
-    // Directions of the keys, each relative to its prior, that the features determine better than
-    // the priors do.
-    let scaled = DMatrix::from_fn(features, count, |i, k| {
-        minimum.derivatives[(i, k)] * problem.prior[k]
-    });
-    let sensitivity = scaled
-        .singular_values()
-        .iter()
-        .filter(|s| **s > 1.0)
-        .count();
+    let sensitivity = determined_combinations(problem, minimum);
     if sensitivity < count {
         result.push(format!(
             "{features} features determine {sensitivity} combinations of the {count} \
@@ -40,32 +30,8 @@ pub(super) fn warnings(
         ));
     }
     for k in 0..count {
-        let deviation_ratio = deviation[k] / problem.prior[k];
-        if deviation_ratio > MAX_POSTERIOR_RATIO {
-            result.push(format!(
-                "the features contain almost no information on {}: its deviation is {:.0} % of \
-                the prior's",
-                path(k),
-                100.0 * deviation_ratio
-            ));
-        }
-        let shift_ratio = problem.unknowns[k] / problem.prior[k];
-        if shift_ratio.abs() > 2.0 {
-            result.push(format!(
-                "{} moved by {:.1} standard deviations of its prior: is the model missing \
-                something?",
-                path(k),
-                shift_ratio.abs()
-            ));
-        }
-        for other in (0..k).filter(|other| correlation[k][*other].abs() > MAX_CORRELATION) {
-            result.push(format!(
-                "{} and {} cannot be distinguished: correlation {:.3}",
-                path(other),
-                path(k),
-                correlation[k][other]
-            ));
-        }
+        result.extend(key_warnings(problem, k, deviation[k]));
+        result.extend(indistinguishable(problem, k, &correlation[k]));
     }
     for key in linear {
         result.push(format!(
@@ -73,33 +39,97 @@ pub(super) fn warnings(
             from the linearised model there"
         ));
     }
-    for (group, freedom) in problem
-        .observations
-        .groups
+    result.extend(uncertain_deviations(problem, minimum));
+    result.extend(large_errors(
+        problem,
+        chi_square,
+        features.saturating_sub(sensitivity) as f64,
+    ));
+    result
+}
+
+/// Number of directions of the keys, each relative to its prior, that the features determine better
+/// than the priors do.
+fn determined_combinations(problem: &FitProblem<'_>, minimum: &Minimum) -> usize {
+    let (count, features) = (problem.keys.len(), problem.observations.measured.len());
+    let scaled = DMatrix::from_fn(features, count, |i, k| {
+        minimum.derivatives[(i, k)] * problem.prior[k]
+    });
+    scaled
+        .singular_values()
         .iter()
-        .zip(&minimum.freedom)
+        .filter(|s| **s > 1.0)
+        .count()
+}
+
+/// Warnings about a key relative to its prior.
+fn key_warnings(problem: &FitProblem<'_>, k: usize, deviation: f64) -> Vec<String> {
+    let (path, prior) = (problem.keys[k].path(), problem.prior[k]);
+    let mut result = Vec::new();
+    let deviation_ratio = deviation / prior;
+    if deviation_ratio > MAX_POSTERIOR_RATIO {
+        result.push(format!(
+            "the features contain almost no information on {path}: its deviation is {:.0} % of \
+            the prior's",
+            100.0 * deviation_ratio
+        ));
+    }
+    let shift_ratio = problem.unknowns[k] / prior;
+    if shift_ratio.abs() > 2.0 {
+        result.push(format!(
+            "{path} moved by {:.1} standard deviations of its prior: is the model missing \
+            something?",
+            shift_ratio.abs()
+        ));
+    }
+    result
+}
+
+/// Warnings about earlier keys that cannot be distinguished from a key.
+fn indistinguishable<'p>(
+    problem: &'p FitProblem<'_>,
+    k: usize,
+    correlation: &'p [f64],
+) -> impl Iterator<Item = String> + 'p {
+    (0..k)
+        .filter(|other| correlation[*other].abs() > MAX_CORRELATION)
+        .map(move |other| {
+            format!(
+                "{} and {} cannot be distinguished: correlation {:.3}",
+                problem.keys[other].path(),
+                problem.keys[k].path(),
+                correlation[other]
+            )
+        })
+}
+
+/// Warnings about deviations from few residuals.
+fn uncertain_deviations(problem: &FitProblem<'_>, minimum: &Minimum) -> Vec<String> {
+    let groups = problem.observations.groups.iter().zip(&minimum.freedom);
+    groups
         .filter_map(|(group, freedom)| Some((group, (*freedom)?)))
-    {
-        if freedom < 3.0 {
-            result.push(format!(
+        .filter(|(_, freedom)| *freedom < 3.0)
+        .map(|(group, freedom)| {
+            format!(
                 "the deviation of {} is estimated from residuals with {freedom:.1} degrees of \
                 freedom: it is very uncertain, and so are the intervals",
                 group.name
-            ));
-        }
-    }
-    // Mean plus three deviations of chi square if the deviations are given; an estimated deviation
-    // always fits.
-    let freedom = features.saturating_sub(sensitivity) as f64;
+            )
+        })
+        .collect()
+}
+
+/// Warning about errors beyond the mean plus three deviations of chi square, if the deviations are
+/// given; an estimated deviation always fits.
+fn large_errors(problem: &FitProblem<'_>, chi_square: f64, freedom: f64) -> Option<String> {
     let are_deviations_fixed = problem
         .observations
         .groups
         .iter()
         .all(|group| group.deviation != Deviation::Residuals);
-    if are_deviations_fixed && chi_square > freedom + 3.0 * (2.0 * freedom).sqrt() + 1.0 {
-        result.push(format!(
+    (are_deviations_fixed && chi_square > freedom + 3.0 * (2.0 * freedom).sqrt() + 1.0).then(|| {
+        format!(
             "the model misses the features by more than their deviations (chi square {chi_square:.1} for {freedom} degrees of freedom): the intervals are too narrow"
-        ));
-    }
-    result
+        )
+    })
 }

@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use faer::c64;
 use jounce_model::linear::{FrfInput, FrfResponse, frf};
 use jounce_model::plant::Plant;
 use jounce_signal::RandomStream;
@@ -84,13 +85,7 @@ pub fn hammer_test(plant: &Plant, test: &HammerTest) -> Result<Recording, RigErr
     let padded = padded(plant, count, test.rate_hz)?;
     let mut stream = RandomStream::new(test.seed, 0);
     let force = force(test, count, &mut stream);
-    let forward = jounce_fft::forward(padded);
-    let mut spectrum = forward.make_output_vec();
-    let mut input = force.clone();
-    input.resize(padded, 0.0);
-    forward
-        .process(&mut input, &mut spectrum)
-        .expect("the plan made the length");
+    let spectrum = spectrum(&force, padded);
     let frequency_hz: Vec<f64> = (0..spectrum.len())
         .map(|k| k as f64 * test.rate_hz / padded as f64)
         .collect();
@@ -100,7 +95,6 @@ pub fn hammer_test(plant: &Plant, test: &HammerTest) -> Result<Recording, RigErr
         &test.responses,
         &frequency_hz,
     )?;
-    let backward = jounce_fft::inverse(padded);
     let sensed = |truth: &[f64], stream: &mut RandomStream| test.sensor.read(truth, stream);
     let force_channel = Channel::new("force", Quantity::Force, "N", sensed(&force, &mut stream));
     let mut channels = vec![Channel {
@@ -108,42 +102,52 @@ pub fn hammer_test(plant: &Plant, test: &HammerTest) -> Result<Recording, RigErr
         ..force_channel
     }];
     for function in functions {
-        let mut bins: Vec<_> = spectrum
-            .iter()
-            .zip(&function.value)
-            .map(|(f, h)| f * h)
-            .collect();
-        // The transform of a real signal has real bins at both ends.
-        let last = bins.len() - 1;
-        (bins[0].im, bins[last].im) = (0.0, 0.0);
-        let mut values = backward.make_output_vec();
-        backward
-            .process(&mut bins, &mut values)
-            .expect("the plan made the length");
-        let truth: Vec<f64> = values[..count].iter().map(|x| x / padded as f64).collect();
+        let bins = spectrum.iter().zip(&function.value).map(|(f, h)| f * h);
+        let truth = samples(bins.collect(), padded);
         let (quantity, unit) = measured(&function.response);
         channels.push(Channel::new(
             &function.response.name(),
             quantity,
             unit,
-            sensed(&truth, &mut stream),
+            sensed(&truth[..count], &mut stream),
         ));
     }
-    let grid = Grid::even(0.0, 1.0 / test.rate_hz, count)?;
     let slowest_mode = ringing(plant, test.block_s).filter(|slowest_mode| {
         test.hits > 1 && slowest_mode.remaining_share > MIN_REPORTED_RINGING
     });
-    let issues = slowest_mode
-        .into_iter()
-        .map(|slowest_mode| slowest_mode.issue())
-        .collect();
     Ok(Recording {
         name: format!("hammer at {}", test.point),
         over: Over::Time,
-        grid,
+        grid: Grid::even(0.0, 1.0 / test.rate_hz, count)?,
         channels,
-        issues,
+        issues: slowest_mode.iter().map(ResidualRinging::issue).collect(),
     })
+}
+
+/// Transform of a record padded with zeros.
+fn spectrum(values: &[f64], padded: usize) -> Vec<c64> {
+    let forward = jounce_fft::forward(padded);
+    let mut input = values.to_vec();
+    input.resize(padded, 0.0);
+    let mut bins = forward.make_output_vec();
+    forward
+        .process(&mut input, &mut bins)
+        .expect("the plan made the length");
+    bins
+}
+
+/// Samples of a padded record with a given transform.
+fn samples(mut bins: Vec<c64>, padded: usize) -> Vec<f64> {
+    // The transform of a real signal has real bins at both ends.
+    let last = bins.len() - 1;
+    (bins[0].im, bins[last].im) = (0.0, 0.0);
+    let backward = jounce_fft::inverse(padded);
+    let mut values = backward.make_output_vec();
+    backward
+        .process(&mut bins, &mut values)
+        .expect("the plan made the length");
+    values.iter_mut().for_each(|x| *x /= padded as f64);
+    values
 }
 
 impl ResidualRinging {

@@ -14,6 +14,7 @@ mod base;
 mod disturbance;
 mod error;
 mod hammer;
+mod jumps;
 mod sensed_channel;
 mod sensor;
 mod sensor_loading;

@@ -60,7 +60,14 @@ pub(super) fn sensors(
             SensorOutput::Acceleration(point.clone()),
         ));
     }
-    let sensed = |(name, output): (String, SensorOutput)| {
+    Ok(all
+        .into_iter()
+        .map(|(name, output)| SensedChannel::new(name, output))
+        .collect())
+}
+
+impl SensedChannel {
+    fn new(name: String, output: SensorOutput) -> Self {
         let (quantity, unit) = match output {
             SensorOutput::PatchVoltage(_) | SensorOutput::LoadVoltage(_) => {
                 (Quantity::Voltage, "V")
@@ -70,12 +77,11 @@ pub(super) fn sensors(
                 (Quantity::Acceleration, "m/s^2")
             }
         };
-        SensedChannel {
+        Self {
             name,
             quantity,
             unit,
             output,
         }
-    };
-    Ok(all.into_iter().map(sensed).collect())
+    }
 }

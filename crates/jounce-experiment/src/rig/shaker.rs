@@ -8,7 +8,8 @@ use jounce_model::structure::Modes;
 use jounce_signal::RandomStream;
 use jounce_spec::Spec;
 
-use super::disturbance::{disturbed, drive_courses};
+use super::disturbance::{DriveCourse, disturbed, drive_courses};
+use super::jumps::jumps;
 use super::sensed_channel::{SensedChannel, sensors};
 use super::{Disturbance, RigError, Sensor};
 use crate::solution::{SensorOutput, outputs};
@@ -54,26 +55,13 @@ pub fn shaker_test(
     let sensors = sensors(spec, modes, &test.accelerometers)?;
     let mut stream = RandomStream::new(test.seed, 0);
     let total_s = test.before_s + test.duration_s;
-    let is_disturbed = test.disturbance != Disturbance::NONE;
-    if let Some(base) = spec.bases().first().filter(|_| is_disturbed) {
-        return Err(RigError::Bases {
-            base: (*base).to_owned(),
-            what: "a shaker that wanders",
-        });
-    }
-    let drive_courses = if is_disturbed {
-        drive_courses(
-            spec,
-            &test.disturbance,
-            total_s,
-            &mut RandomStream::new(test.seed, 1),
-        )
-    } else {
-        Vec::new()
-    };
+    let drive_courses = disturbance_courses(spec, test, total_s)?;
     let jumps = jumps(spec, test, &drive_courses);
     let time_s = |k: usize| test.before_s + k as f64 / test.rate_hz;
-    let (mut values, mut from) = (vec![Vec::with_capacity(count); sensors.len()], 0);
+    let mut values = vec![Vec::with_capacity(count); sensors.len()];
+    let sensor_outputs: Vec<SensorOutput> =
+        sensors.iter().map(|sensor| sensor.output.clone()).collect();
+    let mut from = 0;
     for (number, (at_s, start)) in jumps.iter().enumerate() {
         let until_s = jumps.get(number + 1).map_or(total_s, |jump| jump.0);
         let segment_spec = disturbed(spec, &drive_courses, *at_s);
@@ -83,14 +71,12 @@ pub fn shaker_test(
         let times_s: Vec<f64> = (from..end).map(|k| time_s(k) - at_s).collect();
         let (kernel, trajectory) =
             integrated(&segment_spec, modes, (start, until_s - at_s), control)?;
-        let segment_outputs: Vec<SensorOutput> =
-            sensors.iter().map(|sensor| sensor.output.clone()).collect();
         let read = outputs(
             &segment_spec,
             &kernel,
             &trajectory,
             &times_s,
-            &segment_outputs,
+            &sensor_outputs,
         );
         values
             .iter_mut()
@@ -108,26 +94,43 @@ pub fn shaker_test(
     };
     let channels = sensors.into_iter().zip(values).map(channel).collect();
     let grid = Grid::even(0.0, 1.0 / test.rate_hz, count)?;
-    let jump_issue = |at_s: f64| {
-        let message = format!(
-            "the motion continues from another solution at {:.6} s: simulated, the cause of the \
-            jump is not modelled",
-            at_s - test.before_s
-        );
-        Issue::new(IssueKind::Simulated, 1, None, message)
-    };
-    let issues = jumps
-        .iter()
-        .skip(1)
-        .map(|(at_s, _)| jump_issue(*at_s))
-        .collect();
+    let later_starts = jumps.iter().skip(1);
     Ok(Recording {
         name: "shaken".to_owned(),
         over: Over::Time,
         grid,
         channels,
-        issues,
+        issues: later_starts
+            .map(|(at_s, _)| jump_issue(at_s - test.before_s))
+            .collect(),
     })
+}
+
+/// Courses of the drives under the disturbance of a test; empty without one.
+fn disturbance_courses(
+    spec: &Spec,
+    test: &ShakerTest,
+    total_s: f64,
+) -> Result<Vec<(String, DriveCourse)>, RigError> {
+    if test.disturbance == Disturbance::NONE {
+        return Ok(Vec::new());
+    }
+    if let Some(base) = spec.bases().first() {
+        return Err(RigError::Bases {
+            base: (*base).to_owned(),
+            what: "a shaker that wanders",
+        });
+    }
+    let mut stream = RandomStream::new(test.seed, 1);
+    Ok(drive_courses(spec, &test.disturbance, total_s, &mut stream))
+}
+
+fn jump_issue(at_s: f64) -> Issue {
+    let message = format!(
+        "the motion continues from another solution at {at_s:.6} s: simulated, the cause of the \
+        jump is not modelled"
+    );
+    Issue::new(IssueKind::Simulated, 1, None, message)
 }
 
 fn check(test: &ShakerTest) -> Result<usize, RigError> {
@@ -154,54 +157,6 @@ fn check(test: &ShakerTest) -> Result<usize, RigError> {
         }),
         None => Ok(samples.round() as usize),
     }
-}
-
-/// Times of the starts, s of the run: the first at once, the others at the start of a cycle of the
-/// first drive.
-fn jumps<'a>(
-    spec: &Spec,
-    test: &'a ShakerTest,
-    drive_courses: &[(String, super::disturbance::DriveCourse)],
-) -> Vec<(f64, &'a StartState)> {
-    let cycle = |at_s: f64| match drive_courses.first() {
-        Some((_, drive_course)) => {
-            let cycles = |k: usize| {
-                (drive_course.angle_rad[k] - drive_course.angle_rad[0]) / std::f64::consts::TAU
-            };
-            let first =
-                ((at_s / drive_course.step_s) as usize).min(drive_course.angle_rad.len() - 2);
-            let next_cycle = cycles(first).ceil();
-            let k = (first..drive_course.angle_rad.len() - 1)
-                .find(|k| cycles(k + 1) >= next_cycle)
-                .unwrap_or(first);
-            let step_share =
-                ((next_cycle - cycles(k)) / (cycles(k + 1) - cycles(k))).clamp(0.0, 1.0);
-            (k as f64 + step_share) * drive_course.step_s
-        }
-        None => {
-            let period_s = spec
-                .drive
-                .values()
-                .find_map(|drive| drive.frequency_hz())
-                .map_or(0.0, f64::recip);
-            if period_s > 0.0 {
-                (at_s / period_s - 1e-9).ceil() * period_s
-            } else {
-                at_s
-            }
-        }
-    };
-    let at = |(number, (at_s, start)): (usize, &'a (f64, StartState))| {
-        (
-            if number == 0 {
-                0.0
-            } else {
-                cycle(test.before_s + at_s)
-            },
-            start,
-        )
-    };
-    test.starts.iter().enumerate().map(at).collect()
 }
 
 fn integrated(
@@ -232,263 +187,4 @@ fn integrated(
 
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
-mod tests {
-    use super::super::paper_spec;
-    use super::*;
-    use crate::rig::on_recorded_base;
-    use jounce_data::recording::Quantity;
-    use jounce_model::linear::{FrfInput, FrfResponse, frf};
-    use jounce_model::structure::{modes, modes_holding};
-    use jounce_signal::Samples;
-
-    /// 6 Hz, 20 N, linear steady state, 100 kohm.
-    fn linear() -> (Spec, Modes) {
-        let settings = [
-            ("drive.shaker.frequency", "6 Hz"),
-            ("drive.shaker.amplitude", "20 N"),
-            ("stop.tip.gap", "1 m"),
-        ];
-        let spec =
-            paper_spec(&[&settings[..], &[("circuit.load.resistance", "100 kohm")]].concat());
-        let modes = modes(&spec).unwrap();
-        (spec, modes)
-    }
-
-    fn plant(spec: &Spec, modes: &Modes) -> Plant {
-        Plant::new(System::assemble(spec, modes.clone()).unwrap()).unwrap()
-    }
-
-    fn test(start: StartState, duration_s: f64) -> ShakerTest {
-        let sensor = Sensor {
-            noise_ratio: 0.0,
-            bits: None,
-        };
-        let (starts, accelerometers) = (vec![(0.0, start)], vec!["beam.tip".to_owned()]);
-        ShakerTest {
-            rate_hz: 1536.0,
-            duration_s,
-            before_s: 0.0,
-            starts,
-            disturbance: Disturbance::NONE,
-            accelerometers,
-            sensor,
-            seed: 1,
-        }
-    }
-
-    fn peak(recording: &Recording, channel: &str, hz: f64) -> f64 {
-        let samples = Samples::new(&recording.channel(channel).unwrap().values, 1536.0).unwrap();
-        samples.orders(hz, &[1.0]).unwrap().lines[0].amplitude_peak
-    }
-
-    /// In the steady state without contact every channel has the amplitude of its frequency
-    /// response; measured 4e-15. The same drive as undisturbed samples gives the same record;
-    /// measured 5e-5, linear interpolation with 64 samples per cycle.
-    #[test]
-    fn channels_are_the_frequency_responses_for_tones_and_disturbed_drives() {
-        let (spec, modes) = linear();
-        let linear_plant = plant(&spec, &modes);
-        let responses = [
-            FrfResponse::Acceleration("table".to_owned()),
-            FrfResponse::Acceleration("beam.tip".to_owned()),
-        ];
-        let responses = [&responses[..], &[FrfResponse::Voltage("mfc".to_owned())]].concat();
-        let expected = frf(
-            &linear_plant,
-            &FrfInput::Force("table".to_owned()),
-            &responses,
-            &[6.0],
-        )
-        .unwrap();
-        let undisturbed_test = test(StartState::linear(&linear_plant), 2.0);
-        let disturbed_test = ShakerTest {
-            disturbance: Disturbance {
-                amplitude_ratio: 1e-13,
-                ..Disturbance::NONE
-            },
-            ..undisturbed_test.clone()
-        };
-        for (test, allowed) in [(undisturbed_test, 1e-11), (disturbed_test, 2e-4)] {
-            let result = shaker_test(&spec, &modes, &test, &Control::default()).unwrap();
-            for (channel, expected) in ["base.acceleration", "beam.tip.acceleration", "mfc.voltage"]
-                .into_iter()
-                .zip(&expected)
-            {
-                let relative_error =
-                    peak(&result, channel, 6.0) / (20.0 * expected.value[0].norm()) - 1.0;
-                eprintln!("{channel}: {relative_error:.1e}");
-                assert!(
-                    relative_error.abs() < allowed,
-                    "{channel}: {relative_error:e}"
-                );
-            }
-        }
-    }
-
-    /// In contact, the acceleration is the rate of the velocity: differences of the velocity over
-    /// 2e-5 s in the same run. Measured 3e-6 of the largest.
-    #[test]
-    fn an_acceleration_in_contact_is_the_rate_of_the_velocity() {
-        let spec = paper_spec(&[("run.tolerance", "1e-9")]);
-        let modes = modes(&spec).unwrap();
-        let (kernel, trajectory) = integrated(
-            &spec,
-            &modes,
-            (&StartState::rest(&plant(&spec, &modes)), 1.0),
-            &Control::default(),
-        )
-        .unwrap();
-        let times_s: Vec<f64> = (0..900).map(|k| 0.05 + 1e-3 * f64::from(k)).collect();
-        let sensor_outputs = [
-            SensorOutput::Acceleration("beam.tip".to_owned()),
-            SensorOutput::StopForce(0),
-        ];
-        let result = outputs(&spec, &kernel, &trajectory, &times_s, &sensor_outputs);
-        let row = kernel.plant.velocity_row(&modes.shape["beam.tip"]);
-        let velocity = |time_s: f64| {
-            let at = &trajectory.at(&kernel, &[time_s])[0];
-            let steady = kernel.plant.steady_at(time_s);
-            row.iter()
-                .zip(&at.state)
-                .zip(&steady)
-                .map(|((c, y), s)| c * (y + s))
-                .sum::<f64>()
-        };
-        let peak_acceleration = result[0].iter().fold(0.0, |peak: f64, x| peak.max(x.abs()));
-        let rate = |t: f64| (velocity(t + 1e-5) - velocity(t - 1e-5)) / 2e-5;
-        let max_error = times_s
-            .iter()
-            .zip(&result[0])
-            .map(|(t, a)| (a - rate(*t)).abs() / peak_acceleration)
-            .fold(0.0, f64::max);
-        let contact_samples = result[1].iter().filter(|force| **force > 0.0).count();
-        eprintln!("{contact_samples} of 900 in contact, off by {max_error:.1e}");
-        assert!(
-            contact_samples > 20 && max_error < 1e-4,
-            "{contact_samples} {max_error:e}"
-        );
-    }
-
-    /// A recorded base motion, 20 Hz and 2 m/s^2 about an offset of gravity, 50 samples per cycle.
-    /// The base channel is the record without its mean; the accelerometer adds its own response to
-    /// the base motion, `a |1 + H|`; linear interpolation multiplies both by `sinc^2(f h)`.
-    /// Measured 1e-6.
-    #[test]
-    fn recorded_base_moves_the_structure() {
-        let settings = [
-            ("stop.tip.gap", "1 m"),
-            (
-                "damping.ratios",
-                "[0.05, 0.05, 0.05, 0.05, 0.05, 0.05, 0.05]",
-            ),
-        ];
-        let mut spec = paper_spec(&settings);
-        let modes = modes_holding(&spec, &["table".to_owned()]).unwrap();
-        let value =
-            |k: usize| 9.81 + 2.0 * (std::f64::consts::TAU * 20.0 * k as f64 / 1000.0).sin();
-        let channels = vec![Channel::new(
-            "a",
-            Quantity::Acceleration,
-            "m/s^2",
-            (0..6000).map(value).collect(),
-        )];
-        let grid = Grid::even(0.0, 1e-3, 6000).unwrap();
-        let recorded = Recording {
-            name: "base".to_owned(),
-            over: Over::Time,
-            grid,
-            channels,
-            issues: Vec::new(),
-        };
-        let mean = on_recorded_base(&mut spec, &recorded, "a", false).unwrap();
-        assert!((mean - 9.81).abs() < 1e-9 && (spec.run.duration_s - 5.999).abs() < 1e-12);
-        let plant_on_base = plant(&spec, &modes);
-        let result = shaker_test(
-            &spec,
-            &modes,
-            &test(StartState::rest(&plant_on_base), 5.999),
-            &Control::default(),
-        )
-        .unwrap();
-        let last = |channel: &str| {
-            let values = &result.channel(channel).unwrap().values;
-            Samples::new(&values[values.len() - 3072..], 1536.0)
-                .unwrap()
-                .orders(20.0, &[1.0])
-                .unwrap()
-                .lines[0]
-                .amplitude_peak
-        };
-        let h = frf(
-            &plant_on_base,
-            &FrfInput::BaseAcceleration,
-            &[FrfResponse::Acceleration("beam.tip".to_owned())],
-            &[20.0],
-        )
-        .unwrap()[0]
-            .value[0];
-        let half_angle = std::f64::consts::PI * 0.02;
-        let amplitude = 2.0 * (half_angle.sin() / half_angle).powi(2);
-        let (base, tip) = (
-            last("base.acceleration") / amplitude,
-            last("beam.tip.acceleration") / (amplitude * (h + 1.0).norm()),
-        );
-        eprintln!("base {:.1e}, tip {:.1e} off", base - 1.0, tip - 1.0);
-        assert!(
-            (base - 1.0).abs() < 1e-4 && (tip - 1.0).abs() < 1e-4,
-            "{base} {tip}"
-        );
-    }
-
-    #[test]
-    fn impossible_tests_are_errors() {
-        let (spec, modes) = linear();
-        let start = StartState::linear(&plant(&spec, &modes));
-        let valid_test = test(start.clone(), 1.0);
-        let with = |change: fn(&mut ShakerTest)| {
-            let mut test = valid_test.clone();
-            change(&mut test);
-            shaker_test(&spec, &modes, &test, &Control::default())
-                .unwrap_err()
-                .to_string()
-        };
-        assert!(with(|t| t.duration_s = 0.01).contains("samples"));
-        assert!(with(|t| t.accelerometers = vec!["beam.tpi".to_owned()]).contains("beam.tip"));
-        assert!(with(|t| t.disturbance.amplitude_ratio = f64::NAN).contains("amplitude"));
-        for noise_ratio in [-1.0, f64::NAN, f64::INFINITY] {
-            let sensor = Sensor {
-                noise_ratio,
-                bits: None,
-            };
-            let message = shaker_test(
-                &spec,
-                &modes,
-                &ShakerTest {
-                    sensor,
-                    ..valid_test.clone()
-                },
-                &Control::default(),
-            )
-            .unwrap_err()
-            .to_string();
-            assert!(
-                message.contains("the noise ratio") && message.contains("from 0 to 10"),
-                "{message}"
-            );
-        }
-        assert!(
-            with(|t| t.sensor.bits = Some(0)).contains("from 2 to 32")
-                && with(|t| t.sensor.bits = Some(1000)).contains("1000")
-        );
-        let late_test = ShakerTest {
-            starts: vec![(0.0, start.clone()), (3.0, start)],
-            ..valid_test.clone()
-        };
-        assert!(
-            shaker_test(&spec, &modes, &late_test, &Control::default())
-                .unwrap_err()
-                .to_string()
-                .contains("within the record")
-        );
-    }
-}
+mod tests;

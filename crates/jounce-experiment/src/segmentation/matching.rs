@@ -200,7 +200,7 @@ fn least_common(a: u32, b: u32) -> u32 {
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
-    use super::super::regimes;
+    use super::super::segments;
     use super::*;
     use jounce_signal::RandomStream;
     use std::f64::consts::TAU;
@@ -260,7 +260,7 @@ mod tests {
 
     fn found(values: &[f64], limit: f64) -> SegmentMatches {
         let samples = Samples::new(values, RATE).unwrap();
-        let segmentation = regimes(&samples, HZ).unwrap();
+        let segmentation = segments(&samples, HZ).unwrap();
         assert_eq!(segmentation.stretches.len(), 1);
         match_segments(&samples, HZ, &segmentation.stretches[0], &known(), limit)
     }
@@ -330,7 +330,7 @@ mod tests {
         );
         let samples_of = record(&waveform, 1.0, 0.0);
         let samples = Samples::new(&samples_of, RATE).unwrap();
-        let segmentation = regimes(&samples, HZ).unwrap();
+        let segmentation = segments(&samples, HZ).unwrap();
         let equal_solutions = [known().swap_remove(0), known().swap_remove(0)];
         assert_eq!(
             match_segments(

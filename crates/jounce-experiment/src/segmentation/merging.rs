@@ -12,6 +12,7 @@ use serde::Serialize;
 
 use super::features::block_lines;
 use super::period;
+use super::segment_features::{EQUAL_AMPLITUDE_SHARE, NOISE_DEVIATIONS, SegmentFeatures};
 
 /// Reason why a change is not a change of solution.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -34,14 +35,8 @@ pub struct MergedChange {
     pub reason: MergeReason,
 }
 
-/// Relative difference below which amplitudes are equal.
-const EQUAL_AMPLITUDE_SHARE: f64 = 0.05;
-/// Noise deviations below which a difference is insignificant.
-const NOISE_DEVIATIONS: f64 = 3.0;
 /// Ratio of the noise of two segments above which the noise changed.
 const NOISE_CHANGE_RATIO: f64 = 1.2;
-/// Maximum residual of one waveform after scaling, relative to the other, for equal shapes.
-const SAME_SHAPE_SHARE: f64 = 0.1;
 /// Maximum share of a drift's change that occurs across the cut.
 const MAX_DRIFT_STEP_SHARE: f64 = 0.3;
 /// Blocks on both sides used to detect a sudden change, and blocks at the change that may contain
@@ -50,75 +45,6 @@ const NEIGHBOUR_BLOCKS: usize = 3;
 const TRANSITION_BLOCKS: usize = 1;
 /// Maximum length in blocks of a glitch between two segments of one solution.
 const MAX_GLITCH_BLOCKS: f64 = 2.0;
-
-/// Features of one segment, corrected for noise.
-struct SegmentFeatures {
-    amplitude: Vec<f64>,
-    /// Standard deviation of each amplitude.
-    deviation: f64,
-    /// Noise of the lines of a block.
-    noise: f64,
-}
-
-impl SegmentFeatures {
-    fn of(lines: &[Vec<c64>]) -> Self {
-        let (count, orders) = (lines.len() as f64, lines.first().map_or(0, Vec::len));
-        let steps = (lines.len().saturating_sub(1)).max(1) as f64;
-        let noise = |j: usize| {
-            lines
-                .windows(2)
-                .map(|pair| (pair[1][j] - pair[0][j]).norm_sqr())
-                .sum::<f64>()
-                / (2.0 * steps)
-        };
-        let mean_square =
-            |j: usize| lines.iter().map(|block| block[j].norm_sqr()).sum::<f64>() / count;
-        let amplitude = (0..orders)
-            .map(|j| (mean_square(j) - noise(j)).max(0.0).sqrt())
-            .collect();
-        let noise_rms = ((0..orders).map(noise).sum::<f64>() / orders.max(1) as f64).sqrt();
-        Self {
-            amplitude,
-            deviation: noise_rms / count.max(1.0).sqrt(),
-            noise: noise_rms,
-        }
-    }
-
-    fn largest_amplitude(&self) -> f64 {
-        self.amplitude.iter().copied().fold(0.0, f64::max)
-    }
-
-    /// Largest difference of two amplitudes.
-    fn amplitude_difference(&self, other: &Self) -> f64 {
-        self.amplitude
-            .iter()
-            .zip(&other.amplitude)
-            .map(|(a, b)| (a - b).abs())
-            .fold(0.0, f64::max)
-    }
-
-    fn equals(&self, other: &Self) -> bool {
-        let noise = NOISE_DEVIATIONS * self.deviation.hypot(other.deviation);
-        self.amplitude_difference(other)
-            < EQUAL_AMPLITUDE_SHARE * self.largest_amplitude().max(other.largest_amplitude())
-                + noise
-    }
-
-    /// True where the amplitudes are equal except for a common factor.
-    fn is_shaped_as(&self, other: &Self) -> bool {
-        let product = |a: &Self, b: &Self| {
-            a.amplitude
-                .iter()
-                .zip(&b.amplitude)
-                .map(|(a, b)| a * b)
-                .sum::<f64>()
-        };
-        let (one, two) = (product(self, self), product(other, other));
-        one * two > 0.0
-            && 1.0 - product(self, other).powi(2) / (one * two)
-                < SAME_SHAPE_SHARE * SAME_SHAPE_SHARE
-    }
-}
 
 /// Returns the starts of segments, in blocks, without merged changes, and the merged changes.
 pub(super) fn merge_segments(
@@ -252,7 +178,7 @@ fn merge_reason(lines: &[Vec<c64>], previous: (f64, f64), next: (f64, f64)) -> O
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
-    use super::super::{Segmentation, regimes};
+    use super::super::{Segmentation, segments};
     use super::*;
     use jounce_signal::RandomStream;
     use std::f64::consts::TAU;
@@ -263,7 +189,7 @@ mod tests {
         let values: Vec<f64> = (0..130_560)
             .map(|k| value(f64::from(k) / 1536.0, stream.normal_pair()[0]))
             .collect();
-        regimes(&Samples::new(&values, 1536.0).unwrap(), 13.0).unwrap()
+        segments(&Samples::new(&values, 1536.0).unwrap(), 13.0).unwrap()
     }
 
     fn base(t: f64) -> f64 {
@@ -360,7 +286,7 @@ mod tests {
                     + amplitudes[2] * (TAU * 13.0 / 3.0 * t).sin();
                 values.push(if t < 25.0 { irregular } else { 1.5 * base(t) } + 0.02 * noise);
             }
-            let result = regimes(&Samples::new(&values, 1536.0).unwrap(), 13.0).unwrap();
+            let result = segments(&Samples::new(&values, 1536.0).unwrap(), 13.0).unwrap();
             let [start, .., last] = &result.stretches[..] else {
                 panic!("{seed}: {:?}", result.stretches)
             };

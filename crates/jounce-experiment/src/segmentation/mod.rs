@@ -25,12 +25,14 @@
 //! Source: for the cost R. Killick, P. Fearnhead, I. Eckley, Optimal detection of changepoints, J.
 //! Am. Stat. Assoc. 107 (2012) 1590; B. Jackson et al., An algorithm for optimal partitioning of
 //! data on an interval, IEEE Signal Process. Lett. 12 (2005) 105.
+mod cycles;
 mod features;
 mod matching;
 mod merging;
 mod partition;
 mod period;
 mod section;
+mod segment_features;
 mod segments;
 mod shift;
 
@@ -38,4 +40,4 @@ pub use matching::{Candidate, SegmentMatch, SegmentMatches, match_segments};
 pub use merging::{MergeReason, MergedChange};
 pub use period::{MAX_PERIOD_CYCLES, RepetitionPeriod, period};
 pub use section::{Section, section};
-pub use segments::{RecordSegment, Segmentation, SegmentationError, regimes, regimes_watched};
+pub use segments::{RecordSegment, Segmentation, SegmentationError, segments, segments_watched};

@@ -2,7 +2,7 @@
 
 use jounce_signal::Samples;
 
-use super::period::cubic;
+use super::cycles::cubic;
 
 /// Values at one phase of the drive.
 #[derive(Debug, Clone, PartialEq)]

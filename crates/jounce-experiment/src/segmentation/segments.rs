@@ -1,5 +1,6 @@
 //! Segments of a record.
 
+use faer::c64;
 use jounce_control::Control;
 use jounce_signal::{Samples, SignalError};
 use serde::Serialize;
@@ -91,105 +92,150 @@ const SEGMENT_COST: f64 = 3.0;
 /// # Errors
 /// A drive that is not suitable for the sampling rate, a record of fewer than 24 cycles, a constant
 /// record.
-pub fn regimes(samples: &Samples<'_>, drive_hz: f64) -> Result<Segmentation, SegmentationError> {
-    regimes_watched(samples, drive_hz, &Control::default())
+pub fn segments(samples: &Samples<'_>, drive_hz: f64) -> Result<Segmentation, SegmentationError> {
+    segments_watched(samples, drive_hz, &Control::default())
 }
 
-/// Segments a record as [`regimes`] does, with a cancellation check for each block, each end of a
+/// Segments a record as [`segments`] does, with a cancellation check for each block, each end of a
 /// piece and each tested period.
 ///
 /// # Errors
-/// Those of [`regimes`], and [`SegmentationError::Stopped`].
-pub fn regimes_watched(
+/// Those of [`segments`], and [`SegmentationError::Stopped`].
+pub fn segments_watched(
     samples: &Samples<'_>,
     drive_hz: f64,
     control: &Control,
 ) -> Result<Segmentation, SegmentationError> {
-    let rate_hz = samples.rate_hz();
-    if !(drive_hz > 0.0 && drive_hz < rate_hz / 4.0) {
-        return Err(SegmentationError::Drive { drive_hz, rate_hz });
-    }
-    let cycles = samples.duration_s() * drive_hz;
-    if cycles < MIN_RECORD_BLOCKS * CYCLES_PER_BLOCK {
-        return Err(SegmentationError::Short {
-            cycles,
-            needed: MIN_RECORD_BLOCKS * CYCLES_PER_BLOCK,
-        });
-    }
-    let length = CYCLES_PER_BLOCK * rate_hz / drive_hz;
-    let blocks = (samples.values().len() as f64 / length) as usize;
-    let start = |b: usize| (b as f64 * length).round() as usize;
-    let features = (0..blocks).take_while(|_| !control.is_stopped());
-    let features: Vec<Vec<f64>> = features
-        .map(|b| block_features(samples, drive_hz, start(b), length.floor() as usize))
-        .collect();
-    if control.is_stopped() {
-        return Err(SegmentationError::Stopped);
-    }
+    let blocks = Blocks::of(samples, drive_hz)?;
+    let features = blocks.features(samples, drive_hz, control)?;
     let largest_feature = features.iter().flatten().copied().fold(0.0, f64::max);
     if largest_feature <= 0.0 {
         return Err(SegmentationError::Constant);
     }
     // A clean record has hardly any noise: the size of a change then decides.
-    let floor = MIN_CHANGE_SHARE * largest_feature / (4.0 * (blocks as f64).ln()).sqrt();
+    let ln_count = (blocks.count as f64).ln();
+    let floor = MIN_CHANGE_SHARE * largest_feature / (4.0 * ln_count).sqrt();
     let noise: Vec<f64> = noise(&features).into_iter().map(|s| s.max(floor)).collect();
-    let cost = SEGMENT_COST * noise.len() as f64 * (blocks as f64).ln();
+    let cost = SEGMENT_COST * noise.len() as f64 * ln_count;
     let starts =
         change_points(&features, &noise, cost, control).ok_or(SegmentationError::Stopped)?;
-    let lines = lines(samples, drive_hz, (blocks, length));
-    let (starts, mut joints) = merge_segments(samples, drive_hz, starts, (&lines, length));
-    let boundary = |k: usize| {
-        starts
-            .get(k)
-            .map_or(samples.values().len(), |b| (b * length).round() as usize)
-    };
-    let last = starts.len().saturating_sub(1);
-    let inner = |k: usize| {
-        // The blocks next to a change may contain both solutions.
-        let block = if boundary(k + 1) - boundary(k) > (4.0 * length) as usize {
-            length.ceil() as usize
-        } else {
-            0
-        };
-        (
-            boundary(k) + if k > 0 { block } else { 0 },
-            boundary(k + 1) - if k < last { block } else { 0 },
-        )
-    };
-    let one = |k: usize| {
-        record_segment(
-            samples,
-            drive_hz,
-            (boundary(k), boundary(k + 1)),
-            inner(k),
-            control,
-        )
-    };
+    let lines = lines(samples, drive_hz, (blocks.count, blocks.length));
+    let (starts, mut joints) = merge_segments(samples, drive_hz, starts, (&lines, blocks.length));
     let segments = (0..starts.len())
-        .map(one)
+        .map(|k| {
+            let (bounds, inner) = blocks.sample_ranges(&starts, k, samples.values().len());
+            record_segment(samples, drive_hz, bounds, inner, control)
+        })
         .collect::<Result<Vec<RecordSegment>, _>>()?;
-    for (k, segment) in segments
-        .iter()
-        .enumerate()
-        .filter(|(_, segment)| segment.period.cycles.is_some())
-    {
-        let is_reported = joints
-            .iter()
-            .any(|joint| (segment.start_s..segment.end_s).contains(&joint.at_s));
-        let end = starts.get(k + 1).map_or(blocks, |end| end.floor() as usize);
-        if !is_reported && drifts(&lines[starts[k].ceil() as usize..end]) {
-            joints.push(MergedChange {
-                at_s: 0.5 * (segment.start_s + segment.end_s),
-                reason: MergeReason::Drifts,
-            });
-        }
-    }
+    joints.extend(unreported_drifts(&segments, &starts, &lines, &joints));
     joints.sort_by(|a, b| a.at_s.total_cmp(&b.at_s));
     Ok(Segmentation {
         stretches: segments,
         joints,
-        uncertainty_s: length / rate_hz,
+        uncertainty_s: blocks.length / samples.rate_hz(),
     })
+}
+
+/// Division of a record into blocks of some drive cycles.
+struct Blocks {
+    count: usize,
+    /// Samples of a block.
+    length: f64,
+}
+
+impl Blocks {
+    fn of(samples: &Samples<'_>, drive_hz: f64) -> Result<Self, SegmentationError> {
+        let rate_hz = samples.rate_hz();
+        if !(drive_hz > 0.0 && drive_hz < rate_hz / 4.0) {
+            return Err(SegmentationError::Drive { drive_hz, rate_hz });
+        }
+        let cycles = samples.duration_s() * drive_hz;
+        if cycles < MIN_RECORD_BLOCKS * CYCLES_PER_BLOCK {
+            return Err(SegmentationError::Short {
+                cycles,
+                needed: MIN_RECORD_BLOCKS * CYCLES_PER_BLOCK,
+            });
+        }
+        let length = CYCLES_PER_BLOCK * rate_hz / drive_hz;
+        Ok(Self {
+            count: (samples.values().len() as f64 / length) as usize,
+            length,
+        })
+    }
+
+    /// Features of each block.
+    fn features(
+        &self,
+        samples: &Samples<'_>,
+        drive_hz: f64,
+        control: &Control,
+    ) -> Result<Vec<Vec<f64>>, SegmentationError> {
+        let start = |b: usize| (b as f64 * self.length).round() as usize;
+        let features = (0..self.count)
+            .take_while(|_| !control.is_stopped())
+            .map(|b| block_features(samples, drive_hz, start(b), self.length.floor() as usize))
+            .collect();
+        if control.is_stopped() {
+            return Err(SegmentationError::Stopped);
+        }
+        Ok(features)
+    }
+
+    /// Samples of the segment `k` of those that start at given blocks, and its samples without the
+    /// blocks next to a change, which may contain both solutions.
+    fn sample_ranges(
+        &self,
+        starts: &[f64],
+        k: usize,
+        samples: usize,
+    ) -> ((usize, usize), (usize, usize)) {
+        let boundary = |k: usize| {
+            starts
+                .get(k)
+                .map_or(samples, |b| (b * self.length).round() as usize)
+        };
+        let (start, end) = (boundary(k), boundary(k + 1));
+        let block = if end - start > (4.0 * self.length) as usize {
+            self.length.ceil() as usize
+        } else {
+            0
+        };
+        let (is_first, is_last) = (k == 0, k + 1 == starts.len());
+        let inner = (
+            start + if is_first { 0 } else { block },
+            end - if is_last { 0 } else { block },
+        );
+        ((start, end), inner)
+    }
+}
+
+/// Drifts within periodic segments that no joint reports.
+fn unreported_drifts(
+    segments: &[RecordSegment],
+    starts: &[f64],
+    lines: &[Vec<c64>],
+    joints: &[MergedChange],
+) -> Vec<MergedChange> {
+    let drifts_unreported = |(k, segment): &(usize, &RecordSegment)| {
+        let is_reported = joints
+            .iter()
+            .any(|joint| (segment.start_s..segment.end_s).contains(&joint.at_s));
+        let end = starts
+            .get(k + 1)
+            .map_or(lines.len(), |end| end.floor() as usize);
+        segment.period.cycles.is_some()
+            && !is_reported
+            && drifts(&lines[starts[*k].ceil() as usize..end])
+    };
+    segments
+        .iter()
+        .enumerate()
+        .filter(drifts_unreported)
+        .map(|(_, segment)| MergedChange {
+            at_s: 0.5 * (segment.start_s + segment.end_s),
+            reason: MergeReason::Drifts,
+        })
+        .collect()
 }
 
 fn record_segment(
@@ -251,7 +297,7 @@ mod tests {
     fn solution_changes_and_periods_are_found_at_any_noise() {
         for noise in [0.0, 0.3] {
             let values = switching(noise);
-            let result = regimes(&Samples::new(&values, 1536.0).unwrap(), 13.0).unwrap();
+            let result = segments(&Samples::new(&values, 1536.0).unwrap(), 13.0).unwrap();
             assert_eq!(result.stretches.len(), 3, "{noise}: {:?}", result.stretches);
             for (k, change) in [(1, 31.7), (2, 60.2)] {
                 assert!(
@@ -276,23 +322,23 @@ mod tests {
             .map(|k| (TAU * 13.0 * f64::from(k) / 1536.0).sin() + 0.5 * stream.normal_pair()[0])
             .collect();
         let samples = Samples::new(&values, 1536.0).unwrap();
-        assert_eq!(regimes(&samples, 13.0).unwrap().stretches.len(), 1);
+        assert_eq!(segments(&samples, 13.0).unwrap().stretches.len(), 1);
         assert!(matches!(
-            regimes(&samples, 500.0),
+            segments(&samples, 500.0),
             Err(SegmentationError::Drive { .. })
         ));
         assert!(matches!(
-            regimes(&samples, 0.1),
+            segments(&samples, 0.1),
             Err(SegmentationError::Short { .. })
         ));
         assert_eq!(
-            regimes(&Samples::new(&[1.0; 9000], 100.0).unwrap(), 5.0),
+            segments(&Samples::new(&[1.0; 9000], 100.0).unwrap(), 5.0),
             Err(SegmentationError::Constant)
         );
         let control = Control::default();
         control.stop();
         assert_eq!(
-            regimes_watched(&samples, 13.0, &control),
+            segments_watched(&samples, 13.0, &control),
             Err(SegmentationError::Stopped)
         );
     }

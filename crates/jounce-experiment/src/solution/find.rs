@@ -1,7 +1,7 @@
 //! Attractors of a model, with the states needed to continue from them.
 
 use jounce_analysis::run::StartState;
-use jounce_analysis::{Basins, Cloud, InitialStates, Model, Parameter, Recognition};
+use jounce_analysis::{Attractor, Basins, Cloud, InitialStates, Model, Parameter, Recognition};
 use jounce_control::Control;
 use jounce_model::plant::Plant;
 use jounce_orbits::{Orbit, Shooting};
@@ -100,31 +100,36 @@ pub fn solutions(
             first: first.clone(),
         });
     }
-    let solution = |attractor: jounce_analysis::Attractor| -> Result<Solution, SolutionError> {
-        let periodic_solution = |orbit: &Orbit| -> Result<(StartState, Waveform), SolutionError> {
-            let physical = Shooting::new(
-                &parameter,
-                &base.kernel,
-                orbit.period_cycles,
-                search.tolerance,
-            )
-            .physical(orbit.start());
-            let plant = &base.kernel.plant;
-            let start = StartState::from_blocks(plant, &plant.from_physical(&physical, 0.0), 0.0);
-            let waveform = Waveform::of(
-                &base.kernel,
-                &start,
-                orbit.period_cycles,
-                drive_hz,
-                load,
-                search.tolerance,
-            )?;
-            Ok((start, waveform))
-        };
+    let continuation = Continuation {
+        parameter: &parameter,
+        base: &base,
+        drive_hz,
+        load,
+        tolerance: search.tolerance,
+    };
+    basins
+        .attractors
+        .into_iter()
+        .map(|attractor| continuation.solution(attractor))
+        .collect()
+}
+
+/// Model from which a run continues on an attractor.
+struct Continuation<'m> {
+    parameter: &'m Parameter<'m>,
+    base: &'m Model,
+    drive_hz: f64,
+    /// Index of the load whose voltage is used.
+    load: usize,
+    tolerance: f64,
+}
+
+impl Continuation<'_> {
+    fn solution(&self, attractor: Attractor) -> Result<Solution, SolutionError> {
         let (start, waveform) = attractor
             .orbit
             .as_ref()
-            .map(periodic_solution)
+            .map(|orbit| self.on_orbit(orbit))
             .transpose()?
             .unzip();
         Ok(Solution {
@@ -136,8 +141,25 @@ pub fn solutions(
             start,
             waveform,
         })
-    };
-    basins.attractors.into_iter().map(solution).collect()
+    }
+
+    /// State on an orbit at the initial angles of the drives, and the voltage over a period.
+    fn on_orbit(&self, orbit: &Orbit) -> Result<(StartState, Waveform), SolutionError> {
+        let (kernel, cycles) = (&self.base.kernel, orbit.period_cycles);
+        let physical =
+            Shooting::new(self.parameter, kernel, cycles, self.tolerance).physical(orbit.start());
+        let plant = &kernel.plant;
+        let start = StartState::from_blocks(plant, &plant.from_physical(&physical, 0.0), 0.0);
+        let waveform = Waveform::of(
+            kernel,
+            &start,
+            cycles,
+            self.drive_hz,
+            self.load,
+            self.tolerance,
+        )?;
+        Ok((start, waveform))
+    }
 }
 
 /// Index of the load whose voltage is used.

@@ -4,8 +4,9 @@
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
 
+use super::contact_fit::QUANTILE_95;
 use super::problem::PulseProblem;
-use super::pulse::{QUANTILE_95, minimised};
+use super::pulse::minimised;
 use super::{ContactError, PulseShape};
 use jounce_signal::spectral::Hit;
 

@@ -16,13 +16,15 @@
 //!
 //! Source: K. Hunt, F. Crossley, J. Appl. Mech. 42 (1975) 440; W. Goldsmith, Impact (1960), chapter
 //! 4.
+mod contact_fit;
 mod error;
 mod law;
 mod problem;
 mod pulse;
 mod shape;
 
+pub use contact_fit::{AllowedLaws, ContactFit, PulseUnits};
 pub use error::ContactError;
 pub use law::FixedExponentLaw;
-pub use pulse::{AllowedLaws, ContactFit, PulseUnits, fit};
+pub use pulse::fit;
 pub use shape::PulseShape;

@@ -3,10 +3,11 @@
 use faer::c64;
 
 use super::ModalError;
-use super::noise::variance;
+use super::band_lines::{BandLines, LeaveOneOutChange, MeasuredResponse, check_lengths};
+use super::maximum_likelihood::variance;
 use crate::response::MeasuredResponses;
 use jounce_data::recording::Quantity;
-use jounce_signal::spectral::{LeaveOneOutResponse, WindowBias};
+use jounce_signal::spectral::WindowBias;
 
 /// Ratio of the lowest to the highest frequency of a band that begins far from 0.
 const FAR_BAND_RATIO: f64 = 0.25;
@@ -56,31 +57,6 @@ pub(super) enum BandNoise {
     Uniform,
     /// The variance of each line is estimated from the residuals of a fit.
     FromResiduals,
-}
-
-/// Change by leaving out a part of the blocks.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct LeaveOneOutChange {
-    /// Share of the blocks that is left out.
-    pub share: f64,
-    /// Index of the force location of the blocks.
-    pub position: usize,
-    /// Change of the displacement per force: response, line. Empty for the responses to a force at
-    /// another location.
-    pub change: Vec<Vec<c64>>,
-}
-
-/// Measured quantity of one response at each line.
-struct MeasuredResponse<'a> {
-    value: &'a [c64],
-    /// Real and imaginary part together.
-    variance: Option<Vec<f64>>,
-    /// Power of `j w` from displacement per force, or per acceleration of the base, to the measured
-    /// quantity.
-    power: i32,
-    leave_one_out: &'a [LeaveOneOutResponse],
-    /// Index of the force location of the response.
-    position: usize,
 }
 
 impl Band {
@@ -140,112 +116,29 @@ impl Band {
         window_bias: WindowBias,
         (low_hz, high_hz): (f64, f64),
     ) -> Result<Self, ModalError> {
-        let expected = frequency_hz.len();
-        if measured.is_empty() || inputs == 0 || !measured.len().is_multiple_of(inputs.max(1)) {
-            return Err(ModalError::Lengths {
-                response: measured.len(),
-                lines: 0,
-                expected,
-            });
-        }
-        for (k, function) in measured.iter().enumerate() {
-            if function.value.len() != expected {
-                return Err(ModalError::Lengths {
-                    response: k + 1,
-                    lines: function.value.len(),
-                    expected,
-                });
-            }
-        }
-        let indices: Vec<usize> = (0..expected)
-            .filter(|k| frequency_hz[*k] > 0.0 && (low_hz..=high_hz).contains(&frequency_hz[*k]))
-            .collect();
+        check_lengths(measured, inputs, frequency_hz.len())?;
+        let lines = BandLines::between(frequency_hz, low_hz, high_hz);
         for (o, function) in measured.iter().enumerate() {
-            if let Some(k) = indices.iter().find(|k| {
-                !(function.value[**k].re.is_finite() && function.value[**k].im.is_finite())
-            }) {
+            if let Some(frequency_hz) = lines.first_not_finite_hz(function) {
                 return Err(ModalError::NotFinite {
                     response: o + 1,
-                    frequency_hz: frequency_hz[*k],
+                    frequency_hz,
                 });
             }
         }
-        let to_displacement = |function: &MeasuredResponse<'_>, k: usize| {
-            c64::new(0.0, std::f64::consts::TAU * frequency_hz[k]).powi(-function.power)
-        };
-        let displacement = |function: &MeasuredResponse<'_>| {
-            indices
-                .iter()
-                .map(|k| function.value[*k] * to_displacement(function, *k))
-                .collect::<Vec<c64>>()
-        };
-        let variance = |function: &MeasuredResponse<'_>| -> Option<Vec<f64>> {
-            let variance = function.variance.as_ref()?;
-            Some(
-                indices
-                    .iter()
-                    .map(|k| variance[*k] * to_displacement(function, *k).norm_sqr())
-                    .collect(),
-            )
-        };
-        let change = |function: &MeasuredResponse<'_>, part: usize| -> Vec<c64> {
-            indices
-                .iter()
-                .map(|k| {
-                    (function.leave_one_out[part].value[*k] - function.value[*k])
-                        * to_displacement(function, *k)
-                })
-                .collect()
-        };
-        let position_count = measured
-            .iter()
-            .map(|function| function.position)
-            .max()
-            .map_or(0, |last| last + 1);
-        let changes_at = |position: usize| {
-            let measured_parts = measured
-                .iter()
-                .filter(|function| function.position == position)
-                .map(|function| function.leave_one_out)
-                .min_by_key(|measured_parts| measured_parts.len())
-                .unwrap_or(&[]);
-            let change_without =
-                |(part, left_out): (usize, &LeaveOneOutResponse)| LeaveOneOutChange {
-                    share: left_out.share,
-                    position,
-                    change: measured
-                        .iter()
-                        .map(|function| {
-                            if function.position == position {
-                                change(function, part)
-                            } else {
-                                Vec::new()
-                            }
-                        })
-                        .collect(),
-                };
-            measured_parts
-                .iter()
-                .enumerate()
-                .map(change_without)
-                .collect::<Vec<_>>()
-        };
-        let changes: Vec<Vec<LeaveOneOutChange>> = (0..position_count).map(changes_at).collect();
-        // A location with a single block makes the scatter of the others useless.
-        let all_have_parts = changes.iter().all(|changes| !changes.is_empty());
+        let displacement = |function: &MeasuredResponse<'_>| lines.displacement(function);
         Ok(Self {
             low_hz,
             high_hz,
-            frequency_hz: indices.iter().map(|k| frequency_hz[*k]).collect(),
+            frequency_hz: lines.frequencies_hz(),
             response: measured.iter().map(displacement).collect(),
-            variance: measured.iter().filter_map(variance).collect(),
+            variance: measured
+                .iter()
+                .filter_map(|function| lines.variance(function))
+                .collect(),
             inputs,
             window_bias,
-            leave_one_out: if all_have_parts {
-                changes.concat()
-            } else {
-                Vec::new()
-            },
+            leave_one_out: lines.leave_one_out(measured),
             noise: BandNoise::Measured,
             swapped: false,
             power: measured.iter().map(|function| function.power).collect(),

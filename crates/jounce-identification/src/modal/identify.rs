@@ -1,21 +1,11 @@
 //! Modal analysis of frequency responses.
 
 use faer::c64;
-use serde::Serialize;
-use std::f64::consts::TAU;
 
-use super::close_modes::split_close_modes;
-use super::likelihood::{ModalFit, fit};
-use super::multi_band::stable;
 use super::peaks::{ResponsePeak, unexplained};
-use super::references::fit_shared;
-use super::stabilisation::MAX_DAMPING;
-use super::{Band, ModalError, Pole, StablePole};
-use jounce_signal::spectral::student_95;
-
-/// Relative standard deviation of frequency above which a pole is not a mode: the stability
-/// criterion between orders.
-const MAX_FREQUENCY_DEVIATION: f64 = 0.01;
+use super::poles::stable;
+use super::refinement::{no_mode_error, refine, refine_shared};
+use super::{Band, ModalError, Mode, Pole, StablePole};
 
 /// Settings of the modal analysis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -28,95 +18,6 @@ impl Default for ModalSettings {
     fn default() -> Self {
         Self { order: 40 }
     }
-}
-
-/// Mode with its uncertainties.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Mode {
-    /// Undamped natural frequency, Hz.
-    pub frequency_hz: f64,
-    /// Standard deviation of the frequency, Hz.
-    pub frequency_deviation_hz: f64,
-    /// Damping ratio.
-    pub damping_ratio: f64,
-    /// Standard deviation of the damping ratio.
-    pub damping_deviation: f64,
-    /// Quantile of the 95 % confidence interval, in deviations: Student's where the deviations are
-    /// from few blocks.
-    pub quantile_95: f64,
-    /// Residue of each response, in displacement per force times rad/s; for several references, to
-    /// the one with the largest participation.
-    #[serde(skip)]
-    pub residue: Vec<c64>,
-    /// Participation of each reference in the mode, 1 at the largest: by reciprocity its shape at
-    /// the force locations. One number, 1, for one reference, and for decays.
-    #[serde(skip)]
-    pub participation: Vec<c64>,
-}
-
-impl Mode {
-    /// Half-width of a 95 % interval in standard deviations, where these are known.
-    pub const QUANTILE_95: f64 = 1.959_963_984_540_054;
-
-    /// Half-width of the 95 % confidence interval of the frequency, Hz.
-    pub fn frequency_half_width_hz(&self) -> f64 {
-        self.quantile_95 * self.frequency_deviation_hz
-    }
-
-    /// Half-width of the 95 % confidence interval of the damping ratio.
-    pub fn damping_half_width(&self) -> f64 {
-        self.quantile_95 * self.damping_deviation
-    }
-
-    /// Mode shape at the responses: the residues divided by the largest.
-    pub fn shape(&self) -> Vec<c64> {
-        normalised(&self.residue)
-    }
-
-    /// Exchanges outputs and references.
-    fn swap(&mut self) {
-        let largest = largest_entry(&self.residue);
-        let participation = normalised(&self.residue);
-        self.residue = self.participation.iter().map(|b| b * largest).collect();
-        self.participation = participation;
-    }
-
-    pub(super) fn pole(&self) -> Pole {
-        Pole {
-            frequency_hz: self.frequency_hz,
-            damping_ratio: self.damping_ratio,
-        }
-    }
-
-    /// True where the interval of its damping ratio includes 0: such a pole may be noise.
-    pub fn is_doubtful(&self) -> bool {
-        self.damping_ratio <= self.damping_half_width()
-    }
-
-    /// Subtracts the damping added by an exponential window, in 1/s. The window shifts the pole
-    /// along the real axis.
-    pub fn without_decay(&mut self, decay_per_s: f64) {
-        let w = TAU * self.frequency_hz;
-        let (re, im) = (
-            -self.damping_ratio * w + decay_per_s,
-            w * (1.0 - self.damping_ratio.powi(2)).max(0.0).sqrt(),
-        );
-        let magnitude = re.hypot(im);
-        (self.frequency_hz, self.damping_ratio) = (magnitude / TAU, -re / magnitude);
-    }
-}
-
-fn largest_entry(values: &[c64]) -> c64 {
-    values
-        .iter()
-        .copied()
-        .max_by(|a, b| a.norm().total_cmp(&b.norm()))
-        .unwrap_or(c64::new(1.0, 0.0))
-}
-
-fn normalised(values: &[c64]) -> Vec<c64> {
-    let largest = largest_entry(values);
-    values.iter().map(|value| value / largest).collect()
 }
 
 /// Identified modes with the data of the fit.
@@ -149,7 +50,7 @@ pub struct Identification {
 pub fn identify(band: &Band, settings: ModalSettings) -> Result<Identification, ModalError> {
     let (diagram, start) = candidates(band, settings)?;
     let mut result = if band.inputs > 1 {
-        identify_shared(band, diagram, &start)?
+        refine_shared(band, diagram, &start)?
     } else {
         refine_with_peaks(band, diagram, &start)?
     };
@@ -187,95 +88,6 @@ fn refine_with_peaks(
     Ok(result)
 }
 
-/// Maximum-likelihood modes of several references.
-fn identify_shared(
-    band: &Band,
-    diagram: Vec<StablePole>,
-    start: &[Pole],
-) -> Result<Identification, ModalError> {
-    let start = split_close_modes(&diagram, start, band.inputs);
-    let mut result = fit_shared(band, &start).ok_or(no_mode_error(band))?;
-    while let Some(retained) = well_determined(band, &result.poles, &result.deviation)? {
-        result = fit_shared(band, &retained).ok_or(no_mode_error(band))?;
-    }
-    let ModalFit {
-        poles,
-        deviation,
-        residue,
-        participation,
-        model,
-        misfit,
-        freedom,
-        ..
-    } = result;
-    let mode = |r: usize| {
-        let mut mode = mode(
-            poles[r],
-            deviation[r],
-            freedom[r],
-            residue.iter().map(|output| output[r]).collect(),
-        );
-        mode.participation = normalised(&participation[r]);
-        let largest = participation[r]
-            .iter()
-            .map(|b| b.norm())
-            .fold(0.0, f64::max);
-        mode.residue.iter_mut().for_each(|a| *a *= largest);
-        mode
-    };
-    identification(
-        band,
-        diagram,
-        (0..poles.len()).map(mode).collect(),
-        model,
-        misfit,
-    )
-}
-
-fn mode(
-    pole: Pole,
-    (frequency_deviation_hz, damping_deviation): (f64, f64),
-    freedom: Option<f64>,
-    residue: Vec<c64>,
-) -> Mode {
-    let quantile_95 = freedom.map_or(Mode::QUANTILE_95, student_95);
-    let Pole {
-        frequency_hz,
-        damping_ratio,
-    } = pole;
-    let participation = vec![c64::new(1.0, 0.0)];
-    Mode {
-        frequency_hz,
-        frequency_deviation_hz,
-        damping_ratio,
-        damping_deviation,
-        quantile_95,
-        residue,
-        participation,
-    }
-}
-
-/// Returns the well-determined poles where some are not; `None` where all are.
-fn well_determined(
-    band: &Band,
-    poles: &[Pole],
-    deviation: &[(f64, f64)],
-) -> Result<Option<Vec<Pole>>, ModalError> {
-    let is_well_determined = |(pole, deviation): &(&Pole, &(f64, f64))| {
-        deviation.0 < MAX_FREQUENCY_DEVIATION * pole.frequency_hz
-    };
-    let retained: Vec<Pole> = poles
-        .iter()
-        .zip(deviation)
-        .filter(is_well_determined)
-        .map(|(pole, _)| *pole)
-        .collect();
-    if retained.is_empty() {
-        return Err(no_mode_error(band));
-    }
-    Ok((retained.len() < poles.len()).then_some(retained))
-}
-
 /// Computes the stabilisation diagram of a band and its stable poles.
 pub(super) fn candidates(
     band: &Band,
@@ -289,79 +101,15 @@ pub(super) fn candidates(
     }
 }
 
-fn no_mode_error(band: &Band) -> ModalError {
-    ModalError::NoMode {
-        low_hz: band.low_hz,
-        high_hz: band.high_hz,
-    }
-}
-
-/// Maximum-likelihood modes from initial poles; poorly determined ones are left out, and the others
-/// are fitted again.
-pub(super) fn refine(
-    band: &Band,
-    diagram: Vec<StablePole>,
-    start: &[Pole],
-) -> Result<Identification, ModalError> {
-    let mut result = fit(band, start).ok_or(no_mode_error(band))?;
-    while let Some(retained) = well_determined(band, &result.poles, &result.deviation)? {
-        result = fit(band, &retained).ok_or(no_mode_error(band))?;
-    }
-    let ModalFit {
-        poles,
-        deviation,
-        residue,
-        model,
-        misfit,
-        freedom,
-        ..
-    } = result;
-    let modes = (0..poles.len()).map(|r| {
-        mode(
-            poles[r],
-            deviation[r],
-            freedom[r],
-            residue.iter().map(|response| response[r]).collect(),
-        )
-    });
-    identification(band, diagram, modes.collect(), model, misfit)
-}
-
-/// A pole that leaves the band or has unphysical damping after refinement is not a mode.
-fn identification(
-    band: &Band,
-    diagram: Vec<StablePole>,
-    mut modes: Vec<Mode>,
-    model: Vec<Vec<c64>>,
-    misfit: f64,
-) -> Result<Identification, ModalError> {
-    modes.retain(|mode| {
-        (band.low_hz..=band.high_hz).contains(&mode.frequency_hz)
-            && mode.damping_ratio < MAX_DAMPING
-    });
-    if modes.is_empty() {
-        return Err(no_mode_error(band));
-    }
-    modes.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
-    let (frequency_hz, measured) = (band.frequency_hz.clone(), band.response.clone());
-    Ok(Identification {
-        modes,
-        diagram,
-        frequency_hz,
-        measured,
-        model,
-        misfit,
-        unexplained: Vec::new(),
-    })
-}
-
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
-    use super::super::plscf::tests::{POLES, exact_responses, shape};
+    use super::super::maximum_likelihood::{ModalFit, fit};
+    use super::super::poles::plscf::tests::{POLES, exact_responses, shape};
     use super::super::{ResponseQuantity, mac};
     use super::*;
     use jounce_signal::RandomStream;
+    use std::f64::consts::TAU;
 
     fn lines() -> Vec<f64> {
         (1..1200).map(|k| f64::from(k) * 0.1).collect()

@@ -23,38 +23,24 @@
 //! identification of modal parameters with uncertainty intervals, Mech. Syst. Signal Process. 37
 //! (2013) 422.
 mod band;
-mod close_modes;
-mod complex_plscf;
-mod covariance;
-mod design_matrix;
+mod band_lines;
+mod decays;
 mod error;
-mod half_spectrum;
 mod identify;
-mod jackknife;
-mod likelihood;
-mod line_selection;
 mod mac;
-mod multi_band;
-mod noise;
+mod maximum_likelihood;
+mod mode;
 mod participation;
 mod peaks;
-mod plscf;
-mod pole;
-mod references;
-mod scatter;
-mod semi_normal;
-mod stabilisation;
-mod sums;
-mod variable_projection;
-mod warp;
+mod poles;
+mod refinement;
 
 pub use band::{Band, ResponseQuantity};
+pub use decays::identify_decays;
 pub use error::ModalError;
-pub use half_spectrum::identify_decays;
-pub use identify::{Identification, ModalSettings, Mode, identify};
+pub use identify::{Identification, ModalSettings, identify};
 pub use mac::{mac, mac_matrix};
+pub use mode::Mode;
 pub use participation::Participation;
 pub use peaks::ResponsePeak;
-pub use plscf::poles;
-pub use pole::Pole;
-pub use stabilisation::{Stability, StablePole, diagram};
+pub use poles::{Pole, Stability, StablePole, diagram, poles};

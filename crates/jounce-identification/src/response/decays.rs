@@ -13,11 +13,9 @@
 //! Source: G. James, T. Carne, J. Lauffer, The natural excitation technique (NExT), Sandia
 //! SAND92-1666 (1993).
 
-use jounce_fft::{Complex, ComplexToReal, RealToComplex};
-use std::sync::Arc;
-
 use super::ResponseError;
-use jounce_data::recording::{Issue, Over, Recording};
+use super::correlation::{Correlation, autocorrelation};
+use jounce_data::recording::{Channel, Issue, Over, Recording};
 use jounce_signal::spectral::{SpectralError, signal};
 
 /// Decays of outputs, one for each record or for each reference.
@@ -130,36 +128,9 @@ impl Decays {
             selected_names(record, &settings.references)?
         };
         let (samples, rate_hz) = (record.grid.len(), record.rate());
-        let lags = settings.lags_s.map_or_else(
-            || default_lags(samples),
-            |lags_s| (lags_s * rate_hz).round() as usize,
-        );
-        if lags < MIN_DECAY_SAMPLES {
-            return Err(ResponseError::Short {
-                recording: record.name.clone(),
-                samples: lags,
-                needed: MIN_DECAY_SAMPLES,
-            });
-        }
-        if lags > samples / 4 {
-            return Err(ResponseError::Lags {
-                recording: record.name.clone(),
-                lags_s: lags as f64 / rate_hz,
-                most_s: (samples / 4) as f64 / rate_hz,
-            });
-        }
-        let centred = |values: &[f64]| {
-            let mean = values.iter().sum::<f64>() / values.len() as f64;
-            values.iter().map(|x| x - mean).collect::<Vec<f64>>()
-        };
-        let output_values: Vec<Vec<f64>> = channels(record, &outputs)?
-            .into_iter()
-            .map(centred)
-            .collect();
-        let reference_values: Vec<Vec<f64>> = channels(record, &references)?
-            .into_iter()
-            .map(centred)
-            .collect();
+        let lags = checked_lags(record, settings.lags_s)?;
+        let output_values = centred_channels(record, &outputs)?;
+        let reference_values = centred_channels(record, &references)?;
         let length = (samples - lags) / RECORD_BLOCKS;
         let pairs = || {
             output_values.iter().flat_map(|output| {
@@ -197,34 +168,8 @@ impl Decays {
     /// A channel that does not exist, a recording over time, uneven lines, too few lines.
     pub fn of_spectrum(spectrum: &Recording, responses: &[String]) -> Result<Self, ResponseError> {
         let outputs = selected_names(spectrum, responses)?;
-        let places = spectrum.grid.places();
-        let not_amplitude = |reason: &'static str| ResponseError::NotAmplitude {
-            recording: spectrum.name.clone(),
-            reason,
-        };
-        if spectrum.over != Over::Frequency
-            || spectrum
-                .channels
-                .iter()
-                .any(|channel| channel.imaginary.is_some())
-        {
-            return Err(not_amplitude("it must contain amplitudes over frequency"));
-        }
-        let step_hz = (places[places.len() - 1] - places[0]) / (places.len().max(2) - 1) as f64;
-        let lines_below = (places[0] / step_hz).round();
-        let is_irregular = |(k, frequency): (usize, &f64)| {
-            ((frequency - step_hz * (lines_below + k as f64)) / step_hz).abs() > 0.05
-        };
-        if step_hz.is_nan()
-            || step_hz <= 0.0
-            || !(0.0..1e6).contains(&lines_below)
-            || places.iter().enumerate().any(is_irregular)
-        {
-            return Err(not_amplitude(
-                "its lines must be uniformly spaced, at multiples of their spacing",
-            ));
-        }
-        let lines = lines_below as usize + places.len();
+        let (first, step_hz) = even_lines(spectrum)?;
+        let lines = first + spectrum.grid.len();
         if lines < MIN_DECAY_SAMPLES * MAX_LAG_DIVISOR {
             return Err(ResponseError::Short {
                 recording: spectrum.name.clone(),
@@ -232,25 +177,10 @@ impl Decays {
                 needed: MIN_DECAY_SAMPLES * MAX_LAG_DIVISOR,
             });
         }
-        let correlation = |amplitude: &[f64]| {
-            let mut bins = vec![Complex::new(0.0, 0.0); lines];
-            bins[lines_below as usize..]
-                .iter_mut()
-                .zip(amplitude)
-                .skip(usize::from(lines_below == 0.0))
-                .for_each(|(bin, a)| bin.re = a * a);
-            let length = 2 * (lines - 1);
-            let plan = jounce_fft::inverse(length);
-            let mut values = plan.make_output_vec();
-            plan.process(&mut bins, &mut values)
-                .expect("the plan made the length, and the bins are real");
-            values.truncate(length / MAX_LAG_DIVISOR + 1);
-            values
-        };
         Ok(Self {
             values: channels(spectrum, &outputs)?
                 .into_iter()
-                .map(correlation)
+                .map(|amplitude| autocorrelation(amplitude, (first, lines), MAX_LAG_DIVISOR))
                 .collect(),
             references: vec![spectrum.name.clone()],
             outputs,
@@ -310,9 +240,71 @@ fn record_issues(records: &[Recording]) -> Vec<Issue> {
         .collect()
 }
 
+/// Channels about their means.
+fn centred_channels(record: &Recording, names: &[String]) -> Result<Vec<Vec<f64>>, ResponseError> {
+    let centred = |values: &[f64]| {
+        let mean = values.iter().sum::<f64>() / values.len() as f64;
+        values.iter().map(|x| x - mean).collect::<Vec<f64>>()
+    };
+    Ok(channels(record, names)?.into_iter().map(centred).collect())
+}
+
+/// Maximum lag in samples, from 32 samples to a quarter of the record.
+fn checked_lags(record: &Recording, lags_s: Option<f64>) -> Result<usize, ResponseError> {
+    let (samples, rate_hz) = (record.grid.len(), record.rate());
+    let lags = lags_s.map_or_else(
+        || default_lags(samples),
+        |lags_s| (lags_s * rate_hz).round() as usize,
+    );
+    if lags < MIN_DECAY_SAMPLES {
+        return Err(ResponseError::Short {
+            recording: record.name.clone(),
+            samples: lags,
+            needed: MIN_DECAY_SAMPLES,
+        });
+    }
+    if lags > samples / 4 {
+        return Err(ResponseError::Lags {
+            recording: record.name.clone(),
+            lags_s: lags as f64 / rate_hz,
+            most_s: (samples / 4) as f64 / rate_hz,
+        });
+    }
+    Ok(lags)
+}
+
 /// Long lags add more noise than information: use a short part of the record, but enough lines.
 fn default_lags(samples: usize) -> usize {
     (samples / 64).max(512).min(samples / 4)
+}
+
+/// Number of the first line of an amplitude spectrum, and the spacing of its lines (Hz), which are
+/// at multiples of it.
+fn even_lines(spectrum: &Recording) -> Result<(usize, f64), ResponseError> {
+    let not_amplitude = |reason: &'static str| ResponseError::NotAmplitude {
+        recording: spectrum.name.clone(),
+        reason,
+    };
+    let is_complex = |channel: &Channel| channel.imaginary.is_some();
+    if spectrum.over != Over::Frequency || spectrum.channels.iter().any(is_complex) {
+        return Err(not_amplitude("it must contain amplitudes over frequency"));
+    }
+    let places = spectrum.grid.places();
+    let step_hz = (places[places.len() - 1] - places[0]) / (places.len().max(2) - 1) as f64;
+    let lines_below = (places[0] / step_hz).round();
+    let is_irregular = |(k, frequency): (usize, &f64)| {
+        ((frequency - step_hz * (lines_below + k as f64)) / step_hz).abs() > 0.05
+    };
+    if step_hz.is_nan()
+        || step_hz <= 0.0
+        || !(0.0..1e6).contains(&lines_below)
+        || places.iter().enumerate().any(is_irregular)
+    {
+        return Err(not_amplitude(
+            "its lines must be uniformly spaced, at multiples of their spacing",
+        ));
+    }
+    Ok((lines_below as usize, step_hz))
 }
 
 fn largest_index(values: &[f64]) -> usize {
@@ -321,55 +313,4 @@ fn largest_index(values: &[f64]) -> usize {
         .enumerate()
         .max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))
         .map_or(0, |(k, _)| k)
-}
-
-/// Correlations of blocks of one length, by FFT.
-struct Correlation {
-    length: usize,
-    lags: usize,
-    padded: usize,
-    forward: Arc<dyn RealToComplex<f64>>,
-    inverse: Arc<dyn ComplexToReal<f64>>,
-}
-
-impl Correlation {
-    fn new(length: usize, lags: usize) -> Self {
-        let padded = (length + lags + 1).next_power_of_two();
-        Self {
-            length,
-            lags,
-            padded,
-            forward: jounce_fft::forward(padded),
-            inverse: jounce_fft::inverse(padded),
-        }
-    }
-
-    /// Computes `sum_t output(t + k) reference(t) / length` for `t` in the block that starts at a
-    /// sample.
-    fn of(&self, output: &[f64], reference: &[f64], start: usize) -> Vec<f64> {
-        let transform = |values: &[f64]| {
-            let mut padded = values.to_vec();
-            padded.resize(self.padded, 0.0);
-            let mut bins = self.forward.make_output_vec();
-            self.forward
-                .process(&mut padded, &mut bins)
-                .expect("the plan made the length");
-            bins
-        };
-        let (x, y) = (
-            transform(&reference[start..start + self.length]),
-            transform(&output[start..start + self.length + self.lags]),
-        );
-        let mut bins: Vec<Complex<f64>> = x.iter().zip(&y).map(|(x, y)| x.conj() * y).collect();
-        let last = bins.len() - 1;
-        (bins[0].im, bins[last].im) = (0.0, 0.0);
-        let mut values = self.inverse.make_output_vec();
-        self.inverse
-            .process(&mut bins, &mut values)
-            .expect("the plan made the length");
-        values[..=self.lags]
-            .iter()
-            .map(|sum| sum / (self.padded as f64 * self.length as f64))
-            .collect()
-    }
 }

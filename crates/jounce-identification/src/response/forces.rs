@@ -30,12 +30,7 @@ pub(super) fn references<'a>(
         .iter()
         .map(|record| Ok(force_position(input(record, choice)?)))
         .collect::<Result<Vec<String>, ResponseError>>()?;
-    let mut names: Vec<&String> = Vec::new();
-    for name in positions.iter().filter(|name| !name.is_empty()) {
-        if !names.contains(&name) {
-            names.push(name);
-        }
-    }
+    let names = unique(positions.iter().filter(|name| !name.is_empty()).cloned());
     let missing: Vec<String> = positions
         .iter()
         .zip(records)
@@ -44,53 +39,58 @@ pub(super) fn references<'a>(
         .collect();
     if names.len() > 1 && !missing.is_empty() {
         return Err(ResponseError::Places {
-            places: names.into_iter().cloned().collect(),
+            places: names,
             silent: missing,
         });
     }
-    let message = "recordings do not give the place of the force; one place is assumed for all, \
-        give the place in their notes";
-    let issue = (!missing.is_empty() && records.len() > 1).then(|| {
-        Issue::new(
-            IssueKind::Assumed,
-            missing.len(),
-            None,
-            format!("{} of {} {message}", missing.len(), records.len()),
-        )
-    });
-    let enumerated = || records.iter().enumerate();
-    let result = match names[..] {
-        [] => {
-            let name = records
-                .first()
-                .map(|record| input(record, choice))
-                .transpose()?
-                .map_or_else(String::new, |input| input.name.clone());
-            vec![ReferenceRecords {
-                name,
-                records: enumerated().collect(),
-            }]
-        }
-        [name] => vec![ReferenceRecords {
-            name: name.clone(),
-            records: enumerated().collect(),
-        }],
+    let issue = assumed_place_issue(missing.len(), records.len());
+    let all = || records.iter().enumerate();
+    let one_place = |name: String| {
+        vec![ReferenceRecords {
+            name,
+            records: all().collect(),
+        }]
+    };
+    let result = match &names[..] {
+        [] => one_place(match records.first() {
+            Some(record) => input(record, choice)?.name.clone(),
+            None => String::new(),
+        }),
+        [name] => one_place(name.clone()),
         _ => {
-            let records_of = |name: &&String| {
-                enumerated()
-                    .filter(|(k, _)| positions[*k] == **name)
-                    .collect()
+            let at_place = |name: &String| ReferenceRecords {
+                name: name.clone(),
+                records: all().filter(|(k, _)| positions[*k] == *name).collect(),
             };
-            names
-                .iter()
-                .map(|name| ReferenceRecords {
-                    name: (*name).clone(),
-                    records: records_of(name),
-                })
-                .collect()
+            names.iter().map(at_place).collect()
         }
     };
     Ok((result, issue))
+}
+
+/// Reports that recordings without a place are assigned to that of the others.
+fn assumed_place_issue(missing: usize, recordings: usize) -> Option<Issue> {
+    let message = "recordings do not give the place of the force; one place is assumed for all, \
+        give the place in their notes";
+    (missing > 0 && recordings > 1).then(|| {
+        Issue::new(
+            IssueKind::Assumed,
+            missing,
+            None,
+            format!("{missing} of {recordings} {message}"),
+        )
+    })
+}
+
+/// Different names in order of first occurrence.
+pub(super) fn unique(all: impl Iterator<Item = String>) -> Vec<String> {
+    let mut result: Vec<String> = Vec::new();
+    for one in all {
+        if !result.contains(&one) {
+            result.push(one);
+        }
+    }
+    result
 }
 
 /// Refuses sensors with one name at two locations.

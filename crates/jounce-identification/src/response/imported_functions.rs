@@ -2,7 +2,7 @@
 
 use jounce_fft::Complex;
 
-use super::forces::force_position;
+use super::forces::{force_position, unique};
 use super::{MeasuredResponses, ResponseError};
 use jounce_data::recording::{Channel, Issue, IssueKind, Quantity, Recording, Unit};
 use jounce_signal::spectral::{FrequencyResponse, WindowBias};
@@ -44,49 +44,11 @@ impl MeasuredResponses {
                 recording: first.name.clone(),
             });
         }
-        let (
-            FunctionChannels {
-                outputs,
-                references,
-                order,
-            },
-            issue,
-        ) = channel_sides(
-            &channels
-                .iter()
-                .map(|(channel, _)| *channel)
-                .collect::<Vec<_>>(),
-        );
-        let function = |k: &usize| {
-            let (channel, imaginary) = channels[*k];
-            FrequencyResponse {
-                frequency_hz: frequency_hz.clone(),
-                value: channel
-                    .values
-                    .iter()
-                    .zip(imaginary)
-                    .map(|(re, im)| Complex::new(*re, *im))
-                    .collect(),
-                coherence: vec![1.0; frequency_hz.len()],
-                blocks: 1,
-                window_bias: WindowBias::Whole,
-                leave_one_out: Vec::new(),
-            }
-        };
-        let ordered_channels = || order.iter().map(|k| channels[*k].0);
-        let names = match &references[..] {
-            [] | [_] => outputs.clone(),
-            _ => outputs
-                .iter()
-                .flat_map(|output| {
-                    references
-                        .iter()
-                        .map(move |reference| format!("{output} from {reference}"))
-                })
-                .collect(),
-        };
+        let all: Vec<&Channel> = channels.iter().map(|(channel, _)| *channel).collect();
+        let (sides, issue) = channel_sides(&all);
+        let ordered_channels = || sides.order.iter().map(|k| channels[*k].0);
         Ok(Self {
-            names,
+            names: sides.names(),
             units: ordered_channels()
                 .map(|channel| channel.unit.clone())
                 .collect(),
@@ -97,7 +59,11 @@ impl MeasuredResponses {
             inputs: ordered_channels()
                 .map(|channel| Unit::per(&channel.unit).unwrap_or(Quantity::Unknown))
                 .collect(),
-            functions: order.iter().map(function).collect(),
+            functions: sides
+                .order
+                .iter()
+                .map(|k| function(channels[*k], &frequency_hz))
+                .collect(),
             hits: Vec::new(),
             block_s: None,
             window_decay_per_s: 0.0,
@@ -106,9 +72,57 @@ impl MeasuredResponses {
                 .flat_map(|recording| recording.issues.clone())
                 .chain(issue)
                 .collect(),
-            outputs,
-            references,
+            outputs: sides.outputs,
+            references: sides.references,
         })
+    }
+}
+
+/// Response function of a complex channel; its coherence is unknown.
+fn function(
+    (channel, imaginary): (&Channel, &Vec<f64>),
+    frequency_hz: &[f64],
+) -> FrequencyResponse {
+    FrequencyResponse {
+        frequency_hz: frequency_hz.to_vec(),
+        value: channel
+            .values
+            .iter()
+            .zip(imaginary)
+            .map(|(re, im)| Complex::new(*re, *im))
+            .collect(),
+        coherence: vec![1.0; frequency_hz.len()],
+        blocks: 1,
+        window_bias: WindowBias::Whole,
+        leave_one_out: Vec::new(),
+    }
+}
+
+impl FunctionChannels {
+    /// Every function as an output of one reference.
+    fn single_reference(channels: &[&Channel], references: Vec<String>) -> Self {
+        Self {
+            outputs: channels
+                .iter()
+                .map(|channel| channel.name.clone())
+                .collect(),
+            references,
+            order: (0..channels.len()).collect(),
+        }
+    }
+
+    /// Name of each function.
+    fn names(&self) -> Vec<String> {
+        match &self.references[..] {
+            [] | [_] => self.outputs.clone(),
+            references => (self.outputs.iter())
+                .flat_map(|output| {
+                    references
+                        .iter()
+                        .map(move |reference| format!("{output} from {reference}"))
+                })
+                .collect(),
+        }
     }
 }
 
@@ -120,21 +134,14 @@ fn channel_sides(channels: &[&Channel]) -> (FunctionChannels, Option<Issue>) {
         .filter(|name| !name.is_empty())
         .cloned()
         .collect();
-    let single_reference = |references: Vec<String>| FunctionChannels {
-        outputs: channels
-            .iter()
-            .map(|channel| channel.name.clone())
-            .collect(),
-        references,
-        order: (0..channels.len()).collect(),
-    };
-    if named_references.len() < 2 {
+    let named = named_references.len();
+    if named < 2 {
         let one = if references.len() == 1 {
             named_references
         } else {
             Vec::new()
         };
-        return (single_reference(one), None);
+        return (FunctionChannels::single_reference(channels, one), None);
     }
     let positions: Vec<String> = channels.iter().map(|channel| output(channel)).collect();
     let outputs = unique(positions.iter().cloned());
@@ -147,19 +154,9 @@ fn channel_sides(channels: &[&Channel]) -> (FunctionChannels, Option<Issue>) {
             .filter(|k| positions[*k] == *output && channels[*k].reference == *reference)
             .collect();
         let [one] = of_pair[..] else {
-            let to = if reference.is_empty() {
-                "an unspecified reference"
-            } else {
-                reference
-            };
-            let message = format!(
-                "the functions have {} references, and {} of output {output} to {to} where one is \
-                expected; each function is used as an output of one reference",
-                named_references.len(),
-                of_pair.len()
-            );
+            let message = incomplete_message(named, of_pair.len(), (output, reference));
             return (
-                single_reference(Vec::new()),
+                FunctionChannels::single_reference(channels, Vec::new()),
                 Some(Issue::new(
                     IssueKind::Assumed,
                     channels.len(),
@@ -176,18 +173,31 @@ fn channel_sides(channels: &[&Channel]) -> (FunctionChannels, Option<Issue>) {
         .step_by(references.len())
         .map(|k| short_name(channels[*k]).to_owned())
         .collect();
-    let outputs = if unique(short_names.iter().cloned()).len() == short_names.len() {
-        short_names
-    } else {
-        outputs
-    };
+    let are_different = unique(short_names.iter().cloned()).len() == short_names.len();
     (
         FunctionChannels {
-            outputs,
+            outputs: if are_different { short_names } else { outputs },
             references,
             order,
         },
         None,
+    )
+}
+
+/// Message where there is not one function of each output to each reference.
+fn incomplete_message(
+    references: usize,
+    functions: usize,
+    (output, reference): (&str, &str),
+) -> String {
+    let to = if reference.is_empty() {
+        "an unspecified reference"
+    } else {
+        reference
+    };
+    format!(
+        "the functions have {references} references, and {functions} of output {output} to {to} \
+        where one is expected; each function is used as an output of one reference"
     )
 }
 
@@ -208,14 +218,4 @@ fn short_name(channel: &Channel) -> &str {
         .strip_suffix(channel.reference.as_str())
         .and_then(|name| name.strip_suffix(" from "));
     stripped.unwrap_or(&channel.name)
-}
-
-fn unique(all: impl Iterator<Item = String>) -> Vec<String> {
-    let mut result: Vec<String> = Vec::new();
-    for one in all {
-        if !result.contains(&one) {
-            result.push(one);
-        }
-    }
-    result
 }

@@ -1,15 +1,11 @@
 //! Responses of a structure to the force of a hammer or of a shaker.
 
-use jounce_signal::{Samples, SignalError};
-
 use super::ResponseError;
 use super::excitation::{self, Excitation, input};
-use super::forces::{ReferenceRecords, check_sensors, references};
-use jounce_data::recording::{Channel, Issue, IssueKind, Quantity, Recording};
-use jounce_signal::spectral::{
-    FrequencyResponse, ImpactHit, ImpactRecord, ImpactResponses, ImpactSettings, SpectralError,
-    impact,
-};
+use super::forces::{check_sensors, references};
+use super::reference_analysis::{analyse_references, in_order, sweep_issue};
+use jounce_data::recording::{Channel, Issue, Quantity, Recording};
+use jounce_signal::spectral::{FrequencyResponse, ImpactHit, ImpactSettings};
 
 /// Choice of channels.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -61,7 +57,7 @@ impl MeasuredResponses {
     /// # Errors
     /// A channel that does not exist or is not a force; the force as its own response; only some
     /// forces with a location; sensors that move; no channel other than the force; errors of
-    /// [`impact`].
+    /// [`jounce_signal::spectral::impact`].
     pub fn of_hits(
         records: &[Recording],
         choice: &ChannelChoice,
@@ -70,30 +66,7 @@ impl MeasuredResponses {
         let first = records.first().ok_or(ResponseError::Nothing)?;
         let input_channel = input(first, choice)?;
         let settings = &excitation::settings(records, choice, settings)?;
-        let outputs: Vec<String> = match &choice.responses[..] {
-            [] => first
-                .channels
-                .iter()
-                .map(|channel| channel.name.clone())
-                .filter(|name| *name != input_channel.name)
-                .collect(),
-            names => names
-                .iter()
-                .map(|name| Ok(first.channel(name)?.name.clone()))
-                .collect::<Result<_, ResponseError>>()?,
-        };
-        if outputs.contains(&input_channel.name) {
-            return Err(ResponseError::OwnResponse {
-                recording: first.name.clone(),
-                force: input_channel.name.clone(),
-            });
-        }
-        if outputs.is_empty() {
-            return Err(ResponseError::NoResponse {
-                recording: first.name.clone(),
-                force: input_channel.name.clone(),
-            });
-        }
+        let outputs = output_names(first, choice, input_channel)?;
         let (forces, position_issue) = references(records, choice)?;
         check_sensors(records, &outputs)?;
         let results = analyse_references(&forces, choice, &outputs, settings)?;
@@ -163,113 +136,37 @@ impl MeasuredResponses {
 /// m/s^2 in a g (NIST SP 811).
 const STANDARD_GRAVITY_M_S2: f64 = 9.806_65;
 
-/// Responses of the recordings of each location. Unless a length is given, blocks have the shortest
-/// length of any location.
-fn analyse_references(
-    forces: &[ReferenceRecords<'_>],
+/// Names of the responses: those chosen, or all channels except the input.
+fn output_names(
+    recording: &Recording,
     choice: &ChannelChoice,
-    outputs: &[String],
-    settings: &ImpactSettings,
-) -> Result<Vec<ImpactResponses>, ResponseError> {
-    let analyse = |force: &ReferenceRecords<'_>,
-                   settings: &ImpactSettings|
-     -> Result<ImpactResponses, ResponseError> {
-        let blocks = force
-            .records
+    input: &Channel,
+) -> Result<Vec<String>, ResponseError> {
+    let outputs: Vec<String> = match &choice.responses[..] {
+        [] => recording
+            .channels
             .iter()
-            .map(|(_, record)| impact_record(record, choice, outputs))
-            .collect::<Result<Vec<_>, _>>()?;
-        Ok(impact(&blocks, settings)?)
+            .map(|channel| channel.name.clone())
+            .filter(|name| *name != input.name)
+            .collect(),
+        names => names
+            .iter()
+            .map(|name| Ok(recording.channel(name)?.name.clone()))
+            .collect::<Result<_, ResponseError>>()?,
     };
-    let rates = forces
-        .iter()
-        .filter_map(|force| force.records.first())
-        .map(|(_, record)| record.rate())
-        .collect::<Vec<f64>>();
-    if let Some(other_hz) = rates
-        .iter()
-        .copied()
-        .find(|rate| (rate / rates[0] - 1.0).abs() > 1e-6)
-    {
-        return Err(ResponseError::Spectral(SpectralError::Rates {
-            first_hz: rates[0],
-            other_hz,
-        }));
+    if outputs.contains(&input.name) {
+        return Err(ResponseError::OwnResponse {
+            recording: recording.name.clone(),
+            force: input.name.clone(),
+        });
     }
-    let found = forces
-        .iter()
-        .map(|force| analyse(force, settings))
-        .collect::<Result<Vec<_>, _>>()?;
-    let least_block_s = found
-        .iter()
-        .map(|analyse| analyse.block_s)
-        .fold(f64::INFINITY, f64::min);
-    let settings = ImpactSettings {
-        block_s: Some(least_block_s),
-        ..*settings
-    };
-    let with_common_block = |(force, found): (&ReferenceRecords<'_>, ImpactResponses)| {
-        // Only lengths of whole samples differ by more than roundoff.
-        let has_common_block = (found.block_s - least_block_s) * rates[0] < 0.5;
-        if has_common_block {
-            Ok(found)
-        } else {
-            analyse(force, &settings)
-        }
-    };
-    forces.iter().zip(found).map(with_common_block).collect()
-}
-
-/// Hits of all locations, each with the index of its record, in the order of the records.
-fn in_order(forces: &[ReferenceRecords<'_>], results: &[ImpactResponses]) -> Vec<ImpactHit> {
-    let hits_of = |(force, result): (&ReferenceRecords<'_>, &ImpactResponses)| {
-        let with_record_index = |hit: &ImpactHit| ImpactHit {
-            record: force.records[hit.record].0,
-            ..hit.clone()
-        };
-        result
-            .hits
-            .iter()
-            .map(with_record_index)
-            .collect::<Vec<_>>()
-    };
-    let mut hits: Vec<ImpactHit> = forces.iter().zip(results).flat_map(hits_of).collect();
-    hits.sort_by_key(|hit| hit.record);
-    hits
-}
-
-/// Reports how a sweep affects its blocks.
-fn sweep_issue(settings: &ImpactSettings, block_s: f64) -> Issue {
-    let message = match settings.block_s {
-        None => format!(
-            "the force is a sweep: each recording is one block of {block_s:.4} s without a \
-            window, and the coherence of a single block has no meaning"
-        ),
-        Some(_) => format!(
-            "the force is a sweep and drives each line in only a few blocks of {block_s:.4} s: \
-            peaks are underestimated; omit the block length, then each recording is one block"
-        ),
-    };
-    Issue::new(IssueKind::Assumed, 1, None, message)
-}
-
-fn impact_record<'a>(
-    recording: &'a Recording,
-    choice: &ChannelChoice,
-    names: &[String],
-) -> Result<ImpactRecord<'a>, ResponseError> {
-    let signal_error = |fault: SignalError| ResponseError::Spectral(SpectralError::Signal(fault));
-    let samples = |channel: &'a Channel| {
-        Samples::new(&channel.values, recording.rate()).map_err(signal_error)
-    };
-    let responses = names
-        .iter()
-        .map(|name| samples(recording.channel(name)?))
-        .collect::<Result<_, _>>()?;
-    Ok(ImpactRecord {
-        force: samples(input(recording, choice)?)?,
-        responses,
-    })
+    if outputs.is_empty() {
+        return Err(ResponseError::NoResponse {
+            recording: recording.name.clone(),
+            force: input.name.clone(),
+        });
+    }
+    Ok(outputs)
 }
 
 #[cfg(test)]
@@ -299,16 +196,17 @@ mod tests {
         }
     }
 
+    fn measured(records: &[Recording]) -> Result<MeasuredResponses, ResponseError> {
+        MeasuredResponses::of_hits(
+            records,
+            &ChannelChoice::default(),
+            &ImpactSettings::default(),
+        )
+    }
+
     #[test]
     fn hits_at_several_positions_are_not_averaged() {
-        let references_of = |records: &[Recording]| {
-            MeasuredResponses::of_hits(
-                records,
-                &ChannelChoice::default(),
-                &ImpactSettings::default(),
-            )
-        };
-        let found = references_of(&[
+        let found = measured(&[
             hit_recording("one", "mid"),
             hit_recording("two", "end"),
             hit_recording("three", "mid"),
@@ -333,7 +231,11 @@ mod tests {
             found.hits.iter().map(|hit| hit.record).collect::<Vec<_>>(),
             [0, 1, 2]
         );
-        let message = references_of(&[
+    }
+
+    #[test]
+    fn missing_positions_are_assumed_or_refused() {
+        let message = measured(&[
             hit_recording("one", "mid"),
             hit_recording("two", "end"),
             hit_recording("three", ""),
@@ -345,12 +247,12 @@ mod tests {
             "{message}"
         );
         assert!(
-            references_of(&[hit_recording("one", "mid"), hit_recording("two", "mid")])
+            measured(&[hit_recording("one", "mid"), hit_recording("two", "mid")])
                 .unwrap()
                 .issues
                 .is_empty()
         );
-        let missing = references_of(&[hit_recording("one", "mid"), hit_recording("two", "")])
+        let missing = measured(&[hit_recording("one", "mid"), hit_recording("two", "")])
             .unwrap()
             .issues;
         assert!(
@@ -360,7 +262,7 @@ mod tests {
             "{missing:?}"
         );
         assert!(
-            references_of(&[hit_recording("one", "")])
+            measured(&[hit_recording("one", "")])
                 .unwrap()
                 .issues
                 .is_empty()
@@ -375,21 +277,14 @@ mod tests {
             record.channels[1].place = place.to_owned();
             record
         };
-        let references_of = |records: &[Recording]| {
-            MeasuredResponses::of_hits(
-                records,
-                &ChannelChoice::default(),
-                &ImpactSettings::default(),
-            )
-        };
-        let message = references_of(&[at("one", "tip"), at("two", "root")])
+        let message = measured(&[at("one", "tip"), at("two", "root")])
             .unwrap_err()
             .to_string();
         assert!(
             message.contains("tip in one, and at root in two"),
             "{message}"
         );
-        assert!(references_of(&[at("one", "tip"), at("two", "tip")]).is_ok());
+        assert!(measured(&[at("one", "tip"), at("two", "tip")]).is_ok());
     }
 
     /// The force location survives in the formats that support it.

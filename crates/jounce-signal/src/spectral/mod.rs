@@ -7,36 +7,21 @@
 //!
 //! Source: J. Bendat, A. Piersol, Random Data, 4th ed. (2010), chapters 9 and 11; P. Welch, IEEE
 //! Trans. Audio Electroacoust. 15 (1967) 70.
-mod density;
-mod density_peaks;
 mod error;
-mod hits;
-mod impact;
-mod long_run_variance;
-mod mean_power;
-mod pre_trigger_check;
-mod response;
-mod segments;
-mod shaker;
+mod frequency_response;
+mod power;
 mod signal;
-mod spectra;
-mod spectrogram;
 mod student;
-mod taper;
-mod window_bias;
 
-pub use density::{Density, density_unit};
-pub use density_peaks::DensityPeak;
 pub use error::SpectralError;
-pub use hits::{Hit, HitSearch, HitWarning, hits};
-pub use impact::{ImpactHit, ImpactRecord, ImpactResponses, ImpactSettings, impact};
-pub use mean_power::{MeanPower, mean_power, mean_power_if_long};
-pub use response::{Estimator, FrequencyResponse, LeaveOneOutResponse, SpectrumAverages};
-pub use segments::Segments;
-pub use shaker::is_continuous;
+pub use frequency_response::{
+    Estimator, FrequencyResponse, Hit, HitSearch, HitWarning, ImpactHit, ImpactRecord,
+    ImpactResponses, ImpactSettings, LeaveOneOutResponse, SpectrumAverages, WindowBias,
+    exponential_window, force_window, hits, impact, is_continuous,
+};
+pub use power::{
+    Density, DensityPeak, MeanPower, Segments, Spectra, SpectraSettings, Spectrogram, density_unit,
+    mean_power, mean_power_if_long, spectra, spectra_watched, spectrogram, spectrogram_watched,
+};
 pub use signal::{first_varying, signal};
-pub use spectra::{Spectra, SpectraSettings, spectra, spectra_watched};
-pub use spectrogram::{Spectrogram, spectrogram, spectrogram_watched};
 pub use student::student_95;
-pub use taper::{exponential_window, force_window};
-pub use window_bias::WindowBias;

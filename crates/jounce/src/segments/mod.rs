@@ -11,7 +11,7 @@ use crate::error::Error;
 use crate::harvester::Harvester;
 use crate::recording::Recording;
 use jounce_experiment::segmentation::{
-    RecordSegment, SegmentMatches, Segmentation, match_segments, regimes_watched,
+    RecordSegment, SegmentMatches, Segmentation, match_segments, segments_watched,
 };
 use jounce_experiment::solution::{as_recorded, solutions};
 use jounce_signal::Samples;
@@ -47,7 +47,7 @@ impl Recording {
         let record = self.load(options)?;
         let channel = &record.channels[0];
         let samples = Samples::new(&channel.values, record.rate())?;
-        let segmentation = regimes_watched(&samples, drive_hz, self.control())?;
+        let segmentation = segments_watched(&samples, drive_hz, self.control())?;
         let matches = match model {
             Some(model) => self.matches(model, options, &samples, &segmentation, drive_hz)?,
             None => Vec::new(),

@@ -11,7 +11,7 @@ use super::{ExperimentError, NOISE, RATE_HZ, RECORD_S};
 use jounce_experiment::draw::{segment_section, segment_spectra, segments, spectrogram_of};
 use jounce_experiment::rig::{Disturbance, Sensor, ShakerTest, shaker_test};
 use jounce_experiment::segmentation::{
-    Candidate, SegmentMatches, Segmentation, match_segments, regimes,
+    self, Candidate, SegmentMatches, Segmentation, match_segments,
 };
 use jounce_experiment::solution::{Solution, SolutionSearch, solutions, start_of};
 use jounce_signal::spectral::{MeanPower, Segments, mean_power, spectrogram};
@@ -83,7 +83,7 @@ impl Alternating {
         let record = shaker_test(&spec, &structure::modes(&spec)?, &test, control)?;
         let voltage_v = record.channel("mfc.voltage")?.values.clone();
         let samples = Samples::new(&voltage_v, RATE_HZ)?;
-        let result = regimes(&samples, DRIVE_HZ)?;
+        let result = segmentation::segments(&samples, DRIVE_HZ)?;
         let power = |range: (usize, usize)| -> Result<MeanPower, ExperimentError> {
             Ok(mean_power(
                 &Samples::new(&voltage_v[range.0..range.1], RATE_HZ)?,
