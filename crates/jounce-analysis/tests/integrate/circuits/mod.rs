@@ -1,0 +1,6 @@
+//! Electrical circuits: rectifiers, leakage, fast circuits.
+
+mod leaks;
+pub mod rectified;
+mod stiff;
+mod voltage_peak;

@@ -1,0 +1,4 @@
+//! Derivative of the flow.
+
+mod conduction_states;
+mod jacobian;

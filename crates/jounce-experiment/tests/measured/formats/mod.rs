@@ -1,0 +1,10 @@
+//! Files of every format, written, read, truncated.
+
+mod arrays;
+mod containers;
+mod headers;
+mod layouts;
+mod through_a_file;
+mod truncated;
+mod writers;
+mod writing;
