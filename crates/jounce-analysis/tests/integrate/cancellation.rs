@@ -1,6 +1,6 @@
 //! The callback of the control runs during every kind of integration.
 
-use crate::circuits::rectified::lossy_with_stop;
+use crate::circuits::cell::lossy_with_stop;
 use crate::plants::{bench, kernel};
 use jounce_control::Control;
 use jounce_dynamics::{IntegrationError, Integrator};

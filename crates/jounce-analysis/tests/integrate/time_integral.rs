@@ -1,6 +1,6 @@
 //! Time integrals along a record in closed form, against quadrature of the recorded states.
 
-use crate::circuits::rectified::lossy_with_stop;
+use crate::circuits::cell::lossy_with_stop;
 use crate::plants::kernel;
 use jounce_dynamics::{Integrator, Kernel, Trajectory};
 use jounce_model::drive::Wave;

@@ -1,6 +1,8 @@
 //! Electrical circuits: rectifiers, leakage, fast circuits.
 
+pub mod cell;
+mod charges;
 mod leaks;
-pub mod rectified;
+mod rectified;
 mod stiff;
 mod voltage_peak;

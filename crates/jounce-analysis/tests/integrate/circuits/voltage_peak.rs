@@ -1,6 +1,6 @@
 //! Largest voltages at the end of a run.
 
-use crate::circuits::rectified::cell;
+use super::cell::cell;
 use crate::plants::kernel as of_system;
 use jounce_analysis::run::{RunPlan, RunResult, StartState, VoltagePeaks, simulate, voltage_peaks};
 use jounce_dynamics::Kernel;

@@ -1,8 +1,8 @@
 //! Derivative of the flow through diodes and switches, against differences of the flow and its
 //! determinant.
 
-use super::jacobian::{against_differences, state_after_contacts};
-use crate::circuits::rectified::{cell, lossy_with_stop};
+use super::{against_differences, state_after_contacts};
+use crate::circuits::cell::{cell, lossy_with_stop};
 use crate::plants::kernel;
 use jounce_dynamics::{FlowSensitivity, Integrator, Kernel, ParameterSensitivity};
 use jounce_model::contact::{KelvinVoigt, Law, Rigid};
