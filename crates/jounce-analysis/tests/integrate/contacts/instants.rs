@@ -249,32 +249,32 @@ fn chatter_that_ends_at_rest_balances_its_energy() {
     }
 }
 
+const BALL_ON_A_TABLE_AT_1_01_G: &str = r#"
+[mass.ball]
+on = "nothing"
+mass = "10 g"
+[stop.table]
+at = "ball"
+side = "negative"
+law = "rigid"
+gap = "1 mm"
+restitution = 0.5
+[gravity]
+acceleration = "-1 g"
+[drive.base]
+kind = "base-acceleration"
+amplitude = "1.01 g"
+frequency = "20 Hz"
+[reduction]
+modes = 1
+"#;
+
 /// A table that shakes at 1.01 g throws its ball a quarter of a micrometre high in every cycle, and
 /// the last hops are of the order of roundoff. Sticking erases the past, so every cycle repeats the
 /// first one. A ball past its table by more than the height of a hop would sink through it.
 #[test]
 fn a_ball_does_not_sink_through_its_table() {
-    let system = spec(
-        r#"
-        [mass.ball]
-        on = "nothing"
-        mass = "10 g"
-        [stop.table]
-        at = "ball"
-        side = "negative"
-        law = "rigid"
-        gap = "1 mm"
-        restitution = 0.5
-        [gravity]
-        acceleration = "-1 g"
-        [drive.base]
-        kind = "base-acceleration"
-        amplitude = "1.01 g"
-        frequency = "20 Hz"
-        [reduction]
-        modes = 1
-        "#,
-    );
+    let system = spec(BALL_ON_A_TABLE_AT_1_01_G);
     let kernel = kernel(system);
     for tolerance in [1e-8, 1e-10] {
         let mut integrator = Integrator::new(
