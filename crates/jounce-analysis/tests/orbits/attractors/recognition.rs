@@ -1,11 +1,11 @@
 //! Every start is assigned to the attractor on which a long integration ends.
 
-use crate::harvesters::bench;
+use crate::harvesters::{bench, bench_with_keys};
 use jounce_analysis::{
     AttractorKind, Basins, BasinsResult, Grid, GridAxis, GridSide, InitialStates, Model, Parameter,
     Recognition,
 };
-use jounce_dynamics::Integrator;
+use jounce_dynamics::{Integrator, Kernel};
 use jounce_orbits::{Orbit, ParametricModel, Shooting};
 use jounce_spec::SpecFile;
 
@@ -48,6 +48,16 @@ fn with_basins<T>(
     then(&parameter, value, &study.run(&|| ()).unwrap())
 }
 
+/// Physical state after the long integration from a physical state.
+fn end_of_long_integration(kernel: &Kernel, start: &[f64], frequency_hz: f64) -> Vec<f64> {
+    let y = kernel.plant.from_physical(start, 0.0);
+    let mut integrator = Integrator::new(kernel, &y, 0.0, 1e-8).unwrap();
+    integrator
+        .advance_to(f64::from(LONG_CYCLES) / frequency_hz)
+        .unwrap();
+    integrator.physical()
+}
+
 /// Distance of a physical state from an orbit at its nearest drive cycle, relative to the size of
 /// the orbit.
 fn distance(shooting: &Shooting<Parameter>, orbit: &Orbit, physical: &[f64]) -> f64 {
@@ -73,17 +83,13 @@ fn distance(shooting: &Shooting<Parameter>, orbit: &Orbit, physical: &[f64]) -> 
 /// recognition that tries periods up to 12 only would assign them to others.
 #[test]
 fn no_start_is_attributed_to_an_orbit_that_it_does_not_reach() {
-    let mut file = bench();
-    let changes = [
+    let file = bench_with_keys(&[
         ("drive.shaker.amplitude", "\"40 N\""),
         ("drive.shaker.frequency", "\"13.5 Hz\""),
         ("circuit.load.resistance", "\"100 kohm\""),
         ("stop.tip.stiffness", "\"10000 N/m^1.5\""),
         ("modal.harvester.damping_ratio.1", "0.3"),
-    ];
-    changes
-        .iter()
-        .for_each(|(key, value)| file.set(key, value).unwrap());
+    ]);
     let starts = grid(30e-3, 1.6, 20);
     with_basins(&file, &starts, 1e-8, |parameter, value, result| {
         let count = |period: u32| {
@@ -114,23 +120,13 @@ fn no_start_is_attributed_to_an_orbit_that_it_does_not_reach() {
         let kernel = parameter.at(value).unwrap().kernel;
         let shooting = Shooting::new(parameter, &kernel, 1, 1e-8);
         for index in (0..starts.len()).step_by(9) {
-            let start = starts.start(&kernel.plant, index);
-            let mut integrator =
-                Integrator::new(&kernel, &kernel.plant.from_physical(&start, 0.0), 0.0, 1e-8)
-                    .unwrap();
-            integrator
-                .advance_to(f64::from(LONG_CYCLES) / value)
-                .unwrap();
             let home = result
                 .attractors
                 .iter()
                 .find(|a| a.starts.contains(&index))
                 .unwrap();
-            let distance_to_orbit = distance(
-                &shooting,
-                home.orbit.as_ref().unwrap(),
-                &integrator.physical(),
-            );
+            let end = end_of_long_integration(&kernel, &starts.start(&kernel.plant, index), value);
+            let distance_to_orbit = distance(&shooting, home.orbit.as_ref().unwrap(), &end);
             assert!(
                 distance_to_orbit < 1e-5,
                 "start {index}: {distance_to_orbit:e} from {}",

@@ -1,16 +1,12 @@
 //! Harmonic balance with several stops, under gravity and with an open patch: against shooting,
 //! mirror images and shifted stops.
 
+use super::{norm, parameter_change_error, refined, state_difference};
 use crate::harvesters::{bench, branches};
 use jounce_analysis::{AnalysisError, Model, OrbitMethodKind, Parameter, settled_orbit};
-use jounce_continuation::{Corrector, Linearization, Metric, Position, Problem, correct_at};
+use jounce_continuation::{Linearization, Problem};
 use jounce_orbits::{HarmonicBalance, Orbit, OrbitError, OrbitMethod, Shooting};
 use jounce_spec::SpecFile;
-
-const CORRECTOR: Corrector = Corrector {
-    goal: 1e-10,
-    most: 20,
-};
 
 const FREQUENCY: &str = "drive.shaker.frequency";
 
@@ -44,37 +40,20 @@ fn stops_at_two_points() -> SpecFile {
     file
 }
 
-fn norm(values: &mut dyn Iterator<Item = f64>) -> f64 {
-    values.map(|v| v * v).sum::<f64>().sqrt()
-}
-
 /// Orbit near a state, with as many harmonics as the accuracy needs.
 fn orbit_by_balance(file: &SpecFile, start: &[f64], frequency_hz: f64) -> Orbit {
     let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key(FREQUENCY).unwrap();
     let parameter = Parameter::new(&base, &key, 1.0);
-    let mut method = HarmonicBalance::new(
+    let method = HarmonicBalance::new(
         Shooting::new(&parameter, &base.kernel, 1, 1e-10),
         &base.kernel,
         64,
         3e-8,
     )
     .unwrap();
-    loop {
-        let position = Position {
-            unknown: method.unknown_of(start, frequency_hz).unwrap(),
-            parameter: frequency_hz,
-        };
-        let solution =
-            correct_at(&method, &CORRECTOR, &Metric::at(&position, 1.0), position).unwrap();
-        match method
-            .finer()
-            .filter(|_| method.error_ratio(&solution.local, 0.8).unwrap() > 1.0)
-        {
-            Some(finer) => method = finer,
-            None => break method.orbit(&solution.local, solution.error).unwrap(),
-        }
-    }
+    let (method, solution) = refined(method, start, frequency_hz);
+    method.orbit(&solution.local, solution.error).unwrap()
 }
 
 /// Orbit that a run from rest reaches.
@@ -100,13 +79,7 @@ fn agrees_along(file: &SpecFile, range: (f64, f64), every: usize) -> u64 {
     for point in curve.points.iter().step_by(every) {
         let orbit = orbit_by_balance(file, point.orbit.start(), point.parameter);
         let power_error = (orbit.mean_power_w / point.orbit.mean_power_w - 1.0).abs();
-        let state = norm(
-            &mut orbit
-                .start()
-                .iter()
-                .zip(point.orbit.start())
-                .map(|(a, b)| a - b),
-        ) / orbit.size();
+        let state = state_difference(&orbit, &point.orbit) / orbit.size();
         let allowed = orbit.error_estimate + point.orbit.error_estimate;
         let (at, contacts) = (point.parameter, orbit.contacts);
         eprintln!(
@@ -155,7 +128,7 @@ fn a_mirror_image_has_the_same_power() {
         (one.mean_power_w / two.mean_power_w - 1.0).abs(),
         one.size(),
     );
-    let state_error = norm(&mut one.start().iter().zip(two.start()).map(|(a, b)| a - b)) / state;
+    let state_error = state_difference(&one, &two) / state;
     eprintln!(
         "power apart by {power:.1e}, states at the same time by {state_error:.1e}, {} contacts",
         one.contacts
@@ -175,7 +148,7 @@ fn two_halves_of_a_stop_are_one_stop() {
     halves.set("stop.tip.stiffness", "\"500 N/m^1.5\"").unwrap();
     let two = orbit_by_balance(&halves, single.start(), 11.0);
     let power_error = (one.mean_power_w / two.mean_power_w - 1.0).abs();
-    let state = norm(&mut one.start().iter().zip(two.start()).map(|(a, b)| a - b)) / one.size();
+    let state = state_difference(&one, &two) / one.size();
     eprintln!("power apart by {power_error:.1e}, state by {state:.1e}");
     assert!(power_error < 1e-9 && state < 1e-9 && two.contacts == 2 * one.contacts);
 }
@@ -224,17 +197,7 @@ fn the_derivative_over_two_stops_is_that_of_differences() {
             let (direction, _) = local.bordered(&none, 1.0, &change, 0.0).unwrap();
             let direction_error = norm(&mut direction.iter().zip(&variation).map(|(a, b)| a - b))
                 / norm(&mut variation.iter().copied());
-            let (along, _) = local.bordered(&none, 1.0, &none, 1.0).unwrap();
-            let length = 1e-6 * value;
-            let at = |parameter: f64| method.at(&unknown, parameter).unwrap().residual().to_vec();
-            let by: Vec<f64> = at(value + length)
-                .iter()
-                .zip(&at(value - length))
-                .map(|(a, b)| (b - a) / (2.0 * length))
-                .collect();
-            let (by_difference, _) = local.bordered(&none, 1.0, &by, 0.0).unwrap();
-            let column = norm(&mut along.iter().zip(&by_difference).map(|(a, b)| a - b))
-                / norm(&mut along.iter().copied());
+            let column = parameter_change_error(&method, &unknown, value);
             eprintln!(
                 "{name}, {} nodes: direction off by {direction_error:.1e}, parameter by {column:.1e}",
                 local.nodes()
@@ -300,8 +263,7 @@ fn an_open_patch_agrees_with_shooting() {
     spec = SpecFile::from_text(format!("{open}{}", &text[after..]));
     let exact = orbit_by_integration(&spec, 11.0);
     let orbit = orbit_by_balance(&spec, exact.start(), 11.0);
-    let state =
-        norm(&mut orbit.start().iter().zip(exact.start()).map(|(a, b)| a - b)) / orbit.size();
+    let state = state_difference(&orbit, &exact) / orbit.size();
     eprintln!(
         "state apart by {state:.1e}, estimates {:.1e}",
         orbit.error_estimate + exact.error_estimate

@@ -107,6 +107,48 @@ fn a_large_response_at_the_end_of_a_range_is_found() {
     }
 }
 
+/// Checks the labels, the end and the stable width of the curve of three cycles.
+fn check_the_curve_of_three_cycles(search: &BranchSearch, name: &str) {
+    let of_three: Vec<_> = search
+        .run()
+        .unwrap()
+        .into_iter()
+        .filter(|branch| branch.period_cycles == 3)
+        .collect();
+    let [branch] = &of_three[..] else {
+        panic!("{} branches", of_three.len())
+    };
+    let mut kinds: Vec<BranchKind> = branch.bifurcations.iter().map(|label| label.kind).collect();
+    kinds.sort_by_key(|kind| kind.name());
+    assert_eq!(
+        kinds,
+        [[BranchKind::Fold; 2].as_slice(), &[BranchKind::Grazing; 4]].concat(),
+        "{name}"
+    );
+    assert_eq!(branch.endings, [Termination::Closed], "{name}");
+    let folds = branch
+        .bifurcations
+        .iter()
+        .filter(|label| label.kind == BranchKind::Fold)
+        .map(|label| label.at.parameter);
+    let [low, high] = [
+        folds.clone().fold(f64::INFINITY, f64::min),
+        folds.fold(0.0, f64::max),
+    ];
+    let widths = BandwidthSearch {
+        base: search.base,
+        parameter: search.parameter,
+        range: search.range,
+        tolerance: search.tolerance,
+    }
+    .run(&of_three);
+    let width = widths.branches[0].as_ref().unwrap();
+    eprintln!("{name}: {low:.9} to {high:.9}, {width:?}");
+    assert!(
+        (width.width - (high - low)).abs() <= width.width_error + 1e-7 && width.width_error < 1e-5
+    );
+}
+
 /// Both ends of that curve are sharp folds, where a long step may jump to the opposite sheet.
 /// Continuation would then reverse and return to its start in the wrong direction. By both methods
 /// and at every tolerance the labels are equal, and the curve is stable from fold to fold.
@@ -130,50 +172,7 @@ fn no_step_lands_beyond_a_fold() {
                 seeds: 12,
                 longest_period: 3,
             };
-            let of_three: Vec<_> = search
-                .run()
-                .unwrap()
-                .into_iter()
-                .filter(|branch| branch.period_cycles == 3)
-                .collect();
-            let [branch] = &of_three[..] else {
-                panic!("{} branches", of_three.len())
-            };
-            let mut kinds: Vec<BranchKind> =
-                branch.bifurcations.iter().map(|label| label.kind).collect();
-            kinds.sort_by_key(|kind| kind.name());
-            assert_eq!(
-                kinds,
-                [[BranchKind::Fold; 2].as_slice(), &[BranchKind::Grazing; 4]].concat(),
-                "{method:?} {tolerance:e}"
-            );
-            assert_eq!(
-                branch.endings,
-                [Termination::Closed],
-                "{method:?} {tolerance:e}"
-            );
-            let folds = branch
-                .bifurcations
-                .iter()
-                .filter(|label| label.kind == BranchKind::Fold)
-                .map(|label| label.at.parameter);
-            let [low, high] = [
-                folds.clone().fold(f64::INFINITY, f64::min),
-                folds.fold(0.0, f64::max),
-            ];
-            let widths = BandwidthSearch {
-                base: &base,
-                parameter: &parameter,
-                range,
-                tolerance,
-            }
-            .run(&of_three);
-            let width = widths.branches[0].as_ref().unwrap();
-            eprintln!("{method:?} {tolerance:e}: {low:.9} to {high:.9}, {width:?}");
-            assert!(
-                (width.width - (high - low)).abs() <= width.width_error + 1e-7
-                    && width.width_error < 1e-5
-            );
+            check_the_curve_of_three_cycles(&search, &format!("{method:?} {tolerance:e}"));
         }
     }
 }

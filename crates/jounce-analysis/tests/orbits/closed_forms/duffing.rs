@@ -1,135 +1,14 @@
 //! Driven Duffing oscillators against a Runge-Kutta integration of their equation, and against the
 //! first harmonic.
 
+use super::duffing_equation::{Oracle, nearest_cusp};
 use crate::harvesters::branches;
-use faer::Mat;
-use faer::linalg::solvers::Solve;
-use jounce_analysis::{BifurcationSearch, BranchKind, CurveKind, Model, OrbitMethodKind};
+use jounce_analysis::{
+    BifurcationCurve, BifurcationSearch, BranchKind, CurveKind, Model, OrbitMethodKind,
+};
 use jounce_model::reference::Duffing;
 use jounce_spec::SpecFile;
 use std::f64::consts::TAU;
-
-/// `x'' + 2 zeta w0 x' + w0^2 x + b x^3 = f sin(w t)` over a period, with its linearisation.
-struct Oracle {
-    square: f64,
-    damping: f64,
-    b: f64,
-    force: f64,
-}
-
-impl Oracle {
-    /// `(x, v)` and the four entries of the linearisation.
-    fn rate(&self, t: f64, w: f64, y: &[f64; 6]) -> [f64; 6] {
-        let [x, v, a, b, c, d] = *y;
-        let pull = self.square + 3.0 * self.b * x * x;
-        let force =
-            self.force * (w * t).sin() - self.damping * v - self.square * x - self.b * x * x * x;
-        [
-            v,
-            force,
-            c,
-            d,
-            -self.damping * c - pull * a,
-            -self.damping * d - pull * b,
-        ]
-    }
-
-    /// Classical fourth-order Runge-Kutta with 4000 steps; its error is 1e-13 for such a motion.
-    fn period(&self, w: f64, x: f64, v: f64) -> [f64; 6] {
-        let (steps, mut y) = (4000, [x, v, 1.0, 0.0, 0.0, 1.0]);
-        let h = TAU / w / f64::from(steps);
-        for k in 0..steps {
-            let t = h * f64::from(k);
-            let add =
-                |by: f64, r: &[f64; 6]| -> [f64; 6] { std::array::from_fn(|i| y[i] + by * r[i]) };
-            let k1 = self.rate(t, w, &y);
-            let k2 = self.rate(t + 0.5 * h, w, &add(0.5 * h, &k1));
-            let k3 = self.rate(t + 0.5 * h, w, &add(0.5 * h, &k2));
-            let k4 = self.rate(t + h, w, &add(h, &k3));
-            y = std::array::from_fn(|i| y[i] + h / 6.0 * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]));
-        }
-        y
-    }
-
-    /// Zero at a fold: the orbit closes, and one of its multipliers is 1.
-    fn fold(&self, [x, v, w]: [f64; 3]) -> [f64; 3] {
-        let y = self.period(w, x, v);
-        [
-            y[0] - x,
-            y[1] - v,
-            (y[2] - 1.0) * (y[5] - 1.0) - y[3] * y[4],
-        ]
-    }
-
-    /// Newton's method with differences.
-    fn nearest_fold(&self, mut at: [f64; 3]) -> [f64; 3] {
-        for _ in 0..6 {
-            let value = self.fold(at);
-            let columns: [[f64; 3]; 3] = std::array::from_fn(|j| {
-                let shifted = |by: f64| {
-                    self.fold(std::array::from_fn(|i| {
-                        at[i] + if i == j { by } else { 0.0 }
-                    }))
-                };
-                let (up, down) = (shifted(1e-6), shifted(-1e-6));
-                std::array::from_fn(|i| (up[i] - down[i]) / 2e-6)
-            });
-            let det = |c: &[[f64; 3]; 3]| {
-                c[0][0] * (c[1][1] * c[2][2] - c[2][1] * c[1][2])
-                    - c[1][0] * (c[0][1] * c[2][2] - c[2][1] * c[0][2])
-                    + c[2][0] * (c[0][1] * c[1][2] - c[1][1] * c[0][2])
-            };
-            let all = det(&columns);
-            at = std::array::from_fn(|j| {
-                let mut replaced = columns;
-                replaced[j] = value;
-                at[j] - det(&replaced) / all
-            });
-        }
-        at
-    }
-}
-
-/// Zero at a cusp of the folds at `(x, v, w, f)`: in addition, the multiplier remains 1 along its
-/// eigenvector.
-fn cusp(square: f64, damping: f64, b: f64, [x, v, w, force]: [f64; 4]) -> [f64; 4] {
-    let oracle = Oracle {
-        square,
-        damping,
-        b,
-        force,
-    };
-    let y = oracle.period(w, x, v);
-    let length = y[4].hypot(y[2] - 1.0);
-    let along = [-y[4] / length, (y[2] - 1.0) / length];
-    let [closed, rest, fold] = oracle.fold([x, v, w]);
-    let shifted = |step: f64| oracle.fold([x + step * along[0], v + step * along[1], w])[2];
-    [closed, rest, fold, (shifted(1e-3) - shifted(-1e-3)) / 2e-3]
-}
-
-/// Newton's method with differences.
-fn nearest_cusp(square: f64, damping: f64, b: f64, mut at: [f64; 4]) -> [f64; 4] {
-    for _ in 0..8 {
-        let value = cusp(square, damping, b, at);
-        let shifted = |j: usize, by: f64| {
-            cusp(
-                square,
-                damping,
-                b,
-                std::array::from_fn(|i| at[i] + if i == j { by } else { 0.0 }),
-            )
-        };
-        let columns: [[f64; 4]; 4] = std::array::from_fn(|j| {
-            let (up, down) = (shifted(j, 1e-5), shifted(j, -1e-5));
-            std::array::from_fn(|i| (up[i] - down[i]) / 2e-5)
-        });
-        let change = Mat::from_fn(4, 4, |i, j| columns[j][i])
-            .partial_piv_lu()
-            .solve(Mat::from_fn(4, 1, |i, _| value[i]));
-        at = std::array::from_fn(|j| at[j] - change[(j, 0)]);
-    }
-    at
-}
 
 /// The spec of the gallery, with its numbers.
 fn example(cubic: f64, force: f64) -> (SpecFile, Duffing) {
@@ -255,27 +134,53 @@ fn multipliers_multiply_to_the_decay_of_a_period() {
     assert!(worst < 1e-8);
 }
 
-/// Two folds meet in a cusp where bistability begins. In a plane so narrow that the parameters turn
-/// over a thousandth of the motion, the curve is complete, and the cusp is a point of it, as in an
-/// independent integration. The first harmonic gives `w^2 - w0^2 = sqrt(3) c`,
-/// `f^2 = (4 c^2 / 3) a^2`, `c = 2 zeta w0 w`, `3 b a^2 / 4 = 2 (w^2 - w0^2) / 3`. The arms of the
-/// cusp separate with the power 3/2 of the distance.
-#[test]
-fn a_curve_of_folds_goes_through_its_cusp() {
-    let (_, duffing) = example(20.0, 1.0);
-    let (w0, zeta) = (duffing.frequency_rad_s, duffing.damping_ratio);
+/// Position, velocity, angular frequency and force at the cusp by the first harmonic:
+/// `w^2 - w0^2 = sqrt(3) c`, `f^2 = (4 c^2 / 3) a^2`, `c = 2 zeta w0 w`,
+/// `3 b a^2 / 4 = 2 (w^2 - w0^2) / 3`.
+fn cusp_by_first_harmonic(w0: f64, zeta: f64, b: f64) -> [f64; 4] {
     let w = w0 * (3.0_f64.sqrt() * zeta + (3.0 * zeta * zeta + 1.0).sqrt());
     let c = 2.0 * zeta * w0 * w;
-    let square = 2.0 / 3.0 * 3.0_f64.sqrt() * c / (0.75 * 20.0);
+    let square = 2.0 / 3.0 * 3.0_f64.sqrt() * c / (0.75 * b);
     let force = (4.0 / 3.0 * c * c * square).sqrt();
     // x = a sin(wt + phase): (w0^2 - w^2 + 3 b a^2 / 4) a = f cos phase, c a = -f sin phase.
     let phase = (-c).atan2(-3.0_f64.sqrt() * c / 3.0);
-    let first = [
+    [
         square.sqrt() * phase.sin(),
         square.sqrt() * w * phase.cos(),
         w,
         force,
-    ];
+    ]
+}
+
+/// The only curve over frequency and force, continued from a force.
+fn fold_curve(drive_n: f64, ranges: [(f64, f64); 2]) -> BifurcationCurve {
+    let (file, _) = example(20.0, drive_n);
+    let base = Model::new(file.spec().unwrap()).unwrap();
+    let keys = ["drive.shaker.frequency", "drive.shaker.amplitude"]
+        .map(|key| file.numeric_key(key).unwrap());
+    let search = BifurcationSearch {
+        base: &base,
+        keys: [&keys[0], &keys[1]],
+        ranges,
+        tolerance: 1e-9,
+        seeds: 0,
+        longest_period: 1,
+        peaks: false,
+    };
+    let mut curves = search.run().unwrap();
+    assert_eq!(curves.len(), 1);
+    curves.remove(0)
+}
+
+/// Two folds meet in a cusp where bistability begins. In a plane so narrow that the parameters turn
+/// over a thousandth of the motion, the curve is complete, and the cusp is a point of it, as in an
+/// independent integration. The arms of the cusp separate with the power 3/2 of the distance.
+#[test]
+fn a_curve_of_folds_goes_through_its_cusp() {
+    let (_, duffing) = example(20.0, 1.0);
+    let (w0, zeta) = (duffing.frequency_rad_s, duffing.damping_ratio);
+    let first = cusp_by_first_harmonic(w0, zeta, 20.0);
+    let w = first[2];
     let exact = nearest_cusp(w0 * w0, 2.0 * zeta * w0, 20.0, first);
     let (hz, force) = (exact[2] / TAU, exact[3]);
     eprintln!(
@@ -290,22 +195,8 @@ fn a_curve_of_folds_goes_through_its_cusp() {
         (0.2308, [(1.0172, 1.0178), (0.2303, 0.2313)]),
         (1.0, [(1.016, 1.0185), (0.229, 0.233)]),
     ] {
-        let (file, _) = example(20.0, drive_n);
-        let base = Model::new(file.spec().unwrap()).unwrap();
-        let keys = ["drive.shaker.frequency", "drive.shaker.amplitude"]
-            .map(|key| file.numeric_key(key).unwrap());
-        let search = BifurcationSearch {
-            base: &base,
-            keys: [&keys[0], &keys[1]],
-            ranges,
-            tolerance: 1e-9,
-            seeds: 0,
-            longest_period: 1,
-            peaks: false,
-        };
-        let curves = search.run().unwrap();
-        assert_eq!(curves.len(), 1);
-        let (curve, points) = (&curves[0], &curves[0].points);
+        let curve = fold_curve(drive_n, ranges);
+        let points = &curve.points;
         let ends = [points[0].parameter_2, points[points.len() - 1].parameter_2];
         eprintln!(
             "{:?}: {} points, ends {ends:?}, {:?}",

@@ -3,6 +3,8 @@
 mod backbones;
 mod bouncing_table;
 mod duffing;
+mod duffing_equation;
+mod interfaces;
 mod multipliers;
 mod oscillators;
 mod several_frequencies;

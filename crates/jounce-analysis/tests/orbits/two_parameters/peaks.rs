@@ -225,6 +225,32 @@ fn the_optimal_load_with_contact_is_the_best_of_the_neighbouring_branches() {
     );
 }
 
+/// Vertex of the parabola through the points of a curve around its lowest one.
+fn vertex(fold: &BifurcationCurve) -> (f64, f64) {
+    let at = (1..fold.points.len() - 1)
+        .min_by(|a, b| {
+            fold.points[*a]
+                .parameter_2
+                .total_cmp(&fold.points[*b].parameter_2)
+        })
+        .unwrap();
+    let [a, b, c] = [at - 1, at, at + 1].map(|k| {
+        (
+            fold.points[k].parameter - fold.points[at].parameter,
+            fold.points[k].parameter_2,
+        )
+    });
+    let (rise, fall) = ((a.1 - b.1) / a.0, (c.1 - b.1) / c.0);
+    let (square, slope) = (
+        (rise - fall) / (a.0 - c.0),
+        (rise * c.0 - fall * a.0) / (c.0 - a.0),
+    );
+    (
+        fold.points[at].parameter - slope / (2.0 * square),
+        b.1 - slope * slope / (4.0 * square),
+    )
+}
+
 /// An isolated branch appears as a point where its two folds meet. The curve of its peaks ends
 /// there, in few points. The vertex of the fold curve is that of a parabola through the points
 /// around it.
@@ -278,28 +304,7 @@ fn the_peak_of_an_isolated_branch_ends_where_its_folds_meet() {
                 .total_cmp(&(lowest(b) - end.parameter_2).abs())
         })
         .unwrap();
-    let at = (1..fold.points.len() - 1)
-        .min_by(|a, b| {
-            fold.points[*a]
-                .parameter_2
-                .total_cmp(&fold.points[*b].parameter_2)
-        })
-        .unwrap();
-    let [a, b, c] = [at - 1, at, at + 1].map(|k| {
-        (
-            fold.points[k].parameter - fold.points[at].parameter,
-            fold.points[k].parameter_2,
-        )
-    });
-    let (rise, fall) = ((a.1 - b.1) / a.0, (c.1 - b.1) / c.0);
-    let (square, slope) = (
-        (rise - fall) / (a.0 - c.0),
-        (rise * c.0 - fall * a.0) / (c.0 - a.0),
-    );
-    let vertex = (
-        fold.points[at].parameter - slope / (2.0 * square),
-        b.1 - slope * slope / (4.0 * square),
-    );
+    let vertex = vertex(fold);
     eprintln!(
         "the peak ends at {:.6} Hz, {:.5}; the folds meet at {:.6} Hz, {:.5}",
         end.parameter, end.parameter_2, vertex.0, vertex.1

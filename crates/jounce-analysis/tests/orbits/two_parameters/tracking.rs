@@ -1,9 +1,8 @@
 //! Bifurcations in two parameters: closed forms, and the points found along one parameter.
 
+use super::bifurcation_curves;
 use crate::harvesters::{Systems, bench, branches};
-use jounce_analysis::{
-    BifurcationCurve, BifurcationSearch, BranchKind, CurveKind, Model, OrbitMethodKind,
-};
+use jounce_analysis::{BifurcationCurve, BranchKind, CurveKind, Model, OrbitMethodKind};
 use jounce_continuation::{Corrector, Metric, Position, correct_at};
 use jounce_dynamics::Integrator;
 use jounce_model::plant::{PlantError, System};
@@ -109,22 +108,34 @@ fn doublings_of_the_impact_oscillator_are_those_of_the_closed_form() {
     }
 }
 
+/// The low branch grazes where the steady amplitude equals the gap.
+fn check_grazings_of_the_low_branch(base: &Model, curves: &[BifurcationCurve]) {
+    let grazing = curves
+        .iter()
+        .find(|curve| curve.kind == CurveKind::Bifurcation(BranchKind::Grazing))
+        .unwrap();
+    for point in &grazing.points {
+        let mut drives = base.kernel.plant.system.drives.clone();
+        (drives[0].frequency_hz, drives[0].amplitude_n) = (point.parameter, point.parameter_2);
+        let amplitude_m =
+            base.kernel.plant.with_drives(drives).unwrap().ports[0].steady_m[0].norm();
+        assert!(
+            (amplitude_m / 1e-3 - 1.0).abs() < 1e-6,
+            "{point:?}: {amplitude_m}"
+        );
+    }
+}
+
 #[test]
 fn folds_tori_and_grazings_over_the_amplitude_are_those_along_the_frequency() {
     let file = bench();
     let base = Model::new(file.spec().unwrap()).unwrap();
-    let keys = ["drive.shaker.frequency", "drive.shaker.amplitude"]
-        .map(|key| file.numeric_key(key).unwrap());
-    let search = BifurcationSearch {
-        base: &base,
-        keys: [&keys[0], &keys[1]],
-        ranges: [(11.0, 14.5), (45.0, 55.0)],
-        tolerance: 1e-10,
-        seeds: 0,
-        longest_period: 1,
-        peaks: false,
-    };
-    let curves = search.run().unwrap();
+    let curves = bifurcation_curves(
+        &file,
+        "drive.shaker.amplitude",
+        [(11.0, 14.5), (45.0, 55.0)],
+        1e-10,
+    );
     for curve in &curves {
         eprintln!(
             "{:?}: {} points, {:?}",
@@ -163,21 +174,25 @@ fn folds_tori_and_grazings_over_the_amplitude_are_those_along_the_frequency() {
             assert!(distance < 1e-6, "{:?}: {distance:e}", bifurcation.kind);
         }
     }
-    // The low branch grazes where the steady amplitude equals the gap.
-    let grazing = curves
-        .iter()
-        .find(|curve| curve.kind == CurveKind::Bifurcation(BranchKind::Grazing))
+    check_grazings_of_the_low_branch(&base, &curves);
+}
+
+/// Frequency of the fold of highest power along the branches at a stiffness.
+fn fold_along_the_branch(stiffness: f64, range: (f64, f64)) -> f64 {
+    let mut changed = bench();
+    changed
+        .set("stop.tip.stiffness", &format!("\"{stiffness} N/m^1.5\""))
         .unwrap();
-    for point in &grazing.points {
-        let mut drives = base.kernel.plant.system.drives.clone();
-        (drives[0].frequency_hz, drives[0].amplitude_n) = (point.parameter, point.parameter_2);
-        let amplitude_m =
-            base.kernel.plant.with_drives(drives).unwrap().ports[0].steady_m[0].norm();
-        assert!(
-            (amplitude_m / 1e-3 - 1.0).abs() < 1e-6,
-            "{point:?}: {amplitude_m}"
-        );
-    }
+    let along = branches(&changed, range, OrbitMethodKind::Shooting, 0);
+    let folds = along
+        .iter()
+        .flat_map(|branch| &branch.bifurcations)
+        .filter(|label| label.kind == BranchKind::Fold);
+    folds
+        .max_by(|a, b| a.at.orbit.mean_power_w.total_cmp(&b.at.orbit.mean_power_w))
+        .unwrap()
+        .at
+        .parameter
 }
 
 /// The upper fold of the paper's harvester over the stiffness of its stop, against the folds along
@@ -186,20 +201,8 @@ fn folds_tori_and_grazings_over_the_amplitude_are_those_along_the_frequency() {
 fn the_fold_over_the_stiffness_is_complete_and_the_same_at_each_tolerance() {
     let range = (10.5, 14.0);
     let curve = |tolerance: f64| {
-        let file = bench();
-        let base = Model::new(file.spec().unwrap()).unwrap();
-        let keys = ["drive.shaker.frequency", "stop.tip.stiffness"]
-            .map(|key| file.numeric_key(key).unwrap());
         let ranges = [range, (400.0, 2000.0)];
-        let search = BifurcationSearch {
-            base: &base,
-            keys: [&keys[0], &keys[1]],
-            ranges,
-            tolerance,
-            seeds: 0,
-            longest_period: 1,
-            peaks: false,
-        };
+        let found = bifurcation_curves(&bench(), "stop.tip.stiffness", ranges, tolerance);
         let upper = |curve: &BifurcationCurve| {
             let top_w = curve
                 .points
@@ -208,8 +211,7 @@ fn the_fold_over_the_stiffness_is_complete_and_the_same_at_each_tolerance() {
                 .fold(0.0, f64::max);
             curve.kind == CurveKind::Bifurcation(BranchKind::Fold) && top_w > 1e-3
         };
-        let mut upper_curves: Vec<BifurcationCurve> =
-            search.run().unwrap().into_iter().filter(upper).collect();
+        let mut upper_curves: Vec<BifurcationCurve> = found.into_iter().filter(upper).collect();
         assert_eq!(upper_curves.len(), 1, "at tolerance {tolerance:e}");
         upper_curves.pop().unwrap()
     };
@@ -226,27 +228,16 @@ fn the_fold_over_the_stiffness_is_complete_and_the_same_at_each_tolerance() {
         );
     }
     for stiffness in [400.0, 850.0, 1000.0, 2000.0] {
-        let mut changed = bench();
-        changed
-            .set("stop.tip.stiffness", &format!("\"{stiffness} N/m^1.5\""))
-            .unwrap();
-        let along = branches(&changed, range, OrbitMethodKind::Shooting, 0);
-        let folds = along
-            .iter()
-            .flat_map(|branch| &branch.bifurcations)
-            .filter(|label| label.kind == BranchKind::Fold);
-        let fold = folds
-            .max_by(|a, b| a.at.orbit.mean_power_w.total_cmp(&b.at.orbit.mean_power_w))
-            .unwrap();
+        let fold_hz = fold_along_the_branch(stiffness, range);
         for (tolerance, curve) in &curves {
             let crossings = curve.crossings(stiffness);
             let distance = crossings
                 .iter()
-                .map(|(hz, _)| (hz - fold.at.parameter).abs())
+                .map(|(hz, _)| (hz - fold_hz).abs())
                 .fold(f64::INFINITY, f64::min);
             eprintln!(
                 "{stiffness} N/m^1.5, tolerance {tolerance:e}: {:.6} Hz along the branch, {distance:.1e} Hz away",
-                fold.at.parameter
+                fold_hz
             );
             // The ends of the range and the value in the spec are points of the curve; 850 lies
             // between two, on their chord.
@@ -264,21 +255,8 @@ fn the_fold_over_the_stiffness_is_complete_and_the_same_at_each_tolerance() {
 /// the second is one point.
 #[test]
 fn curves_are_cut_on_the_edges_of_both_ranges() {
-    let file = bench();
-    let base = Model::new(file.spec().unwrap()).unwrap();
-    let keys = ["drive.shaker.frequency", "drive.shaker.amplitude"]
-        .map(|key| file.numeric_key(key).unwrap());
     let ranges = [(12.0, 12.33), (47.0, 55.0)];
-    let search = BifurcationSearch {
-        base: &base,
-        keys: [&keys[0], &keys[1]],
-        ranges,
-        tolerance: 1e-9,
-        seeds: 0,
-        longest_period: 1,
-        peaks: false,
-    };
-    let curves = search.run().unwrap();
+    let curves = bifurcation_curves(&bench(), "drive.shaker.amplitude", ranges, 1e-9);
     let fold = curves
         .iter()
         .find(|curve| curve.kind == CurveKind::Bifurcation(BranchKind::Fold))
@@ -293,120 +271,4 @@ fn curves_are_cut_on_the_edges_of_both_ranges() {
     }
     assert!(ends.iter().any(|end| end.parameter == 12.33), "{ends:?}");
     assert!(fold.points.windows(2).all(|pair| pair[0] != pair[1]));
-}
-
-/// Frequencies of the bifurcations of one kind along the branches at a stiffness.
-fn along_the_branch(stiffness: f64, range: (f64, f64), kind: BranchKind) -> Vec<f64> {
-    let mut changed = bench();
-    changed
-        .set("stop.tip.stiffness", &format!("\"{stiffness} N/m^1.5\""))
-        .unwrap();
-    let along = branches(&changed, range, OrbitMethodKind::Shooting, 0);
-    let labels = along
-        .iter()
-        .flat_map(|branch| &branch.bifurcations)
-        .filter(|label| label.kind == kind);
-    labels.map(|label| label.at.parameter).collect()
-}
-
-/// Curves of one kind over the stiffness, each without a failure.
-fn over_the_stiffness(
-    start_n_m: f64,
-    range: (f64, f64),
-    stiffness: (f64, f64),
-    kind: BranchKind,
-) -> Vec<BifurcationCurve> {
-    let mut file = bench();
-    file.set("stop.tip.stiffness", &format!("\"{start_n_m} N/m^1.5\""))
-        .unwrap();
-    let base = Model::new(file.spec().unwrap()).unwrap();
-    let keys =
-        ["drive.shaker.frequency", "stop.tip.stiffness"].map(|key| file.numeric_key(key).unwrap());
-    let ranges = [range, stiffness];
-    let search = BifurcationSearch {
-        base: &base,
-        keys: [&keys[0], &keys[1]],
-        ranges,
-        tolerance: 1e-9,
-        seeds: 0,
-        longest_period: 1,
-        peaks: false,
-    };
-    let curves: Vec<BifurcationCurve> = search
-        .run()
-        .unwrap()
-        .into_iter()
-        .filter(|curve| curve.kind == CurveKind::Bifurcation(kind))
-        .collect();
-    for curve in &curves {
-        let ends = [curve.points[0], curve.points[curve.points.len() - 1]]
-            .map(|end| (end.parameter, end.parameter_2));
-        eprintln!(
-            "{kind:?}: {} points from {:?} to {:?}, {:?}",
-            curve.points.len(),
-            ends[0],
-            ends[1],
-            curve.failures
-        );
-        assert!(curve.failures.is_empty() && curve.points.len() < 150);
-    }
-    curves
-}
-
-/// Two turning points of the motion meet on the surface of the stop. Near 12.6926 Hz and 3906
-/// N/m^1.5 two curves of grazings join in a cusp. Its sheets separate with the power 3/2 of the
-/// distance, as those of `t^3 + a t + b` with a double zero do.
-#[test]
-fn a_curve_of_grazings_goes_through_its_cusp() {
-    let (range, stiffness) = ((12.5, 13.6), (3700.0, 4400.0));
-    let curves = over_the_stiffness(4200.0, range, stiffness, BranchKind::Grazing);
-    let least = |curve: &&BifurcationCurve| {
-        curve
-            .points
-            .iter()
-            .map(|point| point.parameter_2)
-            .fold(f64::INFINITY, f64::min)
-    };
-    let curve = curves
-        .iter()
-        .find(|curve| least(curve) > stiffness.0)
-        .unwrap();
-    let cusp = least(&curve);
-    let along = along_the_branch(stiffness.1, range, BranchKind::Grazing);
-    let sheets = |stiffness: f64| {
-        let mut sheets: Vec<f64> = curve
-            .crossings(stiffness)
-            .iter()
-            .map(|(hz, _)| *hz)
-            .collect();
-        sheets.sort_by(f64::total_cmp);
-        assert_eq!(sheets.len(), 2, "at {stiffness}");
-        sheets
-    };
-    for hz in sheets(stiffness.1) {
-        let distance = along
-            .iter()
-            .map(|other| (other - hz).abs())
-            .fold(f64::INFINITY, f64::min);
-        eprintln!(
-            "{hz:.9} Hz, {distance:.1e} Hz from the branch at {} N/m^1.5",
-            stiffness.1
-        );
-        assert!(distance < 1e-6);
-    }
-    assert!(
-        along_the_branch(stiffness.0, range, BranchKind::Grazing).len() + 2 == along.len(),
-        "below the cusp there are two less"
-    );
-    let separation = |offset: f64| {
-        let sheets = sheets(cusp + offset);
-        sheets[1] - sheets[0]
-    };
-    let ratio = separation(400.0) / separation(100.0);
-    eprintln!(
-        "cusp at {cusp} N/m^1.5, sheets part by {:.3e} and {:.3e} Hz: ratio {ratio}",
-        separation(100.0),
-        separation(400.0)
-    );
-    assert!((ratio / 8.0 - 1.0).abs() < 0.15);
 }
