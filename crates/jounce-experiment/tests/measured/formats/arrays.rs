@@ -89,23 +89,31 @@ fn arrays_of_two_bytes_are_read_and_complex_ones_refused_with_a_way_out() {
     }
 }
 
-/// A rate or a step next to the arrays replaces a time; a time has priority. A conflicting number,
-/// also one against the notes, is reported.
+/// Fifty times at 1 kHz.
+fn ramp() -> Vec<f64> {
+    (0..50).map(|k| f64::from(k) * 1e-3).collect()
+}
+
+/// Fifty samples of a channel.
+fn tip() -> Vec<f64> {
+    (0..50).map(|k| f64::from(k).sin()).collect()
+}
+
+/// A matrix file with a channel, single numbers and perhaps a time.
+fn with_numbers(numbers: &[(&str, f64)], time: bool) -> Vec<u8> {
+    let mut bytes = mat("tip", &[tip()]);
+    numbers
+        .iter()
+        .for_each(|(name, x)| bytes.extend(mat(name, &[vec![*x]]).split_off(128)));
+    if time {
+        bytes.extend(mat("t", &[ramp()]).split_off(128));
+    }
+    bytes
+}
+
+/// A rate or a step next to the arrays replaces a time.
 #[test]
 fn a_single_number_of_a_matrix_file_gives_the_rate() {
-    let (ramp, tip): (Vec<f64>, Vec<f64>) = (0..50)
-        .map(|k| (f64::from(k) * 1e-3, f64::from(k).sin()))
-        .unzip();
-    let with_numbers = |numbers: &[(&str, f64)], time: bool| {
-        let mut bytes = mat("tip", std::slice::from_ref(&tip));
-        numbers
-            .iter()
-            .for_each(|(name, x)| bytes.extend(mat(name, &[vec![*x]]).split_off(128)));
-        if time {
-            bytes.extend(mat("t", std::slice::from_ref(&ramp)).split_off(128));
-        }
-        bytes
-    };
     for (name, number) in [
         ("fs", 2000.0),
         ("Fs", 2000.0),
@@ -124,7 +132,7 @@ fn a_single_number_of_a_matrix_file_gives_the_rate() {
                 &recording.channels[0].values,
                 kinds(&recording)
             ),
-            (1, &tip, vec![IssueKind::Assumed]),
+            (1, &tip(), vec![IssueKind::Assumed]),
             "{name}"
         );
         assert!(
@@ -135,6 +143,18 @@ fn a_single_number_of_a_matrix_file_gives_the_rate() {
             recording.issues
         );
     }
+    for (name, number) in [("fs", 0.0), ("fs", f64::NAN), ("gain", 2000.0)] {
+        let refused = read("a.mat", &with_numbers(&[(name, number)], false), None);
+        assert!(
+            matches!(refused, Err(ReadError::NoTime { .. })),
+            "{name} = {number}: {refused:?}"
+        );
+    }
+}
+
+/// A time has priority over a number. A conflicting number, also one against the notes, is reported.
+#[test]
+fn a_number_that_conflicts_with_a_time_or_the_notes_is_reported() {
     let assert_issue = |bytes: &[u8], notes: Option<&str>, rate: f64, words: &str| {
         let recording = one("a.mat", bytes, notes);
         assert!(
@@ -176,35 +196,35 @@ fn a_single_number_of_a_matrix_file_gives_the_rate() {
         ))
         .contains(&IssueKind::HeaderDisagrees)
     );
-    // The first column of a matrix is its time where it has that rate.
+}
+
+#[test]
+fn the_first_column_of_a_matrix_is_its_time_where_it_has_that_rate() {
     let both = |ramp: Vec<f64>| {
         [
-            mat("m", &[ramp, tip.clone()]),
+            mat("m", &[ramp, tip()]),
             mat("fs", &[vec![1000.0]]).split_off(128),
         ]
         .concat()
     };
-    assert_eq!(one("a.mat", &both(ramp.clone()), None).channels.len(), 1);
+    assert_eq!(one("a.mat", &both(ramp()), None).channels.len(), 1);
     assert_eq!(
-        one("a.mat", &both(ramp.iter().map(|t| 7.0 * t).collect()), None)
-            .channels
-            .len(),
+        one(
+            "a.mat",
+            &both(ramp().iter().map(|t| 7.0 * t).collect()),
+            None
+        )
+        .channels
+        .len(),
         2
     );
-    for (name, number) in [("fs", 0.0), ("fs", f64::NAN), ("gain", 2000.0)] {
-        let refused = read("a.mat", &with_numbers(&[(name, number)], false), None);
-        assert!(
-            matches!(refused, Err(ReadError::NoTime { .. })),
-            "{name} = {number}: {refused:?}"
-        );
-    }
 }
 
 /// The second of two arrays is truncated: an incomplete recording is refused. An element that is
 /// not an array is reported.
 #[test]
 fn a_matrix_file_is_read_element_by_element() {
-    let ramp: Vec<f64> = (0..50).map(|k| f64::from(k) * 1e-3).collect();
+    let ramp = ramp();
     let second = mat("tip", &[ramp.iter().map(|t| t.sin()).collect()]).split_off(128);
     let both = [mat("t", std::slice::from_ref(&ramp)), second.clone()].concat();
     let complete = one("a.mat", &both, None);
@@ -233,7 +253,7 @@ fn a_matrix_file_is_read_element_by_element() {
 /// A time of 50 samples and channels of 40 do not form a recording.
 #[test]
 fn a_matrix_file_without_a_channel_as_long_as_its_time_is_refused() {
-    let ramp: Vec<f64> = (0..50).map(|k| f64::from(k) * 1e-3).collect();
+    let ramp = ramp();
     let short = mat("tip", &[ramp[..40].to_vec()]).split_off(128);
     let message = read("a.mat", &[mat("t", &[ramp]), short].concat(), None)
         .expect_err("no channel")

@@ -37,6 +37,10 @@ fn a_written_recording_is_read_back() {
             "{name}"
         );
     }
+}
+
+#[test]
+fn a_written_response_is_read_back() {
     let written = response();
     for (name, digits) in [("b.uff", 5.1e-13), ("b.parquet", 0.0), ("b.csv", 0.0)] {
         let read = through_file(&written, name);

@@ -1,5 +1,6 @@
 //! Coverage of the stated intervals of identified modes, for the virtual rig.
 
+use super::fourier::{spectrum, steady_response};
 use jounce_data::recording::{Channel, Grid, Over, Quantity, Recording};
 use jounce_experiment::rig::{HammerTest, Sensor, hammer_test};
 use jounce_identification::modal::{Band, ModalSettings, identify};
@@ -11,7 +12,6 @@ use jounce_signal::RandomStream;
 use jounce_signal::spectral::{Estimator, ImpactSettings};
 use jounce_spec::SpecFile;
 use rayon::prelude::*;
-use realfft::RealFftPlanner;
 
 /// Three modes in the band and three above it, the first of them near.
 const RIG: &str = r#"
@@ -67,15 +67,7 @@ fn shaker_record(plant: &Plant, (samples, noise): (usize, f64), seed: u64) -> Re
     let force: Vec<f64> = (0..samples / 2)
         .flat_map(|_| stream.normal_pair())
         .collect();
-    let mut planner = RealFftPlanner::new();
-    let (forward, backward) = (
-        planner.plan_fft_forward(samples),
-        planner.plan_fft_inverse(samples),
-    );
-    let (mut input, mut spectrum) = (force.clone(), forward.make_output_vec());
-    forward
-        .process(&mut input, &mut spectrum)
-        .expect("the plan made the length");
+    let spectrum = spectrum(&force);
     let frequency_hz: Vec<f64> = (0..spectrum.len())
         .map(|k| k as f64 * RATE_HZ / samples as f64)
         .collect();
@@ -97,17 +89,7 @@ fn shaker_record(plant: &Plant, (samples, noise): (usize, f64), seed: u64) -> Re
         sensor.read(&force, &mut stream),
     )];
     for function in functions {
-        let mut bins: Vec<_> = spectrum
-            .iter()
-            .zip(&function.value)
-            .map(|(f, h)| f * h / samples as f64)
-            .collect();
-        let last = bins.len() - 1;
-        (bins[0].im, bins[last].im) = (0.0, 0.0);
-        let mut values = backward.make_output_vec();
-        backward
-            .process(&mut bins, &mut values)
-            .expect("the plan made the length");
+        let values = steady_response(&spectrum, &function.value, samples);
         channels.push(Channel::new(
             &function.response.name(),
             Quantity::Acceleration,

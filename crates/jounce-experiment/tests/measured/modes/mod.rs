@@ -2,6 +2,8 @@
 
 mod base_input;
 mod cantilever;
+mod close_modes;
+mod fourier;
 mod hammer;
 mod intervals;
 mod references;

@@ -144,12 +144,9 @@ fn largest_errors(
     worst
 }
 
-/// The voltage of a patch follows the displacement, an accelerometer the acceleration: each is
-/// treated accordingly. Measured: frequencies within 2e-16, damping ratios within 2e-15.
-#[test]
-fn voltages_and_accelerations_are_identified_together() {
+/// Voltages of two patches and accelerations at two points per force.
+fn voltages_and_accelerations(modes: &[(f64, f64)]) -> MeasuredResponses {
     let frequency_hz: Vec<f64> = (40..400).map(f64::from).collect();
-    let modes = &MODES[..4];
     let function = |position: usize| {
         let displacement = |hz: f64| acceleration(modes, position, hz) / -(TAU * hz).powi(2);
         let of = |hz: &f64| {
@@ -179,7 +176,7 @@ fn voltages_and_accelerations_are_identified_together() {
             Quantity::Acceleration
         }
     };
-    let responses = MeasuredResponses {
+    MeasuredResponses {
         outputs: (0..4).map(|position| format!("place {position}")).collect(),
         references: Vec::new(),
         names: (0..4).map(|position| format!("place {position}")).collect(),
@@ -192,7 +189,15 @@ fn voltages_and_accelerations_are_identified_together() {
         block_s: None,
         window_decay_per_s: 0.0,
         issues: Vec::new(),
-    };
+    }
+}
+
+/// The voltage of a patch follows the displacement, an accelerometer the acceleration: each is
+/// treated accordingly. Measured: frequencies within 2e-16, damping ratios within 2e-15.
+#[test]
+fn voltages_and_accelerations_are_identified_together() {
+    let modes = &MODES[..4];
+    let responses = voltages_and_accelerations(modes);
     let identification = identify(
         &Band::of(&responses, (40.0, 400.0)).expect("a band"),
         ModalSettings::default(),

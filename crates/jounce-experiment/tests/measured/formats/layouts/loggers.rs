@@ -34,18 +34,24 @@ fn comma(text: &str) -> String {
 }
 
 pub(super) fn all() -> Vec<Layout> {
-    [data_acquisition_cards(), analysers(), with_stamps()]
-        .into_iter()
-        .flatten()
-        .map(|layout| Layout {
-            rate_hz: RATE_HZ,
-            start_s: 0.0,
-            ..layout
-        })
-        .collect()
+    [
+        usb_instruments(),
+        data_acquisition_cards(),
+        analysers(),
+        with_dates_and_times_of_day(),
+        with_counted_times(),
+    ]
+    .into_iter()
+    .flatten()
+    .map(|layout| Layout {
+        rate_hz: RATE_HZ,
+        start_s: 0.0,
+        ..layout
+    })
+    .collect()
 }
 
-fn data_acquisition_cards() -> Vec<Layout> {
+fn usb_instruments() -> Vec<Layout> {
     let digilent = "#Digilent WaveForms Oscilloscope Acquisition\n#Device Name: Discovery2\n#Serial Number: SN:210321A00000\n#Date Time: 2024-03-05 14:07:01.250\n#Sample rate: 1000Hz\n#Samples: 400\n#Trigger: Source: Channel 1 Type: Edge\n#Channel 1: Range: 5 V/div Offset: 0 V Attenuation: 1 X\n\n";
     let scopy = ";Scopy version,f9bbac3\n;Exported on,Tue Mar 5 14:07:01 2024\n;Device,M2K\n;Nr of samples,400\n;Sample rate,1000\n;Tool,Oscilloscope\n;Additional Information,\n";
     vec![
@@ -91,10 +97,16 @@ fn data_acquisition_cards() -> Vec<Layout> {
             notes: "[channel.CH1]\nunit = \"V\"\n[channel.CH2]\nunit = \"V\"\n",
             ..Layout::default()
         },
+    ]
+}
+
+fn data_acquisition_cards() -> Vec<Layout> {
+    vec![
         Layout {
             program: "PicoLog",
             series: "6",
-            text: ",CH1 (V),CH2 (V)\n".to_owned() + &rows(|k| format!("2024-03-{:02}T{}+00:00,{}", day(k), clock(k), pair(k, ","))),
+            text: ",CH1 (V),CH2 (V)\n".to_owned()
+                + &rows(|k| format!("2024-03-{:02}T{}+00:00,{}", day(k), clock(k), pair(k, ","))),
             recognised: "rate from dates, names, units",
             ..Layout::default()
         },
@@ -102,14 +114,23 @@ fn data_acquisition_cards() -> Vec<Layout> {
             program: "Measurement Computing",
             series: "DAQami, TracerDAQ",
             text: "Sample,Date/Time,CH1 (V),CH2 (V)\n".to_owned()
-                + &rows(|k| format!("{},3/{}/2024 {},{}", k + 1, day(k), twelve_hour_clock(k), pair(k, ","))),
+                + &rows(|k| {
+                    format!(
+                        "{},3/{}/2024 {},{}",
+                        k + 1,
+                        day(k),
+                        twelve_hour_clock(k),
+                        pair(k, ",")
+                    )
+                }),
             recognised: "rate from times of day, names, units",
             ..Layout::default()
         },
         Layout {
             program: "National Instruments",
             series: "FlexLogger, SignalExpress",
-            text: "Time,CH1 (V),CH2 (V)\n".to_owned() + &rows(|k| format!("03/{:02}/2024 {},{}", day(k), clock(k), pair(k, ","))),
+            text: "Time,CH1 (V),CH2 (V)\n".to_owned()
+                + &rows(|k| format!("03/{:02}/2024 {},{}", day(k), clock(k), pair(k, ","))),
             recognised: "rate from times of day, names, units",
             ..Layout::default()
         },
@@ -129,7 +150,12 @@ fn data_acquisition_cards() -> Vec<Layout> {
             text: lvm("Multi"),
             ..Layout::default()
         },
-        Layout { program: "National Instruments", series: "LVM without times", text: lvm("No"), ..Layout::default() },
+        Layout {
+            program: "National Instruments",
+            series: "LVM without times",
+            text: lvm("No"),
+            ..Layout::default()
+        },
     ]
 }
 
@@ -214,7 +240,7 @@ fn analysers() -> Vec<Layout> {
     ]
 }
 
-fn with_stamps() -> Vec<Layout> {
+fn with_dates_and_times_of_day() -> Vec<Layout> {
     let toa5 = "\"TOA5\",\"CR6\",\"CR6\",\"1234\",\"CR6.Std.09\",\"CPU:beam.CR6\",\"20813\",\"fast\"\n\"TIMESTAMP\",\"RECORD\",\"CH1\",\"CH2\"\n\"TS\",\"RN\",\"Volts\",\"Volts\"\n\"\",\"\",\"Smp\",\"Smp\"\n";
     vec![
         Layout {
@@ -266,6 +292,11 @@ fn with_stamps() -> Vec<Layout> {
             notes: "rate = \"1 kHz\"\n",
             ..Layout::default()
         },
+    ]
+}
+
+fn with_counted_times() -> Vec<Layout> {
+    vec![
         Layout {
             program: "Arduino, ESP32",
             series: "`millis`, `micros`, `time_ms`, `time_us`",

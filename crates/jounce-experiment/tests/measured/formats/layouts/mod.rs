@@ -4,6 +4,7 @@
 mod faults;
 mod loggers;
 mod oscilloscopes;
+mod other_oscilloscopes;
 mod programs;
 
 use super::through_a_file::read;
@@ -70,10 +71,15 @@ fn scope_time(k: usize) -> f64 {
 }
 
 fn all() -> Vec<Layout> {
-    [oscilloscopes::all(), loggers::all(), programs::all()]
-        .into_iter()
-        .flatten()
-        .collect()
+    [
+        oscilloscopes::all(),
+        other_oscilloscopes::all(),
+        loggers::all(),
+        programs::all(),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
 }
 
 fn file_name(layout: &Layout) -> &'static str {

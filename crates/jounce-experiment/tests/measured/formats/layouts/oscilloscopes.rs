@@ -1,4 +1,4 @@
-//! Oscilloscopes.
+//! Oscilloscopes of Rigol, Tektronix and Keysight.
 
 use super::{Layout, rows, sample, scope_time};
 
@@ -6,16 +6,16 @@ const RIGOL: &str = "Rigol";
 const TEKTRONIX: &str = "Tektronix";
 const KEYSIGHT: &str = "Keysight";
 
-fn v(channel: usize, k: usize) -> String {
+pub(super) fn v(channel: usize, k: usize) -> String {
     format!("{:.4e}", sample(channel, k))
 }
 
-fn t(k: usize) -> String {
+pub(super) fn t(k: usize) -> String {
     format!("{:.6e}", scope_time(k))
 }
 
 /// `t,a,b` in each row, with an end.
-fn table(end: &str) -> String {
+pub(super) fn table(end: &str) -> String {
     rows(|k| format!("{},{},{}{end}", t(k), v(0, k), v(1, k)))
 }
 
@@ -25,7 +25,7 @@ fn with_settings(settings: &[&str], blank: &str, row: impl Fn(usize) -> String) 
 }
 
 pub(super) fn all() -> Vec<Layout> {
-    [rigol(), tektronix(), keysight(), others()]
+    [rigol(), tektronix(), keysight()]
         .into_iter()
         .flatten()
         .collect()
@@ -78,35 +78,39 @@ fn rigol() -> Vec<Layout> {
     ]
 }
 
+/// Settings of older files.
+const TEKTRONIX_SETTINGS: [&str; 18] = [
+    "Record Length,4.000000e+02,",
+    "Sample Interval,1.000000e-04,",
+    "Trigger Point,2.000000000000e+02,",
+    ",,",
+    ",,",
+    ",,",
+    "Source,CH1,",
+    "Vertical Units,V,",
+    "Vertical Scale,5.000000e-01,",
+    "Vertical Offset,0.000000e+00,",
+    "Horizontal Units,s,",
+    "Horizontal Scale,5.000000e-03,",
+    "Pt Fmt,Y,",
+    "Yzero,0.000000e+00,",
+    "Probe Atten,1.000000e+01,",
+    "Model Number,TDS2014B,",
+    "Serial Number,C000001,",
+    "Firmware Version,FV:v22.01,",
+];
+
+/// Settings in quotes.
+const QUOTED_SETTINGS: [&str; 6] = [
+    "\"Record Length\",400,\"Points\"",
+    "\"Sample Interval\",1e-04,s",
+    "\"Trigger Point\",200,\"Samples\"",
+    "\"Trigger Time\",0.34,s",
+    "\"\",,",
+    "\"Horizontal Offset\",-0.02,s",
+];
+
 fn tektronix() -> Vec<Layout> {
-    let older = [
-        "Record Length,4.000000e+02,",
-        "Sample Interval,1.000000e-04,",
-        "Trigger Point,2.000000000000e+02,",
-        ",,",
-        ",,",
-        ",,",
-        "Source,CH1,",
-        "Vertical Units,V,",
-        "Vertical Scale,5.000000e-01,",
-        "Vertical Offset,0.000000e+00,",
-        "Horizontal Units,s,",
-        "Horizontal Scale,5.000000e-03,",
-        "Pt Fmt,Y,",
-        "Yzero,0.000000e+00,",
-        "Probe Atten,1.000000e+01,",
-        "Model Number,TDS2014B,",
-        "Serial Number,C000001,",
-        "Firmware Version,FV:v22.01,",
-    ];
-    let quoted_settings = [
-        "\"Record Length\",400,\"Points\"",
-        "\"Sample Interval\",1e-04,s",
-        "\"Trigger Point\",200,\"Samples\"",
-        "\"Trigger Time\",0.34,s",
-        "\"\",,",
-        "\"Horizontal Offset\",-0.02,s",
-    ];
     let model = "Model,MDO3014\nFirmware Version,1.22\n\nWaveform Type,ANALOG,\nPoint Format,Y,\nHorizontal Units,S,\nHorizontal Scale,0.004,\nHorizontal Delay,0,\nSample Interval,0.0001,\nRecord Length,400,\nGating,0.0% to 100.0%,\nProbe Attenuation,10,10\nVertical Units,V,V\nVertical Offset,0,0\nVertical Scale,0.5,0.5\nVertical Position,0,0\n,,\n,,\n,,\nLabel,,\nTIME,CH1,CH2\n";
     let newer = "Model,MSO58\nFirmware Version,1.28.1\n\nWaveform Type,ANALOG\nPoint Format,Y\nHorizontal Units,s\nHorizontal Scale,0.004\nHorizontal Delay,0\nSample Interval,1e-04\nRecord Length,400\nGating,0.0% to 100.0%\nProbe Attenuation,1,1\nVertical Units,V,V\nVertical Offset,0,0\nVertical Scale,1,1\nVertical Position,0,0\n\n\nLabel,,\nTIME,CH1,CH2\n";
     let one = |k: usize| format!("{:.12},{},", scope_time(k), v(0, k));
@@ -114,7 +118,7 @@ fn tektronix() -> Vec<Layout> {
         Layout {
             program: TEKTRONIX,
             series: "TDS1000, TDS2000, TBS1000, DPO2000: settings beside the first rows",
-            text: with_settings(&older, ",,", one),
+            text: with_settings(&TEKTRONIX_SETTINGS, ",,", one),
             channels: &[("CH1", "V")],
             ..Layout::default()
         },
@@ -124,7 +128,7 @@ fn tektronix() -> Vec<Layout> {
             recognised: "rate, start",
             by_hand: "names, units",
             notes: "[channel.5]\nname = \"CH1\"\nunit = \"V\"\n",
-            text: with_settings(&quoted_settings, ",,", |k| format!("{},{}", t(k), v(0, k))),
+            text: with_settings(&QUOTED_SETTINGS, ",,", |k| format!("{},{}", t(k), v(0, k))),
             channels: &[("CH1", "V")],
             ..Layout::default()
         },
@@ -200,169 +204,3 @@ fn keysight() -> Vec<Layout> {
         },
     ]
 }
-
-fn others() -> Vec<Layout> {
-    let siglent = "Record Length,Analog:400\nSample Interval,Analog:1.000000E-04\nVertical Units,CH1:V CH2:V\nVertical Scale,CH1:0.50 CH2:0.50\nVertical Offset,CH1:0.00 CH2:0.00\nHorizontal Units,s\nHorizontal Scale,4.0E-03\nModel Number,SDS1104X-E\nSerial Number,SDS00001\nSoftware Version,7.1.6\nSource,CH1,CH2\n";
-    let atten = "Record Length,400\nSample Interval,CH1:0.0001000000000 CH2:0.0001000000000\nVertical Units,CH1:V CH2:V,,\nVertical Scale,CH1:0.50 CH2:0.50,,\nHorizontal Units,s,,\nHorizontal Scale,0.0040000000,,\nModel Number,ADS1202CL+,,\nSerial Number,ADS00001,,\nSoftware Version,3.01,,\n\nSource,CH1,CH2\n";
-    let instek = "Format,1.0B,\nMemory Length,400,\nTrigger Level,0.000e+00,\nSource,CH1,\nVertical Units,V,\nVertical Scale,5.000e-01,\nHorizontal Units,S,\nHorizontal Scale,4.000e-03,\nHorizontal Mode,Main,\nSampling Period,1.000e-04,\nFirmware,V1.09,\nTime,05-Mar-2024 14:07:01,\n";
-    let yokogawa = "\"Header Size\",12\n\"Model Name\",\"DLM2024\"\n\"BlockNumber\",1\n\"TraceName\",\"CH1\",\"CH2\"\n\"BlockSize\",400,400\n\"VUnit\",\"V\",\"V\"\n\"SampleRate\",1.0000e+04,1.0000e+04\n\"HResolution\",1.0000e-04,1.0000e-04\n\"HOffset\",-2.0000e-02,-2.0000e-02\n\"HUnit\",\"s\",\"s\"\n\"Date\",\"2024/03/05\",\"2024/03/05\"\n\"Time\",\"14:07:01.25\",\"14:07:01.25\"\n\n";
-    let lecroy = "LECROYWS64Xs,10125,Waveform\nSegments,1,SegmentSize,400\nSegment,TrigTime,TimeSinceSegment1\n#1,05-Mar-2024 14:07:01,0\nTime,Ampl\n";
-    let pico = |separator: char, comma: bool| {
-        let number = |x: f64| {
-            if comma {
-                format!("{x:.8}").replace('.', ",")
-            } else {
-                format!("{x:.8}")
-            }
-        };
-        let row = |k: usize| {
-            [1e3 * scope_time(k), sample(0, k), 1e3 * sample(1, k)]
-                .map(number)
-                .join(&separator.to_string())
-        };
-        [
-            "Time,Channel A,Channel B\n(ms),(V),(mV)\n\n".replace(',', &separator.to_string()),
-            rows(row),
-        ]
-        .concat()
-    };
-    const PICO: &[(&str, &str)] = &[("Channel A", "V"), ("Channel B", "V")];
-    vec![
-        Layout {
-            program: "Siglent",
-            series: "SDS1000X-E, SDS2000X, SDS5000X",
-            text: siglent.to_owned() + "Second,Volt,Volt\n" + &table(""),
-            ..Layout::default()
-        },
-        Layout {
-            program: "Siglent",
-            series: "the same with heads `Second,Value`",
-            text: siglent.to_owned() + "Second,Value,Value\n" + &table(""),
-            ..Layout::default()
-        },
-        Layout {
-            program: "Siglent, Atten",
-            series: "SDS1000CNL, ADS1000CL",
-            text: atten.to_owned() + "Second,Volt,Volt\n" + &table(""),
-            ..Layout::default()
-        },
-        Layout {
-            program: "Teledyne LeCroy",
-            series: "WaveSurfer, WaveRunner, HDO: CSV",
-            recognised: "rate, start, name `Ampl`",
-            by_hand: "unit",
-            notes: "[channel.Ampl]\nname = \"CH1\"\nunit = \"V\"\n",
-            text: lecroy.to_owned() + &rows(|k| format!("{},{}", t(k), v(0, k))),
-            channels: &[("CH1", "V")],
-            ..Layout::default()
-        },
-        Layout {
-            program: "Teledyne LeCroy",
-            series: "WaveSurfer, WaveRunner, HDO: text",
-            recognised: "rate, start, name `Ampl`",
-            by_hand: "unit",
-            notes: "[channel.Ampl]\nname = \"CH1\"\nunit = \"V\"\n",
-            text: lecroy.replace(',', " ") + &rows(|k| format!("{} {}", t(k), v(0, k))),
-            channels: &[("CH1", "V")],
-            ..Layout::default()
-        },
-        Layout {
-            program: "PicoScope",
-            series: "6 and 7",
-            text: pico(',', false),
-            channels: PICO,
-            ..Layout::default()
-        },
-        Layout {
-            program: "PicoScope",
-            series: "6 and 7 with decimal commas",
-            text: pico(';', true),
-            channels: PICO,
-            ..Layout::default()
-        },
-        Layout {
-            program: "GW Instek",
-            series: "GDS-1000, GDS-2000: times and values",
-            text: instek.to_owned()
-                + "Mode,Detail,\nWaveform Data,\n"
-                + &rows(|k| format!("{},{},", t(k), v(0, k))),
-            channels: &[("CH1", "V")],
-            ..Layout::default()
-        },
-        Layout {
-            program: "GW Instek",
-            series: "GDS-1000, GDS-2000: values",
-            recognised: "rate, names, units",
-            text: instek.to_owned()
-                + "Mode,Detail,\nWaveform Data,\n"
-                + &rows(|k| format!("{},", v(0, k))),
-            start_s: 0.0,
-            channels: &[("CH1", "V")],
-            ..Layout::default()
-        },
-        Layout {
-            program: "OWON",
-            series: "PDS, VDS",
-            recognised: "rate, start, names, units; times that fall are refused",
-            text: "#,Time(ms),CH1(mV),CH2(mV)\n".to_owned()
-                + &rows(|k| {
-                    format!(
-                        "{k},{:.7},{:.2},{:.2}",
-                        1e3 * scope_time(k),
-                        1e3 * sample(0, k),
-                        1e3 * sample(1, k)
-                    )
-                }),
-            ..Layout::default()
-        },
-        Layout {
-            program: "Yokogawa",
-            series: "DLM2000, DL850",
-            text: yokogawa.to_owned() + &rows(|k| format!(",{},{},", v(0, k), v(1, k))),
-            ..Layout::default()
-        },
-        Layout {
-            program: "Rohde & Schwarz",
-            series: "RTB, RTM, RTA",
-            text: "in s,CH1 in V,CH2 in V\n".to_owned() + &table(""),
-            ..Layout::default()
-        },
-        Layout {
-            program: "Rohde & Schwarz",
-            series: "RTO, RTE: values, the settings in a file of their own",
-            recognised: "",
-            by_hand: RATE_BY_HAND_AND_NAMES,
-            notes: "rate = \"10 kHz\"\n[channel.1]\nname = \"CH1\"\nunit = \"V\"\n[channel.2]\nname = \"CH2\"\nunit = \"V\"\n",
-            refused: "no rate is given",
-            text: rows(|k| format!("{},{}", v(0, k), v(1, k))),
-            start_s: 0.0,
-            ..Layout::default()
-        },
-        Layout {
-            program: "OpenHantek",
-            series: "6022",
-            text: "\"t / s\",\"CH1 / V\",\"CH2 / V\"\n".to_owned() + &table(""),
-            ..Layout::default()
-        },
-        Layout {
-            program: "Hantek",
-            series: "DSO2000: `nr,time,ch1,ch2`",
-            recognised: "rate, names",
-            by_hand: "units",
-            notes: "[channel.ch1]\nname = \"CH1\"\nunit = \"V\"\n[channel.ch2]\nname = \"CH2\"\nunit = \"V\"\n",
-            text: "nr,time,ch1,ch2\n".to_owned()
-                + &rows(|k| {
-                    format!(
-                        "{k},{:e},{:.3},{:.3}",
-                        k as f64 * 1e-4,
-                        sample(0, k),
-                        sample(1, k)
-                    )
-                }),
-            start_s: 0.0,
-            ..Layout::default()
-        },
-    ]
-}
-
-const RATE_BY_HAND_AND_NAMES: &str = "rate, names, units";

@@ -13,7 +13,19 @@ fn pair(k: usize, delimiter: &str) -> String {
 }
 
 pub(super) fn all() -> Vec<Layout> {
-    let layouts = vec![
+    [arrays_and_tables(), simulators_and_spreadsheets()]
+        .into_iter()
+        .flatten()
+        .map(|layout| Layout {
+            rate_hz: RATE_HZ,
+            start_s: 0.0,
+            ..layout
+        })
+        .collect()
+}
+
+fn arrays_and_tables() -> Vec<Layout> {
+    vec![
         Layout {
             program: "NumPy",
             series: "`savetxt` with a header",
@@ -49,6 +61,11 @@ pub(super) fn all() -> Vec<Layout> {
             refused: "counts",
             ..Layout::default()
         },
+    ]
+}
+
+fn simulators_and_spreadsheets() -> Vec<Layout> {
+    vec![
         Layout {
             program: "LTspice",
             series: "exported text",
@@ -75,13 +92,5 @@ pub(super) fn all() -> Vec<Layout> {
                 }),
             ..Layout::default()
         },
-    ];
-    layouts
-        .into_iter()
-        .map(|layout| Layout {
-            rate_hz: RATE_HZ,
-            start_s: 0.0,
-            ..layout
-        })
-        .collect()
+    ]
 }
