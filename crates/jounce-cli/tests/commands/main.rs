@@ -2,12 +2,14 @@
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 mod attractors;
+mod bifurcations;
 mod gravity;
 mod hard_cases;
 mod names;
 mod orbits;
 mod runs;
 mod studies;
+mod two_stops;
 mod warnings;
 
 use assert_cmd::Command;
