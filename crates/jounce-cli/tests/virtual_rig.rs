@@ -44,11 +44,21 @@ fn assert_written(folder: &Path, names: &[&str]) {
         .for_each(|name| assert!(folder.join(name).is_file(), "{name} is missing"));
 }
 
-/// A record of 20 s at 1536 Hz, noise of 1 %, a shaker that wanders, a jump from one solution to the other at 9 s. Measured: the change
-/// within 0.1 s of the jump, the right solution in both segments, waveforms within 0.004, powers within 0.2 %.
-#[test]
-fn a_switch_between_two_solutions_is_segmented_and_identified() {
-    let folder = tempfile::tempdir().unwrap();
+/// Arguments of `segments`; without the last two no tables are written.
+const SEGMENTS: [&str; 9] = [
+    "segments",
+    "switch.parquet",
+    "--drive",
+    "13.5Hz",
+    "--resistance",
+    "100kohm",
+    "--json",
+    "--out",
+    "out",
+];
+
+/// A record that jumps from one solution to the other at 9 s.
+fn write_switch(folder: &Path) {
     let solutions = [
         "--solution",
         "1a",
@@ -71,7 +81,7 @@ fn a_switch_between_two_solutions_is_segmented_and_identified() {
         "--json",
     ];
     let (code, json, stderr) = jounce(
-        folder.path(),
+        folder,
         &[&["rig", SPEC], &CASE[..], &solutions, &disturbance_options].concat(),
     );
     assert!(code == 0 && stderr.contains("not modelled"), "{stderr}");
@@ -79,6 +89,65 @@ fn a_switch_between_two_solutions_is_segmented_and_identified() {
         json["channels"],
         serde_json::json!(["mfc.voltage", "tip.force", "base.acceleration"])
     );
+}
+
+/// Solution, period and power of a segment.
+fn check_segment(segment: &Value, id: &str, cycles: i32, power_w: f64) {
+    let best = &segment["candidates"][0];
+    assert_eq!(
+        (&segment["solution"], &best["id"], &best["period_cycles"]),
+        (&id.into(), &id.into(), &cycles.into()),
+        "{segment}"
+    );
+    let number = |value: &Value| value.as_f64().unwrap();
+    eprintln!(
+        "{id}: waveform {:.4} away, spectrum {:.4}",
+        number(&best["waveform_distance"]),
+        number(&best["spectrum_distance"])
+    );
+    assert!(
+        number(&best["waveform_distance"]) < 0.02 && number(&best["spectrum_distance"]) < 0.02,
+        "{best}"
+    );
+    assert!(
+        number(&segment["candidates"][1]["waveform_distance"]) > 0.3,
+        "{segment}"
+    );
+    assert!(
+        (number(&segment["mean_power_w"]) / power_w - 1.0).abs() < 0.01,
+        "{segment}"
+    );
+}
+
+/// The linear harvester has one solution: the second segment is none of it.
+fn check_segments_of_the_linear_harvester(folder: &Path) {
+    let other_model = [
+        "--model",
+        SPEC,
+        "--set",
+        "drive.shaker.amplitude=42 N",
+        "--set",
+        "stop.tip.gap=1 m",
+        "--starts",
+        "2",
+    ];
+    let (_, json, _) = jounce(folder, &[&SEGMENTS[..7], &other_model].concat());
+    let solutions: Vec<&Value> = json["segments"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|segment| &segment["solution"])
+        .collect();
+    assert_eq!(solutions[1], "none", "{json}");
+    assert_ne!(solutions[0], "none", "{json}");
+}
+
+/// A record of 20 s at 1536 Hz, noise of 1 %, a shaker that wanders, a jump from one solution to the other at 9 s. Measured: the change
+/// within 0.1 s of the jump, the right solution in both segments, waveforms within 0.004, powers within 0.2 %.
+#[test]
+fn a_switch_between_two_solutions_is_segmented_and_identified() {
+    let folder = tempfile::tempdir().unwrap();
+    write_switch(folder.path());
     let model = [
         "--model",
         SPEC,
@@ -87,18 +156,7 @@ fn a_switch_between_two_solutions_is_segmented_and_identified() {
         "--starts",
         "8",
     ];
-    let segment_arguments = [
-        "segments",
-        "switch.parquet",
-        "--drive",
-        "13.5Hz",
-        "--resistance",
-        "100kohm",
-        "--json",
-        "--out",
-        "out",
-    ];
-    let (code, json, stderr) = jounce(folder.path(), &[&segment_arguments[..], &model].concat());
+    let (code, json, stderr) = jounce(folder.path(), &[&SEGMENTS[..], &model].concat());
     assert_eq!(code, 0, "{stderr}");
     let segments = json["segments"].as_array().unwrap();
     assert_eq!(segments.len(), 2, "{json}");
@@ -111,31 +169,7 @@ fn a_switch_between_two_solutions_is_segmented_and_identified() {
         .into_iter()
         .enumerate()
     {
-        let segment = &segments[k];
-        let best = &segment["candidates"][0];
-        assert_eq!(
-            (&segment["solution"], &best["id"], &best["period_cycles"]),
-            (&id.into(), &id.into(), &cycles.into()),
-            "{segment}"
-        );
-        let number = |value: &Value| value.as_f64().unwrap();
-        eprintln!(
-            "{id}: waveform {:.4} away, spectrum {:.4}",
-            number(&best["waveform_distance"]),
-            number(&best["spectrum_distance"])
-        );
-        assert!(
-            number(&best["waveform_distance"]) < 0.02 && number(&best["spectrum_distance"]) < 0.02,
-            "{best}"
-        );
-        assert!(
-            number(&segment["candidates"][1]["waveform_distance"]) > 0.3,
-            "{segment}"
-        );
-        assert!(
-            (number(&segment["mean_power_w"]) / power_w - 1.0).abs() < 0.01,
-            "{segment}"
-        );
+        check_segment(&segments[k], id, cycles, power_w);
     }
     assert_written(
         &folder.path().join("out"),
@@ -151,35 +185,11 @@ fn a_switch_between_two_solutions_is_segmented_and_identified() {
         table.contains("waveform_distance") && table.contains("3a"),
         "{table}"
     );
-    // The linear harvester has one solution: the second segment is none of it.
-    let other_model = [
-        "--model",
-        SPEC,
-        "--set",
-        "drive.shaker.amplitude=42 N",
-        "--set",
-        "stop.tip.gap=1 m",
-        "--starts",
-        "2",
-    ];
-    let (_, json, _) = jounce(
-        folder.path(),
-        &[&segment_arguments[..7], &other_model].concat(),
-    );
-    let solutions: Vec<&Value> = json["segments"]
-        .as_array()
-        .unwrap()
-        .iter()
-        .map(|segment| &segment["solution"])
-        .collect();
-    assert_eq!(solutions[1], "none", "{json}");
-    assert_ne!(solutions[0], "none", "{json}");
+    check_segments_of_the_linear_harvester(folder.path());
 }
 
-/// The order lines of the first stretch are those of one period; the spectrogram and its convention are written.
-#[test]
-fn spectra_print_their_convention_and_mark_the_orders() {
-    let folder = tempfile::tempdir().unwrap();
+/// A record of the solution of period 3.
+fn write_second_solution(folder: &Path) {
     let short_options = [
         "--solution",
         "3a",
@@ -191,7 +201,7 @@ fn spectra_print_their_convention_and_mark_the_orders() {
         "one.csv",
     ];
     let (code, _, stderr) = jounce(
-        folder.path(),
+        folder,
         &[
             &["rig", SPEC],
             &CASE[..],
@@ -201,6 +211,13 @@ fn spectra_print_their_convention_and_mark_the_orders() {
         .concat(),
     );
     assert_eq!(code, 0, "{stderr}");
+}
+
+/// The order lines of the first stretch are those of one period; the spectrogram and its convention are written.
+#[test]
+fn spectra_print_their_convention_and_mark_the_orders() {
+    let folder = tempfile::tempdir().unwrap();
+    write_second_solution(folder.path());
     let (code, json, stderr) = jounce(
         folder.path(),
         &[
@@ -243,6 +260,31 @@ fn spectra_print_their_convention_and_mark_the_orders() {
     );
 }
 
+/// Options of a test, exit code and a part of the error.
+const IMPOSSIBLE: &[(&[&str], i32, &str)] = &[
+    (&["--at", "beam.tpi"], 4, "beam.tip"),
+    (
+        &["--solution", "9z", "--starts", "2"],
+        2,
+        "the model's solutions are",
+    ),
+    (
+        &["--solution", "1a", "--solution", "1a", "--starts", "2"],
+        2,
+        "@42s",
+    ),
+    (&["--amplitude-wander", "2"], 2, "from 0 to 0.3"),
+    (&["--wander-time", "3s"], 2, "give --amplitude-wander or"),
+    (&["--cable", "0nF"], 2, "--cable"),
+    (&["--base", "missing.csv"], 4, "missing.csv"),
+    (
+        &["--hammer", "beam.hammer", "--solution", "1a"],
+        2,
+        "applies to a shaker test",
+    ),
+    (&["--sensor-mass", "1g"], 2, "accelerometers"),
+];
+
 /// Wrong options end with one clear sentence; rig and analysis report hits before the structure is at rest.
 #[test]
 fn an_impossible_test_is_reported() {
@@ -253,32 +295,10 @@ fn an_impossible_test_is_reported() {
             &[&["rig", SPEC, "--to", "a.csv"], options].concat(),
         )
     };
-    for (arguments, code, convention) in [
-        (vec!["--at", "beam.tpi"], 4, "beam.tip"),
-        (
-            vec!["--solution", "9z", "--starts", "2"],
-            2,
-            "the model's solutions are",
-        ),
-        (
-            vec!["--solution", "1a", "--solution", "1a", "--starts", "2"],
-            2,
-            "@42s",
-        ),
-        (vec!["--amplitude-wander", "2"], 2, "from 0 to 0.3"),
-        (vec!["--wander-time", "3s"], 2, "give --amplitude-wander or"),
-        (vec!["--cable", "0nF"], 2, "--cable"),
-        (vec!["--base", "missing.csv"], 4, "missing.csv"),
-        (
-            vec!["--hammer", "beam.hammer", "--solution", "1a"],
-            2,
-            "applies to a shaker test",
-        ),
-        (vec!["--sensor-mass", "1g"], 2, "accelerometers"),
-    ] {
-        let (exit_code, _, stderr) = rig(&arguments);
+    for (arguments, code, convention) in IMPOSSIBLE {
+        let (exit_code, _, stderr) = rig(arguments);
         assert!(
-            exit_code == code && stderr.contains(convention) && !stderr.contains("panicked"),
+            exit_code == *code && stderr.contains(convention) && !stderr.contains("panicked"),
             "{arguments:?}: {exit_code} {stderr}"
         );
     }

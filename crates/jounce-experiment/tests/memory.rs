@@ -169,15 +169,20 @@ fn read(path: &Path) -> FileSummary {
     summary(path).unwrap_or_else(|fault| panic!("{fault}"))
 }
 
-/// Peaks of reading each format, and of writing two of them; checks that all numbers are present.
-fn peaks(folder: &Path, rows: usize, before: u64) -> Vec<(&'static str, u64)> {
-    let at = |name: &str| -> PathBuf { folder.join(format!("{rows}-{name}")) };
+/// Writes a file of each format.
+fn write_files(at: &impl Fn(&str) -> PathBuf, rows: usize) {
     text(&at("a.csv"), "time_s,a_V,b_V,c_V,d_V\n", rows, ',');
     let lvm = "LabVIEW Measurement\t\nSeparator\tTab\nX_Columns\tOne\n***End_of_Header***\t\n\t\nChannels\t4\nDelta_X\t0.001\n***End_of_Header***\t\nX_Value\ta\tb\tc\td\n";
     text(&at("a.lvm"), lvm, rows, '\t');
     npy(&at("a.npy"), rows);
     mat(&at("a.mat"), rows);
     uff58b(&at("b.uff"), rows);
+}
+
+/// Peaks of reading each format, and of writing two of them; checks that all numbers are present.
+fn peaks(folder: &Path, rows: usize, before: u64) -> Vec<(&'static str, u64)> {
+    let at = |name: &str| -> PathBuf { folder.join(format!("{rows}-{name}")) };
+    write_files(&at, rows);
     let mut peaks = Vec::new();
     let (peak, summary) = peak_of(before, || read(&at("a.csv")));
     peaks.push(("CSV", peak));

@@ -7,7 +7,7 @@
 #[path = "measured/samples.rs"]
 #[allow(dead_code, reason = "made for other tests too")]
 mod samples;
-#[path = "measured/writers/mod.rs"]
+#[path = "measured/formats/writers/mod.rs"]
 mod writers;
 
 use jounce_data::read::{Notes, summary};

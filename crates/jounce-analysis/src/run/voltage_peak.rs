@@ -11,7 +11,7 @@
 //! The window is one period of the orbit if the run has settled, else the last eight drive cycles.
 //! If the drives are not periodic, it is the complete record.
 //!
-//! Validation: `tests/integrate/voltage_peak.rs`, 5e-16 of the closed form without contact; with
+//! Validation: `tests/integrate/circuits/voltage_peak.rs`, 5e-16 of the closed form without contact; with
 //! impacts a hundred thousand samples find no higher value.
 
 use super::{RunPlan, RunResult};

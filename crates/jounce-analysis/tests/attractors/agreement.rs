@@ -213,13 +213,30 @@ pub fn compare(
         decided => decided,
     };
     let verdicts = endings.iter().enumerate().map(decide).collect();
-    // The starts of a cloud are drawn one by one, so its first ones also form a cloud.
-    let other_starts = match starts {
+    Agreement {
+        same_starts: coverage(&endings, &results, starts.len()),
+        other_starts: coverage_of_other_starts(file, (&key.0, key.1), starts, &endings),
+        endings,
+        accounts: results,
+        verdicts,
+        seconds: [library_s, brute_s],
+    }
+}
+
+/// Coverage of the shares of later starts by the intervals of the first ones. The starts of a cloud
+/// are drawn one by one, so its first ones also form a cloud.
+fn coverage_of_other_starts(
+    file: &SpecFile,
+    key: (&str, f64),
+    starts: InitialStates,
+    endings: &[Ending],
+) -> [usize; 2] {
+    match starts {
         InitialStates::Cloud(cloud) => {
             let part = cloud.starts / HELD_BACK;
             let held_back = accounts(
                 file,
-                (&key.0, key.1),
+                key,
                 InitialStates::Cloud(Cloud {
                     starts: part,
                     ..cloud
@@ -228,14 +245,6 @@ pub fn compare(
             coverage(&endings[part..], &held_back, part)
         }
         InitialStates::Grid(_) => [0, 0],
-    };
-    Agreement {
-        same_starts: coverage(&endings, &results, starts.len()),
-        other_starts,
-        endings,
-        accounts: results,
-        verdicts,
-        seconds: [library_s, brute_s],
     }
 }
 

@@ -4,6 +4,7 @@
 
 use crate::systems::{LAWS, integrator, kernel, motion};
 use jounce_model::drive::Travel;
+use jounce_model::plant::System;
 
 const DRIVES: [&str; 4] = [
     "amplitude = \"9 m/s^2\"\nfrequency = \"12 Hz\"\n",
@@ -22,6 +23,28 @@ fn text(law: &str, frame: &str, drive: &str) -> String {
     )
 }
 
+/// Position and velocity of the table: the steady displacement of a sinusoid, otherwise the double
+/// integral.
+fn table_motion(system: &System, t: f64) -> [f64; 2] {
+    let drive = system.drives.first().map_or([0.0; 2], |drive| {
+        let w = std::f64::consts::TAU * drive.frequency_hz;
+        let (sin, cos) = (w * t + drive.phase_rad).sin_cos();
+        [
+            -drive.amplitude_n / (w * w) * sin,
+            -drive.amplitude_n / w * cos,
+        ]
+    });
+    let displaced = system
+        .signals
+        .iter()
+        .filter(|signal| signal.base.is_some())
+        .map(|signal| {
+            let index = signal.wave.index_at(t);
+            Travel::of(&signal.wave).at(index, &signal.wave.piece(index), t)
+        });
+    displaced.fold(drive, |[x, v], [dx, dv]| [x + dx, v + dv])
+}
+
 #[test]
 fn a_ball_falls_on_a_moving_table_in_either_frame() {
     for law in LAWS {
@@ -30,34 +53,7 @@ fn a_ball_falls_on_a_moving_table_in_either_frame() {
                 kernel(&text(law, "ground", drive)),
                 kernel(&text(law, "table", drive)),
             );
-            // Position of the table: the steady displacement of a sinusoid, otherwise the double
-            // integral.
-            let table = |t: f64| -> [f64; 2] {
-                let drive = outside
-                    .plant
-                    .system
-                    .drives
-                    .first()
-                    .map_or([0.0; 2], |drive| {
-                        let w = std::f64::consts::TAU * drive.frequency_hz;
-                        let (sin, cos) = (w * t + drive.phase_rad).sin_cos();
-                        [
-                            -drive.amplitude_n / (w * w) * sin,
-                            -drive.amplitude_n / w * cos,
-                        ]
-                    });
-                let displaced = outside
-                    .plant
-                    .system
-                    .signals
-                    .iter()
-                    .filter(|signal| signal.base.is_some())
-                    .map(|signal| {
-                        let index = signal.wave.index_at(t);
-                        Travel::of(&signal.wave).at(index, &signal.wave.piece(index), t)
-                    });
-                displaced.fold(drive, |[x, v], [dx, dv]| [x + dx, v + dv])
-            };
+            let table = |t: f64| table_motion(&outside.plant.system, t);
             let [x, v] = table(0.0);
             let mut one = integrator(&inside, &[0.0], &[0.0], 1e-12);
             let mut other = integrator(&outside, &[x], &[v], 1e-12);

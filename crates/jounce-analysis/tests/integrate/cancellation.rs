@@ -1,7 +1,7 @@
 //! The callback of the control runs during every kind of integration.
 
+use crate::circuits::cell::lossy_with_stop;
 use crate::plants::{bench, kernel};
-use crate::rectified::lossy_with_stop;
 use jounce_control::Control;
 use jounce_dynamics::{IntegrationError, Integrator};
 use jounce_model::contact::{Law, Rigid};

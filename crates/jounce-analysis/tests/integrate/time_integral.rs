@@ -1,7 +1,7 @@
 //! Time integrals along a record in closed form, against quadrature of the recorded states.
 
+use crate::circuits::cell::lossy_with_stop;
 use crate::plants::kernel;
-use crate::rectified::lossy_with_stop;
 use jounce_dynamics::{Integrator, Kernel, Trajectory};
 use jounce_model::drive::Wave;
 use jounce_model::plant::{Scheme, Signal, Storage};

@@ -64,14 +64,12 @@ fn plant(load: &Load) -> Plant {
     .unwrap()
 }
 
-/// Linear equations on `(V_a, V_b, V_c, i)`, `i` the current into the load: coefficients and right
-/// side.
+/// Equation of patch `p`, whose current is `current i`.
 ///
 /// The current out of patch `p` is `i_p = source_p - sum_r Y_pr V_r`, with `Y` its capacitance and
-/// the dynamic admittance of the modes. The source is the motion of the base. Series members carry
-/// `sign i`, parallel ones have `sign V`, open ones carry no current.
-fn equations(load: &Load, w: f64) -> Vec<Vec<c64>> {
-    let (modes, s, zero) = (modes(), c64::new(0.0, w), c64::new(0.0, 0.0));
+/// the dynamic admittance of the modes. The source is the motion of the base.
+fn current_balance(p: usize, current: c64, w: f64) -> Vec<c64> {
+    let (modes, s) = (modes(), c64::new(0.0, w));
     let theta = |patch: usize, mode: usize| modes.patch[NAMES[patch]].coupling_n_per_v[mode];
     let dynamic = |mode: usize| {
         let natural = modes.frequency_rad_s[mode];
@@ -80,29 +78,41 @@ fn equations(load: &Load, w: f64) -> Vec<Vec<c64>> {
             2.0 * modes.damping_ratio[mode] * natural * w,
         )
     };
-    let balance = |p: usize, current: c64| -> Vec<c64> {
-        let admittance = |r: usize| {
-            let modal: c64 = (0..3)
-                .map(|mode| s * (theta(p, mode) * theta(r, mode)) / dynamic(mode))
-                .sum();
-            if p == r {
-                modal + s * modes.patch[NAMES[p]].capacitance_f
-            } else {
-                modal
-            }
-        };
-        let source: c64 = (0..3)
-            .map(|mode| s * (theta(p, mode) * modes.participation_sqrt_kg[mode]) / dynamic(mode))
+    let admittance = |r: usize| {
+        let modal: c64 = (0..3)
+            .map(|mode| s * (theta(p, mode) * theta(r, mode)) / dynamic(mode))
             .sum();
-        vec![admittance(0), admittance(1), admittance(2), current, source]
+        if p == r {
+            modal + s * modes.patch[NAMES[p]].capacitance_f
+        } else {
+            modal
+        }
     };
-    let across = match load.inductor {
+    let source: c64 = (0..3)
+        .map(|mode| s * (theta(p, mode) * modes.participation_sqrt_kg[mode]) / dynamic(mode))
+        .sum();
+    vec![admittance(0), admittance(1), admittance(2), current, source]
+}
+
+/// Impedance of the load with its inductor.
+fn load_impedance(load: &Load, w: f64) -> c64 {
+    let s = c64::new(0.0, w);
+    match load.inductor {
         None => c64::new(load.resistance_ohm, 0.0),
         Some((l, Wiring::Parallel)) => {
             1.0 / (c64::new(1.0 / load.resistance_ohm, 0.0) + 1.0 / (s * l))
         }
         Some((l, Wiring::Series)) => s * l + load.resistance_ohm,
-    };
+    }
+}
+
+/// Linear equations on `(V_a, V_b, V_c, i)`, `i` the current into the load: coefficients and right
+/// side.
+///
+/// Series members carry `sign i`, parallel ones have `sign V`, open ones carry no current.
+fn equations(load: &Load, w: f64) -> Vec<Vec<c64>> {
+    let zero = c64::new(0.0, 0.0);
+    let balance = |p: usize, current: c64| current_balance(p, current, w);
     let sign = |p: usize| {
         load.connections
             .iter()
@@ -115,7 +125,7 @@ fn equations(load: &Load, w: f64) -> Vec<Vec<c64>> {
         .map(|p| balance(p, zero))
         .collect();
     let mut terminal = vec![zero; 5];
-    terminal[3] = -across;
+    terminal[3] = -load_impedance(load, w);
     if load.wiring == Wiring::Series {
         rows.extend(members.iter().map(|p| balance(*p, c64::new(sign(*p), 0.0))));
         members

@@ -75,6 +75,16 @@ fn every_expected_row_is_met() {
     );
 }
 
+/// Slope of a mode at the tip,
+/// `phi'(L) = l / L (sinh l + sin l - s (cosh l - cos l)) / sqrt(m L)`, positive like `phi(L)`.
+fn tip_slope(closed: &Cantilever, mode: usize) -> f64 {
+    let l = Cantilever::root(mode);
+    let s = (l.cosh() + l.cos()) / (l.sinh() + l.sin());
+    let sign = if mode.is_multiple_of(2) { 1.0 } else { -1.0 };
+    let root_mass = (closed.mass_per_length_kg_m * closed.length_m).sqrt();
+    sign * l / closed.length_m * (l.sinh() + l.sin() - s * (l.cosh() - l.cos())) / root_mass
+}
+
 /// Eqs. (33) to (38) of the paper with the closed-form modes of a clamped-free beam, in every
 /// retained mode: `V / a = sum (i w chi gamma / D) / (1/R + i w C + sum i w chi^2 / D)`. Measured
 /// 2e-12.
@@ -90,15 +100,6 @@ fn voltage_and_motion_are_the_closed_form() {
     };
     let moment = patch_moment_n_m_per_v(beam, &section, patch);
     let capacitance_f = patch.clamped_capacitance_f();
-    let slope = |mode: usize| {
-        let l = Cantilever::root(mode);
-        // phi'(L) = l / L (sinh l + sin l - s (cosh l - cos l)) / sqrt(m L), positive at the tip
-        // like phi(L).
-        let s = (l.cosh() + l.cos()) / (l.sinh() + l.sin());
-        let sign = if mode.is_multiple_of(2) { 1.0 } else { -1.0 };
-        let root_mass = (closed.mass_per_length_kg_m * closed.length_m).sqrt();
-        sign * l / closed.length_m * (l.sinh() + l.sin() - s * (l.cosh() - l.cos())) / root_mass
-    };
     let plant = plant(EXAMPLE, &[]);
     for frequency_hz in [10.0, 47.81, 48.3, 120.0, 300.0, 900.0] {
         let w = TAU * frequency_hz;
@@ -111,14 +112,14 @@ fn voltage_and_motion_are_the_closed_form() {
             )
         };
         for mode in 0..spec.damping.ratios.len() {
-            let chi = moment * slope(mode);
+            let chi = moment * tip_slope(&closed, mode);
             source += c64::new(0.0, w * chi * closed.participation_sqrt_kg(mode)) / dynamic(mode);
             mobility += c64::new(0.0, w * chi * chi) / dynamic(mode);
         }
         let voltage = source / (1.0 / 1e5 + c64::new(0.0, w * capacitance_f) + mobility);
         let tip: c64 = (0..spec.damping.ratios.len())
             .map(|mode| {
-                let chi = moment * slope(mode);
+                let chi = moment * tip_slope(&closed, mode);
                 (voltage * chi - closed.participation_sqrt_kg(mode))
                     * closed.shape(mode, closed.length_m)
                     / dynamic(mode)

@@ -28,16 +28,11 @@ fn every_expected_row_is_met() {
     let peaks = ["1 kohm", "33 kohm", "100 kohm", "470 kohm", "995 kohm"].map(highest);
     let open_hz = highest("100 Mohm").0;
     let node = &with_wiring("series", "1 kohm").electrical.nodes[0];
-    let (best_short, power) =
-        best_resistance(|resistance| with_wiring("series", resistance), short_hz);
-    let (best_open, _) = best_resistance(|resistance| with_wiring("series", resistance), open_hz);
-    let parallel = |frequency_hz| {
-        best_resistance(
-            |resistance| with_wiring("parallel", resistance),
-            frequency_hz,
-        )
-        .0
+    let best = |wiring, frequency_hz| {
+        best_resistance(|resistance| with_wiring(wiring, resistance), frequency_hz)
     };
+    let (best_short, power) = best("series", short_hz);
+    let (best_open, _) = best("series", open_hz);
     check(
         EXAMPLE,
         &[
@@ -71,11 +66,11 @@ fn every_expected_row_is_met() {
             ),
             (
                 "parallel_best_resistance_at_short_circuit_kohm",
-                parallel(short_hz) / 1e3,
+                best("parallel", short_hz).0 / 1e3,
             ),
             (
                 "parallel_best_resistance_at_open_circuit_kohm",
-                parallel(open_hz) / 1e3,
+                best("parallel", open_hz).0 / 1e3,
             ),
             ("peak_power_mw_per_g2", power * 1e3),
             ("published_peak_power_mw_per_g2", power * 1e3),

@@ -40,6 +40,15 @@ pub fn bench() -> SpecFile {
     SpecFile::from_text(include_str!("../../../../bench/plant.toml"))
 }
 
+/// The bench with some keys changed.
+pub fn bench_with_keys(changes: &[(&str, &str)]) -> SpecFile {
+    let mut file = bench();
+    changes
+        .iter()
+        .for_each(|(key, value)| file.set(key, value).unwrap());
+    file
+}
+
 /// Branches of one drive cycle over the frequency of the shaker.
 pub fn branches(
     file: &SpecFile,

@@ -7,7 +7,7 @@ use jounce_continuation::{Corrector, Metric, Position, correct_at};
 use jounce_dynamics::Integrator;
 use jounce_orbits::{Orbit, OrbitError, OrbitMethod, ParametricModel, Shooting};
 use jounce_spec::SpecFile;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 /// The example without the lines of the given keys.
 fn example_without(keys: &[&str]) -> SpecFile {
@@ -37,7 +37,7 @@ fn file(settings: &[(&str, &str)]) -> SpecFile {
 
 /// Orbit of one drive cycle that Newton finds from the linear response and a voltage of the
 /// storage.
-fn orbit(file: &SpecFile, storage_v: f64) -> (Model, Orbit) {
+pub fn orbit(file: &SpecFile, storage_v: f64) -> (Model, Orbit) {
     let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("drive.shaker.amplitude").unwrap();
     let orbit = {
@@ -96,87 +96,18 @@ fn the_orbit_has_the_power_of_direct_integration() {
     }
 }
 
-/// Weak coupling, `theta = 1e-5`: the powers of the interfaces are in closed form (Guyomar et al.
-/// 2005, Lefeuvre et al. 2006). A storage of 20 F ripples by about a part in a hundred, which is of
-/// second order in the power.
-#[test]
-fn weakly_coupled_interfaces_have_their_closed_forms() {
-    let (w, theta, zeta) = (0.8_f64, 1e-5, 0.05);
-    let current = theta * w / ((1.0 - w * w).powi(2) + (2.0 * zeta * w).powi(2)).sqrt();
-    let frequency = format!("{} Hz", w / TAU);
-    let q = (-PI / (2.0 * 5.0_f64)).exp();
-    for (interface, quality, battery, power) in [
-        (
-            "bridge",
-            None,
-            0.5 * current / w,
-            current * current / (TAU * w),
-        ),
-        (
-            "parallel-sshi",
-            Some("5"),
-            current / (w * (1.0 - q)),
-            current * current / (PI * w * (1.0 - q)),
-        ),
-        (
-            "series-sshi",
-            Some("5"),
-            0.5 * current / w,
-            (1.0 + q) / (1.0 - q) * current * current / (TAU * w),
-        ),
-        (
-            "sece",
-            None,
-            current / w,
-            4.0 * current * current / (TAU * w),
-        ),
-    ] {
-        let battery = format!("{battery} V");
-        let text = format!(
-            "[modal.cell]\nfrequency_hz = [{}]\ndamping_ratio = [{zeta}]\n[modal.cell.point]\nmass = [1.0]\n[modal.cell.patch.element]\n\
-             coupling_n_per_v = [{theta}]\ncapacitance = \"1 F\"\n[circuit.rectifier]\npatch = \"cell.element\"\ninterface = \"{interface}\"\n\
-             battery = \"{battery}\"\n{}{}[drive.shaker]\nat = \"cell.mass\"\namplitude = \"1 N\"\nfrequency = \"{frequency}\"\n",
-            1.0 / TAU,
-            quality.map_or(String::new(), |quality| format!(
-                "quality_factor = {quality}\n"
-            )),
-            if quality.is_some_and(|_| interface == "series-sshi") || interface == "sece" {
-                ""
-            } else {
-                "diode_resistance = \"1 uohm\"\n"
-            },
-        );
-        let (_, orbit) = orbit(&SpecFile::from_text(text), 0.0);
-        let modulus = (-zeta * TAU / w).exp();
-        // The two switches of a cycle reduce a voltage by the ratio of the inversion.
-        let electrical = if interface == "series-sshi" {
-            q * q
-        } else {
-            0.0
-        };
-        eprintln!(
-            "{interface}: {:.2e} off, multipliers {:?}",
-            orbit.mean_power_w / power - 1.0,
-            orbit.multipliers
-        );
-        assert!(
-            (orbit.mean_power_w / power - 1.0).abs() < 1e-8,
-            "{interface}: {:e} against {power:e}",
-            orbit.mean_power_w
-        );
-        // The circuit does not affect the motion.
-        let near = |size: f64| {
-            orbit
-                .multipliers
-                .iter()
-                .any(|value| (value.norm() - size).abs() < 1e-8)
-        };
-        assert!(
-            near(modulus) && near(electrical),
-            "{interface}: {:?}",
-            orbit.multipliers
-        );
+/// Coefficients of `prod (x - m)`, that of the constant first.
+fn polynomial(multipliers: &[faer::c64]) -> Vec<faer::c64> {
+    let mut polynomial = vec![faer::c64::new(1.0, 0.0)];
+    for value in multipliers {
+        let higher = std::iter::once(faer::c64::new(0.0, 0.0)).chain(polynomial.iter().copied());
+        let lower = polynomial
+            .iter()
+            .map(|c| -*c * *value)
+            .chain([faer::c64::new(0.0, 0.0)]);
+        polynomial = higher.zip(lower).map(|(a, b)| a + b).collect();
     }
+    polynomial
 }
 
 /// A perturbation obeys the polynomial of the multipliers from cycle to cycle: `sum_k c_k d_k = 0`,
@@ -206,16 +137,7 @@ fn a_disturbance_decays_by_the_multipliers() {
             .zip(&scale)
             .map(|(u, w)| u / w)
             .collect();
-        let mut polynomial = vec![faer::c64::new(1.0, 0.0)];
-        for value in &orbit.multipliers {
-            let higher =
-                std::iter::once(faer::c64::new(0.0, 0.0)).chain(polynomial.iter().copied());
-            let lower = polynomial
-                .iter()
-                .map(|c| -*c * *value)
-                .chain([faer::c64::new(0.0, 0.0)]);
-            polynomial = higher.zip(lower).map(|(a, b)| a + b).collect();
-        }
+        let polynomial = polynomial(&orbit.multipliers);
         let cycle_s = TAU / kernel.plant.tones[0].angular_frequency_rad_s;
         let mut perturbed_state: Vec<f64> = on
             .iter()

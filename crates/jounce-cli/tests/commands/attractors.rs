@@ -1,6 +1,7 @@
 //! Basins and diagrams.
 
 use crate::{PLANT, assert_keys, jounce};
+use serde_json::Value;
 
 #[test]
 fn basins_print_every_key_and_fractions_of_sum_one() {
@@ -30,6 +31,25 @@ fn basins_print_every_key_and_fractions_of_sum_one() {
         .map(|a| a["fraction"].as_f64().unwrap())
         .sum();
     assert!((sum - 1.0).abs() < 1e-12, "{json}");
+}
+
+/// Ends of Wilson's interval solve its equation, for 6 starts.
+fn check_wilson_intervals(attractors: &[Value]) {
+    for attractor in attractors
+        .iter()
+        .flat_map(|attractor| attractor["seen"].as_array().unwrap())
+    {
+        let [share, low, high] = ["fraction", "fraction_low", "fraction_high"]
+            .map(|key| attractor[key].as_f64().unwrap());
+        for bound in [low, high] {
+            let residual =
+                (share - bound).powi(2) - 1.959_964_f64.powi(2) * bound * (1.0 - bound) / 6.0;
+            assert!(
+                residual.abs() < 1e-6 && low <= share && share <= high,
+                "{attractor}"
+            );
+        }
+    }
 }
 
 #[test]
@@ -77,24 +97,7 @@ fn a_diagram_has_its_points_and_its_attractors() {
             .iter()
             .any(|attractor| attractor["id"] == "1a")
     );
-    for attractor in json["attractors"]
-        .as_array()
-        .unwrap()
-        .iter()
-        .flat_map(|attractor| attractor["seen"].as_array().unwrap())
-    {
-        let [share, low, high] = ["fraction", "fraction_low", "fraction_high"]
-            .map(|key| attractor[key].as_f64().unwrap());
-        // Ends of Wilson's interval solve its equation, for 6 starts.
-        for bound in [low, high] {
-            let residual =
-                (share - bound).powi(2) - 1.959_964_f64.powi(2) * bound * (1.0 - bound) / 6.0;
-            assert!(
-                residual.abs() < 1e-6 && low <= share && share <= high,
-                "{attractor}"
-            );
-        }
-    }
+    check_wilson_intervals(json["attractors"].as_array().unwrap());
     for name in [
         "diagram.csv",
         "attractors.csv",

@@ -1,28 +1,29 @@
 //! Hard cases of orbits: each ends soon, with a result or with one clear error.
 
 use crate::{PLANT, jounce};
+use serde_json::Value;
 
-/// Hard cases of orbits from the outside: each ends soon, with a result or with one clear error.
+/// A branch over the frequency of the shaker, with a setting.
+fn branch(range: &str, set: &str) -> (i32, Value, String) {
+    let over = format!("drive.shaker.frequency={range}");
+    let mut arguments = vec![
+        "branch",
+        PLANT,
+        "--over",
+        &over,
+        "--seeds",
+        "0",
+        "--longest-period",
+        "1",
+        "--json",
+    ];
+    arguments.extend(["--set", set].iter().filter(|_| !set.is_empty()));
+    jounce(&arguments)
+}
+
+/// Gaps that are closed and preloaded, contact never, a start exactly at the grazing, a stop like rock: results.
 #[test]
-fn hard_cases_end_with_a_result_or_a_clear_error() {
-    let over = |range: &str| format!("drive.shaker.frequency={range}");
-    let branch = |range: &str, set: &str| {
-        let over = over(range);
-        let mut arguments = vec![
-            "branch",
-            PLANT,
-            "--over",
-            &over,
-            "--seeds",
-            "0",
-            "--longest-period",
-            "1",
-            "--json",
-        ];
-        arguments.extend(["--set", set].iter().filter(|_| !set.is_empty()));
-        jounce(&arguments)
-    };
-    // Gaps that are closed and preloaded, contact never, a start exactly at the grazing, a stop like rock: results.
+fn stops_at_their_limits_give_results() {
     for (range, set) in [
         ("13Hz:13.2Hz", "stop.tip.gap=0 mm"),
         ("13Hz:13.2Hz", "stop.tip.gap=-0.2 mm"),
@@ -42,7 +43,11 @@ fn hard_cases_end_with_a_result_or_a_clear_error() {
             assert_eq!(contacts > 0, !set.contains("500"), "{set}: {contacts}");
         }
     }
-    // Beyond what a key allows, and a tolerance out of reach: refused with the limit.
+}
+
+/// Beyond what a key allows, and a tolerance out of reach: refused with the limit.
+#[test]
+fn values_out_of_reach_are_refused_with_the_limit() {
     let (code, json, _) = branch("0Hz:10Hz", "");
     assert!(
         code == 2 && json["error"].as_str().unwrap().contains("1 uHz"),
@@ -62,6 +67,10 @@ fn hard_cases_end_with_a_result_or_a_clear_error() {
         code == 2 && json["error"].as_str().unwrap().contains("1e-14"),
         "{json}"
     );
+}
+
+#[test]
+fn a_branch_without_an_orbit_asks_for_more_seeds() {
     // No orbit that a march settles on.
     let (code, json, _) = branch("12Hz:12.1Hz", "stop.tip.stiffness=1e7 N/m^1.5");
     let error = json["error"].as_str().unwrap();
@@ -71,7 +80,11 @@ fn hard_cases_end_with_a_result_or_a_clear_error() {
             && error.contains("try more seeds"),
         "{error}"
     );
-    // A drive that does not move attracts to nothing but rest.
+}
+
+/// A drive that does not move attracts to nothing but rest.
+#[test]
+fn a_drive_of_zero_is_refused() {
     for command in [
         &["basins", PLANT][..],
         &[

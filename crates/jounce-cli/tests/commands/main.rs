@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 mod attractors;
+mod bifurcations;
 mod gravity;
 mod hard_cases;
 mod messages;
@@ -9,6 +10,7 @@ mod names;
 mod orbits;
 mod runs;
 mod studies;
+mod two_stops;
 mod warnings;
 
 use assert_cmd::Command;

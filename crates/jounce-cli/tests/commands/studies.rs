@@ -3,6 +3,11 @@
 use crate::{PLANT, SPEC, assert_keys, jounce};
 use assert_cmd::Command;
 
+const SHAKER: &str = concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/../../examples/random-base/shaker.toml"
+);
+
 /// Killed at five moments and taken up again, a study has the bytes of one that ran through.
 #[cfg(unix)]
 #[test]
@@ -68,11 +73,7 @@ fn a_killed_study_resumes() {
 }
 
 #[test]
-fn noise_and_ensembles_print_every_key() {
-    const SHAKER: &str = concat!(
-        env!("CARGO_MANIFEST_DIR"),
-        "/../../examples/random-base/shaker.toml"
-    );
+fn noise_prints_every_key() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().to_str().unwrap();
     let (code, json, stderr) = jounce(&["noise", SHAKER, "--json", "--out", out]);
@@ -106,6 +107,12 @@ fn noise_and_ensembles_print_every_key() {
             .iter()
             .all(|name| folder.path().join(name).exists())
     );
+}
+
+#[test]
+fn ensembles_print_every_key() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
     let short_run = [
         "--set",
         "run.duration=0.6 s",
@@ -142,6 +149,10 @@ fn noise_and_ensembles_print_every_key() {
             .iter()
             .all(|name| folder.path().join(name).exists())
     );
+}
+
+#[test]
+fn noise_without_its_conditions_is_refused() {
     for (arguments, message) in [
         (vec!["noise", SPEC], "no drive has signal"),
         (
@@ -162,10 +173,6 @@ fn noise_and_ensembles_print_every_key() {
 #[cfg(unix)]
 #[test]
 fn an_interrupted_command_prints_finished_results_and_ends_with_130() {
-    const SHAKER: &str = concat!(
-        env!("CARGO_MANIFEST_DIR"),
-        "/../../examples/random-base/shaker.toml"
-    );
     let short_run = [
         "--set",
         "run.duration=0.6 s",

@@ -75,6 +75,16 @@ fn power_by_rig(folder: &Path, recording: &str, options: &[&str], gap: &str) -> 
     number(&power_json["records"][0]["mean_power_w"])
 }
 
+/// Kinds of the issues that `check` lists.
+fn issue_kinds(check: &Value) -> Vec<&str> {
+    check["issues"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .filter_map(|issue| issue["issue"]["kind"].as_str())
+        .collect()
+}
+
 #[test]
 fn a_recorded_drive_gives_the_powers_of_the_rig() {
     let folder = tempfile::tempdir().unwrap();
@@ -121,12 +131,7 @@ fn a_recorded_drive_gives_the_powers_of_the_rig() {
         );
     }
     let check = json(&["check", "driven.toml", "--json"]);
-    let kinds: Vec<&str> = check["issues"]
-        .as_array()
-        .unwrap()
-        .iter()
-        .filter_map(|issue| issue["issue"]["kind"].as_str())
-        .collect();
+    let kinds = issue_kinds(&check);
     assert!(
         kinds.contains(&"bridged") && kinds.contains(&"mean-removed"),
         "{check}"

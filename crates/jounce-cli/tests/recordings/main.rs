@@ -5,9 +5,12 @@
 mod base;
 mod decays;
 mod drives;
+mod fit_curves;
+mod fit_help;
 mod fits;
 mod hammers;
 mod reading;
+mod two_hammer_points;
 mod wrong_input;
 
 use assert_cmd::Command;
@@ -128,6 +131,22 @@ fn write_contact_recording(folder: &Path) {
     );
 }
 
+/// Keys of a record of `power`.
+const POWER_KEYS: [&str; 12] = [
+    "name",
+    "channel",
+    "resistance_ohm",
+    "mean_square_base_acceleration_m2_s4",
+    "orders",
+    "issues",
+    "mean_power_w",
+    "half_width_w",
+    "batches",
+    "batch_correlation",
+    "correlated",
+    "mean_voltage_v",
+];
+
 /// 1 V peak for one half, 3 V and 1 V peak for the other, over 1 kohm: (0.5 + 5) / 2 mW. The base's mean square is 2.
 #[test]
 fn power_is_printed_for_each_load() {
@@ -158,26 +177,7 @@ fn power_is_printed_for_each_load() {
     let (code, json, stderr) = jounce(folder.path(), &arguments);
     assert_eq!(code, 0, "{stderr}");
     let records = json["records"].as_array().unwrap();
-    let keys = [
-        "name",
-        "channel",
-        "resistance_ohm",
-        "mean_square_base_acceleration_m2_s4",
-        "orders",
-        "issues",
-    ];
-    assert_keys(&records[0], &keys);
-    assert_keys(
-        &records[0],
-        &[
-            "mean_power_w",
-            "half_width_w",
-            "batches",
-            "batch_correlation",
-            "correlated",
-            "mean_voltage_v",
-        ],
-    );
+    assert_keys(&records[0], &POWER_KEYS);
     assert_keys(
         &records[0]["orders"][0],
         &["order", "frequency_hz", "amplitude_peak_v"],
@@ -245,6 +245,46 @@ fn segments_find_the_switch_and_its_subharmonic() {
     );
 }
 
+/// Keys of a hit of `contact`.
+const HIT_KEYS: [&str; 15] = [
+    "time_s",
+    "start_s",
+    "end_s",
+    "peak_force_n",
+    "contact_time_s",
+    "impulse_n_s",
+    "warnings",
+    "law_contact_time_s",
+    "exponent",
+    "exponent_deviation",
+    "restitution",
+    "restitution_deviation",
+    "stiffness",
+    "speed_m_s",
+    "allowed_laws",
+];
+
+/// The spring of `write_contact_recording`, within its interval.
+fn check_linear_spring(spring: &Value) {
+    assert_keys(
+        spring,
+        &[
+            "restitution",
+            "stiffness",
+            "stiffness_low",
+            "stiffness_high",
+            "speed_m_s",
+            "relative_error",
+        ],
+    );
+    let [low, high] = ["stiffness_low", "stiffness_high"].map(|end| spring[end].as_f64().unwrap());
+    let expected_stiffness = 0.1 * (PI / 1e-3).powi(2);
+    assert!(
+        (low..=high).contains(&spring["stiffness"].as_f64().unwrap())
+            && (spring["stiffness"].as_f64().unwrap() / expected_stiffness - 1.0).abs() < 5e-3
+    );
+}
+
 /// A half sine is what a hammer of mass m shows on a spring of m (pi / 1 ms)^2, coming with peak * 1 ms / (pi m).
 #[test]
 fn contact_gives_the_spring_that_made_the_pulses() {
@@ -266,25 +306,8 @@ fn contact_gives_the_spring_that_made_the_pulses() {
     assert_keys(&json, &["channel", "mass_kg", "hits", "issues"]);
     let hits = json["hits"].as_array().unwrap();
     assert_eq!(hits.len(), 2);
-    let keys = [
-        "time_s",
-        "start_s",
-        "end_s",
-        "peak_force_n",
-        "contact_time_s",
-        "impulse_n_s",
-        "warnings",
-        "law_contact_time_s",
-        "exponent",
-        "exponent_deviation",
-        "restitution",
-        "restitution_deviation",
-        "stiffness",
-        "speed_m_s",
-        "allowed_laws",
-    ];
     for (hit, peak) in hits.iter().zip([40.0, 30.0]) {
-        assert_keys(hit, &keys);
+        assert_keys(hit, &HIT_KEYS);
         let number = |key: &str| hit[key].as_f64().unwrap();
         assert!(
             (number("exponent") - 1.0).abs() < 5e-3 && (number("restitution") - 1.0).abs() < 5e-3,
@@ -298,25 +321,7 @@ fn contact_gives_the_spring_that_made_the_pulses() {
             (number("speed_m_s") / (peak * 1e-3 / (PI * 0.1)) - 1.0).abs() < 5e-3,
             "{hit}"
         );
-        let spring = &hit["linear"];
-        assert_keys(
-            spring,
-            &[
-                "restitution",
-                "stiffness",
-                "stiffness_low",
-                "stiffness_high",
-                "speed_m_s",
-                "relative_error",
-            ],
-        );
-        let [low, high] =
-            ["stiffness_low", "stiffness_high"].map(|end| spring[end].as_f64().unwrap());
-        let expected_stiffness = 0.1 * (PI / 1e-3).powi(2);
-        assert!(
-            (low..=high).contains(&spring["stiffness"].as_f64().unwrap())
-                && (spring["stiffness"].as_f64().unwrap() / expected_stiffness - 1.0).abs() < 5e-3
-        );
+        check_linear_spring(&hit["linear"]);
     }
     let table = std::fs::read_to_string(folder.path().join("out/contact.csv")).unwrap();
     for column in ["stiffness_low", "linear_stiffness_high", "hertz_stiffness"] {

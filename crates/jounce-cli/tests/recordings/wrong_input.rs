@@ -45,205 +45,204 @@ fn write_invalid_files(folder_path: &Path) {
     );
 }
 
+/// Arguments, exit code and a part of the error.
+const CASES: &[(&[&str], i32, &str)] = &[
+    (&["read", "missing.csv"], 4, "missing.csv"),
+    (&["read", "."], 4, "not a file"),
+    (&["read", "cut.npy"], 4, "NPY"),
+    (&["read", "timeless.csv"], 4, "no sampling times found"),
+    (&["read", "switch.csv", "--to", "a.xlsx"], 4, ".parquet"),
+    (
+        &["read", "switch.csv", "--to", "./switch.csv"],
+        2,
+        "it is the file that is read",
+    ),
+    (
+        &["read", "switch.csv", "--out", "/proc/nowhere"],
+        4,
+        "/proc/nowhere",
+    ),
+    (&["power", "switch.csv"], 2, "--resistance"),
+    (
+        &["power", "switch.csv", "--resistance", "3 mm"],
+        2,
+        "--resistance",
+    ),
+    (
+        &["power", "switch.csv", "--resistance", "0ohm"],
+        2,
+        "above 0",
+    ),
+    (
+        &[
+            "power",
+            "switch.csv",
+            "--resistance",
+            "1ohm",
+            "--resistance",
+            "2ohm",
+        ],
+        2,
+        "one for each",
+    ),
+    (
+        &[
+            "power",
+            "switch.csv",
+            "--resistance",
+            "1kohm",
+            "--voltage",
+            "pieso",
+        ],
+        4,
+        "piezo",
+    ),
+    (
+        &[
+            "power",
+            "switch.csv",
+            "--resistance",
+            "1kohm",
+            "--voltage",
+            "base",
+        ],
+        4,
+        "m/s^2",
+    ),
+    (
+        &[
+            "power",
+            "switch.csv",
+            "--resistance",
+            "1kohm",
+            "--base",
+            "piezo",
+        ],
+        4,
+        "is in V",
+    ),
+    (
+        &["power", "short.csv", "--resistance", "1kohm"],
+        4,
+        "too few",
+    ),
+    (
+        &["power", "still.csv", "--resistance", "1kohm"],
+        4,
+        "no signal",
+    ),
+    (
+        &[
+            "power",
+            "dead.csv",
+            "--resistance",
+            "1kohm",
+            "--base",
+            "base",
+        ],
+        4,
+        "samples of base are 0",
+    ),
+    (
+        &[
+            "power",
+            "odd.csv",
+            "--resistance",
+            "1kohm",
+            "--voltage",
+            "piezo",
+        ],
+        4,
+        "is in furlong",
+    ),
+    (
+        &["spectra", "still.csv"],
+        4,
+        "all 4000 samples of piezo are 3",
+    ),
+    (
+        &["spectra", "switch.csv", "--drive", "1MHz"],
+        2,
+        "--drive is 1000000 Hz; it must be below half the sampling rate",
+    ),
+    (
+        &["modes", "--measured", "still.csv", "--set", "a.b=1"],
+        2,
+        "--set does not apply to recordings",
+    ),
+    (
+        &["modes", "--measured", "still.csv", "--free-decay"],
+        4,
+        "no signal",
+    ),
+    (&["segments", "switch.csv"], 2, "--drive"),
+    (
+        &["segments", "switch.csv", "--drive", "400Hz"],
+        4,
+        "quarter",
+    ),
+    (
+        &["segments", "switch.csv", "--drive", "0.1Hz"],
+        4,
+        "drive cycles",
+    ),
+    (&["segments", "still.csv", "--drive", "5Hz"], 4, "no signal"),
+    (&["contact", "still.csv"], 4, "no hit"),
+    (&["contact", "switch.csv"], 2, "--force"),
+    (&["contact", "hammer.csv", "--mass", "0kg"], 2, "--mass"),
+    (&["frf"], 2, "SPEC"),
+    (&["modes"], 2, "SPEC"),
+    (
+        &["frf", "--measured", "hammer.csv"],
+        4,
+        "no channel other than",
+    ),
+    (&["frf", "--measured", "switch.csv"], 4, "newtons"),
+    (
+        &["frf", "--measured", "switch.csv", "--force", "base"],
+        4,
+        "not in newtons",
+    ),
+    (
+        &["frf", "--measured", "hammer.csv", "--response", "hamer"],
+        4,
+        "hammer",
+    ),
+    (
+        &["frf", "--measured", "hammer.csv", "--response", "hammer"],
+        4,
+        "cannot respond to itself",
+    ),
+    (
+        &["frf", "--measured", "motion.csv", "--block", "3s"],
+        4,
+        "segments",
+    ),
+    (
+        &["frf", "--measured", "hammer.csv", "--end-ratio", "2"],
+        2,
+        "--end-ratio",
+    ),
+    (
+        &["modes", "--measured", "motion.csv", "--between", "9Hz:3Hz"],
+        2,
+        "--between",
+    ),
+    (
+        &["modes", "--measured", "motion.csv", "--between", "1Hz:20Hz"],
+        4,
+        "widen the band",
+    ),
+];
+
 #[test]
 fn wrong_input_ends_with_its_code_and_one_clear_sentence() {
     let folder = tempfile::tempdir().unwrap();
     let folder_path = folder.path();
     write_invalid_files(folder_path);
-    for (arguments, code, message) in [
-        (vec!["read", "missing.csv"], 4, "missing.csv"),
-        (vec!["read", "."], 4, "not a file"),
-        (vec!["read", "cut.npy"], 4, "NPY"),
-        (vec!["read", "timeless.csv"], 4, "no sampling times found"),
-        (vec!["read", "switch.csv", "--to", "a.xlsx"], 4, ".parquet"),
-        (
-            vec!["read", "switch.csv", "--to", "./switch.csv"],
-            2,
-            "it is the file that is read",
-        ),
-        (
-            vec!["read", "switch.csv", "--out", "/proc/nowhere"],
-            4,
-            "/proc/nowhere",
-        ),
-        (vec!["power", "switch.csv"], 2, "--resistance"),
-        (
-            vec!["power", "switch.csv", "--resistance", "3 mm"],
-            2,
-            "--resistance",
-        ),
-        (
-            vec!["power", "switch.csv", "--resistance", "0ohm"],
-            2,
-            "above 0",
-        ),
-        (
-            vec![
-                "power",
-                "switch.csv",
-                "--resistance",
-                "1ohm",
-                "--resistance",
-                "2ohm",
-            ],
-            2,
-            "one for each",
-        ),
-        (
-            vec![
-                "power",
-                "switch.csv",
-                "--resistance",
-                "1kohm",
-                "--voltage",
-                "pieso",
-            ],
-            4,
-            "piezo",
-        ),
-        (
-            vec![
-                "power",
-                "switch.csv",
-                "--resistance",
-                "1kohm",
-                "--voltage",
-                "base",
-            ],
-            4,
-            "m/s^2",
-        ),
-        (
-            vec![
-                "power",
-                "switch.csv",
-                "--resistance",
-                "1kohm",
-                "--base",
-                "piezo",
-            ],
-            4,
-            "is in V",
-        ),
-        (
-            vec!["power", "short.csv", "--resistance", "1kohm"],
-            4,
-            "too few",
-        ),
-        (
-            vec!["power", "still.csv", "--resistance", "1kohm"],
-            4,
-            "no signal",
-        ),
-        (
-            vec![
-                "power",
-                "dead.csv",
-                "--resistance",
-                "1kohm",
-                "--base",
-                "base",
-            ],
-            4,
-            "samples of base are 0",
-        ),
-        (
-            vec![
-                "power",
-                "odd.csv",
-                "--resistance",
-                "1kohm",
-                "--voltage",
-                "piezo",
-            ],
-            4,
-            "is in furlong",
-        ),
-        (
-            vec!["spectra", "still.csv"],
-            4,
-            "all 4000 samples of piezo are 3",
-        ),
-        (
-            vec!["spectra", "switch.csv", "--drive", "1MHz"],
-            2,
-            "--drive is 1000000 Hz; it must be below half the sampling rate",
-        ),
-        (
-            vec!["modes", "--measured", "still.csv", "--set", "a.b=1"],
-            2,
-            "--set does not apply to recordings",
-        ),
-        (
-            vec!["modes", "--measured", "still.csv", "--free-decay"],
-            4,
-            "no signal",
-        ),
-        (vec!["segments", "switch.csv"], 2, "--drive"),
-        (
-            vec!["segments", "switch.csv", "--drive", "400Hz"],
-            4,
-            "quarter",
-        ),
-        (
-            vec!["segments", "switch.csv", "--drive", "0.1Hz"],
-            4,
-            "drive cycles",
-        ),
-        (
-            vec!["segments", "still.csv", "--drive", "5Hz"],
-            4,
-            "no signal",
-        ),
-        (vec!["contact", "still.csv"], 4, "no hit"),
-        (vec!["contact", "switch.csv"], 2, "--force"),
-        (vec!["contact", "hammer.csv", "--mass", "0kg"], 2, "--mass"),
-        (vec!["frf"], 2, "SPEC"),
-        (vec!["modes"], 2, "SPEC"),
-        (
-            vec!["frf", "--measured", "hammer.csv"],
-            4,
-            "no channel other than",
-        ),
-        (vec!["frf", "--measured", "switch.csv"], 4, "newtons"),
-        (
-            vec!["frf", "--measured", "switch.csv", "--force", "base"],
-            4,
-            "not in newtons",
-        ),
-        (
-            vec!["frf", "--measured", "hammer.csv", "--response", "hamer"],
-            4,
-            "hammer",
-        ),
-        (
-            vec!["frf", "--measured", "hammer.csv", "--response", "hammer"],
-            4,
-            "cannot respond to itself",
-        ),
-        (
-            vec!["frf", "--measured", "motion.csv", "--block", "3s"],
-            4,
-            "segments",
-        ),
-        (
-            vec!["frf", "--measured", "hammer.csv", "--end-ratio", "2"],
-            2,
-            "--end-ratio",
-        ),
-        (
-            vec!["modes", "--measured", "motion.csv", "--between", "9Hz:3Hz"],
-            2,
-            "--between",
-        ),
-        (
-            vec!["modes", "--measured", "motion.csv", "--between", "1Hz:20Hz"],
-            4,
-            "widen the band",
-        ),
-    ] {
-        let (exit_code, _, stderr) = jounce(folder_path, &arguments);
-        assert_eq!(exit_code, code, "{arguments:?}: {stderr}");
+    for (arguments, code, message) in CASES {
+        let (exit_code, _, stderr) = jounce(folder_path, arguments);
+        assert_eq!(exit_code, *code, "{arguments:?}: {stderr}");
         assert!(
             stderr.contains(message) && !stderr.contains("panicked"),
             "{arguments:?}: {stderr}"

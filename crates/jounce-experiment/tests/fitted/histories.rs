@@ -10,6 +10,7 @@ use jounce_experiment::fit::{Features, HistoryFeature, fit};
 use jounce_experiment::rig::{Disturbance, Sensor, ShakerTest, shaker_test};
 use jounce_model::linear::FrfResponse;
 use std::path::Path;
+use tempfile::TempDir;
 
 const RUN: &str = "
 [stop.tip]
@@ -115,6 +116,20 @@ fn gap_and_stiffness_of_a_stop_come_back_from_a_voltage() {
     );
 }
 
+/// A folder with the recording without its first 50 ms, by a clock.
+fn without_its_first_50_ms(complete: &Recording, clock_s: f64) -> TempDir {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut part = Recording {
+        grid: Grid::even(clock_s + 0.05, 1e-3, complete.grid.len() - 50).expect("a grid"),
+        ..complete.clone()
+    };
+    part.channels
+        .iter_mut()
+        .for_each(|channel| drop(channel.values.drain(..50)));
+    write(&part, &folder.path().join("run.csv")).expect("a file");
+    folder
+}
+
 /// The recording without its first 50 ms. Its time stamps give an equally good fit, with a warning.
 /// A clock that was not set needs `begins`, which gives an equal result. With `begins` at the start
 /// of the run the fit is poor.
@@ -122,18 +137,7 @@ fn gap_and_stiffness_of_a_stop_come_back_from_a_voltage() {
 fn a_record_that_begins_later_is_compared_at_its_times() {
     let text = format!("{HARVESTER}{RUN}");
     let complete = simulated_record(&text);
-    let cut = |clock_s: f64| {
-        let folder = tempfile::tempdir().expect("a folder");
-        let mut part = Recording {
-            grid: Grid::even(clock_s + 0.05, 1e-3, complete.grid.len() - 50).expect("a grid"),
-            ..complete.clone()
-        };
-        part.channels
-            .iter_mut()
-            .for_each(|channel| drop(channel.values.drain(..50)));
-        write(&part, &folder.path().join("run.csv")).expect("a file");
-        folder
-    };
+    let cut = |clock_s: f64| without_its_first_50_ms(&complete, clock_s);
     let from_zero = cut(0.0);
     let result = fit_and_compare(
         &text,

@@ -52,6 +52,18 @@ fn filled<const N: usize>(values: &[f64]) -> [f64; N] {
     std::array::from_fn(|i| values.get(i).copied().unwrap_or(0.0))
 }
 
+/// Sum of the constant forces; other signals are not covered.
+fn steady_forces<const N: usize>(system: &System) -> [f64; N] {
+    let mut steady = [0.0; N];
+    for signal in &system.signals {
+        let Wave::Constant(size) = signal.wave else {
+            panic!("the drive {} is no sine", signal.name)
+        };
+        (0..system.modes.len()).for_each(|i| steady[i] += size * signal.shape[i]);
+    }
+    steady
+}
+
 impl<const N: usize, const D: usize> ReferenceModel<N, D> {
     /// Parameters of a system, which must be covered by the equations above.
     pub fn of(system: &System) -> Self {
@@ -70,13 +82,6 @@ impl<const N: usize, const D: usize> ReferenceModel<N, D> {
         assert!(load.is_none_or(|load| load.inductor.is_none()
             && load.connections.len() == 1
             && load.connections[0].sign == 1.0));
-        let mut steady = [0.0; N];
-        for signal in &system.signals {
-            let Wave::Constant(size) = signal.wave else {
-                panic!("the drive {} is no sine", signal.name)
-            };
-            (0..modes.len()).for_each(|i| steady[i] += size * signal.shape[i]);
-        }
         let angular = TAU * drive.frequency_hz;
         let capacitance = patch.map_or(1.0, |patch| patch.capacitance_f);
         let mut weights = [0.0; D];
@@ -102,7 +107,7 @@ impl<const N: usize, const D: usize> ReferenceModel<N, D> {
                     .map(|shape| shape * drive.amplitude_n)
                     .collect::<Vec<_>>(),
             ),
-            steady,
+            steady: steady_forces(system),
             capacitance,
             conductance: load.map_or(0.0, |load| load.resistance_ohm.recip()),
             leak: patch

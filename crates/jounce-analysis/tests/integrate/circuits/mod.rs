@@ -1,0 +1,8 @@
+//! Electrical circuits: rectifiers, leakage, fast circuits.
+
+pub mod cell;
+mod charges;
+mod leaks;
+mod rectified;
+mod stiff;
+mod voltage_peak;

@@ -1,0 +1,13 @@
+//! Contacts with stops and between masses: compliant, rigid, sticking, several at once.
+
+mod collisions;
+mod cradle;
+mod friction;
+mod grazing;
+mod instants;
+mod ports;
+mod rigid;
+pub mod several_stops;
+mod statistics;
+mod sticking;
+mod swings;

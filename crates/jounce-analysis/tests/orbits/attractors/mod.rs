@@ -1,0 +1,5 @@
+//! Attractors, their shares and their diagrams.
+
+mod basins;
+mod diagrams;
+mod recognition;

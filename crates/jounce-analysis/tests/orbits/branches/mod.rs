@@ -1,0 +1,14 @@
+//! Branches over one key, their labels and widths.
+
+mod branch_update;
+mod circle;
+mod events;
+mod hard_cases;
+mod isolated;
+mod label_comparison;
+mod labels;
+mod limits_of_stops;
+mod paper;
+mod same_labels;
+mod sweeps;
+mod widths;

@@ -1,0 +1,12 @@
+//! Oscillators whose orbits are known: bouncing balls, impact oscillators, Duffing.
+
+mod backbones;
+mod bouncing_table;
+mod duffing;
+mod duffing_equation;
+mod interfaces;
+mod multipliers;
+mod oscillators;
+mod several_frequencies;
+mod square_root;
+mod sticking_orbits;
