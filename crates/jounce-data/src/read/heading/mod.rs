@@ -1,0 +1,4 @@
+//! Headings of columns: name, unit, and whether the unit is of a level in decibels.
+
+pub(super) mod decibels;
+pub(super) mod name;
