@@ -1,7 +1,12 @@
 //! Sample positions in time or frequency.
 
-use super::Issue;
-use super::stamps::{self, Stamped};
+mod corridor;
+mod digits;
+mod even;
+pub(super) mod stamps;
+
+use self::stamps::Stamped;
+use crate::recording::Issue;
 
 /// Independent variable of the samples.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

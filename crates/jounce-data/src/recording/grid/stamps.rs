@@ -2,7 +2,7 @@
 
 use super::corridor::Corridor;
 use super::digits::Digits;
-use super::{GridError, Issue, IssueKind, IssuePlace, PIECE, Series};
+use crate::recording::{GridError, Issue, IssueKind, IssuePlace, PIECE, Series};
 
 /// Maximum deviation from the uniform grid, in steps, of stamps that are only rounded.
 const MAX_UNIFORM_DEVIATION: f64 = 0.02;

@@ -1,6 +1,8 @@
 //! Resampling to a uniform grid without missing samples.
 
-use super::{Channel, Grid, GridError, Issue, IssueKind, IssuePlace, Recording, StampsWithGaps};
+use crate::recording::{
+    Channel, Grid, GridError, Issue, IssueKind, IssuePlace, Recording, StampsWithGaps,
+};
 
 impl Recording {
     /// Returns the recording on a uniform grid. Samples that are not numbers are interpolated
@@ -175,8 +177,8 @@ fn interpolated(stamps: &[f64], values: &[f64], grid: &Grid) -> Vec<f64> {
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
-    use super::super::{Over, Quantity};
     use super::*;
+    use crate::recording::{Over, Quantity};
 
     fn recording(stamps: Vec<f64>, values: Vec<f64>) -> Recording {
         let (grid, issues) = Grid::from_stamps(stamps).unwrap();

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::Series;
+use crate::recording::Series;
 
 /// Roundoff of a stamp after reading, scaling and comparison, relative.
 const DIGIT_ROUNDOFF: f64 = 8.0 * f64::EPSILON;

@@ -1,6 +1,6 @@
 //! Flat tops of a clipped signal.
 
-use super::{Issue, IssueKind, IssuePlace};
+use crate::recording::{Issue, IssueKind, IssuePlace};
 
 /// Minimum number of equal consecutive samples at an extreme that may be a flat top.
 pub(super) const MIN_FLAT_SAMPLES: usize = 3;

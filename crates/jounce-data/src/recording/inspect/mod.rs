@@ -1,7 +1,10 @@
 //! Inspects the samples of a channel for data-quality issues.
 
-use super::flat_tops::{FlatTops, MIN_FLAT_SAMPLES, RangeEnd};
-use super::{Channel, Issue, IssueKind, IssuePlace, Quantity, Series};
+pub(super) mod complex_sizes;
+mod flat_tops;
+
+use self::flat_tops::{FlatTops, MIN_FLAT_SAMPLES, RangeEnd};
+use crate::recording::{Channel, Issue, IssueKind, IssuePlace, Quantity, Series};
 
 /// Minimum number of leading or trailing zeros that are padding.
 const MIN_PADDING_SAMPLES: usize = 10;

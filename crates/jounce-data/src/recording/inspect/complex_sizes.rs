@@ -1,6 +1,6 @@
 //! RMS, peak and mean of a complex channel.
 
-use super::{PIECE, Series, Sizes};
+use crate::recording::{PIECE, Series, Sizes};
 
 /// RMS and peak of `|z|` and the modulus of the mean of `z`, over samples whose two parts are
 /// numbers; `real` unchanged without an imaginary part.
