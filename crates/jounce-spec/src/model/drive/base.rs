@@ -1,6 +1,7 @@
 //! Bases: supports whose motion a drive prescribes.
 
-use super::{Drive, DriveKind, Spec};
+use super::{Drive, DriveKind};
+use crate::Spec;
 use std::collections::BTreeSet;
 
 /// The base that always exists.

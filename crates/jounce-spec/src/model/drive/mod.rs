@@ -1,6 +1,10 @@
 //! `[drive.NAME]`
 
-use super::DriveSignal;
+mod base;
+mod signal;
+
+pub use base::GROUND;
+pub use signal::{DriveSignal, FrequencySweep};
 
 /// Excitation of the harvester.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,6 +1,12 @@
 //! `[patch.NAME]`
 
-use super::{Electrodes, PatchFoils, PatchPores};
+mod electrodes;
+mod foils;
+mod pores;
+
+pub use electrodes::Electrodes;
+pub use foils::PatchFoils;
+pub use pores::{Composite, PatchPores, PoreShape, PorosityScheme};
 
 /// A piezoelectric patch bonded to one face of a beam.
 #[derive(Debug, Clone, PartialEq)]
