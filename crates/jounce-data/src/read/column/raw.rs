@@ -35,6 +35,17 @@ pub(in crate::read) enum TimeStamps {
     Header(Header),
 }
 
+impl TimeStamps {
+    /// True where a column may be the time.
+    pub(in crate::read) fn may_be_in_a_column(&self) -> bool {
+        match self {
+            Self::Column | Self::Named | Self::Rate(_) | Self::FromColumn { .. } => true,
+            Self::Header(header) => header.stamps.is_none(),
+            Self::Even { .. } | Self::Explicit(_) => false,
+        }
+    }
+}
+
 /// Time information of a header.
 #[derive(Debug)]
 pub(in crate::read) struct Header {

@@ -1,4 +1,6 @@
 //! Headings of columns: name, unit, and whether the unit is of a level in decibels.
 
+pub(super) mod axis;
 pub(super) mod decibels;
 pub(super) mod name;
+pub(super) mod round_brackets;

@@ -1,7 +1,9 @@
 //! Units in column headings.
 
+use super::axis::{is_frequency, is_time};
+use super::round_brackets::{bracketed, may_be_unit};
 use crate::read::heading::decibels::Decibels;
-use crate::recording::{Issue, IssueKind, Quantity, Unit};
+use crate::recording::{Quantity, Unit};
 
 /// Name suffixes that give a unit: `accel_m_s2`, `timestamp_ms`.
 const UNIT_SUFFIXES: [(&str, &str); 21] = [
@@ -26,103 +28,6 @@ const UNIT_SUFFIXES: [(&str, &str); 21] = [
     ("_g", "g"),
     ("_pa", "Pa"),
     ("_db", "dB"),
-];
-
-/// Words for a location, direction, channel or processing, in lower case. In round brackets they
-/// are part of the name.
-const REMARK_WORDS: [&str; 62] = [
-    "x",
-    "y",
-    "z",
-    "left",
-    "right",
-    "top",
-    "bottom",
-    "upper",
-    "lower",
-    "up",
-    "down",
-    "front",
-    "rear",
-    "back",
-    "inner",
-    "outer",
-    "inside",
-    "outside",
-    "middle",
-    "mid",
-    "center",
-    "centre",
-    "tip",
-    "root",
-    "base",
-    "end",
-    "free",
-    "fixed",
-    "near",
-    "far",
-    "horizontal",
-    "vertical",
-    "axial",
-    "radial",
-    "tangential",
-    "lateral",
-    "north",
-    "south",
-    "east",
-    "west",
-    "table",
-    "shaker",
-    "hammer",
-    "beam",
-    "mass",
-    "sensor",
-    "channel",
-    "input",
-    "output",
-    "reference",
-    "raw",
-    "filtered",
-    "mean",
-    "average",
-    "rms",
-    "peak",
-    "max",
-    "measured",
-    "simulated",
-    "calibrated",
-    "corrected",
-    "total",
-];
-
-/// Items labelled by a letter, in lower case: `sensor (A)`, `channel 2 (B)`.
-const LABELLED_WORDS: [&str; 22] = [
-    "sensor", "channel", "chan", "ch", "probe", "point", "position", "pos", "place", "location",
-    "node", "input", "output", "signal", "gauge", "side", "line", "port", "module", "station",
-    "site", "dof",
-];
-
-/// Functions that take an argument in round brackets, in lower case.
-const FUNCTION_NAMES: [&str; 14] = [
-    "re",
-    "im",
-    "real",
-    "imag",
-    "abs",
-    "mag",
-    "magnitude",
-    "phase",
-    "angle",
-    "arg",
-    "log",
-    "log10",
-    "sqrt",
-    "diff",
-];
-
-/// Single letters that are units of quantities not found in recordings.
-const AMBIGUOUS_LETTERS: [char; 11] = [
-    'A', 'C', 'F', 'H', 'J', 'K', 'S', 'T', 'W', '\u{3a9}', '\u{2126}',
 ];
 
 /// Units of quantities not found in recordings; a quotient of them is not a name and a unit.
@@ -194,66 +99,6 @@ pub(in crate::read) fn is_known(unit: &str) -> bool {
     Decibels::is_level(unit) || Unit::read(unit).is_some()
 }
 
-/// True where round brackets after a name contain an unknown unit: a formula of units, or one word
-/// that is not a location, direction, channel or argument. Numbers, words that end in one (`ch1`),
-/// phrases, and single letters that are not units are names.
-fn may_be_unit(name: &str, unit_text: &str) -> bool {
-    let function = name
-        .rsplit(|c: char| !c.is_alphanumeric())
-        .next()
-        .unwrap_or_default()
-        .to_lowercase();
-    let is_remark = |word: &str| REMARK_WORDS.contains(&word.to_lowercase().as_str());
-    let is_number = unit_text
-        .chars()
-        .all(|c| c.is_ascii_digit() || c.is_whitespace() || "+-.,:/*".contains(c));
-    if is_number
-        || FUNCTION_NAMES.contains(&function.as_str())
-        || unit_text
-            .split(|c: char| !c.is_alphanumeric())
-            .any(is_remark)
-    {
-        return false;
-    }
-    if unit_text.contains([
-        '/', '^', '%', '\u{b0}', '\u{b7}', '\u{22c5}', '\u{207b}', '\u{b2}', '\u{b3}',
-    ]) {
-        return true;
-    }
-    let is_single = unit_text.chars().count() == 1;
-    let word = unit_text.chars().all(char::is_alphabetic);
-    word && (!is_single || !is_labelled(name) && unit_text.contains(AMBIGUOUS_LETTERS))
-}
-
-fn is_labelled(name: &str) -> bool {
-    name.split(|c: char| !c.is_alphabetic())
-        .any(|word| LABELLED_WORDS.contains(&word.to_lowercase().as_str()))
-}
-
-/// Reports how a single letter in round brackets was read if it may be a unit or a label: `sensor
-/// (V)`, `channel (A)`. `None` for other headings.
-pub(in crate::read) fn ambiguity_issue(head: &str) -> Option<Issue> {
-    let head = head.trim().trim_matches('"').trim();
-    let (_, letter) = bracketed(head, '(', ')')
-        .filter(|(name, letter)| letter.chars().count() == 1 && is_labelled(name))?;
-    let message = match Unit::read(letter) {
-        Some(_) => {
-            format!(
-                "({letter}) in {head:?} is read as the unit {letter}, not as a label; if it is a \
-                label, specify the unit of the column in the notes of the file"
-            )
-        }
-        None if letter.contains(AMBIGUOUS_LETTERS) => {
-            format!(
-                "({letter}) in {head:?} is read as a label, not as a unit; if it is a unit, \
-                specify the name of the column in the notes of the file"
-            )
-        }
-        None => return None,
-    };
-    Some(Issue::new(IssueKind::Assumed, 1, None, message).of(&split(head).0))
-}
-
 /// Splits `U/V` and `t/s`, a name over its unit, as on axes of figures. A quotient of two units is
 /// not split.
 fn split_quotient(head: &str) -> Option<(&str, &str)> {
@@ -270,122 +115,70 @@ fn split_quotient(head: &str) -> Option<(&str, &str)> {
     (is_name && has_matching_quantity).then_some((name, unit))
 }
 
-/// Text before a bracket that closes at the end, and its contents, including nested brackets.
-fn bracketed(head: &str, open: char, close: char) -> Option<(&str, &str)> {
-    let unit_text = head.strip_suffix(close)?;
-    let mut depth = 0;
-    let is_open = |(_, c): &(usize, char)| {
-        depth += i32::from(*c == close) - i32::from(*c == open);
-        depth < 0
-    };
-    let (at, _) = unit_text.char_indices().rev().find(is_open)?;
-    Some((
-        unit_text[..at].trim(),
-        unit_text[at + open.len_utf8()..].trim(),
-    ))
-}
-
-/// True for names of a time.
-pub(in crate::read) fn is_time(name: &str) -> bool {
-    let lowercase = name.trim().to_lowercase();
-    let full_names = [
-        "t",
-        "time",
-        "zeit",
-        "x_value",
-        "timestamp",
-        "uhrzeit",
-        "temps",
-        "elapsed",
-        "datetime",
-        "date time",
-        "date/time",
-    ];
-    time_unit(name).is_some()
-        || full_names.contains(&lowercase.as_str())
-        || ["time", "timestamp", "t_", "t ["]
-            .iter()
-            .any(|start| lowercase.starts_with(start))
-}
-
-/// Unit implied by a name: `seconds`, `millis`.
-pub(in crate::read) fn time_unit(name: &str) -> Option<&'static str> {
-    match name.trim().to_lowercase().as_str() {
-        "s" | "sec" | "second" | "seconds" | "sekunden" => Some("s"),
-        "ms" | "msec" | "millis" | "millisecond" | "milliseconds" => Some("ms"),
-        "us" | "usec" | "micros" | "microsecond" | "microseconds" => Some("us"),
-        "ns" | "nsec" | "nanosecond" | "nanoseconds" => Some("ns"),
-        _ => None,
-    }
-}
-
-/// True for names of a frequency.
-pub(in crate::read) fn is_frequency(name: &str) -> bool {
-    let lowercase = name.trim().to_lowercase();
-    lowercase == "f"
-        || lowercase == "hz"
-        || lowercase.starts_with("freq")
-        || lowercase.starts_with("f_hz")
-        || lowercase.starts_with("f [")
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::round_brackets::ambiguity_issue;
     use super::*;
+
+    /// Heading, name and unit.
+    const CASES: [(&str, &str, &str); 46] = [
+        ("a [m/s^2]", "a", "m/s^2"),
+        ("Force (lbf)", "Force", "lbf"),
+        ("Force (left)", "Force (left)", ""),
+        ("tip, g", "tip", "g"),
+        ("H (m/s^2/N)", "H", "m/s^2/N"),
+        ("H ((m/s^2)/N)", "H", "(m/s^2)/N"),
+        ("S [(m/s^2)^2/Hz]", "S", "(m/s^2)^2/Hz"),
+        ("(N)", "(N)", ""),
+        ("U (furlong)", "U", "furlong"),
+        ("I (mA)", "I", "mA"),
+        ("q (pC)", "q", "pC"),
+        ("a (in/s^2)", "a", "in/s^2"),
+        ("a (ft/s\u{b2})", "a", "ft/s\u{b2}"),
+        ("a (m\u{b7}s\u{207b}\u{b2})", "a", "m\u{b7}s\u{207b}\u{b2}"),
+        ("a (mg)", "a", "mg"),
+        ("x (mil)", "x", "mil"),
+        ("T (\u{b0}C)", "T", "\u{b0}C"),
+        ("a (dB re 1 m/s^2)", "a", "dB re 1 m/s^2"),
+        ("a (dBm)", "a", "dBm"),
+        ("a_db", "a_db", "dB"),
+        ("U/V", "U", "V"),
+        ("t / s", "t", "s"),
+        ("a/(m/s^2)", "a", "m/s^2"),
+        ("left/right", "left/right", ""),
+        ("pC/N", "pC/N", ""),
+        ("rad/s", "rad/s", ""),
+        ("channel (1)", "channel (1)", ""),
+        ("sensor (top)", "sensor (top)", ""),
+        ("accel (sensor 3)", "accel (sensor 3)", ""),
+        ("accel (left/right)", "accel (left/right)", ""),
+        ("accel (ch1)", "accel (ch1)", ""),
+        ("x(t)", "x(t)", ""),
+        ("abs(FRF)", "abs(FRF)", ""),
+        ("m(1,2)", "m(1,2)", ""),
+        ("ax_m_s2", "ax_m_s2", "m/s^2"),
+        ("timestamp_ms", "timestamp_ms", "ms"),
+        ("accel_x", "accel_x", ""),
+        ("_s", "_s", ""),
+        ("temp_c", "temp_c", ""),
+        ("CH1V", "CH1", "V"),
+        ("C1 in V", "C1", "V"),
+        ("in s", "", "s"),
+        ("Time(S)", "Time", "s"),
+        ("V(in)", "V(in)", ""),
+        ("V(out)", "V(out)", ""),
+        ("V (mV)", "V", "mV"),
+    ];
 
     #[test]
     fn headings_give_their_units() {
-        let cases = [
-            ("a [m/s^2]", "a", "m/s^2"),
-            ("Force (lbf)", "Force", "lbf"),
-            ("Force (left)", "Force (left)", ""),
-            ("tip, g", "tip", "g"),
-            ("H (m/s^2/N)", "H", "m/s^2/N"),
-            ("H ((m/s^2)/N)", "H", "(m/s^2)/N"),
-            ("S [(m/s^2)^2/Hz]", "S", "(m/s^2)^2/Hz"),
-            ("(N)", "(N)", ""),
-            ("U (furlong)", "U", "furlong"),
-            ("I (mA)", "I", "mA"),
-            ("q (pC)", "q", "pC"),
-            ("a (in/s^2)", "a", "in/s^2"),
-            ("a (ft/s\u{b2})", "a", "ft/s\u{b2}"),
-            ("a (m\u{b7}s\u{207b}\u{b2})", "a", "m\u{b7}s\u{207b}\u{b2}"),
-            ("a (mg)", "a", "mg"),
-            ("x (mil)", "x", "mil"),
-            ("T (\u{b0}C)", "T", "\u{b0}C"),
-            ("a (dB re 1 m/s^2)", "a", "dB re 1 m/s^2"),
-            ("a (dBm)", "a", "dBm"),
-            ("a_db", "a_db", "dB"),
-            ("U/V", "U", "V"),
-            ("t / s", "t", "s"),
-            ("a/(m/s^2)", "a", "m/s^2"),
-            ("left/right", "left/right", ""),
-            ("pC/N", "pC/N", ""),
-            ("rad/s", "rad/s", ""),
-            ("channel (1)", "channel (1)", ""),
-            ("sensor (top)", "sensor (top)", ""),
-            ("accel (sensor 3)", "accel (sensor 3)", ""),
-            ("accel (left/right)", "accel (left/right)", ""),
-            ("accel (ch1)", "accel (ch1)", ""),
-            ("x(t)", "x(t)", ""),
-            ("abs(FRF)", "abs(FRF)", ""),
-            ("m(1,2)", "m(1,2)", ""),
-            ("ax_m_s2", "ax_m_s2", "m/s^2"),
-            ("timestamp_ms", "timestamp_ms", "ms"),
-            ("accel_x", "accel_x", ""),
-            ("_s", "_s", ""),
-            ("temp_c", "temp_c", ""),
-            ("CH1V", "CH1", "V"),
-            ("C1 in V", "C1", "V"),
-            ("in s", "", "s"),
-            ("Time(S)", "Time", "s"),
-            ("V(in)", "V(in)", ""),
-            ("V(out)", "V(out)", ""),
-            ("V (mV)", "V", "mV"),
-        ];
-        for (head, name, unit) in cases {
+        for (head, name, unit) in CASES {
             assert_eq!(split(head), (name.to_owned(), unit.to_owned()), "{head}");
         }
+    }
+
+    #[test]
+    fn letters_after_a_label_are_ambiguous() {
         for (head, name, unit) in [
             ("sensor (A)", "sensor (A)", ""),
             ("Channel 2 (K)", "Channel 2 (K)", ""),
@@ -419,7 +212,5 @@ mod tests {
             ),
             ("channel (B)", None)
         );
-        assert!(is_time("Time") && is_time("timestamp_ms") && is_time("t") && !is_time("tip"));
-        assert!(is_frequency("Frequency [Hz]") && !is_frequency("force"));
     }
 }

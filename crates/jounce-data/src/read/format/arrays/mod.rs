@@ -1,7 +1,10 @@
 //! Named arrays of MAT, NPZ, HDF5 and TDMS files: assigns each array to a time or frequency axis.
+mod axes;
 mod grids;
 mod layout;
 mod names;
+mod nearest;
+mod sorted;
 mod spacing;
 
 use std::collections::{BTreeMap, HashMap};

@@ -3,7 +3,8 @@
 use std::io;
 
 use super::TextLayout;
-use crate::read::assemble::time::{is_counter, is_time_column, uniform_step};
+use crate::read::assemble::rise::{is_counter, uniform_step};
+use crate::read::assemble::time::is_time_column;
 use crate::read::column::raw::{Rate, RawColumn};
 use crate::recording::Series as _;
 

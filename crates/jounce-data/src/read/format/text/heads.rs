@@ -1,8 +1,9 @@
 //! Names and units of the columns of a text, from the lines above its rows.
 
-use super::layout::Delimiter;
-use super::preamble::{is_of_time, is_pair};
+use super::delimiter::Delimiter;
+use super::settings_keys::{is_of_time, is_pair};
 use crate::read::heading::name;
+use crate::read::heading::round_brackets::ambiguity_issue;
 use crate::recording::Issue;
 
 /// Words that occur in a line of units but are not known units, in lower case.
@@ -49,26 +50,11 @@ pub(super) fn heads(
     count: usize,
     delimiter: Delimiter,
 ) -> (Vec<ColumnHead>, Vec<Issue>) {
-    // A single word on a line is a title.
-    let is_alone = |fields: &[String]| {
-        fields.len() > 1 && fields[1..].iter().all(|field| field.trim().is_empty())
-    };
-    let is_reduction = |fields: &[String]| {
-        fields.iter().all(|field| {
-            REDUCTIONS.contains(&field.trim().trim_matches('"').to_lowercase().as_str())
-        })
-    };
-    let is_heading = |fields: &Vec<String>| {
-        (used..=count).contains(&fields.len())
-            && !is_pair(fields)
-            && !is_alone(fields)
-            && !is_reduction(fields)
-    };
     let mut rows = above
         .iter()
         .rev()
         .map(|line| fields_of_head(line, used, count, delimiter))
-        .filter(is_heading);
+        .filter(|fields| (used..=count).contains(&fields.len()) && may_be_headings(fields));
     let Some(last) = rows.next() else {
         return ((0..count).map(ColumnHead::numbered).collect(), Vec::new());
     };
@@ -82,7 +68,7 @@ pub(super) fn heads(
     let issues = if units.is_none() {
         names
             .iter()
-            .filter_map(|name| name::ambiguity_issue(name))
+            .filter_map(|name| ambiguity_issue(name))
             .collect()
     } else {
         Vec::new()
@@ -109,6 +95,16 @@ pub(super) fn heads(
         }
     };
     (with_unique_names((0..count).map(head).collect()), issues)
+}
+
+/// True for a line that is neither a key with its value, nor a title, nor a list of statistics.
+fn may_be_headings(fields: &[String]) -> bool {
+    // A single word on a line is a title.
+    let is_alone = fields.len() > 1 && fields[1..].iter().all(|field| field.trim().is_empty());
+    let is_reduction = |field: &String| {
+        REDUCTIONS.contains(&field.trim().trim_matches('"').to_lowercase().as_str())
+    };
+    !is_pair(fields) && !is_alone && !fields.iter().all(is_reduction)
 }
 
 /// Names that are consecutive numbers from 0 or 1, in a first row whose columns contain other

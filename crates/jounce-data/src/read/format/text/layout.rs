@@ -1,18 +1,11 @@
-//! Finds the first row of numbers in a text, and the delimiter.
+//! Layout of a text: delimiter, first row of numbers, headings and settings.
 
+use super::delimiter::Delimiter;
 use super::heads::{ColumnHead, heads, numbered};
 use super::number::TextField;
+use super::number_rows::{ROWS, most_columns};
 use super::preamble::Preamble;
 use crate::recording::Issue;
-
-/// Delimiter of the fields of a line.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Delimiter {
-    /// One character.
-    Byte(u8),
-    /// Any number of spaces.
-    Blanks,
-}
 
 /// Layout of a text.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,43 +26,6 @@ pub(crate) struct TextLayout {
     pub issues: Vec<Issue>,
 }
 
-/// Consecutive lines with equally many numbers that mark the beginning of the data; two if there
-/// are no three.
-const ROWS: [usize; 2] = [3, 2];
-const DELIMITERS: [Delimiter; 4] = [
-    Delimiter::Byte(b'\t'),
-    Delimiter::Byte(b';'),
-    Delimiter::Byte(b','),
-    Delimiter::Blanks,
-];
-
-impl Delimiter {
-    /// Splits a line into fields; quoted fields may contain the delimiter.
-    pub(crate) fn fields(self, line: &str) -> Vec<String> {
-        match self {
-            Self::Blanks => line.split_whitespace().map(str::to_owned).collect(),
-            // Quotes are rare; without them a plain split is equivalent and faster.
-            Self::Byte(delimiter) if !line.contains('"') => line
-                .split(char::from(delimiter))
-                .map(str::to_owned)
-                .collect(),
-            Self::Byte(delimiter) => {
-                let mut reader = csv::ReaderBuilder::new()
-                    .delimiter(delimiter)
-                    .has_headers(false)
-                    .flexible(true)
-                    .from_reader(line.as_bytes());
-                reader
-                    .records()
-                    .next()
-                    .and_then(Result::ok)
-                    .map(|record| record.iter().map(str::to_owned).collect())
-                    .unwrap_or_default()
-            }
-        }
-    }
-}
-
 impl TextLayout {
     /// Finds the layout: the delimiter that gives the most columns of numbers, at the first
     /// position with consecutive such lines. Returns `None` if there is no such position.
@@ -83,29 +39,8 @@ impl TextLayout {
                 .map(|field| TextField::read(field, decimal_comma))
                 .collect()
         };
-        let first: Vec<Vec<TextField>> = lines[skip..]
-            .iter()
-            .map(read)
-            .filter(|row| row.len() == count)
-            .take(ROWS[0])
-            .collect();
-        let blank: Vec<bool> = (0..count)
-            .map(|k| first.iter().all(|row| !row[k].is_value()))
-            .collect();
-        // Rows above with text only in columns that are empty in the first rows belong to the data:
-        // some oscilloscopes write settings there.
-        let is_data_row = |row: &Vec<TextField>| {
-            row.len() == count
-                && row
-                    .iter()
-                    .zip(&blank)
-                    .all(|(field, blank)| *blank || field.is_value())
-        };
-        skip -= lines[..skip]
-            .iter()
-            .rev()
-            .take_while(|line| is_data_row(&read(line)))
-            .count();
+        let blank = blank_columns(lines[skip..].iter().map(read), count);
+        skip -= data_rows_at_end(lines[..skip].iter().rev().map(read), &blank);
         let used = blank
             .iter()
             .rposition(|blank| !blank)
@@ -143,6 +78,30 @@ impl TextLayout {
             issues,
         })
     }
+}
+
+/// True for each column that is empty in the first rows.
+fn blank_columns(rows: impl Iterator<Item = Vec<TextField>>, count: usize) -> Vec<bool> {
+    let first: Vec<Vec<TextField>> = rows
+        .filter(|row| row.len() == count)
+        .take(ROWS[0])
+        .collect();
+    (0..count)
+        .map(|k| first.iter().all(|row| !row[k].is_value()))
+        .collect()
+}
+
+/// Number of rows above the first numbers, from the last, with text only in blank columns. They
+/// belong to the data: some oscilloscopes write settings there.
+fn data_rows_at_end(above: impl Iterator<Item = Vec<TextField>>, blank: &[bool]) -> usize {
+    let is_data_row = |row: &Vec<TextField>| {
+        row.len() == blank.len()
+            && row
+                .iter()
+                .zip(blank)
+                .all(|(field, blank)| *blank || field.is_value())
+    };
+    above.take_while(is_data_row).count()
 }
 
 /// Number of rows that may have settings next to them.
@@ -204,78 +163,6 @@ fn preamble_fields(
         .collect()
 }
 
-/// First line, number of columns, delimiter and decimal comma that give the most columns.
-fn most_columns(lines: &[&str], rows: usize) -> Option<(usize, usize, Delimiter, bool)> {
-    let candidates = DELIMITERS
-        .into_iter()
-        .flat_map(|delimiter| [(delimiter, false), (delimiter, true)]);
-    let candidates = candidates.filter(|candidate| *candidate != (Delimiter::Byte(b','), true));
-    let counted_candidates: Vec<_> = candidates
-        .map(|(delimiter, comma)| (delimiter, comma, counts(lines, delimiter, comma)))
-        .collect();
-    // A text may have fewer rows than required, but then under every way of reading it.
-    let max_rows = counted_candidates
-        .iter()
-        .map(|(.., counts)| counts.iter().filter(|count| **count > 0).count())
-        .max()?;
-    let mut best: Option<(usize, usize, Delimiter, bool)> = None;
-    for (delimiter, decimal_comma, counts) in counted_candidates {
-        let Some((skip, count)) = first_rows(&counts, rows.min(max_rows).max(1)) else {
-            continue;
-        };
-        if best.is_none_or(|(_, most, ..)| count > most) {
-            best = Some((skip, count, delimiter, decimal_comma));
-        }
-    }
-    best
-}
-
-/// Number of numbers in each line; 0 for a line with other content.
-fn counts(lines: &[&str], delimiter: Delimiter, decimal_comma: bool) -> Vec<usize> {
-    let numbers = |line: &str| {
-        let fields = delimiter.fields(line);
-        let read: Vec<TextField> = fields
-            .iter()
-            .map(|field| TextField::read(field, decimal_comma))
-            .collect();
-        let number =
-            |field: &TextField| matches!(field, TextField::Real(_) | TextField::Complex(..));
-        let row = read.iter().all(|field| field.is_sample()) && read.iter().any(number);
-        if row { fields.len() } else { 0 }
-    };
-    lines
-        .iter()
-        .map(|line| {
-            if line.trim().is_empty() {
-                0
-            } else {
-                numbers(line)
-            }
-        })
-        .collect()
-}
-
-/// First line and width of the first rows with equally many numbers. Equally wide rows above them
-/// belong to them if only numbers are in between.
-fn first_rows(counts: &[usize], rows: usize) -> Option<(usize, usize)> {
-    let starts_row = |k: &usize| {
-        counts[*k] > 0
-            && counts[*k..]
-                .iter()
-                .take(rows)
-                .filter(|count| **count == counts[*k])
-                .count()
-                == rows
-    };
-    let found = (0..counts.len()).find(starts_row)?;
-    let above = (0..found)
-        .rev()
-        .take_while(|k| counts[*k] > 0)
-        .filter(|k| counts[*k] == counts[found])
-        .last();
-    Some((above.unwrap_or(found), counts[found]))
-}
-
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
@@ -303,123 +190,125 @@ mod tests {
         )
     }
 
+    /// Text, delimiter, decimal comma, lines above the numbers, and headings.
+    const CASES: [(&str, Delimiter, bool, usize, &[&str]); 15] = [
+        (
+            "time_s,a_g\n0,1\n1,2\n2,3\n",
+            Delimiter::Byte(b','),
+            false,
+            1,
+            &["time_s|s", "a_g|g"],
+        ),
+        (
+            "# made 2020\n# t [s]; F [lbf]\n0,0;1,5\n0,1;1,6\n0,2;1,7\n",
+            Delimiter::Byte(b';'),
+            true,
+            2,
+            &["t|s", "F|lbf"],
+        ),
+        (
+            "Test 5\nn 3\n\n t   a\n s   m/s2\n 0  1\n 1  2\n 2  3\n",
+            Delimiter::Blanks,
+            false,
+            5,
+            &["t|s", "a|m/s2"],
+        ),
+        (
+            "0\t1\n1\t\n2\t3\n",
+            Delimiter::Byte(b'\t'),
+            false,
+            0,
+            &["column 1", "column 2"],
+        ),
+        (
+            "a,a\n1,2\n",
+            Delimiter::Byte(b','),
+            false,
+            1,
+            &["a 1", "a 2"],
+        ),
+        (
+            "t,a,b\n0,1,2\n1,2\n2,3,4\n3,4,5\n",
+            Delimiter::Byte(b','),
+            false,
+            1,
+            &["t", "a", "b"],
+        ),
+        (
+            "t,a\n0,1\n1\n2,3\n3,4\n4,5\n",
+            Delimiter::Byte(b','),
+            false,
+            1,
+            &["t", "a"],
+        ),
+        (
+            "5\nt a\n0 1\n1 2\n2 3\n",
+            Delimiter::Blanks,
+            false,
+            2,
+            &["t", "a"],
+        ),
+        (
+            "\"x, y\",b\n1,2\n3,4\n5,6\n",
+            Delimiter::Byte(b','),
+            false,
+            1,
+            &["x, y", "b"],
+        ),
+        (
+            "X,CH1,Start,Increment,\nSequence,Volt,-1e-3,1e-4,\n0,1,\n1,2,\n2,3,\n",
+            Delimiter::Byte(b','),
+            false,
+            2,
+            &["X", "CH1|Volt"],
+        ),
+        (
+            "Time(s),CH1V,t0 =-1e-3, tInc = 1e-4,\n-1e-3,1,,\n0,2,,\n1e-3,3,,\n",
+            Delimiter::Byte(b','),
+            false,
+            1,
+            &["Time|s", "CH1|V"],
+        ),
+        (
+            "Rate,5,,0,1,\nMode,x,,1,2,\n,,,2,3,\n,,,3,4,\n,,,4,5,\n",
+            Delimiter::Byte(b','),
+            false,
+            0,
+            &["column 4", "column 5"],
+        ),
+        (
+            ",0,1\n0,1.5,2.5\n1,2.5,0.5\n2,3.5,1.5\n",
+            Delimiter::Byte(b','),
+            false,
+            1,
+            &["column 1", "0", "1"],
+        ),
+        (
+            "1,2\n0.5,1.5\n0.25,2.5\n",
+            Delimiter::Byte(b','),
+            false,
+            1,
+            &["1", "2"],
+        ),
+        (
+            "1,2\n2,3\n3,4\n",
+            Delimiter::Byte(b','),
+            false,
+            0,
+            &["column 1", "column 2"],
+        ),
+    ];
+
     #[test]
     fn layouts_of_many_kinds_are_found() {
-        let cases = [
-            (
-                "time_s,a_g\n0,1\n1,2\n2,3\n",
-                Delimiter::Byte(b','),
-                false,
-                1,
-                vec!["time_s|s", "a_g|g"],
-            ),
-            (
-                "# made 2020\n# t [s]; F [lbf]\n0,0;1,5\n0,1;1,6\n0,2;1,7\n",
-                Delimiter::Byte(b';'),
-                true,
-                2,
-                vec!["t|s", "F|lbf"],
-            ),
-            (
-                "Test 5\nn 3\n\n t   a\n s   m/s2\n 0  1\n 1  2\n 2  3\n",
-                Delimiter::Blanks,
-                false,
-                5,
-                vec!["t|s", "a|m/s2"],
-            ),
-            (
-                "0\t1\n1\t\n2\t3\n",
-                Delimiter::Byte(b'\t'),
-                false,
-                0,
-                vec!["column 1", "column 2"],
-            ),
-            (
-                "a,a\n1,2\n",
-                Delimiter::Byte(b','),
-                false,
-                1,
-                vec!["a 1", "a 2"],
-            ),
-            (
-                "t,a,b\n0,1,2\n1,2\n2,3,4\n3,4,5\n",
-                Delimiter::Byte(b','),
-                false,
-                1,
-                vec!["t", "a", "b"],
-            ),
-            (
-                "t,a\n0,1\n1\n2,3\n3,4\n4,5\n",
-                Delimiter::Byte(b','),
-                false,
-                1,
-                vec!["t", "a"],
-            ),
-            (
-                "5\nt a\n0 1\n1 2\n2 3\n",
-                Delimiter::Blanks,
-                false,
-                2,
-                vec!["t", "a"],
-            ),
-            (
-                "\"x, y\",b\n1,2\n3,4\n5,6\n",
-                Delimiter::Byte(b','),
-                false,
-                1,
-                vec!["x, y", "b"],
-            ),
-            (
-                "X,CH1,Start,Increment,\nSequence,Volt,-1e-3,1e-4,\n0,1,\n1,2,\n2,3,\n",
-                Delimiter::Byte(b','),
-                false,
-                2,
-                vec!["X", "CH1|Volt"],
-            ),
-            (
-                "Time(s),CH1V,t0 =-1e-3, tInc = 1e-4,\n-1e-3,1,,\n0,2,,\n1e-3,3,,\n",
-                Delimiter::Byte(b','),
-                false,
-                1,
-                vec!["Time|s", "CH1|V"],
-            ),
-            (
-                "Rate,5,,0,1,\nMode,x,,1,2,\n,,,2,3,\n,,,3,4,\n,,,4,5,\n",
-                Delimiter::Byte(b','),
-                false,
-                0,
-                vec!["column 4", "column 5"],
-            ),
-            (
-                ",0,1\n0,1.5,2.5\n1,2.5,0.5\n2,3.5,1.5\n",
-                Delimiter::Byte(b','),
-                false,
-                1,
-                vec!["column 1", "0", "1"],
-            ),
-            (
-                "1,2\n0.5,1.5\n0.25,2.5\n",
-                Delimiter::Byte(b','),
-                false,
-                1,
-                vec!["1", "2"],
-            ),
-            (
-                "1,2\n2,3\n3,4\n",
-                Delimiter::Byte(b','),
-                false,
-                0,
-                vec!["column 1", "column 2"],
-            ),
-        ];
-        for (text, delimiter, comma, skip, heads) in cases {
+        for (text, delimiter, comma, skip, heads) in CASES {
             assert_eq!(
                 found(text),
                 (
                     delimiter,
                     comma,
                     skip,
-                    heads.into_iter().map(str::to_owned).collect()
+                    heads.iter().map(|head| (*head).to_owned()).collect()
                 ),
                 "{text}"
             );

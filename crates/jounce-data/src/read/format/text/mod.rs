@@ -1,19 +1,24 @@
 //! CSV and text with any header.
 mod apply_preamble;
+mod delimiter;
+mod growing_column;
 mod heads;
 mod layout;
 mod lines;
 mod moment;
 mod number;
+mod number_rows;
 mod preamble;
 mod rows;
+mod settings_keys;
 
 use std::fs::File;
 use std::io::{BufReader, Read, Seek};
 use std::path::Path;
 
+pub(in crate::read) use delimiter::Delimiter;
 pub(in crate::read) use heads::ColumnHead;
-pub(in crate::read) use layout::{Delimiter, TextLayout};
+pub(in crate::read) use layout::TextLayout;
 pub(in crate::read) use lines::{complete_lines, line_end};
 pub(in crate::read) use preamble::Preamble;
 pub(in crate::read) use rows::{Rows, columns};

@@ -2,10 +2,9 @@
 
 use std::io::{self, BufRead, Read as _};
 
-use super::moment::{Clock, Moment};
+use super::growing_column::GrowingColumn;
 use super::number::TextField;
 use super::{ColumnHead, Delimiter, TextLayout};
-use crate::read::column::numbers::ColumnNumbers;
 use crate::read::column::raw::RawColumn;
 use crate::read::column::samples::SampleStore;
 use crate::read::error::Damage;
@@ -98,19 +97,6 @@ pub(in crate::read) fn columns(
     }
 }
 
-/// Growing column, with the types of its fields.
-struct GrowingColumn {
-    numbers: ColumnNumbers,
-    /// Imaginary parts of a column that had a complex number.
-    imaginary: Option<ColumnNumbers>,
-    /// Clock of a column of moments, and its first moment.
-    clock: Option<(Clock, Moment)>,
-    /// Count of numbers.
-    filled: usize,
-    /// True once a moment differs from the first one.
-    changes: bool,
-}
-
 /// Columns that grow row by row, with the issues found so far.
 struct RowTable<'a> {
     store: &'a SampleStore,
@@ -127,20 +113,13 @@ struct RowTable<'a> {
 
 impl<'a> RowTable<'a> {
     fn new(layout: &'a TextLayout, store: &'a SampleStore) -> Self {
-        let column = |_: &ColumnHead| GrowingColumn {
-            numbers: store.column(),
-            imaginary: None,
-            clock: None,
-            filled: 0,
-            changes: false,
-        };
-        let columns = layout.heads.iter().map(column).collect();
+        let columns = layout.heads.iter().map(|_| GrowingColumn::new(store));
         let [ragged, text, truncated, unterminated] = [(); 4].map(|()| LineTally::default());
         Self {
             store,
             heads: &layout.heads,
             min_fields: layout.min_fields,
-            columns,
+            columns: columns.collect(),
             empty: (0, 0),
             ragged,
             text,
@@ -284,64 +263,6 @@ impl<'a> RowTable<'a> {
             .map(|(head, column)| column.into_column(head, &mut issues))
             .collect();
         Ok(Rows { columns, issues })
-    }
-}
-
-impl GrowingColumn {
-    /// Appends a field to the column.
-    fn push(&mut self, field: Option<&TextField>, store: &SampleStore) -> io::Result<()> {
-        let (re, im) = match (field, &mut self.clock) {
-            (Some(TextField::Real(value)), None) => (*value, 0.0),
-            (Some(TextField::Complex(re, im)), None) => (*re, *im),
-            (Some(TextField::Moment(moment)), Some((clock, first))) => {
-                self.changes |= moment != first;
-                (clock.seconds(*moment), 0.0)
-            }
-            (Some(TextField::Moment(moment)), None) if self.filled == 0 => {
-                self.clock = Some((Clock::from(*moment), *moment));
-                (0.0, 0.0)
-            }
-            _ => (f64::NAN, f64::NAN),
-        };
-        self.filled += usize::from(!re.is_nan());
-        if matches!(field, Some(TextField::Complex(..))) && self.imaginary.is_none() {
-            let mut zeros = store.column();
-            (0..self.numbers.count()).try_for_each(|_| zeros.push(0.0))?;
-            self.imaginary = Some(zeros);
-        }
-        self.numbers.push(re)?;
-        self.imaginary
-            .as_mut()
-            .map_or(Ok(()), |imaginary| imaginary.push(im))
-    }
-
-    /// Returns the column under its heading. An empty column or a constant date is not a channel.
-    fn into_column(self, head: &ColumnHead, issues: &mut Vec<Issue>) -> RawColumn {
-        let mut column = RawColumn {
-            imaginary: self.imaginary,
-            ..RawColumn::new(&head.name, &head.unit, self.numbers)
-        };
-        if let Some((_, first)) = self.clock {
-            "s".clone_into(&mut column.unit);
-            if self.changes {
-                let message = format!(
-                    "dates and times of day were converted to seconds since the first, \
-                        {first}"
-                );
-                issues.push(
-                    Issue::new(IssueKind::Converted, self.filled, None, message).of(&head.name),
-                );
-            } else {
-                column.left_out = Some(format!("{first} is in all rows"));
-            }
-        } else if self.filled == 0 && head.blank {
-            column.left_out = Some(if head.has_no_name {
-                String::new()
-            } else {
-                "no row has a number in it".to_owned()
-            });
-        }
-        column
     }
 }
 
