@@ -279,6 +279,10 @@ mod tests {
         ] {
             assert_eq!(header(invalid_header), None, "{invalid_header}");
         }
+    }
+
+    #[test]
+    fn types_of_numbers_are_read() {
         let complex = Header {
             dtype: ">c16".into(),
             fortran: false,

@@ -5,7 +5,10 @@ use std::io::{self, Read};
 use std::path::Path as FilePath;
 
 use flate2::read::DeflateDecoder;
-use rawzip::{CompressionMethod, RECOMMENDED_BUFFER_SIZE, ZipArchive};
+use rawzip::{
+    CompressionMethod, FileReader, RECOMMENDED_BUFFER_SIZE, ZipArchive, ZipEntry,
+    ZipFileHeaderRecord,
+};
 
 use super::arrays::{Array, MAX_ARRAYS, Path, Tree, into_found};
 use super::npy::Header;
@@ -50,35 +53,10 @@ pub(in crate::read) fn read(
             why: format!("{name}: {}", damage.why),
             ..damage
         };
-        let method = entry.compression_method();
-        let bytes = entry
-            .uncompressed_size_hint()
-            .min(entry.compressed_size_hint().saturating_mul(MAX_RATIO));
-        let position = archive
+        let stored = archive
             .get_entry(entry.wayfinder())
             .map_err(|fault| archive_error(&fault))?;
-        let stored = position.reader();
-        let content: Box<dyn Read + '_> = match method {
-            CompressionMethod::STORE => Box::new(stored),
-            CompressionMethod::DEFLATE => Box::new(DeflateDecoder::new(stored)),
-            other => {
-                return Err(with_name(Damage::new(format!(
-                    "it is compressed by {other:?}; save it with numpy.savez_compressed"
-                ))));
-            }
-        };
-        let mut checked = position.verifying_reader(content);
-        array(
-            &mut checked,
-            &Path::default().to(name),
-            bytes,
-            store,
-            &mut tree,
-        )
-        .map_err(with_name)?;
-        // Reading past the last byte verifies the checksum.
-        io::copy(&mut checked.take(bytes), &mut io::sink())
-            .map_err(|fault| with_name(Damage::cut(fault)))?;
+        member(&entry, &stored, name, store, &mut tree).map_err(with_name)?;
     }
     if result == 0 {
         return Err(Damage::new(
@@ -88,6 +66,34 @@ pub(in crate::read) fn read(
         ));
     }
     into_found(tree)
+}
+
+/// Reads an array of the archive and verifies its checksum.
+fn member(
+    entry: &ZipFileHeaderRecord<'_>,
+    stored: &ZipEntry<'_, FileReader>,
+    name: &str,
+    store: &SampleStore,
+    tree: &mut Tree,
+) -> Result<(), Damage> {
+    let bytes = entry
+        .uncompressed_size_hint()
+        .min(entry.compressed_size_hint().saturating_mul(MAX_RATIO));
+    let compressed = stored.reader();
+    let content: Box<dyn Read + '_> = match entry.compression_method() {
+        CompressionMethod::STORE => Box::new(compressed),
+        CompressionMethod::DEFLATE => Box::new(DeflateDecoder::new(compressed)),
+        other => {
+            return Err(Damage::new(format!(
+                "it is compressed by {other:?}; save it with numpy.savez_compressed"
+            )));
+        }
+    };
+    let mut checked = stored.verifying_reader(content);
+    array(&mut checked, &Path::default().to(name), bytes, store, tree)?;
+    // Reading past the last byte verifies the checksum.
+    io::copy(&mut checked.take(bytes), &mut io::sink()).map_err(Damage::cut)?;
+    Ok(())
 }
 
 fn archive_error(fault: &rawzip::Error) -> Damage {

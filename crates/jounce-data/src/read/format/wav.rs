@@ -153,33 +153,7 @@ fn samples(
 ) -> Result<FormatContents, Damage> {
     let channels = u64::from(format.channels);
     let block = format.scalar.size as u64 * channels;
-    let mut issues = Vec::new();
-    let stored_count = length.min(remaining) / block;
-    // Recorders that lose power leave a length of 0 or the maximum.
-    if length > remaining && length < u64::from(u32::MAX) - 1024 {
-        let why = format!(
-            "expected {length} bytes of samples, but {remaining} follow: is the file \
-            truncated?"
-        );
-        return Err(Damage::new(why).at_byte(at));
-    }
-    let stored_count = if length == 0 {
-        remaining / block
-    } else {
-        stored_count
-    };
-    if length == 0 || length > remaining {
-        let message = format!(
-            "the header gives no length; all {stored_count} samples up to the end of the file are read"
-        );
-        let position = IssuePlace::Byte(usize::try_from(at).unwrap_or(usize::MAX));
-        issues.push(Issue::new(
-            IssueKind::HeaderDisagrees,
-            1,
-            Some(position),
-            message,
-        ));
-    }
+    let (stored_count, issue) = sample_count(length, remaining, at, block)?;
     let mut series: Vec<_> = (0..channels).map(|_| store.column()).collect();
     if !series.iter_mut().all(|numbers| {
         usize::try_from(stored_count).is_ok_and(|stored_count| numbers.expect(stored_count))
@@ -210,7 +184,34 @@ fn samples(
         over: Over::Time,
         stamps,
         columns,
-        issues,
+        issues: issue.into_iter().collect(),
     }
     .into())
+}
+
+/// Number of samples of each channel, with an issue if it comes from the size of the file.
+fn sample_count(
+    length: u64,
+    remaining: u64,
+    at: u64,
+    block: u64,
+) -> Result<(u64, Option<Issue>), Damage> {
+    // Recorders that lose power leave a length of 0 or the maximum.
+    if length > remaining && length < u64::from(u32::MAX) - 1024 {
+        let why = format!(
+            "expected {length} bytes of samples, but {remaining} follow: is the file \
+            truncated?"
+        );
+        return Err(Damage::new(why).at_byte(at));
+    }
+    if length != 0 && length <= remaining {
+        return Ok((length / block, None));
+    }
+    let count = remaining / block;
+    let message = format!(
+        "the header gives no length; all {count} samples up to the end of the file are read"
+    );
+    let position = IssuePlace::Byte(usize::try_from(at).unwrap_or(usize::MAX));
+    let issue = Issue::new(IssueKind::HeaderDisagrees, 1, Some(position), message);
+    Ok((count, Some(issue)))
 }

@@ -6,6 +6,7 @@
 mod checked;
 mod matlab;
 mod node;
+mod stored;
 
 use std::path::Path as FilePath;
 

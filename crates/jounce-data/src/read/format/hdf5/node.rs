@@ -2,14 +2,15 @@
 
 use std::collections::HashMap;
 
-use hdf5_pure::{AttrValue, Dataset, Datatype, DatatypeByteOrder, Group, Object, ReferenceType};
+use hdf5_pure::{AttrValue, Dataset, Datatype, Group, Object, ReferenceType};
 
 use super::matlab::{self, Class};
+use super::stored::Stored;
 use super::{checked, hdf5_error};
+use crate::read::column::numbers::ColumnNumbers;
 use crate::read::column::samples::SampleStore;
 use crate::read::error::Damage;
 use crate::read::format::arrays::{Array, ArrayLayout, MAX_ARRAYS, Path, Tree};
-use crate::read::format::scalar::{Kind, Scalar};
 
 /// Maximum depth of nested groups.
 const MAX_DEPTH: usize = 60;
@@ -26,15 +27,6 @@ pub(super) struct Walker<'a> {
     pub tree: Tree,
     /// Number of groups and arrays visited; limits cyclic references.
     pub visited_count: usize,
-}
-
-/// Layout of numbers in the bytes of an element.
-struct Stored {
-    scalar: Scalar,
-    /// Bytes of an element.
-    width: usize,
-    real: usize,
-    imaginary: Option<usize>,
 }
 
 impl Walker<'_> {
@@ -111,8 +103,8 @@ impl Walker<'_> {
         &mut self,
         path: &Path,
         unit: String,
-        series: Vec<crate::read::column::numbers::ColumnNumbers>,
-        imaginary: Option<Vec<crate::read::column::numbers::ColumnNumbers>>,
+        series: Vec<ColumnNumbers>,
+        imaginary: Option<Vec<ColumnNumbers>>,
         labels: Vec<String>,
     ) {
         self.tree.arrays.push(Array {
@@ -162,7 +154,7 @@ impl Walker<'_> {
             | Datatype::VariableLength {
                 is_string: true, ..
             } => self.texts(dataset, path, &shape),
-            _ => match stored(&datatype) {
+            _ => match Stored::of(&datatype) {
                 Some(stored) if class == Class::Text => {
                     self.characters(dataset, path, &shape, &stored)
                 }
@@ -287,15 +279,7 @@ impl Walker<'_> {
                 }
             };
             for element in bytes.chunks_exact(stored.width) {
-                let number_at = |from: usize| {
-                    stored
-                        .scalar
-                        .number(element.get(from..).unwrap_or_default())
-                };
-                layout.push(&mut series, number, number_at(stored.real))?;
-                if let Some((from, series)) = stored.imaginary.zip(imaginary.as_mut()) {
-                    layout.push(series, number, number_at(from))?;
-                }
+                stored.push(element, &layout, number, &mut series, imaginary.as_mut())?;
                 number += 1;
             }
             row += rows_per_read;
@@ -314,82 +298,5 @@ impl Walker<'_> {
         self.attributes(attributes, path)?;
         self.push(path, unit, series, imaginary, layout.labels());
         Ok(())
-    }
-}
-
-/// Returns the layout of the numbers of a type, `None` for other types. A pair of numbers is
-/// complex.
-fn stored(datatype: &Datatype) -> Option<Stored> {
-    let scalar_of = |datatype: &Datatype| {
-        let order = |order: &DatatypeByteOrder| match order {
-            DatatypeByteOrder::LittleEndian => Some(true),
-            DatatypeByteOrder::BigEndian => Some(false),
-            DatatypeByteOrder::Vax => None,
-        };
-        match datatype {
-            Datatype::FixedPoint {
-                size,
-                byte_order,
-                layout,
-            } => {
-                let has_full_precision =
-                    layout.bit_offset == 0 && u32::from(layout.bit_precision) == 8 * size;
-                let kind = if layout.signed {
-                    Kind::Signed
-                } else {
-                    Kind::Unsigned
-                };
-                Scalar::new(kind, *size as usize, order(byte_order)?).filter(|_| has_full_precision)
-            }
-            Datatype::FloatingPoint {
-                size,
-                byte_order,
-                layout,
-            } => {
-                // The exponents of IEEE 754 of 2, 4 and 8 bytes.
-                let ieee = [(2, 5, 10), (4, 8, 23), (8, 11, 52)].contains(&(
-                    *size,
-                    layout.exponent_size,
-                    layout.mantissa_size,
-                ));
-                Scalar::new(Kind::Float, *size as usize, order(byte_order)?).filter(|_| ieee)
-            }
-            _ => None,
-        }
-    };
-    match datatype {
-        Datatype::Enumeration { base_type, .. } => scalar_of(base_type).map(|scalar| Stored {
-            scalar,
-            width: scalar.size,
-            real: 0,
-            imaginary: None,
-        }),
-        Datatype::Compound { size, members } => {
-            let [a, b] = &members[..] else { return None };
-            let scalar =
-                scalar_of(&a.datatype).filter(|scalar| scalar_of(&b.datatype) == Some(*scalar))?;
-            let (width, real, imaginary) = (
-                *size as usize,
-                a.byte_offset as usize,
-                b.byte_offset as usize,
-            );
-            let has_real_name = ["r", "re", "real"].contains(&a.name.to_lowercase().as_str());
-            let fits_width = real
-                .max(imaginary)
-                .checked_add(scalar.size)
-                .is_some_and(|end| end <= width);
-            (has_real_name && fits_width).then_some(Stored {
-                scalar,
-                width,
-                real,
-                imaginary: Some(imaginary),
-            })
-        }
-        _ => scalar_of(datatype).map(|scalar| Stored {
-            scalar,
-            width: scalar.size,
-            real: 0,
-            imaginary: None,
-        }),
     }
 }

@@ -64,6 +64,7 @@ pub(super) fn blocks(
     Ok(())
 }
 
+/// Reads a data set after its first line `-1`; `None` at the end of the file.
 fn block(
     cursor: &mut Cursor<impl BufRead>,
     first_line: usize,
@@ -84,15 +85,7 @@ fn block(
         };
     };
     let head = line_text(&cursor.line);
-    let word = head.split_whitespace().next().unwrap_or_default();
-    let binary = word.ends_with(['b', 'B']);
-    let number = word.trim_end_matches(['b', 'B']).parse::<u32>();
-    let number = number.map_err(|_| {
-        Damage::at(
-            IssuePlace::Byte(start),
-            format!("expected the number of a data set, not {:?}", head.trim()),
-        )
-    })?;
+    let (number, is_binary) = set_number(&head, start)?;
     let mut block = Block {
         number,
         start,
@@ -100,7 +93,7 @@ fn block(
         data: Data::Lines(store.column(), None),
     };
     let mut row = Vec::new();
-    if binary {
+    if is_binary {
         binary_part(cursor, &head, &mut block, store)?;
     }
     loop {
@@ -129,6 +122,18 @@ fn block(
             Data::Lines(..) => block.lines.push(line_text(&cursor.line)),
         }
     }
+}
+
+/// Number of a data set in its first line, and whether its data are binary.
+fn set_number(head: &str, start: usize) -> Result<(u32, bool), Damage> {
+    let word = head.split_whitespace().next().unwrap_or_default();
+    let number = word.trim_end_matches(['b', 'B']).parse().map_err(|_| {
+        Damage::at(
+            IssuePlace::Byte(start),
+            format!("expected the number of a data set, not {:?}", head.trim()),
+        )
+    })?;
+    Ok((number, word.ends_with(['b', 'B'])))
 }
 
 /// Reads the header lines and the bytes of 58b, whose first line gives their numbers.

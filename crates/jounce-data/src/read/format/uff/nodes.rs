@@ -9,79 +9,96 @@ use crate::recording::IssuePlace;
 /// Header lines of data set 55.
 const LINES: usize = 8;
 
+/// Kind of the data of a data set 55.
+struct Kind {
+    /// Type of analysis: 2 for normal modes, 3 and 7 for complex ones.
+    analysis: f64,
+    is_complex: bool,
+    /// Number of values at each node.
+    per_node: usize,
+}
+
+/// Reads a mode shape.
 pub(super) fn read(block: &Block) -> Result<ModeShape, Damage> {
-    let damage = |line: usize, why: String| {
-        Damage::at(
-            IssuePlace::Byte(block.start),
-            format!("line {} of the data set: {why}", line + 1),
-        )
-    };
-    let row = |line: usize| {
-        let mut result = Vec::new();
-        let text = block
-            .lines
-            .get(line)
-            .ok_or_else(|| damage(line, "it is missing: is the file truncated?".to_owned()))?;
-        numbers(text, &mut result)
-            .map_err(|word| damage(line, format!("{word:?} is not a number")))?;
-        Ok::<_, Damage>(result)
-    };
-    let kind = row(5)?;
-    let [_, analysis, _, _, data, per_node, ..] = kind[..] else {
-        return Err(damage(
-            5,
-            format!("expected six whole numbers, found {}", kind.len()),
-        ));
-    };
-    let complex = data == 5.0;
-    if !(complex || data == 2.0) || !(1.0..=6.0).contains(&per_node) {
-        return Err(damage(
-            5,
-            format!(
-                "{per_node} values of type {data} at each node: 1 to 6 of type 2 or 5 can be read"
-            ),
-        ));
-    }
-    let per_node = per_node as usize;
-    let (frequency_hz, damping_ratio) = frequency(analysis, &row(7)?);
+    let kind = Kind::read(block)?;
+    let (frequency_hz, damping_ratio) = frequency(kind.analysis, &row(block, 7)?);
     let (mut nodes, mut real, mut imaginary) = (Vec::new(), Vec::new(), Vec::new());
-    let expected = per_node * (1 + usize::from(complex));
+    let step = 1 + usize::from(kind.is_complex);
     let mut line = LINES;
     while line < block.lines.len() {
-        let node = row(line)?;
+        let node = row(block, line)?;
         let [node] = node[..] else {
-            return Err(damage(line, "expected the number of a node".to_owned()));
+            let why = "expected the number of a node".to_owned();
+            return Err(damage(block, line, why));
         };
         line += 1;
         let mut values = Vec::new();
-        while values.len() < expected {
-            values.extend(row(line)?);
+        while values.len() < kind.per_node * step {
+            values.extend(row(block, line)?);
             line += 1;
         }
         nodes.push(node as i64);
-        let step = 1 + usize::from(complex);
-        real.push(
+        let part = |k: usize| -> Vec<f64> {
             values
                 .chunks(step)
-                .take(per_node)
-                .map(|value| value[0])
-                .collect(),
-        );
-        imaginary.push(
-            values
-                .chunks(step)
-                .take(per_node)
-                .map(|value| value.get(1).copied().unwrap_or(0.0))
-                .collect(),
-        );
+                .take(kind.per_node)
+                .map(|value| value.get(k).copied().unwrap_or(0.0))
+                .collect()
+        };
+        real.push(part(0));
+        imaginary.push(part(1));
     }
     Ok(ModeShape {
         frequency_hz,
         damping_ratio,
         nodes,
         real,
-        imaginary: complex.then_some(imaginary),
+        imaginary: kind.is_complex.then_some(imaginary),
     })
+}
+
+impl Kind {
+    fn read(block: &Block) -> Result<Self, Damage> {
+        let numbers = row(block, 5)?;
+        let [_, analysis, _, _, data, per_node, ..] = numbers[..] else {
+            let why = format!("expected six whole numbers, found {}", numbers.len());
+            return Err(damage(block, 5, why));
+        };
+        let is_complex = data == 5.0;
+        if !(is_complex || data == 2.0) || !(1.0..=6.0).contains(&per_node) {
+            let why = format!(
+                "{per_node} values of type {data} at each node: 1 to 6 of type 2 or 5 can be read"
+            );
+            return Err(damage(block, 5, why));
+        }
+        Ok(Self {
+            analysis,
+            is_complex,
+            per_node: per_node as usize,
+        })
+    }
+}
+
+/// Numbers of a line of the data set.
+fn row(block: &Block, line: usize) -> Result<Vec<f64>, Damage> {
+    let mut result = Vec::new();
+    let text = block.lines.get(line).ok_or_else(|| {
+        damage(
+            block,
+            line,
+            "it is missing: is the file truncated?".to_owned(),
+        )
+    })?;
+    numbers(text, &mut result)
+        .map_err(|word| damage(block, line, format!("{word:?} is not a number")))?;
+    Ok(result)
+}
+
+fn damage(block: &Block, line: usize, why: String) -> Damage {
+    Damage::at(
+        IssuePlace::Byte(block.start),
+        format!("line {} of the data set: {why}", line + 1),
+    )
 }
 
 /// Reads frequency and damping: direct for normal modes (2), from the eigenvalue in rad/s for
