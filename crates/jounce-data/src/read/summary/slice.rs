@@ -43,40 +43,12 @@ impl RecordingSummary {
                 rate: *rate,
             },
         };
-        let channel = |channel: &ChannelSummary| -> io::Result<ChannelSummary> {
-            let (values, imaginary) = (
-                range(&channel.values)?,
-                channel.imaginary.as_ref().map(range).transpose()?,
-            );
-            Ok(ChannelSummary {
-                name: channel.name.clone(),
-                quantity: channel.quantity,
-                unit: channel.unit.clone(),
-                place: channel.place.clone(),
-                reference: channel.reference.clone(),
-                direction: channel.direction.clone(),
-                sizes: sizes_with(
-                    inspect_samples(&values, false)?.1,
-                    &values,
-                    imaginary.as_ref(),
-                )?,
-                values,
-                imaginary,
-            })
-        };
         let channels = channels
             .iter()
             .filter_map(|k| self.channels.get(*k))
-            .map(channel)
+            .map(|channel| slice_channel(channel, &range))
             .collect::<io::Result<Vec<_>>>()?;
-        let left_out = |name: &String| {
-            self.channels
-                .iter()
-                .any(|candidate| candidate.name == *name)
-                && channels.iter().all(|candidate| candidate.name != *name)
-        };
-        let is_relevant = |issue: &&Issue| !issue.channel.as_ref().is_some_and(left_out);
-        let mut issues: Vec<Issue> = self.issues.iter().filter(is_relevant).cloned().collect();
+        let mut issues = self.issues_of(&channels);
         let unit = if self.over == Over::Time { "s" } else { "Hz" };
         let message = format!(
             "{count} of {number} samples, from {from} {unit} to {to} {unit}; the other issues are \
@@ -98,6 +70,44 @@ impl RecordingSummary {
             issues,
         }))
     }
+
+    /// Issues that do not concern a channel that was left out.
+    fn issues_of(&self, channels: &[ChannelSummary]) -> Vec<Issue> {
+        let left_out = |name: &String| {
+            self.channels
+                .iter()
+                .any(|candidate| candidate.name == *name)
+                && channels.iter().all(|candidate| candidate.name != *name)
+        };
+        let is_relevant = |issue: &&Issue| !issue.channel.as_ref().is_some_and(left_out);
+        self.issues.iter().filter(is_relevant).cloned().collect()
+    }
+}
+
+/// Part of a channel; `range` cuts its numbers.
+fn slice_channel(
+    channel: &ChannelSummary,
+    range: &impl Fn(&ColumnNumbers) -> io::Result<ColumnNumbers>,
+) -> io::Result<ChannelSummary> {
+    let (values, imaginary) = (
+        range(&channel.values)?,
+        channel.imaginary.as_ref().map(range).transpose()?,
+    );
+    Ok(ChannelSummary {
+        name: channel.name.clone(),
+        quantity: channel.quantity,
+        unit: channel.unit.clone(),
+        place: channel.place.clone(),
+        reference: channel.reference.clone(),
+        direction: channel.direction.clone(),
+        sizes: sizes_with(
+            inspect_samples(&values, false)?.1,
+            &values,
+            imaginary.as_ref(),
+        )?,
+        values,
+        imaginary,
+    })
 }
 
 /// Copies `count` numbers from an index to a store.

@@ -12,41 +12,35 @@ impl RecordingSummary {
             .iter()
             .filter(|channel| !self.is_dead(channel))
             .collect();
+        let content = content(&live_channels);
+        let next_commands = self.next_commands(&live_channels);
+        let spacing = if matches!(self.places, SamplePlaces::Even { .. }) {
+            "even"
+        } else {
+            "uneven, resampled where used"
+        };
+        let unit = if self.over == Over::Time {
+            "Hz"
+        } else {
+            "lines per Hz"
+        };
+        format!(
+            "{content}; {} samples, {:.6} {unit}, {spacing}; next: {next_commands}",
+            self.places.count(),
+            self.rate()
+        )
+    }
+
+    /// Commands that accept the recording, or what its notes must specify first.
+    fn next_commands(&self, live_channels: &[&ChannelSummary]) -> &'static str {
         let has = |quantity: Quantity| {
             live_channels
                 .iter()
                 .any(|channel| channel.quantity == quantity)
         };
-        let count = |quantity: Quantity| {
-            live_channels
-                .iter()
-                .filter(|channel| channel.quantity == quantity)
-                .count()
-        };
-        let quantities = [
-            (Quantity::Voltage, "voltage"),
-            (Quantity::Acceleration, "acceleration"),
-            (Quantity::Velocity, "velocity"),
-            (Quantity::Displacement, "displacement"),
-            (Quantity::Force, "force"),
-            (Quantity::Pressure, "pressure"),
-            (Quantity::Response, "response"),
-            (Quantity::Unknown, "channel of an unknown unit"),
-        ];
-        let counts: Vec<String> = quantities
-            .iter()
-            .map(|(quantity, name)| (count(*quantity), name))
-            .filter(|(count, _)| *count > 0)
-            .map(|(count, name)| format!("{count} {name}"))
-            .collect();
-        let content = if counts.is_empty() {
-            "no live channel".to_owned()
-        } else {
-            counts.join(", ")
-        };
         let motion =
             has(Quantity::Acceleration) || has(Quantity::Velocity) || has(Quantity::Displacement);
-        let next_commands = match self.over {
+        match self.over {
             _ if live_channels.is_empty() => "nothing can be computed from it",
             _ if live_channels
                 .iter()
@@ -68,22 +62,7 @@ impl RecordingSummary {
                 "spectra, modes --output-only or --free-decay; rig --base as the motion of a base"
             }
             Over::Time => "spectra",
-        };
-        let spacing = if matches!(self.places, SamplePlaces::Even { .. }) {
-            "even"
-        } else {
-            "uneven, resampled where used"
-        };
-        let unit = if self.over == Over::Time {
-            "Hz"
-        } else {
-            "lines per Hz"
-        };
-        format!(
-            "{content}; {} samples, {:.6} {unit}, {spacing}; next: {next_commands}",
-            self.places.count(),
-            self.rate()
-        )
+        }
     }
 
     /// True for a channel without a signal.
@@ -95,6 +74,37 @@ impl RecordingSummary {
             || self.issues.iter().any(|issue| {
                 is_dead_kind(issue.kind) && issue.channel.as_ref() == Some(&channel.name)
             })
+    }
+}
+
+/// Number of channels of each quantity.
+fn content(live_channels: &[&ChannelSummary]) -> String {
+    let count = |quantity: Quantity| {
+        live_channels
+            .iter()
+            .filter(|channel| channel.quantity == quantity)
+            .count()
+    };
+    let quantities = [
+        (Quantity::Voltage, "voltage"),
+        (Quantity::Acceleration, "acceleration"),
+        (Quantity::Velocity, "velocity"),
+        (Quantity::Displacement, "displacement"),
+        (Quantity::Force, "force"),
+        (Quantity::Pressure, "pressure"),
+        (Quantity::Response, "response"),
+        (Quantity::Unknown, "channel of an unknown unit"),
+    ];
+    let counts: Vec<String> = quantities
+        .iter()
+        .map(|(quantity, name)| (count(*quantity), name))
+        .filter(|(count, _)| *count > 0)
+        .map(|(count, name)| format!("{count} {name}"))
+        .collect();
+    if counts.is_empty() {
+        "no live channel".to_owned()
+    } else {
+        counts.join(", ")
     }
 }
 
