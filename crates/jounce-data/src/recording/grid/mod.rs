@@ -3,8 +3,13 @@
 mod corridor;
 mod digits;
 mod even;
+pub(super) mod gaps;
+mod irregular;
+mod rounded;
 pub(super) mod stamps;
+mod steps;
 
+use self::gaps::typical_step;
 use self::stamps::Stamped;
 use crate::recording::Issue;
 
@@ -142,7 +147,7 @@ impl Grid {
         match self {
             Self::Even { step, .. } => 1.0 / step,
             Self::Stamped(stamps) => {
-                let Ok(step) = stamps::typical_step(&stamps.as_slice());
+                let Ok(step) = typical_step(&stamps.as_slice());
                 1.0 / step
             }
         }

@@ -2,21 +2,11 @@
 
 pub(super) mod complex_sizes;
 mod flat_tops;
+mod statistics;
 
 use self::flat_tops::{FlatTops, MIN_FLAT_SAMPLES, RangeEnd};
-use crate::recording::{Channel, Issue, IssueKind, IssuePlace, Quantity, Series};
-
-/// Minimum number of leading or trailing zeros that are padding.
-const MIN_PADDING_SAMPLES: usize = 10;
-/// Resolutions of converters, bits.
-const CONVERTER_BITS: [i32; 4] = [8, 12, 16, 24];
-/// Tolerance on a multiple of the smallest step, in such steps.
-const CODE_TOLERANCE: f64 = 1e-6;
-/// Roundoff of a conversion to SI, and 1 g, m/s^2.
-const ROUND_NUMBER_TOLERANCE: f64 = 1e-12;
-const STANDARD_GRAVITY_M_S2: f64 = 9.80665;
-/// Size beyond which integers without unit are converter counts.
-const MIN_COUNT_PEAK: f64 = 100.0;
+use self::statistics::ChannelStatistics;
+use crate::recording::{Channel, Issue, Quantity, Series};
 
 /// RMS, peak and mean of a channel.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -91,178 +81,11 @@ pub(crate) fn inspect_samples<S: Series>(
     ))
 }
 
-/// Statistics from one pass over samples.
-struct ChannelStatistics {
-    /// Samples so far.
-    number: usize,
-    first: f64,
-    previous: f64,
-    /// Count of samples that are not numbers, and the first of them.
-    missing: usize,
-    first_missing: Option<usize>,
-    /// True while all samples equal the first one.
-    is_constant: bool,
-    /// Zeros at the beginning and, so far, at the end.
-    leading: usize,
-    trailing: usize,
-    /// Minimum and maximum, and the smallest nonzero step between samples.
-    low: f64,
-    high: f64,
-    quantum: f64,
-    /// Run of equal samples: current and longest.
-    run: usize,
-    longest_run: usize,
-    is_integer: bool,
-    sum: f64,
-    square_sum: f64,
-    peak: f64,
-}
-
-impl Default for ChannelStatistics {
-    fn default() -> Self {
-        Self {
-            number: 0,
-            first: f64::NAN,
-            previous: f64::NAN,
-            missing: 0,
-            first_missing: None,
-            is_constant: true,
-            leading: 0,
-            trailing: 0,
-            low: f64::INFINITY,
-            high: f64::NEG_INFINITY,
-            quantum: f64::INFINITY,
-            run: 0,
-            longest_run: 0,
-            is_integer: true,
-            sum: 0.0,
-            square_sum: 0.0,
-            peak: 0.0,
-        }
-    }
-}
-
-impl ChannelStatistics {
-    fn add(&mut self, x: f64) {
-        if self.number == 0 {
-            self.first = x;
-        }
-        self.is_constant &= x == self.first;
-        if x == 0.0 {
-            self.leading += usize::from(self.leading == self.number);
-            self.trailing += 1;
-        } else {
-            self.trailing = 0;
-        }
-        self.run = if x == self.previous { self.run + 1 } else { 1 };
-        self.longest_run = self.longest_run.max(self.run);
-        let step = (x - self.previous).abs();
-        if step > 0.0 {
-            self.quantum = self.quantum.min(step);
-        }
-        self.previous = x;
-        if x.is_finite() {
-            self.low = self.low.min(x);
-            self.high = self.high.max(x);
-            self.is_integer &= x.fract() == 0.0;
-            self.sum += x;
-            self.square_sum += x * x;
-            self.peak = self.peak.max(x.abs());
-        } else {
-            self.missing += 1;
-            self.first_missing = self.first_missing.or(Some(self.number));
-        }
-        self.number += 1;
-    }
-
-    fn not_a_number(&self) -> Option<Issue> {
-        let first = IssuePlace::Sample(self.first_missing?);
-        Some(Issue::new(
-            IssueKind::NotANumber,
-            self.missing,
-            Some(first),
-            "samples are not numbers".to_owned(),
-        ))
-    }
-
-    fn constant(&self) -> Option<Issue> {
-        let message = format!("all samples are {}; there is no signal", self.first);
-        (self.is_constant && self.number > 1)
-            .then(|| Issue::new(IssueKind::Constant, self.number, None, message))
-    }
-
-    fn padding(&self) -> Option<Issue> {
-        if self.leading == self.number || self.leading.max(self.trailing) < MIN_PADDING_SAMPLES {
-            return None;
-        }
-        let long_padding = |zeros: usize| {
-            if zeros < MIN_PADDING_SAMPLES {
-                0
-            } else {
-                zeros
-            }
-        };
-        let (leading, trailing) = (long_padding(self.leading), long_padding(self.trailing));
-        let first = if leading > 0 {
-            0
-        } else {
-            self.number - trailing
-        };
-        let message = format!("{leading} exact zeros precede the signal and {trailing} follow it");
-        Some(Issue::new(
-            IssueKind::ZeroPadding,
-            leading + trailing,
-            Some(IssuePlace::Sample(first)),
-            message,
-        ))
-    }
-
-    /// True for a limit of a converter: a power of 2 from 2 on, in SI or in g, or the last code of
-    /// 8, 12, 16 or 24 bits, in counts or in the smallest steps of the channel.
-    fn is_full_scale(&self, value: f64) -> bool {
-        let is_round = |magnitude: f64| {
-            magnitude > 1.5
-                && (magnitude / magnitude.log2().round().exp2() - 1.0).abs()
-                    < ROUND_NUMBER_TOLERANCE
-        };
-        // The limits of a range differ by one code; for a slow signal the smallest step between
-        // samples is one code.
-        let steps = if self.is_integer {
-            [1.0; 2]
-        } else {
-            [self.quantum, (self.low + self.high).abs()]
-        };
-        let is_last = |step: &f64| {
-            let code = (value / step).round();
-            let last = |bits: &i32| {
-                let half_range = f64::from(bits - 1).exp2();
-                [
-                    half_range - 1.0,
-                    2.0 * half_range - 1.0,
-                    -half_range,
-                    1.0 - half_range,
-                ]
-                .contains(&code)
-            };
-            (value / step - code).abs() < CODE_TOLERANCE && CONVERTER_BITS.iter().any(last)
-        };
-        let by_size = value.abs() == self.peak
-            && (is_round(self.peak) || is_round(self.peak / STANDARD_GRAVITY_M_S2));
-        by_size || steps.iter().any(is_last)
-    }
-
-    fn counts(&self) -> Option<Issue> {
-        let message = "integers without unit: if they are converter counts, give the scale in the \
-            notes of the file";
-        (self.is_integer && self.peak > MIN_COUNT_PEAK)
-            .then(|| Issue::new(IssueKind::RawCounts, self.number, None, message.to_owned()))
-    }
-}
-
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
+    use crate::recording::{IssueKind, IssuePlace};
     use std::f64::consts::TAU;
 
     fn found(values: Vec<f64>) -> Vec<(IssueKind, usize, Option<IssuePlace>)> {
@@ -323,7 +146,7 @@ mod tests {
     }
 
     #[test]
-    fn each_issue_is_found_at_its_position_with_its_count() {
+    fn clipping_is_found_at_its_first_sample_with_its_count() {
         let clipped: Vec<f64> = sine(1.0, 1000).into_iter().map(|x| x.min(0.9)).collect();
         let flat = clipped.iter().filter(|x| **x == 0.9).count();
         let first = clipped.iter().position(|x| *x == 0.9).unwrap();
@@ -351,7 +174,11 @@ mod tests {
             ),
             []
         );
-        // Converter codes, at one sample in five, in counts and in volts; all of them are counted.
+    }
+
+    /// Converter codes, at one sample in five, in counts and in volts; all of them are counted.
+    #[test]
+    fn every_converter_code_at_its_limit_is_clipped() {
         for (bits, scale) in [
             (8, 1.0),
             (12, 1.0),
@@ -381,6 +208,10 @@ mod tests {
                 "{bits} bits: {clipped:?}"
             );
         }
+    }
+
+    #[test]
+    fn padding_missing_samples_constants_and_counts_are_found() {
         let padded = [vec![0.0; 40], sine(1.0, 300), vec![0.0; 3]].concat();
         assert_eq!(
             found(padded),
