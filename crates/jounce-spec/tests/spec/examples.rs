@@ -5,7 +5,7 @@ use jounce_spec::{DriveKind, DriveSignal, Section, Side, Spec, SpecFile, Start, 
 use crate::{MODAL, paper, root};
 
 #[test]
-fn the_paper_reads_to_the_nearest_floats() {
+fn the_structure_of_the_paper_reads_to_the_nearest_floats() {
     let spec = Spec::from_toml(&paper()).unwrap();
     let beam = &spec.beam["beam"];
     let read = [
@@ -51,6 +51,11 @@ fn the_paper_reads_to_the_nearest_floats() {
         ],
         [12.0, 12.0 * std::f64::consts::TAU.powi(2), 0.3]
     );
+}
+
+#[test]
+fn the_stop_and_the_circuit_of_the_paper_read_to_the_nearest_floats() {
+    let spec = Spec::from_toml(&paper()).unwrap();
     let stop = &spec.stop["tip"];
     assert_eq!(
         (stop.at.as_str(), stop.frame.as_str(), stop.side, stop.gap_m),
@@ -70,6 +75,11 @@ fn the_paper_reads_to_the_nearest_floats() {
         ),
         ("mfc", 1e6)
     );
+}
+
+#[test]
+fn the_drive_and_the_settings_of_the_paper_read_to_the_nearest_floats() {
+    let spec = Spec::from_toml(&paper()).unwrap();
     let drive = &spec.drive["shaker"];
     assert_eq!((drive.at.as_str(), drive.kind), ("table", DriveKind::Force));
     assert_eq!(
