@@ -113,3 +113,25 @@ pub(super) fn is_integer(values: &ColumnNumbers) -> io::Result<bool> {
     values.each(|x| is_integer &= x.fract() == 0.0)?;
     Ok(is_integer)
 }
+
+/// Describes columns that are not read as channels, for an error: `a counts the samples`.
+pub(in crate::read) fn describe_time_candidates(columns: &[RawColumn]) -> io::Result<Vec<String>> {
+    let mut descriptions = Vec::new();
+    for column in columns.iter().filter(|column| column.left_out.is_none()) {
+        if is_counter(column)? {
+            descriptions.push(format!("{:?} counts", column.name));
+        } else if let Some(step) = uniform_step(&column.values)? {
+            descriptions.push(format!(
+                "{:?} rises by {} and has no unit of time",
+                column.name,
+                rounded(step)
+            ));
+        }
+    }
+    Ok(descriptions)
+}
+
+/// Rounds a number to nine digits.
+pub(super) fn rounded(step: f64) -> f64 {
+    format!("{step:.8e}").parse().unwrap_or(step)
+}

@@ -3,7 +3,7 @@
 use std::io;
 use std::path::Path;
 
-use super::time::describe_time_candidates;
+use super::rise::describe_time_candidates;
 use super::time_unit::{MissingUnit, seconds};
 use crate::read::column::numbers::ColumnNumbers;
 use crate::read::column::raw::{Header, Rate, Raw, RawColumn, SAME_RATE, TimeStamps};

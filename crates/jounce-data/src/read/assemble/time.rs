@@ -8,8 +8,7 @@
 use std::borrow::Cow;
 use std::io;
 
-use super::rise::{ascends, counting_step, is_counter, is_integer, uniform_step};
-use super::time_unit::rounded;
+use super::rise::{ascends, counting_step, is_integer, uniform_step};
 use crate::read::column::numbers::ColumnNumbers;
 use crate::read::column::raw::{Raw, RawColumn, TimeStamps};
 use crate::read::heading::axis::{is_frequency, is_time};
@@ -158,21 +157,4 @@ pub(in crate::read) fn describe_equal(
         (k, at) = (k + 1, at + 1);
     })?;
     Ok(equal.then(|| "it is equal to the time of its samples".to_owned()))
-}
-
-/// Describes columns that are not read as channels, for an error: `a counts the samples`.
-pub(in crate::read) fn describe_time_candidates(columns: &[RawColumn]) -> io::Result<Vec<String>> {
-    let mut descriptions = Vec::new();
-    for column in columns.iter().filter(|column| column.left_out.is_none()) {
-        if is_counter(column)? {
-            descriptions.push(format!("{:?} counts", column.name));
-        } else if let Some(step) = uniform_step(&column.values)? {
-            descriptions.push(format!(
-                "{:?} rises by {} and has no unit of time",
-                column.name,
-                rounded(step)
-            ));
-        }
-    }
-    Ok(descriptions)
 }

@@ -2,7 +2,7 @@
 
 use std::io;
 
-use super::rise::{is_integer, uniform_step};
+use super::rise::{is_integer, rounded, uniform_step};
 use crate::read::ChannelNotes;
 use crate::read::column::numbers::ColumnNumbers;
 use crate::read::column::raw::{Rate, RawColumn};
@@ -79,11 +79,6 @@ pub(in crate::read) fn seconds(
     }
     column.values.scale(factor * scale);
     Ok(Ok(std::mem::replace(&mut column.values, Vec::new().into())))
-}
-
-/// Rounds a number to nine digits.
-pub(super) fn rounded(step: f64) -> f64 {
-    format!("{step:.8e}").parse().unwrap_or(step)
 }
 
 /// Unit of stamps that no text gives.

@@ -3,4 +3,4 @@
 pub(super) mod axis;
 pub(super) mod decibels;
 pub(super) mod name;
-pub(super) mod round_brackets;
+mod round_brackets;

@@ -1,9 +1,9 @@
 //! Units in column headings.
 
 use super::axis::{is_frequency, is_time};
-use super::round_brackets::{bracketed, may_be_unit};
+use super::round_brackets::{AMBIGUOUS_LETTERS, bracketed, is_labelled, may_be_unit};
 use crate::read::heading::decibels::Decibels;
-use crate::recording::{Quantity, Unit};
+use crate::recording::{Issue, IssueKind, Quantity, Unit};
 
 /// Name suffixes that give a unit: `accel_m_s2`, `timestamp_ms`.
 const UNIT_SUFFIXES: [(&str, &str); 21] = [
@@ -99,6 +99,30 @@ pub(in crate::read) fn is_known(unit: &str) -> bool {
     Decibels::is_level(unit) || Unit::read(unit).is_some()
 }
 
+/// Reports how a single letter in round brackets was read if it may be a unit or a label: `sensor
+/// (V)`, `channel (A)`. `None` for other headings.
+pub(in crate::read) fn ambiguity_issue(head: &str) -> Option<Issue> {
+    let head = head.trim().trim_matches('"').trim();
+    let (_, letter) = bracketed(head, '(', ')')
+        .filter(|(name, letter)| letter.chars().count() == 1 && is_labelled(name))?;
+    let message = match Unit::read(letter) {
+        Some(_) => {
+            format!(
+                "({letter}) in {head:?} is read as the unit {letter}, not as a label; if it is a \
+                label, specify the unit of the column in the notes of the file"
+            )
+        }
+        None if letter.contains(AMBIGUOUS_LETTERS) => {
+            format!(
+                "({letter}) in {head:?} is read as a label, not as a unit; if it is a unit, \
+                specify the name of the column in the notes of the file"
+            )
+        }
+        None => return None,
+    };
+    Some(Issue::new(IssueKind::Assumed, 1, None, message).of(&split(head).0))
+}
+
 /// Splits `U/V` and `t/s`, a name over its unit, as on axes of figures. A quotient of two units is
 /// not split.
 fn split_quotient(head: &str) -> Option<(&str, &str)> {
@@ -117,7 +141,6 @@ fn split_quotient(head: &str) -> Option<(&str, &str)> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::round_brackets::ambiguity_issue;
     use super::*;
 
     /// Heading, name and unit.

@@ -1,8 +1,5 @@
 //! Text in round brackets after a name: a unit, or a part of the name.
 
-use super::name::split;
-use crate::recording::{Issue, IssueKind, Unit};
-
 /// Words for a location, direction, channel or processing, in lower case. In round brackets they
 /// are part of the name.
 const REMARK_WORDS: [&str; 62] = [
@@ -96,7 +93,7 @@ const FUNCTION_NAMES: [&str; 14] = [
 ];
 
 /// Single letters that are units of quantities not found in recordings.
-const AMBIGUOUS_LETTERS: [char; 11] = [
+pub(super) const AMBIGUOUS_LETTERS: [char; 11] = [
     'A', 'C', 'F', 'H', 'J', 'K', 'S', 'T', 'W', '\u{3a9}', '\u{2126}',
 ];
 
@@ -131,33 +128,10 @@ pub(super) fn may_be_unit(name: &str, unit_text: &str) -> bool {
     word && (!is_single || !is_labelled(name) && unit_text.contains(AMBIGUOUS_LETTERS))
 }
 
-fn is_labelled(name: &str) -> bool {
+/// True for a name with an item that letters label.
+pub(super) fn is_labelled(name: &str) -> bool {
     name.split(|c: char| !c.is_alphabetic())
         .any(|word| LABELLED_WORDS.contains(&word.to_lowercase().as_str()))
-}
-
-/// Reports how a single letter in round brackets was read if it may be a unit or a label: `sensor
-/// (V)`, `channel (A)`. `None` for other headings.
-pub(in crate::read) fn ambiguity_issue(head: &str) -> Option<Issue> {
-    let head = head.trim().trim_matches('"').trim();
-    let (_, letter) = bracketed(head, '(', ')')
-        .filter(|(name, letter)| letter.chars().count() == 1 && is_labelled(name))?;
-    let message = match Unit::read(letter) {
-        Some(_) => {
-            format!(
-                "({letter}) in {head:?} is read as the unit {letter}, not as a label; if it is a \
-                label, specify the unit of the column in the notes of the file"
-            )
-        }
-        None if letter.contains(AMBIGUOUS_LETTERS) => {
-            format!(
-                "({letter}) in {head:?} is read as a label, not as a unit; if it is a unit, \
-                specify the name of the column in the notes of the file"
-            )
-        }
-        None => return None,
-    };
-    Some(Issue::new(IssueKind::Assumed, 1, None, message).of(&split(head).0))
 }
 
 /// Text before a bracket that closes at the end, and its contents, including nested brackets.

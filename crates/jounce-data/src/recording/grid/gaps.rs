@@ -1,8 +1,7 @@
 //! Uniform grids with missing samples.
 
 use super::digits::Digits;
-use super::stamps::MAX_UNIFORM_DEVIATION;
-use super::steps::{mean_below, median_step, steps, steps_between};
+use super::steps::{MAX_UNIFORM_DEVIATION, mean_below, median_step, steps, steps_between};
 use crate::recording::{PIECE, Series};
 
 /// A step shorter than this many typical steps is one step.

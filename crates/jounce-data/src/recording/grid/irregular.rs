@@ -2,8 +2,7 @@
 
 use super::digits::Digits;
 use super::gaps::{StampsWithGaps, mean_step};
-use super::stamps::MAX_UNIFORM_DEVIATION;
-use super::steps::{median_step, steps};
+use super::steps::{MAX_UNIFORM_DEVIATION, median_step, steps};
 use crate::recording::{Issue, IssueKind, IssuePlace, Series};
 
 /// A step longer than this many typical steps is a gap.

@@ -2,7 +2,8 @@
 
 use super::corridor::Corridor;
 use super::digits::Digits;
-use super::stamps::{MAX_UNIFORM_DEVIATION, Stamped};
+use super::stamps::Stamped;
+use super::steps::MAX_UNIFORM_DEVIATION;
 use crate::recording::{Issue, IssueKind, Series};
 
 /// Uniform grid that explains all stamps within their digits.

@@ -4,11 +4,9 @@ use super::digits::Digits;
 use super::gaps::MAX_GAP_SHARE;
 use super::irregular::irregularities;
 use super::rounded::uniform_grid;
-use super::steps::{median_step, steps, steps_between};
+use super::steps::{MAX_UNIFORM_DEVIATION, median_step, steps, steps_between};
 use crate::recording::{GridError, Issue, Series};
 
-/// Maximum deviation from the uniform grid, in steps, of stamps that are only rounded.
-pub(super) const MAX_UNIFORM_DEVIATION: f64 = 0.02;
 /// Maximum number of long steps between equal ones that are read as lost samples, though rounded
 /// stamps would show them too.
 const MAX_LOST_SAMPLE_GAPS: usize = 2;

@@ -2,6 +2,9 @@
 
 use crate::recording::Series;
 
+/// Maximum deviation from the uniform grid, in steps, of stamps that are only rounded.
+pub(super) const MAX_UNIFORM_DEVIATION: f64 = 0.02;
+
 /// Passes each step to `callback` with the index of the sample at its end.
 pub(super) fn steps<S: Series>(
     stamps: &S,

@@ -18,7 +18,6 @@ use crate::read::column::samples::SampleStore;
 use crate::read::contents::FormatContents;
 use crate::read::error::Damage;
 use crate::read::heading::name;
-use crate::read::heading::round_brackets::ambiguity_issue;
 use crate::read::notes::written::WrittenNotes;
 use crate::recording::{Issue, IssueKind, Series};
 use pages::CheckedPages;
@@ -58,7 +57,7 @@ pub(in crate::read) fn read(path: &Path, store: &SampleStore) -> Result<FormatCo
                     .and_then(|notes| notes.unit(&head))
                     .map(|unit| (head.clone(), unit));
                 let (name, unit) = notes_text.unwrap_or_else(|| {
-                    issues.extend(ambiguity_issue(&head));
+                    issues.extend(name::ambiguity_issue(&head));
                     name::split(&head)
                 });
                 let mut column = RawColumn::new(&name, &unit, values);

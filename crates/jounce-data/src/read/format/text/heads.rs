@@ -3,7 +3,6 @@
 use super::delimiter::Delimiter;
 use super::settings_keys::{is_of_time, is_pair};
 use crate::read::heading::name;
-use crate::read::heading::round_brackets::ambiguity_issue;
 use crate::recording::Issue;
 
 /// Words that occur in a line of units but are not known units, in lower case.
@@ -68,7 +67,7 @@ pub(super) fn heads(
     let issues = if units.is_none() {
         names
             .iter()
-            .filter_map(|name| ambiguity_issue(name))
+            .filter_map(|name| name::ambiguity_issue(name))
             .collect()
     } else {
         Vec::new()
