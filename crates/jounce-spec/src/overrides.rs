@@ -170,6 +170,7 @@ impl From<String> for PathError {
     }
 }
 
+/// Follows a path through the table of keys and the elements of the file.
 fn walk(
     rows: &[Row],
     node: Option<&Node>,
@@ -207,18 +208,7 @@ fn walk(
         .into()),
         (Kind::Things, [element, rest @ ..]) => {
             let Some(child) = below.and_then(|below| below.get(element)) else {
-                let entries = below.and_then(Node::entries).unwrap_or_default();
-                let names = join_words(entries.iter().map(|entry| entry.name.as_str()));
-                let names = if names.is_empty() {
-                    "none".to_owned()
-                } else {
-                    names
-                };
-                return Err(format!(
-                    "this file has no [{walked}.{}]; it has: {names}",
-                    clip(element)
-                )
-                .into());
+                return Err(no_element(&walked, element, below).into());
             };
             walk(&row.inner, Some(&child.node), rest, &join(&walked, element))
         }
@@ -236,6 +226,19 @@ fn walk(
         (_, []) => Ok(row.info),
         (_, _) => Err(format!("{walked} is a single value and has no keys").into()),
     }
+}
+
+/// Describes a missing element, with those of the file.
+fn no_element(walked: &str, element: &str, below: Option<&Node>) -> String {
+    let entries = below.and_then(Node::entries).unwrap_or_default();
+    let mut names = join_words(entries.iter().map(|entry| entry.name.as_str()));
+    if names.is_empty() {
+        "none".clone_into(&mut names);
+    }
+    format!(
+        "this file has no [{walked}.{}]; it has: {names}",
+        clip(element)
+    )
 }
 
 /// Returns one number of a list of the file.

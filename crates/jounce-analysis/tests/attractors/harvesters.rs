@@ -2,7 +2,7 @@
 //! them.
 //!
 //! ```text
-//! JOUNCE_DRAWN_SYSTEMS=60 JOUNCE_DRAWN_STARTS=400 cargo test --release -p jounce --test attractors many_random -- --nocapture
+//! JOUNCE_DRAWN_SYSTEMS=60 JOUNCE_DRAWN_STARTS=400 cargo test --release -p jounce-analysis --test attractors many_random -- --nocapture
 //! ```
 //!
 //! `JOUNCE_DRAWN_FIRST` is the number of the first harvester, default 0; `JOUNCE_DRAWN_CYCLES` the
@@ -13,6 +13,7 @@ use crate::brute::Patience;
 use crate::random_specs::random_spec;
 use jounce_analysis::{Cloud, InitialStates};
 use jounce_spec::SpecFile;
+use std::io::Write;
 
 /// Seed of the harvesters.
 const SEED: u64 = 22;
@@ -75,7 +76,10 @@ fn a_few_random_harvesters_end_where_brute_force_ends() {
 #[test]
 fn many_random_harvesters_end_where_brute_force_ends() {
     let Some(systems) = number("JOUNCE_DRAWN_SYSTEMS") else {
-        eprintln!("SKIPPED: JOUNCE_DRAWN_SYSTEMS gives the number of harvesters");
+        let _ = writeln!(
+            std::io::stderr(),
+            "SKIPPED: JOUNCE_DRAWN_SYSTEMS gives the number of harvesters"
+        );
         return;
     };
     let (starts, first) = (

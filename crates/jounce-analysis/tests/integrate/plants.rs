@@ -5,7 +5,6 @@ use jounce_dynamics::{Integrator, Kernel};
 use jounce_model::plant::{Plant, System};
 use jounce_model::structure::modes;
 use jounce_spec::Spec;
-use std::path::PathBuf;
 
 fn read(text: &str) -> System {
     let spec = Spec::from_toml(text).unwrap();
@@ -19,14 +18,6 @@ pub fn bench(amplitude_n: f64, frequency_hz: f64) -> System {
         amplitude_n,
         frequency_hz,
     )
-}
-
-/// The plant of the paper, if its file is present next to the repository.
-pub fn paper(amplitude_n: f64, frequency_hz: f64) -> Option<System> {
-    let path =
-        PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../../shared/plant/paper-plant.toml");
-    let text = std::fs::read_to_string(path).ok()?;
-    Some(driven(read(&text), amplitude_n, frequency_hz))
 }
 
 fn driven(mut system: System, amplitude_n: f64, frequency_hz: f64) -> System {

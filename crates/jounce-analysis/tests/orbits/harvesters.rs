@@ -24,17 +24,6 @@ impl<F: Fn(f64) -> System + Sync> ParametricModel for Systems<F> {
     }
 }
 
-/// The plant of the paper, if its file is present next to the repository.
-pub fn paper() -> Option<SpecFile> {
-    let path = std::path::PathBuf::from(env!("CARGO_MANIFEST_DIR"))
-        .join("../../../shared/plant/paper-plant.toml");
-    let file = SpecFile::read(&path).ok();
-    if file.is_none() {
-        eprintln!("SKIPPED: ../shared/plant/paper-plant.toml is not beside the repository");
-    }
-    file
-}
-
 /// `bench/plant.toml`: the paper's harvester with eight modes.
 pub fn bench() -> SpecFile {
     SpecFile::from_text(include_str!("../../../../bench/plant.toml"))

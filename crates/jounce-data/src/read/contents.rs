@@ -3,13 +3,11 @@
 use std::io::Read as _;
 use std::path::Path;
 
-use super::error::Damage;
-use super::raw::Raw;
-use super::samples::SampleStore;
-use super::{
-    FileSummary, Notes, ReadError, RecordingSummary, assemble, hdf5, lvm, magic, mat, npy, npz,
-    parquet, tdms, text, uff, wav,
-};
+use crate::read::column::raw::Raw;
+use crate::read::column::samples::SampleStore;
+use crate::read::error::Damage;
+use crate::read::format::{hdf5, lvm, mat, npy, npz, parquet, tdms, text, uff, wav};
+use crate::read::{FileSummary, Notes, ReadError, RecordingSummary, assemble, magic};
 use crate::recording::{Issue, IssueKind, Over, Recording};
 
 /// Contents of a file.
@@ -39,7 +37,7 @@ pub struct ModeShape {
 }
 
 /// Contents as returned by the reader of a format.
-pub(super) struct FormatContents {
+pub(in crate::read) struct FormatContents {
     pub sets: Vec<Raw>,
     pub shapes: Vec<ModeShape>,
     pub issues: Vec<Issue>,

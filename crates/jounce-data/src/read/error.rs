@@ -134,7 +134,7 @@ fn at(place: Option<IssuePlace>) -> String {
 }
 
 fn reason_text(reason: &std::io::Error) -> String {
-    let folder = super::samples::folder();
+    let folder = crate::read::column::samples::folder();
     format!(
         "its numbers cannot be stored in {}: {reason}; set TMPDIR to a folder with room for 8 \
         bytes per number",
@@ -144,7 +144,7 @@ fn reason_text(reason: &std::io::Error) -> String {
 
 /// Fault inside a file, before its path is known.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Damage {
+pub(in crate::read) struct Damage {
     pub place: Option<IssuePlace>,
     pub why: String,
 }
@@ -156,7 +156,7 @@ impl From<std::io::Error> for Damage {
 }
 
 impl Damage {
-    pub(super) fn new(why: impl Into<String>) -> Self {
+    pub(in crate::read) fn new(why: impl Into<String>) -> Self {
         Self {
             place: None,
             why: why.into(),
@@ -164,7 +164,7 @@ impl Damage {
     }
 
     /// Error of a source that cannot be read to its end.
-    pub(super) fn cut(reason: std::io::Error) -> Self {
+    pub(in crate::read) fn cut(reason: std::io::Error) -> Self {
         let why = if reason.kind() == std::io::ErrorKind::UnexpectedEof {
             "it ends too early".to_owned()
         } else {
@@ -174,14 +174,14 @@ impl Damage {
     }
 
     /// Adds a byte position unless a position is set.
-    pub(super) fn at_byte(self, byte: u64) -> Self {
+    pub(in crate::read) fn at_byte(self, byte: u64) -> Self {
         let place = self.place.or(Some(IssuePlace::Byte(
             usize::try_from(byte).unwrap_or(usize::MAX),
         )));
         Self { place, ..self }
     }
 
-    pub(super) fn at(place: IssuePlace, why: impl Into<String>) -> Self {
+    pub(in crate::read) fn at(place: IssuePlace, why: impl Into<String>) -> Self {
         Self {
             place: Some(place),
             why: why.into(),

@@ -1,7 +1,7 @@
 //! Builds recordings from samples in memory, measured or read by another program.
 
-use super::assemble;
-use super::raw::RawChannel;
+use crate::read::assemble;
+use crate::read::column::raw::RawChannel;
 use crate::recording::{Grid, Over, Recording, inspect};
 
 /// Error of samples that cannot form a recording.

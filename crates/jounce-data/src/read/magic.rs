@@ -133,7 +133,7 @@ const DEWESOFT: &str = "a recording of DewesoftX: export it as MAT, CSV or UFF i
 const TESTLAB: &str = "a recording of Simcenter Testlab: export it as UFF or MAT in Testlab";
 
 /// Describes a binary file by its first bytes, else by its extension.
-pub(super) fn describe(path: &Path, head: &[u8]) -> Option<String> {
+pub(in crate::read) fn describe(path: &Path, head: &[u8]) -> Option<String> {
     let has_signature = |(at, bytes, _): &&(usize, &[u8], &str)| {
         head.get(*at..).is_some_and(|head| head.starts_with(bytes))
     };

@@ -13,47 +13,26 @@
 //! | LVM | this module: no maintained library reads it |
 //!
 //! A file of notes, `FILE.channels.toml`, supplies what the file lacks: see [`Notes`].
-mod arrays;
 mod assemble;
+mod column;
 mod contents;
-mod decibels;
-mod decimation;
 mod error;
+mod format;
 mod from_arrays;
-mod hdf5;
-mod jounce_notes;
-mod lvm;
+mod heading;
 mod magic;
-mod mat;
-mod moment;
-mod name;
 mod notes;
-mod npy;
-mod npz;
-mod number;
-mod numbers;
-mod parquet;
-mod raw;
-mod samples;
-mod scalar;
-mod slice;
 mod summary;
-mod tdms;
-mod text;
-mod time;
-mod uff;
-mod verdict;
-mod wav;
 
+pub use column::numbers::ColumnNumbers;
+pub use column::raw::RawChannel;
 pub use contents::{
     Contents, ModeShape, file, record, record_summary, record_summary_with_notes, summary,
     summary_with_notes,
 };
-pub use decimation::DecimatedRecording;
 pub use error::ReadError;
 pub use from_arrays::{ArraysError, recording_from_arrays};
-pub use jounce_notes::{DIRECTION, PLACE, REFERENCE};
+pub use notes::written::{DIRECTION, PLACE, REFERENCE};
 pub use notes::{ChannelNotes, Notes};
-pub use numbers::ColumnNumbers;
-pub use raw::RawChannel;
+pub use summary::decimation::DecimatedRecording;
 pub use summary::{ChannelSummary, FileSummary, RecordingSummary, SamplePlaces};

@@ -4,30 +4,26 @@
 //! first position.
 mod channel;
 mod choose;
-mod complex_sizes;
-mod corridor;
-mod digits;
-mod even;
-mod flat_tops;
 mod grid;
 mod inspect;
 mod issue;
 mod quantity;
 mod recorded;
 mod series;
-mod stamps;
 mod unit;
+mod unit_spelling;
 
 pub use channel::Channel;
 pub use choose::{ChannelError, ChannelHead, choose_channel, find_channel};
-pub(crate) use complex_sizes::sizes_with;
+pub(crate) use grid::gaps::{StampsWithGaps, typical_step};
+pub(crate) use grid::stamps::Stamped;
 pub use grid::{Grid, GridError, Over};
+pub(crate) use inspect::complex_sizes::sizes_with;
 pub use inspect::{Sizes, inspect};
 pub(crate) use inspect::{inspect_samples, may_be_counts};
 pub use issue::{Issue, IssueKind, IssuePlace};
 pub use quantity::Quantity;
 pub use recorded::{NoChannel, Recording};
 pub use series::{PIECE, Series};
-pub(crate) use stamps::{Stamped, StampsWithGaps, typical_step};
 pub use unit::Unit;
-pub(crate) use unit::unbracketed;
+pub(crate) use unit_spelling::unbracketed;

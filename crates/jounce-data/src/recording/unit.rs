@@ -8,6 +8,7 @@ use std::borrow::Cow;
 use jounce_units::Quantity as Spec;
 
 use super::Quantity;
+use super::unit_spelling::{normalised_spelling, unbracketed};
 
 /// Parsed unit.
 #[derive(Debug, Clone, PartialEq)]
@@ -80,34 +81,6 @@ const CUSTOMARY_UNITS: [(&[&str], Quantity, &str, f64); 12] = [
     (&["mg"], Quantity::Acceleration, "m/s^2", 9.806_65e-3),
     (&["psi"], Quantity::Pressure, "Pa", 6_894.757_293_168),
     (&["gal", "gals"], Quantity::Acceleration, "m/s^2", 0.01),
-];
-
-/// Words for unit symbols, in lower case.
-const UNIT_SPELLINGS: [(&str, &str); 15] = [
-    ("volts", "V"),
-    ("volt", "V"),
-    ("newton", "N"),
-    ("newtons", "N"),
-    ("seconds", "s"),
-    ("second", "s"),
-    ("milliseconds", "ms"),
-    ("microseconds", "us"),
-    ("sec", "s"),
-    ("hertz", "Hz"),
-    ("pascal", "Pa"),
-    ("gs", "g"),
-    ("g's", "g"),
-    ("m/s/s", "m/s^2"),
-    ("m/sec^2", "m/s^2"),
-];
-
-/// Superscript characters and their meaning.
-const SUPERSCRIPTS: [(char, char); 5] = [
-    ('\u{207b}', '-'),
-    ('\u{b9}', '1'),
-    ('\u{b2}', '2'),
-    ('\u{b3}', '3'),
-    ('\u{2074}', '4'),
 ];
 
 /// Quantities allowed in the numerator and denominator of a response.
@@ -203,65 +176,6 @@ impl Unit {
     }
 }
 
-/// Removes brackets around the complete text.
-pub(crate) fn unbracketed(text: &str) -> &str {
-    let trimmed = text.trim();
-    let inner = [('[', ']'), ('(', ')')].iter().find_map(|(open, close)| {
-        let inner = trimmed.strip_prefix(*open)?.strip_suffix(*close)?;
-        // In `(m/s)/(N)` the first bracket closes before the end.
-        let mut depth = 0;
-        let closes = |c: char| {
-            depth += i32::from(c == *open) - i32::from(c == *close);
-            depth < 0
-        };
-        (!inner.chars().any(closes)).then_some(inner)
-    });
-    inner.map_or(trimmed, unbracketed)
-}
-
-/// Removes brackets around the text and superscripts.
-fn normalised_spelling(text: &str) -> String {
-    let mut normalised = plain_powers(unbracketed(text))
-        .replace("**", "^")
-        .replace(['\u{b7}', '\u{22c5}'], " ");
-    if let Some((_, symbol)) = UNIT_SPELLINGS
-        .iter()
-        .find(|(word, _)| *word == normalised.to_lowercase())
-    {
-        return (*symbol).to_owned();
-    }
-    for (spelling, replacement) in [
-        ("/s/s", "/s^2"),
-        ("/sec/sec", "/s^2"),
-        ("s2", "s^2"),
-        ("s-2", "s^-2"),
-    ] {
-        if normalised.ends_with(spelling) {
-            normalised.truncate(normalised.len() - spelling.len());
-            normalised.push_str(replacement);
-            break;
-        }
-    }
-    normalised
-}
-
-/// Writes superscripts with `^` and digits: `s^-2` for `s⁻²`.
-fn plain_powers(text: &str) -> String {
-    let (mut normalised, mut is_superscript) = (String::new(), false);
-    for c in text.chars() {
-        let digit = SUPERSCRIPTS
-            .iter()
-            .find(|(spelling, _)| *spelling == c)
-            .map(|(_, digit)| *digit);
-        if digit.is_some() && !is_superscript {
-            normalised.push('^');
-        }
-        is_superscript = digit.is_some();
-        normalised.push(digit.unwrap_or(c));
-    }
-    normalised
-}
-
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
@@ -314,46 +228,48 @@ mod tests {
         }
     }
 
-    /// The quotient of two factors of NIST SP 811, appendix B.8, and the quantity of the numerator.
+    /// Unit, its SI unit, quantity of the numerator, and factor: the quotient of two factors of NIST
+    /// SP 811, appendix B.8.
+    const RESPONSES: [(&str, &str, Quantity, f64); 19] = [
+        ("m/s^2/N", "m/s^2/N", Quantity::Acceleration, 1.0),
+        ("(m/s^2)/N", "m/s^2/N", Quantity::Acceleration, 1.0),
+        ("[m/s2/N]", "m/s^2/N", Quantity::Acceleration, 1.0),
+        ("((m/s\u{b2})/(N))", "m/s^2/N", Quantity::Acceleration, 1.0),
+        ("(1/N)*(m/s\u{b2})", "m/s^2/N", Quantity::Acceleration, 1.0),
+        (
+            "g*(1/lbf)",
+            "m/s^2/N",
+            Quantity::Acceleration,
+            9.80665 / 4.448_221_615_260_5,
+        ),
+        ("m/s/s/N", "m/s^2/N", Quantity::Acceleration, 1.0),
+        ("g/N", "m/s^2/N", Quantity::Acceleration, 9.80665),
+        (
+            "g/lbf",
+            "m/s^2/N",
+            Quantity::Acceleration,
+            9.80665 / 4.448_221_615_260_5,
+        ),
+        ("m/s/N", "m/s/N", Quantity::Velocity, 1.0),
+        (
+            "in/s/lbf",
+            "m/s/N",
+            Quantity::Velocity,
+            0.0254 / 4.448_221_615_260_5,
+        ),
+        ("m/N", "m/N", Quantity::Displacement, 1.0),
+        ("um/mN", "m/N", Quantity::Displacement, 1e-3),
+        ("V/N", "V/N", Quantity::Voltage, 1.0),
+        ("Volts/Newton", "V/N", Quantity::Voltage, 1.0),
+        ("mV/g", "V/(m/s^2)", Quantity::Voltage, 1e-3 / 9.80665),
+        ("V/(m/s^2)", "V/(m/s^2)", Quantity::Voltage, 1.0),
+        ("g/g", "m/s^2/(m/s^2)", Quantity::Acceleration, 1.0),
+        ("Pa/V", "Pa/V", Quantity::Pressure, 1.0),
+    ];
+
     #[test]
     fn units_of_responses_are_understood_and_their_si_unit_reads_back() {
-        let cases = [
-            ("m/s^2/N", "m/s^2/N", Quantity::Acceleration, 1.0),
-            ("(m/s^2)/N", "m/s^2/N", Quantity::Acceleration, 1.0),
-            ("[m/s2/N]", "m/s^2/N", Quantity::Acceleration, 1.0),
-            ("((m/s\u{b2})/(N))", "m/s^2/N", Quantity::Acceleration, 1.0),
-            ("(1/N)*(m/s\u{b2})", "m/s^2/N", Quantity::Acceleration, 1.0),
-            (
-                "g*(1/lbf)",
-                "m/s^2/N",
-                Quantity::Acceleration,
-                9.80665 / 4.448_221_615_260_5,
-            ),
-            ("m/s/s/N", "m/s^2/N", Quantity::Acceleration, 1.0),
-            ("g/N", "m/s^2/N", Quantity::Acceleration, 9.80665),
-            (
-                "g/lbf",
-                "m/s^2/N",
-                Quantity::Acceleration,
-                9.80665 / 4.448_221_615_260_5,
-            ),
-            ("m/s/N", "m/s/N", Quantity::Velocity, 1.0),
-            (
-                "in/s/lbf",
-                "m/s/N",
-                Quantity::Velocity,
-                0.0254 / 4.448_221_615_260_5,
-            ),
-            ("m/N", "m/N", Quantity::Displacement, 1.0),
-            ("um/mN", "m/N", Quantity::Displacement, 1e-3),
-            ("V/N", "V/N", Quantity::Voltage, 1.0),
-            ("Volts/Newton", "V/N", Quantity::Voltage, 1.0),
-            ("mV/g", "V/(m/s^2)", Quantity::Voltage, 1e-3 / 9.80665),
-            ("V/(m/s^2)", "V/(m/s^2)", Quantity::Voltage, 1.0),
-            ("g/g", "m/s^2/(m/s^2)", Quantity::Acceleration, 1.0),
-            ("Pa/V", "Pa/V", Quantity::Pressure, 1.0),
-        ];
-        for (text, si, numerator, factor) in cases {
+        for (text, si, numerator, factor) in RESPONSES {
             let unit = Unit::read(text).unwrap_or_else(|| panic!("{text} is not understood"));
             assert_eq!(
                 (unit.quantity, unit.si.as_ref(), Unit::responds(text)),

@@ -2,6 +2,7 @@
 
 use jounce_data::recording::{Channel, Grid, Over, Quantity, Recording};
 use std::f64::consts::TAU;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// A time record of two channels, uniform at a rate without a finite decimal.
@@ -62,7 +63,10 @@ pub fn real(file: &str) -> Option<PathBuf> {
     if path.exists() {
         return Some(path);
     }
-    eprintln!("SKIPPED: the recording {file} is not beside the repository");
+    let _ = writeln!(
+        std::io::stderr(),
+        "SKIPPED: the recording {file} is not beside the repository"
+    );
     None
 }
 

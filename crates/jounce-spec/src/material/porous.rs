@@ -181,54 +181,56 @@ mod tests {
         }
     }
 
-    /// PZT-5A with pores, second program: C11, C13, C33, C44 (GPa), e31, e33 (C/m^2), relative
-    /// permittivities at constant strain and stress, d31, d33 (pC/N). Tolerance 0.1 % for
-    /// Mori-Tanaka, 0.5 % for the self-consistent scheme.
+    const SPHERES: PoreGeometry = PoreGeometry::Spheroids(1.0);
+    /// PZT-5A with pores, second program: pores, scheme, porosity; C11, C13, C33, C44 (GPa), e31, e33
+    /// (C/m^2), relative permittivities at constant strain and stress, d31, d33 (pC/N).
+    const SECOND_PROGRAM: [(PoreGeometry, Scheme, f64, [f64; 10]); 5] = [
+        (
+            SPHERES,
+            Scheme::MoriTanaka,
+            0.1,
+            [
+                92.952, 53.369, 82.747, 17.796, -3.200, 14.148, 744.36, 1451.2, -155.76, 371.90,
+            ],
+        ),
+        (
+            SPHERES,
+            Scheme::MoriTanaka,
+            0.3,
+            [
+                55.954, 28.100, 47.996, 12.273, -0.894, 10.393, 559.17, 1019.4, -130.75, 369.63,
+            ],
+        ),
+        (
+            SPHERES,
+            Scheme::SelfConsistent,
+            0.1,
+            [
+                89.35, 50.58, 79.49, 17.46, -3.02, 13.98, 746.5, 1440.0, -154.51, 372.48,
+            ],
+        ),
+        (
+            SPHERES,
+            Scheme::SelfConsistent,
+            0.3,
+            [
+                36.28, 15.66, 31.66, 9.37, -0.39, 8.20, 569.3, 928.5, -118.81, 376.50,
+            ],
+        ),
+        (
+            PoreGeometry::Cylinders,
+            Scheme::MoriTanaka,
+            0.3,
+            [
+                41.079, 22.966, 54.976, 11.362, -1.649, 12.692, 594.53, 1193.0, -170.40, 373.23,
+            ],
+        ),
+    ];
+
+    /// Tolerance 0.1 % for Mori-Tanaka, 0.5 % for the self-consistent scheme.
     #[test]
     fn porous_pzt_5a_is_that_of_a_second_program() {
-        let spheres = PoreGeometry::Spheroids(1.0);
-        for (pores, scheme, f, expected) in [
-            (
-                spheres,
-                Scheme::MoriTanaka,
-                0.1,
-                [
-                    92.952, 53.369, 82.747, 17.796, -3.200, 14.148, 744.36, 1451.2, -155.76, 371.90,
-                ],
-            ),
-            (
-                spheres,
-                Scheme::MoriTanaka,
-                0.3,
-                [
-                    55.954, 28.100, 47.996, 12.273, -0.894, 10.393, 559.17, 1019.4, -130.75, 369.63,
-                ],
-            ),
-            (
-                spheres,
-                Scheme::SelfConsistent,
-                0.1,
-                [
-                    89.35, 50.58, 79.49, 17.46, -3.02, 13.98, 746.5, 1440.0, -154.51, 372.48,
-                ],
-            ),
-            (
-                spheres,
-                Scheme::SelfConsistent,
-                0.3,
-                [
-                    36.28, 15.66, 31.66, 9.37, -0.39, 8.20, 569.3, 928.5, -118.81, 376.50,
-                ],
-            ),
-            (
-                PoreGeometry::Cylinders,
-                Scheme::MoriTanaka,
-                0.3,
-                [
-                    41.079, 22.966, 54.976, 11.362, -1.649, 12.692, 594.53, 1193.0, -170.40, 373.23,
-                ],
-            ),
-        ] {
+        for (pores, scheme, f, expected) in SECOND_PROGRAM {
             let c = PZT_5A.porous(f, pores, scheme).unwrap();
             let [d31, d33, permittivity] = c.free();
             let stiffness = [c.c11_pa, c.c13_pa, c.c33_pa, c.c44_pa].map(|pa| pa / 1e9);

@@ -1,39 +1,31 @@
 //! The validated spec in SI units. One struct per kind of element; the user chooses the names.
 
-mod base;
 mod beam;
 mod circuit;
 mod damping;
 mod drive;
-mod electrodes;
-mod foils;
 mod gravity;
 mod layer;
 mod mass;
 mod modal;
 mod patch;
-mod pores;
 mod reduction;
 mod run;
-mod signal;
 mod stop;
 
-pub use base::GROUND;
 pub use beam::Beam;
 pub use circuit::{Circuit, Interface, Wiring};
 pub use damping::Damping;
-pub use drive::{Drive, DriveKind};
-pub use electrodes::Electrodes;
-pub use foils::PatchFoils;
+pub use drive::{Drive, DriveKind, DriveSignal, FrequencySweep, GROUND};
 pub use gravity::Gravity;
 pub use layer::Layer;
 pub use mass::Mass;
 pub use modal::{Modal, ModalPatch};
-pub use patch::{Face, Patch, Section};
-pub use pores::{Composite, PatchPores, PoreShape, PorosityScheme};
+pub use patch::{
+    Composite, Electrodes, Face, Patch, PatchFoils, PatchPores, PoreShape, PorosityScheme, Section,
+};
 pub use reduction::Reduction;
 pub use run::{Run, Start};
-pub use signal::{DriveSignal, FrequencySweep};
 pub use stop::{Side, Stop, StopLaw};
 
 use std::collections::BTreeMap;

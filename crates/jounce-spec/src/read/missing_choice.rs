@@ -18,6 +18,22 @@ enum RowVerdict {
     Kind(String),
 }
 
+impl RowVerdict {
+    fn size(&self) -> Option<&str> {
+        match self {
+            Self::Size(text) => Some(text),
+            _ => None,
+        }
+    }
+
+    fn kind(&self) -> Option<&str> {
+        match self {
+            Self::Kind(text) => Some(text),
+            _ => None,
+        }
+    }
+}
+
 /// Reports the faults of a value of a key whose rows all depend on the choice `on`.
 pub(super) fn check<T>(
     keys: &[Key<T>],
@@ -50,27 +66,11 @@ pub(super) fn check<T>(
         .filter_map(|row| row.info.when)
         .flat_map(|when| when.is.iter().copied())
         .collect();
-    let size = verdicts.iter().find_map(|verdict| {
-        if let RowVerdict::Size(text) = verdict {
-            Some(text)
-        } else {
-            None
-        }
-    });
-    let mut kinds: Vec<&str> = verdicts
-        .iter()
-        .filter_map(|verdict| {
-            if let RowVerdict::Kind(text) = verdict {
-                Some(text.as_str())
-            } else {
-                None
-            }
-        })
-        .collect();
+    let mut kinds: Vec<&str> = verdicts.iter().filter_map(RowVerdict::kind).collect();
     kinds.dedup();
-    match size {
+    match verdicts.iter().find_map(RowVerdict::size) {
         Some(text) if words.is_empty() => {
-            reading.fault(entry.node.position, &path, || text.clone())
+            reading.fault(entry.node.position, &path, || text.to_owned())
         }
         Some(text) => reading.fault(entry.node.position, &path, || {
             format!("{text}, except with {on} = {}", join_words(words))

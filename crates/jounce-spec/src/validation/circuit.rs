@@ -45,32 +45,41 @@ pub(super) fn check(spec: &Spec, faults: &mut ValidationFaults) {
                 circuit_of.insert(patch, name);
             }
         }
-        if circuit.inductance_h.is_none() && circuit.inductor == Wiring::Series {
-            let text =
-                || "has no effect without an inductor; give `inductance`, or omit it".to_owned();
-            faults.push(|| format!("circuit.{name}.inductor"), text);
-        }
-        if circuit.resistance_ohm.is_finite() && circuit.battery_v.is_some() {
-            let text = || {
-                "has no effect with a battery, which takes the charge; omit it, or give `storage` instead of `battery`".to_owned()
-            };
-            faults.push(|| format!("circuit.{name}.resistance"), text);
-        }
-        if circuit.leakage_ohm.is_some() && circuit.battery_v.is_some() {
-            let text = || {
-                "has no effect with a battery, whose voltage is fixed; omit it, or give `storage` instead of `battery`".to_owned()
-            };
-            faults.push(|| format!("circuit.{name}.leakage_resistance"), text);
-        }
-        if circuit.wiring == Wiring::Series && circuit.connections().count() == 1 {
-            let text = || {
-                "has no effect with a single patch; list several in `patches`, or omit it"
-                    .to_owned()
-            };
-            faults.push(|| format!("circuit.{name}.wiring"), text);
-        }
+        check_unused_keys(name, circuit, faults);
     }
     check_electrodes(spec, &circuit_of, faults);
+}
+
+/// No key is without effect.
+fn check_unused_keys(name: &str, circuit: &Circuit, faults: &mut ValidationFaults) {
+    let has_battery = circuit.battery_v.is_some();
+    let unused = [
+        (
+            circuit.inductance_h.is_none() && circuit.inductor == Wiring::Series,
+            "inductor",
+            "has no effect without an inductor; give `inductance`, or omit it",
+        ),
+        (
+            circuit.resistance_ohm.is_finite() && has_battery,
+            "resistance",
+            "has no effect with a battery, which takes the charge; omit it, or give `storage` instead of `battery`",
+        ),
+        (
+            circuit.leakage_ohm.is_some() && has_battery,
+            "leakage_resistance",
+            "has no effect with a battery, whose voltage is fixed; omit it, or give `storage` instead of `battery`",
+        ),
+        (
+            circuit.wiring == Wiring::Series && circuit.connections().count() == 1,
+            "wiring",
+            "has no effect with a single patch; list several in `patches`, or omit it",
+        ),
+    ];
+    for (is_unused, key, text) in unused {
+        if is_unused {
+            faults.push(|| format!("circuit.{name}.{key}"), || text.to_owned());
+        }
+    }
 }
 
 /// Every patch is in a circuit or has open electrodes, but not both.

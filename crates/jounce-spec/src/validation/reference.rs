@@ -8,24 +8,7 @@ use crate::{GROUND, Spec};
 
 pub(super) fn check(spec: &Spec, faults: &mut ValidationFaults) {
     check_names(spec, faults);
-    for (name, patch) in &spec.patch {
-        if !patch.on.is_empty() && !spec.beam.contains_key(&patch.on) {
-            let beams = || spec.beam.keys().map(String::as_str);
-            faults.push(
-                || format!("patch.{name}.on"),
-                || unknown("beam", &patch.on, "beams", beams),
-            );
-        }
-    }
-    for (name, layer) in &spec.layer {
-        if !layer.on.is_empty() && !spec.beam.contains_key(&layer.on) {
-            let beams = || spec.beam.keys().map(String::as_str);
-            faults.push(
-                || format!("layer.{name}.on"),
-                || unknown("beam", &layer.on, "beams", beams),
-            );
-        }
-    }
+    check_carriers(spec, faults);
     // Listed once, and only if there is a fault; a huge file may have many points and many wrong
     // references.
     let points = LazyCell::new(|| points(spec));
@@ -69,6 +52,24 @@ pub(super) fn check(spec: &Spec, faults: &mut ValidationFaults) {
                         clip(&stop.at)
                     )
                 },
+            );
+        }
+    }
+}
+
+/// Every patch and every layer is on a beam.
+fn check_carriers(spec: &Spec, faults: &mut ValidationFaults) {
+    let patches = spec.patch.iter();
+    let layers = spec.layer.iter();
+    let on_beams = patches
+        .map(|(name, patch)| ("patch", name, &patch.on))
+        .chain(layers.map(|(name, layer)| ("layer", name, &layer.on)));
+    for (kind, name, on) in on_beams {
+        if !on.is_empty() && !spec.beam.contains_key(on) {
+            let beams = || spec.beam.keys().map(String::as_str);
+            faults.push(
+                || format!("{kind}.{name}.on"),
+                || unknown("beam", on, "beams", beams),
             );
         }
     }

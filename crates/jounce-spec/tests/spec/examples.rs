@@ -5,7 +5,7 @@ use jounce_spec::{DriveKind, DriveSignal, Section, Side, Spec, SpecFile, Start, 
 use crate::{MODAL, paper, root};
 
 #[test]
-fn the_paper_reads_to_the_nearest_floats() {
+fn the_structure_of_the_paper_reads_to_the_nearest_floats() {
     let spec = Spec::from_toml(&paper()).unwrap();
     let beam = &spec.beam["beam"];
     let read = [
@@ -51,6 +51,11 @@ fn the_paper_reads_to_the_nearest_floats() {
         ],
         [12.0, 12.0 * std::f64::consts::TAU.powi(2), 0.3]
     );
+}
+
+#[test]
+fn the_stop_and_the_circuit_of_the_paper_read_to_the_nearest_floats() {
+    let spec = Spec::from_toml(&paper()).unwrap();
     let stop = &spec.stop["tip"];
     assert_eq!(
         (stop.at.as_str(), stop.frame.as_str(), stop.side, stop.gap_m),
@@ -70,6 +75,11 @@ fn the_paper_reads_to_the_nearest_floats() {
         ),
         ("mfc", 1e6)
     );
+}
+
+#[test]
+fn the_drive_and_the_settings_of_the_paper_read_to_the_nearest_floats() {
+    let spec = Spec::from_toml(&paper()).unwrap();
     let drive = &spec.drive["shaker"];
     assert_eq!((drive.at.as_str(), drive.kind), ("table", DriveKind::Force));
     assert_eq!(
@@ -132,12 +142,7 @@ fn a_modal_structure_reads_its_long_literals_exactly() {
 
 #[test]
 fn the_plant_given_as_numbers_loads_unchanged() {
-    let path = root().join("../shared/plant/paper-plant.toml");
-    if !path.exists() {
-        eprintln!("skipped: {} is not here", path.display());
-        return;
-    }
-    let file = SpecFile::read(path).unwrap();
+    let file = SpecFile::read(root().join("bench/plant.toml")).unwrap();
     let spec = file.spec().unwrap_or_else(|faults| panic!("{faults}"));
     let modal = &spec.modal["harvester"];
     assert_eq!((modal.frequency_hz.len(), modal.point.len()), (8, 2));

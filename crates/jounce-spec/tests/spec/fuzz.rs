@@ -1,6 +1,6 @@
 //! The reader never panics, always reports the place of a fault, and finishes in bounded time.
 //!
-//! `JOUNCE_FUZZ_SECONDS=600 cargo test --release -p jounce --test spec fuzz` runs longer. Inputs
+//! `JOUNCE_FUZZ_SECONDS=600 cargo test --release -p jounce-spec --test spec fuzz` runs longer. Inputs
 //! that break the reader are written to the corpus folder as `found-*.toml`.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};

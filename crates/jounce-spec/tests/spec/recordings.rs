@@ -37,6 +37,35 @@ fn issues(spec: &Spec) -> Vec<String> {
         .collect()
 }
 
+/// Keys of the drive, and a part of the fault.
+const FAULTS: [(&str, &str); 7] = [
+    (
+        "channel = \"roof\"\n",
+        "there is no channel \"roof\" in road; its channels are dead, out, floor",
+    ),
+    (
+        "channel = \"out\"\n",
+        "channel out is in V, which does not convert to m/s^2",
+    ),
+    (
+        "channel = \"dead\"\n",
+        "channel dead is constant at 0 m/s^2 and excites nothing",
+    ),
+    (
+        "unit = \"m/s^2\"\n",
+        "the file gives channel floor a unit already (in SI m/s^2); omit `unit`",
+    ),
+    (
+        "channel = \"out\"\nunit = \"mm\"\n",
+        "drive.road.unit: `unit` = \"mm\" does not convert to m/s^2",
+    ),
+    (
+        "sample_rate = \"100 Hz\"\n",
+        "is sampled at 2.000000 Hz, not at `sample_rate` = 100 Hz",
+    ),
+    ("scale = \"1 g\"\n", "expected a plain number"),
+];
+
 #[test]
 fn the_unit_and_the_channel_come_from_the_file() {
     let folder = tempfile::tempdir().unwrap();
@@ -67,33 +96,7 @@ fn the_unit_and_the_channel_come_from_the_file() {
     ));
     let by_number = read(file, "channel = \"3\"\nmean = \"kept\"\n").unwrap();
     assert_eq!(record(&by_number), record(&unchanged));
-    for (keys, message) in [
-        (
-            "channel = \"roof\"\n",
-            "there is no channel \"roof\" in road; its channels are dead, out, floor",
-        ),
-        (
-            "channel = \"out\"\n",
-            "channel out is in V, which does not convert to m/s^2",
-        ),
-        (
-            "channel = \"dead\"\n",
-            "channel dead is constant at 0 m/s^2 and excites nothing",
-        ),
-        (
-            "unit = \"m/s^2\"\n",
-            "the file gives channel floor a unit already (in SI m/s^2); omit `unit`",
-        ),
-        (
-            "channel = \"out\"\nunit = \"mm\"\n",
-            "drive.road.unit: `unit` = \"mm\" does not convert to m/s^2",
-        ),
-        (
-            "sample_rate = \"100 Hz\"\n",
-            "is sampled at 2.000000 Hz, not at `sample_rate` = 100 Hz",
-        ),
-        ("scale = \"1 g\"\n", "expected a plain number"),
-    ] {
+    for (keys, message) in FAULTS {
         let fault = read(file, keys).unwrap_err();
         assert!(fault.contains(message), "{keys}: {fault}");
     }

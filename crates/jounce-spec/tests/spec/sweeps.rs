@@ -58,78 +58,81 @@ fn counts_and_lists_hit_their_ends() {
     assert_eq!(values("beam.beam.point.tip=300mm").unwrap(), [0.3]);
 }
 
+/// Range, and a part of the refusal.
+const WRONG_RANGES: [(&str, &str); 20] = [
+    (
+        "drive.shaker.frequency=4Hz:20Hz:0.1mm",
+        "\"0.1mm\" is a length; expected a frequency",
+    ),
+    (
+        "drive.shaker.frequency=4:20:0.1",
+        "4 has no unit; expected a frequency in Hz, kHz, 1/min",
+    ),
+    ("drive.shaker.frequency=20Hz:4Hz:0.1Hz", "is reversed"),
+    (
+        "drive.shaker.frequency=4Hz:20Hz:0Hz",
+        "the step is 0Hz; it must be greater than 0",
+    ),
+    (
+        "drive.shaker.frequency=4Hz:20Hz:-1Hz",
+        "the step is -1Hz; it must be greater than 0",
+    ),
+    (
+        "drive.shaker.frequency=4Hz:20Hz:1uHz",
+        "the range has more than 1000000 points; make the step larger",
+    ),
+    (
+        "drive.shaker.frequency=4Hz:20Hz:1e-30Hz",
+        "the range has more than 1000000 points; make the step larger",
+    ),
+    (
+        "drive.shaker.frequency=4Hz:20Hz:1x",
+        "is not a number of points; give 2 to 1000000",
+    ),
+    (
+        "drive.shaker.frequency=4Hz:20Hz",
+        "is not a range; write FROM:TO:STEP",
+    ),
+    ("drive.shaker.frequency=", "does not start with a number"),
+    ("drive.shaker.frequency", "expected KEY=FROM:TO:STEP"),
+    (
+        "drive.shaker.frequency=0Hz:20Hz:1Hz",
+        "is 0; it must be from 1 uHz to 1 MHz",
+    ),
+    (
+        "stop.tip.gap=-1mm:1mm:5log",
+        "a logarithmic range must start above 0",
+    ),
+    (
+        "reduction.modes=1:3:0.5",
+        "is 1.5; it must be a whole number",
+    ),
+    (
+        "drive.shaker.fequency=1Hz",
+        "the nearest key here is `drive.shaker.frequency`",
+    ),
+    (
+        "stop.tip.law=1Hz",
+        "this spec has no key with a number here",
+    ),
+    ("stop.tip.exponent=1:2:0.1", "cannot be varied alone"),
+    (
+        "damping.ratios=0.1:0.3:0.1",
+        "this is a list; write one of damping.ratios.1 to damping.ratios.7",
+    ),
+    (
+        "damping.ratios.9=0.1:0.3:0.1",
+        "damping.ratios holds 7 numbers; write one of damping.ratios.1 to damping.ratios.7",
+    ),
+    (
+        "damping.ratios.2=0.1:0.3:abc",
+        "\"abc\" is not a plain number; expected a plain number",
+    ),
+];
+
 #[test]
 fn wrong_ranges_are_refused() {
-    for (assignment, message) in [
-        (
-            "drive.shaker.frequency=4Hz:20Hz:0.1mm",
-            "\"0.1mm\" is a length; expected a frequency",
-        ),
-        (
-            "drive.shaker.frequency=4:20:0.1",
-            "4 has no unit; expected a frequency in Hz, kHz, 1/min",
-        ),
-        ("drive.shaker.frequency=20Hz:4Hz:0.1Hz", "is reversed"),
-        (
-            "drive.shaker.frequency=4Hz:20Hz:0Hz",
-            "the step is 0Hz; it must be greater than 0",
-        ),
-        (
-            "drive.shaker.frequency=4Hz:20Hz:-1Hz",
-            "the step is -1Hz; it must be greater than 0",
-        ),
-        (
-            "drive.shaker.frequency=4Hz:20Hz:1uHz",
-            "the range has more than 1000000 points; make the step larger",
-        ),
-        (
-            "drive.shaker.frequency=4Hz:20Hz:1e-30Hz",
-            "the range has more than 1000000 points; make the step larger",
-        ),
-        (
-            "drive.shaker.frequency=4Hz:20Hz:1x",
-            "is not a number of points; give 2 to 1000000",
-        ),
-        (
-            "drive.shaker.frequency=4Hz:20Hz",
-            "is not a range; write FROM:TO:STEP",
-        ),
-        ("drive.shaker.frequency=", "does not start with a number"),
-        ("drive.shaker.frequency", "expected KEY=FROM:TO:STEP"),
-        (
-            "drive.shaker.frequency=0Hz:20Hz:1Hz",
-            "is 0; it must be from 1 uHz to 1 MHz",
-        ),
-        (
-            "stop.tip.gap=-1mm:1mm:5log",
-            "a logarithmic range must start above 0",
-        ),
-        (
-            "reduction.modes=1:3:0.5",
-            "is 1.5; it must be a whole number",
-        ),
-        (
-            "drive.shaker.fequency=1Hz",
-            "the nearest key here is `drive.shaker.frequency`",
-        ),
-        (
-            "stop.tip.law=1Hz",
-            "this spec has no key with a number here",
-        ),
-        ("stop.tip.exponent=1:2:0.1", "cannot be varied alone"),
-        (
-            "damping.ratios=0.1:0.3:0.1",
-            "this is a list; write one of damping.ratios.1 to damping.ratios.7",
-        ),
-        (
-            "damping.ratios.9=0.1:0.3:0.1",
-            "damping.ratios holds 7 numbers; write one of damping.ratios.1 to damping.ratios.7",
-        ),
-        (
-            "damping.ratios.2=0.1:0.3:abc",
-            "\"abc\" is not a plain number; expected a plain number",
-        ),
-    ] {
+    for (assignment, message) in WRONG_RANGES {
         let refusal = values(assignment).unwrap_err();
         assert!(refusal.contains(message), "{assignment}: {refusal}");
     }

@@ -10,6 +10,7 @@ use crate::agreement::{Verdict, compare, endings};
 use crate::brute::{Kind, Patience};
 use jounce_analysis::{Grid, GridAxis, GridSide, InitialStates, Model};
 use jounce_spec::SpecFile;
+use std::io::Write;
 
 /// Mean power of the orbit of 18 cycles, W.
 const POWER_W: f64 = 6.027_567_570e-6;
@@ -88,7 +89,10 @@ fn starts_end_on_the_published_orbits() {
 #[test]
 fn the_grid_ends_where_brute_force_ends() {
     if std::env::var("JOUNCE_GRID").is_err() {
-        eprintln!("SKIPPED: JOUNCE_GRID=1 marches the grid of 400 starts");
+        let _ = writeln!(
+            std::io::stderr(),
+            "SKIPPED: JOUNCE_GRID=1 marches the grid of 400 starts"
+        );
         return;
     }
     let file = std::env::var("JOUNCE_GRID_PLANT")

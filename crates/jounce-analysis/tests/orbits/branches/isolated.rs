@@ -1,6 +1,6 @@
 //! Isolated branches.
 
-use crate::harvesters::{bench, branches_of, paper};
+use crate::harvesters::{bench, branches_of};
 use jounce_analysis::{
     BandwidthSearch, BranchKind, BranchSearch, Model, OrbitMethodKind, Parameter, Termination,
 };
@@ -88,7 +88,7 @@ fn a_large_response_next_to_a_small_one_is_found() {
 /// program.
 #[test]
 fn a_large_response_at_the_end_of_a_range_is_found() {
-    let Some(file) = paper() else { return };
+    let file = bench();
     for method in [
         OrbitMethodKind::Shooting,
         OrbitMethodKind::HarmonicBalance { harmonics: 64 },

@@ -1,6 +1,6 @@
 //! Labels of a branch: equal for both methods and every tolerance, each listed once.
 
-use crate::harvesters::{bench, branches, branches_of, paper};
+use crate::harvesters::{bench, branches, branches_of};
 use jounce_analysis::{
     BandLimit, BandwidthSearch, BranchKind, BranchSearch, Model, OrbitMethodKind, Parameter,
     Termination,
@@ -108,7 +108,7 @@ fn a_branch_continues_where_a_contact_begins_with_the_period() {
 /// Where a doubled branch returns to its parent, the only label is the doubling of the parent.
 #[test]
 fn a_doubled_branch_has_no_label_where_it_ends() {
-    let Some(file) = paper() else { return };
+    let file = bench();
     for method in METHODS {
         let branches_found = branches_of(&file, (4.0, 5.2), method, 0, 2);
         let doublings: Vec<f64> = (branches_found
@@ -140,7 +140,7 @@ fn a_doubled_branch_has_no_label_where_it_ends() {
 /// two points about it.
 #[test]
 fn a_bandwidth_ends_with_stability_at_a_fold() {
-    let Some(file) = paper() else { return };
+    let file = bench();
     let range = (12.9, 13.340_123_836);
     let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("drive.shaker.frequency").unwrap();

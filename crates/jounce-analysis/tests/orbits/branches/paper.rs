@@ -1,6 +1,6 @@
 //! The paper's plant: power, multipliers and folds against other programs.
 
-use crate::harvesters::{branches, paper};
+use crate::harvesters::{bench, branches};
 use jounce_analysis::{Branch, BranchKind, OrbitMethodKind};
 
 fn folds(branch: &Branch) -> Vec<(f64, f64)> {
@@ -15,7 +15,7 @@ fn folds(branch: &Branch) -> Vec<(f64, f64)> {
 
 #[test]
 fn published_points_and_folds_lie_on_the_branch() {
-    let Some(file) = paper() else { return };
+    let file = bench();
     let branches_found = branches(&file, (10.5, 14.0), OrbitMethodKind::Shooting, 0);
     let branch = &branches_found[0];
     let first = &branch.points[0];
@@ -41,7 +41,7 @@ fn published_points_and_folds_lie_on_the_branch() {
 
 #[test]
 fn the_stable_point_below_the_fold_is_the_published_one() {
-    let Some(file) = paper() else { return };
+    let file = bench();
     let branches_found = branches(&file, (10.5, 12.30122), OrbitMethodKind::Shooting, 0);
     let last = branches_found[0].points.last().unwrap();
     eprintln!(
@@ -57,7 +57,7 @@ fn the_stable_point_below_the_fold_is_the_published_one() {
 /// The low branch is the linear response; it grazes where the steady amplitude equals the gap.
 #[test]
 fn low_branch_ends_where_the_steady_amplitude_reaches_the_gap() {
-    let Some(file) = paper() else { return };
+    let file = bench();
     let plant = jounce_analysis::Model::new(file.spec().unwrap())
         .unwrap()
         .kernel

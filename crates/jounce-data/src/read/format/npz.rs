@@ -1,0 +1,166 @@
+//! Archives of NumPy arrays (`numpy.savez`): named arrays, including texts.
+
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path as FilePath;
+
+use flate2::read::DeflateDecoder;
+use rawzip::{
+    CompressionMethod, FileReader, RECOMMENDED_BUFFER_SIZE, ZipArchive, ZipEntry,
+    ZipFileHeaderRecord,
+};
+
+use super::arrays::{Array, MAX_ARRAYS, Path, Tree, into_found};
+use super::npy::Header;
+use crate::read::column::samples::SampleStore;
+use crate::read::contents::FormatContents;
+use crate::read::error::Damage;
+
+/// Maximum compression ratio.
+const MAX_RATIO: u64 = 1032;
+/// Maximum total number of characters of a text array.
+const MAX_CHARACTERS: u64 = 1 << 20;
+
+pub(in crate::read) fn read(
+    path: &FilePath,
+    store: &SampleStore,
+) -> Result<FormatContents, Damage> {
+    let file = File::open(path).map_err(Damage::cut)?;
+    let mut buffer = vec![0; RECOMMENDED_BUFFER_SIZE];
+    let archive =
+        ZipArchive::from_file(file, &mut buffer).map_err(|fault| archive_error(&fault))?;
+    let mut tree = Tree::default();
+    let mut entries = archive.entries(&mut buffer);
+    let mut result = 0;
+    while let Some(entry) = entries
+        .next_entry()
+        .map_err(|fault| archive_error(&fault))?
+    {
+        let file_name = String::from_utf8_lossy(entry.file_path().as_ref()).into_owned();
+        let Some(name) = file_name.strip_suffix(".npy") else {
+            tree.skip(format!(
+                "{file_name} in the archive is not an array and was left out"
+            ));
+            continue;
+        };
+        result += 1;
+        if result > MAX_ARRAYS {
+            return Err(Damage::new(format!(
+                "it contains more than {MAX_ARRAYS} arrays"
+            )));
+        }
+        let with_name = |damage: Damage| Damage {
+            why: format!("{name}: {}", damage.why),
+            ..damage
+        };
+        let stored = archive
+            .get_entry(entry.wayfinder())
+            .map_err(|fault| archive_error(&fault))?;
+        member(&entry, &stored, name, store, &mut tree).map_err(with_name)?;
+    }
+    if result == 0 {
+        return Err(Damage::new(
+            "it is a ZIP archive without NumPy arrays: unpack it and read the files in it; save \
+            an Excel workbook (.xlsx) as CSV; save a PicoScope recording (.psdata) as CSV in \
+            PicoScope",
+        ));
+    }
+    into_found(tree)
+}
+
+/// Reads an array of the archive and verifies its checksum.
+fn member(
+    entry: &ZipFileHeaderRecord<'_>,
+    stored: &ZipEntry<'_, FileReader>,
+    name: &str,
+    store: &SampleStore,
+    tree: &mut Tree,
+) -> Result<(), Damage> {
+    let bytes = entry
+        .uncompressed_size_hint()
+        .min(entry.compressed_size_hint().saturating_mul(MAX_RATIO));
+    let compressed = stored.reader();
+    let content: Box<dyn Read + '_> = match entry.compression_method() {
+        CompressionMethod::STORE => Box::new(compressed),
+        CompressionMethod::DEFLATE => Box::new(DeflateDecoder::new(compressed)),
+        other => {
+            return Err(Damage::new(format!(
+                "it is compressed by {other:?}; save it with numpy.savez_compressed"
+            )));
+        }
+    };
+    let mut checked = stored.verifying_reader(content);
+    array(&mut checked, &Path::default().to(name), bytes, store, tree)?;
+    // Reading past the last byte verifies the checksum.
+    io::copy(&mut checked.take(bytes), &mut io::sink()).map_err(Damage::cut)?;
+    Ok(())
+}
+
+fn archive_error(fault: &rawzip::Error) -> Damage {
+    Damage::new(format!("{fault}; is the file truncated?"))
+}
+
+fn array(
+    source: &mut dyn Read,
+    path: &Path,
+    bytes: u64,
+    store: &SampleStore,
+    tree: &mut Tree,
+) -> Result<(), Damage> {
+    let header = Header::read(source)?;
+    if let Some(length) = header
+        .dtype
+        .strip_prefix("<U")
+        .and_then(|length| length.parse().ok())
+    {
+        tree.text(path, texts(source, &header, length)?);
+        return Ok(());
+    }
+    match header.scalar() {
+        Ok(_) => {
+            let result = header.numbers(source, bytes, store)?;
+            tree.arrays.push(Array {
+                path: path.clone(),
+                unit: String::new(),
+                series: result.series,
+                imaginary: result.imaginary,
+                labels: result.labels,
+            });
+        }
+        Err(damage) => tree.skip(format!("{path} was left out: {}", damage.why)),
+    }
+    Ok(())
+}
+
+/// Reads texts of `length` characters of four bytes each, padded with zeros.
+fn texts(source: &mut dyn Read, header: &Header, length: u64) -> Result<Vec<String>, Damage> {
+    let count = header
+        .shape
+        .iter()
+        .try_fold(1_u64, |product, size| product.checked_mul(*size));
+    let plausible_count = count.filter(|count| {
+        count
+            .checked_mul(length)
+            .is_some_and(|characters| characters <= MAX_CHARACTERS)
+    });
+    let Some(count) = plausible_count.filter(|_| length > 0) else {
+        return Ok(Vec::new());
+    };
+    let mut result = Vec::new();
+    let mut bytes = vec![0; 4 * length as usize];
+    for _ in 0..count {
+        source.read_exact(&mut bytes).map_err(Damage::cut)?;
+        let characters = bytes
+            .as_chunks()
+            .0
+            .iter()
+            .map(|four| u32::from_le_bytes(*four))
+            .take_while(|c| *c > 0);
+        result.push(
+            characters
+                .map(|c| char::from_u32(c).unwrap_or('\u{fffd}'))
+                .collect(),
+        );
+    }
+    Ok(result)
+}

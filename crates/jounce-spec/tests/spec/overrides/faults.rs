@@ -1,0 +1,110 @@
+//! Faults of overrides.
+
+use jounce_spec::SpecFile;
+
+use super::read_with;
+use crate::paper;
+
+/// Key, value, and a part of the fault.
+const FAULTS: [(&str, &str, &str); 11] = [
+    (
+        "stop.tip.gpa",
+        "1 mm",
+        "--set stop.tip.gpa=1 mm: stop.tip.gpa: unknown key; keys in stop.tip: at, frame, side, gap, law, exponent, stiffness, cubic_stiffness, damping, restitution; the nearest key here is `stop.tip.gap`",
+    ),
+    (
+        "stop.tpi.gap",
+        "1 mm",
+        "--set stop.tpi.gap=1 mm: stop.tpi.gap: this file has no [stop.tpi]; it has: tip; the nearest key here is `stop.tip.gap`",
+    ),
+    (
+        "stop.tip",
+        "1 mm",
+        "--set stop.tip=1 mm: stop.tip: stop.tip is a table; its keys: ",
+    ),
+    (
+        "",
+        "1",
+        "--set =1: : unknown key; keys here: beam, patch, layer, mass, ",
+    ),
+    (
+        "stop.tip.gap",
+        "1 Hz",
+        "--set stop.tip.gap=1 Hz: stop.tip.gap: \"1 Hz\" is a frequency; expected a length in mm, um, cm, m",
+    ),
+    (
+        "stop.tip.gap",
+        "1",
+        "--set stop.tip.gap=1: stop.tip.gap: 1 has no unit; expected a length",
+    ),
+    (
+        "circuit.load.resistance",
+        "0 ohm",
+        "--set circuit.load.resistance=0 ohm: circuit.load.resistance is 0 ohm; it must be greater than 0",
+    ),
+    (
+        "mass.table.damping_ratio",
+        "nan",
+        "--set mass.table.damping_ratio=nan: mass.table.damping_ratio is nan; it must be from 0 to 10",
+    ),
+    (
+        "patch.mfc.length",
+        "400 mm",
+        "--set patch.mfc.length=400 mm: patch.mfc.length: the patch ends 409 mm from the root; it must not exceed the beam length 315 mm",
+    ),
+    (
+        "stop.tip.frame",
+        "tabel",
+        "there is no point or mass \"tabel\" (did you mean `table`?); points and masses here: ground, beam.hammer",
+    ),
+    (
+        "run.average_over",
+        "30 s",
+        "--set run.average_over=30 s: run.average_over is 30 s; it must be at most run.duration = 20 s",
+    ),
+];
+
+#[test]
+fn faults_name_the_override_as_their_place() {
+    for (key, value, message) in FAULTS {
+        let fault = read_with(&[(key, value)]).unwrap_err();
+        assert!(
+            fault.starts_with("--set") && fault.contains(message),
+            "{fault}"
+        );
+    }
+}
+
+#[test]
+fn a_fault_in_the_file_names_the_override_that_causes_it() {
+    let mut file = SpecFile::from_text(paper());
+    file.set("beam.beam.length", "50 mm").unwrap();
+    let faults = file.spec().unwrap_err();
+    assert!(!faults.as_slice().is_empty());
+    for fault in faults.as_slice() {
+        assert!(
+            fault.line > 0
+                && fault
+                    .message
+                    .ends_with("; caused by --set beam.beam.length=50 mm"),
+            "{fault}"
+        );
+    }
+}
+
+#[test]
+fn faults_cross_to_json_with_their_place() {
+    let mut file = SpecFile::from_text(paper().replace("length = \"85 mm\"", "length = 85"));
+    file.set("stop.tip.gap", "true").unwrap();
+    let faults = serde_json::to_value(file.spec().unwrap_err()).unwrap();
+    assert_eq!(faults.as_array().unwrap().len(), 2, "{faults}");
+    assert_eq!(
+        (&faults[0]["line"], &faults[0]["set"]),
+        (&0.into(), &"--set stop.tip.gap=true".into())
+    );
+    assert_eq!(
+        (&faults[1]["line"], &faults[1]["column"], &faults[1]["key"]),
+        (&18.into(), &10.into(), &"patch.mfc.length".into())
+    );
+    assert!(faults[1].get("set").is_none());
+}
