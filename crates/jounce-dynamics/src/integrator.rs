@@ -4,21 +4,21 @@
 //! scalar force on a step is a polynomial through seven Gauss nodes, found by fixed-point
 //! iteration. The loop alternates the two. [`super::multi_port`] integrates several ports.
 
-use super::ad_hoc_tables::AdHocTables;
-use super::energies::MeterReadings;
 use super::error::IntegrationError;
-use super::excitation::Excitation;
 use super::kernel::Kernel;
-use super::layout::StateLayout;
 use super::multi_port::AdvanceMultiPort;
-use super::per_port::PerPort;
-use super::phasor::Phasor;
-use super::port_state::{ContactState, PortState};
-use super::statistics::{ContactIntegrals, ContactStatistics, WorkCount};
-use super::step_control::{RELEASE_ERROR_FACTOR, RELEASE_ERROR_FACTOR_OF_DERIVATIVE};
-use super::step_size::LEVELS_PER_OCTAVE;
-use super::switching::Switching;
-use super::trajectory::{PortForce, Trajectory, TrajectorySegment};
+use crate::contact::step_control::{RELEASE_ERROR_FACTOR, RELEASE_ERROR_FACTOR_OF_DERIVATIVE};
+use crate::excitation::Excitation;
+use crate::flow::layout::StateLayout;
+use crate::ports::per_port::PerPort;
+use crate::ports::phasor::Phasor;
+use crate::ports::state::{ContactState, PortState};
+use crate::record::energies::MeterReadings;
+use crate::record::statistics::{ContactIntegrals, ContactStatistics, WorkCount};
+use crate::record::trajectory::{PortForce, Trajectory, TrajectorySegment};
+use crate::rectifier::switching::Switching;
+use crate::tables::ad_hoc::AdHocTables;
+use crate::tables::step_size::LEVELS_PER_OCTAVE;
 use jounce_model::contact::{ContactLaw, Hertz, Law, Rigid};
 use jounce_model::plant::Stop;
 use jounce_simd::{F64x8, Portable, Simd, Task, widest};
@@ -38,7 +38,8 @@ pub struct Integrator<'k> {
     pub(super) time_s: f64,
     pub(super) y: Vec<F64x8>,
     pub(super) next: Vec<F64x8>,
-    /// Integrals of the force of the current step from its start (see [`super::duhamel`]).
+    /// Integrals of the force of the current step from its start (see
+    /// [`crate::force_response::duhamel`]).
     pub(super) from_start: Vec<F64x8>,
     pub(super) ad_hoc_tables: AdHocTables,
     pub(super) tones: Vec<Phasor>,
@@ -48,7 +49,7 @@ pub struct Integrator<'k> {
     /// Duration of the last flight that ended in a contact, s.
     pub(super) flight_s: f64,
     /// Error factor of the remaining impulse for a step that ends past the surface (see
-    /// [`super::step_control`]).
+    /// [`crate::contact::step_control`]).
     pub(super) release_error_factor: f64,
     pub(super) integrals: ContactIntegrals,
     pub(super) work: WorkCount,

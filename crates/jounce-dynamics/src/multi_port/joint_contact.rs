@@ -4,15 +4,15 @@ use super::RESOLVED_DISTANCE;
 use super::flight::StepOutcome;
 use super::sticking::StickingPorts;
 use crate::contact::share;
-use crate::contact_step::{ContactStep, SolvedStep};
-use crate::crossing::Crossing;
+use crate::contact::step::{ContactStep, SolvedStep};
 use crate::error::IntegrationError;
+use crate::flight::crossing::Crossing;
 use crate::integrator::Integrator;
-use crate::joint_tables::{JointTables, StepLength};
 use crate::kernel::{ForceBasis, Kernel};
-use crate::port_state::ContactState;
-use crate::small_list::SmallList;
-use crate::step_size::LEVELS_PER_OCTAVE;
+use crate::ports::small_list::SmallList;
+use crate::ports::state::ContactState;
+use crate::tables::joint::{JointTables, StepLength};
+use crate::tables::step_size::LEVELS_PER_OCTAVE;
 use jounce_simd::Simd;
 
 /// Largest number of Newton iterations for the length of a step that ends in an impact.

@@ -1,11 +1,10 @@
 //! Derivative of the flow of an integration with respect to its start and to one parameter.
 //!
 //! ```text
-//! flight       dy1 = e^{A h} dy
-//! contact      dy1 = e^{A h} dy + B X,   (I - J D - J' D') X = J (C dy + dw) + J' (C' dy + dv) + F k
-//! onset        the same for Dy = dy + y' s,  s = -(c dy + dw) / v,  and back:  dy1 = Dy1 - y1' s
-//! entry        dy+ = dy- + b F(0, v) (c dy + dw) / v
-//! impact       dy+ = dy- + b m (c' dy + dv) - (b m a - A b p) (c dy + dw) / v,   m = (1 + e) / M
+//! flight       dy1 = e^{A h} dy contact      dy1 = e^{A h} dy + B X,   (I - J D - J' D') X = J (C
+//! dy + dw) + J' (C' dy + dv) + F k onset        the same for Dy = dy + y' s,  s = -(c dy + dw) /
+//! v,  and back:  dy1 = Dy1 - y1' s entry        dy+ = dy- + b F(0, v) (c dy + dw) / v impact
+//! dy+ = dy- + b m (c' dy + dv) - (b m a - A b p) (c dy + dw) / v,   m = (1 + e) / M
 //! ```
 //!
 //! `J`, `J'` are the slopes of the law at the nodes of the step (N/m, N s/m). `D`, `D'` are the
@@ -28,8 +27,8 @@
 //! start at the same instant; the basis of the others represents their variation only
 //! approximately. Impacts on several rigid stops at the same instant are refused.
 //!
-//! Validation: `tests/integrate/sensitivity.rs` compares with difference quotients of the flow, with its
-//! determinant and with closed forms.
+//! Validation: `tests/integrate/sensitivity.rs` compares with difference quotients of the flow,
+//! with its determinant and with closed forms.
 
 mod conduction_states;
 mod contact;
@@ -41,11 +40,11 @@ mod tangents;
 
 pub use parameter_sensitivity::ParameterSensitivity;
 
-use super::error::IntegrationError;
-use super::integrator::Integrator;
-use super::kernel::Kernel;
-use super::statistics::ContactStatistics;
-use super::trajectory::Trajectory;
+use crate::error::IntegrationError;
+use crate::integrator::Integrator;
+use crate::kernel::Kernel;
+use crate::record::statistics::ContactStatistics;
+use crate::record::trajectory::Trajectory;
 use conduction_states::ConductionRoute;
 use faer::Mat;
 

@@ -1,0 +1,4 @@
+//! Impacts on rigid stops, and the limit on impacts without advance in time.
+
+pub(crate) mod rigid;
+pub(crate) mod zeno_guard;
