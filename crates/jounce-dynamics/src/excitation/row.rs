@@ -1,8 +1,7 @@
 //! Product of a row and the forced part of the state, as a polynomial in time.
 //!
 //! ```text
-//! row . P(t) = sum_s (row . rest) (u + s t) + (row . lag) s + sum_j (u m_(j-1) + s m_(j-2)) t^j /
-//! j!,   m_j = row A^j b
+//! row . P(t) = sum_s (row . rest) (u + s t) + (row . lag) s + sum_j (u m_(j-1) + s m_(j-2)) t^j / j!,   m_j = row A^j b
 //! ```
 //!
 //! with `m` over local blocks only; for free bodies alone it is a cubic.

@@ -5,8 +5,7 @@
 //! following blocks are
 //!
 //! ```text
-//! Z = int y = A^-1 ([y] - sum_z b_z int u_z - b int f),    V = A^-1 ([u y] - u' Z - sum_z b_z int
-//! u u_z - b int u f)
+//! Z = int y = A^-1 ([y] - sum_z b_z int u_z - b int f),    V = A^-1 ([u y] - u' Z - sum_z b_z int u u_z - b int u f)
 //! ```
 //!
 //! and of local blocks, step by step, with `U_k` the `k`-th integral of `u` from the start of the

@@ -1,9 +1,9 @@
 //! Reset map of a switch: the voltages after it, its energies, and its derivative.
 //!
 //! ```text
-//! parallel SSHI   V -> -q V series SSHI     V -> V - s Q / C,  V_s -> V_s + Q / C_s,   Q = C' (1 +
-//! q) (|V| - V_s - E) > 0,   1 / C' = 1 / C + 1 / C_s extraction      V -> 0,            V_s ->
-//! sqrt(V_s^2 + n C V^2 / C_s)
+//! parallel SSHI   V -> -q V
+//! series SSHI     V -> V - s Q / C,  V_s -> V_s + Q / C_s,   Q = C' (1 + q) (|V| - V_s - E) > 0,   1 / C' = 1 / C + 1 / C_s
+//! extraction      V -> 0,            V_s -> sqrt(V_s^2 + n C V^2 / C_s)
 //! ```
 //!
 //! `V`, `C` belong to the patches, `V_s`, `C_s` to the storage (`C_s` is absent for a battery). `s`

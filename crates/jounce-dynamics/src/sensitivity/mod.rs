@@ -1,10 +1,11 @@
 //! Derivative of the flow of an integration with respect to its start and to one parameter.
 //!
 //! ```text
-//! flight       dy1 = e^{A h} dy contact      dy1 = e^{A h} dy + B X,   (I - J D - J' D') X = J (C
-//! dy + dw) + J' (C' dy + dv) + F k onset        the same for Dy = dy + y' s,  s = -(c dy + dw) /
-//! v,  and back:  dy1 = Dy1 - y1' s entry        dy+ = dy- + b F(0, v) (c dy + dw) / v impact
-//! dy+ = dy- + b m (c' dy + dv) - (b m a - A b p) (c dy + dw) / v,   m = (1 + e) / M
+//! flight       dy1 = e^{A h} dy
+//! contact      dy1 = e^{A h} dy + B X,   (I - J D - J' D') X = J (C dy + dw) + J' (C' dy + dv) + F k
+//! onset        the same for Dy = dy + y' s,  s = -(c dy + dw) / v,  and back:  dy1 = Dy1 - y1' s
+//! entry        dy+ = dy- + b F(0, v) (c dy + dw) / v
+//! impact       dy+ = dy- + b m (c' dy + dv) - (b m a - A b p) (c dy + dw) / v,   m = (1 + e) / M
 //! ```
 //!
 //! `J`, `J'` are the slopes of the law at the nodes of the step (N/m, N s/m). `D`, `D'` are the
