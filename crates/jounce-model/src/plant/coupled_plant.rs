@@ -1,6 +1,6 @@
 //! The linear plant with its ports, tones and outputs.
 
-use super::stiff::check_speeds;
+use super::diagonal::stiff::check_speeds;
 use super::{
     Across, Diagonal, Electrical, EventFunction, Forcing, PlantError, Signal, System, Tone,
 };
