@@ -2,10 +2,11 @@
 
 use super::compliance::PortCompliance;
 use super::condensed::{Condensed, CoupledNodes};
+use super::fourier_grid::FourierGrid;
 use super::impulses::after_impulses;
 use super::nodes::{ContactNode, ContactQuadrature};
 use super::quadrature::QuadratureRules;
-use crate::compliance::{FourierGrid, add_tone};
+use super::transfer_function::add_tone;
 use crate::{ParameterDerivatives, ShootingEvaluation};
 use faer::c64;
 use jounce_continuation::{Linearization, ResidualReport};

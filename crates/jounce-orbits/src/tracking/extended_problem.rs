@@ -3,7 +3,7 @@
 use super::condition::{Condition, Gradient};
 use super::grazing::{self, GrazingPoint};
 use super::two_parameter_problem::TwoParameterProblem;
-use crate::border::solve_bordered;
+use crate::bordered::border::solve_bordered;
 use crate::{OrbitError, ParametricModel, Shooting, ShootingEvaluation};
 use faer::Mat;
 use jounce_continuation::{Linearization, Problem};

@@ -1,6 +1,6 @@
 //! Quantities of an orbit for which a user may specify a level.
 
-use super::ShootingEvaluation;
+use crate::ShootingEvaluation;
 use jounce_dynamics::Trajectory;
 
 /// Samples per drive cycle in the search for the largest value.

@@ -1,6 +1,6 @@
 //! Period integrated from one state.
 
-use super::block_equations::{BlockEquations, EnergyCoordinates};
+use crate::bordered::block_equations::{BlockEquations, EnergyCoordinates};
 use faer::Mat;
 use jounce_continuation::{Direction, Linearization, Metric, Position, ResidualReport, tangent};
 use jounce_dynamics::{Kernel, Trajectory};
@@ -14,18 +14,18 @@ pub struct ShootingEvaluation {
     /// `u` at the start of each cycle, and at the end of the last.
     pub strobe_states: Vec<Vec<f64>>,
     /// `R`.
-    pub(super) residual: Vec<f64>,
+    pub(crate) residual: Vec<f64>,
     /// Derivative of the state after the period by the state at its start, at fixed conserved
     /// charges. In block coordinates, modes without contact are decoupled.
     pub block_map: Mat<f64>,
     /// `dR / dp`.
-    pub(super) by_parameter: Vec<f64>,
+    pub(crate) by_parameter: Vec<f64>,
     /// `W`.
-    pub(super) scale: Vec<f64>,
+    pub(crate) scale: Vec<f64>,
     /// Result of [`Self::map`], computed at the first call.
-    pub(super) map: OnceLock<Mat<f64>>,
+    pub(crate) map: OnceLock<Mat<f64>>,
     /// `R_u` factored with the first requested border.
-    pub(super) equations: OnceLock<BlockEquations>,
+    pub(crate) equations: OnceLock<BlockEquations>,
     /// Period, s.
     pub period_s: f64,
     /// True where a charge is conserved over the period: the orbit belongs to a family over this
@@ -40,7 +40,7 @@ pub struct ShootingEvaluation {
     /// Mean power of each load and then of each rectified circuit, W.
     pub loads_w: Vec<f64>,
     /// Tolerance of the integration.
-    pub(super) tolerance: f64,
+    pub(crate) tolerance: f64,
 }
 
 impl ShootingEvaluation {
@@ -57,7 +57,7 @@ impl ShootingEvaluation {
 
     /// Returns the Newton correction to the curve of orbits, normal to it, and its length relative
     /// to the state; finite at a fold too.
-    pub(super) fn across(&self, parameter: f64, parameter_scale: f64) -> Option<(Direction, f64)> {
+    pub(crate) fn across(&self, parameter: f64, parameter_scale: f64) -> Option<(Direction, f64)> {
         let metric = Metric::at(
             &Position {
                 unknown: self.strobe_states[0].clone(),

@@ -1,6 +1,6 @@
 //! Orbit near a shooting evaluation, and its estimated error.
 
-use super::{
+use crate::{
     Orbit, OrbitError, ParametricModel, Shooting, ShootingEvaluation, displacement_peak_m,
     multipliers,
 };
@@ -15,7 +15,7 @@ const MIN_ENERGY_SHARE: f64 = 1e-6;
 
 impl<H: ParametricModel> Shooting<'_, H> {
     /// Returns the orbit of a shooting evaluation without its error estimate.
-    pub(super) fn orbit_of(
+    pub(crate) fn orbit_of(
         &self,
         evaluation: &ShootingEvaluation,
     ) -> Result<Orbit, OrbitError<H::Error>> {
@@ -33,7 +33,7 @@ impl<H: ParametricModel> Shooting<'_, H> {
     ///
     /// An integration defect over one period reaches the orbit multiplied by `(I - M)^-1`. The
     /// Newton step therefore also corrects a defect of the size of the tolerance.
-    pub(super) fn estimate(&self, evaluation: &ShootingEvaluation, orbit: &Orbit) -> f64 {
+    pub(crate) fn estimate(&self, evaluation: &ShootingEvaluation, orbit: &Orbit) -> f64 {
         let nearest = orbit
             .multipliers
             .iter()
@@ -74,7 +74,7 @@ impl<H: ParametricModel> Shooting<'_, H> {
     ///
     /// # Errors
     /// The integration fails.
-    pub(super) fn mean_power_w(
+    pub(crate) fn mean_power_w(
         &self,
         unknown: &[f64],
         parameter: f64,

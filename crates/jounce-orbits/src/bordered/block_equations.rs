@@ -131,7 +131,7 @@ impl EnergyCoordinates<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::border::solve_bordered;
+    use crate::bordered::border::solve_bordered;
     use jounce_model::plant::BlockDiagonal;
 
     /// Compares with the equations in energy coordinates, under the first border and under another

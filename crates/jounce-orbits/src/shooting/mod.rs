@@ -10,10 +10,15 @@
 //! respect to the parameter it is exact for drive, gap and stiffness, and a difference quotient
 //! otherwise.
 
-use super::charges::{conserved_charges, without_conserved};
+mod charges;
+mod estimate;
+pub(crate) mod evaluation;
+mod sticking_orbit;
+
 use super::{
     Orbit, OrbitError, OrbitMethod, ParameterDerivatives, ParametricModel, ShootingEvaluation,
 };
+use charges::{conserved_charges, without_conserved};
 use faer::Mat;
 use jounce_continuation::Problem;
 use jounce_dynamics::{FlowSensitivity, Kernel, ParameterSensitivity};

@@ -4,7 +4,7 @@
 //! sequence of impacts leaves no derivative that an integration could propagate. Such an orbit is
 //! the motion that an integration has settled on.
 
-use super::{Orbit, OrbitError, ParametricModel, Shooting, ShootingEvaluation};
+use crate::{Orbit, OrbitError, ParametricModel, Shooting, ShootingEvaluation};
 use faer::{ColRef, Mat};
 use jounce_dynamics::{Integrator, SensitivityError};
 use std::sync::OnceLock;

@@ -1,7 +1,7 @@
 //! Turning points of the port displacements: the distance of an orbit from grazing, and its
 //! amplitude.
 
-use super::ShootingEvaluation;
+use crate::ShootingEvaluation;
 use jounce_dynamics::{Kernel, Trajectory};
 use jounce_model::contact::Law;
 
@@ -331,7 +331,7 @@ fn refine_samples(
 
 /// Returns the distance past the stop, m, and its rate, m/s, of a port at a time in a drive cycle
 /// of the period.
-pub(super) fn port_motion(
+pub(crate) fn port_motion(
     evaluation: &ShootingEvaluation,
     port: usize,
     (cycle, time_s): (usize, f64),

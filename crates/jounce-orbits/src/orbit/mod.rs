@@ -1,0 +1,6 @@
+//! A periodic orbit: its stability, its turning points and the quantities that a user may specify.
+
+pub(crate) mod multipliers;
+pub(crate) mod periodic;
+pub(crate) mod quantity;
+pub(crate) mod turning_points;
