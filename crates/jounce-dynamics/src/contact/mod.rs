@@ -3,7 +3,9 @@
 //! The first step has the onset basis, the others are smooth. The error limits the length of each
 //! (see [`step_control`]).
 
+mod accept;
 mod peak;
+pub(crate) mod solve;
 pub(crate) mod step;
 pub(crate) mod step_control;
 
@@ -91,11 +93,7 @@ impl Integrator<'_> {
         let safe = Kernel::level_within(1.0 / kernel.fastest_rad_s) + 3 * LEVELS_PER_OCTAVE;
         while self.time_s < end_s && self.ports[p].regime == ContactState::Contact {
             let remaining_s = self.excitation.remaining_s(self.time_s, end_s);
-            let shape = if entering {
-                kernel.first_shape(p)
-            } else {
-                ForceBasis::Smooth
-            };
+            let shape = kernel.shape(p, entering);
             let landing = Kernel::length_s(level) >= remaining_s;
             if with_others
                 && (landing || !self.all_stay_clear(w, Kernel::length_s(level), (p, 0.0)))
@@ -113,11 +111,8 @@ impl Integrator<'_> {
             let solved = self.solve(w, law, &step);
             let allowed = self.allowed_n_s(law, &step, solved.as_ref());
             let sound = solved.filter(|solved| both_sides || solved.is_sound(shape, level >= safe));
-            let down = sound.as_ref().map_or(LEVELS_PER_OCTAVE, |solved| {
-                levels_too_long(level, solved.error_n_s, share(shape) * allowed)
-            });
-            match sound.filter(|_| down == 0) {
-                Some(solved) => {
+            match accurate(sound, level, share(shape) * allowed) {
+                Ok(solved) => {
                     if with_others
                         && !self.all_stay_clear(w, table.length_s, (p, solved.size_n_s(w, &step)))
                     {
@@ -133,20 +128,27 @@ impl Integrator<'_> {
                     level = self.next_level(law, level, &step, &solved, (allowed, starts_next));
                     entering = false;
                 }
-                None => {
-                    self.work.contact_rejections += 1;
+                Err(down) => {
                     level = if landing {
                         Kernel::level_within(remaining_s) + 1
                     } else {
                         level + down
                     };
-                    if level > Kernel::finest() {
-                        return Err(self.diverged(p));
-                    }
+                    self.count_rejection(p, level)?;
                 }
             }
         }
         Ok((level, entering))
+    }
+
+    /// Counts a rejected step; an error where the level of the next attempt would be too fine.
+    #[inline(always)]
+    pub(super) fn count_rejection(&mut self, p: usize, level: i32) -> Result<(), IntegrationError> {
+        self.work.contact_rejections += 1;
+        if level > Kernel::finest() {
+            return Err(self.diverged(p));
+        }
+        Ok(())
     }
 
     /// Returns the allowed impulse error of a port for one step, N s.
@@ -176,6 +178,16 @@ impl Integrator<'_> {
             step_s: Kernel::length_s(Kernel::finest()),
             penetration_m: self.ports[p].penetration_m,
         }
+    }
+}
+
+/// Returns a sound solution whose error is allowed, or by how many levels the step is too long.
+#[inline(always)]
+fn accurate(sound: Option<SolvedStep>, level: i32, allowed_n_s: f64) -> Result<SolvedStep, i32> {
+    let solved = sound.ok_or(LEVELS_PER_OCTAVE)?;
+    match levels_too_long(level, solved.error_n_s, allowed_n_s) {
+        0 => Ok(solved),
+        down => Err(down),
     }
 }
 

@@ -4,46 +4,20 @@ pub(crate) mod certificate;
 pub(crate) mod crossing;
 pub(crate) mod forced;
 pub(crate) mod table;
+pub(crate) mod verdict;
 
 use crate::error::IntegrationError;
 use crate::flow::state::{dot, dot_abs};
 use crate::integrator::Integrator;
 use crate::kernel::Kernel;
+use crate::ports::phasor::Phasor;
 use crate::ports::state::ContactState;
 use crate::tables::step_size::LEVELS_PER_OCTAVE;
 use certificate::FlightStep;
 use crossing::Crossing;
 use jounce_model::contact::Law;
 use jounce_simd::Simd;
-
-/// Certificate uncertainty, relative to the motion, below which the interpolant decides on a step
-/// that is neither clear nor a proved crossing. A contact missed in it is shallower than this
-/// fraction of the motion.
-pub(super) const RESOLVED_UNCERTAINTY: f64 = 1e-12;
-
-/// Decides below the resolution, where a contact has no effect on the force law, unless the
-/// interpolant crosses. A point released from rest may rise at first, but does not return within
-/// the uncertainty of the interpolant.
-#[inline(always)]
-pub(super) fn by_interpolant(step: &FlightStep, from_rest: bool) -> FlightVerdict {
-    match step.crossing_s() {
-        None => FlightVerdict::Clear,
-        Some(_) if from_rest && step.highest_m() <= step.uncertainty_m() => FlightVerdict::Clear,
-        Some(guess_s) => FlightVerdict::Strike(Crossing {
-            from_s: 0.0,
-            guess_s,
-            to_s: step.length_s,
-        }),
-    }
-}
-
-/// Outcome of one attempted step.
-pub(super) enum FlightVerdict {
-    Clear,
-    Strike(Crossing),
-    /// Levels to decrease before the next attempt.
-    Unclear(i32),
-}
+use verdict::FlightVerdict;
 
 impl Integrator<'_> {
     /// Integrates the flight until contact or until the end.
@@ -58,10 +32,7 @@ impl Integrator<'_> {
     #[inline(always)]
     fn fly_single_port<W: Simd>(&mut self, w: W, end_s: f64) -> Result<(), IntegrationError> {
         if self.kernel.plant.ports.is_empty() {
-            let length_s = self.excitation.remaining_s(self.time_s, end_s);
-            self.propagate_to(w, length_s);
-            self.advance_state(length_s, end_s);
-            self.work.flight_steps += 1;
+            self.fly_without_ports(w, end_s);
             return Ok(());
         }
         let (mut grow, begun_s) = (LEVELS_PER_OCTAVE, self.time_s);
@@ -93,20 +64,9 @@ impl Integrator<'_> {
                     grow = LEVELS_PER_OCTAVE;
                 }
                 FlightVerdict::Strike(crossing) => {
-                    let (after_s, motion) = self.locate(w, 0, crossing);
-                    self.advance_state(after_s, self.time_s + after_s);
-                    self.set_motion(0, motion);
-                    // A point that is past a rigid stop by roundoff and moves out has left it,
-                    // unless it is pressed back first.
-                    if motion[1] < 0.0
-                        && matches!(self.kernel.plant.system.stops[0].law, Law::Rigid(_))
-                        && !self.is_suppressed_hop(0, motion)
-                    {
-                        continue;
+                    if self.strike(w, crossing, begun_s) {
+                        return Ok(());
                     }
-                    self.flight_s = self.time_s - begun_s;
-                    self.enter_contact(0);
-                    return Ok(());
                 }
                 FlightVerdict::Unclear(down) => {
                     self.work.flight_rejections += 1;
@@ -122,6 +82,35 @@ impl Integrator<'_> {
             }
         }
         Ok(())
+    }
+
+    /// Advances a plant without stops to the end, in one step.
+    #[inline(always)]
+    fn fly_without_ports<W: Simd>(&mut self, w: W, end_s: f64) {
+        let length_s = self.excitation.remaining_s(self.time_s, end_s);
+        self.propagate_to(w, length_s);
+        self.advance_state(length_s, end_s);
+        self.work.flight_steps += 1;
+    }
+
+    /// Ends the flight that began at a time where it reaches the stop; false where the point has
+    /// left a rigid stop instead.
+    #[inline(always)]
+    fn strike<W: Simd>(&mut self, w: W, crossing: Crossing, begun_s: f64) -> bool {
+        let (after_s, motion) = self.locate(w, 0, crossing);
+        self.advance_state(after_s, self.time_s + after_s);
+        self.set_motion(0, motion);
+        // A point that is past a rigid stop by roundoff and moves out has left it, unless it is
+        // pressed back first.
+        if motion[1] < 0.0
+            && matches!(self.kernel.plant.system.stops[0].law, Law::Rigid(_))
+            && !self.is_suppressed_hop(0, motion)
+        {
+            return false;
+        }
+        self.flight_s = self.time_s - begun_s;
+        self.enter_contact(0);
+        true
     }
 
     /// Attempts one step of a level, which is accepted only if clear.
@@ -217,62 +206,6 @@ impl Integrator<'_> {
         step
     }
 
-    #[inline(always)]
-    pub(super) fn judge_flight(
-        &self,
-        p: usize,
-        step: &FlightStep,
-        displacement_m: f64,
-    ) -> FlightVerdict {
-        if step.is_clear() {
-            return FlightVerdict::Clear;
-        }
-        if let Some(crossing) = step.crossing() {
-            return FlightVerdict::Strike(crossing);
-        }
-        let uncertainty_m = step.uncertainty_m();
-        if uncertainty_m <= RESOLVED_UNCERTAINTY * self.scale_m(p, displacement_m) {
-            return by_interpolant(step, self.leaves_from_rest(p));
-        }
-        // The uncertainty falls with the fourth power of the length: two levels where one is not
-        // enough.
-        let far = uncertainty_m
-            > 16.0
-                * self.ports[p]
-                    .penetration_m
-                    .abs()
-                    .max(RESOLVED_UNCERTAINTY * self.scale_m(p, displacement_m));
-        FlightVerdict::Unclear(if far {
-            2 * LEVELS_PER_OCTAVE
-        } else {
-            LEVELS_PER_OCTAVE
-        })
-    }
-
-    /// True for a touching port without speed that is in flight, so that it is not pressed.
-    pub(super) fn leaves_from_rest(&self, p: usize) -> bool {
-        self.ports[p].penetration_m == 0.0 && self.ports[p].rate_m_s == 0.0
-    }
-
-    /// Returns the size of the motion, to which the uncertainty of the certificate is relative.
-    fn scale_m(&self, p: usize, displacement_m: f64) -> f64 {
-        let port = &self.ports[p];
-        let gap = if port.rows.gap_m.is_finite() {
-            port.rows.gap_m.abs()
-        } else {
-            0.0
-        };
-        // The motion of a point that leaves its stop from rest is not a scale yet.
-        let from_rest = if port.rate_m_s == 0.0 {
-            self.terms_of(&port.rows.displacement)
-        } else {
-            0.0
-        };
-        gap.max(displacement_m.abs())
-            .max(port.rows.tone_scale_m)
-            .max(from_rest)
-    }
-
     /// Returns displacement and velocity of a port under the drive at the current time.
     #[inline(always)]
     fn drive(&self, p: usize) -> [f64; 2] {
@@ -287,7 +220,7 @@ impl Integrator<'_> {
     /// Returns displacement and velocity of a port under the drive after a time.
     #[inline(always)]
     pub(super) fn drive_after(&self, p: usize, time_s: f64) -> [f64; 2] {
-        let motion = |tone: &crate::ports::phasor::Phasor| {
+        let motion = |tone: &Phasor| {
             tone.motion_after(p, faer::c64::cis(tone.angular_frequency_rad_s * time_s))
         };
         self.tones

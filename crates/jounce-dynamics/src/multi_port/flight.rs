@@ -3,7 +3,7 @@
 use crate::error::IntegrationError;
 use crate::flight::certificate::FlightStep;
 use crate::flight::crossing::Crossing;
-use crate::flight::{FlightVerdict, RESOLVED_UNCERTAINTY, by_interpolant};
+use crate::flight::verdict::{FlightVerdict, RESOLVED_UNCERTAINTY, by_interpolant};
 use crate::flow::state::{dot, dot_of_magnitudes};
 use crate::integrator::Integrator;
 use crate::kernel::Kernel;

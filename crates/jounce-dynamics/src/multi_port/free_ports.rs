@@ -3,9 +3,9 @@
 use super::flight::StepOutcome;
 use super::joint_solve::JointStep;
 use crate::contact::step::{ContactStep, SolvedStep};
-use crate::flight::FlightVerdict;
 use crate::flight::crossing::Crossing;
 use crate::flight::forced::rest_bounds;
+use crate::flight::verdict::FlightVerdict;
 use crate::flow::state::{add_force_response, dot};
 use crate::force_response::basis::NODES;
 use crate::integrator::Integrator;

@@ -1,7 +1,8 @@
 //! Joint solution for the nodal forces of all ports in contact.
 
 use super::sticking::StickingPorts;
-use crate::contact::step::{ContactStep, MAX_FIXED_POINT_ITERATIONS, SolvedStep, judge, largest};
+use crate::contact::solve::{MAX_FIXED_POINT_ITERATIONS, judge, largest};
+use crate::contact::step::{ContactStep, SolvedStep};
 use crate::flow::state::{add_force_response, columns};
 use crate::integrator::Integrator;
 use crate::ports::small_list::SmallList;

@@ -15,7 +15,7 @@ use crate::contact::step::SolvedStep;
 use crate::error::IntegrationError;
 use crate::flow::state::columns;
 use crate::force_response::basis::{NODES, SMOOTH_BASIS};
-use crate::impact::rigid::acceleration;
+use crate::impact::acceleration::acceleration;
 use crate::integrator::Integrator;
 use crate::ports::state::ContactState;
 use crate::tables::contact::StickingTable;

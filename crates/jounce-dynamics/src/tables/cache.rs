@@ -170,10 +170,10 @@ impl Kernel {
         }
     }
 
-    /// Returns the basis in which a contact of a port starts.
+    /// Returns the basis of the next step of a port: the first step of a contact, or a later one.
     #[inline(always)]
-    pub(crate) fn first_shape(&self, port: usize) -> ForceBasis {
-        if self.onset[port].is_some() {
+    pub(crate) fn shape(&self, port: usize, is_first: bool) -> ForceBasis {
+        if is_first && self.onset[port].is_some() {
             ForceBasis::Onset
         } else {
             ForceBasis::Smooth
