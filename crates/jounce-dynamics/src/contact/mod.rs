@@ -86,18 +86,16 @@ impl Integrator<'_> {
         (level, mut entering): (i32, bool),
         end_s: f64,
     ) -> Result<(i32, bool), IntegrationError> {
-        let kernel = self.kernel;
-        let both_sides = law.acts_on_both_sides();
+        let (kernel, both_sides) = (self.kernel, law.acts_on_both_sides());
         let mut level = level.max(coarsest(law, kernel));
         // On steps this short no second contact can follow the first.
         let safe = Kernel::level_within(1.0 / kernel.fastest_rad_s) + 3 * LEVELS_PER_OCTAVE;
         while self.time_s < end_s && self.ports[p].regime == ContactState::Contact {
             let remaining_s = self.excitation.remaining_s(self.time_s, end_s);
             let shape = kernel.shape(p, entering);
-            let landing = Kernel::length_s(level) >= remaining_s;
-            if with_others
-                && (landing || !self.all_stay_clear(w, Kernel::length_s(level), (p, 0.0)))
-            {
+            let level_s = Kernel::length_s(level);
+            let landing = level_s >= remaining_s;
+            if with_others && (landing || !self.all_stay_clear(w, level_s, (p, 0.0))) {
                 break;
             }
             let odd;

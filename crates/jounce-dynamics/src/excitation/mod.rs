@@ -6,22 +6,26 @@
 //! forced displacement of a port is a polynomial in time. The bound on its fourth derivative adds
 //! to the bound of the certificate; it is zero where every block is fast relative to the samples of
 //! the drive. No step crosses a breakpoint. The motions of bases under signals are additional
-//! cubics (see [`Travel`]).
+//! cubics (see [`jounce_model::drive::Travel`]).
 
+mod breakpoints;
+mod cursor;
 mod local_motions;
+mod port;
+mod repeated_integrals;
 pub(crate) mod row;
 pub(crate) mod signal_work;
 
 use crate::flow::Flow;
 use crate::flow::layout::StateLayout;
 use crate::kernel::Kernel;
-use jounce_model::drive::{Travel, Wave, WavePiece};
-use jounce_model::plant::{Forcing, Port, Signal, SignalSample};
+use cursor::SignalCursor;
+use jounce_model::drive::Wave;
+use jounce_model::plant::{Signal, SignalSample};
 use jounce_simd::{F64x8, LANES, Simd};
 use local_motions::LocalMotions;
-use row::{ExcitationRow, ExcitationSeries};
+use port::PortExcitation;
 use signal_work::SignalWork;
-use std::sync::Arc;
 
 /// All signals at the current time of an integration.
 #[derive(Debug, Clone)]
@@ -44,87 +48,26 @@ pub(super) struct Excitation {
     pub signal_work: SignalWork,
 }
 
-/// Signal with its current position.
-#[derive(Debug, Clone)]
-struct SignalCursor {
-    index: usize,
-    piece: WavePiece,
-    travel: Option<Arc<Travel>>,
-    column: Vec<F64x8>,
-    rest: Vec<F64x8>,
-    lag: Vec<F64x8>,
-    local: Vec<F64x8>,
-}
-
-/// Excitation of one port by the signals.
-#[derive(Debug, Clone)]
-struct PortExcitation {
-    reading: ExcitationRow,
-    series: ExcitationSeries,
-    /// Displacement per displacement of the base that each signal moves; empty where both sides of
-    /// a stop are on one base.
-    approach: Vec<f64>,
-    /// Contribution of the bases to the series: a cubic.
-    course: [f64; 4],
-}
-
 impl Excitation {
     pub fn new(kernel: &Kernel, time_s: f64) -> Self {
         let (plant, layout) = (&kernel.plant, &kernel.layout);
-        let cursor = |((signal, forcing), travel): ((&Signal, &Forcing), &Option<Arc<Travel>>)| {
-            let (index, travel) = (signal.wave.index_at(time_s), travel.clone());
-            let [column, rest, lag, local] =
-                [&forcing.column, &forcing.rest, &forcing.lag, &forcing.local]
-                    .map(|b| layout.pack(b));
-            SignalCursor {
-                index,
-                piece: signal.wave.piece(index),
-                travel,
-                column,
-                rest,
-                lag,
-                local,
-            }
-        };
         let cursors: Vec<SignalCursor> = plant
             .system
             .signals
             .iter()
             .zip(&plant.forcings)
             .zip(&plant.travels)
-            .map(cursor)
+            .map(|(both, travel)| SignalCursor::at(layout, both, travel.clone(), time_s))
             .collect();
         let sizes: Vec<SignalSample> = cursors
             .iter()
             .map(|cursor| [cursor.piece.size_at(time_s), cursor.piece.slope])
             .collect();
-        let of_port = |port: &Port| {
-            let approach = if port.approach.iter().all(|share| *share == 0.0) {
-                Vec::new()
-            } else {
-                port.approach.clone()
-            };
-            PortExcitation {
-                reading: ExcitationRow::of(plant, &port.displacement),
-                series: ExcitationSeries::ZERO,
-                approach,
-                course: [0.0; 4],
-            }
-        };
         let ports = plant
             .ports
             .iter()
             .filter(|_| !cursors.is_empty())
-            .map(of_port);
-        let piece = match &plant.system.signals[..] {
-            [
-                Signal {
-                    wave: Wave::Sampled { step_s, .. },
-                    ..
-                },
-            ] => Some((*step_s, Flow::over(&plant.diagonal.block, layout, *step_s))),
-            _ => None,
-        };
+            .map(|port| PortExcitation::of(plant, port));
         let mut forced = Self {
             sizes,
             next_s: 0.0,
@@ -133,7 +76,7 @@ impl Excitation {
             base_work_j: 0.0,
             has_local: !cursors.is_empty() && plant.local.contains(&true),
             local_motions: LocalMotions::default(),
-            piece,
+            piece: even_piece(kernel),
             signal_work: SignalWork::new(kernel, time_s),
             cursors,
         };
@@ -311,80 +254,6 @@ impl Excitation {
         self.aim(time_s);
     }
 
-    /// Passes the breakpoints up to the current time; true where an impulse has changed the
-    /// velocities.
-    pub fn cross(&mut self, kernel: &Kernel, time_s: f64, y: &mut [F64x8]) -> bool {
-        let mut has_impulse = false;
-        let mut full_state = self.full_state(&kernel.layout, y);
-        self.signal_work.close(
-            kernel,
-            &self.sizes,
-            &full_state,
-            time_s,
-            self.piece_s(time_s),
-        );
-        while self.next_s <= time_s {
-            for k in 0..self.cursors.len() {
-                if self.cursors[k].piece.until_s <= time_s {
-                    has_impulse |= self.cross_one(kernel, k, time_s, y);
-                }
-            }
-            self.find_next();
-        }
-        if has_impulse {
-            full_state = self.full_state(&kernel.layout, y);
-        }
-        self.signal_work.open(&self.sizes, full_state);
-        self.aim(time_s);
-        has_impulse
-    }
-
-    /// Returns the length of a complete piece of a single signal that ends now, s.
-    fn piece_s(&self, time_s: f64) -> Option<f64> {
-        match &self.cursors[..] {
-            [only]
-                if self.signal_work.since_s() == only.piece.from_s
-                    && time_s == only.piece.until_s =>
-            {
-                Some(only.piece.length_s)
-            }
-            _ => None,
-        }
-    }
-
-    fn cross_one(&mut self, kernel: &Kernel, k: usize, time_s: f64, y: &mut [F64x8]) -> bool {
-        let cursor = &mut self.cursors[k];
-        cursor.index += 1;
-        let piece = kernel.plant.system.signals[k].wave.piece(cursor.index);
-        cursor.piece = piece;
-        let (before, after) = (self.sizes[k], [piece.size_at(time_s), piece.slope]);
-        self.sizes[k] = after;
-        for (i, y) in y.iter_mut().enumerate() {
-            *y = y
-                .add_scaled(before[0] - after[0], &cursor.rest[i])
-                .add_scaled(before[1] - after[1], &cursor.lag[i]);
-        }
-        if piece.impulse_s != 0.0 {
-            let before = kernel.layout.unpack(y);
-            y.iter_mut()
-                .zip(&cursor.column)
-                .for_each(|(y, b)| *y = y.add_scaled(piece.impulse_s, b));
-            let middle: Vec<f64> = before
-                .iter()
-                .zip(kernel.layout.unpack(y))
-                .map(|(a, b)| 0.5 * (a + b))
-                .collect();
-            let forced = kernel.plant.forced(&self.sizes, 0.0);
-            self.signal_work.strike(
-                k,
-                piece.impulse_s,
-                middle.iter().zip(&forced).map(|(y, p)| y + p),
-                time_s,
-            );
-        }
-        piece.impulse_s != 0.0
-    }
-
     fn find_next(&mut self) {
         self.next_s = self.cursors.iter().fold(f64::INFINITY, |least, cursor| {
             least.min(cursor.piece.until_s)
@@ -403,27 +272,20 @@ impl Excitation {
     }
 }
 
-impl PortExcitation {
-    /// Adds the motions of the bases from a time on to the series.
-    fn follow(&mut self, cursors: &[SignalCursor], sizes: &[SignalSample], time_s: f64) {
-        self.course = [0.0; 4];
-        for ((cursor, [size, slope]), share) in cursors.iter().zip(sizes).zip(&self.approach) {
-            let Some(travel) = &cursor.travel else {
-                continue;
-            };
-            let [displacement, speed] = travel.at(cursor.index, &cursor.piece, time_s);
-            let motion = [displacement, speed, 0.5 * size, slope / 6.0];
-            self.course
-                .iter_mut()
-                .zip(motion)
-                .for_each(|(sum, c)| *sum += share * c);
-        }
-        self.series.add(&self.course);
-    }
-
-    /// Returns the speed of the bases towards the stop, a time after the current one, m/s.
-    fn base_speed_m_s(&self, after_s: f64) -> f64 {
-        let [_, speed, half, sixth] = self.course;
-        speed + after_s * (2.0 * half + after_s * 3.0 * sixth)
+/// Returns the flow over the pieces of the only signal where it is evenly sampled, and their
+/// length, s.
+fn even_piece(kernel: &Kernel) -> Option<(f64, Flow)> {
+    let plant = &kernel.plant;
+    match &plant.system.signals[..] {
+        [
+            Signal {
+                wave: Wave::Sampled { step_s, .. },
+                ..
+            },
+        ] => Some((
+            *step_s,
+            Flow::over(&plant.diagonal.block, &kernel.layout, *step_s),
+        )),
+        _ => None,
     }
 }
