@@ -13,7 +13,9 @@
 //! flow of `y` is therefore known exactly. Other drives are [`Signal`]s, linear in time between
 //! breakpoints, whose response is also exact ([`Forcing`]).
 
+mod assemble;
 mod circuit;
+mod coordinates;
 mod coupled_plant;
 mod diagonal;
 mod energy;
@@ -21,6 +23,7 @@ mod error;
 mod forcing;
 mod system;
 
+pub use assemble::driven;
 pub use circuit::bridge::{Bridge, BridgeState, Conduction, Scheme, Storage};
 pub use circuit::electrical::{
     Across, BridgeNodes, Conductance, Electrical, ElectricalNode, Inductor,
@@ -30,7 +33,8 @@ pub use circuit::leak::Leak;
 pub use coupled_plant::{Plant, Port};
 pub use coupled_plant::{dot, product};
 pub use diagonal::Diagonal;
-pub use diagonal::block_diagonal::{BlockDiagonal, BlockPair};
+pub use diagonal::block_diagonal::BlockDiagonal;
+pub use diagonal::block_pair::BlockPair;
 pub use energy::lyapunov::{LyapunovSide, lyapunov};
 pub use energy::quadratic::Quadratics;
 pub use energy::signal_meter::{SignalIntegrals, SignalMeter};
@@ -39,5 +43,4 @@ pub use error::PlantError;
 pub use forcing::signal::Signal;
 pub use forcing::tone::Tone;
 pub use forcing::{Forcing, LOCAL_TERMS, SignalSample};
-pub use system::driven;
 pub use system::{Connection, Dashpot, Drive, Load, Stop, System};

@@ -208,13 +208,8 @@ pub(super) fn single_mode(
     [fast, w * w / fast]
         .into_iter()
         .map(|rate| {
-            PieceBlock::Real(
-                rate,
-                column(
-                    1.0_f64.min(w / rate.abs()),
-                    rate / w * 1.0_f64.min(w / rate.abs()),
-                ),
-            )
+            let displacement = 1.0_f64.min(w / rate.abs());
+            PieceBlock::Real(rate, column(displacement, rate / w * displacement))
         })
         .collect()
 }
@@ -251,21 +246,8 @@ pub(super) fn coupled(
     }
     let basis = complement(&charged, all.len());
     let matrix = basis.transpose() * &local * &basis;
-    let eigen = matrix
-        .eigen()
-        .map_err(|_| PlantError::NoEigenvalues { states: all.len() })?;
-    let (mut values, mut within) = (
-        eigen
-            .S()
-            .column_vector()
-            .iter()
-            .copied()
-            .collect::<Vec<c64>>(),
-        eigen.U().to_owned(),
-    );
-    if !assembly.paths.is_empty() {
-        (values, within) = refined(&matrix, values, within);
-    }
+    let (values, within) = eigenvectors(&matrix, !assembly.paths.is_empty())
+        .ok_or(PlantError::NoEigenvalues { states: all.len() })?;
     let column = |j: usize, part: fn(c64) -> f64| {
         let entry = |i: usize| {
             (0..within.nrows())
@@ -274,14 +256,7 @@ pub(super) fn coupled(
         };
         spread(&entry)
     };
-    let mut order: Vec<usize> = (0..values.len()).filter(|&j| values[j].im >= 0.0).collect();
-    order.sort_by(|&i, &j| {
-        values[i]
-            .im
-            .total_cmp(&values[j].im)
-            .then(values[i].re.total_cmp(&values[j].re))
-    });
-    let pieces = order.into_iter().map(|j| match values[j] {
+    let pieces = by_frequency(&values).into_iter().map(|j| match values[j] {
         c64 { re, im: 0.0 } => PieceBlock::Real(re, column(j, |x| x.re)),
         c64 { re, im } => PieceBlock::Pair(
             BlockPair::Oscillatory {
@@ -298,6 +273,32 @@ pub(super) fn coupled(
         })
         .chain(retained)
         .collect())
+}
+
+/// Returns all eigenvalues and the columns of their eigenvectors, refined where one state may be
+/// far faster than the others.
+fn eigenvectors(matrix: &Mat<f64>, refine: bool) -> Option<(Vec<c64>, Mat<c64>)> {
+    let eigen = matrix.eigen().ok()?;
+    let values = eigen.S().column_vector().iter().copied().collect();
+    let vectors = eigen.U().to_owned();
+    Some(if refine {
+        refined(matrix, values, vectors)
+    } else {
+        (values, vectors)
+    })
+}
+
+/// Returns the indices of the eigenvalues with non-negative imaginary part, in ascending frequency
+/// and then decay.
+fn by_frequency(values: &[c64]) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..values.len()).filter(|&j| values[j].im >= 0.0).collect();
+    order.sort_by(|&i, &j| {
+        values[i]
+            .im
+            .total_cmp(&values[j].im)
+            .then(values[i].re.total_cmp(&values[j].re))
+    });
+    order
 }
 
 /// Returns the equilibria due to the charges of open nodes, `sqrt(C) V = 1` and `w q = theta V /

@@ -20,6 +20,7 @@
 //! secular equation.
 
 pub(super) mod block_diagonal;
+pub(super) mod block_pair;
 mod component;
 mod conduction_path;
 mod eigen_refinement;

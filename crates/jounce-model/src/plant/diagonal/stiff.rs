@@ -47,10 +47,7 @@ impl StiffKey<'_> {
 ///
 /// # Errors
 /// [`PlantError::TooFast`].
-pub(in crate::plant) fn check_speeds(
-    system: &System,
-    electrical: &Electrical,
-) -> Result<(), PlantError> {
+pub fn check_speeds(system: &System, electrical: &Electrical) -> Result<(), PlantError> {
     let fastest_rad_s = system
         .modes
         .frequency_rad_s

@@ -1,6 +1,6 @@
 //! Sinusoidal drives: response of the plant to each frequency without contact.
 
-use crate::plant::diagonal::block_diagonal::grown;
+use crate::plant::diagonal::block_pair::grown;
 use crate::plant::{Plant, PlantError, Port, dot};
 use faer::c64;
 

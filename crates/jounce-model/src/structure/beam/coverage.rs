@@ -94,16 +94,9 @@ pub(super) fn covers<'a>(
         };
         check_adjacent(of(true).collect(), beam)?;
         check_adjacent(of(false).collect(), beam)?;
-        let slack_m = MIN_CUT_DISTANCE * beam.length_m;
-        let cut = |layer: &Covering, patch: &Covering| {
-            let meets =
-                patch.start_m < layer.end_m - slack_m && layer.start_m < patch.end_m - slack_m;
-            meets
-                && (patch.start_m < layer.start_m - slack_m || patch.end_m > layer.end_m + slack_m)
-        };
         if let Some((layer, patch)) = of(true)
             .flat_map(|layer| of(false).map(move |patch| (layer, patch)))
-            .find(|(l, p)| cut(l, p))
+            .find(|(layer, patch)| is_partly_on(patch, layer, beam))
         {
             let [start_m, end_m] = [layer.start_m, layer.end_m];
             return Err(StructureError::LayerUnderPart {
@@ -115,6 +108,13 @@ pub(super) fn covers<'a>(
         }
     }
     Ok(covers)
+}
+
+/// True for a patch that overlaps a layer but does not lie completely on it.
+fn is_partly_on(patch: &Covering, layer: &Covering, beam: &Beam) -> bool {
+    let slack_m = MIN_CUT_DISTANCE * beam.length_m;
+    let meets = patch.start_m < layer.end_m - slack_m && layer.start_m < patch.end_m - slack_m;
+    meets && (patch.start_m < layer.start_m - slack_m || patch.end_m > layer.end_m + slack_m)
 }
 
 fn check_adjacent(mut row: Vec<&Covering>, beam: &Beam) -> Result<(), StructureError> {
