@@ -13,6 +13,7 @@
 mod charges;
 mod estimate;
 pub(crate) mod evaluation;
+mod period_record;
 mod sticking_orbit;
 
 use super::{
@@ -23,6 +24,7 @@ use faer::Mat;
 use jounce_continuation::Problem;
 use jounce_dynamics::{FlowSensitivity, Kernel, ParameterSensitivity};
 use jounce_model::plant::{Plant, product};
+use period_record::PeriodRecord;
 use std::sync::OnceLock;
 
 /// Shooting method for the orbits of a harvester.
@@ -103,40 +105,20 @@ impl<'h, H: ParametricModel> Shooting<'h, H> {
             .map_err(OrbitError::Harvester)?;
         let kernel = setting.kernel;
         let plant = &kernel.plant;
-        let Some(cycle_s) = plant.period_s() else {
-            return Err(OrbitError::Frequencies {
-                frequencies: plant.tones.len(),
-            });
-        };
+        let cycle_s = cycle_s(plant)?;
+        let period_s = cycle_s * f64::from(self.cycles);
         let exact = setting.change.is_some();
-        let n = plant.len();
-        let change = setting.change.unwrap_or_else(|| ParameterDerivatives {
-            drift: ParameterSensitivity::default(),
-            steady: vec![0.0; n],
-            period_relative: 0.0,
-        });
+        let change = setting.change.unwrap_or_else(|| no_change(plant));
         let mut y = plant.from_physical(&self.physical(unknown), 0.0);
         let steady = plant.steady_at(0.0);
-        let mut strobe_states = vec![unknown.to_vec()];
+        let mut record = PeriodRecord::new(plant, unknown.to_vec());
         let mut map: Option<Mat<f64>> = None;
         // d y / dp: the state is fixed, so its difference from the steady part moves opposite to
         // the steady part.
         let mut by_parameter: Vec<f64> = change.steady.iter().map(|s| -s).collect();
-        let (mut trajectories, mut contacts, mut max_penetration_m, mut loads_w) = (
-            Vec::new(),
-            0,
-            0.0_f64,
-            vec![0.0; plant.system.loads.len() + plant.system.bridges.len()],
-        );
         for _ in 0..self.cycles {
-            let cycle = FlowSensitivity::integrate(
-                &kernel,
-                &y,
-                0.0,
-                cycle_s,
-                self.tolerance,
-                &change.drift,
-            )?;
+            let (tolerance, drift) = (self.tolerance, &change.drift);
+            let cycle = FlowSensitivity::integrate(&kernel, &y, 0.0, cycle_s, tolerance, drift)?;
             by_parameter =
                 propagated_derivative(&cycle, &by_parameter, cycle_s * change.period_relative);
             map = Some(map.map_or_else(
@@ -145,50 +127,61 @@ impl<'h, H: ParametricModel> Shooting<'h, H> {
             ));
             y = cycle.end;
             let full: Vec<f64> = y.iter().zip(&steady).map(|(y, s)| y + s).collect();
-            strobe_states.push(self.unknown(&product(&plant.diagonal.to_physical, &full)));
-            contacts += cycle.statistics.contacts;
-            max_penetration_m = max_penetration_m.max(cycle.statistics.max_penetration_m);
-            loads_w
-                .iter_mut()
-                .zip(&cycle.delivered_j)
-                .for_each(|(sum, j)| *sum += j / (cycle_s * f64::from(self.cycles)));
-            trajectories.push(cycle.trajectory);
+            let unknown = self.unknown(&product(&plant.diagonal.to_physical, &full));
+            record.strobe_states.push(unknown);
+            record.add_contacts(&cycle.statistics);
+            record.add_delivered(cycle.delivered_j.iter().copied(), period_s);
+            record.trajectories.push(cycle.trajectory);
         }
         by_parameter
             .iter_mut()
             .zip(&change.steady)
             .for_each(|(y, s)| *y += s);
         let by_parameter = self.unknown(&product(&plant.diagonal.to_physical, &by_parameter));
-        let conserved = conserved_charges(plant, &self.scale, &trajectories);
-        let full_map = map.unwrap_or_else(|| Mat::identity(n, n));
+        let conserved = conserved_charges(plant, &self.scale, &record.trajectories);
+        let full_map = map.unwrap_or_else(|| Mat::identity(plant.len(), plant.len()));
         let block_map = if conserved.is_empty() {
             full_map
         } else {
             self.without_conserved_charges(plant, &full_map, &conserved)
         };
-        let residual = self.residual(unknown, &strobe_states[strobe_states.len() - 1], &conserved);
-        let evaluation = ShootingEvaluation {
-            kernel,
-            strobe_states,
-            residual,
-            block_map,
-            by_parameter,
-            scale: self.scale.clone(),
-            map: OnceLock::new(),
-            equations: OnceLock::new(),
-            period_s: cycle_s * f64::from(self.cycles),
-            keeps_charge: !conserved.is_empty(),
-            trajectories,
-            contacts,
-            max_penetration_m,
-            loads_w,
-            tolerance: self.tolerance,
-        };
+        let residual = self.residual(unknown, record.end(), &conserved);
+        let mut evaluation = self.evaluation(kernel, record, residual, period_s);
+        evaluation.block_map = block_map;
+        evaluation.by_parameter = by_parameter;
+        evaluation.keeps_charge = !conserved.is_empty();
         Ok((evaluation, exact))
     }
 }
 
 impl<H> Shooting<'_, H> {
+    /// Returns the evaluation of a recorded period, without derivatives.
+    fn evaluation(
+        &self,
+        kernel: Kernel,
+        record: PeriodRecord,
+        residual: Vec<f64>,
+        period_s: f64,
+    ) -> ShootingEvaluation {
+        ShootingEvaluation {
+            kernel,
+            strobe_states: record.strobe_states,
+            residual,
+            block_map: Mat::new(),
+            by_parameter: Vec::new(),
+            scale: self.scale.clone(),
+            map: OnceLock::new(),
+            equations: OnceLock::new(),
+            period_s,
+            keeps_charge: false,
+            trajectories: record.trajectories,
+            contacts: record.contacts,
+            max_penetration_m: record.max_penetration_m,
+            loads_w: record.loads_w,
+            tolerance: self.tolerance,
+        }
+    }
+
     /// Returns a period map in block coordinates with 0 in place of the unit multipliers of
     /// conserved charges.
     fn without_conserved_charges(
@@ -278,4 +271,20 @@ fn propagated_derivative(cycle: &FlowSensitivity, before: &[f64], longer_s: f64)
     (0..before.len())
         .map(|i| propagated[i] + cycle.drift[i] + cycle.rate[i] * longer_s)
         .collect()
+}
+
+/// Returns the length of the drive cycle, s.
+fn cycle_s<F: std::error::Error>(plant: &Plant) -> Result<f64, OrbitError<F>> {
+    plant.period_s().ok_or(OrbitError::Frequencies {
+        frequencies: plant.tones.len(),
+    })
+}
+
+/// Returns the derivatives of a harvester that does not state them.
+fn no_change(plant: &Plant) -> ParameterDerivatives {
+    ParameterDerivatives {
+        drift: ParameterSensitivity::default(),
+        steady: vec![0.0; plant.len()],
+        period_relative: 0.0,
+    }
 }

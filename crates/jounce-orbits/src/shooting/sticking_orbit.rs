@@ -4,10 +4,11 @@
 //! sequence of impacts leaves no derivative that an integration could propagate. Such an orbit is
 //! the motion that an integration has settled on.
 
-use crate::{Orbit, OrbitError, ParametricModel, Shooting, ShootingEvaluation};
-use faer::{ColRef, Mat};
-use jounce_dynamics::{Integrator, SensitivityError};
-use std::sync::OnceLock;
+use super::cycle_s;
+use super::period_record::PeriodRecord;
+use crate::{Orbit, OrbitError, ParametricModel, Shooting};
+use faer::ColRef;
+use jounce_dynamics::{ContactStatistics, Integrator, Kernel, SensitivityError};
 
 impl<H: ParametricModel> Shooting<'_, H> {
     /// Returns the periodic orbit through a physical state, integrated without its derivative. It
@@ -26,27 +27,11 @@ impl<H: ParametricModel> Shooting<'_, H> {
             .map_err(OrbitError::Harvester)?
             .kernel;
         let plant = &kernel.plant;
-        let Some(cycle_s) = plant.period_s() else {
-            return Err(OrbitError::Frequencies {
-                frequencies: plant.tones.len(),
-            });
-        };
+        let cycle_s = cycle_s(plant)?;
         let period_s = cycle_s * f64::from(self.cycles);
         let mut y = plant.from_physical(physical, 0.0);
-        // An integration that starts at rest may impact once by roundoff; its continuation does
-        // not.
-        let mut cycle_integrator = Integrator::new(&kernel, &y, 0.0, self.tolerance)
-            .map_err(SensitivityError::Integration)?;
-        cycle_integrator
-            .advance_to(period_s)
-            .map_err(SensitivityError::Integration)?;
-        cycle_integrator.reset_statistics();
-        cycle_integrator
-            .advance_to(2.0 * period_s)
-            .map_err(SensitivityError::Integration)?;
-        let statistics = cycle_integrator.statistics();
-        let (mut strobe_states, mut trajectories) = (vec![self.unknown(physical)], Vec::new());
-        let mut loads_w = vec![0.0; plant.system.loads.len() + plant.system.bridges.len()];
+        let mut record = PeriodRecord::new(plant, self.unknown(physical));
+        record.add_contacts(&self.settled_statistics(&kernel, &y, period_s)?);
         for _ in 0..self.cycles {
             let mut integrator = Integrator::new(&kernel, &y, 0.0, self.tolerance)
                 .map_err(SensitivityError::Integration)?;
@@ -59,40 +44,37 @@ impl<H: ParametricModel> Shooting<'_, H> {
                 .rectified
                 .iter()
                 .map(|energy| energy.load_j + energy.battery_j);
-            let delivered_j = energies.loads_j.iter().copied().chain(rectified);
-            loads_w
-                .iter_mut()
-                .zip(delivered_j)
-                .for_each(|(sum, j)| *sum += j / period_s);
+            record.add_delivered(energies.loads_j.iter().copied().chain(rectified), period_s);
             y = integrator.state();
-            strobe_states.push(self.unknown(&plant.to_physical(&y, 0.0)));
-            trajectories.push(integrator.take_record());
+            let unknown = self.unknown(&plant.to_physical(&y, 0.0));
+            record.strobe_states.push(unknown);
+            record.trajectories.push(integrator.take_record());
         }
-        let residual: Vec<f64> = strobe_states[strobe_states.len() - 1]
+        let residual: Vec<f64> = record
+            .end()
             .iter()
-            .zip(&strobe_states[0])
+            .zip(&record.strobe_states[0])
             .map(|(end, start)| end - start)
             .collect();
         let open = ColRef::from_slice(&residual).norm_l2();
-        let evaluation = ShootingEvaluation {
-            kernel,
-            strobe_states,
-            residual,
-            block_map: Mat::new(),
-            by_parameter: Vec::new(),
-            scale: self.scale.clone(),
-            map: OnceLock::new(),
-            equations: OnceLock::new(),
-            period_s,
-            keeps_charge: false,
-            trajectories,
-            contacts: statistics.contacts,
-            max_penetration_m: statistics.max_penetration_m,
-            loads_w,
-            tolerance: self.tolerance,
-        };
+        let evaluation = self.evaluation(kernel, record, residual, period_s);
         let mut orbit = evaluation.as_orbit(Vec::new());
         orbit.error_estimate = open / orbit.size().max(f64::MIN_POSITIVE);
         Ok(orbit)
+    }
+
+    /// Returns the contacts of the second of two periods. An integration that starts at rest may
+    /// impact once by roundoff; its continuation does not.
+    fn settled_statistics(
+        &self,
+        kernel: &Kernel,
+        y: &[f64],
+        period_s: f64,
+    ) -> Result<ContactStatistics, SensitivityError> {
+        let mut integrator = Integrator::new(kernel, y, 0.0, self.tolerance)?;
+        integrator.advance_to(period_s)?;
+        integrator.reset_statistics();
+        integrator.advance_to(2.0 * period_s)?;
+        Ok(integrator.statistics())
     }
 }
