@@ -93,25 +93,35 @@ impl ForcedFlight {
             ];
             F64x8(std::array::from_fn(|i| ends.get(i).copied().unwrap_or(0.0)))
         });
-        for (j, end) in end.iter().enumerate() {
-            let ends = [end.0[0], length_s * end.0[1], length_s * end.0[2]];
-            for (ends, (interpolant, slope)) in
-                ends.iter().zip(HERMITE_VALUES.iter().zip(&HERMITE_SLOPES))
-            {
-                displacement
-                    .iter_mut()
-                    .zip(interpolant)
-                    .for_each(|(lane, c)| lane.0[j] -= ends * c);
-                speed
-                    .iter_mut()
-                    .zip(slope)
-                    .for_each(|(lane, c)| lane.0[j] -= ends / length_s * c);
-            }
-        }
+        subtract_interpolant(&end, length_s, [&mut displacement, &mut speed]);
         Self {
             end,
             rest: by_force(&displacement),
             rest_rate: by_force(&speed),
+        }
+    }
+}
+
+/// Subtracts the cubic Hermite interpolant of each nodal force from the series of displacement and
+/// velocity.
+fn subtract_interpolant(
+    end: &[F64x8; NODES],
+    length_s: f64,
+    [displacement, speed]: [&mut [F64x8]; 2],
+) {
+    for (j, end) in end.iter().enumerate() {
+        let ends = [end.0[0], length_s * end.0[1], length_s * end.0[2]];
+        for (ends, (interpolant, slope)) in
+            ends.iter().zip(HERMITE_VALUES.iter().zip(&HERMITE_SLOPES))
+        {
+            displacement
+                .iter_mut()
+                .zip(interpolant)
+                .for_each(|(lane, c)| lane.0[j] -= ends * c);
+            speed
+                .iter_mut()
+                .zip(slope)
+                .for_each(|(lane, c)| lane.0[j] -= ends / length_s * c);
         }
     }
 }

@@ -236,20 +236,43 @@ mod tests {
             .fold(0.0, |max, (a, b)| max.max((a - b).abs() / size))
     }
 
+    const LAYOUT: StateLayout = StateLayout {
+        pairs: 2,
+        reals: 1,
+        pair_lanes: 1,
+        real_lanes: 1,
+    };
+
+    fn duhamel(block: &BlockDiagonal, basis: &BasisFunctions, is_folded: bool) -> Duhamel {
+        let OutputRows {
+            from_start,
+            towards_end,
+            ..
+        } = widest(OutputRowsTask {
+            block,
+            layout: &LAYOUT,
+            basis,
+            reader: basis,
+            force: &COLUMN,
+            rows: &[],
+            length_s: LENGTH_S,
+        });
+        if is_folded {
+            Duhamel::mirrored(&from_start)
+        } else {
+            Duhamel::Each([from_start, towards_end])
+        }
+    }
+
+    fn unit(state: usize) -> [f64; 5] {
+        std::array::from_fn(|i| if i == state { 1.0 } else { 0.0 })
+    }
+
     #[test]
     fn force_and_motion_meet_as_quadrature_says() {
-        let (w, block, layout) = (
-            Portable::new(),
-            block(),
-            StateLayout {
-                pairs: 2,
-                reals: 1,
-                pair_lanes: 1,
-                real_lanes: 1,
-            },
-        );
+        let (w, block, layout) = (Portable::new(), block(), &LAYOUT);
         let onset = BasisFunctions::onset(1.5).unwrap();
-        let column = FlowRow::column(&layout, &block, &COLUMN);
+        let column = FlowRow::column(layout, &block, &COLUMN);
         let force = F64x8(std::array::from_fn(|j| {
             FORCE_N.get(j).copied().unwrap_or(0.0)
         }));
@@ -259,26 +282,7 @@ mod tests {
             (&*SMOOTH_BASIS, false, 1e-14),
             (&onset, false, 1e-7),
         ] {
-            let (block, layout) = (&block, &layout);
-            let making = OutputRowsTask {
-                block,
-                layout,
-                basis,
-                reader: basis,
-                force: &COLUMN,
-                rows: &[],
-                length_s: LENGTH_S,
-            };
-            let OutputRows {
-                from_start,
-                towards_end,
-                ..
-            } = widest(making);
-            let duhamel = if is_folded {
-                Duhamel::mirrored(&from_start)
-            } else {
-                Duhamel::Each([from_start, towards_end])
-            };
+            let duhamel = duhamel(&block, basis, is_folded);
             let (mut end, mut integrals) = (layout.pack(&[0.0; 5]), layout.pack(&[0.0; 5]));
             duhamel.act(w, &column, &force, &mut end, &mut integrals);
             let end_state = layout.unpack(&end);
@@ -299,10 +303,7 @@ mod tests {
             assert!(worst(&summed.collect::<Vec<f64>>(), &end_state) < 1e-14);
             // Each state separately, read by a row over all of them.
             let row = [1.3, -0.2, 0.5, 0.8, 2.0];
-            let crossed = FlowRow::row(layout, block, &row);
-            let unit = |state: usize| {
-                std::array::from_fn::<f64, 5, _>(|i| if i == state { 1.0 } else { 0.0 })
-            };
+            let crossed = FlowRow::row(layout, &block, &row);
             let read: Vec<f64> = (0..5)
                 .map(|state| w.sum(crossed.read(w, &integrals, &layout.pack(&unit(state)))))
                 .collect();

@@ -62,6 +62,60 @@ pub struct OutputRows {
     pub towards_end: DuhamelIntegrals,
 }
 
+impl OutputRows {
+    /// Creates rows and integrals of value zero, without series.
+    fn empty(rows: &[RowRequest], block: &BlockDiagonal, layout: &StateLayout) -> Self {
+        Self {
+            rows: rows
+                .iter()
+                .map(|row| OutputRow {
+                    columns: vec![F64x8::ZERO; row.columns(block)],
+                    push: [F64x8::ZERO; NODES],
+                })
+                .collect(),
+            from_start: vec![[F64x8::ZERO; NODES]; layout.lanes()],
+            towards_end: vec![[F64x8::ZERO; NODES]; layout.lanes()],
+            series: Vec::new(),
+        }
+    }
+
+    /// Sets the response of each row to the nodal forces by its series, evaluated with the Legendre
+    /// polynomials at the nodes or with their moments.
+    #[inline(always)]
+    fn evaluate<W: Simd>(
+        &mut self,
+        w: W,
+        rows: &[RowRequest],
+        series: Vec<Vec<F64x8>>,
+        [powers, moments]: [&[F64x8]; 2],
+    ) {
+        for ((request, response), series) in rows.iter().zip(&mut self.rows).zip(&series) {
+            let at = if request.reading == RowReading::Pointwise {
+                powers
+            } else {
+                moments
+            };
+            response.push = summed(w, at, series);
+        }
+        self.series = series;
+    }
+
+    /// Sets the integrals of one state: mean and end of its motion under each nodal force, times
+    /// factors.
+    #[inline(always)]
+    fn set_integrals(
+        &mut self,
+        (lane, lane_index): (usize, usize),
+        factors: [f64; 2],
+        [mean, end]: [&F64x8; 2],
+    ) {
+        for j in 0..NODES {
+            self.from_start[lane][j].0[lane_index] = factors[0] * mean.0[j];
+            self.towards_end[lane][j].0[lane_index] = factors[1] * end.0[j];
+        }
+    }
+}
+
 /// Computation of output rows.
 #[derive(Debug)]
 pub struct OutputRowsTask<'a> {
@@ -121,30 +175,15 @@ impl Task for OutputRowsTask<'_> {
             .map(|(a, lane)| w.store(w.mul(w.splat(h / (2 * a + 1) as f64), w.load(lane))))
             .collect();
         let mut series = vec![vec![F64x8::ZERO; count]; rows.len()];
-        let mut out = OutputRows {
-            rows: rows
-                .iter()
-                .map(|row| OutputRow {
-                    columns: vec![F64x8::ZERO; row.columns(block)],
-                    push: [F64x8::ZERO; NODES],
-                })
-                .collect(),
-            from_start: vec![[F64x8::ZERO; NODES]; layout.lanes()],
-            towards_end: vec![[F64x8::ZERO; NODES]; layout.lanes()],
-            series: Vec::new(),
-        };
+        let mut out = OutputRows::empty(rows, block, layout);
         let mut responses = StepResponse::default();
-        let all: Vec<(usize, BlockOnStep)> = parts(block).collect();
+        let (firsts, all): (Vec<usize>, Vec<BlockOnStep>) = parts(block).unzip();
         let mut factors = Vec::new();
-        for (index, (first, part)) in all.iter().enumerate() {
+        for (index, (first, part)) in firsts.iter().zip(&all).enumerate() {
             let (states, lane_index) = (*first..first + part.states(), index % LANES);
             if lane_index == 0 {
-                let group: Vec<BlockOnStep> = all[index..]
-                    .iter()
-                    .take(LANES)
-                    .map(|(_, part)| *part)
-                    .collect();
-                factors = factored(w, &group, basis, h);
+                let group = &all[index..all.len().min(index + LANES)];
+                factors = factored(w, group, basis, h);
             }
             responses.solve(w, part, basis, h, (&factors, lane_index));
             let free = free_motion(w, &responses, &powers);
@@ -162,39 +201,40 @@ impl Task for OutputRowsTask<'_> {
                 } else {
                     reader.series.len()
                 };
-                for ((sum, first), second) in series
-                    .iter_mut()
-                    .zip(&responses.first)
-                    .zip(&responses.second)
-                    .take(n_terms)
-                {
-                    *sum = w.store(w.fma(
-                        w.splat(f),
-                        w.load(first),
-                        w.fma(w.splat(g), w.load(second), w.load(sum)),
-                    ));
-                }
+                add_series(w, series, &responses, [f, g], n_terms);
             }
             let mean = free_motion(w, &responses, &moments).map(|sum| w.store(sum));
             let end = ends(w, &responses).map(|sum| w.store(sum));
             for (state, factor) in states.zip(part.entries(h)) {
-                let ((lane, lane_index), entry) = (layout.locate(state), state - *first);
-                for j in 0..NODES {
-                    out.from_start[lane][j].0[lane_index] = factor * mean[entry].0[j];
-                    out.towards_end[lane][j].0[lane_index] = h * factor * end[entry].0[j];
-                }
+                let motion = [&mean[state - *first], &end[state - *first]];
+                out.set_integrals(layout.locate(state), [factor, h * factor], motion);
             }
         }
-        for ((request, response), series) in rows.iter().zip(&mut out.rows).zip(&series) {
-            let at = if request.reading == RowReading::Pointwise {
-                &powers
-            } else {
-                &moments
-            };
-            response.push = summed(w, at, series);
-        }
-        out.series = series;
+        out.evaluate(w, rows, series, [&powers, &moments]);
         out
+    }
+}
+
+/// Adds the motion of a block, its two responses times factors, to the first terms of a series.
+#[inline(always)]
+fn add_series<W: Simd>(
+    w: W,
+    series: &mut [F64x8],
+    responses: &StepResponse,
+    [f, g]: [f64; 2],
+    n_terms: usize,
+) {
+    for ((sum, first), second) in series
+        .iter_mut()
+        .zip(&responses.first)
+        .zip(&responses.second)
+        .take(n_terms)
+    {
+        *sum = w.store(w.fma(
+            w.splat(f),
+            w.load(first),
+            w.fma(w.splat(g), w.load(second), w.load(sum)),
+        ));
     }
 }
 

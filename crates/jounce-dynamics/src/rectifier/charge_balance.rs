@@ -1,6 +1,7 @@
 //! Charge balance of the nodes of a bridge since its diodes last changed, in closed form (see
 //! [`jounce_model::plant::Leak`]).
 
+use super::energies::RectifiedEnergies;
 use jounce_model::plant::{Plant, PowerOutput};
 
 /// Conduction state of an integration from its start to the current time.
@@ -92,5 +93,26 @@ impl ChargeBalance<'_> {
             .filter(|output| output.bridge == bridge)
             .map(of)
             .sum()
+    }
+
+    /// Adds the charge passed by each conducting bridge, and its energies, to those of the rectified
+    /// circuits; returns the work of the forces that represent thresholds, J. These do not belong to
+    /// the drives.
+    pub fn add_conducted(&self, rectified: &mut [RectifiedEnergies]) -> f64 {
+        let mut supplied_j = 0.0;
+        let bridges = self.plant.system.bridges.iter().enumerate();
+        for ((k, bridge), rectified) in bridges.zip(rectified) {
+            let sign = bridge.state.conduction.sign();
+            if sign == 0.0 {
+                continue;
+            }
+            let charge_c = -sign
+                * (self.charge_c(self.plant.electrical.bridges[k].terminal) + self.leaked_c(k));
+            rectified.charge_c += charge_c;
+            rectified.diodes_j += bridge.drop_v * charge_c;
+            rectified.battery_j += (bridge.threshold_v() - bridge.drop_v) * charge_c;
+            supplied_j += self.supplied_j(k);
+        }
+        supplied_j
     }
 }

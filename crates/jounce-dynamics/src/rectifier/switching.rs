@@ -289,27 +289,7 @@ impl Integrator<'_> {
                 EnergyOutlet::Patch => leaks.by_ref().take(1).for_each(|sum| *sum += energy_j),
             }
         }
-        let mut supplied_j = 0.0;
-        for ((k, bridge), rectified) in plant
-            .system
-            .bridges
-            .iter()
-            .enumerate()
-            .zip(&mut all.rectified)
-        {
-            let sign = bridge.state.conduction.sign();
-            if sign == 0.0 {
-                continue;
-            }
-            let charge_c = -sign
-                * (charge_balance.charge_c(plant.electrical.bridges[k].terminal)
-                    + charge_balance.leaked_c(k));
-            rectified.charge_c += charge_c;
-            rectified.diodes_j += bridge.drop_v * charge_c;
-            rectified.battery_j += (bridge.threshold_v() - bridge.drop_v) * charge_c;
-            // The force that represents a threshold does not belong to the drives.
-            supplied_j += charge_balance.supplied_j(k);
-        }
+        let supplied_j = charge_balance.add_conducted(&mut all.rectified);
         all.input_j += energies.input_j - supplied_j;
         all.damping_j += energies.damping_j;
         all.contact_loss_j += energies.contact_loss_j;
