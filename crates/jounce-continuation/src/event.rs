@@ -62,20 +62,11 @@ pub fn locate<F: Problem>(
         );
         let share = (bracket.next(resolution) - low.distance) / (high.distance - low.distance);
         let guess = segment.at(share * segment.length);
-        let corrected = correct(family, corrector, &metric, &unit, guess).ok();
-        let corrected = corrected
-            .and_then(|corrected| Some((tangent(&corrected.local, &metric, &unit)?, corrected)));
-        let Some((direction, corrected)) = corrected else {
+        let Some(step) = point_near(family, corrector, &metric, &unit, guess) else {
             let is_narrow = bracket.length() <= NARROW_BRACKET * resolution;
             return best
                 .filter(|(magnitude, _)| is_narrow || *magnitude <= SMALL_VALUE * size)
                 .map(|(_, step)| step);
-        };
-        let step = CurvePoint {
-            position: corrected.position,
-            tangent: direction,
-            local: corrected.local,
-            error: corrected.error,
         };
         let (distance, value_here) = (
             metric.inner(&unit, &before.position.to(&step.position)),
@@ -98,4 +89,22 @@ pub fn locate<F: Problem>(
         }
     }
     None
+}
+
+/// Returns the point of the curve near a guess, in the plane normal to a direction, with its
+/// tangent; `None` where Newton fails.
+fn point_near<F: Problem>(
+    family: &F,
+    corrector: &Corrector,
+    metric: &Metric,
+    normal: &Direction,
+    guess: Position,
+) -> Option<CurvePoint<F::Evaluation>> {
+    let corrected = correct(family, corrector, metric, normal, guess).ok()?;
+    Some(CurvePoint {
+        tangent: tangent(&corrected.local, metric, normal)?,
+        position: corrected.position,
+        local: corrected.local,
+        error: corrected.error,
+    })
 }

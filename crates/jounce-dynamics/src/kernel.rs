@@ -1,13 +1,13 @@
 //! Plant prepared for integration.
 //!
-//! Steps have the lengths of [`super::step_size`], so that all runs of a plant share their tables,
-//! whatever the drive.
+//! Steps have the lengths of [`crate::tables::step_size`], so that all runs of a plant share their
+//! tables, whatever the drive.
 
-use super::basis::BasisFunctions;
-use super::flow::Flow;
-use super::layout::StateLayout;
-use super::port_vectors::PortVectors;
-use super::table_cache::{StepTables, levels};
+use crate::flow::Flow;
+use crate::flow::layout::StateLayout;
+use crate::force_response::basis::BasisFunctions;
+use crate::ports::vectors::PortVectors;
+use crate::tables::cache::{StepTables, levels};
 use jounce_control::Control;
 use jounce_model::contact::Law;
 use jounce_model::plant::{
@@ -281,4 +281,4 @@ fn onset_exponent(law: &Law) -> Option<f64> {
 }
 
 /// The state is padded to complete vectors; a step fills one: seven nodes and its end.
-const _: () = assert!(LANES == super::basis::NODES + 1);
+const _: () = assert!(LANES == crate::force_response::basis::NODES + 1);

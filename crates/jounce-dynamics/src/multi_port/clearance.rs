@@ -6,11 +6,11 @@
 //! impulse `J`. A port at a distance `d` at its last update is clear as long as `(V + G J) t < d`;
 //! no further test is needed.
 
+use crate::flow::layout::StateLayout;
+use crate::flow::state::dot_abs;
 use crate::integrator::Integrator;
-use crate::layout::StateLayout;
-use crate::phasor::Phasor;
-use crate::port_state::ContactState;
-use crate::state::dot_abs;
+use crate::ports::phasor::Phasor;
+use crate::ports::state::ContactState;
 use jounce_model::contact::Law;
 use jounce_model::plant::{BlockDiagonal, BlockPair, Plant, Port};
 use jounce_simd::{F64x8, Simd};

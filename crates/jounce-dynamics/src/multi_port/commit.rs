@@ -1,16 +1,16 @@
 //! Acceptance of a joint step: state, statistics, energies, record.
 
 use super::free_ports::nodal;
-use crate::basis::NODES;
-use crate::contact_step::{ContactStep, SolvedStep};
+use crate::contact::step::{ContactStep, SolvedStep};
+use crate::flow::state::add_force_response;
+use crate::force_response::basis::NODES;
 use crate::integrator::Integrator;
-use crate::joint_tables::{JointTables, StepLength};
 use crate::kernel::Kernel;
-use crate::port_state::ContactState;
-use crate::small_list::SmallList;
-use crate::state::add_force_response;
-use crate::step_size::LEVELS_PER_OCTAVE;
-use crate::trajectory::PortForce;
+use crate::ports::small_list::SmallList;
+use crate::ports::state::ContactState;
+use crate::record::trajectory::PortForce;
+use crate::tables::joint::{JointTables, StepLength};
+use crate::tables::step_size::LEVELS_PER_OCTAVE;
 use jounce_model::contact::Law;
 use jounce_simd::{F64x8, Simd};
 

@@ -1,13 +1,13 @@
 //! Flight of all ports.
 
-use crate::certificate::FlightStep;
-use crate::crossing::Crossing;
 use crate::error::IntegrationError;
-use crate::flight::{FlightVerdict, RESOLVED_UNCERTAINTY, by_interpolant};
+use crate::flight::certificate::FlightStep;
+use crate::flight::crossing::Crossing;
+use crate::flight::verdict::{FlightVerdict, RESOLVED_UNCERTAINTY, by_interpolant};
+use crate::flow::state::{dot, dot_of_magnitudes};
 use crate::integrator::Integrator;
 use crate::kernel::Kernel;
-use crate::state::{dot, dot_of_magnitudes};
-use crate::step_size::LEVELS_PER_OCTAVE;
+use crate::tables::step_size::LEVELS_PER_OCTAVE;
 use jounce_simd::Simd;
 
 /// Outcome of a step for all ports.

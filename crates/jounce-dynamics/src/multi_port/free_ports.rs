@@ -2,16 +2,16 @@
 
 use super::flight::StepOutcome;
 use super::joint_solve::JointStep;
-use crate::basis::NODES;
-use crate::contact_step::{ContactStep, SolvedStep};
-use crate::crossing::Crossing;
-use crate::flight::FlightVerdict;
-use crate::forced_flight::rest_bounds;
+use crate::contact::step::{ContactStep, SolvedStep};
+use crate::flight::crossing::Crossing;
+use crate::flight::forced::rest_bounds;
+use crate::flight::verdict::FlightVerdict;
+use crate::flow::state::{add_force_response, dot};
+use crate::force_response::basis::NODES;
 use crate::integrator::Integrator;
-use crate::joint_tables::StepLength;
-use crate::port_state::ContactState;
-use crate::small_list::SmallList;
-use crate::state::{add_force_response, dot};
+use crate::ports::small_list::SmallList;
+use crate::ports::state::ContactState;
+use crate::tables::joint::StepLength;
 use jounce_simd::{F64x8, Simd};
 
 impl Integrator<'_> {

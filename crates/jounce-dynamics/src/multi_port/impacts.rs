@@ -9,7 +9,7 @@
 
 use crate::error::IntegrationError;
 use crate::integrator::Integrator;
-use crate::port_state::ContactState;
+use crate::ports::state::ContactState;
 use jounce_model::contact::Law;
 use jounce_simd::Simd;
 

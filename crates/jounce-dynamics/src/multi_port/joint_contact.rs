@@ -4,15 +4,15 @@ use super::RESOLVED_DISTANCE;
 use super::flight::StepOutcome;
 use super::sticking::StickingPorts;
 use crate::contact::share;
-use crate::contact_step::{ContactStep, SolvedStep};
-use crate::crossing::Crossing;
+use crate::contact::step::{ContactStep, SolvedStep};
 use crate::error::IntegrationError;
+use crate::flight::crossing::Crossing;
 use crate::integrator::Integrator;
-use crate::joint_tables::{JointTables, StepLength};
 use crate::kernel::{ForceBasis, Kernel};
-use crate::port_state::ContactState;
-use crate::small_list::SmallList;
-use crate::step_size::LEVELS_PER_OCTAVE;
+use crate::ports::small_list::SmallList;
+use crate::ports::state::ContactState;
+use crate::tables::joint::{JointTables, StepLength};
+use crate::tables::step_size::LEVELS_PER_OCTAVE;
 use jounce_simd::Simd;
 
 /// Largest number of Newton iterations for the length of a step that ends in an impact.
@@ -58,13 +58,7 @@ impl Integrator<'_> {
                 } else {
                     StepLength::Level(level)
                 };
-                let outcome = match ports.as_slice() {
-                    [(p, shape)] if !self.is_rigid(*p) => {
-                        self.attempt_single_port(w, (*p, *shape), length, level >= safe)
-                    }
-                    several => self.joint_attempt(w, several, length, level >= safe),
-                };
-                match outcome {
+                match self.attempt_step(w, &ports, length, level >= safe) {
                     StepOutcome::Clear => {
                         if landing {
                             self.time_s = end_s;
@@ -85,10 +79,7 @@ impl Integrator<'_> {
                         }
                     }
                 }
-                self.work.contact_rejections += 1;
-                if level > Kernel::finest() {
-                    return Err(self.diverged(ports[0].0));
-                }
+                self.count_rejection(ports[0].0, level)?;
             }
         }
         Ok(())
@@ -102,16 +93,26 @@ impl Integrator<'_> {
             .in_regime(ContactState::Contact)
             .any(|p| self.is_rigid(p));
         let strikes = |p: usize| self.ports[p].entering && self.ports[p].rate_m_s > 0.0 && !rests;
-        let shape = |p: usize| {
-            if strikes(p) {
-                self.kernel.first_shape(p)
-            } else {
-                ForceBasis::Smooth
-            }
-        };
         self.in_regime(ContactState::Contact)
-            .map(|p| (p, shape(p)))
+            .map(|p| (p, self.kernel.shape(p, strikes(p))))
             .collect()
+    }
+
+    /// Attempts a step of the ports in contact.
+    #[inline(always)]
+    fn attempt_step<W: Simd>(
+        &mut self,
+        w: W,
+        ports: &[(usize, ForceBasis)],
+        length: StepLength,
+        is_short: bool,
+    ) -> StepOutcome {
+        match ports {
+            [(p, shape)] if !self.is_rigid(*p) => {
+                self.attempt_single_port(w, (*p, *shape), length, is_short)
+            }
+            several => self.joint_attempt(w, several, length, is_short),
+        }
     }
 
     /// Attempts a step, accepted when it is accurate for all ports in contact and clear for all in

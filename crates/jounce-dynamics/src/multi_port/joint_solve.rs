@@ -1,11 +1,12 @@
 //! Joint solution for the nodal forces of all ports in contact.
 
 use super::sticking::StickingPorts;
-use crate::contact_step::{ContactStep, MAX_FIXED_POINT_ITERATIONS, SolvedStep, judge, largest};
+use crate::contact::solve::{MAX_FIXED_POINT_ITERATIONS, judge, largest};
+use crate::contact::step::{ContactStep, SolvedStep};
+use crate::flow::state::{add_force_response, columns};
 use crate::integrator::Integrator;
-use crate::joint_tables::{JointTables, StepLength};
-use crate::small_list::SmallList;
-use crate::state::{add_force_response, columns};
+use crate::ports::small_list::SmallList;
+use crate::tables::joint::{JointTables, StepLength};
 use jounce_model::contact::{ContactLaw, Law};
 use jounce_simd::{F64x8, Simd};
 

@@ -14,9 +14,9 @@
 //!
 //!   a fixed point that converges like the one of a single port. The same certificate monitors the
 //!   ports in flight; the forces add a known cubic and a bounded remainder (see
-//!   [`super::forced_flight`]). Where this proves neither flight nor a first crossing, the step is
+//!   [`crate::flight::forced`]). Where this proves neither flight nor a first crossing, the step is
 //!   shortened, down to a length on which the remainder is below the resolution of the certificate.
-//!   A single compliant port in contact is solved as in [`super::contact_step`]; the others are
+//!   A single compliant port in contact is solved as in [`crate::contact::step`]; the others are
 //!   monitored.
 //! - *A port too far off* for an impact within a step is not monitored (see [`clearance`]).
 //! - *An impact during a contact* ends the step there, by Newton on its length, so that the new
@@ -36,13 +36,13 @@ mod sticking;
 
 pub(super) use clearance::{Clearance, SpeedBound};
 
-use super::contact::IMPULSE_ERROR_SHARE;
-use super::contact_step::{ContactStep, SolvedStep};
-use super::error::IntegrationError;
-use super::integrator::Integrator;
-use super::kernel::Kernel;
-use super::port_state::{ContactState, PortState};
-use super::zeno_guard::ZenoGuard;
+use crate::contact::IMPULSE_ERROR_SHARE;
+use crate::contact::step::{ContactStep, SolvedStep};
+use crate::error::IntegrationError;
+use crate::impact::zeno_guard::ZenoGuard;
+use crate::integrator::Integrator;
+use crate::kernel::Kernel;
+use crate::ports::state::{ContactState, PortState};
 use jounce_model::contact::Law;
 use jounce_simd::{Simd, Task};
 

@@ -4,9 +4,9 @@
 use super::flight::StepOutcome;
 use crate::error::IntegrationError;
 use crate::integrator::Integrator;
-use crate::joint_tables::StepLength;
 use crate::kernel::ForceBasis;
-use crate::step_size::LEVELS_PER_OCTAVE;
+use crate::tables::joint::StepLength;
+use crate::tables::step_size::LEVELS_PER_OCTAVE;
 use jounce_simd::Simd;
 
 impl Integrator<'_> {

@@ -10,16 +10,16 @@
 //! of a step this is one linear system for all sticking ports, given the forces of the others.
 
 use super::joint_solve::{JointStep, PortIterate};
-use crate::basis::{NODES, SMOOTH_BASIS};
 use crate::contact::IMPULSE_ERROR_SHARE;
-use crate::contact_step::SolvedStep;
-use crate::contact_table::StickingTable;
+use crate::contact::step::SolvedStep;
 use crate::error::IntegrationError;
+use crate::flow::state::columns;
+use crate::force_response::basis::{NODES, SMOOTH_BASIS};
+use crate::impact::acceleration::acceleration;
 use crate::integrator::Integrator;
-use crate::joint_tables::{JointTables, StepLength};
-use crate::port_state::ContactState;
-use crate::rigid::acceleration;
-use crate::state::columns;
+use crate::ports::state::ContactState;
+use crate::tables::contact::StickingTable;
+use crate::tables::joint::{JointTables, StepLength};
 use faer::linalg::solvers::DenseSolveCore;
 use faer::{Mat, c64};
 use jounce_simd::{F64x8, LANES, Portable, Simd};

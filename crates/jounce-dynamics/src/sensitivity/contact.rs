@@ -4,11 +4,11 @@ use super::elimination::NodeSystem;
 use super::linearization::Linearization;
 use super::parameter_sensitivity::DrivenNodeMotion;
 use super::tangents::add_scaled;
-use crate::basis::NODES;
-use crate::joint_tables::{JointTables, StepLength};
+use crate::flow::state::{add_force_response, columns};
+use crate::force_response::basis::NODES;
 use crate::kernel::{ForceBasis, Kernel};
-use crate::state::{add_force_response, columns};
-use crate::trajectory::TrajectorySegment;
+use crate::record::trajectory::TrajectorySegment;
+use crate::tables::joint::{JointTables, StepLength};
 use jounce_model::contact::{ContactLaw, Slopes};
 use jounce_simd::{F64x8, LANES, Simd};
 

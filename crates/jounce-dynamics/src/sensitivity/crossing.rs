@@ -2,7 +2,7 @@
 
 use super::linearization::Linearization;
 use super::tangents::scale;
-use crate::trajectory::{Impact, PortForce, TrajectorySegment};
+use crate::record::trajectory::{Impact, PortForce, TrajectorySegment};
 use jounce_model::contact::Law;
 use jounce_simd::{F64x8, Simd};
 

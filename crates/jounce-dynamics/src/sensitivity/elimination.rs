@@ -1,7 +1,7 @@
 //! Small linear system of one contact step, for all columns at once.
 
 use super::tangents::{add_scaled, scale};
-use crate::basis::NODES;
+use crate::force_response::basis::NODES;
 use jounce_simd::{F64x8, Simd};
 
 /// `A x = r` for the nodes of one or several ports: each node has a row with its entries of `A`,

@@ -28,8 +28,8 @@
 //! start at the same instant; the basis of the others represents their variation only
 //! approximately. Impacts on several rigid stops at the same instant are refused.
 //!
-//! Validation: `tests/integrate/sensitivity` compares with difference quotients of the flow, with its
-//! determinant and with closed forms.
+//! Validation: `tests/integrate/sensitivity` compares with difference quotients of the flow,
+//! with its determinant and with closed forms.
 
 mod conduction_states;
 mod contact;
@@ -41,11 +41,11 @@ mod tangents;
 
 pub use parameter_sensitivity::ParameterSensitivity;
 
-use super::error::IntegrationError;
-use super::integrator::Integrator;
-use super::kernel::Kernel;
-use super::statistics::ContactStatistics;
-use super::trajectory::Trajectory;
+use crate::error::IntegrationError;
+use crate::integrator::Integrator;
+use crate::kernel::Kernel;
+use crate::record::statistics::ContactStatistics;
+use crate::record::trajectory::Trajectory;
 use conduction_states::ConductionRoute;
 use faer::Mat;
 

@@ -1,10 +1,10 @@
 //! Ports at a fixed state: their motion under the drive, and their derivatives by a parameter.
 
 use super::linearization::Linearization;
-use crate::joint_tables::StepLength;
 use crate::kernel::ForceBasis;
-use crate::phasor::PhasorSamples;
-use crate::trajectory::TrajectorySegment;
+use crate::ports::phasor::PhasorSamples;
+use crate::record::trajectory::TrajectorySegment;
+use crate::tables::joint::StepLength;
 use faer::c64;
 use jounce_model::plant::Plant;
 use jounce_simd::{F64x8, Simd};

@@ -58,6 +58,22 @@ fn quadrature(marks: &[f64], longest_s: f64) -> (Vec<f64>, Vec<f64>) {
     (times, weights)
 }
 
+/// Force of each drive and signal, and the velocity of its point.
+fn driven(system: &System, velocities: &[f64], time_s: f64) -> Vec<(f64, f64)> {
+    let velocity =
+        |shape: &[f64]| -> f64 { shape.iter().zip(velocities).map(|(s, v)| s * v).sum() };
+    let drives = system.drives.iter().map(|drive| {
+        let force_n =
+            drive.amplitude_n * (TAU * drive.frequency_hz * time_s + drive.phase_rad).sin();
+        (force_n, velocity(&drive.shape))
+    });
+    let signals = system.signals.iter().map(|signal| {
+        let piece = signal.wave.piece(signal.wave.index_at(time_s));
+        (piece.size_at(time_s), velocity(&signal.shape))
+    });
+    drives.chain(signals).collect()
+}
+
 /// Loads, damping and input of a recorded run by quadrature of the physical powers, against the
 /// exact integrals.
 fn assert_meters(name: &str, system: System, start: &[f64], duration_s: f64, allowed: f64) {
@@ -93,31 +109,8 @@ fn assert_meters(name: &str, system: System, start: &[f64], duration_s: f64, all
             * (0..n)
                 .map(|i| 2.0 * modes.damping_ratio[i] * modes.frequency_rad_s[i] * x[n + i].powi(2))
                 .sum::<f64>();
-        for drive in &system.drives {
-            let force_n =
-                drive.amplitude_n * (TAU * drive.frequency_hz * at.time_s + drive.phase_rad).sin();
-            input += weight
-                * force_n
-                * drive
-                    .shape
-                    .iter()
-                    .zip(&x[n..])
-                    .map(|(s, v)| s * v)
-                    .sum::<f64>();
-        }
-        for signal in &system.signals {
-            let size = signal
-                .wave
-                .piece(signal.wave.index_at(at.time_s))
-                .size_at(at.time_s);
-            input += weight
-                * size
-                * signal
-                    .shape
-                    .iter()
-                    .zip(&x[n..])
-                    .map(|(s, v)| s * v)
-                    .sum::<f64>();
+        for (force_n, velocity) in driven(system, &x[n..], at.time_s) {
+            input += weight * force_n * velocity;
         }
     }
     let meters: Vec<f64> = energies

@@ -65,17 +65,13 @@ pub fn wave(signal: &DriveSignal, duration_s: f64, is_stopped: &dyn Fn() -> bool
             seed,
         } => {
             let sample_rate_hz = sample_rate_hz.unwrap_or(DriveSignal::SAMPLES_PER_CYCLE * high_hz);
-            Some(noise(
-                &NoiseBand {
-                    density,
-                    low_hz,
-                    high_hz,
-                    sample_rate_hz,
-                },
-                duration_s,
-                seed,
-                is_stopped,
-            ))
+            let band = NoiseBand {
+                density,
+                low_hz,
+                high_hz,
+                sample_rate_hz,
+            };
+            Some(noise(&band, duration_s, seed, is_stopped))
         }
         DriveSignal::Recording {
             scale,

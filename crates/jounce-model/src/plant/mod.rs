@@ -13,44 +13,34 @@
 //! flow of `y` is therefore known exactly. Other drives are [`Signal`]s, linear in time between
 //! breakpoints, whose response is also exact ([`Forcing`]).
 
-mod base_motion;
-mod block_diagonal;
-mod bridge;
-mod component;
-mod conduction_path;
+mod assemble;
+mod circuit;
+mod coordinates;
 mod coupled_plant;
 mod diagonal;
-mod eigen_refinement;
-mod electrical;
 mod energy;
 mod error;
-mod event_function;
 mod forcing;
-mod leak;
-mod lyapunov;
-mod quadratic;
-mod signal;
-mod signal_meter;
-mod stiff;
 mod system;
-mod tone;
-mod wiring;
 
-pub use block_diagonal::{BlockDiagonal, BlockPair};
-pub use bridge::{Bridge, BridgeState, Conduction, Scheme, Storage};
+pub use assemble::driven;
+pub use circuit::bridge::{Bridge, BridgeState, Conduction, Scheme, Storage};
+pub use circuit::electrical::{
+    Across, BridgeNodes, Conductance, Electrical, ElectricalNode, Inductor,
+};
+pub use circuit::event_function::{BridgeChange, EnergyOutlet, EventFunction, PowerOutput};
+pub use circuit::leak::Leak;
 pub use coupled_plant::{Plant, Port};
 pub use coupled_plant::{dot, product};
 pub use diagonal::Diagonal;
-pub use electrical::{Across, BridgeNodes, Conductance, Electrical, ElectricalNode, Inductor};
+pub use diagonal::block_diagonal::BlockDiagonal;
+pub use diagonal::block_pair::BlockPair;
+pub use energy::lyapunov::{LyapunovSide, lyapunov};
+pub use energy::quadratic::Quadratics;
+pub use energy::signal_meter::{SignalIntegrals, SignalMeter};
 pub use energy::{EnergyMeter, Meters};
 pub use error::PlantError;
-pub use event_function::{BridgeChange, EnergyOutlet, EventFunction, PowerOutput};
+pub use forcing::signal::Signal;
+pub use forcing::tone::Tone;
 pub use forcing::{Forcing, LOCAL_TERMS, SignalSample};
-pub use leak::Leak;
-pub use lyapunov::{LyapunovSide, lyapunov};
-pub use quadratic::Quadratics;
-pub use signal::Signal;
-pub use signal_meter::{SignalIntegrals, SignalMeter};
-pub use system::driven;
 pub use system::{Connection, Dashpot, Drive, Load, Stop, System};
-pub use tone::Tone;

@@ -1,10 +1,11 @@
 //! Mass-normalised modes of beams, masses and supports.
 //!
-//! The files, in the order of the computation: [`section`] (layers to `EI`, mass and neutral axis),
-//! `layout` (a beam cut into segments), `mesh` and `element` (segments divided into polynomials),
-//! `body`, `placement` and `assembly` (connected structures in strain coordinates), `reduction`
-//! (the eigenproblem), `solution` and `refinement` (all bodies, until converged), then `damping`,
-//! `assembled`, `user_modes` and `merge_modes` (one list of [`Modes`]) and `along` (figures).
+//! The files in `beam`, `assembly` and `modes`, in the order of the computation: [`section`]
+//! (layers to `EI`, mass and neutral axis), `layout` (a beam cut into segments), `mesh` and
+//! `element` (segments divided into polynomials), `body`, `placement` and `assembly` (connected
+//! structures in strain coordinates), `reduction` (the eigenproblem), `solution` and `refinement`
+//! (all bodies, until converged), then `damping`, `assembled`, `user` and `merge` (one list of
+//! [`Modes`]) and `along` (figures).
 //!
 //! ```text
 //! (EI w'')'' + m w_tt = 0    on each segment of constant EI (N m^2) and m (kg/m); w the displacement, m
@@ -19,33 +20,19 @@
 //!
 //! Source: impact-harvester paper (2019), sections 2 and 3; Euler-Bernoulli theory.
 
-mod along;
-mod assembled;
 mod assembly;
-mod body;
-mod coverage;
-mod damping;
-mod element;
+mod beam;
 mod error;
-mod layout;
-mod merge_modes;
-mod mesh;
 mod modes;
-mod placement;
-mod ply;
-mod reduction;
-mod refinement;
-pub mod section;
-mod solution;
-mod user_modes;
 
-pub use along::BeamShape;
+pub use beam::section;
 pub use error::StructureError;
+pub use modes::along::BeamShape;
 pub use modes::{Modes, PatchModes};
 
+use assembly::refinement::{refined, relative_change};
+use assembly::solution::Structures;
 use jounce_spec::Spec;
-use refinement::{refined, relative_change};
-use solution::Structures;
 use std::collections::BTreeMap;
 
 /// Returns the modes of a harvester: `reduction.modes` of its assembled structures, and all modes
@@ -75,7 +62,7 @@ pub fn modes(spec: &Spec) -> Result<Modes, StructureError> {
 pub fn modes_holding(spec: &Spec, fixed_masses: &[String]) -> Result<Modes, StructureError> {
     let structures = Structures::new(spec, fixed_masses)?;
     let (solution, error) = refined(&structures, spec.reduction.mesh_tolerance)?;
-    let assembled = assembled::assembled_modes(spec, fixed_masses, &solution, error)?;
+    let assembled = modes::assembled::assembled_modes(spec, fixed_masses, &solution, error)?;
     with_user_modes(spec, assembled).map(|(_, modes)| modes)
 }
 
@@ -95,7 +82,7 @@ pub fn modes_on_cubic_mesh(
     let (converged, _) = refined(&structures, spec.reduction.mesh_tolerance)?;
     let solution = structures.solve(&structures.cubic_mesh(longest_element_m)?)?;
     let error = relative_change(&solution.frequency_rad_s(), &converged.frequency_rad_s());
-    let assembled = assembled::assembled_modes(spec, fixed_masses, &solution, error)?;
+    let assembled = modes::assembled::assembled_modes(spec, fixed_masses, &solution, error)?;
     with_user_modes(spec, assembled).map(|(_, modes)| modes)
 }
 
@@ -111,8 +98,8 @@ pub fn shapes_along_beams(
 ) -> Result<BTreeMap<String, BeamShape>, StructureError> {
     let structures = Structures::new(spec, fixed_masses)?;
     let (solution, error) = refined(&structures, spec.reduction.mesh_tolerance)?;
-    let mut shapes = along::beam_shapes(&solution, samples);
-    let assembled = assembled::assembled_modes(spec, fixed_masses, &solution, error)?;
+    let mut shapes = modes::along::beam_shapes(&solution, samples);
+    let assembled = modes::assembled::assembled_modes(spec, fixed_masses, &solution, error)?;
     let (order, _) = with_user_modes(spec, assembled)?;
     for shape in shapes.values_mut() {
         shape.shape = shape
@@ -128,10 +115,10 @@ pub fn shapes_along_beams(
 fn with_user_modes(
     spec: &Spec,
     assembled: Modes,
-) -> Result<(merge_modes::ModeOrder, Modes), StructureError> {
+) -> Result<(modes::merge::ModeOrder, Modes), StructureError> {
     let mut parts = vec![assembled];
     for (name, modal) in &spec.modal {
-        parts.push(user_modes::user_modes(name, modal)?);
+        parts.push(modes::user::user_modes(name, modal)?);
     }
-    Ok(merge_modes::merged(&parts))
+    Ok(modes::merge::merged(&parts))
 }

@@ -4,82 +4,91 @@ use crate::paper::{paper, paper_patch};
 use jounce_model::structure::{modes, modes_holding, modes_on_cubic_mesh};
 use jounce_spec::{Patch, Section, Spec};
 
-#[test]
-fn faults_are_errors_with_numbers() {
-    let fault_with = |change: fn(&mut Spec)| {
-        let mut spec = paper(Section::ThinSkin);
-        change(&mut spec);
-        modes(&spec).unwrap_err().to_string()
-    };
-    let patch_beyond = fault_with(|spec| spec.patch.get_mut("mfc").unwrap().start_m = 0.25);
-    assert!(
-        patch_beyond.contains("patch.mfc covers 0.25 m to 0.335 m"),
-        "{patch_beyond}"
-    );
-    let overlap = fault_with(|spec| {
-        spec.patch.insert(
-            "second".into(),
-            Patch {
+/// A change to a valid spec, and the parts that its error must contain.
+type Fault = (fn(&mut Spec), &'static [&'static str]);
+
+const FAULTS: &[Fault] = &[
+    (
+        |spec| spec.patch.get_mut("mfc").unwrap().start_m = 0.25,
+        &["patch.mfc covers 0.25 m to 0.335 m"],
+    ),
+    (
+        |spec| {
+            let second = Patch {
                 start_m: 0.05,
                 ..paper_patch(Section::ThinSkin)
-            },
-        );
-    });
-    assert!(overlap.contains("patches must not overlap"), "{overlap}");
-    let outside = fault_with(|spec| {
-        spec.beam
-            .get_mut("beam")
-            .unwrap()
-            .point
-            .insert("far".into(), 0.4);
-    });
-    assert!(
-        outside.contains("beam.beam.point.far is 0.4 m"),
-        "{outside}"
-    );
-    let nan = fault_with(|spec| spec.beam.get_mut("beam").unwrap().youngs_modulus_pa = f64::NAN);
-    assert!(nan.contains("beam.beam.youngs_modulus is NaN"), "{nan}");
-    let thin = fault_with(|spec| {
-        spec.patch.clear();
-        spec.beam.get_mut("beam").unwrap().thickness_m = 1e-120;
-    });
-    assert!(
-        thin.contains("outside the range of double precision"),
-        "{thin}"
-    );
-    let root = fault_with(|spec| spec.beam.get_mut("beam").unwrap().root = "tabel".into());
-    assert!(
-        root.contains("\"tabel\"") && root.contains("(ground, table)"),
-        "{root}"
-    );
-    let many = fault_with(|spec| spec.reduction.modes = 5000);
-    assert!(many.contains("at most 200"), "{many}");
-    let tolerance = fault_with(|spec| spec.reduction.mesh_tolerance = 1e-17);
-    assert!(tolerance.contains("between 1e-13 and 0.1"), "{tolerance}");
-    let damping = fault_with(|spec| spec.reduction.modes = 10);
-    assert!(
-        damping.contains("9 flexible modes") && damping.contains("add 2"),
-        "{damping}"
-    );
-    let masses_only = fault_with(|spec| {
-        spec.beam.clear();
-        spec.patch.clear();
-        spec.reduction.modes = 7;
-    });
-    assert!(
-        masses_only.contains("7 modes are requested, but the structure has 1"),
-        "{masses_only}"
-    );
+            };
+            spec.patch.insert("second".into(), second);
+        },
+        &["patches must not overlap"],
+    ),
+    (
+        |spec| {
+            let beam = spec.beam.get_mut("beam").unwrap();
+            beam.point.insert("far".into(), 0.4);
+        },
+        &["beam.beam.point.far is 0.4 m"],
+    ),
+    (
+        |spec| spec.beam.get_mut("beam").unwrap().youngs_modulus_pa = f64::NAN,
+        &["beam.beam.youngs_modulus is NaN"],
+    ),
+    (
+        |spec| {
+            spec.patch.clear();
+            spec.beam.get_mut("beam").unwrap().thickness_m = 1e-120;
+        },
+        &["outside the range of double precision"],
+    ),
+    (
+        |spec| spec.beam.get_mut("beam").unwrap().root = "tabel".into(),
+        &["\"tabel\"", "(ground, table)"],
+    ),
+    (|spec| spec.reduction.modes = 5000, &["at most 200"]),
+    (
+        |spec| spec.reduction.mesh_tolerance = 1e-17,
+        &["between 1e-13 and 0.1"],
+    ),
+    (
+        |spec| spec.reduction.modes = 10,
+        &["9 flexible modes", "add 2"],
+    ),
+    (
+        |spec| {
+            spec.beam.clear();
+            spec.patch.clear();
+            spec.reduction.modes = 7;
+        },
+        &["7 modes are requested, but the structure has 1"],
+    ),
+];
+
+#[test]
+fn faults_are_errors_with_numbers() {
+    for (change, parts) in FAULTS {
+        let mut spec = paper(Section::ThinSkin);
+        change(&mut spec);
+        let error = modes(&spec).unwrap_err().to_string();
+        for part in *parts {
+            assert!(error.contains(part), "{error}");
+        }
+    }
+}
+
+#[test]
+fn only_masses_can_be_held() {
     let error = modes_holding(&paper(Section::ThinSkin), &["beam.tip".into()])
         .unwrap_err()
         .to_string();
     assert!(error.contains("only a mass can be held (table)"), "{error}");
-    let endless = modes_on_cubic_mesh(&paper(Section::ThinSkin), &[], 1e-300)
-        .unwrap_err()
-        .to_string();
-    assert!(endless.contains("use longer elements"), "{endless}");
-    let fine = modes_on_cubic_mesh(&paper(Section::ThinSkin), &[], 1e-5)
-        .unwrap_err()
-        .to_string();
-    assert!(fine.contains("use longer elements"), "{fine}");
+}
+
+#[test]
+fn a_cubic_mesh_has_a_limit() {
+    for longest_element_m in [1e-300, 1e-5] {
+        let error = modes_on_cubic_mesh(&paper(Section::ThinSkin), &[], longest_element_m)
+            .unwrap_err()
+            .to_string();
+        assert!(error.contains("use longer elements"), "{error}");
+    }
 }

@@ -7,8 +7,9 @@
 //! `a` and `b` number the stops. The harmonics are ordered port by port.
 
 use super::compliance_table::ComplianceTable;
+use super::fourier_grid::FourierGrid;
 use super::motion::{complex, real};
-use crate::compliance::{FourierGrid, TransferFunction};
+use super::transfer_function::TransferFunction;
 use faer::c64;
 use jounce_model::plant::Plant;
 

@@ -8,7 +8,7 @@
 //! its last term leaves `(pi / 4)^6 / 6! = 3e-4` of the highest harmonic, which is the smallest.
 //! That is enough for Newton, because the residual is computed separately.
 
-use crate::compliance::FourierGrid;
+use super::fourier_grid::FourierGrid;
 use faer::c64;
 use jounce_simd::{Simd, Task, widest};
 use std::f64::consts::TAU;

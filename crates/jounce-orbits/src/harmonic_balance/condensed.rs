@@ -4,8 +4,8 @@ use super::compliance::PortCompliance;
 use super::compliance_table::{ComplianceTable, NodePlaces};
 use super::motion::{complex, rotated};
 use super::nodes::ContactQuadrature;
-use crate::border::{Border, BorderedSolution};
-use crate::lu_factors::LuFactors;
+use crate::bordered::border::{Border, BorderedSolution};
+use crate::bordered::lu_factors::LuFactors;
 use faer::Mat;
 
 /// `I - J K w - J' K' w` at the nodes with the first requested border, factored.

@@ -1,6 +1,6 @@
 //! Contact intervals of a motion: their edges are roots of the trigonometric polynomial.
 
-use super::super::compliance::FourierGrid;
+use super::fourier_grid::FourierGrid;
 use super::motion::PortMotion;
 use faer::c64;
 use std::f64::consts::TAU;

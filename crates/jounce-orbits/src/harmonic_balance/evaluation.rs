@@ -2,15 +2,16 @@
 
 use super::compliance::PortCompliance;
 use super::condensed::{Condensed, CoupledNodes};
+use super::fourier_grid::FourierGrid;
 use super::impulses::after_impulses;
 use super::nodes::{ContactNode, ContactQuadrature};
 use super::quadrature::QuadratureRules;
-use crate::compliance::{FourierGrid, add_tone};
+use super::transfer_function::add_tone;
 use crate::{ParameterDerivatives, ShootingEvaluation};
 use faer::c64;
 use jounce_continuation::{Linearization, ResidualReport};
 use jounce_dynamics::Kernel;
-use jounce_model::plant::Port;
+use jounce_model::plant::{BlockDiagonal, Port};
 use std::cell::OnceCell;
 use std::f64::consts::TAU;
 
@@ -196,37 +197,7 @@ impl BalanceEvaluation {
                 .zip(end_state)
                 .for_each(|(sum, y)| *sum += y);
         }
-        let free = block.free();
-        for ((pair, y), free) in block
-            .pairs
-            .iter()
-            .zip(state.chunks_exact_mut(2))
-            .zip(free.chunks_exact(2))
-        {
-            if free[0] {
-                (y[0], y[1]) = (0.0, 0.0);
-                continue;
-            }
-            let [a, b, c, d] = pair.flow(period_s);
-            let det = (1.0 - a) * (1.0 - d) - b * c;
-            (y[0], y[1]) = (
-                ((1.0 - d) * y[0] + b * y[1]) / det,
-                (c * y[0] + (1.0 - a) * y[1]) / det,
-            );
-        }
-        let paired = 2 * block.pairs.len();
-        for ((rate, y), free) in block
-            .reals
-            .iter()
-            .zip(&mut state[paired..])
-            .zip(&free[paired..])
-        {
-            *y = if *free {
-                0.0
-            } else {
-                *y / -(rate * period_s).exp_m1()
-            };
-        }
+        make_periodic(block, period_s, &mut state);
         if !plant.system.signals.is_empty() {
             state
                 .iter_mut()
@@ -234,6 +205,42 @@ impl BalanceEvaluation {
                 .for_each(|(y, resting)| *y += resting);
         }
         state
+    }
+}
+
+/// Replaces the effect of the forces of one period by that of all periods: a state `y` by
+/// `(I - e^(A T))^-1 y`, 0 for the motions of free bodies.
+fn make_periodic(block: &BlockDiagonal, period_s: f64, state: &mut [f64]) {
+    let free = block.free();
+    for ((pair, y), free) in block
+        .pairs
+        .iter()
+        .zip(state.chunks_exact_mut(2))
+        .zip(free.chunks_exact(2))
+    {
+        if free[0] {
+            (y[0], y[1]) = (0.0, 0.0);
+            continue;
+        }
+        let [a, b, c, d] = pair.flow(period_s);
+        let det = (1.0 - a) * (1.0 - d) - b * c;
+        (y[0], y[1]) = (
+            ((1.0 - d) * y[0] + b * y[1]) / det,
+            (c * y[0] + (1.0 - a) * y[1]) / det,
+        );
+    }
+    let paired = 2 * block.pairs.len();
+    for ((rate, y), free) in block
+        .reals
+        .iter()
+        .zip(&mut state[paired..])
+        .zip(&free[paired..])
+    {
+        *y = if *free {
+            0.0
+        } else {
+            *y / -(rate * period_s).exp_m1()
+        };
     }
 }
 

@@ -2,9 +2,10 @@
 
 use super::contact::grid;
 use super::evaluation::BalanceEvaluation;
+use super::fourier_grid::FourierGrid;
 use super::motion::real;
 use super::quadrature::QuadratureRules;
-use crate::compliance::{FourierGrid, TransferFunction, moves_without_end};
+use super::transfer_function::{TransferFunction, moves_without_end};
 use crate::{
     ModelInstance, Orbit, OrbitError, OrbitMethod, ParametricModel, Shooting, ShootingEvaluation,
 };

@@ -41,11 +41,13 @@ mod compliance_table;
 mod condensed;
 mod contact;
 mod evaluation;
+mod fourier_grid;
 mod impulses;
 mod method;
 mod motion;
 mod nodes;
 mod quadrature;
+mod transfer_function;
 
 pub use evaluation::BalanceEvaluation;
 pub use method::HarmonicBalance;

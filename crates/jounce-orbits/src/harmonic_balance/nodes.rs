@@ -2,9 +2,9 @@
 
 use super::angles::Angles;
 use super::contact::{ContactInterval, contacts};
+use super::fourier_grid::FourierGrid;
 use super::motion::{self, PortMotion};
 use super::quadrature::QuadratureRules;
-use crate::compliance::FourierGrid;
 use faer::c64;
 use jounce_model::contact::Slopes;
 use jounce_model::plant::{Plant, Stop};

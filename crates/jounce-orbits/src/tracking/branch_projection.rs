@@ -2,7 +2,7 @@
 
 use super::extended_problem::ExtendedProblem;
 use super::two_parameter_problem::TwoParameterProblem;
-use crate::border::solve_bordered;
+use crate::bordered::border::solve_bordered;
 use crate::{OrbitError, ParametricModel, ShootingEvaluation, null_vector};
 use faer::{ColRef, Mat};
 

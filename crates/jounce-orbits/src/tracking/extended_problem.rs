@@ -3,7 +3,7 @@
 use super::condition::{Condition, Gradient};
 use super::grazing::{self, GrazingPoint};
 use super::two_parameter_problem::TwoParameterProblem;
-use crate::border::solve_bordered;
+use crate::bordered::border::solve_bordered;
 use crate::{OrbitError, ParametricModel, Shooting, ShootingEvaluation};
 use faer::Mat;
 use jounce_continuation::{Linearization, Problem};
@@ -109,30 +109,97 @@ impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
     ) -> Result<Option<Gradient>, OrbitError<LineError<P>>> {
         let (start, parameter) = (&unknown[..self.parameter_index()], self.parameter(unknown));
         let differences = self.plane.differences([parameter, parameter_2]);
-        let line = self
-            .plane
-            .line(parameter_2)
-            .map_err(OrbitError::Harvester)?;
-        let second_shifted = self
-            .plane
-            .line(parameter_2 + differences[1])
-            .map_err(OrbitError::Harvester)?;
-        let (evaluation, _) = self.shooting(&line).shoot(start, parameter)?;
-        let (by_first, _) = self
-            .shooting(&line)
-            .shoot(start, parameter + differences[0])?;
-        let (by_second, _) = self.shooting(&second_shifted).shoot(start, parameter)?;
+        let lines = self.lines(parameter_2, differences)?;
+        let (evaluation, nearby, _) = self.shots(&lines, (start, parameter), differences)?;
         let Some(touch) = GrazingPoint::of(&evaluation) else {
             return Ok(None);
         };
         let gradients = grazing::gradients(
             touch,
             &evaluation,
-            [&by_first, &by_second],
+            [&nearby[0], &nearby[1]],
             differences,
             (&self.scale, self.integration_tolerance()),
         )?;
         Ok(gradients.into_iter().next())
+    }
+
+    /// Returns the harvesters along the line of a second parameter, and along the one a difference
+    /// beyond.
+    fn lines(
+        &self,
+        parameter_2: f64,
+        differences: [f64; 2],
+    ) -> Result<[P::Line; 2], OrbitError<LineError<P>>> {
+        let line = |parameter_2: f64| self.plane.line(parameter_2).map_err(OrbitError::Harvester);
+        Ok([line(parameter_2)?, line(parameter_2 + differences[1])?])
+    }
+
+    /// Integrates the period at a point, and at a difference of either parameter from it; true when
+    /// the derivative by the first parameter is exact.
+    fn shots(
+        &self,
+        [line, second_shifted]: &[P::Line; 2],
+        (start, parameter): (&[f64], f64),
+        differences: [f64; 2],
+    ) -> Result<(ShootingEvaluation, [ShootingEvaluation; 2], bool), OrbitError<LineError<P>>> {
+        let shooting = self.shooting(line);
+        let (evaluation, exact) = shooting.shoot(start, parameter)?;
+        let (by_first, _) = shooting.shoot(start, parameter + differences[0])?;
+        let (by_second, _) = self.shooting(second_shifted).shoot(start, parameter)?;
+        Ok((evaluation, [by_first, by_second], exact))
+    }
+
+    /// Returns the conditions of the bifurcation with their gradients; `None` where it does not
+    /// exist.
+    fn conditions(
+        &self,
+        (unknown, parameter_2): (&[f64], f64),
+        [line, second_shifted]: &[P::Line; 2],
+        (evaluation, [by_first, by_second]): (&ShootingEvaluation, &[ShootingEvaluation; 2]),
+        differences: [f64; 2],
+    ) -> Result<Option<Vec<Gradient>>, OrbitError<LineError<P>>> {
+        let n = self.parameter_index();
+        let (start, parameter) = (&unknown[..n], self.parameter(unknown));
+        let nearby = [by_first, by_second];
+        let shifted = |by: &[f64]| {
+            let start: Vec<f64> = start.iter().zip(by).map(|(u, d)| u + d).collect();
+            self.shooting(line)
+                .shoot(&start, parameter)
+                .map(|(evaluation, _)| evaluation)
+        };
+        let one = match self.condition {
+            Condition::Touching(touch) => {
+                let touch = touch.with_unknown(unknown[n + 1]);
+                let scale = (&self.scale[..], self.integration_tolerance());
+                let gradients = grazing::gradients(touch, evaluation, nearby, differences, scale)?;
+                return Ok(Some(gradients));
+            }
+            Condition::Peak => {
+                self.peak((start, parameter, parameter_2), (line, second_shifted))?
+            }
+            condition => condition.gradient(evaluation, nearby, differences, shifted)?,
+        };
+        Ok(one.map(|gradient| vec![gradient]))
+    }
+
+    /// Returns the derivative of the equations by the unknown.
+    fn matrix(&self, evaluation: &ShootingEvaluation, gradients: &[Gradient]) -> Mat<f64> {
+        let n = self.parameter_index();
+        let phase_unit = if let Condition::Touching(touch) = self.condition {
+            touch.unit_cycles
+        } else {
+            0.0
+        };
+        let size = n + gradients.len();
+        Mat::from_fn(size, size, |i, j| match (i < n, j) {
+            (true, j) if j < n => evaluation.map()[(i, j)] - f64::from(u8::from(i == j)),
+            (true, j) if j == n => self.unit * evaluation.by_parameter[i],
+            (true, _) => 0.0,
+            (false, j) if j < n => gradients[i - n].by_unknown[j],
+            (false, j) if j == n => self.unit * gradients[i - n].by_parameters[0],
+            (false, _) => phase_unit * gradients[i - n].by_phase,
+        })
     }
 }
 
@@ -144,82 +211,29 @@ impl<P: TwoParameterProblem> Problem for ExtendedProblem<'_, P> {
         let n = self.parameter_index();
         let (start, parameter) = (&unknown[..n], self.parameter(unknown));
         let differences = self.plane.differences([parameter, parameter_2]);
-        let line = self
-            .plane
-            .line(parameter_2)
-            .map_err(OrbitError::Harvester)?;
-        let second_shifted = self
-            .plane
-            .line(parameter_2 + differences[1])
-            .map_err(OrbitError::Harvester)?;
-        let shooting = self.shooting(&line);
-        let (mut evaluation, exact) = shooting.shoot(start, parameter)?;
-        let (first_shot, _) = shooting.shoot(start, parameter + differences[0])?;
-        let (second_shot, _) = self.shooting(&second_shifted).shoot(start, parameter)?;
+        let lines = self.lines(parameter_2, differences)?;
+        let (mut evaluation, nearby, exact) =
+            self.shots(&lines, (start, parameter), differences)?;
         if !exact {
-            evaluation.by_parameter = first_shot
+            evaluation.by_parameter = nearby[0]
                 .residual
                 .iter()
                 .zip(&evaluation.residual)
                 .map(|(a, b)| (a - b) / differences[0])
                 .collect();
         }
-        let shifted = |by: &[f64]| {
-            let start: Vec<f64> = start.iter().zip(by).map(|(u, d)| u + d).collect();
-            shooting
-                .shoot(&start, parameter)
-                .map(|(evaluation, _)| evaluation)
-        };
-        let conditions = match self.condition {
-            Condition::Peak => self
-                .peak((start, parameter, parameter_2), (&line, &second_shifted))?
-                .map(|conditions| vec![conditions]),
-            Condition::Touching(touch) => {
-                let touch = touch.with_unknown(unknown[n + 1]);
-                Some(grazing::gradients(
-                    touch,
-                    &evaluation,
-                    [&first_shot, &second_shot],
-                    differences,
-                    (&self.scale, self.integration_tolerance()),
-                )?)
-            }
-            condition => condition
-                .gradient(
-                    &evaluation,
-                    [&first_shot, &second_shot],
-                    differences,
-                    shifted,
-                )?
-                .map(|conditions| vec![conditions]),
-        };
+        let conditions = self.conditions(
+            (unknown, parameter_2),
+            &lines,
+            (&evaluation, &nearby),
+            differences,
+        )?;
         // Without the condition no bifurcation exists: the residual stays finite under every
         // correction.
         let gradients = conditions.unwrap_or_else(|| vec![Gradient::none(n)]);
-        let phase_unit = if let Condition::Touching(touch) = self.condition {
-            touch.unit_cycles
-        } else {
-            0.0
-        };
-        let by_second =
-            |i: usize| (second_shot.residual[i] - evaluation.residual[i]) / differences[1];
-        let size = n + gradients.len();
-        let matrix = Mat::from_fn(size, size, |i, j| match (i < n, j) {
-            (true, j) if j < n => evaluation.map()[(i, j)] - f64::from(u8::from(i == j)),
-            (true, j) if j == n => self.unit * evaluation.by_parameter[i],
-            (true, _) => 0.0,
-            (false, j) if j < n => gradients[i - n].by_unknown[j],
-            (false, j) if j == n => self.unit * gradients[i - n].by_parameters[0],
-            (false, _) => phase_unit * gradients[i - n].by_phase,
-        });
-        let by_parameter = (0..size)
-            .map(|i| {
-                if i < n {
-                    by_second(i)
-                } else {
-                    gradients[i - n].by_parameters[1]
-                }
-            })
+        let by_parameter = (0..n)
+            .map(|i| (nearby[1].residual[i] - evaluation.residual[i]) / differences[1])
+            .chain(gradients.iter().map(|gradient| gradient.by_parameters[1]))
             .collect();
         let residual = evaluation
             .residual
@@ -229,13 +243,13 @@ impl<P: TwoParameterProblem> Problem for ExtendedProblem<'_, P> {
             .collect();
         let (bend, is_resonant) = (gradients[0].power_curvature, gradients[0].is_resonant);
         Ok(ExtendedEvaluation {
-            shot: evaluation,
             power_curvature: bend,
             is_resonant,
             residual,
-            matrix,
+            matrix: self.matrix(&evaluation, &gradients),
             by_parameter,
             states: n,
+            shot: evaluation,
         })
     }
 }

@@ -12,7 +12,7 @@
 //! Source: W. Govaerts, Numerical Methods for Bifurcations of Dynamical Equilibria (SIAM, 2000), ch. 3.
 
 use super::condition::Gradient;
-use crate::border::solve_bordered;
+use crate::bordered::border::solve_bordered;
 use crate::{ShootingEvaluation, null_vector};
 use faer::{ColRef, Mat};
 

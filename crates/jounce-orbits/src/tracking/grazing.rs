@@ -13,7 +13,7 @@
 //! Source: A. B. Nordmark, J. Sound Vib. 145 (1991) 279 (grazing); V. I. Arnold, Catastrophe Theory (Springer, 1992), ch. 2 (cusps).
 
 use super::condition::Gradient;
-use crate::turning_points::port_motion;
+use crate::orbit::sampled_motion::port_motion;
 use crate::{ShootingEvaluation, nearest_turn};
 use faer::{ColRef, Mat};
 use jounce_dynamics::{FlowSensitivity, ParameterSensitivity, SensitivityError};

@@ -1,0 +1,171 @@
+//! Product of a row and the forced part of the state, as a polynomial in time.
+//!
+//! ```text
+//! row . P(t) = sum_s (row . rest) (u + s t) + (row . lag) s + sum_j (u m_(j-1) + s m_(j-2)) t^j / j!,   m_j = row A^j b
+//! ```
+//!
+//! with `m` over local blocks only; for free bodies alone it is a cubic.
+
+use jounce_model::plant::{LOCAL_TERMS, Plant, SignalSample};
+
+/// Number of coefficients of a series.
+const SERIES_COEFFICIENTS: usize = LOCAL_TERMS + 1;
+
+/// Row for all signals.
+#[derive(Debug, Clone)]
+pub(crate) struct ExcitationRow {
+    /// For each signal, `row . rest` and `row . lag`.
+    following: Vec<[f64; 2]>,
+    /// For each signal, `m_j / (j + 1)!`.
+    local: Vec<[f64; LOCAL_TERMS]>,
+    /// Number of coefficients that are not always 0.
+    used: usize,
+}
+
+/// Polynomial in the time from the current time on.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ExcitationSeries {
+    coefficients: [f64; SERIES_COEFFICIENTS],
+    used: usize,
+}
+
+impl ExcitationRow {
+    pub fn of(plant: &Plant, row: &[f64]) -> Self {
+        let dot = |column: &[f64]| -> f64 { row.iter().zip(column).map(|(r, c)| r * c).sum() };
+        let local = |forcing: &jounce_model::plant::Forcing| {
+            let (mut power, mut factorial) = (forcing.local.clone(), 1.0);
+            std::array::from_fn(|j| {
+                factorial *= (j + 1) as f64;
+                let moment = dot(&power) / factorial;
+                power = plant.diagonal.block.apply(&power);
+                moment
+            })
+        };
+        let local: Vec<[f64; LOCAL_TERMS]> = plant.forcings.iter().map(local).collect();
+        let last = (0..LOCAL_TERMS)
+            .rev()
+            .find(|j| local.iter().any(|moments| moments[*j] != 0.0));
+        // A slope reaches one power higher than a value.
+        let used = last.map_or(2, |last| (last + 3).min(SERIES_COEFFICIENTS));
+        Self {
+            following: plant
+                .forcings
+                .iter()
+                .map(|forcing| [dot(&forcing.rest), dot(&forcing.lag)])
+                .collect(),
+            local,
+            used,
+        }
+    }
+
+    /// Returns the polynomial for given samples of the signals.
+    #[inline(always)]
+    pub fn series(&self, sizes: &[SignalSample]) -> ExcitationSeries {
+        let mut series = ExcitationSeries {
+            used: self.used,
+            ..ExcitationSeries::ZERO
+        };
+        for (([rest, lag], local), [size, slope]) in
+            self.following.iter().zip(&self.local).zip(sizes)
+        {
+            let c = &mut series.coefficients;
+            c[0] += rest * size + lag * slope;
+            c[1] += rest * slope;
+            for j in 1..self.used {
+                c[j] += size * local[j - 1];
+                if j + 1 < self.used {
+                    c[j + 1] += slope * local[j - 1] / (j + 1) as f64;
+                }
+            }
+        }
+        series
+    }
+}
+
+impl ExcitationSeries {
+    pub const ZERO: Self = Self {
+        coefficients: [0.0; SERIES_COEFFICIENTS],
+        used: 0,
+    };
+
+    /// Adds a cubic.
+    #[inline(always)]
+    pub fn add(&mut self, cubic: &[f64; 4]) {
+        self.coefficients
+            .iter_mut()
+            .zip(cubic)
+            .for_each(|(sum, c)| *sum += c);
+        self.used = self.used.max(cubic.len());
+    }
+
+    /// Returns value and slope.
+    #[inline(always)]
+    pub fn motion(&self, t: f64) -> [f64; 2] {
+        let (mut value, mut slope) = (0.0, 0.0);
+        for c in self.coefficients[..self.used].iter().rev() {
+            slope = slope * t + value;
+            value = value * t + c;
+        }
+        [value, slope]
+    }
+
+    /// Returns the value.
+    #[inline(always)]
+    pub fn value(&self, t: f64) -> f64 {
+        self.coefficients[..self.used]
+            .iter()
+            .rev()
+            .fold(0.0, |value, c| value * t + c)
+    }
+
+    /// Returns the second derivative.
+    #[inline(always)]
+    pub fn curvature(&self, t: f64) -> f64 {
+        (2..self.used).rev().fold(0.0, |sum, j| {
+            sum * t + (j * (j - 1)) as f64 * self.coefficients[j]
+        })
+    }
+
+    /// Returns a bound on the fourth derivative up to a time.
+    #[inline(always)]
+    pub fn fourth_bound(&self, t: f64) -> f64 {
+        let factor = |j: usize| (j * (j - 1) * (j - 2) * (j - 3)) as f64;
+        (4..self.used).rev().fold(0.0, |sum, j| {
+            sum * t + factor(j) * self.coefficients[j].abs()
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn derivatives_are_those_of_the_polynomial() {
+        let mut series = ExcitationSeries {
+            used: 7,
+            ..ExcitationSeries::ZERO
+        };
+        series.coefficients[..7].copy_from_slice(&[1.0, -2.0, 0.5, 3.0, -1.0, 0.2, 0.7]);
+        let at = |t: f64| {
+            1.0 - 2.0 * t + 0.5 * t * t + 3.0 * t.powi(3) - t.powi(4)
+                + 0.2 * t.powi(5)
+                + 0.7 * t.powi(6)
+        };
+        let slope = -2.0 + 0.6 + 9.0 * 0.36 - 4.0 * 0.216 + 0.1296 + 4.2 * 0.07776;
+        let curvature = 1.0 + 18.0 * 0.6 - 12.0 * 0.36 + 4.0 * 0.216 + 21.0 * 0.1296;
+        let [value, derivative] = series.motion(0.6);
+        assert!(
+            (value - at(0.6)).abs() < 1e-14
+                && (series.value(0.6) - value).abs() < 1e-15
+                && (derivative - slope).abs() < 1e-13
+        );
+        assert!(
+            (series.curvature(0.6) - curvature).abs() < 1e-13,
+            "{}",
+            series.curvature(0.6)
+        );
+        let fourth = |t: f64| (-24.0 + 24.0 * t + 252.0 * t * t).abs();
+        assert!((0..=60).all(|k| fourth(f64::from(k) / 100.0) <= series.fourth_bound(0.6)));
+    }
+}

@@ -1,0 +1,140 @@
+//! Rows and bounds for the proof that a flight step is free of contact (see
+//! [`super::certificate`]).
+
+use crate::flow::layout::StateLayout;
+use jounce_model::plant::{BlockDiagonal, BlockPair, Port};
+use jounce_simd::F64x8;
+
+/// Tables of the certificate for a flight step of one length. All rows are padded.
+#[derive(Debug, Clone)]
+pub struct FlightTable {
+    /// Factors of the bound on the fourth derivative of the slow part, m/s^4.
+    pub slow_fourth: Vec<F64x8>,
+    /// Contribution of blocks too fast for this length; `None` without such a block.
+    pub fast: Option<FastBlocks>,
+}
+
+/// Blocks for which a bound on the motion is better than one on the interpolation error.
+#[derive(Debug, Clone)]
+pub struct FastBlocks {
+    /// Row of the displacement of the slow part.
+    pub slow_displacement: Vec<F64x8>,
+    /// Row of the velocity of the slow part.
+    pub slow_velocity: Vec<F64x8>,
+    /// Factors of the bound on the displacement of the fast part, m.
+    pub displacement_bound: Vec<F64x8>,
+    /// Factors of the bound on the velocity of the fast part, m/s.
+    pub velocity_bound: Vec<F64x8>,
+}
+
+/// `|lambda| h` above which a block counts as fast.
+const FAST_BLOCK: f64 = 4.4;
+
+/// Bounds on the contribution of one block to the displacement, as factors on the magnitudes of its
+/// states.
+struct BlockBounds {
+    states: Vec<usize>,
+    speed_rad_s: f64,
+    displacement: Vec<f64>,
+    velocity: Vec<f64>,
+    fourth: Vec<f64>,
+    may_be_fast: bool,
+}
+
+impl FlightTable {
+    /// Computes the tables for steps of one length.
+    pub fn new(block: &BlockDiagonal, layout: &StateLayout, port: &Port, h: f64) -> Self {
+        let n = block.len();
+        let (mut fourth, mut bound, mut speed, mut slow) =
+            (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![1.0; n]);
+        for share in shares(block, &port.displacement, h) {
+            let is_fast = share.may_be_fast && share.speed_rad_s * h >= FAST_BLOCK;
+            for (i, state) in share.states.iter().enumerate() {
+                if is_fast {
+                    (bound[*state], speed[*state], slow[*state]) =
+                        (share.displacement[i], share.velocity[i], 0.0);
+                } else {
+                    fourth[*state] = share.fourth[i];
+                }
+            }
+        }
+        let factors_of = |row: &[f64]| {
+            layout.pack(
+                &row.iter()
+                    .zip(&slow)
+                    .map(|(c, factor)| c * factor)
+                    .collect::<Vec<_>>(),
+            )
+        };
+        let fast = slow.contains(&0.0).then(|| FastBlocks {
+            slow_displacement: factors_of(&port.displacement),
+            slow_velocity: factors_of(&port.velocity),
+            displacement_bound: layout.pack(&bound),
+            velocity_bound: layout.pack(&speed),
+        });
+        FlightTable {
+            slow_fourth: layout.pack(&fourth),
+            fast,
+        }
+    }
+}
+
+/// Returns the bounds of all blocks. Blocks decay, so that bounds at the start of a step hold
+/// throughout.
+fn shares(block: &BlockDiagonal, row: &[f64], h: f64) -> Vec<BlockBounds> {
+    let pair = |(k, pair): (usize, &BlockPair)| {
+        let start_row = [row[2 * k], row[2 * k + 1]];
+        let (states, speed_rad_s) = (vec![2 * k, 2 * k + 1], pair.eigenvalue().norm());
+        match *pair {
+            BlockPair::Oscillatory { .. } => {
+                let gain = start_row[0].hypot(start_row[1]);
+                let both = |factor: f64| vec![gain * factor; 2];
+                let (velocity, fourth) = (both(speed_rad_s), both(speed_rad_s.powi(4)));
+                BlockBounds {
+                    states,
+                    speed_rad_s,
+                    displacement: both(1.0),
+                    velocity,
+                    fourth,
+                    may_be_fast: true,
+                }
+            }
+            // w = (c_u u + c_v v + c_u v t) e^{r t}, r <= 0
+            BlockPair::Jordan { rate } => {
+                let ([cu, cv], r) = (start_row.map(f64::abs), rate.abs());
+                let fourth = vec![
+                    cu * r.powi(4),
+                    (cv + cu * h) * r.powi(4) + 4.0 * cu * r.powi(3),
+                ];
+                BlockBounds {
+                    states,
+                    speed_rad_s,
+                    displacement: vec![0.0; 2],
+                    velocity: vec![0.0; 2],
+                    fourth,
+                    may_be_fast: false,
+                }
+            }
+        }
+    };
+    let first = 2 * block.pairs.len();
+    let real = |(k, rate): (usize, &f64)| {
+        let (gain, speed_rad_s) = (row[first + k].abs(), rate.abs());
+        let (velocity, fourth) = (vec![gain * speed_rad_s], vec![gain * speed_rad_s.powi(4)]);
+        BlockBounds {
+            states: vec![first + k],
+            speed_rad_s,
+            displacement: vec![gain],
+            velocity,
+            fourth,
+            may_be_fast: true,
+        }
+    };
+    block
+        .pairs
+        .iter()
+        .enumerate()
+        .map(pair)
+        .chain(block.reals.iter().enumerate().map(real))
+        .collect()
+}

@@ -1,0 +1,107 @@
+//! Flow over any time, and the motion of the ports at its end.
+
+use super::state::dot;
+use crate::flow::MAX_SERIES_ARGUMENT;
+use crate::integrator::Integrator;
+use faer::c64;
+use jounce_simd::Simd;
+
+impl Integrator<'_> {
+    /// Updates penetration and rate of a port from the state.
+    #[inline(always)]
+    pub(crate) fn update_port<W: Simd>(&mut self, w: W, p: usize) {
+        let motion = self.reading(w, p);
+        let port = &mut self.ports[p];
+        [port.penetration_m, port.rate_m_s] = motion;
+    }
+
+    /// Returns penetration and rate of a port, m and m/s.
+    #[inline(always)]
+    pub(crate) fn reading<W: Simd>(&self, w: W, p: usize) -> [f64; 2] {
+        let rows = &self.ports[p].rows;
+        let mut motion = [
+            dot(w, &rows.displacement, &self.y) - rows.gap_m,
+            dot(w, &rows.velocity, &self.y),
+        ];
+        let [displacement, speed] = self.excitation.motion_after(p, 0.0);
+        motion = [motion[0] + displacement, motion[1] + speed];
+        for tone in &self.tones {
+            let [displacement, speed] = tone.motion(p);
+            motion = [motion[0] + displacement, motion[1] + speed];
+        }
+        motion
+    }
+
+    /// Sets `next` to the state after an exact flow over any time.
+    #[inline(always)]
+    pub(crate) fn propagate_to<W: Simd>(&mut self, w: W, length_s: f64) {
+        if let Some(flow) = self.excitation.flow_over(length_s) {
+            flow.apply(w, &self.y, &mut self.next);
+            return;
+        }
+        self.next.copy_from_slice(&self.y);
+        self.propagate_remainder(w, length_s);
+    }
+
+    /// Moves `next` from one time ahead of the current one to another. Over a short time it moves
+    /// on or back, otherwise from the current time: the roundoff of a long flow would hide a point
+    /// that hardly leaves its stop.
+    #[inline(always)]
+    pub(crate) fn propagate_from<W: Simd>(&mut self, w: W, from_s: f64, to_s: f64) {
+        let change_s = to_s - from_s;
+        if change_s.abs() * self.kernel.stiffest_rad_s <= MAX_SERIES_ARGUMENT {
+            self.propagate_remainder(w, change_s);
+        } else {
+            self.propagate_to(w, to_s);
+        }
+    }
+
+    /// Propagates `next` over a time, or back over a short one.
+    ///
+    /// The time is split into levels, longest first, and a remainder so short that the power series
+    /// of the flow is exact.
+    #[inline(always)]
+    fn propagate_remainder<W: Simd>(&mut self, w: W, change_s: f64) {
+        let kernel = self.kernel;
+        let (flows, rest_s) = kernel.flows_within(change_s);
+        kernel
+            .generator
+            .carry(w, &flows, (rest_s, kernel.stiffest_rad_s), &mut self.next);
+    }
+
+    /// Returns penetration and rate of a port in `next`, `length_s` after the current time.
+    #[inline(always)]
+    pub(crate) fn motion_after<W: Simd>(&self, w: W, p: usize, length_s: f64) -> [f64; 2] {
+        let rows = &self.ports[p].rows;
+        let mut motion = [
+            dot(w, &rows.displacement, &self.next) - rows.gap_m,
+            dot(w, &rows.velocity, &self.next),
+        ];
+        let [displacement, speed] = self.excitation.motion_after(p, length_s);
+        motion = [motion[0] + displacement, motion[1] + speed];
+        for tone in &self.tones {
+            let [displacement, speed] =
+                tone.motion_after(p, c64::cis(tone.angular_frequency_rad_s * length_s));
+            motion = [motion[0] + displacement, motion[1] + speed];
+        }
+        motion
+    }
+
+    /// Advances to the state in `next`; the ports are not updated.
+    #[inline(always)]
+    pub(crate) fn advance_state(&mut self, length_s: f64, end_s: f64) {
+        self.note(length_s, &[]);
+        std::mem::swap(&mut self.y, &mut self.next);
+        self.time_s = end_s;
+        self.tones.iter_mut().for_each(|tone| tone.set(end_s));
+        self.excitation
+            .pass(self.kernel, length_s, end_s, &mut self.y);
+    }
+
+    /// Sets the motion of a port at the current time.
+    #[inline(always)]
+    pub(crate) fn set_motion(&mut self, p: usize, motion: [f64; 2]) {
+        let port = &mut self.ports[p];
+        [port.penetration_m, port.rate_m_s] = motion;
+    }
+}

@@ -1,0 +1,7 @@
+//! Contact force on a step and the exact response of the blocks and of the output rows to it.
+
+pub(crate) mod basis;
+pub(crate) mod duhamel;
+mod factors;
+pub(crate) mod output_rows;
+pub(crate) mod step_response;

@@ -1,0 +1,103 @@
+//! Acceleration of a port towards its stop without contact force, and the roundoff of its terms.
+
+use crate::flow::state::dot;
+use crate::integrator::Integrator;
+use crate::ports::phasor::Phasor;
+use faer::c64;
+use jounce_simd::{F64x8, Portable};
+
+/// Fraction of the terms of an acceleration that is roundoff.
+const ACCELERATION_ROUNDOFF: f64 = 1e-12;
+
+impl Integrator<'_> {
+    /// True where the motion presses a touching point onto its stop: at present, or, where its
+    /// acceleration is roundoff, in the next moment.
+    pub(super) fn is_pressed(&self, p: usize) -> bool {
+        let (acceleration, roundoff) = (
+            self.acceleration_m_s2(p),
+            self.acceleration_roundoff_m_s2(p),
+        );
+        acceleration > roundoff || acceleration >= -roundoff && self.jerk_m_s3(p) > 0.0
+    }
+
+    /// Returns the magnitude below which the acceleration towards the stop is roundoff, m/s^2.
+    pub(crate) fn acceleration_roundoff_m_s2(&self, p: usize) -> f64 {
+        let row = self.layout.pack(&self.kernel.acceleration_row(p));
+        let free = self.terms_of(&row);
+        let size =
+            |tone: &Phasor| tone.displacement_m[p].norm() * tone.angular_frequency_rad_s.powi(2);
+        ACCELERATION_ROUNDOFF
+            * (free
+                + self.tones.iter().map(size).sum::<f64>()
+                + self.excitation.acceleration_after(p, 0.0).abs())
+    }
+
+    /// Returns the rate of the acceleration towards the stop without contact force, m/s^3.
+    pub(crate) fn jerk_m_s3(&self, p: usize) -> f64 {
+        let row = self.layout.pack(
+            &self
+                .kernel
+                .plant
+                .diagonal
+                .block
+                .rate_row(&self.kernel.acceleration_row(p)),
+        );
+        let of = |tone: &Phasor| {
+            let w = tone.angular_frequency_rad_s;
+            acceleration(tone.displacement_m[p] * tone.turn * c64::new(0.0, w), w)
+        };
+        // The displacement forced by signals is a cubic: a difference is its exact rate.
+        let after_s = 1.0 / self.kernel.fastest_rad_s;
+        let forced = (self.excitation.acceleration_after(p, after_s)
+            - self.excitation.acceleration_after(p, 0.0))
+            / after_s;
+        dot(Portable::new(), &row, &self.y) + self.tones.iter().map(of).sum::<f64>() + forced
+    }
+
+    /// Returns the relative acceleration towards the stop without contact force, m/s^2.
+    pub(crate) fn acceleration_m_s2(&self, p: usize) -> f64 {
+        let row = self.layout.pack(&self.kernel.acceleration_row(p));
+        let drive: f64 = self
+            .tones
+            .iter()
+            .map(|tone| {
+                acceleration(
+                    tone.displacement_m[p] * tone.turn,
+                    tone.angular_frequency_rad_s,
+                )
+            })
+            .sum();
+        dot(Portable::new(), &row, &self.y) + drive + self.excitation.acceleration_after(p, 0.0)
+    }
+
+    /// Returns the scale for speed errors of a sticking port: the largest impact speed, or the
+    /// terms of its velocity. The latter are needed where bodies push each other from rest without
+    /// any impact.
+    pub(crate) fn speed_m_s(&self, p: usize) -> f64 {
+        self.ports[p]
+            .impact_velocity_m_s
+            .max(self.velocity_terms_m_s(p))
+    }
+
+    /// Returns the sum of the magnitudes of the terms of the velocity of a port, m/s.
+    pub(super) fn velocity_terms_m_s(&self, p: usize) -> f64 {
+        self.terms_of(&self.ports[p].rows.velocity)
+    }
+
+    /// Returns the sum of the magnitudes of the terms of an output.
+    pub(crate) fn terms_of(&self, row: &[F64x8]) -> f64 {
+        let terms = |(row, y): (&F64x8, &F64x8)| {
+            row.0
+                .iter()
+                .zip(y.0)
+                .map(|(row, y)| (row * y).abs())
+                .sum::<f64>()
+        };
+        row.iter().zip(&self.y).map(terms).sum()
+    }
+}
+
+/// Returns the acceleration of a sinusoidal displacement, m/s^2.
+pub(crate) fn acceleration(displacement_m: c64, angular_frequency_rad_s: f64) -> f64 {
+    -(displacement_m * angular_frequency_rad_s * angular_frequency_rad_s).re
+}

@@ -1,0 +1,6 @@
+//! Impacts on rigid stops, and the limit on impacts without advance in time.
+
+pub(crate) mod acceleration;
+mod rigid;
+mod sticking;
+pub(crate) mod zeno_guard;

@@ -1,0 +1,107 @@
+//! Start of an integration.
+
+use super::Integrator;
+use crate::contact::step_control::RELEASE_ERROR_FACTOR;
+use crate::error::IntegrationError;
+use crate::excitation::Excitation;
+use crate::kernel::Kernel;
+use crate::ports::per_port::PerPort;
+use crate::ports::phasor::Phasor;
+use crate::ports::state::PortState;
+use crate::record::energies::MeterReadings;
+use crate::record::statistics::{ContactIntegrals, WorkCount};
+use crate::rectifier::switching::Switching;
+use crate::tables::ad_hoc::AdHocTables;
+use crate::tables::step_size::LEVELS_PER_OCTAVE;
+use jounce_simd::{F64x8, Portable};
+
+impl<'k> Integrator<'k> {
+    /// Starts an integration at a time from block coordinates `y` (see
+    /// [`jounce_model::plant::Plant::from_physical`]).
+    ///
+    /// `tolerance` is the wanted relative error of the response.
+    ///
+    /// # Errors
+    /// [`IntegrationError::NotFinite`] for a start that is not finite.
+    pub fn new(
+        kernel: &'k Kernel,
+        y: &[f64],
+        time_s: f64,
+        tolerance: f64,
+    ) -> Result<Self, IntegrationError> {
+        if y.iter().any(|value| !value.is_finite()) {
+            return Err(IntegrationError::NotFinite { time_s });
+        }
+        let mut integrator = Self::in_one_regime(kernel, y, time_s, tolerance);
+        integrator.open_switching()?;
+        Ok(integrator)
+    }
+
+    /// Creates an integrator in the conduction state of a kernel.
+    pub(crate) fn in_one_regime(
+        kernel: &'k Kernel,
+        y: &[f64],
+        time_s: f64,
+        tolerance: f64,
+    ) -> Self {
+        let (plant, layout) = (&kernel.plant, kernel.layout);
+        let tones: Vec<Phasor> = (0..plant.tones.len())
+            .map(|index| Phasor::new(plant, index, time_s))
+            .collect();
+        let start = Kernel::level_within(1.0 / kernel.fastest_rad_s);
+        let contact_level = (start + 3 * LEVELS_PER_OCTAVE).min(Kernel::finest());
+        let forced = Excitation::new(kernel, time_s);
+        let free: Vec<f64> = y
+            .iter()
+            .zip(plant.forced(&forced.sizes, 0.0))
+            .map(|(y, forced)| y - forced)
+            .collect();
+        let count = plant.ports.len();
+        let mut integrator = Self {
+            kernel,
+            base: kernel,
+            switching: Switching::default(),
+            layout,
+            tolerance,
+            time_s,
+            y: layout.pack(&free),
+            next: vec![F64x8::ZERO; layout.lanes()],
+            from_start: vec![F64x8::ZERO; layout.lanes()],
+            ad_hoc_tables: AdHocTables::default(),
+            ports: PerPort::new(count, |port| {
+                PortState::new(plant, &layout, &tones, port, contact_level)
+            }),
+            flight_level: start,
+            flight_s: f64::INFINITY,
+            release_error_factor: RELEASE_ERROR_FACTOR,
+            integrals: ContactIntegrals {
+                loads_j: vec![0.0; kernel.meters().loads.len()],
+                tones_n_s: PerPort::new(count, |_| vec![Default::default(); tones.len()]),
+                ..ContactIntegrals::default()
+            },
+            tones,
+            excitation: forced,
+            work: WorkCount::default(),
+            checks: 0,
+            opening: MeterReadings::default(),
+            record: None,
+        };
+        integrator.open_ports();
+        integrator
+    }
+
+    /// Sets the ports to their first motion, and the energy meters to their first readings.
+    fn open_ports(&mut self) {
+        let kernel = self.kernel;
+        let count = kernel.plant.ports.len();
+        self.excitation.open(&self.layout, &self.y);
+        for (p, stop) in kernel.plant.system.stops.iter().enumerate() {
+            self.update_port(Portable::new(), p);
+            self.ports[p].start_pressed(&stop.law, kernel.fastest_rad_s);
+        }
+        for p in kernel.plant.system.stops.len()..count {
+            self.update_port(Portable::new(), p);
+        }
+        self.opening = self.readings();
+    }
+}

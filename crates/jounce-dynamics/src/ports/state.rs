@@ -1,0 +1,175 @@
+//! State of one port during an integration.
+
+use super::phasor::Phasor;
+use crate::flow::layout::StateLayout;
+use crate::multi_port::{Clearance, SpeedBound};
+use crate::record::statistics::ContactStatistics;
+use jounce_model::contact::Law;
+use jounce_model::plant::Plant;
+use jounce_simd::F64x8;
+
+/// Tolerance of the position, relative to the gap, within which a start sticks to a rigid stop; the
+/// speed tolerance is this times the gap and the highest frequency.
+const POSITION_ROUNDOFF: f64 = 1e-12;
+
+/// Contact state of a port.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ContactState {
+    /// The point is off the stop.
+    Flight,
+    /// The point is on the stop.
+    Contact,
+}
+
+/// Port at the current time of an integration.
+#[derive(Debug, Clone)]
+pub struct PortState {
+    /// Distance past the stop, m.
+    pub penetration_m: f64,
+    /// Its rate, m/s.
+    pub rate_m_s: f64,
+    /// Contact state.
+    pub regime: ContactState,
+    /// Motion at the end of the current flight step: distance past the stop, m, and its rate, m/s.
+    pub motion_at_end: [f64; 2],
+    /// With several ports: desired level of the next step in contact ...
+    pub level: i32,
+    /// ... and whether a contact begins with it.
+    pub entering: bool,
+    /// Iterations of the last step.
+    pub iterations: u32,
+    /// Level at which the next contact starts.
+    pub entry_level: i32,
+    /// Largest impact speed so far, m/s: the scale of contact impulses.
+    pub impact_velocity_m_s: f64,
+    /// With several ports: time at which the last contact began, s.
+    pub entered_s: f64,
+    /// Duration of the current contact since it began, or since the last reset, s.
+    pub contact_duration_s: f64,
+    /// Bounds on the motion since the last update.
+    pub clearance: Clearance,
+    /// Rows of the port.
+    pub rows: PortRows,
+    /// Statistics since the last reset.
+    pub statistics: ContactStatistics,
+}
+
+/// Padded rows of a port.
+#[derive(Debug, Clone)]
+pub struct PortRows {
+    /// Displacement towards the stop.
+    pub displacement: Vec<F64x8>,
+    /// Velocity towards the stop.
+    pub velocity: Vec<F64x8>,
+    /// Gap, m; infinite without a stop.
+    pub gap_m: f64,
+    /// Velocity lost per unit impulse, 1/kg.
+    pub mobility_per_kg: f64,
+    /// `sum |S| w^4` over tones: contribution of the drive to the flight bound.
+    pub tone_fourth: f64,
+    /// `sum |S|`: contribution of the drive to the scale of motion.
+    pub tone_scale_m: f64,
+    /// Bound on the speed of the port, for use with several ports.
+    pub speed_bound: Option<SpeedBound>,
+}
+
+impl PortState {
+    /// Creates a port in flight that is not yet updated; contacts start at a level.
+    pub fn new(
+        plant: &Plant,
+        layout: &StateLayout,
+        tones: &[Phasor],
+        port: usize,
+        entry_level: i32,
+    ) -> Self {
+        Self {
+            penetration_m: 0.0,
+            rate_m_s: 0.0,
+            regime: ContactState::Flight,
+            motion_at_end: [0.0; 2],
+            level: entry_level,
+            entering: false,
+            iterations: 1,
+            entry_level,
+            impact_velocity_m_s: 0.0,
+            entered_s: f64::NEG_INFINITY,
+            contact_duration_s: 0.0,
+            clearance: Clearance::default(),
+            rows: PortRows::new(plant, layout, tones, port),
+            statistics: ContactStatistics::default(),
+        }
+    }
+
+    /// Starts in contact where the point is past the stop or where the law acts on both sides. A
+    /// point at rest on a rigid stop starts sticking, and flies at once if it is not pressed.
+    /// `fastest_rad_s` is the highest frequency of the plant.
+    pub fn start_pressed(&mut self, law: &Law, fastest_rad_s: f64) {
+        let is_rigid = matches!(law, Law::Rigid(_));
+        let roundoff_m = POSITION_ROUNDOFF * self.rows.gap_m.abs();
+        if is_rigid
+            && self.penetration_m.abs() <= roundoff_m
+            && self.rate_m_s.abs() <= roundoff_m * fastest_rad_s
+        {
+            self.regime = ContactState::Contact;
+            self.rate_m_s = 0.0;
+            return;
+        }
+        // A point that leaves a rigid stop is past it by roundoff only.
+        let leaves = is_rigid && self.rate_m_s < 0.0;
+        if law.acts_on_both_sides() || (self.penetration_m > 0.0 && !leaves) {
+            self.regime = ContactState::Contact;
+            // The compressed stop would throw the point off at this speed: the impulse scale of a
+            // contact that starts at rest.
+            self.impact_velocity_m_s =
+                (2.0 * law.energy_j(self.penetration_m).max(0.0) * self.rows.mobility_per_kg)
+                    .sqrt();
+        }
+    }
+
+    /// Adds time in contact.
+    #[inline(always)]
+    pub fn stay(&mut self, length_s: f64) {
+        self.contact_duration_s += length_s;
+        self.statistics.time_s += length_s;
+        self.statistics.max_contact_duration_s = self
+            .statistics
+            .max_contact_duration_s
+            .max(self.contact_duration_s);
+    }
+
+    /// Resets the statistics. A contact in progress counts immediately with its current values,
+    /// which it may never reach again.
+    pub fn reset_statistics(&mut self, law: &Law) {
+        self.contact_duration_s = 0.0;
+        self.statistics = ContactStatistics::default();
+        if self.regime == ContactState::Contact {
+            let depth_m = if law.acts_on_both_sides() {
+                self.penetration_m.abs()
+            } else {
+                self.penetration_m.max(0.0)
+            };
+            self.statistics.max_penetration_m = depth_m;
+            self.statistics.max_force_n = law.force_n(self.penetration_m, self.rate_m_s).abs();
+        }
+    }
+}
+
+impl PortRows {
+    fn new(plant: &Plant, layout: &StateLayout, tones: &[Phasor], index: usize) -> Self {
+        let none = vec![0.0; plant.len()];
+        let port = plant.ports.get(index);
+        let size = |tone: &Phasor| tone.displacement_m[index].norm();
+        Self {
+            displacement: layout.pack(port.map_or(&none, |port| &port.displacement)),
+            velocity: layout.pack(port.map_or(&none, |port| &port.velocity)),
+            gap_m: port.map_or(f64::INFINITY, |port| port.gap_m),
+            mobility_per_kg: port.map_or(1.0, |port| port.mobility_per_kg),
+            tone_fourth: tones
+                .iter()
+                .map(|tone| size(tone) * tone.angular_frequency_rad_s.powi(4))
+                .sum(),
+            tone_scale_m: tones.iter().map(size).sum(),
+            speed_bound: SpeedBound::of(plant, layout, tones, index),
+        }
+    }
+}

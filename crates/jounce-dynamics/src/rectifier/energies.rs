@@ -1,0 +1,35 @@
+//! Energies of a rectified circuit.
+
+/// Energies that left through one rectified circuit, J, and the charge that passed its diodes.
+#[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize)]
+pub struct RectifiedEnergies {
+    /// Delivered to the load across the storage capacitor.
+    pub load_j: f64,
+    /// Delivered to the battery.
+    pub battery_j: f64,
+    /// Lost in diodes.
+    pub diodes_j: f64,
+    /// Lost in the switch and its inductor.
+    pub switch_j: f64,
+    /// Lost by leakage of the storage.
+    pub leakage_j: f64,
+    /// Charge passed to the storage, C.
+    pub charge_c: f64,
+}
+
+impl RectifiedEnergies {
+    /// Returns the sum of the energies, J.
+    pub fn sum_j(&self) -> f64 {
+        self.load_j + self.battery_j + self.diodes_j + self.switch_j + self.leakage_j
+    }
+
+    /// Adds the energies of another count.
+    pub(crate) fn add(&mut self, other: &Self) {
+        self.load_j += other.load_j;
+        self.battery_j += other.battery_j;
+        self.diodes_j += other.diodes_j;
+        self.switch_j += other.switch_j;
+        self.leakage_j += other.leakage_j;
+        self.charge_c += other.charge_c;
+    }
+}

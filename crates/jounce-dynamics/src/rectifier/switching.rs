@@ -1,0 +1,300 @@
+//! Rectifiers in an integration: where an event function passes zero, the plant changes and the
+//! integration continues in the new conduction state.
+//!
+//! Diodes change the circuit but not the state, whose voltages and velocities are continuous:
+//! current and forward voltage are both zero there. A switch inverts a voltage within an instant;
+//! the energies of this change are counted in closed form.
+//!
+//! The charge `Q` through the diodes is the charge that the patches displaced and did not retain or
+//! leak, `-[C V + theta . q]` without leakage, exact to roundoff (see [`super::charge_balance`]).
+
+use super::charge_balance::ChargeBalance;
+use super::energies::RectifiedEnergies;
+use super::switch_map::SwitchMap;
+use crate::error::IntegrationError;
+use crate::integrator::Integrator;
+use crate::ports::state::{ContactState, PortState};
+use crate::record::energies::Energies;
+use crate::record::trajectory::ConductionChange;
+use jounce_model::plant::{
+    BridgeChange, BridgeNodes, BridgeState, Conduction, EnergyOutlet, PowerOutput,
+};
+
+/// Largest number of changes of bridges at one instant. A switch may close many times there: where
+/// the voltage that it inverts holds the current at zero from either side, it closes until too
+/// little voltage is left.
+const MAX_CHANGES_PER_INSTANT: usize = 1000;
+
+/// Time between changes that count as simultaneous, in units of the fastest motion of the plant
+/// with all bridges blocked.
+const SIMULTANEOUS_CHANGE: f64 = 1e-8;
+
+/// Fraction of the terms of an event function by which it must pass zero: smaller values are
+/// roundoff, and would change a bridge back and forth.
+const EVENT_ROUNDOFF: f64 = 1e-13;
+
+/// Bridges of an integration.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Switching {
+    /// Index of the current conduction state.
+    pub regime: usize,
+    /// Event function that has passed zero.
+    pub pending_event: Option<usize>,
+    /// Energies up to the last change.
+    earlier: Energies,
+    /// Time and physical state at the last change.
+    pub since: (f64, Vec<f64>),
+    /// Time of the last change, and the number of changes at it.
+    changed: (f64, usize),
+}
+
+impl Integrator<'_> {
+    /// Enters the conduction state of the current state.
+    pub(crate) fn open_switching(&mut self) -> Result<(), IntegrationError> {
+        let system = &self.base.plant.system;
+        if system.bridges.is_empty() {
+            return Ok(());
+        }
+        self.switching.earlier.rectified = vec![RectifiedEnergies::default(); system.bridges.len()];
+        self.switching.earlier.loads_j = vec![0.0; system.loads.len()];
+        self.switching.earlier.leaks_j = vec![0.0; self.base.plant.electrical.leaks.len()];
+        let x = self.physical();
+        let current = |nodes: &BridgeNodes| -> f64 {
+            let coupling = &self.base.plant.electrical.nodes[nodes.terminal].coupling_n_per_v;
+            coupling
+                .iter()
+                .enumerate()
+                .map(|(i, theta)| theta * x[coupling.len() + i])
+                .sum()
+        };
+        let states: Vec<BridgeState> = (self
+            .base
+            .plant
+            .electrical
+            .bridges
+            .iter()
+            .zip(&system.bridges))
+        .map(|(nodes, bridge)| BridgeState {
+            rising: bridge.has_switch() && current(nodes) > 0.0,
+            ..BridgeState::default()
+        })
+        .collect();
+        self.change_to(&states, &x)?;
+        self.change_on_events()
+    }
+
+    /// Changes the bridges as long as an event function is past zero.
+    pub(crate) fn change_on_events(&mut self) -> Result<(), IntegrationError> {
+        while let Some(p) = self
+            .switching
+            .pending_event
+            .take()
+            .or_else(|| self.crossed_event())
+        {
+            let guard = self.kernel.plant.guards[p - self.kernel.plant.system.stops.len()].clone();
+            self.count_change(guard.bridge)?;
+            let mut x = self.physical();
+            self.note_change(guard.change, guard.bridge, &x);
+            self.close_regime();
+            let mut states: Vec<BridgeState> = self
+                .kernel
+                .plant
+                .system
+                .bridges
+                .iter()
+                .map(|bridge| bridge.state)
+                .collect();
+            match guard.change {
+                BridgeChange::Conducts(conduction) => states[guard.bridge].conduction = conduction,
+                BridgeChange::Blocks => states[guard.bridge].conduction = Conduction::Blocked,
+                BridgeChange::Switches => {
+                    self.switch(guard.bridge, &mut x);
+                    states[guard.bridge] = BridgeState {
+                        conduction: Conduction::Blocked,
+                        rising: !states[guard.bridge].rising,
+                    };
+                }
+            }
+            self.change_to(&states, &x)?;
+        }
+        Ok(())
+    }
+
+    /// Records a change.
+    fn note_change(&mut self, change: BridgeChange, bridge: usize, x: &[f64]) {
+        let (regime, time_s, forces_n) = (self.switching.regime, self.time_s, self.forces_n());
+        if let Some(record) = &mut self.record {
+            let flipped = (change == BridgeChange::Switches).then_some(bridge);
+            record.push_change(ConductionChange {
+                after: record.segments().len(),
+                time_s,
+                regime,
+                flipped,
+                state: x.to_vec(),
+                forces_n,
+            });
+        }
+    }
+
+    fn count_change(&mut self, bridge: usize) -> Result<(), IntegrationError> {
+        // An instant is accurate to the roundoff of its time and of the event function, and no two
+        // changes have exactly equal times.
+        let instant_s =
+            SIMULTANEOUS_CHANGE / self.base.fastest_rad_s + 64.0 * f64::EPSILON * self.time_s;
+        let (time_s, changes) = &mut self.switching.changed;
+        *changes = if self.time_s - *time_s <= instant_s {
+            *changes + 1
+        } else {
+            1
+        };
+        *time_s = self.time_s;
+        if *changes > MAX_CHANGES_PER_INSTANT {
+            let circuit = self.kernel.plant.system.bridges[bridge].name.clone();
+            return Err(IntegrationError::ChangesWithoutEnd {
+                time_s: self.time_s,
+                circuit,
+                changes: *changes,
+            });
+        }
+        Ok(())
+    }
+
+    /// Returns an event function that has passed zero.
+    pub(crate) fn crossed_event(&self) -> Option<usize> {
+        let stops = self.kernel.plant.system.stops.len();
+        (stops..self.kernel.plant.ports.len()).find(|p| self.ports[*p].penetration_m > 0.0)
+    }
+
+    /// Returns the magnitude below which an event function is roundoff, at the current state `x`.
+    fn roundoff(&self, p: usize, x: &[f64]) -> f64 {
+        let (plant, port) = (&self.kernel.plant, &self.ports[p]);
+        let guard = &plant.guards[p - plant.system.stops.len()];
+        let row = &plant.ports[p].displacement;
+        let terms = row
+            .iter()
+            .zip(self.block_state())
+            .map(|(row, y)| (row * y).abs())
+            .sum::<f64>();
+        let mut size = terms + port.rows.tone_scale_m;
+        if guard.change != BridgeChange::Switches {
+            let (nodes, first) = (
+                plant.electrical.bridges[guard.bridge],
+                2 * plant.system.modes.len(),
+            );
+            let node = &plant.electrical.nodes[nodes.terminal];
+            let displaced_c: f64 = node
+                .coupling_n_per_v
+                .iter()
+                .zip(x)
+                .map(|(theta, q)| (theta * q).abs())
+                .sum();
+            size += x[first + nodes.terminal].abs()
+                + nodes
+                    .storage
+                    .map_or(0.0, |storage| x[first + storage].abs());
+            size +=
+                plant.system.bridges[guard.bridge].threshold_v() + displaced_c / node.capacitance_f;
+        }
+        // The accuracy of a time is limited by its own roundoff.
+        EVENT_ROUNDOFF * size + 4.0 * f64::EPSILON * self.time_s * port.rate_m_s.abs()
+    }
+
+    /// Continues from a physical state with the bridges in given states.
+    fn change_to(&mut self, states: &[BridgeState], x: &[f64]) -> Result<(), IntegrationError> {
+        let regime = self.base.plant.system.regime(states);
+        let kernel = self.base.in_regime(regime)?;
+        let mut next = Integrator::in_one_regime(
+            kernel,
+            &kernel.plant.from_physical(x, self.time_s),
+            self.time_s,
+            self.tolerance,
+        );
+        next.base = self.base;
+        (next.flight_level, next.release_error_factor) =
+            (self.flight_level, self.release_error_factor);
+        (next.work, next.checks) = (self.work, self.checks);
+        next.record = self.record.take();
+        next.switching = std::mem::take(&mut self.switching);
+        (next.switching.regime, next.switching.since) = (regime, (self.time_s, x.to_vec()));
+        // Contacts continue unchanged; only their rows belong to the conduction state.
+        let stops = kernel.plant.system.stops.len();
+        for p in 0..stops {
+            let updated = next.ports[p].clone();
+            let [penetration_m, rate_m_s] = match self.ports[p].regime {
+                ContactState::Flight => [updated.penetration_m, updated.rate_m_s],
+                ContactState::Contact => [self.ports[p].penetration_m, self.ports[p].rate_m_s],
+            };
+            next.ports[p] = PortState {
+                rows: updated.rows,
+                penetration_m,
+                rate_m_s,
+                ..self.ports[p].clone()
+            };
+        }
+        for p in stops..kernel.plant.ports.len() {
+            let roundoff = next.roundoff(p, x);
+            next.ports[p].rows.gap_m += roundoff;
+            next.ports[p].penetration_m -= roundoff;
+        }
+        *self = next;
+        Ok(())
+    }
+
+    /// Applies the switch at an extremum: its effect on the state and its energies.
+    fn switch(&mut self, k: usize, x: &mut [f64]) {
+        let switch_map = SwitchMap::of(&self.base.plant, k, x);
+        switch_map.enter(&self.base.plant, k, x);
+        self.switching.earlier.stored_j += switch_map.stored_j;
+        self.switching.earlier.rectified[k].add(&switch_map.rectified);
+    }
+
+    /// Adds the conduction state that ends to the previous energies.
+    fn close_regime(&mut self) {
+        let all = self.energies_of_all();
+        self.switching.earlier = all;
+    }
+
+    /// Returns the energies since the start of the integration.
+    pub(crate) fn energies_of_all(&self) -> Energies {
+        let (energies, plant) = (self.energies_in_regime(), &self.kernel.plant);
+        let mut all = self.switching.earlier.clone();
+        let change: Vec<f64> = self
+            .physical()
+            .iter()
+            .zip(&self.switching.since.1)
+            .map(|(x, since)| x - since)
+            .collect();
+        let charge_balance = ChargeBalance {
+            plant,
+            change: &change,
+            length_s: self.time_s - self.switching.since.0,
+        };
+        let loads = plant.system.loads.len();
+        all.loads_j
+            .iter_mut()
+            .zip(&energies.loads_j)
+            .for_each(|(sum, energies)| *sum += energies);
+        let outputs: Vec<PowerOutput> = plant
+            .bridge_outputs()
+            .into_iter()
+            .chain(plant.leak_outputs())
+            .collect();
+        let mut leaks = all.leaks_j.iter_mut();
+        for (output, energy_j) in outputs.iter().zip(&energies.loads_j[loads..]) {
+            let energy_j = energy_j + charge_balance.standing_j(output);
+            match output.outlet {
+                EnergyOutlet::Load => all.rectified[output.bridge].load_j += energy_j,
+                EnergyOutlet::Leakage => all.rectified[output.bridge].leakage_j += energy_j,
+                EnergyOutlet::Diodes => all.rectified[output.bridge].diodes_j += energy_j,
+                EnergyOutlet::Patch => leaks.by_ref().take(1).for_each(|sum| *sum += energy_j),
+            }
+        }
+        let supplied_j = charge_balance.add_conducted(&mut all.rectified);
+        all.input_j += energies.input_j - supplied_j;
+        all.damping_j += energies.damping_j;
+        all.contact_loss_j += energies.contact_loss_j;
+        all.stored_j += energies.stored_j;
+        all.scale_j = all.scale_j.max(energies.scale_j).max(all.input_j.abs());
+        all
+    }
+}

@@ -1,0 +1,7 @@
+//! Electrical circuits: nodes, wiring, leakage, rectifiers and their events.
+
+pub(super) mod bridge;
+pub(super) mod electrical;
+pub(super) mod event_function;
+pub(super) mod leak;
+mod wiring;

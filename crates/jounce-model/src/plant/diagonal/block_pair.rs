@@ -1,0 +1,94 @@
+//! Block of two states of a diagonalised plant.
+
+use faer::c64;
+
+/// A 2 x 2 block acting on `(u, v)`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum BlockPair {
+    /// A complex pair `decay +- i frequency`: `u + i v` rotates and decays. Rates in 1/s and rad/s.
+    Oscillatory {
+        /// Real part of the eigenvalue, 1/s.
+        decay: f64,
+        /// Imaginary part of the eigenvalue, rad/s.
+        frequency: f64,
+    },
+    /// A double real eigenvalue with one eigenvector: `u' = rate u + v`, `v' = rate v`. A free body
+    /// has `rate = 0`.
+    Jordan {
+        /// The eigenvalue, 1/s.
+        rate: f64,
+    },
+}
+
+impl BlockPair {
+    /// Returns the entries `[a, b, c, d]` of the block, row by row, 1/s.
+    pub fn matrix(&self) -> [f64; 4] {
+        match *self {
+            BlockPair::Oscillatory { decay, frequency } => [decay, -frequency, frequency, decay],
+            BlockPair::Jordan { rate } => [rate, 1.0, 0.0, rate],
+        }
+    }
+
+    /// Returns the entries of the exact flow over `time_s`.
+    pub fn flow(&self, time_s: f64) -> [f64; 4] {
+        match *self {
+            BlockPair::Oscillatory { decay, frequency } => {
+                let (sin, cos) = (frequency * time_s).sin_cos();
+                let envelope = (decay * time_s).exp();
+                [
+                    envelope * cos,
+                    -envelope * sin,
+                    envelope * sin,
+                    envelope * cos,
+                ]
+            }
+            BlockPair::Jordan { rate } => {
+                let envelope = (rate * time_s).exp();
+                [envelope, envelope * time_s, 0.0, envelope]
+            }
+        }
+    }
+
+    /// Returns the entries of the integral of the flow from 0 to `time_s`, s.
+    pub fn integral(&self, time_s: f64) -> [f64; 4] {
+        match *self {
+            BlockPair::Oscillatory { .. } => {
+                let integral = grown(self.eigenvalue(), time_s);
+                [integral.re, -integral.im, integral.im, integral.re]
+            }
+            BlockPair::Jordan { rate } => {
+                // int t e^(rate t) dt, by its series if the closed form suffers from cancellation.
+                let (z, first_integral) = (rate * time_s, grown(c64::new(rate, 0.0), time_s).re);
+                let twice = if z.abs() < 1.0 {
+                    let terms = (0..24).scan(1.0, |power, k: i32| {
+                        let term = *power / f64::from(k + 2);
+                        *power *= z / f64::from(k + 1);
+                        Some(term)
+                    });
+                    time_s * time_s * terms.sum::<f64>()
+                } else {
+                    (time_s * z.exp() - first_integral) / rate
+                };
+                [first_integral, twice, 0.0, first_integral]
+            }
+        }
+    }
+
+    /// Returns the eigenvalue with non-negative imaginary part.
+    pub fn eigenvalue(&self) -> c64 {
+        match *self {
+            BlockPair::Oscillatory { decay, frequency } => c64::new(decay, frequency),
+            BlockPair::Jordan { rate } => c64::new(rate, 0.0),
+        }
+    }
+}
+
+/// Returns `(e^(rate t) - 1) / rate`, s, without cancellation.
+pub fn grown(rate: c64, time_s: f64) -> c64 {
+    let z = rate * time_s;
+    if z == c64::new(0.0, 0.0) {
+        return c64::new(time_s, 0.0);
+    }
+    let re = z.re.exp_m1() * z.im.cos() - 2.0 * (0.5 * z.im).sin().powi(2);
+    c64::new(re, z.re.exp() * z.im.sin()) / rate
+}

@@ -1,0 +1,116 @@
+//! Lyapunov equation of a plant, solved block by block.
+//!
+//! ```text
+//! rows      A^T P + P A = -Q        what outputs make of a state: energies
+//! columns   A P + P A^T = -Q        what inputs make of the state: covariances
+//! ```
+//!
+//! `A` has blocks of one or two states, so each pair of blocks is a dense system of at most four
+//! unknowns.
+
+use crate::plant::BlockDiagonal;
+use faer::Mat;
+use faer::linalg::solvers::Solve;
+use std::f64::consts::TAU;
+
+/// Decay of a block, relative to its rate, below which it counts as undamped.
+const UNDAMPED_RATIO: f64 = 1e-14;
+
+/// Choice of the equation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LyapunovSide {
+    /// `A^T P + P A = -Q`.
+    Rows,
+    /// `A P + P A^T = -Q`.
+    Columns,
+}
+
+/// Returns `P` for the symmetric `Q` whose entries `source` gives.
+///
+/// # Errors
+/// Returns the frequency, Hz, of an undamped block on which `Q` acts.
+pub fn lyapunov(
+    block: &BlockDiagonal,
+    side: LyapunovSide,
+    source: impl Fn(usize, usize) -> f64,
+) -> Result<Mat<f64>, f64> {
+    let spans = spans(block, side);
+    let mut solution = Mat::zeros(block.len(), block.len());
+    for first in &spans {
+        for second in &spans {
+            let right = Mat::from_fn(first.size, second.size, |i, j| {
+                -source(first.start + i, second.start + j)
+            });
+            if right.norm_max() == 0.0 {
+                continue;
+            }
+            let local = sylvester(first, second, &right);
+            let rate = (first.decay + second.decay).abs();
+            if !local.norm_max().is_finite()
+                || rate <= UNDAMPED_RATIO * (first.speed + second.speed)
+                    && first.start == second.start
+            {
+                return Err(first.speed / TAU);
+            }
+            (0..first.size).for_each(|i| {
+                (0..second.size)
+                    .for_each(|j| solution[(first.start + i, second.start + j)] = local[(i, j)])
+            });
+        }
+    }
+    Ok(solution)
+}
+
+/// One block: its position and its matrix, transposed for columns.
+struct BlockSpan {
+    start: usize,
+    size: usize,
+    matrix: [f64; 4],
+    decay: f64,
+    speed: f64,
+}
+
+fn spans(block: &BlockDiagonal, side: LyapunovSide) -> Vec<BlockSpan> {
+    let transformed = |[a, b, c, d]: [f64; 4]| {
+        if side == LyapunovSide::Rows {
+            [a, b, c, d]
+        } else {
+            [a, c, b, d]
+        }
+    };
+    let pairs = block.pairs.iter().enumerate().map(|(k, pair)| {
+        let value = pair.eigenvalue();
+        BlockSpan {
+            start: 2 * k,
+            size: 2,
+            matrix: transformed(pair.matrix()),
+            decay: value.re,
+            speed: value.norm(),
+        }
+    });
+    let first = 2 * block.pairs.len();
+    let reals = block.reals.iter().enumerate();
+    pairs
+        .chain(reals.map(|(k, r)| BlockSpan {
+            start: first + k,
+            size: 1,
+            matrix: [*r, 0.0, 0.0, 0.0],
+            decay: *r,
+            speed: r.abs(),
+        }))
+        .collect()
+}
+
+/// Solves `A1^T P + P A2 = source` for blocks of size 1 or 2.
+fn sylvester(first: &BlockSpan, second: &BlockSpan, source: &Mat<f64>) -> Mat<f64> {
+    let (m, n) = (first.size, second.size);
+    let a1 = |i: usize, j: usize| first.matrix[2 * i + j];
+    let a2 = |i: usize, j: usize| second.matrix[2 * i + j];
+    let system = Mat::from_fn(m * n, m * n, |row, column| {
+        let ((i, j), (k, l)) = ((row / n, row % n), (column / n, column % n));
+        (if j == l { a1(k, i) } else { 0.0 }) + (if i == k { a2(l, j) } else { 0.0 })
+    });
+    let right = Mat::from_fn(m * n, 1, |row, _| source[(row / n, row % n)]);
+    let solution = system.full_piv_lu().solve(&right);
+    Mat::from_fn(m, n, |i, j| solution[(i * n + j, 0)])
+}

@@ -1,0 +1,190 @@
+//! Exact response of the plant to a drive that is linear in time.
+//!
+//! With `y' = A y + b (u + s t)`, there are two kinds of block:
+//!
+//! ```text
+//! following   P(t) = rest (u + s t) + lag s,                           rest = -A^-1 b,   lag = A^-1 rest
+//! local       P(t) = sum_j A^(j-1) b (u t^j / j! + s t^(j+1) / (j+1)!),  j = 1, 2, ...
+//! ```
+//!
+//! so `y - P` evolves as without a drive. If the slope changes by `ds` and the value jumps by `du`,
+//! the state is continuous and `y - P` jumps by `-rest du - lag ds`. Blocks that are slow relative
+//! to the samples of a drive (free bodies are the slowest) are local: their `lag` and its roundoff
+//! would be far larger than their motion. Their `P` is reset at each step.
+
+mod base_motion;
+pub(super) mod signal;
+pub(super) mod tone;
+
+use super::{Plant, Signal};
+use crate::drive::Wave;
+
+/// Response to a signal of unit value, in block coordinates.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Forcing {
+    /// `b`.
+    pub column: Vec<f64>,
+    /// Response of following blocks to a value; 0 in local blocks.
+    pub rest: Vec<f64>,
+    /// Response of following blocks to a slope, s; 0 in local blocks.
+    pub lag: Vec<f64>,
+    /// `b` in local blocks; 0 in following blocks.
+    pub local: Vec<f64>,
+}
+
+/// Value and slope of a signal.
+pub type SignalSample = [f64; 2];
+
+/// `|eigenvalue|` times the sampling step below which a block is local.
+const LOCAL_BLOCK_RATE: f64 = 0.5;
+
+/// Terms of the series of local blocks: with `|eigenvalue| t` up to 0.5 (`LOCAL_BLOCK_RATE`) the
+/// first omitted term is below 1e-17 of their sum.
+pub const LOCAL_TERMS: usize = 16;
+
+impl Forcing {
+    pub(super) fn of(plant: &Plant, signal: &Signal) -> Self {
+        let block = &plant.diagonal.block;
+        let column = plant.force_column(&signal.shape);
+        let rest: Vec<f64> = block
+            .solve(&column, &plant.local)
+            .into_iter()
+            .map(|x| -x)
+            .collect();
+        let local = column
+            .iter()
+            .zip(&plant.local)
+            .map(|(b, local)| if *local { *b } else { 0.0 })
+            .collect();
+        Self {
+            lag: block.solve(&rest, &plant.local),
+            rest,
+            column,
+            local,
+        }
+    }
+}
+
+impl Plant {
+    /// States of local blocks under signals: states without a restoring effect, and states that are
+    /// slow relative to the finest samples.
+    pub(super) fn local_states(&self, signals: &[Signal]) -> Vec<bool> {
+        let steps = signals.iter().filter_map(|signal| {
+            if let Wave::Sampled { step_s, .. } = signal.wave {
+                Some(step_s)
+            } else {
+                None
+            }
+        });
+        let fastest_rad_s = steps
+            .reduce(f64::min)
+            .map_or(0.0, |step_s| LOCAL_BLOCK_RATE / step_s);
+        let block = &self.diagonal.block;
+        block
+            .free()
+            .into_iter()
+            .zip(block.speeds())
+            .map(|(free, speed)| free || speed <= fastest_rad_s)
+            .collect()
+    }
+
+    /// Returns the longest step that the series of local blocks allows, s.
+    pub fn local_limit_s(&self) -> f64 {
+        let speeds = self
+            .diagonal
+            .block
+            .speeds()
+            .into_iter()
+            .zip(self.diagonal.block.free())
+            .zip(&self.local);
+        let fastest = speeds
+            .filter(|((_, free), local)| **local && !free)
+            .fold(0.0_f64, |max, ((speed, _), _)| max.max(speed));
+        if fastest > 0.0 {
+            LOCAL_BLOCK_RATE / fastest
+        } else {
+            f64::INFINITY
+        }
+    }
+
+    /// Returns `P`, the forced part of the state under signals, a time after the reset of local
+    /// blocks.
+    pub fn forced(&self, sizes: &[SignalSample], after_s: f64) -> Vec<f64> {
+        let mut state = vec![0.0; self.len()];
+        for (forcing, [size, slope]) in self.forcings.iter().zip(sizes) {
+            let now = size + slope * after_s;
+            for (sum, (rest, lag)) in state.iter_mut().zip(forcing.rest.iter().zip(&forcing.lag)) {
+                *sum += rest * now + lag * slope;
+            }
+            if after_s > 0.0 {
+                let (mut power, mut factor) = (forcing.local.clone(), after_s);
+                for j in 1..=LOCAL_TERMS {
+                    let weight = factor * (size + slope * after_s / (j + 1) as f64);
+                    state
+                        .iter_mut()
+                        .zip(&power)
+                        .for_each(|(sum, p)| *sum += weight * p);
+                    power = self.diagonal.block.apply(&power);
+                    factor *= after_s / (j + 1) as f64;
+                }
+            }
+        }
+        state
+    }
+
+    /// Returns the integral of [`Self::forced`] since the reset of local blocks.
+    pub fn forced_integral(&self, sizes: &[SignalSample], until_s: f64) -> Vec<f64> {
+        let mut state = vec![0.0; self.len()];
+        for (forcing, [size, slope]) in self.forcings.iter().zip(sizes) {
+            let (constant_s, decayed) = (
+                size * until_s + 0.5 * slope * until_s * until_s,
+                slope * until_s,
+            );
+            for (sum, (rest, lag)) in state.iter_mut().zip(forcing.rest.iter().zip(&forcing.lag)) {
+                *sum += rest * constant_s + lag * decayed;
+            }
+            let (mut power, mut factor) = (forcing.local.clone(), 0.5 * until_s * until_s);
+            for j in 1..=LOCAL_TERMS {
+                let weight = factor * (size + slope * until_s / (j + 2) as f64);
+                state
+                    .iter_mut()
+                    .zip(&power)
+                    .for_each(|(sum, p)| *sum += weight * p);
+                power = self.diagonal.block.apply(&power);
+                factor *= until_s / (j + 2) as f64;
+            }
+        }
+        state
+    }
+
+    /// Returns the equilibrium under constant drives alone, in block coordinates; 0 in states
+    /// without a restoring effect.
+    pub fn resting(&self) -> Vec<f64> {
+        let block = &self.diagonal.block;
+        let mut state = vec![0.0; self.len()];
+        for (signal, forcing) in self.system.signals.iter().zip(&self.forcings) {
+            if let Wave::Constant(size) = signal.wave {
+                let rest = block.solve(&forcing.column, &block.free());
+                state
+                    .iter_mut()
+                    .zip(rest)
+                    .for_each(|(sum, x)| *sum -= size * x);
+            }
+        }
+        state
+    }
+
+    /// Returns the equilibrium as a physical state `(q, q', V, i)`.
+    pub fn resting_physical(&self) -> Vec<f64> {
+        let steady = self.steady_at(0.0);
+        self.to_physical(
+            &self
+                .resting()
+                .iter()
+                .zip(steady)
+                .map(|(y, steady)| y - steady)
+                .collect::<Vec<f64>>(),
+            0.0,
+        )
+    }
+}

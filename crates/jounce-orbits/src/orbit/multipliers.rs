@@ -1,0 +1,244 @@
+//! Floquet multipliers of a period map.
+//!
+//! Fast modes decay within a period and a contact hardly moves them. The map of a plant with many
+//! modes then consists of the block of the slow modes and small blocks of the fast ones. A block
+//! `D` of one or two states, with the rest `r` of its rows and `c` of its columns, moves an
+//! eigenvalue `m` of the others by about
+//!
+//! ```text
+//! |dm| = |c| |r| / |m - D|
+//! ```
+//!
+//! Where the product is below a limit, the eigenvalues of the block are computed separately; the
+//! remaining ones cost the cube of their number. The map is balanced first: row and column of each
+//! state get equal lengths, and no eigenvalue changes.
+//!
+//! Source: B. N. Parlett and C. Reinsch, Numer. Math. 13 (1969) 293; G. W. Stewart and J. Sun, *Matrix Perturbation Theory* (1990), ch. V.
+
+use super::decoupled_blocks::{balanced, blocks};
+use faer::linalg::solvers::Solve;
+use faer::{Mat, c64};
+
+/// Returns the eigenvalues of a period map, largest modulus first; `None` where they do not
+/// converge.
+pub fn multipliers(map: &Mat<f64>) -> Option<Vec<c64>> {
+    let balanced = balanced(map);
+    let (blocks, rest) = blocks(&balanced);
+    let mut values: Vec<c64> = blocks
+        .into_iter()
+        .flat_map(|block| block_eigenvalues(&balanced, block))
+        .collect();
+    values.extend(part(&balanced, &rest).eigenvalues().ok()?);
+    values.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
+    Some(values)
+}
+
+/// Eigenvalue of a diagonal block of a map, with a radius about zero that bounds every multiplier
+/// of the block. The radius is the sum of the largest singular values of the block and of the other
+/// blocks in its rows.
+///
+/// Source: D. G. Feingold and R. S. Varga, Pacific J. Math. 12 (1962) 1241 (Gershgorin's discs of blocks).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EigenvalueDisc {
+    /// Eigenvalue.
+    pub value: c64,
+    /// Radius.
+    pub radius: f64,
+}
+
+/// Returns one disc for each diagonal block of a map in block coordinates; the first `pairs` blocks
+/// have two states.
+pub fn discs(map: &Mat<f64>, pairs: usize) -> Vec<EigenvalueDisc> {
+    let (map, n) = (balanced(map), map.nrows());
+    let blocks = (0..pairs)
+        .map(|k| [2 * k, 2 * k + 1])
+        .chain((2 * pairs..n).map(|k| [k, k]));
+    let of_block = |[i, j]: [usize; 2]| {
+        let rows = if i == j { vec![i] } else { vec![i, j] };
+        let couplings = (0..n).filter(|k| !rows.contains(k)).map(|k| {
+            rows.iter()
+                .map(|r| map[(*r, k)].powi(2))
+                .sum::<f64>()
+                .sqrt()
+        });
+        // The even part of a block rotates, its odd part scales.
+        let (a, b, c, d) = (map[(i, i)], map[(i, j)], map[(j, i)], map[(j, j)]);
+        let largest = if i == j {
+            a.abs()
+        } else {
+            0.5 * ((a + d).hypot(c - b) + (a - d).hypot(b + c))
+        };
+        let radius = largest + couplings.sum::<f64>();
+        block_eigenvalues(&map, [i, j])
+            .into_iter()
+            .map(move |value| EigenvalueDisc { value, radius })
+            .collect::<Vec<_>>()
+    };
+    blocks.flat_map(of_block).collect()
+}
+
+/// Eigenvalues and eigenvectors of a period map, without the decoupled fast blocks.
+#[derive(Debug, Clone)]
+pub struct Eigenbasis {
+    /// Indices of the states that the basis spans.
+    states: Vec<usize>,
+    /// Eigenvalues.
+    pub values: Vec<c64>,
+    vectors: Mat<c64>,
+    inverse: Mat<c64>,
+}
+
+impl Eigenbasis {
+    /// Computes the basis of a map; `None` where the eigenvectors cannot be computed.
+    pub fn of(map: &Mat<f64>) -> Option<Self> {
+        Self::over(map, blocks(&balanced(map)).1)
+    }
+
+    fn over(map: &Mat<f64>, states: Vec<usize>) -> Option<Self> {
+        let n = states.len();
+        let eigen = part(map, &states).eigen().ok()?;
+        let vectors = eigen.U().to_owned();
+        let inverse = vectors.partial_piv_lu().solve(Mat::<c64>::identity(n, n));
+        Some(Self {
+            states,
+            values: (0..n).map(|k| eigen.S()[k]).collect(),
+            vectors,
+            inverse,
+        })
+    }
+
+    /// Returns the couplings of the eigenvalues in another map `B`: `sqrt |C_ij C_ji|` with
+    /// `C = V^-1 B V` and the eigenvectors `V`. Two equal eigenvalues split by their coupling.
+    /// `other` is the basis of `B`, `map` the map of this basis. The rows follow the order of its
+    /// eigenvalues.
+    ///
+    /// Source: G. W. Stewart and J. Sun, *Matrix Perturbation Theory* (1990), ch. V.
+    pub fn couplings(
+        &self,
+        map: &Mat<f64>,
+        (other, beyond): (&Self, &Mat<f64>),
+    ) -> Option<(Vec<c64>, Mat<f64>)> {
+        // A block that is decoupled in one map need not be decoupled in the other.
+        let more: Vec<usize> = other
+            .states
+            .iter()
+            .copied()
+            .filter(|k| !self.states.contains(k))
+            .collect();
+        if !more.is_empty() {
+            return Self::over(map, [&self.states[..], &more].concat())?
+                .couplings(map, (other, beyond));
+        }
+        let n = self.states.len();
+        let values = part(beyond, &self.states);
+        let complex = Mat::from_fn(n, n, |i, j| c64::new(values[(i, j)], 0.0));
+        let transformed = &self.inverse * (complex * &self.vectors);
+        Some((
+            self.values.clone(),
+            Mat::from_fn(n, n, |i, j| {
+                (transformed[(i, j)] * transformed[(j, i)]).norm().sqrt()
+            }),
+        ))
+    }
+}
+
+/// Returns the rows and columns of some states.
+fn part(map: &Mat<f64>, states: &[usize]) -> Mat<f64> {
+    Mat::from_fn(states.len(), states.len(), |i, j| {
+        map[(states[i], states[j])]
+    })
+}
+
+/// Returns the eigenvalues of a block.
+fn block_eigenvalues(map: &Mat<f64>, [i, j]: [usize; 2]) -> Vec<c64> {
+    if i == j {
+        return vec![c64::new(map[(i, i)], 0.0)];
+    }
+    let (mean, half) = (
+        0.5 * (map[(i, i)] + map[(j, j)]),
+        0.5 * (map[(i, i)] - map[(j, j)]),
+    );
+    let root = c64::new(half * half + map[(i, j)] * map[(j, i)], 0.0).sqrt();
+    vec![root + mean, -root + mean]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A slow pair and a fast decaying one, weakly coupled: the characteristic polynomial at each
+    /// multiplier.
+    #[test]
+    fn fast_pair_is_decoupled() {
+        let weak = 1e-7;
+        let rows = [
+            [0.6, -0.7, weak, 0.0],
+            [0.7, 0.6, 0.0, weak],
+            [weak, weak, 3e-4, -4e-4],
+            [0.0, weak, 4e-4, 3e-4],
+        ];
+        let map = Mat::from_fn(4, 4, |i, j| rows[i][j]);
+        let (decoupled_blocks, rest) = blocks(&balanced(&map));
+        assert!(
+            decoupled_blocks.contains(&[2, 3]) && !rest.contains(&2),
+            "{decoupled_blocks:?} {rest:?}"
+        );
+        let values = multipliers(&map).unwrap_or_default();
+        // To first order in the product of the couplings.
+        let exact = [
+            c64::new(0.6, 0.7),
+            c64::new(0.6, -0.7),
+            c64::new(3e-4, 4e-4),
+            c64::new(3e-4, -4e-4),
+        ];
+        for exact in exact {
+            let difference = values
+                .iter()
+                .map(|value| (value - exact).norm())
+                .fold(f64::INFINITY, f64::min);
+            assert!(difference < 1e-13, "{exact}: {difference:e} {values:?}");
+        }
+    }
+
+    /// Every multiplier lies in the union of the discs, and the fast pair in its own disc.
+    #[test]
+    fn discs_hold_the_multipliers() {
+        let rows = [
+            [0.6, -0.7, 0.02, 0.0, 0.1],
+            [0.7, 0.6, 0.0, 0.03, 0.0],
+            [0.02, 0.01, 0.3, -0.4, 0.0],
+            [0.0, 0.03, 0.4, 0.3, 0.0],
+            [0.0, 0.1, 0.0, 0.0, 0.5],
+        ];
+        let map = Mat::from_fn(5, 5, |i, j| rows[i][j]);
+        let discs = discs(&map, 2);
+        assert_eq!(discs.len(), 5);
+        let (fast, widest) = (
+            discs[2].radius,
+            discs.iter().map(|disc| disc.radius).fold(0.0, f64::max),
+        );
+        assert!(
+            fast < 0.6 && (discs[2].value.norm() - 0.5).abs() < 1e-12,
+            "{discs:?}"
+        );
+        let values = multipliers(&map).unwrap_or_default();
+        assert_eq!(
+            values.iter().filter(|value| value.norm() <= fast).count(),
+            3
+        );
+        assert!(values.iter().all(|value| value.norm() <= widest));
+    }
+
+    /// Scales of very different size have no effect: the companion matrix of
+    /// `(s - 1)(s - 2)(s - 3)`.
+    #[test]
+    fn a_badly_scaled_map_keeps_its_multipliers() {
+        let rows = [[6.0, -11.0, 6.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+        let scale = [1.0, 1e6, 1e-5];
+        let map = Mat::from_fn(3, 3, |i, j| rows[i][j] * scale[i] / scale[j]);
+        let values = multipliers(&map).unwrap_or_default();
+        for (value, exact) in values.iter().zip([3.0, 2.0, 1.0]) {
+            assert!((value - exact).norm() < 1e-12, "{values:?}");
+        }
+    }
+}

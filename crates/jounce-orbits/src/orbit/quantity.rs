@@ -1,0 +1,126 @@
+//! Quantities of an orbit for which a user may specify a level.
+
+use crate::ShootingEvaluation;
+use jounce_dynamics::Trajectory;
+
+/// Samples per drive cycle in the search for the largest value.
+const SAMPLES_PER_CYCLE: usize = 1024;
+
+/// Samples between two coarse ones about the largest: the top of the parabola through the highest
+/// three is within the integration error.
+const REFINED_SAMPLES: usize = 32;
+
+/// Quantity of an orbit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum OrbitQuantity {
+    /// Mean power of all loads and rectified circuits.
+    MeanPower,
+    /// Largest magnitude of the voltage of a patch, by its number.
+    Voltage(usize),
+    /// Largest magnitude of the strain of a patch, by its number.
+    Strain(usize),
+    /// Largest contact force of a stop, by its number.
+    ContactForce(usize),
+}
+
+impl OrbitQuantity {
+    /// Returns the value on an orbit, SI.
+    pub fn of(self, evaluation: &ShootingEvaluation) -> f64 {
+        let plant = &evaluation.kernel.plant;
+        match self {
+            OrbitQuantity::MeanPower => evaluation.loads_w.iter().sum(),
+            OrbitQuantity::Voltage(patch) => largest(evaluation, |state, _| {
+                plant.patch_voltages_v(state)[patch].abs()
+            }),
+            OrbitQuantity::Strain(patch) => {
+                let shapes = plant
+                    .system
+                    .modes
+                    .patch
+                    .values()
+                    .nth(patch)
+                    .map_or(&[][..], |patch| &patch.strain);
+                largest(evaluation, |state, _| {
+                    let strain = |shape: &Vec<f64>| {
+                        shape
+                            .iter()
+                            .zip(state)
+                            .map(|(s, q)| s * q)
+                            .sum::<f64>()
+                            .abs()
+                    };
+                    shapes.iter().map(strain).fold(0.0, f64::max)
+                })
+            }
+            OrbitQuantity::ContactForce(stop) => largest(evaluation, |_, forces_n| forces_n[stop]),
+        }
+    }
+}
+
+/// Returns the largest value, over the period, of a function of the physical state and the contact
+/// forces.
+fn largest(evaluation: &ShootingEvaluation, value: impl Fn(&[f64], &[f64]) -> f64) -> f64 {
+    let plant = &evaluation.kernel.plant;
+    let cycle_s = evaluation.period_s / evaluation.trajectories.len() as f64;
+    let of_cycle = |trajectory: &Trajectory| {
+        let at = |times_s: &[f64]| -> Vec<f64> {
+            let instants = trajectory.at(&evaluation.kernel, times_s);
+            instants
+                .iter()
+                .map(|at| value(&plant.to_physical(&at.state, at.time_s), &at.forces_n))
+                .collect()
+        };
+        let step_s = cycle_s / SAMPLES_PER_CYCLE as f64;
+        let rough = at(&(0..=SAMPLES_PER_CYCLE)
+            .map(|k| k as f64 * step_s)
+            .collect::<Vec<_>>());
+        let top = (0..rough.len())
+            .max_by(|a, b| rough[*a].total_cmp(&rough[*b]))
+            .unwrap_or(0);
+        let (from, closer_s) = (
+            top.saturating_sub(1) as f64 * step_s,
+            2.0 * step_s / REFINED_SAMPLES as f64,
+        );
+        let times: Vec<f64> = (0..=REFINED_SAMPLES)
+            .map(|k| (from + k as f64 * closer_s).min(cycle_s))
+            .collect();
+        parabola_top(&at(&times)).max(rough[top])
+    };
+    evaluation
+        .trajectories
+        .iter()
+        .map(of_cycle)
+        .fold(0.0, f64::max)
+}
+
+/// Returns the top of the parabola through the highest of equally spaced values and its two
+/// neighbours.
+fn parabola_top(values: &[f64]) -> f64 {
+    let top = (0..values.len())
+        .max_by(|a, b| values[*a].total_cmp(&values[*b]))
+        .unwrap_or(0);
+    if top == 0 || top + 1 >= values.len() {
+        return values.get(top).copied().unwrap_or(0.0);
+    }
+    let (slope, bend) = (
+        0.5 * (values[top + 1] - values[top - 1]),
+        values[top + 1] - 2.0 * values[top] + values[top - 1],
+    );
+    if bend < 0.0 {
+        values[top] - 0.5 * slope * slope / bend
+    } else {
+        values[top]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_parabola_finds_its_own_top() {
+        let values: Vec<f64> = (0..5).map(|k| 3.0 - (f64::from(k) - 1.7).powi(2)).collect();
+        assert!((parabola_top(&values) - 3.0).abs() < 1e-14);
+        assert_eq!(parabola_top(&[1.0, 2.0, 3.0]), 3.0);
+    }
+}

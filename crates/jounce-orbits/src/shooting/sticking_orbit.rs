@@ -1,0 +1,80 @@
+//! Periodic motion that sticks to a rigid stop in every period.
+//!
+//! Where a point comes to rest, the derivative of the flow loses rank. The end of an infinite
+//! sequence of impacts leaves no derivative that an integration could propagate. Such an orbit is
+//! the motion that an integration has settled on.
+
+use super::cycle_s;
+use super::period_record::PeriodRecord;
+use crate::{Orbit, OrbitError, ParametricModel, Shooting};
+use faer::ColRef;
+use jounce_dynamics::{ContactStatistics, Integrator, Kernel, SensitivityError};
+
+impl<H: ParametricModel> Shooting<'_, H> {
+    /// Returns the periodic orbit through a physical state, integrated without its derivative. It
+    /// has no multipliers, and its error estimate is the closure error relative to its size.
+    ///
+    /// # Errors
+    /// The harvester cannot be built, its drives have no common period, or the integration fails.
+    pub fn integrated_orbit(
+        &self,
+        physical: &[f64],
+        parameter: f64,
+    ) -> Result<Orbit, OrbitError<H::Error>> {
+        let kernel = self
+            .harvester
+            .at(parameter)
+            .map_err(OrbitError::Harvester)?
+            .kernel;
+        let plant = &kernel.plant;
+        let cycle_s = cycle_s(plant)?;
+        let period_s = cycle_s * f64::from(self.cycles);
+        let mut y = plant.from_physical(physical, 0.0);
+        let mut record = PeriodRecord::new(plant, self.unknown(physical));
+        record.add_contacts(&self.settled_statistics(&kernel, &y, period_s)?);
+        for _ in 0..self.cycles {
+            let mut integrator = Integrator::new(&kernel, &y, 0.0, self.tolerance)
+                .map_err(SensitivityError::Integration)?;
+            integrator.start_record();
+            integrator
+                .advance_to(cycle_s)
+                .map_err(SensitivityError::Integration)?;
+            let energies = integrator.energies();
+            let rectified = energies
+                .rectified
+                .iter()
+                .map(|energy| energy.load_j + energy.battery_j);
+            record.add_delivered(energies.loads_j.iter().copied().chain(rectified), period_s);
+            y = integrator.state();
+            let unknown = self.unknown(&plant.to_physical(&y, 0.0));
+            record.strobe_states.push(unknown);
+            record.trajectories.push(integrator.take_record());
+        }
+        let residual: Vec<f64> = record
+            .end()
+            .iter()
+            .zip(&record.strobe_states[0])
+            .map(|(end, start)| end - start)
+            .collect();
+        let open = ColRef::from_slice(&residual).norm_l2();
+        let evaluation = self.evaluation(kernel, record, residual, period_s);
+        let mut orbit = evaluation.as_orbit(Vec::new());
+        orbit.error_estimate = open / orbit.size().max(f64::MIN_POSITIVE);
+        Ok(orbit)
+    }
+
+    /// Returns the contacts of the second of two periods. An integration that starts at rest may
+    /// impact once by roundoff; its continuation does not.
+    fn settled_statistics(
+        &self,
+        kernel: &Kernel,
+        y: &[f64],
+        period_s: f64,
+    ) -> Result<ContactStatistics, SensitivityError> {
+        let mut integrator = Integrator::new(kernel, y, 0.0, self.tolerance)?;
+        integrator.advance_to(period_s)?;
+        integrator.reset_statistics();
+        integrator.advance_to(2.0 * period_s)?;
+        Ok(integrator.statistics())
+    }
+}
