@@ -10,9 +10,7 @@
 //!
 //! Source: J. P. LaSalle, *The Stability and Control of Discrete Processes* (Springer, 1986), ch. 1
 //! (the equation of Stein and Lyapunov).
-
-use faer::linalg::solvers::DenseSolveCore;
-use faer::{Col, ColRef, Mat, Side};
+use faer::{Col, ColRef, Mat};
 
 /// Doublings after which the sum has converged for every `g` that doubles can distinguish from the
 /// spectral radius.
@@ -42,8 +40,8 @@ impl AdaptedNorm {
                 return None;
             }
             if term.norm_l2() < NEGLIGIBLE_TERM * sum.norm_l2() {
-                let factor = sum.llt(Side::Lower).ok()?.L().transpose().to_owned();
-                let inverse = factor.partial_piv_lu().inverse();
+                let factor = jounce_linalg::cholesky(&sum)?;
+                let inverse = jounce_linalg::inverse(&factor);
                 return Some(Self { factor, inverse });
             }
             power = &power * &power;

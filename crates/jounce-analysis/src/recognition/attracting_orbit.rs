@@ -20,6 +20,7 @@
 
 use super::adapted_norm::AdaptedNorm;
 use faer::{ColRef, Mat};
+use jounce_linalg::{Eigen, eigen};
 use jounce_orbits::Orbit;
 
 /// Smallest initial radius, relative to the size of the orbit. A motion that begins on the orbit
@@ -201,14 +202,13 @@ impl AttractingOrbit {
 /// real and the imaginary part of the leading eigenvector.
 fn directions(norm: &AdaptedNorm, map: &Mat<f64>, displacement: &[f64]) -> Vec<Vec<f64>> {
     let mut directions = vec![displacement.to_vec()];
-    if let Ok(eigen) = map.eigen() {
-        let values = eigen.S().column_vector();
+    if let Some(Eigen { values, vectors }) = eigen(map) {
         let leading =
-            (0..values.nrows()).max_by(|a, b| values[*a].norm().total_cmp(&values[*b].norm()));
+            (0..values.len()).max_by(|a, b| values[*a].norm().total_cmp(&values[*b].norm()));
         for part in leading.into_iter().flat_map(|k| {
             [
-                eigen.U().col(k).iter().map(|u| u.re).collect::<Vec<f64>>(),
-                eigen.U().col(k).iter().map(|u| u.im).collect(),
+                vectors.col(k).iter().map(|u| u.re).collect::<Vec<f64>>(),
+                vectors.col(k).iter().map(|u| u.im).collect(),
             ]
         }) {
             directions.push(part.iter().map(|d| -d).collect());

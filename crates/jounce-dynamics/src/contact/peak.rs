@@ -15,17 +15,15 @@ struct Interpolation {
 }
 
 static INTERPOLATION: LazyLock<Interpolation> = LazyLock::new(|| {
-    use faer::linalg::solvers::DenseSolveCore;
     let places: [f64; INTERPOLATION_POINTS] = std::array::from_fn(|i| match i {
         0 => 0.0,
         i if i <= NODES => SMOOTH_BASIS.positions[i - 1],
         _ => 1.0,
     });
-    let inverse = faer::Mat::from_fn(INTERPOLATION_POINTS, INTERPOLATION_POINTS, |i, n| {
+    let values = faer::Mat::from_fn(INTERPOLATION_POINTS, INTERPOLATION_POINTS, |i, n| {
         (n as f64 * (2.0 * places[i] - 1.0).acos()).cos()
-    })
-    .partial_piv_lu()
-    .inverse();
+    });
+    let inverse = jounce_linalg::inverse(&values);
     Interpolation {
         positions: places,
         coefficients: std::array::from_fn(|n| std::array::from_fn(|i| inverse[(n, i)])),

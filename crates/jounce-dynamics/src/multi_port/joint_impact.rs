@@ -16,7 +16,7 @@
 
 use super::sticking::MIN_RELATIVE_MOBILITY;
 use crate::integrator::Integrator;
-use faer::{Mat, Side};
+use faer::Mat;
 use jounce_model::contact::Law;
 
 /// Largest number of simultaneous impacts with a joint solution: the solver enumerates their
@@ -50,8 +50,7 @@ impl JointImpact {
         let matrix = Mat::from_fn(chosen.len(), chosen.len(), |a, b| {
             self.mobility[(chosen[a], chosen[b])]
         });
-        let eigen = matrix.self_adjoint_eigen(Side::Lower).ok()?;
-        let (vectors, values) = (eigen.U(), eigen.S());
+        let (values, vectors) = jounce_linalg::symmetric_eigen(&matrix)?;
         let largest = (0..chosen.len()).map(|k| values[k]).fold(0.0, f64::max);
         let mut impulses = vec![0.0; self.speeds_m_s.len()];
         for k in (0..chosen.len()).filter(|k| values[*k] > MIN_RELATIVE_MOBILITY * largest) {

@@ -109,7 +109,7 @@ impl StickingPorts {
             let index = self.positions[b];
             (if i == j { self.mobility[a][index] } else { 0.0 }) - self.responses[a][index][j].0[i]
         };
-        self.inverse = Mat::from_fn(count, count, entry).partial_piv_lu().inverse();
+        self.inverse = jounce_linalg::inverse(&Mat::from_fn(count, count, entry));
     }
 
     /// Sets the forces of the sticking ports, given those of the others.

@@ -130,7 +130,6 @@ pub struct StickingTable {
 impl StickingTable {
     /// Computes the tables of a step of one length.
     pub fn new(kernel: &Kernel, port: usize, basis: &BasisFunctions, length_s: f64) -> Self {
-        use faer::linalg::solvers::DenseSolveCore;
         let plant = &kernel.plant;
         let rows = [RowRequest {
             row: kernel.acceleration_row(port),
@@ -151,7 +150,7 @@ impl StickingTable {
         let system = faer::Mat::from_fn(NODES, NODES, |i, j| {
             (if i == j { mobility } else { 0.0 }) - acceleration.push[j].0[i]
         });
-        let inverse = system.partial_piv_lu().inverse();
+        let inverse = jounce_linalg::inverse(&system);
         Self {
             acceleration,
             inverse: std::array::from_fn(|i| std::array::from_fn(|j| inverse[(i, j)])),

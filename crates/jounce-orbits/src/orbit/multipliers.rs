@@ -16,8 +16,8 @@
 //! Source: B. N. Parlett and C. Reinsch, Numer. Math. 13 (1969) 293; G. W. Stewart and J. Sun, *Matrix Perturbation Theory* (1990), ch. V.
 
 use super::decoupled_blocks::{balanced, blocks};
-use faer::linalg::solvers::Solve;
 use faer::{Mat, c64};
+use jounce_linalg::{Eigen, complex_solve, eigen};
 
 /// Returns the eigenvalues of a period map, largest modulus first; `None` where they do not
 /// converge.
@@ -28,7 +28,7 @@ pub fn multipliers(map: &Mat<f64>) -> Option<Vec<c64>> {
         .into_iter()
         .flat_map(|block| block_eigenvalues(&balanced, block))
         .collect();
-    values.extend(part(&balanced, &rest).eigenvalues().ok()?);
+    values.extend(jounce_linalg::eigenvalues(&part(&balanced, &rest))?);
     values.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
     Some(values)
 }
@@ -96,12 +96,11 @@ impl Eigenbasis {
 
     fn over(map: &Mat<f64>, states: Vec<usize>) -> Option<Self> {
         let n = states.len();
-        let eigen = part(map, &states).eigen().ok()?;
-        let vectors = eigen.U().to_owned();
-        let inverse = vectors.partial_piv_lu().solve(Mat::<c64>::identity(n, n));
+        let Eigen { values, vectors } = eigen(&part(map, &states))?;
+        let inverse = complex_solve(&vectors, &Mat::identity(n, n));
         Some(Self {
             states,
-            values: (0..n).map(|k| eigen.S()[k]).collect(),
+            values,
             vectors,
             inverse,
         })

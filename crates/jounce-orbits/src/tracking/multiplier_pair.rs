@@ -1,8 +1,7 @@
 //! Two multipliers that are a complex pair, or have just met on the real axis, with their invariant
 //! planes.
-
-use faer::linalg::solvers::Solve;
 use faer::{Mat, c64};
+use jounce_linalg::{Eigen, eigen, solve};
 
 /// Largest ratio of two real multipliers that can be a pair that has met.
 const MAX_REAL_RATIO: f64 = 1.5;
@@ -29,9 +28,7 @@ impl MultiplierPair {
         let (left_basis, _) = plane(&map.transpose().to_owned(), mismatch)?;
         let overlap = left_basis.transpose() * &right;
         // W = U (V' U)^-1, so that W' V = I.
-        let left_basis = overlap
-            .partial_piv_lu()
-            .solve(left_basis.transpose())
+        let left_basis = solve(&overlap, &left_basis.transpose().to_owned())
             .transpose()
             .to_owned();
         let reduced = left_basis.transpose() * map * &right;
@@ -72,8 +69,7 @@ impl MultiplierPair {
 /// and these eigenvalues.
 fn plane(map: &Mat<f64>, measure: impl Fn([c64; 2]) -> f64) -> Option<(Mat<f64>, [c64; 2])> {
     let n = map.nrows();
-    let eigen = map.eigen().ok()?;
-    let (values, vectors) = (eigen.S().column_vector(), eigen.U());
+    let Eigen { values, vectors } = eigen(map)?;
     let is_pair = |&(i, j): &(usize, usize)| {
         let (a, b) = (values[i], values[j]);
         let has_converged = a.im == 0.0

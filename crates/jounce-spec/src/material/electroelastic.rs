@@ -2,7 +2,7 @@
 
 use super::{Ceramic, VACUUM_PERMITTIVITY_F_M};
 use faer::Mat;
-use faer::linalg::solvers::DenseSolveCore;
+use jounce_linalg::inverse;
 
 /// Electroelastic constants of a material poled along axis 3, isotropic around it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -70,9 +70,7 @@ impl Electroelastic {
     fn compliance(&self) -> Mat<f64> {
         let (a, b, c, d) = (self.c11_pa, self.c12_pa, self.c13_pa, self.c33_pa);
         let rows = [[a, b, c], [b, a, c], [c, c, d]];
-        Mat::from_fn(3, 3, |i, j| rows[i][j])
-            .partial_piv_lu()
-            .inverse()
+        inverse(&Mat::from_fn(3, 3, |i, j| rows[i][j]))
     }
 
     /// Returns the scale of `-E`, V/m, that gives all entries of `L` similar magnitude.

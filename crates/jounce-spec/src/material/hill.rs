@@ -8,7 +8,7 @@
 
 use super::porous::PoreGeometry;
 use faer::Mat;
-use faer::linalg::solvers::DenseSolveCore;
+use jounce_linalg::inverse;
 use std::f64::consts::{PI, TAU};
 
 /// Quadrature points along the polar axis. Few points suffice around the axis, because the
@@ -33,7 +33,7 @@ pub(super) fn hill(medium: &Mat<f64>, pores: PoreGeometry) -> Mat<f64> {
                 0.0
             };
             let b = gradient([sin * around.cos(), sin * around.sin(), along]);
-            let acoustic = (b.transpose() * medium * &b).partial_piv_lu().inverse();
+            let acoustic = inverse(&(b.transpose() * medium * &b));
             sum += &b * acoustic * b.transpose() * (weight / (2.0 * AROUND_PLACES as f64));
         }
     }

@@ -21,7 +21,7 @@ use super::VACUUM_PERMITTIVITY_F_M;
 pub use super::electroelastic::{Electroelastic, PZT_5A};
 use super::hill::hill;
 use faer::Mat;
-use faer::linalg::solvers::DenseSolveCore;
+use jounce_linalg::inverse;
 
 /// Relative change at which the self-consistent iteration ends, and its largest number of steps.
 const SCHEME_TOLERANCE: f64 = 1e-12;
@@ -61,12 +61,8 @@ impl Electroelastic {
         let effective = match scheme {
             Scheme::MoriTanaka => {
                 let difference = &pore - &matrix;
-                let single = (&one + hill(&matrix, pores) * &difference)
-                    .partial_piv_lu()
-                    .inverse();
-                let mean = (&one * (1.0 - porosity) + &single * porosity)
-                    .partial_piv_lu()
-                    .inverse();
+                let single = inverse(&(&one + hill(&matrix, pores) * &difference));
+                let mean = inverse(&(&one * (1.0 - porosity) + &single * porosity));
                 &matrix + &difference * &single * &mean * porosity
             }
             Scheme::SelfConsistent => self_consistent(&matrix, &pore, porosity, pores)?,
@@ -86,17 +82,12 @@ fn self_consistent(
     let mut effective = matrix.clone();
     for _ in 0..MAX_SCHEME_STEPS {
         let hill = hill(&effective, pores);
-        let concentration = |phase: &Mat<f64>| {
-            (&one + &hill * (phase - &effective))
-                .partial_piv_lu()
-                .inverse()
-        };
+        let concentration = |phase: &Mat<f64>| inverse(&(&one + &hill * (phase - &effective)));
         let (in_matrix, in_pore) = (
             concentration(matrix) * (1.0 - porosity),
             concentration(pore) * porosity,
         );
-        let next = (matrix * &in_matrix + pore * &in_pore)
-            * (&in_matrix + &in_pore).partial_piv_lu().inverse();
+        let next = (matrix * &in_matrix + pore * &in_pore) * inverse(&(&in_matrix + &in_pore));
         let change = (&next - &effective).norm_max();
         effective = (&effective + &next) * 0.5;
         if !effective.norm_max().is_finite() || effective[(2, 2)] <= 1e-6 * matrix[(2, 2)] {

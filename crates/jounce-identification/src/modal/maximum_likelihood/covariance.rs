@@ -1,8 +1,6 @@
 //! Covariance of the poles: from the scatter of the blocks, the variance of the lines, or the
 //! residuals of the lines.
-
-use faer::linalg::solvers::DenseSolveCore;
-use faer::{Mat, Side, c64};
+use faer::{Mat, c64};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
@@ -40,7 +38,7 @@ impl PoleCovariance {
         outputs
             .iter()
             .for_each(|output| normal += output.projected.transpose() * &output.projected);
-        let inverse = normal.llt(Side::Lower).ok()?.inverse();
+        let inverse = jounce_linalg::positive_inverse(&normal)?;
         // Without variances only the misfit is known.
         let factor = if band.variance.is_empty() {
             misfit

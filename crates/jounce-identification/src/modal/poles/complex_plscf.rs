@@ -10,8 +10,6 @@
 //! with complex coefficients and `T` such that the lines cover the circle once. Uniform lines make
 //! `R = X^H X` a multiple of the identity, however far from 0 the band is. Modes outside the band,
 //! including conjugate ones, are smooth in it and are absorbed by `B`.
-
-use faer::linalg::solvers::Solve;
 use faer::{Mat, Side, c64};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
@@ -136,7 +134,7 @@ impl ComplexMoments {
         let free = m.nrows() - n;
         let matrix = m.submatrix(0, 0, free, free).to_owned();
         let rhs = Mat::from_fn(free, n, |a, b| -m[(a, free + b)]);
-        let coefficients = matrix.partial_piv_lu().solve(&rhs);
+        let coefficients = jounce_linalg::complex_solve(&matrix, &rhs);
         if !coefficients
             .col_iter()
             .all(|column| column.iter().all(|x| x.re.is_finite() && x.im.is_finite()))
@@ -150,7 +148,7 @@ impl ComplexMoments {
                 -coefficients[((b / n) * n + a - (free - n), b % n)]
             }
         });
-        let roots = companion.eigenvalues().ok()?;
+        let roots = jounce_linalg::complex_eigenvalues(&companion)?;
         let alias_rad_s = TAU / self.interval_s;
         let pole = |z: &c64| {
             let p = -z.ln() / self.interval_s;

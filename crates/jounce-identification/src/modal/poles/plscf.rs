@@ -12,8 +12,6 @@
 //! whose blocks depend only on the difference of powers, so that one pass over the lines serves
 //! every order. With the highest coefficient fixed to the identity, poles of noise become undamped
 //! or unstable while physical poles do not move: a clear diagram.
-
-use faer::linalg::solvers::Solve;
 use faer::{Mat, Side, c64};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
@@ -146,8 +144,7 @@ impl PlscfMoments {
         let singular = ModalError::Singular { order: free / n };
         let matrix = m.submatrix(0, 0, free, free).to_owned();
         let rhs = Mat::from_fn(free, n, |a, b| -m[(a, free + b)]);
-        let lu = matrix.partial_piv_lu();
-        let coefficients = lu.solve(&rhs);
+        let coefficients = jounce_linalg::solve(&matrix, &rhs);
         if !coefficients
             .col_iter()
             .all(|column| column.iter().all(|x| x.is_finite()))
@@ -163,7 +160,7 @@ impl PlscfMoments {
                 -coefficients[((b / n) * n + a - (free - n), b % n)]
             }
         });
-        let roots = companion.eigenvalues().map_err(|_| singular)?;
+        let roots = jounce_linalg::eigenvalues(&companion).ok_or(singular)?;
         let pole = |z: &c64| -z.ln() / self.interval_s;
         let upper = roots
             .iter()

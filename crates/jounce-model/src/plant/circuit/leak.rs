@@ -112,10 +112,9 @@ impl Electrical {
     /// Returns `K^-1` times a current into each of some nodes, V.
     fn voltages(&self, nodes: &[usize], current_a: &[f64]) -> Vec<f64> {
         // An isolated charge makes K singular, and no current reaches it.
-        let Ok(svd) = self.conductances(nodes).svd() else {
+        let Some(inverse) = jounce_linalg::pseudoinverse(&self.conductances(nodes)) else {
             return vec![f64::NAN; nodes.len()];
         };
-        let inverse = svd.pseudoinverse();
         (0..nodes.len())
             .map(|i| {
                 current_a

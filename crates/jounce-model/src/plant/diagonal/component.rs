@@ -8,6 +8,7 @@ use super::conduction_path::ConductionPath;
 use super::eigen_refinement::refined;
 use crate::plant::{BlockPair, Electrical, PlantError, System};
 use faer::{Mat, c64};
+use jounce_linalg::{Eigen, eigen};
 
 /// One block with its columns of `T`, and a flag for a closed form.
 pub(super) struct ComponentBlock {
@@ -278,9 +279,7 @@ pub(super) fn coupled(
 /// Returns all eigenvalues and the columns of their eigenvectors, refined where one state may be
 /// far faster than the others.
 fn eigenvectors(matrix: &Mat<f64>, refine: bool) -> Option<(Vec<c64>, Mat<c64>)> {
-    let eigen = matrix.eigen().ok()?;
-    let values = eigen.S().column_vector().iter().copied().collect();
-    let vectors = eigen.U().to_owned();
+    let Eigen { values, vectors } = eigen(matrix)?;
     Some(if refine {
         refined(matrix, values, vectors)
     } else {

@@ -11,8 +11,6 @@
 //! squares that error (Newton's method on `A v = l v` for all pairs at once). The matrix must be
 //! graded: its fast rate in one diagonal entry, so its slow rates are accurate to their own
 //! roundoff.
-
-use faer::linalg::solvers::DenseSolveCore;
 use faer::{Mat, c64};
 
 /// Two corrections: the first leaves the square of roundoff times the spread of the rates, which
@@ -42,7 +40,7 @@ pub(super) fn refined(
     for _ in 0..REFINEMENT_STEPS {
         let applied = &full * &vectors;
         let residual = Mat::from_fn(n, n, |i, j| applied[(i, j)] - vectors[(i, j)] * values[j]);
-        let within = vectors.partial_piv_lu().inverse() * residual;
+        let within = jounce_linalg::complex_inverse(&vectors) * residual;
         let distance = |i: usize, j: usize| {
             let share = within[(i, j)] / (values[j] - values[i]);
             if i != j && share.norm() < MAX_CORRECTION {

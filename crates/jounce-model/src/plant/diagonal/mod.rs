@@ -29,7 +29,6 @@ pub(super) mod stiff;
 use super::{BlockDiagonal, BlockPair, Electrical, PlantError, System};
 use component::{ComponentBlock, CoupledMatrix, PieceBlock, components, coupled, single_mode};
 use faer::Mat;
-use faer::linalg::solvers::DenseSolveCore;
 
 /// Largest accepted condition number of the eigenvectors (in energy coordinates).
 const MAX_CONDITION: f64 = 1e7;
@@ -96,7 +95,7 @@ impl Diagonal {
                 allowed: MAX_CONDITION,
             });
         }
-        let inverse = vectors.partial_piv_lu().inverse();
+        let inverse = jounce_linalg::inverse(&vectors);
         polish(
             &mut block,
             &exact,

@@ -10,7 +10,6 @@
 
 use crate::plant::BlockDiagonal;
 use faer::Mat;
-use faer::linalg::solvers::Solve;
 use std::f64::consts::TAU;
 
 /// Decay of a block, relative to its rate, below which it counts as undamped.
@@ -111,6 +110,6 @@ fn sylvester(first: &BlockSpan, second: &BlockSpan, source: &Mat<f64>) -> Mat<f6
         (if j == l { a1(k, i) } else { 0.0 }) + (if i == k { a2(l, j) } else { 0.0 })
     });
     let right = Mat::from_fn(m * n, 1, |row, _| source[(row / n, row % n)]);
-    let solution = system.full_piv_lu().solve(&right);
+    let solution = jounce_linalg::solve_fully_pivoted(&system, &right);
     Mat::from_fn(m, n, |i, j| solution[(i * n + j, 0)])
 }
