@@ -192,6 +192,6 @@ fn everything_is_written() {
             .write(&blocked)
             .unwrap_err()
             .to_string()
-            .contains("cannot create the folder")
+            .contains("cannot write into the folder")
     );
 }

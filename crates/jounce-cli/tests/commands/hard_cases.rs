@@ -77,7 +77,7 @@ fn a_branch_without_an_orbit_asks_for_more_seeds() {
     assert!(
         code == 3
             && error.starts_with("no periodic orbit was found")
-            && error.contains("try more seeds"),
+            && error.contains("try more --seeds"),
         "{error}"
     );
 }

@@ -225,7 +225,7 @@ fn a_branch_notes_that_seeds_may_miss_solutions() {
     let note = json["note"].as_str().unwrap();
     assert!(
         code == 0
-            && ["more seeds", "longest_period"]
+            && ["more `seeds`", "`longest_period`"]
                 .iter()
                 .all(|option| note.contains(option)),
         "{note}"

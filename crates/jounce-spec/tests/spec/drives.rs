@@ -59,7 +59,7 @@ const FAULTS: [(&str, &str); 15] = [
     ),
     (
         "[drive.d]\nat = \"m\"\nsignal = \"recording\"\nfile = \"not-there.csv\"",
-        "drive.d.file: not-there.csv: ",
+        "drive.d.file: not-there.csv does not exist",
     ),
     (
         "[drive.d]\nat = \"m\"\nsignal = \"recordng\"",
