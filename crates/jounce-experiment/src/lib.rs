@@ -1,4 +1,4 @@
-//! Recordings beside a model of the harvester.
+//! Recordings compared with a model of the harvester.
 //!
 //! [`rig`] simulates the sensors of a test, [`solution`] finds the attractors of a model that a
 //! recording can show, [`segmentation`] cuts a long recording into parts of one attractor each,

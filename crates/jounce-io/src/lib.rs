@@ -1,6 +1,6 @@
 //! Files that appear whole or not at all, and tables.
 //!
-//! [`store`] writes a file beside its place and renames it when it is complete. [`table`] holds
+//! [`store`] writes a temporary file in the same folder and renames it when it is complete. [`table`] holds
 //! named columns with units and writes them as CSV, Parquet and JSON.
 
 pub mod store;

@@ -125,7 +125,7 @@ fn a_real_cantilever_agrees_within_half_a_percent() {
     } else {
         let _ = writeln!(
             std::io::stderr(),
-            "SKIPPED: the recording hrshm_cantilever/impulse_FFT_data.lvm is not beside the repository; its noted frequencies are used"
+            "SKIPPED: the recording hrshm_cantilever/impulse_FFT_data.lvm is missing; the frequencies noted from it are used"
         );
     }
     for (measured_hz, max_error) in cases {

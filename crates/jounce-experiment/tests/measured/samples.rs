@@ -65,7 +65,7 @@ pub fn real(file: &str) -> Option<PathBuf> {
     }
     let _ = writeln!(
         std::io::stderr(),
-        "SKIPPED: the recording {file} is not beside the repository"
+        "SKIPPED: the recording {file} is missing"
     );
     None
 }

@@ -6,17 +6,17 @@
 //! samples by its inverse. The images about multiples of the sampling rate `1 / h` remain, smaller
 //! than `u` by `(f h / (1 - f h))^2`.
 
+mod chirp;
 mod displaced;
 mod noise;
 mod pulse;
-mod sweep;
 mod travel;
 mod wave;
 
+pub use chirp::{Chirp, chirp};
 pub use displaced::displaced;
 pub use noise::{NoiseBand, noise};
 pub use pulse::half_sine;
-pub use sweep::{Chirp, chirp};
 pub use travel::Travel;
 pub use wave::{Wave, WavePiece};
 
