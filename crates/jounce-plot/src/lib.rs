@@ -19,6 +19,7 @@ mod drawing;
 mod error;
 mod figure;
 mod file;
+mod outlines;
 mod raster;
 mod ready;
 pub mod report;

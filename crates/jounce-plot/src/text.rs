@@ -2,8 +2,7 @@
 
 use std::sync::LazyLock;
 
-use skrifa::instance::{LocationRef, Size};
-use skrifa::{FontRef, MetadataProvider};
+use ttf_parser::Face;
 
 /// Font family of an SVG: the font of the program first, then common fonts that are not wider.
 pub(super) const FAMILY: &str = "DejaVu Sans, Verdana, Helvetica, Arial, sans-serif";
@@ -17,27 +16,22 @@ pub(super) const SMALL: f64 = 12.0;
 /// Distance of two lines of text relative to their size.
 pub(super) const LEADING: f64 = 1.3;
 
-static FACE: LazyLock<FontRef<'static>> = LazyLock::new(|| {
-    FontRef::new(dejavu::sans::regular()).expect("the font that comes with the program is whole")
+/// The font.
+pub(super) static FACE: LazyLock<Face<'static>> = LazyLock::new(|| {
+    Face::parse(dejavu::sans::regular(), 0).expect("the font that comes with the program is whole")
 });
+
+/// Returns the width of a letter, in units of the font.
+pub(super) fn advance(letter: char) -> f64 {
+    let glyph = FACE.glyph_index(letter);
+    glyph
+        .and_then(|glyph| FACE.glyph_hor_advance(glyph))
+        .map_or(0.6 * f64::from(FACE.units_per_em()), f64::from)
+}
 
 /// Returns the width of a text at a size, pixels.
 pub(super) fn width(text: &str, size: f64) -> f64 {
-    let (letters, metrics) = (
-        FACE.charmap(),
-        FACE.glyph_metrics(Size::unscaled(), LocationRef::default()),
-    );
-    let units_per_em = f64::from(
-        FACE.metrics(Size::unscaled(), LocationRef::default())
-            .units_per_em,
-    );
-    let advance = |letter| {
-        letters
-            .map(letter)
-            .and_then(|glyph| metrics.advance_width(glyph))
-            .map_or(0.6 * units_per_em, f64::from)
-    };
-    text.chars().map(advance).sum::<f64>() * size / units_per_em
+    text.chars().map(advance).sum::<f64>() * size / f64::from(FACE.units_per_em())
 }
 
 /// Breaks a text between words into lines of at most `room` pixels; a longer word gets its own
