@@ -15,7 +15,7 @@
 //! ```
 
 use faer::linalg::solvers::{DenseSolveCore, Solve};
-use faer::{Mat, Side, c64};
+use faer::{Mat, MatRef, Side, c64};
 
 /// Eigenvalues of a matrix and the columns of their eigenvectors.
 #[derive(Debug, Clone)]
@@ -71,6 +71,34 @@ pub fn solve(matrix: &Mat<f64>, right: &Mat<f64>) -> Mat<f64> {
 /// Solves `A X = B` with complex entries by partial pivoting.
 pub fn complex_solve(matrix: &Mat<c64>, right: &Mat<c64>) -> Mat<c64> {
     matrix.partial_piv_lu().solve(right)
+}
+
+/// Returns the inverse by full pivoting and the magnitudes of the pivots, largest first.
+pub fn inverse_fully_pivoted(matrix: &Mat<f64>) -> (Mat<f64>, Vec<f64>) {
+    let lu = matrix.full_piv_lu();
+    let pivots = (0..matrix.nrows()).map(|i| lu.U()[(i, i)].abs()).collect();
+    (lu.inverse(), pivots)
+}
+
+/// Returns the determinant, by partial pivoting.
+pub fn determinant(matrix: &Mat<f64>) -> f64 {
+    matrix.determinant()
+}
+
+/// Returns the singular values, largest first; `None` without convergence.
+pub fn singular_values(matrix: MatRef<'_, f64>) -> Option<Vec<f64>> {
+    matrix.singular_values().ok()
+}
+
+/// Returns the square orthogonal factor `Q` of `A = Q R`.
+pub fn orthogonal_factor(matrix: &Mat<f64>) -> Mat<f64> {
+    matrix.qr().compute_Q()
+}
+
+/// Returns the factors `Q`, with as many columns as `A`, and `R`, square, of `A = Q R`.
+pub fn thin_qr(matrix: &Mat<f64>) -> (Mat<f64>, Mat<f64>) {
+    let qr = matrix.qr();
+    (qr.compute_thin_Q(), qr.thin_R().to_owned())
 }
 
 /// Solves `A X = B` by full pivoting.

@@ -67,9 +67,7 @@ impl AdaptedNorm {
     /// Returns the largest factor by which a map expands a vector; `None` where it is not finite.
     pub fn norm_of(&self, map: &Mat<f64>) -> Option<f64> {
         let transformed = &self.factor * map * &self.inverse;
-        transformed
-            .singular_values()
-            .ok()?
+        jounce_linalg::singular_values(transformed.as_ref())?
             .first()
             .copied()
             .filter(|largest| largest.is_finite())

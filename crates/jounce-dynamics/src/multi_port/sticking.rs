@@ -20,7 +20,6 @@ use crate::integrator::Integrator;
 use crate::ports::state::ContactState;
 use crate::tables::contact::StickingTable;
 use crate::tables::joint::{JointTables, StepLength};
-use faer::linalg::solvers::DenseSolveCore;
 use faer::{Mat, c64};
 use jounce_simd::{F64x8, LANES, Portable, Simd};
 
@@ -276,9 +275,8 @@ impl Integrator<'_> {
         let matrix = Mat::from_fn(count, count, |a, b| {
             self.mobility_per_kg(resting[a], resting[b])
         });
-        let lu = matrix.full_piv_lu();
-        let (largest, smallest) = (lu.U()[(0, 0)].abs(), lu.U()[(count - 1, count - 1)].abs());
-        if smallest <= MIN_RELATIVE_MOBILITY * largest {
+        let (inverse, pivots) = jounce_linalg::inverse_fully_pivoted(&matrix);
+        if pivots[count - 1] <= MIN_RELATIVE_MOBILITY * pivots[0] {
             let stops = resting
                 .iter()
                 .map(|p| self.kernel.plant.system.stops[*p].name.clone())
@@ -288,7 +286,6 @@ impl Integrator<'_> {
                 stops,
             });
         }
-        let inverse = lu.inverse();
         let right: Vec<f64> = (resting.iter())
             .map(|a| {
                 self.acceleration_m_s2(*a)

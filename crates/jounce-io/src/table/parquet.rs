@@ -49,8 +49,8 @@ pub(super) fn decode(path: &Path) -> Result<(Table, Manifest), String> {
 }
 
 /// Writes tables of the same columns to one file; only one table is in memory at a time.
-pub(super) fn join<W: Write + Send, E>(
-    target: W,
+pub(super) fn join<E>(
+    target: &mut (dyn Write + Send),
     manifest: &Manifest,
     tables: impl IntoIterator<Item = Result<Table, E>>,
     failed: impl Fn(String) -> E,
@@ -67,10 +67,7 @@ pub(super) fn join<W: Write + Send, E>(
         }
     }
     match writer {
-        Some(writer) => writer
-            .close()
-            .map(|_| ())
-            .map_err(|fault| failed(fault.to_string())),
+        Some(writer) => end(writer).map_err(|fault| failed(fault.to_string())),
         None => Err(failed("there is no table to write".to_owned())),
     }
 }
@@ -79,16 +76,20 @@ fn write(table: &Table, manifest: &Manifest) -> Result<Vec<u8>, ParquetError> {
     let mut bytes = Vec::new();
     let mut writer = begin(&mut bytes, table, manifest)?;
     append(&mut writer, table)?;
-    writer.close()?;
+    end(writer)?;
     Ok(bytes)
 }
 
+/// A file that is being written. Its type does not depend on that of the file, so that the writer
+/// is compiled once.
+type FileWriter<'a> = SerializedFileWriter<&'a mut (dyn Write + Send)>;
+
 /// Begins a file for tables with the columns of this one.
-fn begin<W: Write + Send>(
-    target: W,
+fn begin<'a>(
+    target: &'a mut (dyn Write + Send),
     table: &Table,
     manifest: &Manifest,
-) -> Result<SerializedFileWriter<W>, ParquetError> {
+) -> Result<FileWriter<'a>, ParquetError> {
     let notes = KeyValue::new(KEY.to_owned(), Notes::of(table, manifest).to_json());
     let properties = WriterProperties::builder()
         .set_compression(Compression::SNAPPY)
@@ -102,10 +103,7 @@ fn begin<W: Write + Send>(
 }
 
 /// Appends the rows of a table as one row group.
-fn append<W: Write + Send>(
-    writer: &mut SerializedFileWriter<W>,
-    table: &Table,
-) -> Result<(), ParquetError> {
+fn append(writer: &mut FileWriter<'_>, table: &Table) -> Result<(), ParquetError> {
     let mut rows = writer.next_row_group()?;
     for column in table.columns() {
         let Some(mut target) = rows.next_column()? else {
@@ -116,6 +114,11 @@ fn append<W: Write + Send>(
     }
     rows.close()?;
     Ok(())
+}
+
+/// Writes the end of a file.
+fn end(writer: FileWriter<'_>) -> Result<(), ParquetError> {
+    writer.close().map(drop)
 }
 
 fn schema(table: &Table) -> Result<Type, ParquetError> {

@@ -141,10 +141,9 @@ pub fn pairs_outside(multipliers: &[c64]) -> usize {
 
 /// Returns `det(M - s I)` of a period map: zero where `s` is a multiplier.
 pub fn determinant_at(map: &Mat<f64>, s: f64) -> f64 {
-    Mat::from_fn(map.nrows(), map.ncols(), |i, j| {
+    jounce_linalg::determinant(&Mat::from_fn(map.nrows(), map.ncols(), |i, j| {
         map[(i, j)] - if i == j { s } else { 0.0 }
-    })
-    .determinant()
+    }))
 }
 
 #[cfg(test)]

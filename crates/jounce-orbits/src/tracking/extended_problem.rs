@@ -263,7 +263,7 @@ impl ExtendedEvaluation {
             .matrix
             .as_ref()
             .submatrix(0, 0, self.states, self.states + 1);
-        match &equations.singular_values().ok()?[..] {
+        match &jounce_linalg::singular_values(equations)?[..] {
             [.., next, smallest] => Some(smallest / next),
             _ => None,
         }

@@ -179,7 +179,7 @@ fn determinant_of_a_switch() {
         let acceleration = |voltage: f64| (0.8 * change.time_s + 0.4).sin() - q + theta * voltage;
         expected *= -inversion * acceleration(-inversion * voltage) / acceleration(voltage);
     }
-    let error = sensitivity.jacobian.determinant() / expected - 1.0;
+    let error = jounce_linalg::determinant(&sensitivity.jacobian) / expected - 1.0;
     eprintln!(
         "{} switches: {expected:.4} {error:.1e}",
         sensitivity.trajectory.changes().len()

@@ -5,7 +5,6 @@
 //! 49.
 
 use faer::Mat;
-use faer::linalg::solvers::Solve;
 
 /// Linear problem at its minimum.
 pub(super) struct LinearSolution {
@@ -28,9 +27,8 @@ impl LinearSolution {
         for (column, scale) in a.col_iter_mut().zip(&scale) {
             column.iter_mut().for_each(|x| *x /= scale);
         }
-        let q = a.qr();
-        let thin_q = q.compute_thin_Q();
-        let solution = q.thin_R().partial_piv_lu().solve(thin_q.transpose() * b);
+        let (thin_q, r) = jounce_linalg::thin_qr(&a);
+        let solution = jounce_linalg::solve(&r, &(thin_q.transpose() * b));
         let residual = b - &a * &solution;
         let linear = Mat::from_fn(scale.len(), 1, |c, _| solution[(c, 0)] / scale[c]);
         Self {

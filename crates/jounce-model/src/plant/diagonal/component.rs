@@ -333,9 +333,8 @@ fn complement(states: &[Vec<f64>], size: usize) -> Mat<f64> {
     if states.is_empty() {
         return Mat::identity(size, size);
     }
-    let full = Mat::from_fn(size, states.len(), |i, j| states[j][i])
-        .qr()
-        .compute_Q();
+    let columns = Mat::from_fn(size, states.len(), |i, j| states[j][i]);
+    let full = jounce_linalg::orthogonal_factor(&columns);
     Mat::from_fn(size, size - states.len(), |i, j| {
         full[(i, states.len() + j)]
     })

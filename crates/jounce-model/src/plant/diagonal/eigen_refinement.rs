@@ -80,12 +80,8 @@ mod tests {
             [b * sin, b * cos, 0.0, -slow],
         ];
         let matrix = Mat::from_fn(4, 4, |i, j| rows[i][j]);
-        let eigen = matrix.eigen().unwrap();
-        let (values, vectors) = refined(
-            &matrix,
-            eigen.S().column_vector().iter().copied().collect(),
-            eigen.U().to_owned(),
-        );
+        let eigen = jounce_linalg::eigen(&matrix).unwrap();
+        let (values, vectors) = refined(&matrix, eigen.values, eigen.vectors);
         let sum = fast + slow;
         let exact = -(fast * slow - a * b)
             / (0.5 * (sum + (sum * sum - 4.0 * (fast * slow - a * b)).sqrt()));

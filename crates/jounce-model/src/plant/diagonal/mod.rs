@@ -85,9 +85,8 @@ impl Diagonal {
             }
         }
         let vectors = Mat::from_fn(n, n, |i, j| columns[j][i]);
-        let singular = vectors
-            .singular_values()
-            .map_err(|_| PlantError::NoEigenvalues { states: n })?;
+        let singular = jounce_linalg::singular_values(vectors.as_ref())
+            .ok_or(PlantError::NoEigenvalues { states: n })?;
         let condition = singular[0] / singular[n - 1];
         if condition.is_nan() || condition > MAX_CONDITION {
             return Err(PlantError::Defective {
