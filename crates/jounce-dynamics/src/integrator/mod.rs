@@ -7,7 +7,7 @@
 mod advance;
 mod start;
 
-use crate::contact::step_control::RELEASE_ERROR_FACTOR_OF_DERIVATIVE;
+use crate::contact::step_size_control::RELEASE_ERROR_FACTOR_OF_DERIVATIVE;
 use crate::excitation::Excitation;
 use crate::flow::layout::StateLayout;
 use crate::kernel::Kernel;
@@ -45,7 +45,7 @@ pub struct Integrator<'k> {
     /// Duration of the last flight that ended in a contact, s.
     pub(crate) flight_s: f64,
     /// Error factor of the remaining impulse for a step that ends past the surface (see
-    /// [`crate::contact::step_control`]).
+    /// [`crate::contact::step_size_control`]).
     pub(crate) release_error_factor: f64,
     pub(crate) integrals: ContactIntegrals,
     pub(crate) work: WorkCount,

@@ -1,7 +1,7 @@
 //! Start of an integration.
 
 use super::Integrator;
-use crate::contact::step_control::RELEASE_ERROR_FACTOR;
+use crate::contact::step_size_control::RELEASE_ERROR_FACTOR;
 use crate::error::IntegrationError;
 use crate::excitation::Excitation;
 use crate::kernel::Kernel;

@@ -33,10 +33,10 @@
 
 mod conduction_states;
 mod contact;
-mod crossing;
 mod elimination;
 mod linearization;
 mod parameter_sensitivity;
+mod saltation;
 mod tangents;
 
 pub use parameter_sensitivity::ParameterSensitivity;

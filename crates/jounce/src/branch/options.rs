@@ -1,6 +1,6 @@
 //! Options of branches of periodic orbits.
 
-use crate::continuation;
+use crate::continuation_options;
 use crate::error::Error;
 use crate::options::defaults;
 use jounce_analysis::{BranchOptions as TracerOptions, OrbitMethodKind};
@@ -98,7 +98,7 @@ impl BranchOptions {
         Ok(TracerOptions {
             largest_step,
             budget: self.budget,
-            levels: continuation::levels(&self.levels, plant)?,
+            levels: continuation_options::levels(&self.levels, plant)?,
         })
     }
 }

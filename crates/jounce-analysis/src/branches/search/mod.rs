@@ -12,7 +12,7 @@ mod ramp_down;
 mod starts;
 
 use super::branch::{Branch, BranchKind, BranchPoint};
-use super::continuation::tracer::{BranchTracer, RESOLUTION, newton_tolerance};
+use super::branch_tracer::tracer::{BranchTracer, RESOLUTION, newton_tolerance};
 use super::options::BranchOptions;
 use crate::{AnalysisError, Model, Parameter};
 use faer::Mat;
