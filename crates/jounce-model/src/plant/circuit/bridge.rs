@@ -25,7 +25,7 @@ pub struct Bridge {
     /// Connection of several patches.
     pub wiring: Wiring,
     /// Extraction scheme.
-    pub scheme: Scheme,
+    pub scheme: RectifierScheme,
     /// Storage.
     pub storage: Storage,
     /// Total drop of the two diodes of a path, V.
@@ -40,7 +40,7 @@ pub struct Bridge {
 
 /// Extraction scheme of the charge of the patches.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Scheme {
+pub enum RectifierScheme {
     /// Through the diodes only.
     Standard,
     /// Through the diodes; at each extremum of the displaced charge a switch inverts the voltage,
@@ -123,7 +123,7 @@ impl Bridge {
 
     /// True if a switch acts at extrema.
     pub fn has_switch(&self) -> bool {
-        !matches!(self.scheme, Scheme::Standard)
+        !matches!(self.scheme, RectifierScheme::Standard)
     }
 
     /// Returns the number of states, and the index of the current one.
@@ -217,7 +217,7 @@ impl System {
 mod tests {
     use super::*;
 
-    fn bridge(scheme: Scheme) -> Bridge {
+    fn bridge(scheme: RectifierScheme) -> Bridge {
         Bridge {
             name: "b".into(),
             connections: Vec::new(),
@@ -234,9 +234,9 @@ mod tests {
     #[test]
     fn regimes_are_numbered_without_gap() {
         let bridges = vec![
-            bridge(Scheme::Standard),
-            bridge(Scheme::ParallelSshi { inversion: 0.5 }),
-            bridge(Scheme::Standard),
+            bridge(RectifierScheme::Standard),
+            bridge(RectifierScheme::ParallelSshi { inversion: 0.5 }),
+            bridge(RectifierScheme::Standard),
         ];
         let system = System {
             bridges,
