@@ -20,7 +20,7 @@ pub use crate::recording::{ChannelList, ChosenChannel, UsesChannels};
 pub use crate::rig::BaseMotion;
 pub use crate::run::{History, HistorySamples, LoadResult, PatchResult};
 pub use crate::segments::SegmentResult;
-pub use crate::spectra::{OrderPeak, SegmentWindow};
+pub use crate::spectra::OrderPeak;
 pub use crate::study::{Shard, StudyStatus};
 pub use crate::sweep::{SweepOrder, SweepPoint};
 pub use impact_harvester_2019::Claim;
