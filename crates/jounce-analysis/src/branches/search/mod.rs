@@ -69,6 +69,9 @@ const POWER_ERROR_FACTOR: f64 = 300.0;
 type Failure = OrbitError<AnalysisError>;
 
 impl BranchSearch<'_> {
+    /// Largest value of [`Self::seeds`].
+    pub const MAX_SEEDS: usize = 100_000;
+
     fn following(&self, options: &BranchOptions) -> BranchTracer {
         BranchTracer {
             range: self.range,
