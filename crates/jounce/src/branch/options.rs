@@ -3,7 +3,7 @@
 use crate::continuation_options;
 use crate::error::Error;
 use crate::options::defaults;
-use jounce_analysis::{BranchOptions as TracerOptions, OrbitMethodKind};
+use jounce_analysis::{BranchOptions as TracerOptions, BranchSearch, OrbitMethodKind};
 use jounce_model::plant::Plant;
 use serde::{Deserialize, Serialize};
 
@@ -39,7 +39,7 @@ pub struct BranchOptions {
     pub tolerance: f64,
     /// Number of values inside the range at which orbits are sought by integration; they find
     /// isolated branches.
-    #[arg(long, default_value_t = 12)]
+    #[arg(long, default_value_t = BranchSearch::DEFAULT_SEEDS)]
     pub seeds: usize,
     /// Longest period of a branch, in drive cycles; longer ones are omitted.
     #[arg(long, default_value_t = 12, value_parser = clap::value_parser!(u32).range(1..))]

@@ -69,6 +69,8 @@ const POWER_ERROR_FACTOR: f64 = 300.0;
 type Failure = OrbitError<AnalysisError>;
 
 impl BranchSearch<'_> {
+    /// Value of [`Self::seeds`] where not given.
+    pub const DEFAULT_SEEDS: usize = 12;
     /// Largest value of [`Self::seeds`].
     pub const MAX_SEEDS: usize = 100_000;
 

@@ -23,10 +23,10 @@ impl QuantityTable<'_> {
     }
 
     /// Reads the number of values at which branches are sought.
-    pub fn seeds(&self, reader: &mut FaultCollector, default: u64) -> usize {
+    pub fn seeds(&self, reader: &mut FaultCollector, default: usize) -> usize {
         let item = self.table.get("seeds");
         let most = BranchSearch::MAX_SEEDS as u64;
-        reader.integer("quantity.seeds", item, (0, most), default) as usize
+        reader.integer("quantity.seeds", item, (0, most), default as u64) as usize
     }
 
     /// Reads a relative tolerance.
