@@ -90,7 +90,7 @@ impl Integrator<'_> {
         let mut level = level.max(coarsest(law, kernel));
         // On steps this short no second contact can follow the first.
         let safe = Kernel::level_within(1.0 / kernel.fastest_rad_s) + 3 * LEVELS_PER_OCTAVE;
-        while self.time_s < end_s && self.ports[p].regime == ContactState::Contact {
+        while self.time_s < end_s && self.ports[p].contact_state == ContactState::Contact {
             let remaining_s = self.excitation.remaining_s(self.time_s, end_s);
             let shape = kernel.shape(p, entering);
             let level_s = Kernel::length_s(level);

@@ -143,13 +143,13 @@ impl Bridge {
 
 impl System {
     /// Returns the number of conduction states of all bridges together.
-    pub fn regimes(&self) -> usize {
+    pub fn conduction_states(&self) -> usize {
         self.bridges.iter().map(Bridge::states).product()
     }
 
     /// Returns the index of the conduction state for given states of the bridges; 0 is the one with
     /// all bridges blocked.
-    pub fn regime(&self, states: &[BridgeState]) -> usize {
+    pub fn conduction_state(&self, states: &[BridgeState]) -> usize {
         self.bridges
             .iter()
             .zip(states)
@@ -159,8 +159,8 @@ impl System {
     }
 
     /// Returns the states of the bridges in a conduction state.
-    pub fn bridge_states(&self, regime: usize) -> Vec<BridgeState> {
-        let mut rest = regime;
+    pub fn bridge_states(&self, conduction_state: usize) -> Vec<BridgeState> {
+        let mut rest = conduction_state;
         let mut states: Vec<BridgeState> = (self.bridges.iter().rev())
             .map(|bridge| {
                 let state_index = rest % bridge.states();
@@ -185,12 +185,12 @@ impl System {
     /// Returns the system in a conduction state. While diodes conduct, the voltage of their patches
     /// is measured from its equilibrium value at the threshold, which acts on the structure as a
     /// constant force.
-    pub fn in_regime(&self, regime: usize) -> Self {
+    pub fn in_conduction_state(&self, conduction_state: usize) -> Self {
         let mut system = self.clone();
         system
             .bridges
             .iter_mut()
-            .zip(self.bridge_states(regime))
+            .zip(self.bridge_states(conduction_state))
             .for_each(|(bridge, state)| bridge.state = state);
         let electrical = Electrical::of(&system);
         for (number, bridge) in self.bridges.iter().enumerate() {
@@ -232,7 +232,7 @@ mod tests {
     }
 
     #[test]
-    fn regimes_are_numbered_without_gap() {
+    fn conduction_states_are_numbered_without_gap() {
         let bridges = vec![
             bridge(RectifierScheme::Standard),
             bridge(RectifierScheme::ParallelSshi { inversion: 0.5 }),
@@ -242,8 +242,9 @@ mod tests {
             bridges,
             ..System::default()
         };
-        assert_eq!(system.regimes(), 54);
-        assert!((0..54).all(|regime| system.regime(&system.bridge_states(regime)) == regime));
+        assert_eq!(system.conduction_states(), 54);
+        let is_found = |index| system.conduction_state(&system.bridge_states(index)) == index;
+        assert!((0..54).all(is_found));
         assert!(
             system
                 .bridge_states(0)
