@@ -44,7 +44,7 @@ pub use jounce_experiment::segmentation::{
 };
 pub use jounce_identification::contact::AllowedLaws;
 pub use jounce_io::store::{unreadable, unwritable_folder};
-pub use jounce_io::table::{Manifest, Values};
+pub use jounce_io::table::{Column, Manifest, Values};
 pub use jounce_model::linear::{
     Coupling, Density, RandomLoad, RandomPatch, RandomPoint, RandomStop,
 };
