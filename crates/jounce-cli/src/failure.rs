@@ -13,6 +13,9 @@ const INTERRUPTED: u8 = 130;
 /// Exit code of a computation that did not converge.
 const NOT_CONVERGED: u8 = 3;
 
+/// Exit code of an invalid input.
+const INVALID: u8 = 4;
+
 /// Reason why a command did not succeed.
 #[derive(Debug)]
 pub enum Failure {
@@ -20,6 +23,8 @@ pub enum Failure {
     Usage(String),
     /// Faults in a spec: exit code 4.
     Faults(PathBuf, Vec<Fault>),
+    /// Faults in a spec, already printed as JSON: exit code 4.
+    InvalidSpec(String),
     /// Invalid input of another kind, or an output that cannot be written: exit code 4.
     Input(String),
     /// A computation that did not converge: exit code 3.
@@ -54,17 +59,15 @@ impl Failure {
                 eprintln!("{text}");
                 return ExitCode::from(NOT_CONVERGED);
             }
+            Failure::InvalidSpec(text) => {
+                eprintln!("{text}");
+                return ExitCode::from(INVALID);
+            }
             Failure::Usage(text) => (2, text, Vec::new()),
             Failure::NotConverged(text) => (NOT_CONVERGED, text, Vec::new()),
-            Failure::Input(text) => (4, text, Vec::new()),
+            Failure::Input(text) => (INVALID, text, Vec::new()),
             Failure::Interrupted(text) => (INTERRUPTED, text, Vec::new()),
-            Failure::Faults(path, faults) => {
-                let lines: Vec<String> = faults
-                    .iter()
-                    .map(|fault| fault_line(&path, fault))
-                    .collect();
-                (4, lines.join("\n"), faults)
-            }
+            Failure::Faults(path, faults) => (INVALID, fault_lines(&path, &faults), faults),
         };
         eprintln!("{text}");
         if json {
@@ -74,8 +77,14 @@ impl Failure {
     }
 }
 
+/// Formats the faults of a file, one a line.
+pub fn fault_lines(path: &Path, faults: &[Fault]) -> String {
+    let lines: Vec<String> = faults.iter().map(|fault| fault_line(path, fault)).collect();
+    lines.join("\n")
+}
+
 /// Formats a fault with the name of its file.
-pub fn fault_line(path: &Path, fault: &Fault) -> String {
+fn fault_line(path: &Path, fault: &Fault) -> String {
     match fault.set {
         Some(_) => fault.to_string(),
         None if fault.line == 0 => format!("{}: {fault}", path.display()),

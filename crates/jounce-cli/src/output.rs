@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::option_names::on_command_line;
-use jounce::parts::{Manifest, unwritable_folder};
+use jounce::parts::{Column, Manifest, Values, unwritable_folder};
 use jounce::{Error, Figure, Table};
 use serde::Serialize;
 use std::io::Write;
@@ -38,7 +38,30 @@ pub fn warn(warnings: &[String]) {
     }
 }
 
-/// Formats a value of a key in SI: six decimals, or more where a small value needs them for seven
+/// Prints a table on stdout, with the names of its columns.
+pub fn print_table(table: &Table) {
+    let cells = |column: &Column| {
+        let cell = |row: usize| match &column.values {
+            Values::Float(values) => key_value(values[row]),
+            values => values.text(row).unwrap_or_default(),
+        };
+        let mut cells = vec![column.name.clone()];
+        cells.extend((0..table.rows()).map(cell));
+        let width = cells.iter().map(String::len).max().unwrap_or(0);
+        let pad = |text: String| match column.values {
+            Values::Text(_) => format!("{text:<width$}"),
+            _ => format!("{text:>width$}"),
+        };
+        cells.into_iter().map(pad).collect::<Vec<String>>()
+    };
+    let columns: Vec<Vec<String>> = table.columns().iter().map(cells).collect();
+    for row in 0..=table.rows() {
+        let cells: Vec<&str> = columns.iter().map(|cells| cells[row].as_str()).collect();
+        line(cells.join("  ").trim_end());
+    }
+}
+
+/// Formats a value in SI: six decimals, or more where a small value needs them for seven
 /// digits.
 pub fn key_value(value: f64) -> String {
     match value.abs() {

@@ -213,7 +213,7 @@ fn write_second_solution(folder: &Path) {
     assert_eq!(code, 0, "{stderr}");
 }
 
-/// The order lines of the first stretch are those of one period; the spectrogram and its convention are written.
+/// The order lines of the first segment are those of one period; the spectrogram and its convention are written.
 #[test]
 fn spectra_print_their_convention_and_mark_the_orders() {
     let folder = tempfile::tempdir().unwrap();

@@ -20,7 +20,7 @@ pub enum IntegrationError {
     },
     /// The plant cannot be built in another conduction state of its rectifiers.
     #[error(transparent)]
-    Regime(#[from] jounce_model::plant::PlantError),
+    ConductionState(#[from] jounce_model::plant::PlantError),
     /// The diodes or switches of a rectifier change repeatedly without advance in time.
     #[error(
         "at t = {time_s} s circuit `{circuit}` changed {changes} times at one instant; check its diodes, its storage and its drive"

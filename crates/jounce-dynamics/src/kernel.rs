@@ -60,13 +60,13 @@ pub struct Kernel {
     pub(super) levels: Arc<Vec<StepTables>>,
     /// Kernels in the other conduction states of the bridges, built when first entered; the first
     /// entry stays empty.
-    regimes: Regimes,
+    state_kernels: StateKernels,
     /// Conduction states of the kernel from which this one was derived by a change of drives or
     /// stops; their tables are shared.
-    kin: Regimes,
+    kin: StateKernels,
 }
 
-type Regimes = Arc<Vec<OnceLock<Result<Kernel, PlantError>>>>;
+type StateKernels = Arc<Vec<OnceLock<Result<Kernel, PlantError>>>>;
 
 impl Kernel {
     /// Prepares a plant for integration.
@@ -89,8 +89,8 @@ impl Kernel {
             vectors: Arc::new(PortVectors::of_all(&plant, &meters, &layout)),
             onset: Arc::new(onsets(&plant)),
             levels: Arc::new(levels(&plant)),
-            regimes: regimes(&plant),
-            kin: regimes(&plant),
+            state_kernels: empty_kernels(&plant),
+            kin: empty_kernels(&plant),
             control: Control::default(),
             quadratics,
             meters: OnceLock::from(meters),
@@ -104,7 +104,7 @@ impl Kernel {
     pub fn with_control(self, control: &Control) -> Self {
         Self {
             control: control.clone(),
-            regimes: regimes(&self.plant),
+            state_kernels: empty_kernels(&self.plant),
             ..self
         }
     }
@@ -127,7 +127,7 @@ impl Kernel {
         Self {
             quadratics: Arc::clone(&self.quadratics),
             meters: OnceLock::new(),
-            regimes: regimes(&plant),
+            state_kernels: empty_kernels(&plant),
             kin: Arc::clone(&self.kin),
             plant,
             layout: self.layout,
@@ -180,7 +180,7 @@ impl Kernel {
             } else {
                 Arc::new(levels(&plant))
             },
-            regimes: regimes(&plant),
+            state_kernels: empty_kernels(&plant),
             kin: Arc::clone(&self.kin),
             control: self.control.clone(),
             plant,
@@ -197,13 +197,13 @@ impl Kernel {
     ///
     /// # Errors
     /// Errors of [`Plant::new`] and [`Kernel::new`].
-    pub fn in_regime(&self, regime: usize) -> Result<&Self, PlantError> {
-        if regime == 0 {
+    pub fn in_conduction_state(&self, conduction_state: usize) -> Result<&Self, PlantError> {
+        if conduction_state == 0 {
             return Ok(self);
         }
         let make = || {
-            let system = self.plant.system.in_regime(regime);
-            let first = self.kin[regime]
+            let system = self.plant.system.in_conduction_state(conduction_state);
+            let first = self.kin[conduction_state]
                 .get_or_init(|| Self::new(Plant::new(system.clone())?))
                 .as_ref()
                 .map_err(Clone::clone)?;
@@ -213,7 +213,7 @@ impl Kernel {
                 .with_signals(system.signals);
             Ok(base.with_control(&self.control))
         };
-        self.regimes[regime]
+        self.state_kernels[conduction_state]
             .get_or_init(make)
             .as_ref()
             .map_err(Clone::clone)
@@ -248,14 +248,14 @@ impl Kernel {
 }
 
 /// Creates empty entries for all conduction states of a plant whose bridges are blocked.
-fn regimes(plant: &Plant) -> Regimes {
+fn empty_kernels(plant: &Plant) -> StateKernels {
     let is_first = plant
         .system
         .bridges
         .iter()
         .all(|bridge| bridge.state == BridgeState::default());
     let count = if is_first && !plant.system.bridges.is_empty() {
-        plant.system.regimes()
+        plant.system.conduction_states()
     } else {
         0
     };

@@ -127,6 +127,8 @@ mod tests {
         assert_eq!(left("middle"), 1193.0 - 284.5);
         assert_eq!(left("end"), 1193.0 - 569.0);
         let svg = letter("start");
-        assert!(svg.contains("1377 444") && svg.contains("fill=\"#123456\"") && !svg.contains("text"));
+        assert!(
+            svg.contains("1377 444") && svg.contains("fill=\"#123456\"") && !svg.contains("text")
+        );
     }
 }

@@ -65,8 +65,6 @@ mod tests {
     use super::*;
     use std::f64::consts::TAU;
 
-    const WINDOWS: [Window; 3] = [Window::Rectangular, Window::Hann, Window::FlatTop];
-
     fn sine(amplitude: f64, bins: f64, count: usize) -> Vec<f64> {
         (0..count)
             .map(|i| amplitude * (TAU * bins * i as f64 / count as f64 + 0.3).sin())
@@ -85,7 +83,7 @@ mod tests {
     /// Measured: 7e-16 relative.
     #[test]
     fn a_sine_on_a_bin_reads_its_peak_amplitude_with_every_window() {
-        for (window, count) in WINDOWS.into_iter().flat_map(|w| [(w, 1000), (w, 1001)]) {
+        for (window, count) in Window::ALL.into_iter().flat_map(|w| [(w, 1000), (w, 1001)]) {
             let values = sine(2.5, 50.0, count);
             let spectrum = Samples::new(&values, 200.0).unwrap().spectrum(window);
             assert!(
@@ -164,7 +162,7 @@ mod tests {
 
     #[test]
     fn records_of_a_few_samples_have_finite_spectra() {
-        for (window, count) in WINDOWS
+        for (window, count) in Window::ALL
             .into_iter()
             .flat_map(|w| (1..8).map(move |n| (w, n)))
         {

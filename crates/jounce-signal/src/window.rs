@@ -1,20 +1,22 @@
 //! Windows of spectra.
 
+use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 
 /// Window: a sum of cosines over one period of the record,
 /// `w_n = sum_m (-1)^m c_m cos(2 pi m n / N)`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Window {
-    /// No window: exact for an integer number of periods; otherwise a line leaks and reads up to
-    /// 3.92 dB low.
-    Rectangular,
     /// Hann: little leakage; a line between two bins reads up to 1.42 dB low.
     Hann,
     /// Flat-top: amplitudes within 0.01 dB at any position of the line; the line is five bins wide
     /// on each side.
     #[default]
     FlatTop,
+    /// No window: exact for an integer number of periods; otherwise a line leaks and reads up to
+    /// 3.92 dB low.
+    Rectangular,
 }
 
 /// Coefficients `c_m`; flat-top: the five terms of MATLAB and SciPy.
@@ -27,6 +29,18 @@ const FLAT_TOP: [f64; 5] = [
 ];
 
 impl Window {
+    /// All windows.
+    pub const ALL: [Self; 3] = [Self::Hann, Self::FlatTop, Self::Rectangular];
+
+    /// Returns the name in options and results.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Hann => "hann",
+            Self::FlatTop => "flat-top",
+            Self::Rectangular => "rectangular",
+        }
+    }
+
     /// Returns the periodic (DFT-even) window for a record of `n` samples.
     pub fn values(self, n: usize) -> Vec<f64> {
         let coefficients: &[f64] = match self {

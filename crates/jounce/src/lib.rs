@@ -65,7 +65,7 @@ mod bifurcations;
 mod branch;
 mod check;
 mod contact;
-mod continuation;
+mod continuation_options;
 mod diagram;
 mod ensemble;
 mod error;

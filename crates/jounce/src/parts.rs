@@ -20,7 +20,7 @@ pub use crate::recording::{ChannelList, ChosenChannel, UsesChannels};
 pub use crate::rig::BaseMotion;
 pub use crate::run::{History, HistorySamples, LoadResult, PatchResult};
 pub use crate::segments::SegmentResult;
-pub use crate::spectra::{OrderPeak, SegmentWindow};
+pub use crate::spectra::OrderPeak;
 pub use crate::study::{Shard, StudyStatus};
 pub use crate::sweep::{SweepOrder, SweepPoint};
 pub use impact_harvester_2019::Claim;
@@ -44,7 +44,7 @@ pub use jounce_experiment::segmentation::{
 };
 pub use jounce_identification::contact::AllowedLaws;
 pub use jounce_io::store::{unreadable, unwritable_folder};
-pub use jounce_io::table::{Manifest, Values};
+pub use jounce_io::table::{Column, Manifest, Values};
 pub use jounce_model::linear::{
     Coupling, Density, RandomLoad, RandomPatch, RandomPoint, RandomStop,
 };

@@ -12,8 +12,8 @@
 //! [`BranchSearch`](super::BranchSearch) finds them all.
 
 use super::branch::{Bifurcation, Branch, BranchPoint};
-use super::continuation::orbit_point::OrbitPoint;
-use super::continuation::tracer::BranchTracer;
+use super::branch_tracer::orbit_point::OrbitPoint;
+use super::branch_tracer::tracer::BranchTracer;
 use crate::Parameter;
 use jounce_continuation::{
     Corrector, CurvePoint, Direction, Metric, Position, StepControl, correct, tangent,

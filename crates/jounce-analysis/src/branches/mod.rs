@@ -1,8 +1,8 @@
 //! Branches of periodic orbits over one key of a spec.
 
 mod branch;
+mod branch_tracer;
 mod branch_update;
-mod continuation;
 mod events;
 mod options;
 mod search;
@@ -10,8 +10,8 @@ mod simplified;
 mod warm_start;
 
 pub use branch::{Bifurcation, Branch, BranchKind, BranchPoint, Termination};
+pub(super) use branch_tracer::tracer::RESOLUTION;
 pub use branch_update::{BranchUpdate, Extrapolation, UpdatedBranches};
-pub(super) use continuation::tracer::RESOLUTION;
 pub use events::{NotProved, QuantityLevel};
 pub use options::BranchOptions;
 pub use search::{BranchSearch, OrbitMethodKind};

@@ -5,7 +5,7 @@
 //! are not found: [`BranchSearch`](super::BranchSearch) finds those.
 
 use super::branch::Branch;
-use super::continuation::tracer::{BranchTracer, newton_tolerance};
+use super::branch_tracer::tracer::{BranchTracer, newton_tolerance};
 use crate::{AnalysisError, Parameter};
 use jounce_continuation::{Corrector, Metric, Position, StepControl, correct_at};
 use jounce_dynamics::Kernel;

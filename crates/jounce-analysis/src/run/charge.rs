@@ -15,7 +15,7 @@
 
 use super::{RunPlan, RunResult};
 use jounce_dynamics::Kernel;
-use jounce_model::plant::{Bridge, Scheme, Storage};
+use jounce_model::plant::{Bridge, RectifierScheme, Storage};
 use serde::Serialize;
 
 /// Charge balance of one rectified circuit over the averaging window.
@@ -75,7 +75,7 @@ fn charge(
         return None;
     };
     // SECE transfers energy and passes no charge.
-    if matches!(bridge.scheme, Scheme::Extraction { .. }) {
+    if matches!(bridge.scheme, RectifierScheme::Extraction { .. }) {
         return None;
     }
     let state_index = 2 * plant.system.modes.len() + node;

@@ -192,19 +192,19 @@ impl RecordWindow {
                 .map_or(0.0, |at| row.size_v(time_s, &at.state))
         };
         let mut samples = vec![(self.begin_s, size_v(self.begin_s))];
-        let mut regime: Option<(&Kernel, VoltageRow)> = None;
+        let mut current_row: Option<(&Kernel, VoltageRow)> = None;
         trajectory.walk(
             kernel,
             first,
             self.gap_s,
-            &mut |in_regime, time_s, state| {
-                if regime
+            &mut |state_kernel, time_s, state| {
+                if current_row
                     .as_ref()
-                    .is_none_or(|(known, _)| !std::ptr::eq(*known, in_regime))
+                    .is_none_or(|(known, _)| !std::ptr::eq(*known, state_kernel))
                 {
-                    regime = Some((in_regime, VoltageRow::of(&in_regime.plant, source)));
+                    current_row = Some((state_kernel, VoltageRow::of(&state_kernel.plant, source)));
                 }
-                let size_v = regime
+                let size_v = current_row
                     .as_ref()
                     .map(|(_, reading)| reading.size_v(time_s, state));
                 samples.extend(

@@ -5,7 +5,7 @@ use crate::plants::{bench, kernel};
 use jounce_control::Control;
 use jounce_dynamics::{IntegrationError, Integrator};
 use jounce_model::contact::{Law, Rigid};
-use jounce_model::plant::{Scheme, Stop, Storage, System};
+use jounce_model::plant::{RectifierScheme, Stop, Storage, System};
 use std::sync::atomic::{AtomicU32, Ordering};
 
 /// Longer than the time of any of these runs up to the third callback.
@@ -31,7 +31,7 @@ fn two_stops() -> System {
 #[test]
 fn a_callback_ends_an_integration_of_any_kind() {
     let rectified = lossy_with_stop(
-        Scheme::Standard,
+        RectifierScheme::Standard,
         Storage::Capacitor {
             capacitance_f: 4.0,
             load_ohm: 2.0,

@@ -4,7 +4,7 @@ use crate::circuits::cell::lossy_with_stop;
 use crate::plants::kernel;
 use jounce_dynamics::{Integrator, Kernel, Trajectory};
 use jounce_model::drive::Wave;
-use jounce_model::plant::{Scheme, Signal, Storage};
+use jounce_model::plant::{RectifierScheme, Signal, Storage};
 use std::sync::Arc;
 
 /// Nodes and weights of the five-point Gauss rule on (-1, 1).
@@ -58,9 +58,9 @@ fn integrals_along_a_record_are_those_by_quadrature() {
         load_ohm: 3.0,
     };
     for (scheme, sampled) in [
-        (Scheme::Standard, false),
-        (Scheme::Standard, true),
-        (Scheme::SeriesSshi { inversion: 0.6 }, false),
+        (RectifierScheme::Standard, false),
+        (RectifierScheme::Standard, true),
+        (RectifierScheme::SeriesSshi { inversion: 0.6 }, false),
     ] {
         let mut system = lossy_with_stop(scheme, storage);
         system.bridges[0].diode_ohm = 0.1;

@@ -8,7 +8,7 @@ use jounce_model::contact::Law;
 use jounce_model::linear::steady_power_w;
 use jounce_model::plant::Plant;
 use jounce_spec::material::Ceramic;
-use jounce_spec::material::porous::{PZT_5A, PoreGeometry, Scheme};
+use jounce_spec::material::porous::{PZT_5A, PoreGeometry, PorosityScheme};
 use std::f64::consts::TAU;
 
 const EXAMPLE: &str = "porous-patch-martinez-ayuso";
@@ -41,7 +41,11 @@ fn every_expected_row_is_met() {
 /// The ceramic of the patch, 30 % porous.
 fn porous_ceramic() -> Ceramic {
     PZT_5A
-        .porous(0.3, PoreGeometry::Spheroids(1.0), Scheme::MoriTanaka)
+        .porous(
+            0.3,
+            PoreGeometry::Spheroids(1.0),
+            PorosityScheme::MoriTanaka,
+        )
         .unwrap()
         .ceramic()
 }
@@ -49,12 +53,16 @@ fn porous_ceramic() -> Ceramic {
 /// Constants of porous ceramics.
 fn rows_of_materials() -> [Row; 9] {
     let half = PZT_5A
-        .porous(0.5, PoreGeometry::Spheroids(1.0), Scheme::MoriTanaka)
+        .porous(
+            0.5,
+            PoreGeometry::Spheroids(1.0),
+            PorosityScheme::MoriTanaka,
+        )
         .unwrap();
     let [half_d31, _, half_permittivity] = half.free();
     let porous = porous_ceramic();
     let cylinders = PZT_5A
-        .porous(0.3, PoreGeometry::Cylinders, Scheme::MoriTanaka)
+        .porous(0.3, PoreGeometry::Cylinders, PorosityScheme::MoriTanaka)
         .unwrap()
         .ceramic();
     [
@@ -79,11 +87,15 @@ fn rows_of_materials() -> [Row; 9] {
         ),
         (
             "self_consistent_youngs_modulus_gpa",
-            modulus_gpa(0.3, PoreGeometry::Spheroids(1.0), Scheme::SelfConsistent),
+            modulus_gpa(
+                0.3,
+                PoreGeometry::Spheroids(1.0),
+                PorosityScheme::SelfConsistent,
+            ),
         ),
         (
             "cylinders_youngs_modulus_gpa",
-            modulus_gpa(0.3, PoreGeometry::Cylinders, Scheme::MoriTanaka),
+            modulus_gpa(0.3, PoreGeometry::Cylinders, PorosityScheme::MoriTanaka),
         ),
     ]
 }
@@ -119,7 +131,7 @@ fn rows_of_runs() -> [Row; 9] {
 /// Permittivity of vacuum, F/m.
 const PERMITTIVITY_OF_VACUUM_F_M: f64 = 8.854_187_812_8e-12;
 
-fn modulus_gpa(porosity: f64, pores: PoreGeometry, scheme: Scheme) -> f64 {
+fn modulus_gpa(porosity: f64, pores: PoreGeometry, scheme: PorosityScheme) -> f64 {
     PZT_5A
         .porous(porosity, pores, scheme)
         .unwrap()

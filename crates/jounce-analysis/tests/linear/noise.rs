@@ -2,8 +2,8 @@
 
 use crate::expected::{plant, spec};
 use jounce_model::linear::{
-    Crossing, NoiseInput, Random, RandomError, covariance, density, noise_bandwidth_hz, product,
-    spectral_moment, statistical_bandwidth_hz,
+    LevelCrossing, NoiseInput, Random, RandomError, covariance, density, noise_bandwidth_hz,
+    product, spectral_moment, statistical_bandwidth_hz,
 };
 use jounce_model::plant::{Plant, System};
 use jounce_model::structure::{Modes, modes};
@@ -49,7 +49,7 @@ fn an_oscillator_under_white_noise_is_its_closed_form() {
         let (displacement, speed) = (plant.displacement_row(&[1.0]), plant.velocity_row(&[1.0]));
         let covariance = covariance(&plant, &noise).unwrap();
         let square = DENSITY * PI * FREQUENCY_HZ / (4.0 * zeta * w.powi(4));
-        let crossing = Crossing {
+        let crossing = LevelCrossing {
             mean_m: 2e-3,
             deviation_m: product(&covariance, &displacement, &displacement).sqrt(),
             velocity_m_s: product(&covariance, &speed, &speed).sqrt(),

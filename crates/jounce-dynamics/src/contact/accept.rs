@@ -63,7 +63,7 @@ impl Integrator<'_> {
         if law.acts_on_both_sides() {
             port.impact_velocity_m_s = port.impact_velocity_m_s.max(port.rate_m_s.abs());
         } else if port.penetration_m < 0.0 {
-            port.regime = ContactState::Flight;
+            port.contact_state = ContactState::Flight;
         }
     }
 

@@ -1,13 +1,13 @@
 //! Integration through a contact, step by step, with acceptance of each step.
 //!
 //! The first step has the onset basis, the others are smooth. The error limits the length of each
-//! (see [`step_control`]).
+//! (see [`step_size_control`]).
 
 mod accept;
 mod peak;
 pub(crate) mod solve;
 pub(crate) mod step;
-pub(crate) mod step_control;
+pub(crate) mod step_size_control;
 
 use crate::error::IntegrationError;
 use crate::force_response::basis::NODES;
@@ -18,7 +18,7 @@ use crate::tables::step_size::LEVELS_PER_OCTAVE;
 use jounce_model::contact::ContactLaw;
 use jounce_simd::Simd;
 use step::{ContactStep, SolvedStep};
-use step_control::{coarsest, levels_too_long};
+use step_size_control::{coarsest, levels_too_long};
 
 /// Fraction of the tolerance allowed for the impulse error of one step.
 pub(super) const IMPULSE_ERROR_SHARE: f64 = 0.1;
@@ -90,7 +90,7 @@ impl Integrator<'_> {
         let mut level = level.max(coarsest(law, kernel));
         // On steps this short no second contact can follow the first.
         let safe = Kernel::level_within(1.0 / kernel.fastest_rad_s) + 3 * LEVELS_PER_OCTAVE;
-        while self.time_s < end_s && self.ports[p].regime == ContactState::Contact {
+        while self.time_s < end_s && self.ports[p].contact_state == ContactState::Contact {
             let remaining_s = self.excitation.remaining_s(self.time_s, end_s);
             let shape = kernel.shape(p, entering);
             let level_s = Kernel::length_s(level);

@@ -284,6 +284,6 @@ impl Integrator<'_> {
         port.statistics.strike_sum_m_s += port.rate_m_s;
         port.statistics.max_impact_velocity_m_s =
             port.statistics.max_impact_velocity_m_s.max(port.rate_m_s);
-        port.regime = ContactState::Contact;
+        port.contact_state = ContactState::Contact;
     }
 }

@@ -49,7 +49,7 @@ impl Integrator<'_> {
             self.poll()?;
             rounds.count(&self.kernel.plant, self.time_s)?;
             let until_s = self.next_breakpoint(w, end_s);
-            match self.ports[0].regime {
+            match self.ports[0].contact_state {
                 ContactState::Flight => self.flight(w, until_s)?,
                 ContactState::Contact if self.ports[0].rate_m_s > 0.0 => self.impact(0, law),
                 ContactState::Contact => self.stick(until_s)?,
@@ -68,7 +68,7 @@ impl Integrator<'_> {
         self.push_by(p, (1.0 + rebound) * before / mobility);
         self.integrals.loss_j += 0.5 * (1.0 - rebound * rebound) * before * before / mobility;
         self.rebounds(p, -rebound * before);
-        if rebound == 0.0 && self.ports[p].regime == ContactState::Contact {
+        if rebound == 0.0 && self.ports[p].contact_state == ContactState::Contact {
             // The omitted bounces, a geometric series, do not count as sticking.
             let omitted_s = 2.0 * law.restitution * before
                 / ((1.0 - law.restitution) * self.acceleration_m_s2(p));
@@ -117,7 +117,7 @@ impl Integrator<'_> {
     pub(crate) fn rebounds(&mut self, p: usize, rate_m_s: f64) {
         self.set_motion(p, [0.0, rate_m_s]);
         if rate_m_s != 0.0 || !self.is_pressed(p) {
-            self.ports[p].regime = ContactState::Flight;
+            self.ports[p].contact_state = ContactState::Flight;
         }
     }
 

@@ -22,7 +22,7 @@ impl Integrator<'_> {
         while self.time_s < end_s {
             let force_now = self.acceleration_m_s2(0) / self.ports[0].rows.mobility_per_kg;
             if !self.is_pressed(0) {
-                self.ports[0].regime = ContactState::Flight;
+                self.ports[0].contact_state = ContactState::Flight;
                 return Ok(());
             }
             let remaining = end_s - self.time_s;
@@ -63,7 +63,7 @@ impl Integrator<'_> {
                 self.time_s = end_s;
             }
             if pulls {
-                self.ports[0].regime = ContactState::Flight;
+                self.ports[0].contact_state = ContactState::Flight;
                 return Ok(());
             }
             // The mismatch of a polynomial through seven nodes grows with the seventh power of the

@@ -17,17 +17,17 @@ impl Integrator<'_> {
     /// Every variant of [`IntegrationError`].
     pub fn advance_to(&mut self, end_s: f64) -> Result<(), IntegrationError> {
         if self.kernel.plant.system.bridges.is_empty() {
-            return self.advance_in_regime(end_s);
+            return self.advance_in_conduction_state(end_s);
         }
         while self.time_s < end_s {
-            self.advance_in_regime(end_s)?;
+            self.advance_in_conduction_state(end_s)?;
             self.change_on_events()?;
         }
         Ok(())
     }
 
     /// Integrates until the end, or until an event function passes zero.
-    fn advance_in_regime(&mut self, end_s: f64) -> Result<(), IntegrationError> {
+    fn advance_in_conduction_state(&mut self, end_s: f64) -> Result<(), IntegrationError> {
         if self.kernel.plant.ports.len() > 1 || !self.kernel.plant.guards.is_empty() {
             return widest(AdvanceMultiPort {
                 integrator: self,
@@ -73,7 +73,7 @@ impl Integrator<'_> {
             self.update_port(w, p);
             let port = &mut self.ports[p];
             if matches!(stop.law, Law::Rigid(_)) && port.rate_m_s < 0.0 {
-                port.regime = ContactState::Flight;
+                port.contact_state = ContactState::Flight;
             }
         }
     }
@@ -125,7 +125,7 @@ impl Task for Advance<'_, '_> {
         while integrator.time_s < end_s {
             integrator.poll()?;
             let until_s = integrator.next_breakpoint(w, end_s);
-            match integrator.ports[0].regime {
+            match integrator.ports[0].contact_state {
                 ContactState::Flight => integrator.flight(w, until_s)?,
                 ContactState::Contact => integrator.contact(w, law, until_s)?,
             }

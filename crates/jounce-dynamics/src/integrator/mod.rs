@@ -7,7 +7,7 @@
 mod advance;
 mod start;
 
-use crate::contact::step_control::RELEASE_ERROR_FACTOR_OF_DERIVATIVE;
+use crate::contact::step_size_control::RELEASE_ERROR_FACTOR_OF_DERIVATIVE;
 use crate::excitation::Excitation;
 use crate::flow::layout::StateLayout;
 use crate::kernel::Kernel;
@@ -45,7 +45,7 @@ pub struct Integrator<'k> {
     /// Duration of the last flight that ended in a contact, s.
     pub(crate) flight_s: f64,
     /// Error factor of the remaining impulse for a step that ends past the surface (see
-    /// [`crate::contact::step_control`]).
+    /// [`crate::contact::step_size_control`]).
     pub(crate) release_error_factor: f64,
     pub(crate) integrals: ContactIntegrals,
     pub(crate) work: WorkCount,
@@ -68,7 +68,7 @@ impl Integrator<'_> {
 
     /// Returns the state in block coordinates.
     pub fn state(&self) -> Vec<f64> {
-        if self.switching.regime == 0 {
+        if self.switching.conduction_state == 0 {
             self.block_state()
         } else {
             self.base.plant.from_physical(&self.physical(), self.time_s)
@@ -90,7 +90,7 @@ impl Integrator<'_> {
     /// Returns the contact force of each stop at the current time, N; 0 in flight and on a rigid
     /// stop.
     pub fn forces_n(&self) -> Vec<f64> {
-        let force = |(port, stop): (&PortState, &Stop)| match port.regime {
+        let force = |(port, stop): (&PortState, &Stop)| match port.contact_state {
             ContactState::Contact => stop.law.force_n(port.penetration_m, port.rate_m_s),
             ContactState::Flight => 0.0,
         };
@@ -141,14 +141,15 @@ impl Integrator<'_> {
     pub(crate) fn note(&mut self, length_s: f64, forces: &[PortForce]) {
         if let Some(record) = &mut self.record {
             let sizes = self.excitation.sizes.clone();
-            let (state, regime) = (self.layout.unpack(&self.y), self.switching.regime);
+            let state = self.layout.unpack(&self.y);
+            let conduction_state = self.switching.conduction_state;
             record.push(TrajectorySegment {
                 start_s: self.time_s,
                 length_s,
                 state,
                 sizes,
                 forces: forces.into(),
-                regime,
+                conduction_state,
             });
         }
     }

@@ -1,7 +1,7 @@
 //! Start of an integration.
 
 use super::Integrator;
-use crate::contact::step_control::RELEASE_ERROR_FACTOR;
+use crate::contact::step_size_control::RELEASE_ERROR_FACTOR;
 use crate::error::IntegrationError;
 use crate::excitation::Excitation;
 use crate::kernel::Kernel;
@@ -32,13 +32,13 @@ impl<'k> Integrator<'k> {
         if y.iter().any(|value| !value.is_finite()) {
             return Err(IntegrationError::NotFinite { time_s });
         }
-        let mut integrator = Self::in_one_regime(kernel, y, time_s, tolerance);
+        let mut integrator = Self::in_one_conduction_state(kernel, y, time_s, tolerance);
         integrator.open_switching()?;
         Ok(integrator)
     }
 
     /// Creates an integrator in the conduction state of a kernel.
-    pub(crate) fn in_one_regime(
+    pub(crate) fn in_one_conduction_state(
         kernel: &'k Kernel,
         y: &[f64],
         time_s: f64,

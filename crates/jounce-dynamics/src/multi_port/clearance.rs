@@ -105,7 +105,7 @@ impl Integrator<'_> {
     ) -> bool {
         let mut all = true;
         for q in 0..self.kernel.plant.ports.len() {
-            if self.ports[q].regime == ContactState::Flight {
+            if self.ports[q].contact_state == ContactState::Flight {
                 all &= self.stays_clear(w, q, length_s, Some(push));
             }
         }

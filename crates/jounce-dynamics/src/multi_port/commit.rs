@@ -69,7 +69,9 @@ impl Integrator<'_> {
             tone.turn *= tone.samples[first].end();
         }
         for p in 0..self.kernel.plant.ports.len() {
-            if self.ports[p].regime == ContactState::Flight && !self.ports[p].clearance.is_unseen {
+            if self.ports[p].contact_state == ContactState::Flight
+                && !self.ports[p].clearance.is_unseen
+            {
                 self.update_port(w, p);
             }
         }

@@ -46,7 +46,7 @@ impl Integrator<'_> {
             .collect();
         let mut outcome = StepOutcome::Clear;
         for p in 0..self.kernel.plant.ports.len() {
-            if self.ports[p].regime == ContactState::Flight {
+            if self.ports[p].contact_state == ContactState::Flight {
                 self.update_free_port(w, p);
                 outcome = outcome.and(p, self.check_free_port(w, length, steps, &forces, p));
             }

@@ -22,7 +22,7 @@ const MAX_IMPACTS_PER_INSTANT: usize = 10_000;
 impl Integrator<'_> {
     /// True where a touching point moves into a rigid stop.
     pub(super) fn hits_rigid_stop(&self) -> bool {
-        self.in_regime(ContactState::Contact)
+        self.ports_in(ContactState::Contact)
             .any(|p| self.is_rigid(p) && self.moves_in(p))
     }
 
@@ -41,7 +41,7 @@ impl Integrator<'_> {
     #[inline(always)]
     pub(super) fn collide<W: Simd>(&mut self, w: W) -> Result<(), IntegrationError> {
         let touching: Vec<usize> = self
-            .in_regime(ContactState::Contact)
+            .ports_in(ContactState::Contact)
             .filter(|p| self.is_rigid(*p))
             .collect();
         for _ in 0..MAX_IMPACTS_PER_INSTANT {
@@ -59,7 +59,7 @@ impl Integrator<'_> {
                 .unwrap_or_else(|| self.single_impact(*first));
             for q in (0..self.kernel.plant.ports.len()).filter(|q| !affected.contains(q)) {
                 let touches =
-                    self.ports[q].regime == ContactState::Contact || touching.contains(&q);
+                    self.ports[q].contact_state == ContactState::Contact || touching.contains(&q);
                 let penetration_m = touches.then_some(self.ports[q].penetration_m);
                 self.update_port(w, q);
                 self.ports[q].penetration_m = penetration_m.unwrap_or(self.ports[q].penetration_m);
@@ -89,7 +89,7 @@ impl Integrator<'_> {
         for p in touching {
             let leaves = self.ports[*p].rate_m_s < -self.rest_speed_m_s(*p);
             let port = &mut self.ports[*p];
-            port.regime = if leaves {
+            port.contact_state = if leaves {
                 ContactState::Flight
             } else {
                 ContactState::Contact

@@ -90,10 +90,10 @@ impl Integrator<'_> {
         // The force of a sticking port follows the others immediately: its basis would have to
         // include their onset.
         let rests = self
-            .in_regime(ContactState::Contact)
+            .ports_in(ContactState::Contact)
             .any(|p| self.is_rigid(p));
         let strikes = |p: usize| self.ports[p].entering && self.ports[p].rate_m_s > 0.0 && !rests;
-        self.in_regime(ContactState::Contact)
+        self.ports_in(ContactState::Contact)
             .map(|p| (p, self.kernel.shape(p, strikes(p))))
             .collect()
     }

@@ -77,7 +77,7 @@ impl Task for AdvanceMultiPort<'_, '_> {
                 integrator.collide(w)?;
                 // An impact that inverts the current of a patch is an extremum of its charge.
                 integrator.switching.pending_event = integrator.crossed_event();
-            } else if integrator.in_regime(ContactState::Contact).next().is_some() {
+            } else if integrator.ports_in(ContactState::Contact).next().is_some() {
                 integrator.integrate_joint_contact(w, until_s)?;
             } else {
                 integrator.fly(w, until_s)?;
@@ -89,8 +89,9 @@ impl Task for AdvanceMultiPort<'_, '_> {
 
 impl Integrator<'_> {
     /// Iterates over the ports in a contact state, ascending.
-    fn in_regime(&self, regime: ContactState) -> impl Iterator<Item = usize> {
-        (0..self.kernel.plant.ports.len()).filter(move |p| self.ports[*p].regime == regime)
+    fn ports_in(&self, contact_state: ContactState) -> impl Iterator<Item = usize> {
+        (0..self.kernel.plant.ports.len())
+            .filter(move |p| self.ports[*p].contact_state == contact_state)
     }
 
     /// Returns the law of the stop of a port.
@@ -142,7 +143,7 @@ impl Integrator<'_> {
             return;
         }
         for q in 0..self.kernel.plant.ports.len() {
-            if self.ports[q].regime == ContactState::Flight {
+            if self.ports[q].contact_state == ContactState::Flight {
                 self.update_port(w, q);
             }
         }
@@ -163,7 +164,7 @@ impl Integrator<'_> {
             };
             let port = &self.ports[q];
             let touches = port.penetration_m.abs() <= self.touch_m(q).max(roundoff_m);
-            if port.regime == ContactState::Flight && port.rate_m_s > 0.0 && touches {
+            if port.contact_state == ContactState::Flight && port.rate_m_s > 0.0 && touches {
                 self.enter(q);
             }
         }
@@ -175,7 +176,8 @@ impl Integrator<'_> {
         let window_s = (SIMULTANEOUS_CONTACT * Kernel::length_s(self.ports[p].entry_level))
             .max(RESOLVED_DISTANCE * self.time_s.abs());
         if self.time_s - self.ports[p].entered_s <= window_s && !self.is_rigid(p) {
-            (self.ports[p].penetration_m, self.ports[p].regime) = (0.0, ContactState::Contact);
+            (self.ports[p].penetration_m, self.ports[p].contact_state) =
+                (0.0, ContactState::Contact);
         } else {
             self.enter_contact(p);
             self.ports[p].entered_s = self.time_s;

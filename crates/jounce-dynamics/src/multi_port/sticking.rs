@@ -244,7 +244,7 @@ impl Integrator<'_> {
     pub(super) fn release(&mut self) -> Result<(), IntegrationError> {
         loop {
             let resting: Vec<usize> = self
-                .in_regime(ContactState::Contact)
+                .ports_in(ContactState::Contact)
                 .filter(|p| self.is_rigid(*p))
                 .collect();
             let Some(forces) = self.holding_forces(&resting)? else {
@@ -252,7 +252,7 @@ impl Integrator<'_> {
             };
             let weakest = (0..resting.len()).min_by(|a, b| forces[*a].total_cmp(&forces[*b]));
             match weakest.filter(|index| self.pulls(resting[*index], forces[*index])) {
-                Some(index) => self.ports[resting[index]].regime = ContactState::Flight,
+                Some(index) => self.ports[resting[index]].contact_state = ContactState::Flight,
                 None => return Ok(()),
             }
         }

@@ -29,7 +29,7 @@ pub struct PortState {
     /// Its rate, m/s.
     pub rate_m_s: f64,
     /// Contact state.
-    pub regime: ContactState,
+    pub contact_state: ContactState,
     /// Motion at the end of the current flight step: distance past the stop, m, and its rate, m/s.
     pub motion_at_end: [f64; 2],
     /// With several ports: desired level of the next step in contact ...
@@ -85,7 +85,7 @@ impl PortState {
         Self {
             penetration_m: 0.0,
             rate_m_s: 0.0,
-            regime: ContactState::Flight,
+            contact_state: ContactState::Flight,
             motion_at_end: [0.0; 2],
             level: entry_level,
             entering: false,
@@ -110,14 +110,14 @@ impl PortState {
             && self.penetration_m.abs() <= roundoff_m
             && self.rate_m_s.abs() <= roundoff_m * fastest_rad_s
         {
-            self.regime = ContactState::Contact;
+            self.contact_state = ContactState::Contact;
             self.rate_m_s = 0.0;
             return;
         }
         // A point that leaves a rigid stop is past it by roundoff only.
         let leaves = is_rigid && self.rate_m_s < 0.0;
         if law.acts_on_both_sides() || (self.penetration_m > 0.0 && !leaves) {
-            self.regime = ContactState::Contact;
+            self.contact_state = ContactState::Contact;
             // The compressed stop would throw the point off at this speed: the impulse scale of a
             // contact that starts at rest.
             self.impact_velocity_m_s =
@@ -142,7 +142,7 @@ impl PortState {
     pub fn reset_statistics(&mut self, law: &Law) {
         self.contact_duration_s = 0.0;
         self.statistics = ContactStatistics::default();
-        if self.regime == ContactState::Contact {
+        if self.contact_state == ContactState::Contact {
             let depth_m = if law.acts_on_both_sides() {
                 self.penetration_m.abs()
             } else {

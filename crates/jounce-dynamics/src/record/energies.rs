@@ -101,14 +101,14 @@ impl Integrator<'_> {
         if !system.bridges.is_empty() {
             return self.energies_of_all();
         }
-        let mut energies = self.energies_in_regime();
+        let mut energies = self.energies_in_conduction_state();
         energies.leaks_j = energies.loads_j.split_off(system.loads.len());
         energies
     }
 
     /// Returns the energies since the start of the current conduction state; the outlets of bridges
     /// and then the leaks of patches follow the loads.
-    pub(crate) fn energies_in_regime(&self) -> Energies {
+    pub(crate) fn energies_in_conduction_state(&self) -> Energies {
         let now = self.readings();
         let open = &self.opening;
         let meters = self.kernel.meters();
@@ -226,7 +226,7 @@ impl Integrator<'_> {
             .ports
             .iter()
             .zip(&plant.system.stops)
-            .filter(|(port, _)| port.regime == ContactState::Contact);
+            .filter(|(port, _)| port.contact_state == ContactState::Contact);
         let compressed: f64 = pressed
             .map(|(port, stop)| stop.law.energy_j(port.penetration_m))
             .sum();

@@ -17,7 +17,7 @@ impl Trajectory {
     ) {
         for segment in self.segments().iter().skip(first) {
             // The kernel of a conduction state in the record exists.
-            if let Ok(state_kernel) = kernel.in_regime(segment.regime) {
+            if let Ok(state_kernel) = kernel.in_conduction_state(segment.conduction_state) {
                 segment.walk(state_kernel, gap_s, visit);
             }
         }

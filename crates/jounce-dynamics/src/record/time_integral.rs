@@ -23,7 +23,7 @@ impl Trajectory {
             let within = [from_s, to_s]
                 .map(|time_s| (time_s - segment.start_s).clamp(0.0, segment.length_s));
             // The kernel of a conduction state in the record exists.
-            let Ok(state_kernel) = kernel.in_regime(segment.regime) else {
+            let Ok(state_kernel) = kernel.in_conduction_state(segment.conduction_state) else {
                 continue;
             };
             if within[1] > within[0] {

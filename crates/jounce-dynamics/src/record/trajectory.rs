@@ -28,7 +28,7 @@ pub struct TrajectorySegment {
     /// Contact forces; empty in flight.
     pub forces: SmallList<PortForce>,
     /// Conduction state of the bridges; the state is in its block coordinates.
-    pub regime: usize,
+    pub conduction_state: usize,
 }
 
 /// Contact force of one port on a step.
@@ -80,7 +80,7 @@ pub struct ConductionChange {
     /// Time, s.
     pub time_s: f64,
     /// Conduction state that ends.
-    pub regime: usize,
+    pub conduction_state: usize,
     /// Bridge whose switch closed for an instant; `None` where diodes changed.
     pub flipped: Option<usize>,
     /// Physical state `(q, q', V, i)` before the change.
@@ -135,15 +135,19 @@ impl Trajectory {
     /// Returns the states at ascending times; times outside the record use its nearest segment.
     pub fn at(&self, kernel: &Kernel, times_s: &[f64]) -> Vec<TrajectoryState> {
         let mut instants = Vec::with_capacity(times_s.len());
-        self.each(kernel, times_s, |state_kernel, regime, mut instant| {
-            if regime != 0 {
-                let physical = state_kernel
-                    .plant
-                    .to_physical(&instant.state, instant.time_s);
-                instant.state = kernel.plant.from_physical(&physical, instant.time_s);
-            }
-            instants.push(instant);
-        });
+        self.each(
+            kernel,
+            times_s,
+            |state_kernel, conduction_state, mut instant| {
+                if conduction_state != 0 {
+                    let physical = state_kernel
+                        .plant
+                        .to_physical(&instant.state, instant.time_s);
+                    instant.state = kernel.plant.from_physical(&physical, instant.time_s);
+                }
+                instants.push(instant);
+            },
+        );
         instants
     }
 
@@ -177,7 +181,7 @@ impl Trajectory {
                 break;
             };
             // The kernel of a conduction state in the record exists.
-            let Ok(state_kernel) = kernel.in_regime(segment.regime) else {
+            let Ok(state_kernel) = kernel.in_conduction_state(segment.conduction_state) else {
                 continue;
             };
             let mut instant = segment.free_at(state_kernel, time_s);
@@ -200,7 +204,7 @@ impl Trajectory {
                     &mut instant.state,
                 );
             }
-            visit(state_kernel, segment.regime, instant);
+            visit(state_kernel, segment.conduction_state, instant);
         }
     }
 }
@@ -243,7 +247,7 @@ impl TrajectorySegment {
         } else {
             let make = || StepResponse::of_all(block, kernel.basis(port, shape), length_s);
             cache
-                .entry((length_s.to_bits(), port, shape, self.regime))
+                .entry((length_s.to_bits(), port, shape, self.conduction_state))
                 .or_insert_with(make)
         };
         let column = &kernel.plant.ports[port].force;

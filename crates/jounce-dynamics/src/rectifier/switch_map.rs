@@ -10,7 +10,7 @@
 //! is the sign of `V`, `E` the threshold of the path, `q` the inversion and `n` the efficiency.
 
 use super::energies::RectifiedEnergies;
-use jounce_model::plant::{Bridge, Plant, Scheme, Storage};
+use jounce_model::plant::{Bridge, Plant, RectifierScheme, Storage};
 
 /// Action of a switch at one instant.
 #[derive(Debug, Clone, PartialEq)]
@@ -48,16 +48,18 @@ impl SwitchMap {
             nodes.storage.map_or(0.0, |node| x[first + node]),
         ];
         let mut switch_map = match bridge.scheme {
-            Scheme::Standard => Self::without_effect(volts),
-            Scheme::ParallelSshi { inversion } => Self {
+            RectifierScheme::Standard => Self::without_effect(volts),
+            RectifierScheme::ParallelSshi { inversion } => Self {
                 volts: [-inversion * volts[0], volts[1]],
                 slopes: [[-inversion, 0.0], [0.0, 1.0]],
                 ..Self::without_effect(volts)
             },
-            Scheme::SeriesSshi { inversion } => {
+            RectifierScheme::SeriesSshi { inversion } => {
                 Self::half_oscillation(bridge, inversion, &both, volts)
             }
-            Scheme::Extraction { efficiency } => Self::extracted(bridge, efficiency, &both, volts),
+            RectifierScheme::Extraction { efficiency } => {
+                Self::extracted(bridge, efficiency, &both, volts)
+            }
         };
         switch_map.stored_j = both.energy_j(switch_map.volts) - both.energy_j(volts);
         switch_map.rectified.switch_j =
@@ -163,7 +165,7 @@ mod tests {
     use jounce_spec::Wiring;
     use std::collections::BTreeMap;
 
-    fn plant(scheme: Scheme, storage: Storage) -> Plant {
+    fn plant(scheme: RectifierScheme, storage: Storage) -> Plant {
         let patch = PatchModes {
             coupling_n_per_v: vec![0.5],
             capacitance_f: 2.0,
@@ -209,9 +211,9 @@ mod tests {
             load_ohm: 1.0,
         };
         for scheme in [
-            Scheme::ParallelSshi { inversion: 0.6 },
-            Scheme::SeriesSshi { inversion: 0.6 },
-            Scheme::Extraction { efficiency: 0.9 },
+            RectifierScheme::ParallelSshi { inversion: 0.6 },
+            RectifierScheme::SeriesSshi { inversion: 0.6 },
+            RectifierScheme::Extraction { efficiency: 0.9 },
         ] {
             for (storage, sign) in [
                 (capacitor, 1.0),

@@ -37,7 +37,7 @@ const EVENT_ROUNDOFF: f64 = 1e-13;
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Switching {
     /// Index of the current conduction state.
-    pub regime: usize,
+    pub conduction_state: usize,
     /// Event function that has passed zero.
     pub pending_event: Option<usize>,
     /// Energies up to the last change.
@@ -95,7 +95,7 @@ impl Integrator<'_> {
             self.count_change(guard.bridge)?;
             let mut x = self.physical();
             self.note_change(guard.change, guard.bridge, &x);
-            self.close_regime();
+            self.close_conduction_state();
             let mut states: Vec<BridgeState> = self
                 .kernel
                 .plant
@@ -122,13 +122,14 @@ impl Integrator<'_> {
 
     /// Records a change.
     fn note_change(&mut self, change: BridgeChange, bridge: usize, x: &[f64]) {
-        let (regime, time_s, forces_n) = (self.switching.regime, self.time_s, self.forces_n());
+        let conduction_state = self.switching.conduction_state;
+        let (time_s, forces_n) = (self.time_s, self.forces_n());
         if let Some(record) = &mut self.record {
             let flipped = (change == BridgeChange::Switches).then_some(bridge);
             record.push_change(ConductionChange {
                 after: record.segments().len(),
                 time_s,
-                regime,
+                conduction_state,
                 flipped,
                 state: x.to_vec(),
                 forces_n,
@@ -201,9 +202,9 @@ impl Integrator<'_> {
 
     /// Continues from a physical state with the bridges in given states.
     fn change_to(&mut self, states: &[BridgeState], x: &[f64]) -> Result<(), IntegrationError> {
-        let regime = self.base.plant.system.regime(states);
-        let kernel = self.base.in_regime(regime)?;
-        let mut next = Integrator::in_one_regime(
+        let conduction_state = self.base.plant.system.conduction_state(states);
+        let kernel = self.base.in_conduction_state(conduction_state)?;
+        let mut next = Integrator::in_one_conduction_state(
             kernel,
             &kernel.plant.from_physical(x, self.time_s),
             self.time_s,
@@ -215,12 +216,13 @@ impl Integrator<'_> {
         (next.work, next.checks) = (self.work, self.checks);
         next.record = self.record.take();
         next.switching = std::mem::take(&mut self.switching);
-        (next.switching.regime, next.switching.since) = (regime, (self.time_s, x.to_vec()));
+        next.switching.conduction_state = conduction_state;
+        next.switching.since = (self.time_s, x.to_vec());
         // Contacts continue unchanged; only their rows belong to the conduction state.
         let stops = kernel.plant.system.stops.len();
         for p in 0..stops {
             let updated = next.ports[p].clone();
-            let [penetration_m, rate_m_s] = match self.ports[p].regime {
+            let [penetration_m, rate_m_s] = match self.ports[p].contact_state {
                 ContactState::Flight => [updated.penetration_m, updated.rate_m_s],
                 ContactState::Contact => [self.ports[p].penetration_m, self.ports[p].rate_m_s],
             };
@@ -249,14 +251,14 @@ impl Integrator<'_> {
     }
 
     /// Adds the conduction state that ends to the previous energies.
-    fn close_regime(&mut self) {
+    fn close_conduction_state(&mut self) {
         let all = self.energies_of_all();
         self.switching.earlier = all;
     }
 
     /// Returns the energies since the start of the integration.
     pub(crate) fn energies_of_all(&self) -> Energies {
-        let (energies, plant) = (self.energies_in_regime(), &self.kernel.plant);
+        let (energies, plant) = (self.energies_in_conduction_state(), &self.kernel.plant);
         let mut all = self.switching.earlier.clone();
         let change: Vec<f64> = self
             .physical()

@@ -31,7 +31,7 @@ pub struct ConductionRoute<'a> {
     /// Time of the end, s, ...
     pub end_s: f64,
     /// ... its conduction state, ...
-    pub end_regime: usize,
+    pub end_conduction_state: usize,
     /// ... and its state, block coordinates of that conduction state.
     pub end: Vec<f64>,
 }
@@ -43,11 +43,11 @@ impl ConductionRoute<'_> {
         let mut tangents = Tangents::identity(self.base.plant.len());
         let first = changes
             .first()
-            .map_or(self.end_regime, |change| change.regime);
+            .map_or(self.end_conduction_state, |change| change.conduction_state);
         self.convert(&mut tangents, 0, first)?;
         let (mut from, mut cause) = (0, None);
         for (k, change) in changes.iter().enumerate() {
-            let kernel = self.kernel(change.regime)?;
+            let kernel = self.kernel(change.conduction_state)?;
             let end = kernel.plant.from_physical(&change.state, change.time_s);
             let linearized = self.linearize(
                 kernel,
@@ -61,22 +61,22 @@ impl ConductionRoute<'_> {
                 .or(cause.filter(|_| change.after == from));
             let next = changes
                 .get(k + 1)
-                .map_or(self.end_regime, |next| next.regime);
+                .map_or(self.end_conduction_state, |next| next.conduction_state);
             (tangents, cause) = self.change(linearized.tangents, cause_s, change, next)?;
             from = change.after;
         }
-        let kernel = self.kernel(self.end_regime)?;
+        let kernel = self.kernel(self.end_conduction_state)?;
         let all = self.trajectory.segments().len();
         let LinearizedSegment { mut tangents, .. } =
             self.linearize(kernel, (from, all), (self.end_s, &self.end), tangents)?;
-        self.convert(&mut tangents, self.end_regime, 0)?;
+        self.convert(&mut tangents, self.end_conduction_state, 0)?;
         Ok(tangents)
     }
 
-    fn kernel(&self, regime: usize) -> Result<&Kernel, SensitivityError> {
+    fn kernel(&self, conduction_state: usize) -> Result<&Kernel, SensitivityError> {
         Ok(self
             .base
-            .in_regime(regime)
+            .in_conduction_state(conduction_state)
             .map_err(crate::IntegrationError::from)?)
     }
 
@@ -147,10 +147,10 @@ impl ConductionRoute<'_> {
         next: usize,
     ) -> Result<(Tangents, Option<Vec<F64x8>>), SensitivityError> {
         if change.flipped.is_none() && cause_s.is_none() {
-            self.convert(&mut tangents, change.regime, next)?;
+            self.convert(&mut tangents, change.conduction_state, next)?;
             return Ok((tangents, None));
         }
-        let (kernel, other) = (self.kernel(change.regime)?, self.kernel(next)?);
+        let (kernel, other) = (self.kernel(change.conduction_state)?, self.kernel(next)?);
         let before = rate(kernel, &change.state, change.time_s, &change.forces_n);
         let (mut state, mut slopes) = (
             change.state.clone(),

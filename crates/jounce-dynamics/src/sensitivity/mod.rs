@@ -33,10 +33,10 @@
 
 mod conduction_states;
 mod contact;
-mod crossing;
 mod elimination;
 mod linearization;
 mod parameter_sensitivity;
+mod saltation;
 mod tangents;
 
 pub use parameter_sensitivity::ParameterSensitivity;
@@ -129,9 +129,9 @@ impl FlowSensitivity {
             &integrator.forces_n(),
         );
         let rate = kernel.plant.moving(&rate, integrator.time_s());
-        let (end_s, end_regime, block_end) = (
+        let (end_s, end_conduction_state, block_end) = (
             integrator.time_s(),
-            integrator.switching.regime,
+            integrator.switching.conduction_state,
             integrator.block_state(),
         );
         let trajectory = integrator.take_record();
@@ -140,7 +140,7 @@ impl FlowSensitivity {
             drift,
             trajectory: &trajectory,
             end_s,
-            end_regime,
+            end_conduction_state,
             end: block_end,
         };
         let tangents = route.tangents()?;

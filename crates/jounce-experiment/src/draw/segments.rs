@@ -28,7 +28,7 @@ pub fn segments(
         .high(200.0)
         .with(trace);
     let largest_rms = result
-        .stretches
+        .segments
         .iter()
         .map(|segment| segment.rms)
         .fold(0.0, f64::max);
@@ -37,7 +37,7 @@ pub fn segments(
         Axis::linear("Rms", unit).between(0.0, 1.1 * largest_rms),
     )
     .high(140.0);
-    for (k, segment) in result.stretches.iter().enumerate() {
+    for (k, segment) in result.segments.iter().enumerate() {
         record = record.reference(Along::X, segment.start_s, Some(&segment_label(segment)));
         let level = Series::line(vec![segment.start_s, segment.end_s], vec![segment.rms; 2]);
         rms_panel = rms_panel.with(level.colour(Colour::nth(k)));
@@ -74,7 +74,7 @@ pub fn segment_section(
                 .label(&segment_label(segment)),
         )
     };
-    Figure::new(title).with(result.stretches.iter().enumerate().fold(axes, add))
+    Figure::new(title).with(result.segments.iter().enumerate().fold(axes, add))
 }
 
 /// Plots the spectrum of each segment (Hann window, peak amplitudes), up to eight times the drive
@@ -113,7 +113,7 @@ pub fn segment_spectra(
         })
     };
     let lines = result
-        .stretches
+        .segments
         .iter()
         .map(line)
         .collect::<Result<Vec<_>, _>>()?;

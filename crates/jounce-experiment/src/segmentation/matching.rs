@@ -261,8 +261,8 @@ mod tests {
     fn found(values: &[f64], limit: f64) -> SegmentMatches {
         let samples = Samples::new(values, RATE).unwrap();
         let segmentation = segments(&samples, HZ).unwrap();
-        assert_eq!(segmentation.stretches.len(), 1);
-        match_segments(&samples, HZ, &segmentation.stretches[0], &known(), limit)
+        assert_eq!(segmentation.segments.len(), 1);
+        match_segments(&samples, HZ, &segmentation.segments[0], &known(), limit)
     }
 
     /// The waveform itself is at distance 0 (measured 1e-3: pieces have whole samples), one of 1.1
@@ -336,7 +336,7 @@ mod tests {
             match_segments(
                 &samples,
                 HZ,
-                &segmentation.stretches[0],
+                &segmentation.segments[0],
                 &equal_solutions,
                 0.2
             )

@@ -199,7 +199,7 @@ mod tests {
     #[test]
     fn noise_changes_drifts_and_glitches_do_not_split_segments() {
         let noise = segment_record(|t, n| base(t) + n * if t < 40.0 { 0.1 } else { 0.4 });
-        assert_eq!(noise.stretches.len(), 1, "{:?}", noise.joints);
+        assert_eq!(noise.segments.len(), 1, "{:?}", noise.joints);
         assert!(
             noise
                 .joints
@@ -209,7 +209,7 @@ mod tests {
             noise.joints
         );
         let drift = segment_record(|t, n| base(t) * (1.0 + 0.3 * t / 85.0) + 0.02 * n);
-        assert_eq!(drift.stretches.len(), 1, "{:?}", drift.stretches);
+        assert_eq!(drift.segments.len(), 1, "{:?}", drift.segments);
         assert!(
             !drift.joints.is_empty()
                 && drift
@@ -222,7 +222,7 @@ mod tests {
         let glitch = segment_record(|t, n| {
             base(t) + 0.02 * n + if (40.0..40.2).contains(&t) { 3.0 } else { 0.0 }
         });
-        assert_eq!(glitch.stretches.len(), 1, "{:?}", glitch.stretches);
+        assert_eq!(glitch.segments.len(), 1, "{:?}", glitch.segments);
         assert!(
             glitch.joints.iter().any(|joint| joint.reason == MergeReason::Glitch && (joint.at_s - 40.0).abs() < 0.5),
             "{:?}",
@@ -242,10 +242,10 @@ mod tests {
         for (k, amplitude_at) in amplitude_profiles.into_iter().enumerate() {
             let result = segment_record(|t, n| base(t) * amplitude_at(t / 85.0) + 0.02 * n);
             assert_eq!(
-                result.stretches.len(),
+                result.segments.len(),
                 1,
                 "{k}: {:?} {:?}",
-                result.stretches,
+                result.segments,
                 result.joints
             );
             assert!(
@@ -287,25 +287,25 @@ mod tests {
                 values.push(if t < 25.0 { irregular } else { 1.5 * base(t) } + 0.02 * noise);
             }
             let result = segments(&Samples::new(&values, 1536.0).unwrap(), 13.0).unwrap();
-            let [start, .., last] = &result.stretches[..] else {
-                panic!("{seed}: {:?}", result.stretches)
+            let [start, .., last] = &result.segments[..] else {
+                panic!("{seed}: {:?}", result.segments)
             };
             assert!(
-                result.stretches.len() <= 3
+                result.segments.len() <= 3
                     && (last.start_s - 25.0).abs() < 2.0 * result.uncertainty_s,
                 "{seed}: {:?}",
-                result.stretches
+                result.segments
             );
             assert_eq!(
                 (start.period.cycles, last.period.cycles),
                 (None, Some(1)),
                 "{seed}"
             );
-            single_segment_starts += u32::from(result.stretches.len() == 2);
+            single_segment_starts += u32::from(result.segments.len() == 2);
         }
         assert!(
             single_segment_starts >= 9,
-            "{single_segment_starts} of 10 starts are one stretch"
+            "{single_segment_starts} of 10 starts are one segment"
         );
     }
 
@@ -320,7 +320,7 @@ mod tests {
             let result =
                 segment_record(|t, n| if t < 40.0 { base(t) } else { changed_signal(t) } + 0.1 * n);
             assert_eq!(
-                (result.stretches.len(), result.joints.len()),
+                (result.segments.len(), result.joints.len()),
                 (2, 0),
                 "{:?}",
                 result.joints

@@ -5,7 +5,7 @@
 //! the blocks that minimises
 //!
 //! ```text
-//! sum over stretches and features of n ln v + e / (s^2 v)  +  c ln(B) per stretch,   v = max(1, e / (n s^2))
+//! sum over segments and features of n ln v + e / (s^2 v)  +  c ln(B) per segment,   v = max(1, e / (n s^2))
 //! ```
 //!
 //! Here `e` is the residual of a mean and a trend over the `n` blocks of a segment. The noise `s`

@@ -35,7 +35,7 @@ pub struct RecordSegment {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Segmentation {
     /// Segments in order.
-    pub stretches: Vec<RecordSegment>,
+    pub segments: Vec<RecordSegment>,
     /// Changes of noise, drifts and glitches, which are not changes of solution.
     pub joints: Vec<MergedChange>,
     /// Maximum error of the time of a change, s: the length of a block.
@@ -130,7 +130,7 @@ pub fn segments_watched(
     joints.extend(unreported_drifts(&segments, &starts, &lines, &joints));
     joints.sort_by(|a, b| a.at_s.total_cmp(&b.at_s));
     Ok(Segmentation {
-        stretches: segments,
+        segments,
         joints,
         uncertainty_s: blocks.length / samples.rate_hz(),
     })
@@ -298,16 +298,16 @@ mod tests {
         for noise in [0.0, 0.3] {
             let values = switching(noise);
             let result = segments(&Samples::new(&values, 1536.0).unwrap(), 13.0).unwrap();
-            assert_eq!(result.stretches.len(), 3, "{noise}: {:?}", result.stretches);
+            assert_eq!(result.segments.len(), 3, "{noise}: {:?}", result.segments);
             for (k, change) in [(1, 31.7), (2, 60.2)] {
                 assert!(
-                    (result.stretches[k].start_s - change).abs() < result.uncertainty_s,
+                    (result.segments[k].start_s - change).abs() < result.uncertainty_s,
                     "{noise} {}",
-                    result.stretches[k].start_s
+                    result.segments[k].start_s
                 );
             }
             let cycles: Vec<_> = result
-                .stretches
+                .segments
                 .iter()
                 .map(|segment| segment.period.cycles)
                 .collect();
@@ -322,7 +322,7 @@ mod tests {
             .map(|k| (TAU * 13.0 * f64::from(k) / 1536.0).sin() + 0.5 * stream.normal_pair()[0])
             .collect();
         let samples = Samples::new(&values, 1536.0).unwrap();
-        assert_eq!(segments(&samples, 13.0).unwrap().stretches.len(), 1);
+        assert_eq!(segments(&samples, 13.0).unwrap().segments.len(), 1);
         assert!(matches!(
             segments(&samples, 500.0),
             Err(SegmentationError::Drive { .. })

@@ -3,6 +3,7 @@
 pub(super) mod basins;
 pub(super) mod excitation;
 pub(super) mod export;
+pub(super) mod load;
 pub(super) mod orbit;
 pub(super) mod response;
 pub(super) mod sweep;

@@ -1,10 +1,10 @@
-//! Sweeps over a key and over the load; points are sent one by one.
+//! Sweep over a key; points are sent one by one.
 
 use crate::session::Session;
 use crate::session::cancellation::Cancellation;
 use crate::session::fault::RequestFault;
 use crate::session::frame::Frame;
-use jounce::live::{Design, KeySpan, LivePoint, LoadOptions};
+use jounce::live::{Design, KeySpan, LivePoint};
 
 /// Sends each point up and down over a key as soon as it is integrated.
 ///
@@ -25,34 +25,8 @@ pub fn respond(
     Ok(())
 }
 
-/// Sends the power without contact over the load first, then each integrated point.
-///
-/// # Errors
-/// [`RequestFault`].
-pub fn respond_load(
-    session: &Session,
-    id: u64,
-    design: &Design,
-    options: &LoadOptions,
-    cancellation: &Cancellation,
-) -> Result<(), RequestFault> {
-    let control = cancellation.control();
-    let linear = session.analysis.linear_load(design, options, control)?;
-    let mut frame = Frame::new(id, "load", "linear");
-    frame
-        .put("over", linear.over.as_str())
-        .put("unit", linear.unit.as_str())
-        .curve("linear", &linear.curve);
-    session.send(cancellation, frame);
-    let send = |point: LivePoint| {
-        session.send(cancellation, point_frame(id, "load", &options.over, &point));
-    };
-    let points = design.load_sweep(options, control, &send)?;
-    send_end(session, id, "load", points, cancellation);
-    Ok(())
-}
-
-fn point_frame(id: u64, kind: &str, over: &str, point: &LivePoint) -> Frame {
+/// Returns the frame of an integrated point.
+pub(super) fn point_frame(id: u64, kind: &str, over: &str, point: &LivePoint) -> Frame {
     let mut frame = Frame::new(id, kind, "point");
     frame
         .put("over", over)
@@ -67,7 +41,14 @@ fn point_frame(id: u64, kind: &str, over: &str, point: &LivePoint) -> Frame {
     frame
 }
 
-fn send_end(session: &Session, id: u64, kind: &str, points: usize, cancellation: &Cancellation) {
+/// Sends the frame after the last point.
+pub(super) fn send_end(
+    session: &Session,
+    id: u64,
+    kind: &str,
+    points: usize,
+    cancellation: &Cancellation,
+) {
     let mut frame = Frame::new(id, kind, "done");
     frame.put("of", points);
     session.send(cancellation, frame);

@@ -7,7 +7,7 @@ mod latest_requests;
 pub(super) mod request;
 
 use crate::handlers::export::export;
-use crate::handlers::{basins, excitation, orbit, response, sweep};
+use crate::handlers::{basins, excitation, load, orbit, response, sweep};
 use crate::server::Host;
 use cancellation::Cancellation;
 use fault::RequestFault;
@@ -155,9 +155,7 @@ impl Session {
             RequestKind::Sweep { span, points } => {
                 sweep::respond(self, id, design, (span, *points), cancellation)
             }
-            RequestKind::Load(options) => {
-                sweep::respond_load(self, id, design, options, cancellation)
-            }
+            RequestKind::Load(options) => load::respond(self, id, design, options, cancellation),
             RequestKind::Basins(options) => {
                 basins::respond(self, id, design, options, cancellation)
             }

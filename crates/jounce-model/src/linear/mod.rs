@@ -6,8 +6,8 @@
 mod bandwidth;
 mod coupling;
 mod covariance;
-mod crossing;
 mod frf;
+mod level_crossing;
 mod noise;
 mod optimum;
 mod quadrature;
@@ -17,8 +17,8 @@ mod random_response;
 pub use bandwidth::{noise_bandwidth_hz, statistical_bandwidth_hz};
 pub use coupling::{Coupling, couplings};
 pub use covariance::{covariance, product};
-pub use crossing::Crossing;
 pub use frf::{Frf, FrfInput, FrfResponse, frf, frf_until};
+pub use level_crossing::LevelCrossing;
 pub use noise::{
     NoiseInput, density, noise_powers_between_w, spectral_moment, white_noise_powers_w,
 };

@@ -2,12 +2,12 @@
 //!
 //! Mean squares come from [`super::covariance()`]. Mean powers come from it and from a quadrature
 //! over frequency; their difference is returned too. Stops are left out: Rice's formula gives the
-//! rate at which their gap would be reached ([`super::Crossing`]). Drives other than noise are left
-//! out too; gravity shifts the mean.
+//! rate at which their gap would be reached ([`super::LevelCrossing`]). Drives other than noise are
+//! left out too; gravity shifts the mean.
 
 use super::bandwidth::{noise_bandwidth_hz, sampling_frequencies_hz, statistical_bandwidth_hz};
 use super::covariance::{covariance, product};
-use super::crossing::Crossing;
+use super::level_crossing::LevelCrossing;
 use super::noise::{NoiseInput, density, spectral_moment};
 use super::random_response::{
     Density, RandomLoad, RandomPatch, RandomPoint, RandomResponse, RandomStop,
@@ -186,7 +186,7 @@ impl Random {
     fn stops(&self) -> Vec<RandomStop> {
         let rest = self.plant.resting();
         let stop = |(stop, port): (&crate::plant::Stop, &crate::plant::Port)| {
-            let crossing = Crossing {
+            let crossing = LevelCrossing {
                 mean_m: port
                     .displacement
                     .iter()

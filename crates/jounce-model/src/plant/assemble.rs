@@ -1,8 +1,8 @@
 //! Resolution of the names of a spec against the modes of its structure.
 
 use super::{
-    Bridge, BridgeState, Connection, Dashpot, Drive, Load, PlantError, Scheme, Signal, Stop,
-    Storage, System,
+    Bridge, BridgeState, Connection, Dashpot, Drive, Load, PlantError, RectifierScheme, Signal,
+    Stop, Storage, System,
 };
 use crate::drive::{Wave, displaced, wave};
 use crate::structure::Modes;
@@ -145,22 +145,27 @@ fn circuits(spec: &Spec, modes: &Modes) -> Result<(Vec<Load>, Vec<Bridge>), Plan
 
 /// `None` for a circuit without diodes. An inversion by an inductor retains `q = exp(-pi / (2 Q))`
 /// of the voltage.
-fn scheme(circuit: &Circuit) -> Option<Scheme> {
+fn scheme(circuit: &Circuit) -> Option<RectifierScheme> {
     let inversion = circuit.quality_factor.map_or(0.0, |quality| {
         (-std::f64::consts::PI / (2.0 * quality)).exp()
     });
     match circuit.interface {
         Interface::Resistor => None,
-        Interface::Bridge => Some(Scheme::Standard),
-        Interface::ParallelSshi => Some(Scheme::ParallelSshi { inversion }),
-        Interface::SeriesSshi => Some(Scheme::SeriesSshi { inversion }),
-        Interface::Sece => Some(Scheme::Extraction {
+        Interface::Bridge => Some(RectifierScheme::Standard),
+        Interface::ParallelSshi => Some(RectifierScheme::ParallelSshi { inversion }),
+        Interface::SeriesSshi => Some(RectifierScheme::SeriesSshi { inversion }),
+        Interface::Sece => Some(RectifierScheme::Extraction {
             efficiency: circuit.efficiency,
         }),
     }
 }
 
-fn bridge(name: &str, circuit: &Circuit, connections: Vec<Connection>, scheme: Scheme) -> Bridge {
+fn bridge(
+    name: &str,
+    circuit: &Circuit,
+    connections: Vec<Connection>,
+    scheme: RectifierScheme,
+) -> Bridge {
     let storage = match circuit.battery_v {
         Some(voltage_v) => Storage::Battery { voltage_v },
         None => Storage::Capacitor {

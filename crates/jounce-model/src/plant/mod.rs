@@ -24,7 +24,7 @@ mod forcing;
 mod system;
 
 pub use assemble::driven;
-pub use circuit::bridge::{Bridge, BridgeState, Conduction, Scheme, Storage};
+pub use circuit::bridge::{Bridge, BridgeState, Conduction, RectifierScheme, Storage};
 pub use circuit::electrical::{
     Across, BridgeNodes, Conductance, Electrical, ElectricalNode, Inductor,
 };

@@ -54,17 +54,17 @@ pub fn conserved_charges(
 
 /// True where the diodes of a bridge conduct or its switch closes.
 fn acts(plant: &Plant, bridge: usize, trajectory: &Trajectory) -> bool {
-    let conducts = |regime: usize| {
-        plant.system.bridge_states(regime)[bridge].conduction != Conduction::Blocked
+    let conducts = |conduction_state: usize| {
+        plant.system.bridge_states(conduction_state)[bridge].conduction != Conduction::Blocked
     };
     trajectory
         .changes()
         .iter()
-        .any(|change| change.flipped == Some(bridge) || conducts(change.regime))
+        .any(|change| change.flipped == Some(bridge) || conducts(change.conduction_state))
         || trajectory
             .segments()
             .iter()
-            .any(|segment| conducts(segment.regime))
+            .any(|segment| conducts(segment.conduction_state))
 }
 
 /// Returns a period map with 0 in place of the unit multipliers of some rows.

@@ -1,6 +1,7 @@
 //! `[patch.NAME]`: getters and setters of the pores.
 
-use crate::{Patch, PoreShape, PorosityScheme};
+use crate::material::porous::PorosityScheme;
+use crate::{Patch, PoreShape};
 
 pub(super) const SHAPES: &[&str] = &["spheres", "spheroids", "cylinders"];
 pub(super) const SCHEMES: &[&str] = &["mori-tanaka", "self-consistent"];

@@ -37,11 +37,12 @@ pub enum PoreGeometry {
 }
 
 /// Homogenisation scheme: the interaction of the pores.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Scheme {
-    /// Each pore lies in the mean field of the matrix.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum PorosityScheme {
+    /// `"mori-tanaka"`: each pore lies in the mean field of the matrix.
+    #[default]
     MoriTanaka,
-    /// Each pore lies in the composite.
+    /// `"self-consistent"`: each pore lies in the effective composite.
     SelfConsistent,
 }
 
@@ -49,7 +50,12 @@ impl Electroelastic {
     /// Returns the composite with a pore fraction `porosity` (0 to below 1); `None` outside this
     /// range, or if the iteration does not converge (above the fraction of zero predicted
     /// stiffness).
-    pub fn porous(&self, porosity: f64, pores: PoreGeometry, scheme: Scheme) -> Option<Self> {
+    pub fn porous(
+        &self,
+        porosity: f64,
+        pores: PoreGeometry,
+        scheme: PorosityScheme,
+    ) -> Option<Self> {
         if !(0.0..1.0).contains(&porosity) {
             return None;
         }
@@ -59,13 +65,13 @@ impl Electroelastic {
         (6..9).for_each(|i| pore[(i, i)] = -VACUUM_PERMITTIVITY_F_M * scale * scale);
         let one = Mat::<f64>::identity(9, 9);
         let effective = match scheme {
-            Scheme::MoriTanaka => {
+            PorosityScheme::MoriTanaka => {
                 let difference = &pore - &matrix;
                 let single = inverse(&(&one + hill(&matrix, pores) * &difference));
                 let mean = inverse(&(&one * (1.0 - porosity) + &single * porosity));
                 &matrix + &difference * &single * &mean * porosity
             }
-            Scheme::SelfConsistent => self_consistent(&matrix, &pore, porosity, pores)?,
+            PorosityScheme::SelfConsistent => self_consistent(&matrix, &pore, porosity, pores)?,
         };
         Some(Self::of_tensor(&effective, scale))
     }
@@ -131,7 +137,7 @@ mod tests {
     fn spherical_pores_in_an_isotropic_matrix_have_closed_forms() {
         let (k, g, f) = (100e9, 60e9, 0.2);
         let computed = isotropic(k, g, 10.0)
-            .porous(f, PoreGeometry::Spheroids(1.0), Scheme::MoriTanaka)
+            .porous(f, PoreGeometry::Spheroids(1.0), PorosityScheme::MoriTanaka)
             .unwrap();
         let sum = 3.0 * k + 4.0 * g;
         let bulk = k - f * k * sum / (sum - 3.0 * (1.0 - f) * k);
@@ -157,7 +163,7 @@ mod tests {
     #[test]
     fn cylinders_along_the_pole_are_exact() {
         let [d31, d33, permittivity] = PZT_5A.free();
-        for scheme in [Scheme::MoriTanaka, Scheme::SelfConsistent] {
+        for scheme in [PorosityScheme::MoriTanaka, PorosityScheme::SelfConsistent] {
             let computed = PZT_5A
                 .porous(0.3, PoreGeometry::Cylinders, scheme)
                 .unwrap()
@@ -175,10 +181,10 @@ mod tests {
     const SPHERES: PoreGeometry = PoreGeometry::Spheroids(1.0);
     /// PZT-5A with pores, second program: pores, scheme, porosity; C11, C13, C33, C44 (GPa), e31, e33
     /// (C/m^2), relative permittivities at constant strain and stress, d31, d33 (pC/N).
-    const SECOND_PROGRAM: [(PoreGeometry, Scheme, f64, [f64; 10]); 5] = [
+    const SECOND_PROGRAM: [(PoreGeometry, PorosityScheme, f64, [f64; 10]); 5] = [
         (
             SPHERES,
-            Scheme::MoriTanaka,
+            PorosityScheme::MoriTanaka,
             0.1,
             [
                 92.952, 53.369, 82.747, 17.796, -3.200, 14.148, 744.36, 1451.2, -155.76, 371.90,
@@ -186,7 +192,7 @@ mod tests {
         ),
         (
             SPHERES,
-            Scheme::MoriTanaka,
+            PorosityScheme::MoriTanaka,
             0.3,
             [
                 55.954, 28.100, 47.996, 12.273, -0.894, 10.393, 559.17, 1019.4, -130.75, 369.63,
@@ -194,7 +200,7 @@ mod tests {
         ),
         (
             SPHERES,
-            Scheme::SelfConsistent,
+            PorosityScheme::SelfConsistent,
             0.1,
             [
                 89.35, 50.58, 79.49, 17.46, -3.02, 13.98, 746.5, 1440.0, -154.51, 372.48,
@@ -202,7 +208,7 @@ mod tests {
         ),
         (
             SPHERES,
-            Scheme::SelfConsistent,
+            PorosityScheme::SelfConsistent,
             0.3,
             [
                 36.28, 15.66, 31.66, 9.37, -0.39, 8.20, 569.3, 928.5, -118.81, 376.50,
@@ -210,7 +216,7 @@ mod tests {
         ),
         (
             PoreGeometry::Cylinders,
-            Scheme::MoriTanaka,
+            PorosityScheme::MoriTanaka,
             0.3,
             [
                 41.079, 22.966, 54.976, 11.362, -1.649, 12.692, 594.53, 1193.0, -170.40, 373.23,
@@ -234,14 +240,14 @@ mod tests {
                 &[d31 * 1e12, d33 * 1e12],
             ]
             .concat();
-            let allowed = if scheme == Scheme::MoriTanaka {
+            let allowed = if scheme == PorosityScheme::MoriTanaka {
                 1e-3
             } else {
                 5e-3
             };
             for (value, expected) in computed.iter().zip(expected) {
                 // The last printed digit of small constants is coarser than this tolerance.
-                let digit = if scheme == Scheme::MoriTanaka {
+                let digit = if scheme == PorosityScheme::MoriTanaka {
                     6e-4
                 } else {
                     6e-3

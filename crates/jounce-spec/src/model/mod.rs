@@ -21,9 +21,7 @@ pub use gravity::Gravity;
 pub use layer::Layer;
 pub use mass::Mass;
 pub use modal::{Modal, ModalPatch};
-pub use patch::{
-    Composite, Electrodes, Face, Patch, PatchFoils, PatchPores, PoreShape, PorosityScheme, Section,
-};
+pub use patch::{Composite, Electrodes, Face, Patch, PatchFoils, PatchPores, PoreShape, Section};
 pub use reduction::Reduction;
 pub use run::{Run, Start};
 pub use stop::{Side, Stop, StopLaw};

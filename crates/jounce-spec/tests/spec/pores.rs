@@ -1,6 +1,6 @@
 //! Porous patches: constants that follow from the pores, and invalid combinations.
 
-use jounce_spec::material::porous::{PZT_5A, PoreGeometry, Scheme};
+use jounce_spec::material::porous::{PZT_5A, PoreGeometry, PorosityScheme};
 use jounce_spec::{NumericKey, Spec};
 
 fn text(keys: &str) -> String {
@@ -12,7 +12,8 @@ fn text(keys: &str) -> String {
 
 #[test]
 fn a_porous_patch_has_the_constants_of_its_scheme() {
-    let (mori_tanaka, self_consistent) = (Scheme::MoriTanaka, Scheme::SelfConsistent);
+    let (mori_tanaka, self_consistent) =
+        (PorosityScheme::MoriTanaka, PorosityScheme::SelfConsistent);
     for (keys, pores, scheme) in [
         ("", PoreGeometry::Spheroids(1.0), mori_tanaka),
         (

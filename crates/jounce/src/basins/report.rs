@@ -21,9 +21,13 @@ impl BasinsResult {
                 all.iter().map(value).collect::<Vec<f64>>(),
             )
         };
+        let count = |name: &str, about: &str, value: fn(&AttractorResult) -> u64| {
+            Column::new(name, "", about, all.iter().map(value).collect::<Vec<u64>>())
+        };
         let id: Vec<String> = all.iter().map(|own| own.id.clone()).collect();
-        let period: Vec<u64> = all.iter().map(|own| u64::from(own.period_cycles)).collect();
         let chaotic: Vec<bool> = all.iter().map(|own| own.chaotic).collect();
+        let mirror_of = all.iter().map(|own| own.mirror_of.clone());
+        let mirror_of: Vec<String> = mirror_of.map(Option::unwrap_or_default).collect();
         Ok(Table::new(vec![
             Column::new(
                 "id",
@@ -31,15 +35,23 @@ impl BasinsResult {
                 "period in drive cycles and a letter by decreasing power",
                 id,
             ),
-            Column::new(
+            count(
                 "period_cycles",
-                "",
                 "period in drive cycles, 0 without a period",
-                period,
+                |own| u64::from(own.period_cycles),
             ),
             Column::new("chaotic", "", "neighbouring motions diverge", chaotic),
+            Column::new(
+                "mirror_of",
+                "",
+                "id of the orbit whose mirror image, half a drive cycle later, this orbit is",
+                mirror_of,
+            ),
             number("mean_power_w", "W", "mean power of all loads", |own| {
                 own.mean_power_w
+            }),
+            count("contacts_per_period", "contacts per period", |own| {
+                own.contacts_per_period
             }),
             number("fraction", "", "share of the starts", |own| own.fraction),
             number(

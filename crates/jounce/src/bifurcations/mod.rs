@@ -7,7 +7,7 @@ mod result;
 pub use options::BifurcationsOptions;
 pub use result::{BifurcationCurve, BifurcationsResult};
 
-use crate::continuation;
+use crate::continuation_options;
 use crate::error::Error;
 use crate::harvester::Harvester;
 use crate::options::on_threads;
@@ -46,9 +46,9 @@ impl Harvester {
             peaks,
             ..
         } = options;
-        continuation::check_search(tolerance, seeds, longest_period)?;
-        let (key, range) = continuation::range(self, "over", &options.over)?;
-        let (key_2, range_2) = continuation::range(self, "against", &options.against)?;
+        continuation_options::check_search(tolerance, seeds, longest_period)?;
+        let (key, range) = continuation_options::range(self, "over", &options.over)?;
+        let (key_2, range_2) = continuation_options::range(self, "against", &options.against)?;
         if key.path() == key_2.path() {
             let expected = "`over` has this key too; give two different keys";
             return Err(Error::option("against", &options.against, expected));
@@ -64,7 +64,7 @@ impl Harvester {
             peaks,
         };
         let branch_options = BranchOptions {
-            levels: continuation::levels(&options.levels, &base.kernel.plant)?,
+            levels: continuation_options::levels(&options.levels, &base.kernel.plant)?,
             ..BranchOptions::default()
         };
         let curves = on_threads(options.threads, || Ok(search.run_with(&branch_options)?))?;

@@ -1,6 +1,7 @@
 //! Options of bifurcation curves.
 
 use crate::options::defaults;
+use jounce_analysis::BifurcationSearch;
 use serde::{Deserialize, Serialize};
 
 /// Options of [`crate::Harvester::bifurcations`].
@@ -19,7 +20,7 @@ pub struct BifurcationsOptions {
     pub tolerance: f64,
     /// Number of values inside a range at which orbits are sought by integration; they find
     /// isolated branches.
-    #[arg(long, default_value_t = 4)]
+    #[arg(long, default_value_t = BifurcationSearch::DEFAULT_SEEDS)]
     pub seeds: usize,
     /// Longest period of a branch, in drive cycles; longer ones are omitted.
     #[arg(long, default_value_t = 2, value_parser = clap::value_parser!(u32).range(1..))]

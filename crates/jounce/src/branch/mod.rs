@@ -15,7 +15,7 @@ pub use result::{
     Termination, TerminationReason,
 };
 
-use crate::continuation;
+use crate::continuation_options;
 use crate::error::Error;
 use crate::harvester::Harvester;
 use crate::options::on_threads;
@@ -49,9 +49,9 @@ impl Harvester {
     /// ```
     pub fn branch(&self, options: &BranchOptions) -> Result<BranchResult, Error> {
         let tolerance = options.tolerance;
-        continuation::check_search(tolerance, options.seeds, options.longest_period)?;
+        continuation_options::check_search(tolerance, options.seeds, options.longest_period)?;
         let method = options.orbit_method()?;
-        let (key, range) = continuation::range(self, "over", &options.over)?;
+        let (key, range) = continuation_options::range(self, "over", &options.over)?;
         let base = self.model()?;
         let quantity = OrbitQuantity::of(&base.kernel.plant.system)?;
         let parameter = Parameter::new(&base, &key, range.1 - range.0);

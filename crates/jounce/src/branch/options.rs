@@ -1,9 +1,9 @@
 //! Options of branches of periodic orbits.
 
-use crate::continuation;
+use crate::continuation_options;
 use crate::error::Error;
 use crate::options::defaults;
-use jounce_analysis::{BranchOptions as TracerOptions, OrbitMethodKind};
+use jounce_analysis::{BranchOptions as TracerOptions, BranchSearch, OrbitMethodKind};
 use jounce_model::plant::Plant;
 use serde::{Deserialize, Serialize};
 
@@ -39,7 +39,7 @@ pub struct BranchOptions {
     pub tolerance: f64,
     /// Number of values inside the range at which orbits are sought by integration; they find
     /// isolated branches.
-    #[arg(long, default_value_t = 12)]
+    #[arg(long, default_value_t = BranchSearch::DEFAULT_SEEDS)]
     pub seeds: usize,
     /// Longest period of a branch, in drive cycles; longer ones are omitted.
     #[arg(long, default_value_t = 12, value_parser = clap::value_parser!(u32).range(1..))]
@@ -98,7 +98,7 @@ impl BranchOptions {
         Ok(TracerOptions {
             largest_step,
             budget: self.budget,
-            levels: continuation::levels(&self.levels, plant)?,
+            levels: continuation_options::levels(&self.levels, plant)?,
         })
     }
 }

@@ -9,7 +9,7 @@ pub use options::{DiagramDirection, DiagramOptions};
 pub use result::{DiagramPoint, DiagramResult, SectionPoint};
 
 use crate::branch::Branch;
-use crate::continuation;
+use crate::continuation_options;
 use crate::error::Error;
 use crate::harvester::Harvester;
 use crate::options::{key_range, on_threads};
@@ -164,7 +164,7 @@ impl Harvester {
     /// Returns the key and its increasing values.
     fn diagram_range(&self, options: &DiagramOptions) -> Result<KeyRange, Error> {
         let range = key_range(self, "over", &options.over)?;
-        continuation::check_continuous(range.key(), "over", &options.over)?;
+        continuation_options::check_continuous(range.key(), "over", &options.over)?;
         if range.values().windows(2).any(|pair| pair[0] >= pair[1]) {
             let expected = "the values of a diagram must increase";
             return Err(Error::option("over", &options.over, expected));

@@ -1,7 +1,7 @@
 //! Options of bifurcation diagrams.
 
 use crate::basins::cloud;
-use crate::continuation;
+use crate::continuation_options;
 use crate::error::Error;
 use crate::options::defaults;
 use jounce_analysis::DiagramOrder;
@@ -86,7 +86,7 @@ impl DiagramOptions {
             return Err(Error::option("cycles", self.cycles, expected));
         }
         let longest_period = self.longest_period.unwrap_or(LONGEST_PERIOD);
-        continuation::check_search(self.tolerance, SEEDS, longest_period)?;
+        continuation_options::check_search(self.tolerance, SEEDS, longest_period)?;
         Ok(longest_period)
     }
 

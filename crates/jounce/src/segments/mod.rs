@@ -60,7 +60,7 @@ impl Recording {
             let power = power.flatten();
             Ok(SegmentResult::new(segment, power, matches.get(number)))
         };
-        let segments = segmentation.stretches.iter().enumerate().map(segment);
+        let segments = segmentation.segments.iter().enumerate().map(segment);
         let segments = segments.collect::<Result<Vec<_>, Error>>()?;
         let places = record.grid.places();
         let first = places.first().copied().unwrap_or_default();
@@ -100,6 +100,6 @@ impl Recording {
         let of_segment = |segment: &RecordSegment| {
             match_segments(samples, drive_hz, segment, &known, options.within)
         };
-        Ok(segmentation.stretches.iter().map(of_segment).collect())
+        Ok(segmentation.segments.iter().map(of_segment).collect())
     }
 }

@@ -4,7 +4,7 @@ mod options;
 mod report;
 mod result;
 
-pub use options::{SegmentWindow, SpectraOptions};
+pub use options::SpectraOptions;
 pub use result::{OrderPeak, SpectraResult};
 
 use crate::error::Error;
@@ -60,7 +60,10 @@ impl Recording {
             unit: channel.unit.clone(),
             convention: format!(
                 "{} segments of {segment_s:.4} s, {} window, overlap {}: lines {:.4} Hz apart; amplitudes are zero to peak, densities one-sided, per Hz",
-                density.segments, options.window, options.overlap, density.resolution_hz
+                density.segments,
+                options.window.name(),
+                options.overlap,
+                density.resolution_hz
             ),
             window: options.window,
             overlap: options.overlap,

@@ -3,7 +3,7 @@
 use crate::error::Error;
 use crate::options::{check_above_zero, defaults, frequency_hz, time_s};
 use crate::recording::{ChannelList, ChosenChannel, UsesChannels};
-use clap::ValueEnum;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use jounce_data::recording::Quantity;
 use jounce_signal::Window;
 use jounce_signal::spectral::SpectraSettings;
@@ -27,26 +27,35 @@ pub struct SpectraOptions {
     #[arg(long, default_value_t = 0.5)]
     pub overlap: f64,
     /// Weights of a segment.
-    #[arg(long, value_enum, default_value = "hann")]
-    pub window: SegmentWindow,
+    #[arg(long, value_parser = window_parser(), default_value = "hann")]
+    pub window: Window,
     /// Also computes the spectrogram, which has as many numbers as the record.
     #[arg(skip)]
     #[serde(skip)]
     pub spectrogram: bool,
 }
 
-/// Weights of a segment.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum SegmentWindow {
-    /// Finest frequency resolution: a line is four bins wide; a sinusoid between two bins shows up
-    /// to 15 % less.
-    Hann,
-    /// Accurate amplitudes: a line is ten bins wide; a sinusoid between two bins shows at most 0.1
-    /// % less.
-    FlatTop,
-    /// No weights, for complete periods only.
-    Rectangular,
+/// Returns the reader of a window by its name.
+fn window_parser() -> impl TypedValueParser<Value = Window> {
+    let value = |window: Window| PossibleValue::new(window.name()).help(window_help(window));
+    PossibleValuesParser::new(Window::ALL.map(value)).try_map(|name| {
+        let mut windows = Window::ALL.into_iter();
+        let window = windows.find(|window| window.name() == name);
+        window.ok_or_else(|| format!("{name} is no window"))
+    })
+}
+
+/// Returns the help on a window.
+fn window_help(window: Window) -> &'static str {
+    match window {
+        Window::Hann => {
+            "Finest frequency resolution: a line is four bins wide; a sinusoid between two bins shows up to 15 % less"
+        }
+        Window::FlatTop => {
+            "Accurate amplitudes: a line is ten bins wide; a sinusoid between two bins shows at most 0.1 % less"
+        }
+        Window::Rectangular => "No weights, for complete periods only",
+    }
 }
 
 impl Default for SpectraOptions {
@@ -81,21 +90,7 @@ impl SpectraOptions {
             drive_hz: checked("drive", self.drive_hz, "Hz")?,
             segment_s: checked("segment", self.segment_s, "s")?,
             overlap: self.overlap,
-            window: match self.window {
-                SegmentWindow::Hann => Window::Hann,
-                SegmentWindow::FlatTop => Window::FlatTop,
-                SegmentWindow::Rectangular => Window::Rectangular,
-            },
-        })
-    }
-}
-
-impl std::fmt::Display for SegmentWindow {
-    fn fmt(&self, to: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        to.write_str(match self {
-            Self::Hann => "hann",
-            Self::FlatTop => "flat-top",
-            Self::Rectangular => "rectangular",
+            window: self.window,
         })
     }
 }

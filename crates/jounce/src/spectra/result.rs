@@ -1,9 +1,8 @@
 //! Result of spectra.
 
-use super::SegmentWindow;
 use jounce_data::recording::Issue;
-use jounce_signal::OrderLine;
 use jounce_signal::spectral::{DensityPeak, Spectrogram};
+use jounce_signal::{OrderLine, Window};
 use serde::Serialize;
 
 /// Power spectral density, order lines and spectrogram of a channel.
@@ -16,7 +15,7 @@ pub struct SpectraResult {
     /// Segments, window and amplitudes in words.
     pub convention: String,
     /// Weights of a segment.
-    pub window: SegmentWindow,
+    pub window: Window,
     /// Overlap of adjacent segments, as a share of a segment.
     pub overlap: f64,
     /// Length of a segment, s.

@@ -50,7 +50,7 @@ pub enum ExperimentError {
     Modal(#[from] ModalError),
     /// The segments of the record.
     #[error(transparent)]
-    Regime(#[from] SegmentationError),
+    Segmentation(#[from] SegmentationError),
     /// The fit to Table 2.
     #[error(transparent)]
     Fit(#[from] FitError),

@@ -92,12 +92,12 @@ impl Alternating {
             )?)
         };
         let powers = result
-            .stretches
+            .segments
             .iter()
             .map(|segment| power(segment.inner))
             .collect::<Result<_, _>>()?;
         let matches = result
-            .stretches
+            .segments
             .iter()
             .map(|segment| {
                 match_segments(&samples, DRIVE_HZ, segment, &known, MAX_SOLUTION_DISTANCE)
@@ -117,7 +117,7 @@ impl Alternating {
             .iter()
             .map(|(id, at_s)| format!("{id} from {at_s} s"))
             .collect();
-        let result: Vec<String> = (self.found.stretches.iter().zip(&self.matches))
+        let result: Vec<String> = (self.found.segments.iter().zip(&self.matches))
             .map(|(segment, matches)| {
                 format!(
                     "{} from {:.2} s",
@@ -159,7 +159,7 @@ impl Alternating {
     }
 
     pub fn table(&self) -> Result<NamedTable, ExperimentError> {
-        let (segments, powers, matches) = (&self.found.stretches, &self.powers, &self.matches);
+        let (segments, powers, matches) = (&self.found.segments, &self.powers, &self.matches);
         let nearest = |heading, distance: fn(&Candidate) -> f64| {
             column(matches, heading, |matches| {
                 matches.candidates.first().map_or(f64::NAN, distance)
@@ -274,9 +274,9 @@ mod tests {
     fn the_record_is_cut_where_it_was_put_together() {
         let result =
             Alternating::compute(&Control::default()).unwrap_or_else(|fault| panic!("{fault}"));
-        assert_eq!(result.found.stretches.len(), SHOWN_SOLUTIONS.len());
+        assert_eq!(result.found.segments.len(), SHOWN_SOLUTIONS.len());
         for (k, (id, at_s)) in SHOWN_SOLUTIONS.into_iter().enumerate() {
-            let (segment, matches) = (&result.found.stretches[k], &result.matches[k]);
+            let (segment, matches) = (&result.found.segments[k], &result.matches[k]);
             let first = &matches.candidates[0];
             let power = result.powers[k].mean_power_w / first.mean_power_w - 1.0;
             eprintln!(

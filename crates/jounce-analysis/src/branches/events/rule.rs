@@ -8,9 +8,9 @@ use super::spectrum::{
 };
 use super::turning_points::{Extremum, extrema, may_touch_unseen};
 use crate::branches::branch::BranchKind;
-use crate::branches::continuation::halves::meets_halves;
-use crate::branches::continuation::orbit_point::OrbitPoint;
-use crate::branches::continuation::tracer::BranchTracer;
+use crate::branches::branch_tracer::halves::meets_halves;
+use crate::branches::branch_tracer::orbit_point::OrbitPoint;
+use crate::branches::branch_tracer::tracer::BranchTracer;
 use jounce_continuation::{CurvePoint, HermiteSegment, Metric, correct, tangent};
 use jounce_orbits::OrbitMethod;
 use serde::Serialize;

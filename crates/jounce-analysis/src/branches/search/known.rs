@@ -10,7 +10,7 @@
 //! that intersection.
 
 use crate::branches::branch::{Branch, BranchKind, BranchPoint, Termination};
-use crate::branches::continuation::tracer::BranchTracer;
+use crate::branches::branch_tracer::tracer::BranchTracer;
 use jounce_continuation::{Direction, Metric, Position, correct};
 use jounce_orbits::{Orbit, ParametricModel, Shooting};
 use std::rc::Rc;

@@ -12,7 +12,7 @@ mod ramp_down;
 mod starts;
 
 use super::branch::{Branch, BranchKind, BranchPoint};
-use super::continuation::tracer::{BranchTracer, RESOLUTION, newton_tolerance};
+use super::branch_tracer::tracer::{BranchTracer, RESOLUTION, newton_tolerance};
 use super::options::BranchOptions;
 use crate::{AnalysisError, Model, Parameter};
 use faer::Mat;
@@ -69,6 +69,11 @@ const POWER_ERROR_FACTOR: f64 = 300.0;
 type Failure = OrbitError<AnalysisError>;
 
 impl BranchSearch<'_> {
+    /// Value of [`Self::seeds`] where not given.
+    pub const DEFAULT_SEEDS: usize = 12;
+    /// Largest value of [`Self::seeds`].
+    pub const MAX_SEEDS: usize = 100_000;
+
     fn following(&self, options: &BranchOptions) -> BranchTracer {
         BranchTracer {
             range: self.range,

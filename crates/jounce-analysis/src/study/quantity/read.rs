@@ -4,7 +4,7 @@ use super::Quantity;
 use super::evaluation::default_excitation;
 use super::table::QuantityTable;
 use crate::study::faults::FaultCollector;
-use crate::{DiagramOrder, SweepOrder};
+use crate::{BifurcationSearch, BranchSearch, DiagramOrder, SweepOrder};
 use jounce_model::linear::FrfResponse;
 use jounce_spec::{Drive, DriveSignal, SpecFile};
 use toml_edit::{Item, Table};
@@ -217,7 +217,7 @@ impl QuantityTable<'_> {
         Quantity::Branch {
             over,
             range,
-            seeds: self.seeds(reader, 12),
+            seeds: self.seeds(reader, BranchSearch::DEFAULT_SEEDS),
             longest_period: self.integer(reader, "longest_period", 1000, 12) as u32,
             tolerance: self.tolerance(reader, 5e-10),
         }
@@ -229,7 +229,7 @@ impl QuantityTable<'_> {
         Quantity::Bifurcations {
             keys: [over.0, against.0],
             ranges: [over.1, against.1],
-            seeds: self.seeds(reader, 4),
+            seeds: self.seeds(reader, BifurcationSearch::DEFAULT_SEEDS),
             longest_period: self.integer(reader, "longest_period", 1000, 2) as u32,
             tolerance: self.tolerance(reader, 1e-9),
         }

@@ -1,7 +1,7 @@
 //! Entries of the table `[quantity]` of a study.
 
-use crate::Recognition;
 use crate::study::faults::FaultCollector;
+use crate::{BranchSearch, Recognition};
 use jounce_spec::{KeyRange, Quantity as Kind, SpecFile};
 use toml_edit::{Item, Table};
 
@@ -23,9 +23,10 @@ impl QuantityTable<'_> {
     }
 
     /// Reads the number of values at which branches are sought.
-    pub fn seeds(&self, reader: &mut FaultCollector, default: u64) -> usize {
+    pub fn seeds(&self, reader: &mut FaultCollector, default: usize) -> usize {
         let item = self.table.get("seeds");
-        reader.integer("quantity.seeds", item, (0, 100_000), default) as usize
+        let most = BranchSearch::MAX_SEEDS as u64;
+        reader.integer("quantity.seeds", item, (0, most), default as u64) as usize
     }
 
     /// Reads a relative tolerance.

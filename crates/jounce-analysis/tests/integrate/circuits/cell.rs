@@ -1,7 +1,9 @@
 //! Cells of one mode behind a rectifier, with mass, stiffness, capacitance and force 1.
 
 use jounce_model::contact::{Hertz, Law};
-use jounce_model::plant::{Bridge, BridgeState, Connection, Drive, Scheme, Stop, Storage, System};
+use jounce_model::plant::{
+    Bridge, BridgeState, Connection, Drive, RectifierScheme, Stop, Storage, System,
+};
 use jounce_model::structure::{Modes, PatchModes};
 use jounce_spec::Wiring;
 use std::collections::BTreeMap;
@@ -12,7 +14,7 @@ pub fn cell(
     coupling: f64,
     damping_ratio: f64,
     angular_frequency: f64,
-    scheme: Scheme,
+    scheme: RectifierScheme,
     storage: Storage,
 ) -> System {
     let patch = PatchModes {
@@ -63,7 +65,7 @@ pub fn cell(
 
 /// A cell with diodes that have a drop and a resistance, a leaking storage, and a mass that strikes
 /// a stop.
-pub fn lossy_with_stop(scheme: Scheme, storage: Storage) -> System {
+pub fn lossy_with_stop(scheme: RectifierScheme, storage: Storage) -> System {
     let mut system = cell(0.5, 0.02, 0.9, scheme, storage);
     (
         system.bridges[0].drop_v,

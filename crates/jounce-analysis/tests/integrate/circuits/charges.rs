@@ -4,7 +4,7 @@ use super::cell::lossy_with_stop;
 use crate::plants::{from_rest, kernel};
 use jounce_analysis::run::{RunPlan, StartState, charges, simulate};
 use jounce_dynamics::Integrator;
-use jounce_model::plant::{Scheme, Storage, System};
+use jounce_model::plant::{RectifierScheme, Storage, System};
 
 /// A bridge with drop, leakage and a load, against a stop. For every scheme the energy balances.
 /// The charge through the diodes equals that of the storage, by Gauss quadrature of its currents
@@ -16,10 +16,10 @@ fn charge_and_energy_are_balanced() {
         load_ohm: 3.0,
     };
     for scheme in [
-        Scheme::Standard,
-        Scheme::ParallelSshi { inversion: 0.6 },
-        Scheme::SeriesSshi { inversion: 0.6 },
-        Scheme::Extraction { efficiency: 0.9 },
+        RectifierScheme::Standard,
+        RectifierScheme::ParallelSshi { inversion: 0.6 },
+        RectifierScheme::SeriesSshi { inversion: 0.6 },
+        RectifierScheme::Extraction { efficiency: 0.9 },
     ] {
         let kernel = kernel(lossy_with_stop(scheme, storage));
         let start = kernel
@@ -61,7 +61,7 @@ fn charge_and_energy_are_balanced() {
             energies.residual_relative()
         );
         assert!(contacts > 5 && energies.residual_relative().abs() < 1e-9);
-        if !matches!(scheme, Scheme::Extraction { .. }) {
+        if !matches!(scheme, RectifierScheme::Extraction { .. }) {
             assert!(
                 (rectified.charge_c / charge_c - 1.0).abs() < 1e-9,
                 "{:e} and {charge_c:e}",
@@ -81,9 +81,9 @@ fn a_run_reports_its_charge_and_energy_balance() {
         load_ohm: 3.0,
     };
     for scheme in [
-        Scheme::Standard,
-        Scheme::ParallelSshi { inversion: 0.6 },
-        Scheme::SeriesSshi { inversion: 0.6 },
+        RectifierScheme::Standard,
+        RectifierScheme::ParallelSshi { inversion: 0.6 },
+        RectifierScheme::SeriesSshi { inversion: 0.6 },
     ] {
         let kernel = kernel(lossy_with_stop(scheme, storage));
         let plan = RunPlan {

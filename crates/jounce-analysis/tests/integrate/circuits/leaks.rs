@@ -5,7 +5,7 @@ use jounce_analysis::run::StartState;
 use jounce_dynamics::Integrator;
 use jounce_model::contact::{Hertz, Law};
 use jounce_model::plant::{
-    Bridge, BridgeState, Connection, Drive, Load, Scheme, Stop, Storage, System,
+    Bridge, BridgeState, Connection, Drive, Load, RectifierScheme, Stop, Storage, System,
 };
 use jounce_model::structure::{Modes, PatchModes};
 use jounce_spec::Wiring;
@@ -83,7 +83,7 @@ fn rectified(leaks: &[Option<f64>], storage: Storage) -> System {
         } else {
             Wiring::Parallel
         },
-        scheme: Scheme::Standard,
+        scheme: RectifierScheme::Standard,
         storage,
         drop_v: DROP_V,
         diode_ohm: DIODE_OHM,

@@ -7,7 +7,7 @@ use jounce_analysis::{Model, Sweep, SweepOrder, SweepPoint};
 use jounce_control::Control;
 use jounce_dynamics::Kernel;
 use jounce_model::contact::{Hertz, Law};
-use jounce_model::plant::{Scheme, Stop, Storage};
+use jounce_model::plant::{RectifierScheme, Stop, Storage};
 use jounce_spec::SpecFile;
 use std::f64::consts::{PI, TAU};
 
@@ -41,7 +41,7 @@ fn a_bridge_on_a_strongly_coupled_oscillator_gives_the_power_of_direct_integrati
             0.3_f64.sqrt(),
             0.02,
             1.05,
-            Scheme::Standard,
+            RectifierScheme::Standard,
             Storage::Battery { voltage_v: battery },
         ));
         let (power_w, residual) =
@@ -62,40 +62,39 @@ fn weakly_coupled_interfaces_give_their_closed_forms() {
     let best = current / (w * (1.0 - q));
     let series = (1.0 + q) / (1.0 - q);
     for (scheme, battery, power) in [
-        (Scheme::Standard, 0.5 * open, current * current / (TAU * w)),
         (
-            Scheme::Standard,
+            RectifierScheme::Standard,
+            0.5 * open,
+            current * current / (TAU * w),
+        ),
+        (
+            RectifierScheme::Standard,
             0.3 * open,
             2.0 * w / PI * 0.3 * 0.7 * open * open,
         ),
         (
-            Scheme::ParallelSshi { inversion: q },
+            RectifierScheme::ParallelSshi { inversion: q },
             best,
             current * current / (PI * w * (1.0 - q)),
         ),
         (
-            Scheme::SeriesSshi { inversion: q },
+            RectifierScheme::SeriesSshi { inversion: q },
             0.5 * open,
             series * current * current / (TAU * w),
         ),
         (
-            Scheme::Extraction { efficiency: 1.0 },
+            RectifierScheme::Extraction { efficiency: 1.0 },
             open,
             4.0 * current * current / (TAU * w),
         ),
         (
-            Scheme::Extraction { efficiency: 0.8 },
+            RectifierScheme::Extraction { efficiency: 0.8 },
             open,
             3.2 * current * current / (TAU * w),
         ),
     ] {
-        let kernel = kernel(cell(
-            theta,
-            0.05,
-            w,
-            scheme,
-            Storage::Battery { voltage_v: battery },
-        ));
+        let storage = Storage::Battery { voltage_v: battery };
+        let kernel = kernel(cell(theta, 0.05, w, scheme, storage));
         let (power_w, residual) = settled_power(
             &kernel,
             &StartState::linear(&kernel.plant),
@@ -122,7 +121,7 @@ fn a_bridge_next_to_a_stop_agrees_with_a_plain_integrator() {
         capacitance_f: 4.0,
         load_ohm: 2.0,
     };
-    let mut system = cell(0.6, 0.03, 1.1, Scheme::Standard, storage);
+    let mut system = cell(0.6, 0.03, 1.1, RectifierScheme::Standard, storage);
     (system.bridges[0].drop_v, system.bridges[0].diode_ohm) = (0.1, 0.05);
     system.stops.push(Stop {
         name: "stop".into(),
@@ -180,7 +179,7 @@ fn a_battery_above_the_open_voltage_receives_no_charge() {
         1e-5,
         0.05,
         0.8,
-        Scheme::Standard,
+        RectifierScheme::Standard,
         Storage::Battery { voltage_v: 1.0 },
     ));
     let (power, residual) = settled_power(

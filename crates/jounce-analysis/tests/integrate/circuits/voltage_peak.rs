@@ -5,7 +5,7 @@ use crate::plants::kernel as of_system;
 use jounce_analysis::run::{RunPlan, RunResult, StartState, VoltagePeaks, simulate, voltage_peaks};
 use jounce_dynamics::Kernel;
 use jounce_model::linear::{FrfInput, FrfResponse, frf};
-use jounce_model::plant::{Plant, Scheme, Storage, System};
+use jounce_model::plant::{Plant, RectifierScheme, Storage, System};
 use jounce_model::structure::modes;
 use jounce_spec::SpecFile;
 use std::f64::consts::TAU;
@@ -148,7 +148,7 @@ fn a_bridge_holds_the_peak_of_its_patch() {
         0.3,
         0.02,
         1.0,
-        Scheme::Standard,
+        RectifierScheme::Standard,
         Storage::Battery { voltage_v: 1.5 },
     ));
     let plan = RunPlan {

@@ -3,7 +3,7 @@
 use crate::plants::{from_rest, integrate, kernel, physical, relative, springs};
 use jounce_dynamics::{IntegrationError, Integrator, Kernel};
 use jounce_model::contact::{Law, Rigid};
-use jounce_model::plant::{Scheme, Stop, System};
+use jounce_model::plant::{RectifierScheme, Stop, System};
 use jounce_spec::Spec;
 
 fn spec(text: &str) -> System {
@@ -84,7 +84,7 @@ fn a_switch_that_closes_repeatedly_at_one_instant_does_not_end_the_run() {
 #[test]
 fn a_switch_that_never_settles_is_an_error() {
     let mut system = spec(SWITCHED);
-    system.bridges[0].scheme = Scheme::ParallelSshi { inversion: 1.0 };
+    system.bridges[0].scheme = RectifierScheme::ParallelSshi { inversion: 1.0 };
     let kernel = kernel(system);
     let start = jounce_analysis::run::StartState::rest(&kernel.plant);
     let mut integrator = Integrator::new(

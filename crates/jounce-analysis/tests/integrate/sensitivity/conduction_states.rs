@@ -6,13 +6,13 @@ use crate::circuits::cell::{cell, lossy_with_stop};
 use crate::plants::kernel;
 use jounce_dynamics::{FlowSensitivity, Integrator, Kernel, ParameterSensitivity};
 use jounce_model::contact::{KelvinVoigt, Law, Rigid};
-use jounce_model::plant::{Scheme, Storage, System};
+use jounce_model::plant::{RectifierScheme, Storage, System};
 
-const SCHEMES: [Scheme; 4] = [
-    Scheme::Standard,
-    Scheme::ParallelSshi { inversion: 0.6 },
-    Scheme::SeriesSshi { inversion: 0.6 },
-    Scheme::Extraction { efficiency: 0.9 },
+const SCHEMES: [RectifierScheme; 4] = [
+    RectifierScheme::Standard,
+    RectifierScheme::ParallelSshi { inversion: 0.6 },
+    RectifierScheme::SeriesSshi { inversion: 0.6 },
+    RectifierScheme::Extraction { efficiency: 0.9 },
 ];
 
 const CAPACITOR: Storage = Storage::Capacitor {
@@ -55,7 +55,7 @@ fn sensitivity_errors(kernel: &Kernel) -> (f64, f64, usize, u64) {
     )
 }
 
-fn without_stop(scheme: Scheme, storage: Storage) -> System {
+fn without_stop(scheme: RectifierScheme, storage: Storage) -> System {
     let mut system = lossy_with_stop(scheme, storage);
     system.stops.clear();
     system
@@ -80,7 +80,7 @@ fn diodes_and_switches() {
 /// and their current jumps.
 #[test]
 fn diodes_that_conduct_at_once_after_a_switch() {
-    let mut system = without_stop(Scheme::ParallelSshi { inversion: 0.9 }, CAPACITOR);
+    let mut system = without_stop(RectifierScheme::ParallelSshi { inversion: 0.9 }, CAPACITOR);
     system.bridges[0].diode_ohm = 1.0;
     let kernel = kernel(system);
     let (error, rate, changes, _) = sensitivity_errors(&kernel);
@@ -160,7 +160,7 @@ fn determinant_of_a_switch() {
         theta,
         0.0,
         0.8,
-        Scheme::ParallelSshi { inversion },
+        RectifierScheme::ParallelSshi { inversion },
         Storage::Battery { voltage_v: 1e3 },
     ));
     let y = kernel.plant.from_physical(&[0.3, 0.2, -0.1], 0.0);

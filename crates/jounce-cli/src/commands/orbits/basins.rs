@@ -44,7 +44,7 @@ impl Basins {
         }
         match self.output.json {
             true => print(&output::to_json(&result)?),
-            false => print_lines(&result),
+            false => print_result(&result)?,
         }
         interruption::end(&control, || {
             format!("{} of {} starts", result.finished, result.starts)
@@ -67,25 +67,12 @@ impl Basins {
     }
 }
 
-/// Prints the result as lines of text.
-fn print_lines(result: &BasinsResult) {
-    line("attractor      period  contacts    mean_power_w  share (95 %)");
-    for attractor in &result.attractors {
-        let mirror = attractor.mirror_of.as_ref();
-        let mirror = mirror.map_or_else(String::new, |id| format!("  mirror image of {id}"));
-        line(format!(
-            "{:<13} {:>7} {:>9}    {:.6e}  {:.3} ({:.3} to {:.3}){mirror}",
-            attractor.id,
-            attractor.period_cycles,
-            attractor.contacts_per_period,
-            attractor.mean_power_w,
-            attractor.fraction,
-            attractor.fraction_low,
-            attractor.fraction_high
-        ));
-    }
+/// Prints the table of the attractors, and the expected power.
+fn print_result(result: &BasinsResult) -> Result<(), Failure> {
+    output::print_table(&result.table()?);
     line(format!(
         "expected power {:.6e} W ({:.3e} to {:.3e})",
         result.expected_power_w, result.expected_power_low_w, result.expected_power_high_w
     ));
+    Ok(())
 }

@@ -1,6 +1,6 @@
 //! `jounce check SPEC`
 
-use crate::failure::{Failure, fault_line};
+use crate::failure::{Failure, fault_lines};
 use crate::output::{self, line, print};
 use crate::spec_arguments::SpecArguments;
 use clap::Args;
@@ -21,12 +21,9 @@ impl Check {
     pub fn run(&self) -> Result<(), Failure> {
         let harvester = match self.spec.harvester() {
             Err(Failure::Faults(path, faults)) if self.json => {
-                faults
-                    .iter()
-                    .for_each(|fault| eprintln!("{}", fault_line(&path, fault)));
+                let text = fault_lines(&path, &faults);
                 print(&output::to_json(&CheckResult::invalid(faults))?);
-                // The faults are printed; only the exit code remains.
-                std::process::exit(4);
+                return Err(Failure::InvalidSpec(text));
             }
             result => result?,
         };

@@ -25,7 +25,7 @@ pub struct Bridge {
     /// Connection of several patches.
     pub wiring: Wiring,
     /// Extraction scheme.
-    pub scheme: Scheme,
+    pub scheme: RectifierScheme,
     /// Storage.
     pub storage: Storage,
     /// Total drop of the two diodes of a path, V.
@@ -40,7 +40,7 @@ pub struct Bridge {
 
 /// Extraction scheme of the charge of the patches.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Scheme {
+pub enum RectifierScheme {
     /// Through the diodes only.
     Standard,
     /// Through the diodes; at each extremum of the displaced charge a switch inverts the voltage,
@@ -123,7 +123,7 @@ impl Bridge {
 
     /// True if a switch acts at extrema.
     pub fn has_switch(&self) -> bool {
-        !matches!(self.scheme, Scheme::Standard)
+        !matches!(self.scheme, RectifierScheme::Standard)
     }
 
     /// Returns the number of states, and the index of the current one.
@@ -143,13 +143,13 @@ impl Bridge {
 
 impl System {
     /// Returns the number of conduction states of all bridges together.
-    pub fn regimes(&self) -> usize {
+    pub fn conduction_states(&self) -> usize {
         self.bridges.iter().map(Bridge::states).product()
     }
 
     /// Returns the index of the conduction state for given states of the bridges; 0 is the one with
     /// all bridges blocked.
-    pub fn regime(&self, states: &[BridgeState]) -> usize {
+    pub fn conduction_state(&self, states: &[BridgeState]) -> usize {
         self.bridges
             .iter()
             .zip(states)
@@ -159,8 +159,8 @@ impl System {
     }
 
     /// Returns the states of the bridges in a conduction state.
-    pub fn bridge_states(&self, regime: usize) -> Vec<BridgeState> {
-        let mut rest = regime;
+    pub fn bridge_states(&self, conduction_state: usize) -> Vec<BridgeState> {
+        let mut rest = conduction_state;
         let mut states: Vec<BridgeState> = (self.bridges.iter().rev())
             .map(|bridge| {
                 let state_index = rest % bridge.states();
@@ -185,12 +185,12 @@ impl System {
     /// Returns the system in a conduction state. While diodes conduct, the voltage of their patches
     /// is measured from its equilibrium value at the threshold, which acts on the structure as a
     /// constant force.
-    pub fn in_regime(&self, regime: usize) -> Self {
+    pub fn in_conduction_state(&self, conduction_state: usize) -> Self {
         let mut system = self.clone();
         system
             .bridges
             .iter_mut()
-            .zip(self.bridge_states(regime))
+            .zip(self.bridge_states(conduction_state))
             .for_each(|(bridge, state)| bridge.state = state);
         let electrical = Electrical::of(&system);
         for (number, bridge) in self.bridges.iter().enumerate() {
@@ -217,7 +217,7 @@ impl System {
 mod tests {
     use super::*;
 
-    fn bridge(scheme: Scheme) -> Bridge {
+    fn bridge(scheme: RectifierScheme) -> Bridge {
         Bridge {
             name: "b".into(),
             connections: Vec::new(),
@@ -232,18 +232,19 @@ mod tests {
     }
 
     #[test]
-    fn regimes_are_numbered_without_gap() {
+    fn conduction_states_are_numbered_without_gap() {
         let bridges = vec![
-            bridge(Scheme::Standard),
-            bridge(Scheme::ParallelSshi { inversion: 0.5 }),
-            bridge(Scheme::Standard),
+            bridge(RectifierScheme::Standard),
+            bridge(RectifierScheme::ParallelSshi { inversion: 0.5 }),
+            bridge(RectifierScheme::Standard),
         ];
         let system = System {
             bridges,
             ..System::default()
         };
-        assert_eq!(system.regimes(), 54);
-        assert!((0..54).all(|regime| system.regime(&system.bridge_states(regime)) == regime));
+        assert_eq!(system.conduction_states(), 54);
+        let is_found = |index| system.conduction_state(&system.bridge_states(index)) == index;
+        assert!((0..54).all(is_found));
         assert!(
             system
                 .bridge_states(0)

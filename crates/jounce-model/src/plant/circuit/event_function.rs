@@ -1,6 +1,6 @@
 //! Events and metered outputs of a bridge, as outputs of the plant.
 
-use crate::plant::{Bridge, Conduction, Leak, Plant, Port, Scheme, Storage, System};
+use crate::plant::{Bridge, Conduction, Leak, Plant, Port, RectifierScheme, Storage, System};
 
 /// Event that changes a bridge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -55,7 +55,10 @@ pub struct PowerOutput {
 impl Bridge {
     /// Returns the possible next changes of the bridge.
     pub fn changes(&self) -> Vec<BridgeChange> {
-        let diodes = matches!(self.scheme, Scheme::Standard | Scheme::ParallelSshi { .. });
+        let diodes = matches!(
+            self.scheme,
+            RectifierScheme::Standard | RectifierScheme::ParallelSshi { .. }
+        );
         let mut changes = match self.state.conduction {
             Conduction::Blocked if diodes => {
                 vec![

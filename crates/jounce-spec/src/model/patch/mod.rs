@@ -6,7 +6,7 @@ mod pores;
 
 pub use electrodes::Electrodes;
 pub use foils::PatchFoils;
-pub use pores::{Composite, PatchPores, PoreShape, PorosityScheme};
+pub use pores::{Composite, PatchPores, PoreShape};
 
 /// A piezoelectric patch bonded to one face of a beam.
 #[derive(Debug, Clone, PartialEq)]

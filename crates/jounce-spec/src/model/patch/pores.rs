@@ -1,7 +1,7 @@
 //! `[patch.NAME]`: pores of the material.
 
 use crate::material;
-use crate::material::porous::{PoreGeometry, Scheme};
+use crate::material::porous::{PoreGeometry, PorosityScheme};
 
 /// Porosity of a patch and the related keys.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -44,16 +44,6 @@ pub enum PoreShape {
     Cylinders,
 }
 
-/// Homogenisation scheme.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum PorosityScheme {
-    /// `"mori-tanaka"`: each pore in the mean field of the matrix.
-    #[default]
-    MoriTanaka,
-    /// `"self-consistent"`: each pore in the effective composite.
-    SelfConsistent,
-}
-
 impl PatchPores {
     /// Returns the composite of these pores in a library material, for which all constants must be
     /// known (see [`material::full_constants`]).
@@ -65,11 +55,7 @@ impl PatchPores {
             PoreShape::Spheroids => PoreGeometry::Spheroids(self.aspect_ratio?),
             PoreShape::Cylinders => PoreGeometry::Cylinders,
         };
-        let scheme = match self.scheme {
-            PorosityScheme::MoriTanaka => Scheme::MoriTanaka,
-            PorosityScheme::SelfConsistent => Scheme::SelfConsistent,
-        };
-        let ceramic = dense.porous(porosity, pores, scheme)?.ceramic();
+        let ceramic = dense.porous(porosity, pores, self.scheme)?.ceramic();
         Some(Composite {
             youngs_modulus_pa: ceramic.youngs_modulus_pa(),
             density_kg_m3: (1.0 - porosity) * material.density_kg_m3,

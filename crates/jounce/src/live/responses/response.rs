@@ -13,8 +13,8 @@ use jounce_spec::NumericKey;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
-/// Largest number of values at which isolated branches are sought.
-const MAX_SEEDS: usize = 1000;
+/// Largest number of seeds of a response that the user waits for.
+const MAX_LIVE_SEEDS: usize = 1000;
 
 /// Options of [`LiveAnalysis::fine_response`]. Its defaults are coarser than those of `jounce
 /// branch`, so that the response of a slider arrives within a few seconds.
@@ -43,8 +43,8 @@ impl Default for ResponseOptions {
 impl ResponseOptions {
     fn check(&self) -> Result<(), Error> {
         check_tolerance(self.tolerance)?;
-        if self.seeds > MAX_SEEDS {
-            let expected = format!("it must be at most {MAX_SEEDS}");
+        if self.seeds > MAX_LIVE_SEEDS {
+            let expected = format!("it must be at most {MAX_LIVE_SEEDS}");
             return Err(Error::option("seeds", self.seeds, expected));
         }
         if self.longest_period == 0 {

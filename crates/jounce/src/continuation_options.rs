@@ -3,12 +3,9 @@
 use crate::error::Error;
 use crate::harvester::Harvester;
 use crate::options::{check_tolerance, range_error};
-use jounce_analysis::QuantityLevel;
+use jounce_analysis::{BranchSearch, QuantityLevel};
 use jounce_model::plant::Plant;
 use jounce_spec::{KeyRange, NumericKey};
-
-/// Largest number of values at which integrations search for orbits.
-const MAX_SEEDS: usize = 100_000;
 
 /// Reads `KEY=FROM:TO` of an option: the key, and the ends of its range, SI.
 pub(crate) fn range(
@@ -59,8 +56,8 @@ pub(crate) fn check_continuous(
 /// Checks the options of the search for the first orbits.
 pub(crate) fn check_search(tolerance: f64, seeds: usize, longest_period: u32) -> Result<(), Error> {
     check_tolerance(tolerance)?;
-    if seeds > MAX_SEEDS {
-        let expected = format!("it must be at most {MAX_SEEDS}");
+    if seeds > BranchSearch::MAX_SEEDS {
+        let expected = format!("it must be at most {}", BranchSearch::MAX_SEEDS);
         return Err(Error::option("seeds", seeds, expected));
     }
     if longest_period == 0 {

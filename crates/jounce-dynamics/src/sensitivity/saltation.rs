@@ -1,4 +1,4 @@
-//! Derivatives at events at the surface of a stop.
+//! Derivatives at events at the surface of a stop (saltation).
 
 use super::linearization::Linearization;
 use super::tangents::scale;

@@ -12,7 +12,7 @@ use std::f64::consts::{FRAC_1_SQRT_2, TAU};
 
 /// A stationary Gaussian displacement and a level.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Crossing {
+pub struct LevelCrossing {
     /// `m`, m.
     pub mean_m: f64,
     /// `s`, m.
@@ -23,7 +23,7 @@ pub struct Crossing {
     pub level_m: f64,
 }
 
-impl Crossing {
+impl LevelCrossing {
     /// Returns the upward crossings per second, Hz; 0 for a displacement at rest.
     pub fn rate_hz(&self) -> f64 {
         if self.deviation_m == 0.0 {
