@@ -4,7 +4,7 @@ use super::Integrator;
 use crate::error::IntegrationError;
 use crate::multi_port::AdvanceMultiPort;
 use crate::ports::state::ContactState;
-use jounce_model::contact::{Hertz, Law, Rigid};
+use jounce_model::contact::{ContactLaw, Hertz, Law, Rigid};
 use jounce_simd::{Simd, Task, widest};
 
 /// Polls of the control between two callbacks.
@@ -34,18 +34,20 @@ impl Integrator<'_> {
                 end_s,
             });
         }
-        let no_stop = Law::Hertz(Hertz {
-            stiffness: 0.0,
-            exponent: 1.0,
-        });
-        let stop = self.kernel.plant.system.stops.first();
-        match stop.map_or(no_stop, |stop| stop.law) {
-            Law::Rigid(law) => widest(AdvanceRigid {
-                integrator: self,
-                law,
+        let law = self.kernel.plant.system.stops.first().map(|stop| stop.law);
+        match law {
+            None => self.dispatch(
+                Hertz {
+                    stiffness: 0.0,
+                    exponent: 1.0,
+                },
                 end_s,
-            }),
-            law => widest(Advance {
+            ),
+            Some(Law::Hertz(law)) => self.dispatch(law, end_s),
+            Some(Law::KelvinVoigt(law)) => self.dispatch(law, end_s),
+            Some(Law::HuntCrossley(law)) => self.dispatch(law, end_s),
+            Some(Law::Cubic(law)) => self.dispatch(law, end_s),
+            Some(Law::Rigid(law)) => widest(AdvanceRigid {
                 integrator: self,
                 law,
                 end_s,
@@ -102,16 +104,24 @@ impl Integrator<'_> {
             Ok(())
         }
     }
+
+    fn dispatch<L: ContactLaw>(&mut self, law: L, end_s: f64) -> Result<(), IntegrationError> {
+        widest(Advance {
+            integrator: self,
+            law,
+            end_s,
+        })
+    }
 }
 
 /// Runs the loop in code compiled for the vector instructions of this machine.
-struct Advance<'m, 'k> {
+struct Advance<'m, 'k, L> {
     integrator: &'m mut Integrator<'k>,
-    law: Law,
+    law: L,
     end_s: f64,
 }
 
-impl Task for Advance<'_, '_> {
+impl<L: ContactLaw> Task for Advance<'_, '_, L> {
     type Output = Result<(), IntegrationError>;
 
     /// Alternates flight and contact until the end.

@@ -121,7 +121,8 @@ fn determinant_is_that_of_the_plant() {
         .iter()
         .map(|value| value.re)
         .sum();
-    let jacobian_error = jounce_linalg::determinant(&sensitivity.jacobian) / (trace * period_s).exp() - 1.0;
+    let jacobian_error =
+        jounce_linalg::determinant(&sensitivity.jacobian) / (trace * period_s).exp() - 1.0;
     eprintln!("determinant: {jacobian_error:.1e}");
     assert!(jacobian_error.abs() < 1e-6, "{jacobian_error:e}");
 }
