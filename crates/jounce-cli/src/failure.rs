@@ -23,7 +23,7 @@ pub enum Failure {
     Usage(String),
     /// Faults in a spec: exit code 4.
     Faults(PathBuf, Vec<Fault>),
-    /// Faults in a spec, already printed as JSON: exit code 4.
+    /// Faults in a spec, one a line, printed as they are: exit code 4.
     InvalidSpec(String),
     /// Invalid input of another kind, or an output that cannot be written: exit code 4.
     Input(String),
