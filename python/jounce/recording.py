@@ -133,10 +133,10 @@ class Recording(Result):
         return {"name": self.name, "over": self.over, "places": self.places, "step": self.step, "channels": channels}
 
     def _sha256(self) -> str:
-        digest = hashlib.sha256(self.places.tobytes())
+        digest = hashlib.sha256(np.ascontiguousarray(self.places).data)
         for one in self.channels:
             digest.update(f"{one.name}\0{one.unit}\0".encode())
-            digest.update(one.values.tobytes())
+            digest.update(np.ascontiguousarray(one.values).data)
         return digest.hexdigest()
 
     def even(self) -> Self:

@@ -87,7 +87,7 @@ CALLS = {
     "noise of a long run": ('jounce.examples()["random-base"].changed({"run.duration": "100000 s"}).run()', 0.5, "0"),
     "power": (
         'jounce.power(np.tile(np.sin(0.05 * np.arange(1000.0)), 20000), "1 Mohm", sample_rate_hz=1536.0, drive="13.5 Hz")',
-        2.0,
+        5.0,
         "0",
     ),
     "basins": ("basins(starts=100000, threads=2)", 3.0, "(stopped.result.attractor_index >= 0).sum()"),
