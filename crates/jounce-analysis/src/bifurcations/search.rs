@@ -46,7 +46,7 @@ const SAME_POWER_SHARE: f64 = 0.05;
 const NEWTON_GOAL_FACTOR: f64 = 1e3;
 
 impl BifurcationSearch<'_> {
-    /// Value of [`Self::seeds`] where not given.
+    /// Value of `seeds` where not given.
     pub const DEFAULT_SEEDS: usize = 4;
 
     /// Finds and follows the curves; after cancellation returns the finished ones.
