@@ -11,10 +11,10 @@ const DECOUPLED_BLOCK: f64 = 1e-10;
 const BALANCING_ROUNDS: usize = 4;
 
 /// Returns the map with each state scaled by a power of two, so that its row and its column have
-/// about equal lengths (without the diagonal).
-pub fn balanced(map: &Mat<f64>) -> Mat<f64> {
+/// about equal lengths (without the diagonal), and the scales `d`: `m_ij d_j / d_i`.
+pub fn balanced(map: &Mat<f64>) -> (Mat<f64>, Vec<f64>) {
     let n = map.nrows();
-    let mut balanced = map.clone();
+    let (mut balanced, mut scales) = (map.clone(), vec![1.0; n]);
     for _ in 0..BALANCING_ROUNDS {
         let mut is_even = true;
         for i in 0..n {
@@ -24,6 +24,7 @@ pub fn balanced(map: &Mat<f64>) -> Mat<f64> {
                 continue;
             }
             is_even = false;
+            scales[i] *= factor;
             balanced
                 .col_as_slice_mut(i)
                 .iter_mut()
@@ -34,7 +35,7 @@ pub fn balanced(map: &Mat<f64>) -> Mat<f64> {
             break;
         }
     }
-    balanced
+    (balanced, scales)
 }
 
 /// Returns the sums of the magnitudes in a row and in a column, without the diagonal.

@@ -22,15 +22,21 @@ use jounce_linalg::{Eigen, complex_solve, eigen};
 /// Returns the eigenvalues of a period map, largest modulus first; `None` where they do not
 /// converge.
 pub fn multipliers(map: &Mat<f64>) -> Option<Vec<c64>> {
-    let balanced = balanced(map);
+    let (balanced, _) = balanced(map);
     let (blocks, rest) = blocks(&balanced);
-    let mut values: Vec<c64> = blocks
-        .into_iter()
-        .flat_map(|block| block_eigenvalues(&balanced, block))
-        .collect();
-    values.extend(jounce_linalg::eigenvalues(&part(&balanced, &rest))?);
+    let values = jounce_linalg::eigenvalues(&part(&balanced, &rest))?;
+    Some(with_blocks(&balanced, blocks, values))
+}
+
+/// Returns eigenvalues together with those of decoupled blocks, largest modulus first.
+fn with_blocks(map: &Mat<f64>, blocks: Vec<[usize; 2]>, mut values: Vec<c64>) -> Vec<c64> {
+    values.extend(
+        blocks
+            .into_iter()
+            .flat_map(|block| block_eigenvalues(map, block)),
+    );
     values.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
-    Some(values)
+    values
 }
 
 /// Eigenvalue of a diagonal block of a map, with a radius about zero that bounds every multiplier
@@ -49,7 +55,7 @@ pub struct EigenvalueDisc {
 /// Returns one disc for each diagonal block of a map in block coordinates; the first `pairs` blocks
 /// have two states.
 pub fn discs(map: &Mat<f64>, pairs: usize) -> Vec<EigenvalueDisc> {
-    let (map, n) = (balanced(map), map.nrows());
+    let (map, n) = (balanced(map).0, map.nrows());
     let blocks = (0..pairs)
         .map(|k| [2 * k, 2 * k + 1])
         .chain((2 * pairs..n).map(|k| [k, k]));
@@ -77,33 +83,54 @@ pub fn discs(map: &Mat<f64>, pairs: usize) -> Vec<EigenvalueDisc> {
     blocks.flat_map(of_block).collect()
 }
 
-/// Eigenvalues and eigenvectors of a period map, without the decoupled fast blocks.
+/// Eigenvalues and eigenvectors of a period map. The eigenvectors leave out the decoupled fast
+/// blocks.
 #[derive(Debug, Clone)]
 pub struct Eigenbasis {
+    /// All eigenvalues, largest modulus first.
+    pub multipliers: Vec<c64>,
+    /// Scale of each state in the balanced map.
+    scales: Vec<f64>,
     /// Indices of the states that the basis spans.
     states: Vec<usize>,
-    /// Eigenvalues.
-    pub values: Vec<c64>,
+    /// Eigenvalues of the basis.
+    values: Vec<c64>,
     vectors: Mat<c64>,
-    inverse: Mat<c64>,
 }
 
 impl Eigenbasis {
-    /// Computes the basis of a map; `None` where the eigenvectors cannot be computed.
+    /// Computes the basis of a map; `None` where the eigenvalues do not converge.
     pub fn of(map: &Mat<f64>) -> Option<Self> {
-        Self::over(map, blocks(&balanced(map)).1)
-    }
-
-    fn over(map: &Mat<f64>, states: Vec<usize>) -> Option<Self> {
-        let n = states.len();
-        let Eigen { values, vectors } = eigen(&part(map, &states))?;
-        let inverse = complex_solve(&vectors, &Mat::identity(n, n));
+        let (balanced, scales) = balanced(map);
+        let (blocks, states) = blocks(&balanced);
+        let Eigen { values, vectors } = eigen(&part(&balanced, &states))?;
         Some(Self {
+            multipliers: with_blocks(&balanced, blocks, values.clone()),
+            scales,
             states,
             values,
             vectors,
-            inverse,
         })
+    }
+
+    /// Returns the basis of the same map over more states.
+    fn extended(&self, map: &Mat<f64>, more: &[usize]) -> Option<Self> {
+        let mut basis = self.clone();
+        basis.states.extend(more);
+        let Eigen { values, vectors } = eigen(&basis.part(map))?;
+        (basis.values, basis.vectors) = (values, vectors);
+        Some(basis)
+    }
+
+    /// Returns the rows and columns of another map for the states of the basis, in its scales.
+    fn part(&self, map: &Mat<f64>) -> Mat<f64> {
+        let mut part = part(map, &self.states);
+        for (j, to) in self.states.iter().enumerate() {
+            for (i, from) in self.states.iter().enumerate() {
+                part[(i, j)] *= self.scales[*to] / self.scales[*from];
+            }
+        }
+        part
     }
 
     /// Returns the couplings of the eigenvalues in another map `B`: `sqrt |C_ij C_ji|` with
@@ -125,13 +152,11 @@ impl Eigenbasis {
             .filter(|k| !self.states.contains(k))
             .collect();
         if !more.is_empty() {
-            return Self::over(map, [&self.states[..], &more].concat())?
-                .couplings(map, (other, beyond));
+            return self.extended(map, &more)?.couplings(map, (other, beyond));
         }
-        let n = self.states.len();
-        let values = part(beyond, &self.states);
+        let (n, values) = (self.states.len(), self.part(beyond));
         let complex = Mat::from_fn(n, n, |i, j| c64::new(values[(i, j)], 0.0));
-        let transformed = &self.inverse * (complex * &self.vectors);
+        let transformed = complex_solve(&self.vectors, &(complex * &self.vectors));
         Some((
             self.values.clone(),
             Mat::from_fn(n, n, |i, j| {
@@ -177,7 +202,7 @@ mod tests {
             [0.0, weak, 4e-4, 3e-4],
         ];
         let map = Mat::from_fn(4, 4, |i, j| rows[i][j]);
-        let (decoupled_blocks, rest) = blocks(&balanced(&map));
+        let (decoupled_blocks, rest) = blocks(&balanced(&map).0);
         assert!(
             decoupled_blocks.contains(&[2, 3]) && !rest.contains(&2),
             "{decoupled_blocks:?} {rest:?}"

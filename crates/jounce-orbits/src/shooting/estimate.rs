@@ -2,7 +2,6 @@
 
 use crate::{
     Orbit, OrbitError, ParametricModel, Shooting, ShootingEvaluation, displacement_peak_m,
-    multipliers,
 };
 use faer::{ColRef, c64};
 use jounce_continuation::Linearization;
@@ -19,12 +18,12 @@ impl<H: ParametricModel> Shooting<'_, H> {
         &self,
         evaluation: &ShootingEvaluation,
     ) -> Result<Orbit, OrbitError<H::Error>> {
-        let Some(multipliers) = multipliers(&evaluation.block_map) else {
+        let Some(basis) = evaluation.eigenbasis() else {
             return Err(OrbitError::Multipliers {
                 frequency_hz: f64::from(self.cycles) / evaluation.period_s,
             });
         };
-        Ok(evaluation.as_orbit(multipliers))
+        Ok(evaluation.as_orbit(basis.multipliers.clone()))
     }
 
     /// Estimates the error of an orbit near a shooting evaluation at its parameter: the larger

@@ -1,6 +1,7 @@
 //! Period integrated from one state.
 
 use crate::bordered::block_equations::{BlockEquations, EnergyCoordinates};
+use crate::orbit::multipliers::Eigenbasis;
 use faer::Mat;
 use jounce_continuation::{Direction, Linearization, Metric, Position, ResidualReport, tangent};
 use jounce_dynamics::{Kernel, Trajectory};
@@ -24,6 +25,8 @@ pub struct ShootingEvaluation {
     pub(crate) scale: Vec<f64>,
     /// Result of [`Self::map`], computed at the first call.
     pub(crate) map: OnceLock<Mat<f64>>,
+    /// Result of [`Self::eigenbasis`], computed at the first call.
+    pub(crate) eigenbasis: OnceLock<Option<Eigenbasis>>,
     /// `R_u` factored with the first requested border.
     pub(crate) equations: OnceLock<BlockEquations>,
     /// Period, s.
@@ -53,6 +56,13 @@ impl ShootingEvaluation {
                 full_map[(i, j)] * self.scale[i] / self.scale[j]
             })
         })
+    }
+
+    /// Returns the multipliers with their eigenvectors; `None` where they do not converge.
+    pub fn eigenbasis(&self) -> Option<&Eigenbasis> {
+        self.eigenbasis
+            .get_or_init(|| Eigenbasis::of(&self.block_map))
+            .as_ref()
     }
 
     /// Returns the Newton correction to the curve of orbits, normal to it, and its length relative

@@ -171,6 +171,7 @@ impl<H> Shooting<'_, H> {
             by_parameter: Vec::new(),
             scale: self.scale.clone(),
             map: OnceLock::new(),
+            eigenbasis: OnceLock::new(),
             equations: OnceLock::new(),
             period_s,
             keeps_charge: false,

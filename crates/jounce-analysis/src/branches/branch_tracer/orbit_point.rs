@@ -4,7 +4,7 @@ use super::tracer::BranchTracer;
 use crate::branches::branch::BranchPoint;
 use crate::branches::events::TestDataPair;
 use jounce_continuation::CurvePoint;
-use jounce_orbits::{Eigenbasis, OrbitMethod};
+use jounce_orbits::OrbitMethod;
 use std::sync::OnceLock;
 
 /// Point of a continuation with its orbit.
@@ -12,7 +12,6 @@ pub(in crate::branches) struct OrbitPoint<M: OrbitMethod> {
     pub step: CurvePoint<M::Evaluation>,
     pub point: BranchPoint,
     readings: OnceLock<Option<TestDataPair>>,
-    eigenbasis: OnceLock<Option<Eigenbasis>>,
 }
 
 impl<M: OrbitMethod> OrbitPoint<M> {
@@ -22,7 +21,6 @@ impl<M: OrbitMethod> OrbitPoint<M> {
             point: point(method, &step)?,
             step,
             readings: OnceLock::new(),
-            eigenbasis: OnceLock::new(),
         })
     }
 
@@ -37,12 +35,6 @@ impl<M: OrbitMethod> OrbitPoint<M> {
             )
         };
         self.readings.get_or_init(make).as_ref()
-    }
-
-    /// Returns the eigenvectors of its period map; computed on first use.
-    pub fn eigenbasis(&self, method: &M) -> &Option<Eigenbasis> {
-        self.eigenbasis
-            .get_or_init(|| Eigenbasis::of(&method.shot(&self.step.local).ok()?.block_map))
     }
 }
 

@@ -1,21 +1,33 @@
 //! Pairing of the elements of two lists, each with one partner at most.
 
-/// Returns pairs of indices of two lists with given lengths, lowest cost first. An element without
-/// a partner of finite cost stays alone.
+/// Returns pairs of indices of two lists with given lengths: the pair of lowest cost first, then that
+/// of the remaining elements, and so on; sorted by index. An element without a partner of finite cost
+/// stays alone.
+///
+/// Two elements that are each other's nearest are such a pair, whatever the others are.
 pub fn paired(from: usize, to: usize, cost: impl Fn(usize, usize) -> f64) -> Vec<(usize, usize)> {
-    let mut costs: Vec<(f64, usize, usize)> = (0..from)
-        .flat_map(|i| (0..to).map(move |j| (i, j)))
-        .map(|(i, j)| (cost(i, j), i, j))
-        .collect();
-    costs.retain(|(cost, ..)| cost.is_finite());
-    costs.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let (mut used_from, mut used_to) = (vec![false; from], vec![false; to]);
+    let costs: Vec<f64> = (0..from * to).map(|k| cost(k / to, k % to)).collect();
+    let (mut rows, mut columns): (Vec<usize>, Vec<usize>) =
+        ((0..from).collect(), (0..to).collect());
     let mut pairs = Vec::with_capacity(from.min(to));
-    for (_, i, j) in costs {
-        if !used_from[i] && !used_to[j] {
-            (used_from[i], used_to[j]) = (true, true);
-            pairs.push((i, j));
+    let nearest = |others: &[usize], cost: &dyn Fn(usize) -> f64| {
+        let finite = others.iter().copied().filter(|k| cost(*k).is_finite());
+        finite.min_by(|a, b| cost(*a).total_cmp(&cost(*b)))
+    };
+    loop {
+        let is_mutual =
+            |i: &usize, j: &usize| nearest(&rows, &|row| costs[row * to + j]) == Some(*i);
+        let found: Vec<(usize, usize)> = rows
+            .iter()
+            .filter_map(|i| Some((*i, nearest(&columns, &|column| costs[i * to + column])?)))
+            .filter(|(i, j)| is_mutual(i, j))
+            .collect();
+        if found.is_empty() {
+            break;
         }
+        rows.retain(|row| found.iter().all(|(i, _)| i != row));
+        columns.retain(|column| found.iter().all(|(_, j)| j != column));
+        pairs.extend(found);
     }
     pairs.sort_unstable();
     pairs

@@ -1,10 +1,10 @@
 //! Rule by which a step of a curve is accepted.
 
-use super::coupling::{Couplings, may_push_out};
+use super::coupling::{Couplings, Meeting, shifted};
 use super::interpolant::Interpolant;
 use super::spectrum::{
     MultiplierGroup, StepEnd, TestFunction, between, doubling, fold, groups, is_enclosed,
-    is_torus_crossing, torus,
+    is_torus_crossing, linked, torus,
 };
 use super::turning_points::{Extremum, extrema, may_touch_unseen};
 use crate::branches::branch::BranchKind;
@@ -14,6 +14,7 @@ use crate::branches::branch_tracer::tracer::BranchTracer;
 use jounce_continuation::{CurvePoint, HermiteSegment, Metric, correct, tangent};
 use jounce_orbits::OrbitMethod;
 use serde::Serialize;
+use std::cell::OnceCell;
 
 /// Largest number of halvings of one step; an interval not proved at a thousandth of it is listed.
 const MAX_STEP_HALVINGS: u32 = 10;
@@ -183,14 +184,13 @@ impl BranchTracer {
         // Without contacts and switches the multipliers are those of the plant, all inside the unit
         // circle.
         if !(one.current.is_free && two.current.is_free) {
-            let couplings = Self::couplings(method, before, after);
-            let is_tied = |one, two| {
-                couplings
-                    .as_ref()
-                    .is_none_or(|couplings| may_push_out(ends, couplings, one, two))
+            let couplings = OnceCell::new();
+            let couplings = || {
+                let make = || Self::couplings(method, before, after);
+                couplings.get_or_init(make).as_ref()
             };
             unproved.extend(
-                doubtful_multipliers(ends, is_tied)
+                doubtful_multipliers(ends, couplings)
                     .into_iter()
                     .filter(|kind| !(meets && *kind == BranchKind::BranchPoint)),
             );
@@ -234,11 +234,12 @@ impl BranchTracer {
         before: &OrbitPoint<M>,
         after: &OrbitPoint<M>,
     ) -> Option<[Couplings; 2]> {
-        let maps = [before, after].map(|point| method.shot(&point.step.local).ok());
-        let one = (&maps[0]?.block_map, before.eigenbasis(method));
-        let two = (&maps[1]?.block_map, after.eigenbasis(method));
-        let of = |point: &OrbitPoint<M>, maps| Couplings::of(&point.point.orbit.multipliers, maps);
-        Some([of(before, [one, two]), of(after, [two, one])])
+        let [one, two] = [before, after].map(|point| method.shot(&point.step.local).ok());
+        let (one, two) = (one?, two?);
+        Some([
+            Couplings::of(&before.point.orbit.multipliers, one, two),
+            Couplings::of(&after.point.orbit.multipliers, two, one),
+        ])
     }
 
     /// Returns the parameter's component of the tangent, by the cubic of the parameter.
@@ -257,15 +258,38 @@ impl BranchTracer {
     }
 }
 
-/// Returns the kinds for which multipliers may pass the critical value more than once.
-fn doubtful_multipliers(
+/// Returns the kinds for which multipliers may pass the critical value more than once: neither the
+/// functions of each pair with the error of its couplings, nor those of coupled pairs together prove
+/// that they do not.
+fn doubtful_multipliers<'c>(
     ends: [StepEnd; 2],
-    is_tied: impl Fn((usize, usize), (usize, usize)) -> bool,
+    couplings: impl Fn() -> Option<&'c [Couplings; 2]>,
 ) -> Vec<BranchKind> {
-    let groups: Vec<MultiplierGroup> = groups(ends, is_tied)
-        .into_iter()
-        .filter(|group| !is_enclosed(ends, group))
+    let pairs = linked(ends);
+    let meetings: Vec<Meeting> = (0..pairs.len())
+        .flat_map(|k| (0..k).map(move |other| (k, other)))
+        .filter_map(|(k, other)| Meeting::of(ends, &couplings, pairs[k], pairs[other]))
         .collect();
+    let is_tied = |one, two| meetings.iter().any(|meeting| meeting.is_of(one, two));
+    let separate = doubtful_groups(ends, groups(ends, &pairs, |_, _| false), &meetings);
+    if separate.is_empty() || meetings.is_empty() {
+        return separate;
+    }
+    let together = doubtful_groups(ends, groups(ends, &pairs, is_tied), &[]);
+    separate
+        .into_iter()
+        .filter(|kind| together.contains(kind))
+        .collect()
+}
+
+/// Returns the kinds for which groups of multipliers may pass the critical value more than once. The
+/// meetings are those of multipliers of different groups.
+fn doubtful_groups(
+    ends: [StepEnd; 2],
+    mut groups: Vec<MultiplierGroup>,
+    meetings: &[Meeting],
+) -> Vec<BranchKind> {
+    groups.retain(|group| !is_enclosed(ends, group));
     let kinds: [(BranchKind, TestFunction); 3] = [
         (BranchKind::PeriodDoubling, doubling),
         (BranchKind::BranchPoint, fold),
@@ -274,7 +298,8 @@ fn doubtful_multipliers(
     let is_doubtful = |kind: BranchKind, f: TestFunction| {
         let mut count = 0;
         for group in &groups {
-            let Some(readings) = between(ends, group, f).crossings() else {
+            let more = shifted(ends, group, f, meetings);
+            let Some(readings) = between(ends, group, f).crossings_within(more) else {
                 return true;
             };
             let crosses = if kind == BranchKind::NeimarkSacker && readings > 0 {

@@ -56,7 +56,7 @@ impl StepEnd<'_> {
     }
 
     /// Returns the index of the conjugate.
-    fn conjugate(&self, i: usize) -> usize {
+    pub fn conjugate(&self, i: usize) -> usize {
         let conjugate = self.value(i).conj();
         let distance = |j: &usize| (self.value(*j) - conjugate).norm();
         if conjugate.im == 0.0 {
@@ -179,17 +179,22 @@ impl LinkedMultiplier {
     }
 }
 
-/// Returns the groups between two ends. `is_tied` returns true for two complex multipliers, given
-/// by their indices at both ends, that belong to one group.
+/// Returns the multipliers between two ends, by their indices at both.
+pub(super) fn linked([a, b]: [StepEnd; 2]) -> Vec<(usize, usize)> {
+    let (from, to) = (LinkedMultiplier::all(a), LinkedMultiplier::all(b));
+    paired(from.len(), to.len(), |i, j| {
+        from[i].squared_distance(&to[j])
+    })
+}
+
+/// Returns the groups of linked multipliers between two ends. `is_tied` returns true for two complex
+/// multipliers, given by their indices at both ends, that belong to one group.
 pub(super) fn groups(
     ends: [StepEnd; 2],
+    pairs: &[(usize, usize)],
     is_tied: impl Fn((usize, usize), (usize, usize)) -> bool,
 ) -> Vec<MultiplierGroup> {
     let [a, b] = ends;
-    let (from, to) = (LinkedMultiplier::all(a), LinkedMultiplier::all(b));
-    let pairs = paired(from.len(), to.len(), |i, j| {
-        from[i].squared_distance(&to[j])
-    });
     // Index of the group of each pair.
     let mut group: Vec<usize> = (0..pairs.len()).collect();
     for (k, (i, j)) in pairs.iter().enumerate() {
@@ -290,7 +295,7 @@ mod tests {
             readings,
             length: to - from,
         });
-        (groups(ends, |_, _| false), readings.clone())
+        (groups(ends, &linked(ends), |_, _| false), readings.clone())
     }
 
     /// A pair that meets at -0.9, passes -1 on the real axis and returns: `mu^2 + 2 b mu + 0.9`
