@@ -11,12 +11,12 @@ use std::fs::File;
 use std::io::{BufWriter, Write as _};
 use std::path::{Path, PathBuf};
 
-/// Rows of a small and of a large file: 28 and 70 MB as text, 19 to 24 and 48 to 60 MB as numbers,
+/// Rows of a small and of a large file: 25 and 46 MB as text, 17 to 22 and 32 to 40 MB as numbers,
 /// all more than the 16 MiB held in memory.
-const ROWS: [usize; 2] = [600_000, 1_500_000];
+const ROWS: [usize; 2] = [540_000, 1_000_000];
 const RATE_HZ: f64 = 1000.0;
 /// Largest difference of the peaks of a large and a small file, bytes. In memory its numbers would
-/// need 29 to 36 MB more.
+/// need 15 to 18 MB more.
 const MORE: u64 = 8 << 20;
 /// Largest peak: 16 MiB of numbers, buffers, and memory of the allocator.
 const MOST: u64 = 48 << 20;

@@ -15,6 +15,7 @@ mod commands;
 mod specs;
 
 use block::{Block, blocks};
+use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 
 /// The root of the repository.
@@ -85,23 +86,16 @@ fn every_command_works() {
         selected.iter().any(|block| block.document == "README.md"),
         "README shows no command"
     );
-    let mut faults = Vec::new();
-    for document in documents() {
-        let blocks: Vec<&Block> = selected
+    // Each document has a folder of its own, so the documents run at once.
+    let by_document: Vec<&[Block]> = selected.chunk_by(|a, b| a.document == b.document).collect();
+    let faults = by_document.into_par_iter().flat_map_iter(|blocks| {
+        let folder = empty_folder(&blocks[0].document.replace('/', "-"));
+        commands::copy(&root().join("examples"), &folder.join("examples"));
+        blocks
             .iter()
-            .filter(|block| block.document == document)
-            .collect();
-        if !blocks.is_empty() {
-            let folder = empty_folder(&document.replace('/', "-"));
-            commands::copy(&root().join("examples"), &folder.join("examples"));
-            faults.extend(
-                blocks
-                    .into_iter()
-                    .flat_map(|block| commands::faults(block, &folder)),
-            );
-        }
-    }
-    assert_none(faults);
+            .flat_map(move |block| commands::faults(block, &folder))
+    });
+    assert_none(faults.collect());
 }
 
 #[test]

@@ -111,9 +111,18 @@ fn coverage_fractions(trials: u64) -> [f64; 5] {
     [a, b, c, d, further]
 }
 
+/// A fraction of 100 trials has a standard deviation of 2.2 %.
+#[test]
+fn intervals_of_95_percent_hold_the_truth() {
+    for share in coverage_fractions(100) {
+        assert!((0.89..=0.995).contains(&share), "{share}");
+    }
+}
+
 /// Measured: 95.5, 95.0, 95.3 and 95.3 % for the keys, 95.3 % of further measurements; each
 /// fraction is known to 1.1 %. In 4000 trials: 95.5, 94.3, 94.9, 95.5 and 94.7 %.
 #[test]
+#[ignore = "400 trials; 100 of them in every run"]
 fn intervals_of_95_percent_hold_the_truth_in_95_percent_of_400_trials() {
     for share in coverage_fractions(400) {
         assert!((0.92..=0.98).contains(&share), "{share}");

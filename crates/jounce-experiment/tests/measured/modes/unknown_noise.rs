@@ -7,9 +7,9 @@ use jounce_identification::modal::{
 use jounce_signal::RandomStream;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
+use std::ops::RangeInclusive;
 
 const TRUTH: [(f64, f64); 2] = [(62.0, 0.02), (110.0, 0.012)];
-const TRIALS: u64 = 200;
 
 /// Shapes of the two modes at four places, force at the first.
 fn exact(output: usize, reference: usize, frequency_hz: f64) -> c64 {
@@ -74,8 +74,9 @@ fn trial(outputs: usize, references: usize, noise: Noise, seed: u64) -> Identifi
     identify(&band, ModalSettings { order: 12 }).expect("modes")
 }
 
-/// Fractions of trials in which the intervals contain frequencies and damping ratios.
-fn coverage_fractions(name: &str, outputs: usize, references: usize, noise: Noise) {
+/// Checks the fractions of trials in which the intervals contain frequencies and damping ratios.
+fn check_fractions(case: &Case, trials: u64, allowed: &RangeInclusive<f64>) {
+    let (name, outputs, references, noise) = *case;
     let errors_of = |seed| {
         let identification = trial(outputs, references, noise, seed);
         TRUTH.map(|(hz, ratio)| {
@@ -91,88 +92,54 @@ fn coverage_fractions(name: &str, outputs: usize, references: usize, noise: Nois
             })
         })
     };
-    let errors: Vec<[[f64; 2]; 2]> = (0..TRIALS).into_par_iter().map(errors_of).collect();
+    let errors: Vec<[[f64; 2]; 2]> = (0..trials).into_par_iter().map(errors_of).collect();
     let inside = |mode: usize, number: usize| {
         errors
             .iter()
             .filter(|trial| trial[mode][number].abs() <= 1.0)
             .count() as f64
-            / TRIALS as f64
+            / trials as f64
     };
     let each = [0, 1].map(|mode| [inside(mode, 0), inside(mode, 1)]);
     let mean = each.iter().flatten().sum::<f64>() / 4.0;
     eprintln!("{name}: {mean:.3} inside; {each:.3?}");
-    assert!((0.92..=0.98).contains(&mean), "{name}: {mean} {each:?}");
+    assert!(allowed.contains(&mean), "{name}: {mean} {each:?}");
+}
+
+/// Name of a test, its outputs and references, and their noise.
+type Case = (&'static str, usize, usize, Noise);
+
+fn noise(sensor: f64, response: f64, force: f64) -> Noise {
+    Noise {
+        sensor,
+        response,
+        force,
+    }
+}
+
+fn check_all(trials: u64, allowed: RangeInclusive<f64>) {
+    let cases: [Case; 6] = [
+        ("1 response, sensor", 1, 1, noise(0.03, 0.0, 0.0)),
+        ("4 responses, sensor", 4, 1, noise(0.03, 0.0, 0.0)),
+        ("1 response, growing", 1, 1, noise(0.0, 0.03, 0.0)),
+        ("4 responses, growing", 4, 1, noise(0.003, 0.03, 0.0)),
+        ("4 responses, force", 4, 1, noise(0.003, 0.0, 0.03)),
+        ("4 responses to 2 forces", 4, 2, noise(0.003, 0.0, 0.03)),
+    ];
+    for case in &cases {
+        check_fractions(case, trials, &allowed);
+    }
+}
+
+/// A fraction of 80 numbers has a standard deviation of 2.4 %: too few to find intervals that are
+/// too wide.
+#[test]
+fn intervals_hold_the_truth_without_noise_information() {
+    check_all(20, 0.88..=1.0);
 }
 
 #[test]
-fn intervals_hold_the_truth_under_noise_of_the_sensors() {
-    coverage_fractions(
-        "1 response, sensor",
-        1,
-        1,
-        Noise {
-            sensor: 0.03,
-            response: 0.0,
-            force: 0.0,
-        },
-    );
-    coverage_fractions(
-        "4 responses, sensor",
-        4,
-        1,
-        Noise {
-            sensor: 0.03,
-            response: 0.0,
-            force: 0.0,
-        },
-    );
-}
-
-#[test]
-fn intervals_hold_the_truth_under_noise_that_grows_with_the_response() {
-    coverage_fractions(
-        "1 response, growing",
-        1,
-        1,
-        Noise {
-            sensor: 0.0,
-            response: 0.03,
-            force: 0.0,
-        },
-    );
-    coverage_fractions(
-        "4 responses, growing",
-        4,
-        1,
-        Noise {
-            sensor: 0.003,
-            response: 0.03,
-            force: 0.0,
-        },
-    );
-}
-
-#[test]
-fn intervals_hold_the_truth_under_noise_that_responses_share() {
-    coverage_fractions(
-        "4 responses, force",
-        4,
-        1,
-        Noise {
-            sensor: 0.003,
-            response: 0.0,
-            force: 0.03,
-        },
-    );
-    coverage_fractions(
-        "4 responses to 2 forces",
-        4,
-        2,
-        Noise {
-            sensor: 0.003,
-            response: 0.0,
-            force: 0.03,
-        },
-    );
+#[ignore = "200 trials; 20 of them in every run"]
+fn intervals_hold_the_truth_without_noise_information_in_200_trials() {
+    check_all(200, 0.92..=0.98);
 }
