@@ -7,9 +7,7 @@
 >>> print(run.mean_power_w, run.settled)  # doctest: +SKIP
 """
 
-from __future__ import annotations
-
-from os import PathLike
+from os import PathLike as _PathLike
 
 from ._core import VERSION as __version__
 from .basins import BasinsResult
@@ -29,6 +27,7 @@ from .errors import (
     IntegrationError,
     Interrupted,
     JounceError,
+    NotSettled,
     OrbitError,
     PlantError,
     RecordingError,
@@ -106,6 +105,7 @@ __all__ = [
     "ModeShape",
     "ModesResult",
     "NoiseResult",
+    "NotSettled",
     "OrbitError",
     "Patch",
     "PlantError",
@@ -156,6 +156,6 @@ __all__ = [
 ]
 
 
-def read(path: str | PathLike[str]) -> Spec:
+def read(path: str | _PathLike[str]) -> Spec:
     """Reads the spec of a harvester from a TOML file."""
     return Spec.read(path)

@@ -10,7 +10,8 @@ import numpy as np
 
 from . import _core
 from .errors import ArgumentError, Fault, SpecError
-from .quantity import is_quantity, plain, span, texts_of, toml
+from .quantity import is_quantity, plain, toml
+from .ranges import span, values_si
 
 #: Largest value of a count or a seed.
 MAX_INTEGER = 2**32 - 1
@@ -57,7 +58,7 @@ def optional_range_si(kind: str, value: Any, what: str) -> tuple[float, float] |
     """Returns the two ends of a range in SI units, or ``None`` where no range is given."""
     if value is None:
         return None
-    low, high = (to_si(kind, end, what) for end in span(value, what))
+    low, high = (to_si(kind, end, what) for end in span(value, None, what).split(":"))
     return low, high
 
 
@@ -93,15 +94,9 @@ def rate_hz(value: Any) -> float:
     return rate
 
 
-def frequencies(value: Any) -> list[float] | None:
-    """Returns frequencies, Hz, or ``None`` where none is given."""
-    if value is None:
-        return None
-    texts = texts_of(value, "frequency") if is_quantity(value) else plain(value, "frequency")
-    items = texts if isinstance(texts, list) else [texts]
-    if not items:
-        raise ArgumentError("frequency is an empty list; give at least one frequency")
-    return [to_si("frequency", item, "frequency") for item in items]
+def frequencies(value: Any, unit: Any) -> list[float] | None:
+    """Returns the frequencies of a range, Hz, or ``None`` where none is given."""
+    return None if value is None else values_si("frequency", value, unit, "frequency")
 
 
 def optional_hz(value: Any, what: str) -> float | None:

@@ -1,7 +1,8 @@
-"""Exceptions of jounce, which carry the numbers of their messages."""
+"""Exceptions of jounce, which carry the numbers of their messages, and its warning."""
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,6 +16,7 @@ __all__ = [
     "Interrupted",
     "JounceError",
     "IntegrationError",
+    "NotSettled",
     "OrbitError",
     "PlantError",
     "RecordingError",
@@ -66,8 +68,8 @@ class FileError(JounceError, OSError):
         self.errno = self.details.get("errno")
 
 
-class UnknownKeyError(JounceError, KeyError):
-    """A key that a spec does not have; ``details`` holds the key and the ``nearest`` existing one."""
+class UnknownKeyError(ArgumentError, KeyError):
+    """A name that a mapping does not have: a key of a spec, a channel, an example; ``details`` holds it and the ``nearest`` one."""
 
     # A KeyError would print its message in quotes, as the name of a key.
     __str__ = Exception.__str__
@@ -128,3 +130,12 @@ class Interrupted(KeyboardInterrupt):
     def __init__(self, result: Any = None) -> None:
         super().__init__("interrupted; the finished part is in `result`" if result is not None else "interrupted")
         self.result = result
+
+
+class NotSettled(UserWarning):
+    """Warning that a run, or points of a sweep or study, have not reached steady state: their means are those of a transient."""
+
+
+def warn_not_settled(message: str) -> None:
+    """Warns at the place from which a method of the package was called."""
+    warnings.warn(f"{message}; the means are those of a transient: give a longer run.duration", NotSettled, stacklevel=3)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from . import _core
-from .errors import ArgumentError
+from .named import look_up
 from .spec import Spec
 
 
@@ -17,11 +17,7 @@ class Examples(Mapping[str, Spec]):
         self._texts = dict(named_texts)
 
     def __getitem__(self, name: str) -> Spec:
-        if name not in self._texts:
-            raise ArgumentError(
-                f"{name}: no such example; use one of {', '.join(self._texts)}", {"wanted": name, "known": list(self._texts)}
-            )
-        return Spec(self._texts[name])
+        return Spec(look_up(self._texts, name, "example"))
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._texts)
@@ -31,6 +27,9 @@ class Examples(Mapping[str, Spec]):
 
     def __contains__(self, name: object) -> bool:
         return name in self._texts
+
+    def _ipython_key_completions_(self) -> list[str]:
+        return list(self)
 
     def __repr__(self) -> str:
         return f"<jounce.examples: {', '.join(self._texts)}>"

@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Mapping
 from typing import Any, Self
 
 import numpy as np
 
-from .errors import ArgumentError
+from .named import Named
 from .result import Complexes, Floats, Result, Variable
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class FrfResult(Result):
+class FrfResult(Result, Named[Complexes]):
     """Frequency responses without contact, per newton at a point or per m/s^2 of the base; sign convention ``e^{+i w t}``."""
+
+    _noun = "response"
 
     #: Frequencies, Hz.
     frequency_hz: Floats
@@ -32,10 +35,8 @@ class FrfResult(Result):
         by_name = {"responses": {k: v for k, (v, _) in responses.items()}, "units": {k: unit for k, (_, unit) in responses.items()}}
         return super()._from_core({**result, **by_name})
 
-    def __getitem__(self, name: str) -> Complexes:
-        if name not in self.responses:
-            raise ArgumentError(f"{name}: no such response; use one of {', '.join(self.responses)}")
-        return self.responses[name]
+    def _named(self) -> Mapping[str, Complexes]:
+        return self.responses
 
     def _summary(self) -> list[tuple[str, str]]:
         span = [("frequencies", f"{len(self.frequency_hz)} from {self.frequency_hz.min():g} to {self.frequency_hz.max():g} Hz")]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 from typing import Any
 
-from .errors import ArgumentError
+from .named import look_up
 from .result import Floats, Result, Variable
 from .signal import Spectrum, spectrum
 
@@ -66,9 +66,7 @@ class History(Result):
         """Returns name, values and unit of a channel; by default the first, which is a voltage if there is a patch."""
         channels = self.channels()
         name = next(iter(channels)) if name is None else name
-        if name not in channels:
-            raise ArgumentError(f"{name}: no such channel; use one of {', '.join(channels)}")
-        return (name, *channels[name])
+        return (name, *look_up(channels, name, "channel"))
 
     def spectrum(self, channel: str | None = None) -> Spectrum:
         """Returns the amplitude spectrum of a channel."""

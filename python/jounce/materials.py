@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import dataclasses
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 from . import _core
-from .errors import ArgumentError
+from .named import Named
 from .result import html_table
 
 
@@ -34,27 +34,16 @@ class Material:
     source: str
 
 
-class Materials(Mapping[str, Material]):
+class Materials(Named[Material]):
     """Materials by name."""
+
+    _noun = "material"
 
     def __init__(self) -> None:
         self._materials = {one["name"]: _material(one) for one in json.loads(_core.materials())}
 
-    def __getitem__(self, name: str) -> Material:
-        if name not in self._materials:
-            raise ArgumentError(
-                f"{name}: no such material; use one of {', '.join(self._materials)}", {"wanted": name, "known": list(self._materials)}
-            )
-        return self._materials[name]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._materials)
-
-    def __len__(self) -> int:
-        return len(self._materials)
-
-    def __contains__(self, name: object) -> bool:
-        return name in self._materials
+    def _named(self) -> Mapping[str, Material]:
+        return self._materials
 
     def __repr__(self) -> str:
         return f"<jounce.materials: {', '.join(self._materials)}>"

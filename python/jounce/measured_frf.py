@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, Literal
 
 import numpy as np
@@ -11,9 +11,9 @@ import numpy as np
 from . import _core
 from .arguments import names, optional_si, options
 from .contact import kind_of
-from .errors import ArgumentError
 from .inputs import Measured, responses
 from .issue import Issue, issue_lines, parse_issues
+from .named import Named
 from .recording import Recording, names_of
 from .result import Complexes, Floats, Result, Variable, html_table, make_manifest
 
@@ -30,8 +30,10 @@ class ImpactHit:
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class MeasuredFrf(Result):
+class MeasuredFrf(Result, Named[Complexes]):
     """Frequency responses of a hammer or shaker test with their coherence; sign convention ``e^{+i w t}``."""
+
+    _noun = "response"
 
     frequency_hz: Floats
     #: Names of the sensors, and excitation points (or the channel of the force without points); empty for given responses without names.
@@ -53,10 +55,8 @@ class MeasuredFrf(Result):
     window_decay_per_s: float
     issues: list[Issue]
 
-    def __getitem__(self, name: str) -> Complexes:
-        if name not in self.responses:
-            raise ArgumentError(f"{name}: no such response; use one of {', '.join(self.responses)}")
-        return self.responses[name]
+    def _named(self) -> Mapping[str, Complexes]:
+        return self.responses
 
     def _summary(self) -> list[tuple[str, str]]:
         used = sum(hit.used for hit in self.hits)

@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Mapping
 from typing import Annotated, Any, Self
 
-from .errors import ArgumentError
+from .named import Named
 from .result import Along, Floats, Result, Variable
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class NoiseResult(Result):
+class NoiseResult(Result, Named[Floats]):
     """Means, mean squares and one-sided power spectral densities of the response to noise without contact.
 
     Stops are omitted: ``stop_`` fields give the crossing rates of their gaps. Drives other than noise are omitted too, see ``left_out``.
     """
+
+    _noun = "density"
 
     #: Names of the drives with noise, and of the omitted drives.
     drive: list[str]
@@ -64,10 +67,8 @@ class NoiseResult(Result):
         by_name = {"densities": {k: v for k, (v, _) in densities.items()}, "units": {k: unit for k, (_, unit) in densities.items()}}
         return super()._from_core(cls._filled({**result, **by_name, "drive": drives}))
 
-    def __getitem__(self, name: str) -> Floats:
-        if name not in self.densities:
-            raise ArgumentError(f"{name}: no such density; use one of {', '.join(self.densities)}")
-        return self.densities[name]
+    def _named(self) -> Mapping[str, Floats]:
+        return self.densities
 
     def _summary(self) -> list[tuple[str, str]]:
         loads = zip(self.load, self.load_voltage_rms_v, self.load_difference_relative, self.load_statistical_bandwidth_hz)

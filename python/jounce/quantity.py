@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from . import _core
 from .errors import ArgumentError
 
 _BARE = re.compile(r"[A-Za-z0-9_-]+\Z")
@@ -24,13 +25,46 @@ def unit_of(value: Any) -> str:
     return format(value.to_base_units().units, "~C")
 
 
+#: Gram, which is the acceleration of gravity in a key for accelerations.
+_GRAM = re.compile(r"(?<![A-Za-z_])g(?![A-Za-z_])")
+
+
+def _is_known(unit: str) -> bool:
+    """True for a unit of pint that means the same to jounce."""
+    return not unit or (_core.is_unit(unit) and not _GRAM.search(unit))
+
+
+def given_unit(unit: Any) -> str:
+    """Returns a unit of pint as text, in its own form if jounce knows it, else in SI."""
+    text = format(unit, "~C")
+    if _is_known(text):
+        return text
+    scale = (1.0 * unit).to_base_units()
+    if scale.magnitude != 1.0:
+        raise ArgumentError(f"{text}: jounce has no such unit; convert to {scale.units:~C}", {"unit": text})
+    return format(scale.units, "~C")
+
+
 def texts_of(value: Any, what: str) -> list[str]:
-    """Returns each number of an array with a unit as text, ``["10.0 1/s", "11.0 1/s"]``."""
-    base, unit = value.to_base_units(), unit_of(value)
-    numbers = np.atleast_1d(np.asarray(base.magnitude, dtype=float))
+    """Returns each number of an array with a unit as text in this unit, ``["10.0 kHz", "11.0 kHz"]``; in SI if jounce has no such unit."""
+    unit = format(value.units, "~C")
+    if not _is_known(unit):
+        value, unit = value.to_base_units(), unit_of(value)
+    numbers = np.atleast_1d(_array(value.magnitude, what)).astype(float)
     if numbers.ndim != 1:
         raise ArgumentError(f"{what} has {numbers.ndim} axes; give one number or a list of numbers", {"axes": int(numbers.ndim)})
     return [f"{number!r} {unit}".strip() for number in numbers.tolist()]
+
+
+def _array(values: Any, what: str) -> Any:
+    """Returns any array as one of numpy; raises ArgumentError for masked values, dates and complex numbers."""
+    if np.ma.is_masked(values):
+        place = int(np.flatnonzero(np.ma.getmaskarray(values))[0])
+        raise ArgumentError(f"{what}: value {place} is masked; give every value", {"masked": place})
+    array = np.asarray(values)
+    if array.dtype.kind not in "biufOU":
+        raise ArgumentError(f"{what} is an array of {array.dtype}; give numbers or text with a unit", {"type": str(array.dtype)})
+    return array
 
 
 def plain(value: Any, what: str) -> Any:
@@ -46,8 +80,11 @@ def plain(value: Any, what: str) -> Any:
         return float(text_or_texts) if isinstance(text_or_texts, str) and " " not in text_or_texts else text_or_texts
     if isinstance(value, Mapping):
         return {name(key, what): plain(item, f"{what}.{key}") for key, item in value.items()}
-    if isinstance(value, np.ndarray):
-        value = value.tolist()
+    if hasattr(value, "__array__"):
+        inner = getattr(value, "data", None)
+        if is_quantity(inner):
+            return plain(inner, what)
+        return plain(_array(value, what).tolist(), what)
     if isinstance(value, Sequence) and not isinstance(value, (bytes, bytearray, memoryview)):
         return [plain(item, what) for item in value]
     kind = type(value).__name__
@@ -63,12 +100,15 @@ def name(key: Any, what: str) -> str:
     return key
 
 
-def setting(value: Any, key: str) -> str:
-    """Returns a value as it is written after ``key =`` on a command line."""
+def settings(keys: Mapping[str, Any]) -> list[tuple[str, str]]:
+    """Returns keys with their values as they are written after ``key=`` on a command line; nothing for ``None``, which removes the key."""
+    return [(name(key, "spec"), "" if value is None else _setting(value, str(key))) for key, value in keys.items()]
+
+
+def _setting(value: Any, key: str) -> str:
     plain_value = plain(value, key)
-    if isinstance(plain_value, dict):
-        raise ArgumentError(f"{key} is a table; set its keys one by one, or make a spec of a dict")
-    return plain_value if isinstance(plain_value, str) else _value(plain_value)
+    is_text = isinstance(plain_value, str) and plain_value.strip() != ""
+    return str(plain_value) if is_text else _value(plain_value)
 
 
 def toml(tables: Mapping[str, Any]) -> str:
@@ -97,58 +137,8 @@ def _value(value: Any) -> str:
         return "true" if value else "false"
     if isinstance(value, str):
         return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{_key(key)} = {_value(item)}" for key, item in value.items()) + "}"
     if isinstance(value, list):
         return "[" + ", ".join(_value(item) for item in value) + "]"
     return repr(value)
-
-
-def span(value: Any, key: str) -> tuple[str, str]:
-    """Returns the two ends of a range: ``"12 Hz:13 Hz"``, or two quantities."""
-    plain_value = plain(value, key)
-    ends = plain_value.split(":") if isinstance(plain_value, str) else plain_value
-    if not isinstance(ends, list) or len(ends) != 2 or any(isinstance(end, (dict, list)) for end in ends):
-        raise ArgumentError(
-            f'{key}: {value!r} is not a range; give "FROM:TO", as in "4 Hz:20 Hz", or a pair of quantities', {"given": repr(value)}
-        )
-    low, high = (str(end) for end in ends)
-    return low, high
-
-
-#: Unit of each side of a grid of starts.
-_SIDES = {"displacement": "m", "velocity": "m/s", "voltage": "V"}
-
-
-def sides(grid: Mapping[str, Any] | None) -> list[str]:
-    """Returns the sides of a grid of starts as texts, ``["displacement=-5 mm:5 mm:21x"]``."""
-    if grid is None:
-        return []
-    if not isinstance(grid, Mapping) or not grid:
-        raise ArgumentError(f'grid is {grid!r}; give a dict of sides, as in {{"displacement": "-5 mm:5 mm:21x"}}', {"given": repr(grid)})
-    return [f"{side}={_side(side, range)}" for side, range in grid.items()]
-
-
-def _side(side: Any, range: Any) -> str:
-    if isinstance(range, str):
-        return range
-    if not isinstance(range, Sequence) or len(range) != 3:
-        raise ArgumentError(
-            f'grid, {side}: {range!r} is not a side; give "FROM:TO:Nx", or a tuple of two quantities and a number',
-            {"side": side, "given": repr(range)},
-        )
-    if side not in _SIDES:
-        raise ArgumentError(f"grid, {side}: no such side; use one of {', '.join(_SIDES)}")
-    low, high = (f"{end.to(_SIDES[side]).magnitude!r} {_SIDES[side]}" if is_quantity(end) else str(end) for end in range[:2])
-    return f"{low}:{high}:{range[2]}x"
-
-
-def values(value: Any, unit: str | None, key: str) -> str:
-    """Returns the values of a sweep as one text: a range, or a list of quantities, or numbers in ``unit``."""
-    plain_value = plain(value, key)
-    if isinstance(plain_value, str):
-        return plain_value
-    items = plain_value if isinstance(plain_value, list) else [plain_value]
-    if not items:
-        raise ArgumentError(f"{key}: the list of values is empty; give at least one")
-    if any(isinstance(item, (dict, list)) for item in items):
-        raise ArgumentError(f"{key}: the values of a sweep must be one list without nested lists")
-    return ",".join(str(item) if unit is None or isinstance(item, str) else f"{item!r} {unit}" for item in items)

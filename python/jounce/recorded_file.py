@@ -13,7 +13,7 @@ from .arguments import options, rate_hz
 from .errors import ArgumentError
 from .issue import Issue, issue_lines, parse_issues
 from .recording import Recording, digest_of
-from .result import Complexes, Data, Floats, Integers, Result, Variable, html_table, make_manifest
+from .result import Complexes, Data, Floats, Integers, Result, Variable, counted, html_table, make_manifest
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -56,12 +56,12 @@ class RecordedFile(Result):
 
     def _summary(self) -> list[tuple[str, str]]:
         lines = [("file", self.name)]
-        lines += [(one.name, f"{len(one)} samples over {one.over} of {', '.join(c.name for c in one)}") for one in self.recordings]
+        lines += [(one.name, f"{counted(one.samples, 'sample')} over {one.over} of {', '.join(one)}") for one in self.recordings]
         lines += [("shape", f"at {one.frequency_hz:g} Hz, {len(one.node)} nodes") for one in self.shapes]
         return lines + issue_lines([*self.issues, *(issue for one in self.recordings for issue in one.issues)])
 
     def _table(self) -> dict[str, list[Any]]:
-        pairs = [(one, channel) for one in self.recordings for channel in one]
+        pairs = [(one, channel) for one in self.recordings for channel in one.channels]
         return {
             "recording": [one.name for one, _ in pairs],
             "channel": [channel.name for _, channel in pairs],

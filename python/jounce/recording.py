@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import hashlib
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from os import PathLike, fspath
 from typing import TYPE_CHECKING, Any, Literal, Self
 
@@ -13,7 +13,8 @@ import numpy as np
 from . import _core
 from .errors import ArgumentError
 from .issue import Issue, issue_lines, parse_issues
-from .result import Complexes, Data, Floats, Result, Variable, html_table, make_manifest
+from .named import Named, look_up
+from .result import Complexes, Data, Floats, Result, Variable, counted, html_table, make_manifest
 
 if TYPE_CHECKING:
     from .contact import ContactResult
@@ -52,11 +53,13 @@ class Channel(Data):
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Recording(Result):
-    """Channels of equal length over one grid of time or frequency, and their data-quality issues.
+class Recording(Result, Named[Floats | Complexes]):
+    """Channels of equal length over one grid of time or frequency, and their data-quality issues; a mapping of names to samples.
 
     Returned by :func:`jounce.read_recordings` and ``harvester.rig()``, and by :meth:`Recording.of` from arrays or SEP005 time series.
     """
+
+    _noun = "channel"
 
     name: str
     over: Literal["time", "frequency"]
@@ -103,22 +106,19 @@ class Recording(Result):
             _core.recording_from_arrays(recording_from_arrays(values, grid, units, name)), make_manifest("read")
         )
 
-    def __len__(self) -> int:
+    @property
+    def samples(self) -> int:
+        """Number of samples of each channel."""
         return len(self.places)
 
-    def __iter__(self) -> Iterator[Channel]:
-        return iter(self.channels)
+    def _named(self) -> Mapping[str, Floats | Complexes]:
+        return {one.name: one.values for one in self.channels}
 
-    def __getitem__(self, name: str) -> Floats | Complexes:
-        return self.channel(name).values
-
-    def channel(self, name: str) -> Channel:
+    def channel(self, name: str | int) -> Channel:
         """Returns the channel of a name, or of a number from 1."""
-        channels_by_number = {str(number): one for number, one in enumerate(self.channels, 1)}
-        one = {**channels_by_number, **{one.name: one for one in self.channels}}.get(str(name))
-        if one is None:
-            raise ArgumentError(f"{name}: no such channel; use one of {', '.join(one.name for one in self.channels)}")
-        return one
+        by_name = {one.name: one for one in self.channels}
+        by_number = {str(number): one for number, one in enumerate(self.channels, 1)}
+        return by_name[str(name)] if str(name) in by_name else by_number.get(str(name)) or look_up(by_name, str(name), "channel")
 
     def _core(self) -> dict[str, Any]:
         """Returns the recording in the form of the compiled module."""
@@ -184,14 +184,14 @@ class Recording(Result):
 
     def _summary(self) -> list[tuple[str, str]]:
         _, _, unit = self._grid()
-        lines = [("name", self.name), ("samples", f"{len(self)} over {self.over}, {self.rate:.6g} per {unit}")]
+        lines = [("name", self.name), ("samples", f"{self.samples} over {self.over}, {self.rate:.6g} per {unit}")]
         lines += [(one.name, f"rms {one.rms:.5e}, peak {one.peak:.5e} {one.unit or '(no unit)'}") for one in self.channels]
         return lines + issue_lines(self.issues)
 
     def _repr_html_(self) -> str:
         rows = [[one.name, one.quantity, one.unit, f"{one.rms:.5e}", f"{one.peak:.5e}"] for one in self.channels]
         issue_table = html_table("", [], [[one.text] for one in self.issues]) if self.issues else ""
-        title = f"{self.name}: {len(self)} samples, {self.rate:.6g} per {self._grid()[2]}"
+        title = f"{self.name}: {counted(self.samples, 'sample')}, {self.rate:.6g} per {self._grid()[2]}"
         return html_table(title, ["channel", "quantity", "unit", "rms", "peak"], rows) + issue_table
 
     def to_xarray(self) -> Any:

@@ -63,7 +63,21 @@ def dataset_fields(kind: type) -> dict[str, Along]:
 
 
 class Data:
-    """Plain data that is compared by value, arrays included."""
+    """Plain data that is compared by value, arrays included; its arrays are read-only."""
+
+    def __post_init__(self) -> None:
+        self._freeze()
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        self._freeze()
+
+    def _freeze(self) -> None:
+        """Makes the arrays read-only, also those in a dict."""
+        for value in vars(self).values():
+            for one in value.values() if isinstance(value, dict) else (value,):
+                if isinstance(one, np.ndarray):
+                    one.flags.writeable = False
 
     def __eq__(self, other: object) -> bool:
         if type(other) is not type(self):
@@ -139,7 +153,8 @@ class Result(Data):
         def with_attrs(variables: Mapping[str, Variable]) -> dict[str, Any]:
             entries = {}
             for name, variable in variables.items():
-                values = np.asarray(variable.values)
+                # A copy, which can be changed: the arrays of a result are read-only.
+                values = np.array(variable.values)
                 attrs = {"units": variable.units, "long_name": variable.long_name}
                 if np.iscomplexobj(values):
                     entries[f"{name}_re"] = (variable.dims, values.real, {**attrs, "long_name": f"{variable.long_name}, real part"})
@@ -207,6 +222,11 @@ def with_uncertainty(value: float, half_width: float, unit: str = "") -> str:
 
 def _power_of_ten(value: float) -> int:
     return math.floor(math.log10(abs(value)))
+
+
+def counted(number: int, noun: str, plural: str = "") -> str:
+    """Returns a number with its noun, ``"1 branch"``."""
+    return f"{number} {noun if number == 1 else plural or f'{noun}s'}"
 
 
 def html_table(title: str, header: Sequence[str], rows: Sequence[Sequence[object]]) -> str:

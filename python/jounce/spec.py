@@ -12,12 +12,12 @@ from .bifurcations import BifurcationsResult
 from .branch import BranchResult
 from .diagram import DiagramResult
 from .ensemble import EnsembleResult
-from .errors import ArgumentError
+from .errors import ArgumentError, warn_not_settled
 from .frf import FrfResult
 from .modes import ModesResult
 from .noise import NoiseResult
 from .progress import Progress, progress_callback
-from .quantity import sides, span, values
+from .ranges import sides, span, values
 from .rig import SpecOnRig
 from .run import RunResult, State
 from .sweep import SweepResult
@@ -47,6 +47,7 @@ class Spec(SpecOnRig):
         self,
         frequency: Any = None,
         *,
+        unit: Any = None,
         low: Any = None,
         high: Any = None,
         points: int | None = None,
@@ -62,11 +63,11 @@ class Spec(SpecOnRig):
         ``fixed_table`` all of them; with ``open_circuit`` the patches have no circuit.
 
         The frequencies are ``points`` (2000) from ``low`` (1 Hz) to ``high`` (1000 Hz), logarithmically spaced; or those of
-        ``frequency``: text or quantities, ``["1 Hz", "2 Hz"]``, or a pint array.
+        ``frequency``, a range as in :meth:`sweep`.
         """
         check_integers(points=points)
         given = options(
-            frequency_hz=frequencies(frequency),
+            frequency_hz=frequencies(frequency, unit),
             low_hz=optional_hz(low, "low"),
             high_hz=optional_hz(high, "high"),
             points=points,
@@ -100,7 +101,8 @@ class Spec(SpecOnRig):
         """Integrates one run.
 
         ``tolerance`` overrides ``run.tolerance``; ``start`` is the ``end`` of another run; ``record`` is the length of the stored end of
-        the run, ``"1 s"``. The parts reported to ``progress`` are thousandths of the duration.
+        the run, ``"1 s"``. A run that has not settled issues :class:`jounce.NotSettled`. The parts reported to ``progress`` are thousandths
+        of the duration.
         """
         given = options(
             tolerance=tolerance,
@@ -110,14 +112,17 @@ class Spec(SpecOnRig):
         if start is not None and not isinstance(start, State):
             raise ArgumentError(f"start is of type {type(start).__name__}; give the `end` of another run, or jounce.State.read(PATH)")
         with progress_callback(progress) as callback:
-            return RunResult._from_core_call(_core.run(self._spec, given, start.json if start else None, callback))
+            result = RunResult._from_core_call(_core.run(self._spec, given, start.json if start else None, callback))
+        if result.is_transient:
+            warn_not_settled(f"the run has not settled: its state changes by {result.periodicity_change:.1e} over its period")
+        return result
 
     def sweep(
         self,
         key: str,
         range: Any,
         *,
-        unit: str | None = None,
+        unit: Any = None,
         direction: Literal["up", "down", "both", "independent"] = "up",
         fixed_duration: bool = False,
         tolerance: float | None = None,
@@ -126,20 +131,26 @@ class Spec(SpecOnRig):
     ) -> SweepResult:
         """Runs the model at every value of a key, from the last state of the point before unless ``"independent"``.
 
-        ``range``: ``"10 Hz:14 Hz:0.5 Hz"`` (step), ``"10 Hz:14 Hz:9x"`` (number), ``"1 kohm:1 Mohm:9log"``, a list of quantities, or
-        numbers with their ``unit``. Each point is integrated until it has settled, or for ``run.duration`` with ``fixed_duration``.
+        ``range``: ``"10 Hz:14 Hz:0.5 Hz"`` (step), ``"10 Hz:14 Hz:9x"`` (number), ``"1 kohm:1 Mohm:9log"``, or a list or an array of
+        numpy, pandas, xarray or pint, of quantities or of numbers with their ``unit``. Points over ``reduction.modes`` are always
+        independent. Each point is integrated until it has settled, or for ``run.duration`` with ``fixed_duration``; points that have not
+        settled issue :class:`jounce.NotSettled`.
         """
         check_integers(threads=threads)
         over = f"{key}={values(range, unit, key)}"
         given = options(over=over, direction=direction, fixed_duration=fixed_duration, tolerance=tolerance, threads=threads)
         with progress_callback(progress) as callback:
-            return SweepResult._from_core_call(_core.sweep(self._spec, given, callback))
+            result = SweepResult._from_core_call(_core.sweep(self._spec, given, callback))
+        if result.transient.any():
+            warn_not_settled(f"{int(result.transient.sum())} of {len(result)} points have not settled; `transient` marks them")
+        return result
 
     def branch(
         self,
         key: str,
         range: Any,
         *,
+        unit: Any = None,
         method: Literal["shooting", "harmonic-balance"] = "shooting",
         harmonics: int | None = None,
         tolerance: float = 5e-10,
@@ -153,6 +164,8 @@ class Spec(SpecOnRig):
     ) -> BranchResult:
         """Continues every branch of periodic orbits over ``range = "12 Hz:13 Hz"`` of a key, stable or unstable.
 
+        The range may also be a pair of quantities, or of numbers with their ``unit``.
+
         Branches that none of the ``seeds`` converges to, and branches of a period above ``longest_period`` cycles, are not found; larger
         values of both find more. ``harmonics`` is the number of harmonics at the start of harmonic balance, 64 if left out.
 
@@ -162,7 +175,7 @@ class Spec(SpecOnRig):
         """
         check_integers(harmonics=harmonics, seeds=seeds, longest_period=longest_period, budget=budget, threads=threads)
         given = options(
-            over=f"{key}={':'.join(span(range, key))}",
+            over=f"{key}={span(range, unit, key)}",
             method=method,
             harmonics=harmonics,
             tolerance=tolerance,
@@ -183,6 +196,8 @@ class Spec(SpecOnRig):
         key_2: str,
         range_2: Any,
         *,
+        unit: Any = None,
+        unit_2: Any = None,
         tolerance: float = 1e-9,
         seeds: int = 4,
         longest_period: int = 2,
@@ -193,15 +208,15 @@ class Spec(SpecOnRig):
     ) -> BifurcationsResult:
         """Continues bifurcation curves (folds, period doublings, tori, grazings) in two keys, and the ``peaks`` of power.
 
-        Curves of ``levels`` are also continued, given as in :meth:`branch`.
+        Curves of ``levels`` are also continued. Ranges, ``unit`` and ``levels`` are as in :meth:`branch`.
 
         The search misses curves that pass neither an edge of the two ranges nor the value of ``key_2`` in the spec. It also misses curves
         of branches that none of the ``seeds`` converges to, and of periods above ``longest_period`` cycles.
         """
         check_integers(seeds=seeds, longest_period=longest_period, threads=threads)
         given = options(
-            over=f"{key}={':'.join(span(range, key))}",
-            against=f"{key_2}={':'.join(span(range_2, key_2))}",
+            over=f"{key}={span(range, unit, key)}",
+            against=f"{key_2}={span(range_2, unit_2, key_2)}",
             tolerance=tolerance,
             seeds=seeds,
             longest_period=longest_period,
@@ -219,6 +234,7 @@ class Spec(SpecOnRig):
         seed: int = 1,
         spread: float = 10.0,
         grid: Mapping[str, Any] | None = None,
+        units: Mapping[str, Any] | None = None,
         tolerance: float = 1e-8,
         longest_period: int = 64,
         max_cycles: int = 20000,
@@ -228,7 +244,8 @@ class Spec(SpecOnRig):
         """Finds the attractors, the share of the starts that reach each, and the expected power.
 
         The starts are a cloud of ``starts`` starts with a ``seed``, ``spread`` gaps wide, or every combination of the sides of a
-        ``grid``: ``{"displacement": "-5 mm:5 mm:21x", "velocity": ("-1 m/s", "1 m/s", 21)}``, and ``"voltage"``.
+        ``grid``: ``{"displacement": "-5 mm:5 mm:21x", "velocity": ("-1 m/s", "1 m/s", 21)}``, and ``"voltage"``. A side may also be an
+        array of evenly spaced values; ``units`` gives the units of numbers without one, by side.
 
         A start belongs to the orbit that its motion is proven to reach, of a period of up to ``longest_period`` drive cycles. A start
         without a proven attractor after ``max_cycles`` drive cycles is chaos or undecided.
@@ -238,7 +255,7 @@ class Spec(SpecOnRig):
             starts=starts,
             seed=seed,
             spread=spread,
-            grid=sides(grid),
+            grid=sides(grid, units),
             tolerance=tolerance,
             longest_period=longest_period,
             max_cycles=max_cycles,
@@ -252,7 +269,7 @@ class Spec(SpecOnRig):
         key: str,
         range: Any,
         *,
-        unit: str | None = None,
+        unit: Any = None,
         direction: Literal["up", "down", "both", "starts"] = "both",
         starts: int | None = None,
         seed: int | None = None,

@@ -12,12 +12,12 @@ from . import _core
 from .arguments import names, spec_from_tables
 from .errors import ArgumentError, SpecError, UnknownKeyError
 from .issue import Issue, parse_issues
-from .quantity import name as name_of
-from .quantity import setting
+from .quantity import settings
 from .result import html_table
+from .spec_table import MISSING, SpecTable, SpecTables, dotted
 
 
-class SpecText:
+class SpecText(SpecTables):
     """Text of a spec with its operations that need no computation."""
 
     __slots__ = ("_spec",)
@@ -28,6 +28,8 @@ class SpecText:
             if "\n" not in source and source.endswith(".toml"):
                 raise ArgumentError(f"{source} is the name of a file: read it with jounce.read({source!r})")
             self._spec = _core.Spec(source, "")
+        elif isinstance(source, SpecText):
+            self._spec = source._spec.with_keys(settings(tables))
         elif source is None or isinstance(source, Mapping):
             self._spec = spec_from_tables({**(source or {}), **tables})
         else:
@@ -61,17 +63,21 @@ class SpecText:
         """Returns the tables; ``Spec(spec.to_dict()) == spec``."""
         return tomllib.loads(self.to_toml(canonical))
 
-    def set(self, key: str | Mapping[str, Any], value: Any = None) -> None:
-        """Sets a key, ``spec.set("stop.tip.gap", "0.5 mm")``, or several at once with a dict."""
+    def set(self, key: str | Mapping[str, Any], value: Any = MISSING, /) -> None:
+        """Sets a key or a table, ``spec.set("stop.tip.gap", "0.5 mm")``, or several at once with a dict; ``None`` removes one."""
         if not isinstance(key, (str, Mapping)):
             raise ArgumentError(
                 f'{key!r} is not a key; give its name, as in "stop.tip.gap", or a dict of keys and values', {"given": repr(key)}
             )
-        pairs = key if isinstance(key, Mapping) else {key: value}
-        self._spec = self._spec.with_keys([(name_of(key, "spec"), setting(item, str(key))) for key, item in pairs.items()])
+        if isinstance(key, str) and value is MISSING:
+            raise ArgumentError(f"{key}: expected a value; None removes the key")
+        self._spec = self._spec.with_keys(settings(key if isinstance(key, Mapping) else {key: value}))
 
     def changed(self, keys: Mapping[str, Any]) -> Self:
-        """Returns a copy with changed keys."""
+        """Returns a copy with changed keys and tables; those of ``None`` are removed.
+
+        A contact law is changed with its keys: ``{"stop.tip.law": "rigid", "stop.tip.restitution": 0.8, "stop.tip.stiffness": None}``.
+        """
         spec = self.copy()
         spec.set(keys)
         return spec
@@ -85,17 +91,33 @@ class SpecText:
     def __deepcopy__(self, memo: object) -> Self:
         return self.copy()
 
-    def __setitem__(self, key: str, value: Any) -> None:
-        self.set(key, value)
-
     def __getitem__(self, key: str) -> Any:
-        """Returns the value of a key in the text, or its default; a table as a dict."""
+        """Returns the value of a key in the text, or its default; a table as a :class:`SpecTable`."""
         if not isinstance(key, str):
             raise ArgumentError(f'{key!r} is not a key; keys are text, as in "stop.tip.gap"', {"given": repr(key)})
         value = self._lookup(key)
         if value is None:
             raise self._unknown(key)
-        return value
+        if isinstance(value, dict):
+            return SpecTable(self, key)
+        return tuple(value) if isinstance(value, list) else value
+
+    def __contains__(self, key: object) -> bool:
+        return isinstance(key, str) and self._lookup(key) is not None
+
+    def __delitem__(self, key: str) -> None:
+        """Removes a key or a table of the text."""
+        if key not in dotted(self.to_dict()):
+            missing = UnknownKeyError(f"{key}: the text has no such key, only its default applies", {"wanted": key, "nearest": None})
+            raise missing if key in self else self._unknown(key)
+        self.set({key: None})
+
+    def clear(self) -> None:
+        """Raises SpecError: a spec without tables is not valid."""
+        self.set(dict.fromkeys(self))
+
+    def _ipython_key_completions_(self) -> list[str]:
+        return list(dotted(self.to_dict(canonical=True)))
 
     def _lookup(self, key: str) -> Any:
         for canonical in (False, True):
@@ -107,7 +129,7 @@ class SpecText:
         return None
 
     def _unknown(self, key: str) -> UnknownKeyError:
-        nearest = next(iter(get_close_matches(key, _paths(self.to_dict(canonical=True), ""), 1)), None)
+        nearest = next(iter(get_close_matches(key, list(dotted(self.to_dict(canonical=True))), 1)), None)
         hint = f"did you mean {nearest}?" if nearest else "spec.to_dict(canonical=True) contains all keys"
         return UnknownKeyError(f"{key}: this spec has no such key; {hint}", {"wanted": key, "nearest": nearest})
 
@@ -174,14 +196,6 @@ class SpecText:
 
 def _rebuild(kind: type[SpecText], text: str, folder: str) -> SpecText:
     return kind._from_core(_core.Spec(text, folder))
-
-
-def _paths(tables: Mapping[str, Any], path: str) -> list[str]:
-    """Returns the dotted keys of tables."""
-    paths: list[str] = []
-    for key, value in tables.items():
-        paths += _paths(value, f"{path}{key}.") if isinstance(value, dict) else [path + key]
-    return paths
 
 
 def _format_keys(keys: Mapping[str, Any]) -> str:

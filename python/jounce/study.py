@@ -17,7 +17,8 @@ from .arguments import check_integers, options
 from .errors import ArgumentError, FileError, Interrupted, SpecError
 from .progress import Progress, progress_callback
 from .quantity import plain, toml
-from .quantity import values as range_text
+from .ranges import values as range_text
+from .result import counted
 from .spec import Spec
 from .study_result import StudyResult, StudyStatus
 
@@ -34,7 +35,9 @@ class Study:
         Harvester.
     vary
         Values of each key, ``{"stop.tip.gap": "0.5mm:1.5mm:20x", "circuit.load.resistance": ["1 kohm", "1 Mohm"]}``; with a sampling that
-        draws points, its range ``"0.5mm:1.5mm"``, or ``"1kohm:1Mohm:log"``.
+        draws points, its range ``"0.5mm:1.5mm"``, or ``"1kohm:1Mohm:log"``. Ranges are as in :meth:`Spec.sweep`.
+    units
+        Unit of each key whose values are numbers without one, ``{"stop.tip.gap": "mm"}``.
     sampling
         ``"grid"`` (every combination, the first key fastest), ``"list"`` (side by side), or drawn: ``"random"``, ``"latin-hypercube"``,
         ``"sobol"``.
@@ -55,6 +58,7 @@ class Study:
         spec: Spec,
         vary: Mapping[str, Any],
         *,
+        units: Mapping[str, Any] | None = None,
         sampling: Literal["grid", "list", "random", "latin-hypercube", "sobol"] = "grid",
         points: int | None = None,
         seed: int | None = None,
@@ -67,7 +71,7 @@ class Study:
             raise ArgumentError(f'vary is of type {type(vary).__name__}; give a dict, {{"stop.tip.gap": "0.5mm:1.5mm:20x"}}')
         keys = {"sampling": sampling, "points": points, "seed": seed, "points_per_part": points_per_part}
         tables: dict[str, Any] = {key: value for key, value in keys.items() if value is not None}
-        tables["vary"] = {key: range_text(value, None, key) for key, value in vary.items()}
+        tables["vary"] = {key: range_text(value, (units or {}).get(key), key) for key, value in vary.items()}
         tables["quantity"] = {"command": quantity} if isinstance(quantity, str) else plain(quantity, "quantity")
         self._set(spec.copy(), toml(tables))
 
@@ -130,7 +134,7 @@ class Study:
         return (_rebuild, (self._spec, self._text))
 
     def __repr__(self) -> str:
-        return f"<jounce.Study of {len(self)} points in {self.parts} parts, {self.sha256[:12]}>"
+        return f"<jounce.Study of {counted(len(self), 'point')} in {counted(self.parts, 'part')}, {self.sha256[:12]}>"
 
     def run(
         self,

@@ -34,7 +34,7 @@ def test_the_rig_is_that_of_the_command_line(hits, run_recording, command_line, 
     options = ["--rate=2kHz", "--noise=0.01", "--bits=16", "--seed=3", f"--to={tmp_path / 'run.parquet'}"]
     command_line("rig", *options, keys=SHORTER)
     assert_identical(run_recording["mfc.voltage"], jounce.read_recordings(tmp_path / "run.parquet")[0]["mfc.voltage"])
-    assert run_recording.channel("1").quantity == "voltage" and run_recording.rate == 2000.0 and len(run_recording) == 1000
+    assert run_recording.channel("1").quantity == "voltage" and run_recording.rate == 2000.0 and run_recording.samples == 1000
     assert run_recording.manifest["spec_sha256"] and run_recording.manifest["options"]["seed"] == "3"
 
 

@@ -1,146 +1,38 @@
-//! Overrides: `--set KEY=VALUE`.
+//! Paths of the keys that a file can have.
 
-use std::fmt;
-
-use toml_edit::{DocumentMut, Item, TableLike};
-
-use super::key::{KeyInfo, Kind, Row, rows};
-use super::keys::SPEC;
-use super::nearest::{clip, join_words, nearest};
-use super::numeric_key::{beyond, list_index};
-use super::source::{Node, SourcePlace, Value, value_of};
-use super::{Spec, read::join};
+use crate::Spec;
+use crate::key::{KeyInfo, Kind, Row, rows};
+use crate::keys::SPEC;
+use crate::nearest::{clip, join_words, nearest};
+use crate::numeric_key::{beyond, list_index};
+use crate::read::join;
+use crate::source::{Node, Value};
 
 /// Largest number of keys in which the nearest key is searched.
 const MAX_COMPARED_PATHS: usize = 5000;
 
-/// An override of one key.
-#[derive(Debug, Clone)]
-pub(super) struct Override {
-    path: Vec<String>,
-    value: String,
-    node: Node,
-    /// Keys of the same table that this key excludes.
-    excludes: &'static [&'static str],
+/// True for the path of a table: of settings, of elements, of one element, or of named values.
+pub(super) fn is_table(path: &[String]) -> bool {
+    is_table_in(&rows(SPEC, Spec::default), path)
 }
 
-impl Override {
-    /// Returns an override of a known key.
-    pub(super) fn new(key: &str, value: &str, info: &KeyInfo, index: usize) -> Self {
-        let mut node = read_value(value);
-        let wants_text = matches!(
-            info.kind,
-            Kind::ChoiceOrPath(_)
-                | Kind::Path
-                | Kind::Text
-                | Kind::Choice(_)
-                | Kind::Reference { .. }
-        );
-        if wants_text && !matches!(node.value, Value::Text(_)) {
-            node.value = Value::Text(value.to_owned());
-        }
-        move_to(&mut node, SourcePlace::Set(index));
-        let excludes = info.need.alternatives();
-        Self {
-            path: key.split('.').map(str::to_owned).collect(),
-            value: value.to_owned(),
-            node,
-            excludes,
-        }
-    }
-
-    /// Returns the override as it was written.
-    pub(super) fn quoted_value(key: &str, value: &str) -> String {
-        format!("--set {}={}", clip(key), clip(value))
-    }
-
-    /// Applies the override to a tree.
-    pub(super) fn apply(&self, root: &mut Node) {
-        let path: Vec<&str> = self.path.iter().map(String::as_str).collect();
-        if let Some((name, parents)) = path.split_last() {
-            for other in self.excludes.iter().filter(|other| *other != name) {
-                root.remove(&[parents, &[*other]].concat());
-            }
-        }
-        root.put(&path, self.node.clone());
-    }
-
-    /// Writes the override into a document, in the layout of the previous value.
-    pub(super) fn write_into(&self, document: &mut DocumentMut) {
-        let Some((name, parents)) = self.path.split_last() else {
-            return;
-        };
-        let mut table: &mut dyn TableLike = document.as_table_mut();
-        for parent in parents {
-            let item = table.entry(parent).or_insert_with(toml_edit::table);
-            if let Some(list) = item.as_array_mut() {
-                if let Some(index) = list_index(name).filter(|index| *index < list.len()) {
-                    list.replace(index, self.written());
-                }
-                return;
-            }
-            let Some(below) = item.as_table_like_mut() else {
-                return;
-            };
-            table = below;
-        }
-        for other in self.excludes.iter().filter(|other| *other != name) {
-            table.remove(other);
-        }
-        let mut value = self.written();
-        if let Some(old) = table.get(name).and_then(Item::as_value) {
-            *value.decor_mut() = old.decor().clone();
-        }
-        table.insert(name, Item::Value(value));
-    }
-
-    fn written(&self) -> toml_edit::Value {
-        match &self.node.value {
-            Value::Text(text) => toml_edit::Value::from(text.as_str()),
-            _ => self
-                .value
-                .trim()
-                .parse()
-                .unwrap_or_else(|_| toml_edit::Value::from(self.value.as_str())),
-        }
-    }
-}
-
-impl fmt::Display for Override {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        out.write_str(&Self::quoted_value(&self.path.join("."), &self.value))
-    }
-}
-
-/// Parses a value of a command line: as TOML if valid, otherwise as text.
-fn read_value(value: &str) -> Node {
-    let line = format!("v = {}", value.trim());
-    let parsed = toml_edit::Document::parse(line.as_str())
-        .ok()
-        .filter(|document| !value.contains('\n') && document.len() == 1);
-    let node = parsed.as_ref().and_then(|document| {
-        document
-            .get("v")?
-            .as_value()
-            .map(|text_value| value_of(&line, text_value, 0))
-    });
-    node.unwrap_or_else(|| Node::at(0, Value::Text(value.to_owned())))
-}
-
-fn move_to(node: &mut Node, position: SourcePlace) {
-    node.position = position;
-    match &mut node.value {
-        Value::List(items) => items.iter_mut().for_each(|item| move_to(item, position)),
-        Value::Table(entries) => entries.iter_mut().for_each(|entry| {
-            entry.position = position;
-            move_to(&mut entry.node, position);
-        }),
-        _ => {}
+fn is_table_in(rows: &[Row], path: &[String]) -> bool {
+    let Some((name, rest)) = path.split_first() else {
+        return false;
+    };
+    let Some(row) = rows.iter().find(|row| row.info.name == *name) else {
+        return false;
+    };
+    match (row.info.kind, rest) {
+        (Kind::Table | Kind::Things | Kind::NamedQuantities(_) | Kind::NamedNumbers, []) => true,
+        (Kind::Things, [_]) => true,
+        (Kind::Table, rest) | (Kind::Things, [_, rest @ ..]) => is_table_in(&row.inner, rest),
+        _ => false,
     }
 }
 
 /// Returns the key at a path if the elements on the path exist in the file.
-pub(super) fn resolve(root: &Node, key: &str) -> Result<KeyInfo, String> {
+pub(crate) fn resolve(root: &Node, key: &str) -> Result<KeyInfo, String> {
     let top = rows(SPEC, Spec::default);
     let segments: Vec<&str> = key.split('.').collect();
     walk(&top, Some(root), &segments, "").map_err(|path_error| {
