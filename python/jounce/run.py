@@ -128,8 +128,9 @@ class RunResult(Result):
     work: dict[str, int]
     #: Recorded end of the run; ``None`` unless requested.
     history: History | None
-    #: Wall time of the integration, s; not compared between results.
+    #: Wall time of the call, with the model and the record, and of the integration alone, s; not compared between results.
     wall_time_s: float = dataclasses.field(compare=False)
+    integration_wall_time_s: float = dataclasses.field(compare=False)
 
     @classmethod
     def _from_core(cls, fields: dict[str, Any]) -> Self:
@@ -160,6 +161,11 @@ class RunResult(Result):
             ("settled", settled),
             *(("warning", text) for text in self.warnings),
         ]
+
+    @property
+    def is_transient(self) -> bool:
+        """True where the run has not settled, although its drives have a common period."""
+        return self.settled is False
 
     def to_dict(self) -> dict[str, Any]:
         """Returns every number and name except the record."""

@@ -8,9 +8,12 @@ from os import PathLike, fspath
 from pathlib import Path
 from typing import Any, Self
 
+import numpy as np
+
 from . import _core
-from .errors import ArgumentError
-from .result import Result, Variable, html_table
+from .errors import ArgumentError, warn_not_settled
+from .named import look_up
+from .result import Result, Variable, counted, html_table
 
 
 @dataclasses.dataclass(frozen=True)
@@ -69,7 +72,10 @@ class StudyResult:
         if not self.path.exists():
             raise ArgumentError(f"the study in {self.folder} lacks {self.status.missing} parts; run it first")
         columns, notes, manifest = _core.table_read(fspath(self.path))
-        return StudyTable(json.loads(manifest), columns, notes)
+        table = StudyTable(json.loads(manifest), columns, notes)
+        if table._transient():
+            warn_not_settled(f"{table._transient()} of {len(table)} points of the study have not settled")
+        return table
 
     def to_pandas(self) -> Any:
         """Returns a ``pandas.DataFrame`` with a row for each point."""
@@ -84,7 +90,9 @@ class StudyResult:
 
     def __repr__(self) -> str:
         status = self.status
-        return f"<jounce.StudyResult in {self.folder}: {status.finished} of {status.parts} parts, {status.points} points>"
+        failed = f", {status.failed_points} without a result" if status.failed_points else ""
+        parts, points = f"{status.finished} of {counted(status.parts, 'part')}", counted(status.points, "point")
+        return f"<jounce.StudyResult in {self.folder}: {parts}, {points}{failed}>"
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -99,9 +107,7 @@ class StudyTable(Result):
         return len(self.columns["point"])
 
     def __getitem__(self, name: str) -> Any:
-        if name not in self.columns:
-            raise ArgumentError(f"{name}: no such column; use one of {', '.join(self.columns)}")
-        return self.columns[name]
+        return look_up(self.columns, name, "column")
 
     @property
     def keys(self) -> list[str]:
@@ -110,7 +116,14 @@ class StudyTable(Result):
 
     def _summary(self) -> list[tuple[str, str]]:
         failed = sum(1 for text in self.columns["failure"] if text)
-        return [("points", f"{len(self)}, {failed} without a result"), ("varied", ", ".join(self.keys))]
+        lines = [("points", f"{len(self)}, {failed} without a result"), ("varied", ", ".join(self.keys))]
+        return [*lines, ("NOT settled", counted(self._transient(), "point"))] if self._transient() else lines
+
+    def _transient(self) -> int:
+        """Returns the number of points that have not settled, although their drives have a common period."""
+        if "settled" not in self.columns or "period_cycles" not in self.columns:
+            return 0
+        return int(np.sum((np.asarray(self.columns["settled"]) == 0) & (np.asarray(self.columns["period_cycles"]) > 0)))
 
     def _repr_html_(self) -> str:
         columns = [name for name in self.columns if name != "failure"]

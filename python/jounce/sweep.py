@@ -7,7 +7,7 @@ from typing import Annotated, Any, Self
 
 import numpy as np
 
-from .result import Along, Floats, Integers, Result, Truths, Variable, html_table
+from .result import Along, Floats, Integers, Result, Truths, Variable, counted, html_table
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -39,8 +39,16 @@ class SweepResult(Result):
     def __len__(self) -> int:
         return len(self.parameter)
 
+    @property
+    def transient(self) -> Truths:
+        """True at points that have not settled, although their drives have a common period."""
+        not_settled: Truths = ~self.settled & (self.period_cycles > 0)
+        return not_settled
+
     def _summary(self) -> list[tuple[str, str]]:
         lines = [("over", f"{self.key} [{self.unit}]"), ("points", f"{len(self)}, {int(self.settled.sum())} of them settled")]
+        if self.transient.any():
+            lines.append(("NOT settled", counted(int(self.transient.sum()), "point")))
         if len(self):
             best = int(np.argmax(self.mean_power_w))
             lines.append(("highest power", f"{self.mean_power_w[best]:.6e} W at {self.parameter[best]:g} {self.unit}"))

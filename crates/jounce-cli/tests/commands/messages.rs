@@ -59,11 +59,6 @@ const WRONG_OPTIONS: [(&str, &[&str], &str); 16] = [
         "no key with a number",
     ),
     (
-        "sweep",
-        &["--over", "reduction.modes=1,3"],
-        "choose independent as --direction",
-    ),
-    (
         "branch",
         &["--over", GAP_OVER],
         "as in stop.tip.gap=1mm:2mm",
