@@ -7,7 +7,7 @@ from typing import Annotated, Any, Self
 
 import numpy as np
 
-from .result import Along, Floats, Integers, Result, Truths, Variable, html_table
+from .result import Along, Floats, Integers, Result, Truths, Variable, counted, html_table
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -61,6 +61,7 @@ class BasinsResult(Result):
     def _summary(self) -> list[tuple[str, str]]:
         finished = int((self.attractor_index >= 0).sum())
         lines = [("starts", f"{len(self.attractor_index)}, {finished} of them classified")]
+        lines += [("failed", counted(len(self.failed_start), "start"))] if len(self.failed_start) else []
         for k, name in enumerate(self.attractor):
             share = f"share {self.fraction[k]:.3f} ({self.fraction_low[k]:.3f} to {self.fraction_high[k]:.3f})"
             lines.append((name, f"{self.mean_power_w[k]:.6e} W, {share}"))

@@ -8,7 +8,7 @@ from typing import Any, Self
 
 import numpy as np
 
-from .result import Data, Floats, Integers, Result, Variable
+from .result import Data, Floats, Integers, Result, Variable, counted
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -66,7 +66,8 @@ class BifurcationsResult(Result):
     def _summary(self) -> list[tuple[str, str]]:
         plane = f"{self.key} [{self.unit}] against {self.key_2} [{self.unit_2}]"
         curves = [
-            (f"curve {k}", f"{one.level or one.kind} of period {one.period_cycles}, {len(one)} points") for k, one in enumerate(self.curves)
+            (f"curve {k}", f"{one.level or one.kind} of period {one.period_cycles}, {counted(len(one), 'point')}")
+            for k, one in enumerate(self.curves)
         ]
         return [("over", plane), *curves, *(("warning", text) for text in self.warnings), ("note", self.note)]
 

@@ -8,7 +8,7 @@ from typing import Annotated, Any, Self
 
 import numpy as np
 
-from .result import Along, Data, Floats, Integers, Result, Truths, Variable, dataset_fields, html_table
+from .result import Along, Data, Floats, Integers, Result, Truths, Variable, counted, dataset_fields, html_table
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -94,7 +94,8 @@ class BranchResult(Result):
     def _summary(self) -> list[tuple[str, str]]:
         lines = [("over", f"{self.key} [{self.unit}]")]
         for number, one in enumerate(self.branches):
-            lines.append((f"branch {number}", f"period {one.period_cycles}: {len(one)} points, {int(one.stable.sum())} of them stable"))
+            points = f"{counted(len(one), 'point')}, {int(one.stable.sum())} of them stable"
+            lines.append((f"branch {number}", f"period {one.period_cycles}: {points}"))
             for kind, name, at in zip(one.bifurcation_kind, one._bifurcation_names(), one.bifurcation_parameter):
                 lines.append(("", f"{kind}{f' ({name})' if name else ''} at {at:.6g} {self.unit}"))
         if self.peak is not None and self.half_power_bandwidth is not None:
@@ -108,7 +109,7 @@ class BranchResult(Result):
             for number, one in enumerate(self.branches)
             for kind, at, power in zip(one.bifurcation_kind, one.bifurcation_parameter, one.bifurcation_mean_power_w)
         ]
-        title = f"{len(self)} branches over {self.key}"
+        title = f"{counted(len(self), 'branch', 'branches')} over {self.key}"
         return html_table(title, ["branch", "period", "bifurcation", f"at [{self.unit}]", "mean power [W]"], rows)
 
     def _concatenated(self, field: str) -> Any:

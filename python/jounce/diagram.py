@@ -9,7 +9,7 @@ import numpy as np
 
 from .branch import Branch
 from .errors import ArgumentError
-from .result import Floats, Integers, Result, Variable, html_table
+from .result import Floats, Integers, Result, Variable, counted, html_table
 
 #: Quantities of the section: field, unit, description.
 SECTION = {
@@ -62,7 +62,8 @@ class DiagramResult(Result):
 
     def _summary(self) -> list[tuple[str, str]]:
         kinds = sorted(set(self.motion))
-        lines = [("over", f"{self.key} [{self.unit}]"), ("runs", f"{len(self)} with {len(self.section_point)} points of the section")]
+        runs = f"{len(self)} with {counted(len(self.section_point), 'point')} of the section"
+        lines = [("over", f"{self.key} [{self.unit}]"), ("runs", runs)]
         lines += [(kind, str(self.motion.count(kind))) for kind in kinds]
         for one in self.attractors:
             track_points = one["seen"]
