@@ -6,6 +6,7 @@ import subprocess
 import sys
 import time
 import warnings
+from importlib.metadata import requires
 
 import numpy as np
 import pytest
@@ -98,3 +99,8 @@ def test_the_package_has_only_public_names():
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.strip() == "[]"
     with pytest.raises(AttributeError, match="harvester.run"):
         jounce.run(jounce.new("cantilever-with-stop"))
+
+
+def test_a_bar_in_a_notebook_has_its_package():
+    (progress,) = (one for one in requires("jounce") if one.startswith("ipywidgets"))
+    assert "extra == 'progress'" in progress or 'extra == "progress"' in progress
