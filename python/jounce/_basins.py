@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Callable
 from typing import Annotated, Any, Self
 
 import numpy as np
 
-from ._result import Along, Floats, Integers, Result, Truths, Variable, counted, html_table
+from ._format import counted, html_table
+from ._result import Along, Floats, Integers, Result, Truths, Variable
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -92,6 +94,9 @@ class BasinsResult(Result):
     def to_pandas(self) -> Any:
         """A ``pandas.DataFrame`` with a row for each attractor."""
         return self._frame({"attractor": self.attractor, **self._columns("attractor")})
+
+    def _pictures(self) -> dict[str, Callable[[Any], Any]]:
+        return {"starts": self.plot_basins}
 
     def plot_basins(self, ax: Any = None) -> Any:
         """Draws the starts by displacement and velocity towards the stop, coloured by attractor."""

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any, Self
 
 import numpy as np
 
-from ._result import Data, Floats, Integers, Result, Variable, counted
+from ._format import counted
+from ._result import Data, Floats, Integers, Result, Variable
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -106,6 +107,9 @@ class BifurcationsResult(Result):
     def to_pandas(self) -> Any:
         """Returns a ``pandas.DataFrame`` with a row for each point of each curve."""
         return self._frame(self._table())
+
+    def _pictures(self) -> dict[str, Callable[[Any], Any]]:
+        return {"curves": self.plot_bifurcations}
 
     def plot_bifurcations(self, ax: Any = None) -> Any:
         """Draws the curves over the plane of the two keys."""

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import partial
 from typing import Annotated, Any, Self
 
 import numpy as np
 
-from ._result import Along, Data, Floats, Integers, Result, Truths, Variable, counted, dataset_fields, html_table
+from ._format import counted, html_table
+from ._result import Along, Data, Floats, Integers, Result, Truths, Variable, dataset_fields
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -159,8 +161,15 @@ class BranchResult(Result):
         names = ("branch", "kind", "level", "stop", "parameter", "mean_power_w")
         return self._frame({name: [row[k] for row in rows] for k, name in enumerate(names)})
 
-    def plot_branch(self, ax: Any = None) -> Any:
-        """Draws mean power, or displacement amplitude without power, over the key: stable solid, unstable dashed, bifurcations marked."""
+    def _pictures(self) -> dict[str, Callable[[Any], Any]]:
+        default = "mean_power_w" if any(one.mean_power_w.any() for one in self) else "displacement_peak_m"
+        return {field: partial(self.plot_branch, quantity=field) for field in dict.fromkeys([default, *dataset_fields(Branch)])}
+
+    def plot_branch(self, ax: Any = None, *, quantity: str | None = None) -> Any:
+        """Draws a quantity over the key: stable solid, unstable dashed, bifurcations marked.
+
+        The quantity is by default the mean power, or the displacement amplitude without power.
+        """
         from ._plot.branch import plot_branch
 
-        return plot_branch(self, ax)
+        return plot_branch(self, ax, self.quantities[0] if quantity is None else quantity)

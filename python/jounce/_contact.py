@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import dataclasses
 import json
+from collections.abc import Callable
 from typing import Annotated, Any
 
 import numpy as np
 
 from . import _core
 from ._arguments import options, to_si
+from ._format import html_table
 from ._inputs import Measured, recording
 from ._issue import Issue, issue_lines, parse_issues
 from ._recording import names_of
-from ._result import Along, Data, Floats, Result, Variable, html_table, make_manifest
+from ._result import Along, Data, Floats, Result, Variable, make_manifest
 
 #: Description of the laws that a pulse allows.
 LAW_DESCRIPTIONS = {
@@ -126,6 +128,9 @@ class ContactResult(Result):
     def to_pandas(self) -> Any:
         """Returns a ``pandas.DataFrame`` with a row for each hit."""
         return self._frame({**self._columns("hit"), "allowed_laws": self.allowed_laws, "reason": self.reason})
+
+    def _pictures(self) -> dict[str, Callable[[Any], Any]]:
+        return {"force": self.plot_contact}
 
     def plot_contact(self, ax: Any = None, hits: int = 6) -> Any:
         """Draws the first pulses with the laws fitted to them."""

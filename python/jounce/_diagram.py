@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Callable
+from functools import partial
 from typing import Any, Self
 
 import numpy as np
 
 from ._branch import Branch
 from ._errors import ArgumentError
-from ._result import Floats, Integers, Result, Variable, counted, html_table
+from ._format import counted, html_table
+from ._result import Floats, Integers, Result, Variable
 
 #: Quantities of the section: field, unit, description.
 SECTION = {
@@ -121,6 +124,9 @@ class DiagramResult(Result):
             raise ArgumentError(f"{quantity}: no such quantity of a section; there are {', '.join(SECTION)}")
         field, units, description = SECTION[quantity]
         return getattr(self, field), units, description
+
+    def _pictures(self) -> dict[str, Callable[[Any], Any]]:
+        return {quantity: partial(self.plot_diagram, quantity=quantity) for quantity in SECTION}
 
     def plot_diagram(self, ax: Any = None, quantity: str = "displacement") -> Any:
         """Draws the section over the key: orbits as large dots, other motions as small dots, coloured by direction or attractor."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Callable
 from typing import Annotated, Any, Self
 
 from ._errors import ArgumentError
@@ -122,6 +123,9 @@ class EnsembleResult(Result):
     def to_pandas(self) -> Any:
         """Returns a ``pandas.DataFrame`` with a row for each member."""
         return self._frame({"member": self.member, **self._columns("member")})
+
+    def _pictures(self) -> dict[str, Callable[[Any], Any]]:
+        return {"mean_power_w": self.plot_ensemble, **({"voltage_psd_v2_hz": self.plot_spectra} if self.patch else {})}
 
     def plot_ensemble(self, ax: Any = None) -> Any:
         """Draws the mean power of each member over the mean of all with its 95 % interval."""

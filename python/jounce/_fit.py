@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Callable
+from functools import partial
 from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 
 from ._errors import ArgumentError
-from ._result import Along, Data, Floats, Result, Variable, column, html_table
+from ._format import html_table
+from ._result import Along, Data, Floats, Result, Variable, column
 
 if TYPE_CHECKING:
     from ._spec import Spec
@@ -178,6 +181,9 @@ class FitResult(Result):
         names = ("measured", "before", "after", "low", "high", "deviation", "predicted_deviation")
         values = {name: getattr(self, f"feature_{name}") for name in names}
         return self._frame({"feature": self.feature, "unit": self.feature_unit, **values})
+
+    def _pictures(self) -> dict[str, Callable[[Any], Any]]:
+        return {"error": self.plot_fit, **{one.name: partial(self.plot_curve, curve=one.name) for one in self.curves}}
 
     def plot_fit(self, ax: Any = None) -> Any:
         """Draws the relative error of every feature before and after, over the 95 % interval of its measurement."""

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import partial
 from typing import Any, Self
 
 import numpy as np
@@ -55,9 +56,18 @@ class FrfResult(Result, Named[Complexes]):
         """Returns a ``pandas.DataFrame`` with a row for each frequency."""
         return self._frame({"frequency_hz": self.frequency_hz, **self.responses})
 
+    def _pictures(self) -> dict[str, Callable[[Any], Any]]:
+        from ._plot.frf import plot_bode
+
+        first = self._first()
+        return {name: partial(plot_bode, self, response=name) for name in (first, *(name for name in self.responses if name != first))}
+
+    def _first(self) -> str:
+        """Returns the name of the first voltage, else of the first response."""
+        return next((name for name in self.responses if name.endswith(".voltage")), next(iter(self.responses)))
+
     def plot_frf(self, ax: Any = None, response: str | None = None) -> Any:
         """Draws the magnitude of a response, by default of the first voltage (else of the first response)."""
         from ._plot.frf import plot_frf
 
-        first = next((name for name in self.responses if name.endswith(".voltage")), next(iter(self.responses)))
-        return plot_frf(self, ax, first if response is None else response)
+        return plot_frf(self, ax, self._first() if response is None else response)

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 from ._named import look_up
@@ -104,6 +106,9 @@ class History(Result):
         """Returns a ``pandas.DataFrame`` with a row for each sample and a column for each channel; units are in ``attrs["units"]``."""
         units = {"time_s": "s", **{name: unit for name, (_, unit) in self.channels().items()}}
         return self._frame({"time_s": self.time_s, **{name: values for name, (values, _) in self.channels().items()}}, units)
+
+    def _pictures(self) -> dict[str, Callable[[Any], Any]]:
+        return {**{name: partial(self.plot_time_history, channel=name) for name in self.channels()}, "poincare": self.plot_poincare}
 
     def plot_time_history(self, ax: Any = None, channel: str | None = None) -> Any:
         """Draws a channel over time."""

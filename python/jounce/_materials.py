@@ -8,8 +8,8 @@ from collections.abc import Mapping
 from typing import Any
 
 from . import _core
+from ._format import html_table
 from ._named import Named
-from ._result import html_table
 
 
 @dataclasses.dataclass(frozen=True)

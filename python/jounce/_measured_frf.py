@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from typing import Any, Literal
 
 import numpy as np
@@ -11,11 +12,12 @@ import numpy as np
 from . import _core
 from ._arguments import names, optional_si, options
 from ._contact import kind_of
+from ._format import html_table
 from ._inputs import Measured, responses
 from ._issue import Issue, issue_lines, parse_issues
 from ._named import Named
 from ._recording import Recording, names_of
-from ._result import Complexes, Floats, Result, Variable, html_table, make_manifest
+from ._result import Complexes, Floats, Result, Variable, make_manifest
 
 
 @dataclasses.dataclass(frozen=True)
@@ -90,6 +92,11 @@ class MeasuredFrf(Result, Named[Complexes]):
         """Returns a ``pandas.DataFrame`` with a row for each frequency."""
         coherence = {f"{name}_coherence": values for name, values in self.coherence.items()}
         return self._frame({"frequency_hz": self.frequency_hz, **self.responses, **coherence})
+
+    def _pictures(self) -> dict[str, Callable[[Any], Any]]:
+        from ._plot.frf import plot_bode
+
+        return {**{name: partial(plot_bode, self, response=name) for name in self.responses}, "coherence": self.plot_coherence}
 
     def plot_frf(self, ax: Any = None, response: str | None = None) -> Any:
         """Draws the magnitude of a response, by default of the first."""

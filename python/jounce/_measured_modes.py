@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Annotated, Any, Literal
 
 import numpy as np
@@ -11,11 +12,12 @@ import numpy as np
 from . import _core
 from ._arguments import names, optional_range_si, optional_si, options
 from ._errors import ArgumentError
+from ._format import html_table, with_uncertainty
 from ._inputs import Measured, responses
 from ._issue import Issue, parse_issues
 from ._measured_frf import MeasuredFrf, hammer_options, make_frf
 from ._recording import names_of
-from ._result import Along, Complexes, Floats, Integers, Result, Variable, html_table, make_manifest, with_uncertainty
+from ._result import Along, Complexes, Floats, Integers, Result, Variable, make_manifest
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -97,6 +99,10 @@ class MeasuredModes(Result):
     def to_pandas(self) -> Any:
         """Returns a ``pandas.DataFrame`` with a row for each mode."""
         return self._frame(self._columns("mode"))
+
+    def _pictures(self) -> dict[str, Callable[[Any], Any]]:
+        functions = {name: partial(self.plot_fit, function=name) for name in self.function}
+        return {"stabilisation": self.plot_stabilisation, **functions}
 
     def plot_stabilisation(self, ax: Any = None) -> Any:
         """Draws the stabilisation diagram: poles by order, filled where frequency and damping are stable."""

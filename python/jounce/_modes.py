@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Callable
 from typing import Annotated, Any
 
-from ._result import Along, Floats, Result, Variable, html_table
+from ._format import html_table
+from ._result import Along, Floats, Result, Variable
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -68,6 +70,9 @@ class ModesResult(Result):
         """Returns a ``pandas.DataFrame`` with a row for each mode."""
         couplings = {f"coupling_squared_{name}": self.coupling_squared[k] for k, name in enumerate(self.patch)}
         return self._frame({**self._columns("mode"), **couplings})
+
+    def _pictures(self) -> dict[str, Callable[[Any], Any]]:
+        return {"shape": self.plot_modes}
 
     def plot_modes(self, ax: Any = None, modes: int = 4) -> Any:
         """Draws the shapes of the first modes along the beams, each scaled to 1."""

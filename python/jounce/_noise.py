@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import partial
 from typing import Annotated, Any, Self
 
 from ._named import Named
@@ -106,6 +107,9 @@ class NoiseResult(Result, Named[Floats]):
     def to_pandas(self) -> Any:
         """Returns a ``pandas.DataFrame`` of the densities, with a row for each frequency."""
         return self._frame({"frequency_hz": self.frequency_hz, **self.densities})
+
+    def _pictures(self) -> dict[str, Callable[[Any], Any]]:
+        return {name: partial(self.plot_noise, density=name) for name in self.densities}
 
     def plot_noise(self, ax: Any = None, density: str | None = None) -> Any:
         """Draws a power spectral density, by default of the first voltage (else of the first output)."""

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Annotated, Any
 
 from . import _core
 from ._arguments import optional_si, options, to_si
+from ._format import html_table, with_uncertainty
 from ._inputs import Measured, recordings
 from ._issue import Issue, issue_lines, parse_issues
 from ._recording import names_of
-from ._result import Along, Floats, Integers, Result, Truths, Variable, html_table, make_manifest, result_or_raise, with_uncertainty
+from ._result import Along, Floats, Integers, Result, Truths, Variable, make_manifest, result_or_raise
 from ._signal import Spectrum
 
 
@@ -72,6 +73,9 @@ class PowerResult(Result):
     def to_pandas(self) -> Any:
         """Returns a ``pandas.DataFrame`` with a row for each record."""
         return self._frame({"record": self.record, "channel": self.channel, **self._columns("record")})
+
+    def _pictures(self) -> dict[str, Callable[[Any], Any]]:
+        return {"mean_power_w": self.plot_power, "spectra": self.plot_spectra}
 
     def plot_power(self, ax: Any = None) -> Any:
         """Draws mean power over the load with its intervals, per mean square of the base acceleration where that is known."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from os import PathLike, fspath
 from pathlib import Path
 from typing import Any
@@ -11,9 +11,10 @@ from typing import Any
 from . import _core
 from ._arguments import options, rate_hz
 from ._errors import ArgumentError
+from ._format import counted, html_table
 from ._issue import Issue, issue_lines, parse_issues
 from ._recording import Recording, digest_of
-from ._result import Complexes, Data, Floats, Integers, Result, Variable, counted, html_table, make_manifest
+from ._result import Complexes, Data, Floats, Integers, Result, Variable, make_manifest
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -75,6 +76,14 @@ class RecordedFile(Result):
     def _repr_html_(self) -> str:
         table = self._table()
         return html_table(self.name, list(table), list(zip(*table.values())))
+
+    def _pictures(self) -> dict[str, Callable[[Any], Any]]:
+        several = len(self.recordings) > 1
+        return {
+            f"{number}.{name}" if several else name: draw
+            for number, one in enumerate(self.recordings, 1)
+            for name, draw in one._pictures().items()
+        }
 
     def to_xarray(self) -> Any:
         """Returns an ``xarray.Dataset`` over ``channel`` that lists the channels; each recording has a dataset of its samples."""

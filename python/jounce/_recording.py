@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import dataclasses
 import hashlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from os import PathLike, fspath
 from typing import TYPE_CHECKING, Any, Literal, Self
 
@@ -12,9 +13,10 @@ import numpy as np
 
 from . import _core
 from ._errors import ArgumentError
+from ._format import counted, html_table
 from ._issue import Issue, issue_lines, parse_issues
 from ._named import Named, look_up
-from ._result import Complexes, Data, Floats, Result, Variable, counted, html_table, make_manifest
+from ._result import Complexes, Data, Floats, Result, Variable, make_manifest
 
 if TYPE_CHECKING:
     from ._contact import ContactResult
@@ -204,6 +206,9 @@ class Recording(Result, Named[Floats | Complexes]):
         """Returns a ``pandas.DataFrame`` with a row for each sample and a column for each channel; units are in ``attrs["units"]``."""
         units = {self._grid()[1]: self._grid()[2], **{one.name: one.unit for one in self.channels}}
         return self._frame({self._grid()[1]: self.places, **{one.name: one.values for one in self.channels}}, units)
+
+    def _pictures(self) -> dict[str, Callable[[Any], Any]]:
+        return {name: partial(self.plot_recording, channel=name) for name in self}
 
     def plot_recording(self, ax: Any = None, channel: str | None = None) -> Any:
         """Draws a channel, by default the first; a complex one by its magnitude."""

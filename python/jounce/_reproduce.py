@@ -9,8 +9,9 @@ from typing import Any
 
 from . import _core
 from ._arguments import check_integers, options
+from ._format import html_table
 from ._progress import Progress, progress_callback
-from ._result import Result, html_table, make_manifest, result_or_raise
+from ._result import Result, make_manifest, result_or_raise
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)

@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import dataclasses
-import html
 import json
-import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple, Self, TypeVar, get_args, get_origin, get_type_hints
 
 import numpy as np
@@ -14,6 +12,8 @@ from numpy.typing import NDArray
 
 from . import _core
 from ._errors import Interrupted
+from ._format import html_table
+from ._named import look_up
 from ._optional import require
 
 Floats = NDArray[np.float64]
@@ -138,6 +138,27 @@ class Result(Data):
     def _repr_html_(self) -> str:
         return html_table(type(self).__name__, ["", ""], self._summary())
 
+    def _pictures(self) -> dict[str, Callable[[Any], Any]]:
+        """Returns the functions of the axes that draw each quantity, the default first."""
+        return {}
+
+    @property
+    def quantities(self) -> list[str]:
+        """Names that :meth:`plot` accepts as ``quantity``, the default first."""
+        return list(self._pictures())
+
+    def plot(self, ax: Any = None, *, quantity: str | None = None, **style: Any) -> Any:
+        """Draws a quantity into ``ax``, by default into new axes, and returns the axes.
+
+        ``quantity`` is one of :attr:`quantities`, by default the first. A frequency response has two axes, magnitude and phase; a single
+        ``ax`` gets the magnitude. Further keywords are properties of lines of matplotlib: ``color="k"``, ``linestyle=":"``.
+        """
+        from ._plot.style import draw_with
+
+        pictures = self._pictures()
+        name = next(iter(pictures), "") if quantity is None else quantity
+        return draw_with(look_up(pictures, name, "quantity"), ax, style)
+
     def _variables(self) -> dict[str, Variable]:
         """Returns the fields that have a description for a dataset."""
         return {along.name(field): along.of(getattr(self, field)) for field, along in dataset_fields(type(self)).items()}
@@ -205,33 +226,3 @@ def make_manifest(command: str, **options: Any) -> dict[str, Any]:
     """Returns the origin of a result that needs no spec; options of ``None`` are those that were not given."""
     string_options = {name: str(value) for name, value in options.items() if value is not None}
     return {"created_by": "jounce", "version": _core.VERSION, "spec_sha256": "", "options": {"command": command, **string_options}}
-
-
-def with_uncertainty(value: float, half_width: float, unit: str = "") -> str:
-    """Formats a value with the half width of its interval, both to the second digit of the half width: ``(6.9 +- 4.9)e-6 W``."""
-    suffix = f" {unit}" if unit else ""
-    largest = max(abs(value), abs(half_width))
-    if not (math.isfinite(value) and math.isfinite(half_width) and largest > 0.0):
-        return f"{value:g} +- {half_width:g}{suffix}"
-    power = _power_of_ten(largest)
-    exponent = 0 if -3 <= power <= 5 else power
-    digits = max(0, 1 + exponent - _power_of_ten(max(half_width, largest * 1e-12)))
-    numbers = f"{value / 10.0**exponent:.{digits}f} +- {half_width / 10.0**exponent:.{digits}f}"
-    return f"{numbers}{suffix}" if exponent == 0 else f"({numbers})e{exponent}{suffix}"
-
-
-def _power_of_ten(value: float) -> int:
-    return math.floor(math.log10(abs(value)))
-
-
-def counted(number: int, noun: str, plural: str = "") -> str:
-    """Returns a number with its noun, ``"1 branch"``."""
-    return f"{number} {noun if number == 1 else plural or f'{noun}s'}"
-
-
-def html_table(title: str, header: Sequence[str], rows: Sequence[Sequence[object]]) -> str:
-    """Returns a table in HTML."""
-    head = "".join(f"<th>{html.escape(cell)}</th>" for cell in header)
-    body = "".join("<tr>" + "".join(f"<td>{html.escape(str(cell))}</td>" for cell in row) + "</tr>" for row in rows)
-    heading = f"<thead><tr>{head}</tr></thead>" if any(header) else ""
-    return f"<table><caption><b>{html.escape(title)}</b></caption>{heading}<tbody>{body}</tbody></table>"

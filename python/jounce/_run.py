@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import json
+from collections.abc import Callable
 from os import PathLike
 from pathlib import Path
 from typing import Annotated, Any, Self
@@ -193,6 +194,10 @@ class RunResult(Result):
         if self.history is None:
             raise ArgumentError('this run has no record; compute it with run(record="1 s")')
         return self.history
+
+    def _pictures(self) -> dict[str, Callable[[Any], Any]]:
+        recorded = {} if self.history is None else self.history._pictures()
+        return {**recorded, "energy": self.plot_energy}
 
     def plot_time_history(self, ax: Any = None, channel: str | None = None) -> Any:
         """Draws a channel of the record over time, see :meth:`History.channels`."""

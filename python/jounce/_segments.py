@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import json
+from collections.abc import Callable
 from typing import Annotated, Any
 
 import numpy as np
@@ -11,10 +12,11 @@ import numpy as np
 from . import _core
 from ._arguments import check_integers, options, to_si
 from ._errors import ArgumentError
+from ._format import html_table, with_uncertainty
 from ._inputs import Measured, recording
 from ._issue import Issue, issue_lines, parse_issues
 from ._recording import names_of
-from ._result import Along, Floats, Integers, Result, Truths, Variable, html_table, make_manifest, result_or_raise, with_uncertainty
+from ._result import Along, Floats, Integers, Result, Truths, Variable, make_manifest, result_or_raise
 from ._spec import Spec
 
 
@@ -110,6 +112,9 @@ class SegmentsResult(Result):
         """Returns a ``pandas.DataFrame`` with a row for each solution of the model in each segment."""
         rows = [{"segment": k, **one} for k, each in enumerate(self.candidates) for one in each]
         return self._frame({name: [row[name] for row in rows] for name in (rows[0] if rows else ())})
+
+    def _pictures(self) -> dict[str, Callable[[Any], Any]]:
+        return {"record": self.plot_segments}
 
     def plot_segments(self, ax: Any = None) -> Any:
         """Draws the record, with a colour for each segment."""

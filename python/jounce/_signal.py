@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from os import PathLike
 from typing import Any
 
@@ -42,6 +42,9 @@ class Spectrum(Result):
     def to_pandas(self) -> Any:
         """Returns a ``pandas.DataFrame`` with a row for each line."""
         return self._frame({"frequency_hz": self.frequency_hz, "amplitude_peak": self.amplitude_peak})
+
+    def _pictures(self) -> dict[str, Callable[[Any], Any]]:
+        return {"amplitude": self.plot_spectrum}
 
     def plot_spectrum(self, ax: Any = None) -> Any:
         """Draws the spectrum."""

@@ -11,9 +11,9 @@ from typing import Any, Self
 from . import _core
 from ._arguments import names, spec_from_tables
 from ._errors import ArgumentError, SpecError, UnknownKeyError
+from ._format import html_table
 from ._issue import Issue, parse_issues
 from ._quantity import settings
-from ._result import html_table
 from ._spec_table import MISSING, SpecTable, SpecTables, dotted
 
 

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Callable
 from typing import Annotated, Any, Literal
 
 from . import _core
 from ._arguments import optional_si, options
+from ._format import html_table
 from ._inputs import Measured, recording
 from ._issue import Issue, issue_lines, parse_issues
 from ._recording import names_of
-from ._result import Along, Floats, Result, Variable, html_table, make_manifest, result_or_raise
+from ._result import Along, Floats, Result, Variable, make_manifest, result_or_raise
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -107,6 +109,9 @@ class SpectraResult(Result):
         """Returns a ``pandas.DataFrame`` with a row for each multiple of the drive."""
         numbers = {"frequency_hz": self.order_frequency_hz, "amplitude_peak": self.order_amplitude_peak}
         return self._frame({"order": self.order, **numbers})
+
+    def _pictures(self) -> dict[str, Callable[[Any], Any]]:
+        return {"density": self.plot_density, "spectrogram": self.plot_spectrogram}
 
     def plot_density(self, ax: Any = None) -> Any:
         """Draws the power spectral density; vertical lines mark multiples of the drive."""

@@ -15,10 +15,10 @@ from typing import Any, Literal
 from . import _core
 from ._arguments import check_integers, options
 from ._errors import ArgumentError, FileError, Interrupted, SpecError
+from ._format import counted
 from ._progress import Progress, progress_callback
 from ._quantity import plain, toml
 from ._ranges import values as range_text
-from ._result import counted
 from ._spec import Spec
 from ._study_result import StudyResult, StudyStatus
 

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import dataclasses
 import json
+from collections.abc import Callable
+from functools import partial
 from os import PathLike, fspath
 from pathlib import Path
 from typing import Any, Self
@@ -12,8 +14,9 @@ import numpy as np
 
 from . import _core
 from ._errors import ArgumentError, warn_not_settled
+from ._format import counted, html_table
 from ._named import look_up
-from ._result import Result, Variable, counted, html_table
+from ._result import Result, Variable
 
 
 @dataclasses.dataclass(frozen=True)
@@ -85,6 +88,10 @@ class StudyResult:
         """Returns an ``xarray.Dataset`` over ``point``."""
         return self.table().to_xarray()
 
+    def plot(self, ax: Any = None, *, quantity: str | None = None, **style: Any) -> Any:
+        """Draws a column of the table, see :meth:`Result.plot`."""
+        return self.table().plot(ax, quantity=quantity, **style)
+
     def __len__(self) -> int:
         return self.status.points
 
@@ -142,3 +149,10 @@ class StudyTable(Result):
     def to_pandas(self) -> Any:
         """Returns a ``pandas.DataFrame`` with a row for each point."""
         return self._frame(self.columns)
+
+    def _pictures(self) -> dict[str, Callable[[Any], Any]]:
+        from ._plot.study import plot_study
+
+        drawn = [name for name, values in self.columns.items() if np.asarray(values).dtype.kind in "biuf"]
+        names = [name for name in drawn if name not in (*self.keys, "point")]
+        return {name: partial(plot_study, self, quantity=name) for name in names}

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Callable
+from functools import partial
 from typing import Annotated, Any, Self
 
 import numpy as np
 
-from ._result import Along, Floats, Integers, Result, Truths, Variable, counted, html_table
+from ._format import counted, html_table
+from ._result import Along, Floats, Integers, Result, Truths, Variable, dataset_fields
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -88,8 +91,12 @@ class SweepResult(Result):
         }
         return dataclasses.replace(self, direction=[direction] * len(order), **arrays)
 
-    def plot_sweep(self, ax: Any = None, label: str | None = None) -> Any:
-        """Draws mean power over the key: up solid, down dashed, single points as dots; unsettled points have a ring."""
+    def _pictures(self) -> dict[str, Callable[[Any], Any]]:
+        fields = (field for field, along in dataset_fields(type(self)).items() if along.axes == "visit")
+        return {field: partial(self.plot_sweep, quantity=field) for field in fields}
+
+    def plot_sweep(self, ax: Any = None, label: str | None = None, *, quantity: str = "mean_power_w") -> Any:
+        """Draws a quantity over the key: up solid, down dashed, single points as dots; unsettled points have a ring."""
         from ._plot.sweep import plot_sweep
 
-        return plot_sweep(self, ax, label)
+        return plot_sweep(self, ax, label, quantity)

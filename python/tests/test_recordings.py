@@ -264,7 +264,7 @@ def test_functions_of_plain_columns_and_their_gaps():
 
 
 def test_a_value_and_its_uncertainty_end_at_one_digit():
-    from jounce._result import with_uncertainty
+    from jounce._format import with_uncertainty
 
     texts = [with_uncertainty(*one) for one in ((6.9123e-6, 4.9e-6, "W"), (60.312341, 1.23e-4, "Hz"), (123.0, 45.0), (1.234e7, 3e4, "Hz"))]
     assert texts == ["(6.9 +- 4.9)e-6 W", "60.31234 +- 0.00012 Hz", "123 +- 45", "(1.2340 +- 0.0030)e7 Hz"]

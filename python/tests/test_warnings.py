@@ -53,13 +53,23 @@ def test_a_study_counts_what_failed_and_what_has_not_settled(harvester, tmp_path
     [
         (np.where(np.arange(4000) == 7, 1e200, sine(1.0, 10.0, 1000.0, 4.0)), "sample 7 of signal is 1e200"),
         (1e200 * sine(1.0, 10.0, 1000.0, 4.0), "sample 1 of signal is"),
-        (np.where(np.arange(4000) == 7, np.inf, sine(1.0, 10.0, 1000.0, 4.0)), "sample 7"),
     ],
 )
 def test_samples_too_large_are_named(values, words):
     for call in (lambda: jounce.power(values, "1 kohm", sample_rate_hz=1e3), lambda: jounce.spectra(values, sample_rate_hz=1e3)):
         with pytest.raises(jounce.JounceError, match=words):
             call()
+
+
+@pytest.mark.parametrize("missing", [np.nan, np.inf, np.ma.masked])
+def test_missing_samples_are_named(missing):
+    values = np.ma.masked_array(sine(1.0, 10.0, 1000.0, 4.0))
+    values[7] = missing
+    for result in (jounce.power(values, "1 kohm", sample_rate_hz=1e3), jounce.spectra(values, sample_rate_hz=1e3)):
+        (issue,) = (one for one in result.issues if one.kind == "not-a-number")
+        assert (issue.count, issue.first) == (1, "sample 7") and issue.text in repr(result)
+    with pytest.raises(jounce.ArgumentError, match="sample 7 of the signal is"):
+        jounce.spectrum(values, 1e3)
 
 
 def test_the_arrays_of_a_result_are_read_only(short):

@@ -6,7 +6,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .style import COLOURS, axes, label
+from .._branch import Branch
+from .._result import dataset_fields
+from .style import COLOURS, axes, label, label_field
 
 if TYPE_CHECKING:
     from .._branch import BranchResult
@@ -15,12 +17,8 @@ if TYPE_CHECKING:
 MARKS = {"fold": "s", "period-doubling": "^", "neimark-sacker": "D", "branch-point": "P", "grazing": "o"}
 
 
-def plot_branch(result: BranchResult, ax: Any = None) -> Any:
-    """Draws mean power over the key: stable solid, unstable dashed, a colour for each period, bifurcations marked.
-
-    Without power the displacement amplitude at the first stop is drawn instead.
-    """
-    harvests = any(one.mean_power_w.any() for one in result)
+def plot_branch(result: BranchResult, ax: Any, quantity: str) -> Any:
+    """Draws a quantity over the key: stable solid, unstable dashed, a colour for each period, bifurcations marked where it is known."""
     periods = sorted({one.period_cycles for one in result})
     used_labels: set[str] = set()
 
@@ -33,19 +31,16 @@ def plot_branch(result: BranchResult, ax: Any = None) -> Any:
         for one in result:
             colour = COLOURS[periods.index(one.period_cycles) % len(COLOURS)]
             for stable in (True, False):
-                values = one.mean_power_w if harvests else one.displacement_peak_m
+                values = getattr(one, quantity)
                 segment_values = np.where(_stability_mask(one.stable, stable), values, np.nan)
                 text = label_once(f"period {one.period_cycles}{'' if stable else ', unstable'}") if (one.stable == stable).any() else None
                 ax.plot(one.parameter, segment_values, "-" if stable else "--", color=colour, label=text)
         for one in result:
-            bifurcation_values = one.bifurcation_mean_power_w if harvests else one.bifurcation_displacement_peak_m
+            bifurcation_values = getattr(one, f"bifurcation_{quantity}", ())
             for kind, at, value in zip(one.bifurcation_kind, one.bifurcation_parameter, bifurcation_values):
                 ax.plot([at], [value], MARKS.get(kind, "x"), color="black", markerfacecolor="white", label=label_once(kind), zorder=3)
         label(ax.xaxis, result.key, result.unit)
-        if harvests:
-            label(ax.yaxis, "Mean power", "W", log=True)
-        else:
-            label(ax.yaxis, "Displacement amplitude", "m")
+        label_field(ax.yaxis, dataset_fields(Branch)[quantity], quantity == "mean_power_w")
         ax.legend()
     return ax
 

@@ -18,7 +18,7 @@ def plot_contact(result: ContactResult, ax: Any = None, hits: int = 6) -> Any:
             text = f"{result.time_s[k]:.4f} s"
             ax.plot(1e3 * pulse.time_s, pulse.force_n, "o", markerfacecolor="none", color=colour, label=text)
             ax.plot(1e3 * pulse.law_time_s, pulse.law_force_n, color=colour)
-        label(ax.xaxis, "Time from the largest force [ms]", "")
+        label(ax.xaxis, "Time from the largest force", "ms")
         label(ax.yaxis, "Force", "N")
         ax.legend()
     return ax

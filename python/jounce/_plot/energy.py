@@ -36,5 +36,5 @@ def plot_energy(result: RunResult, ax: Any = None) -> Any:
         ax.invert_yaxis()
         ax.grid(axis="y", visible=False)
         ax.margins(x=0.15)
-        label(ax.xaxis, f"Share of the input of {input_j:.3g} J", "")
+        label(ax.xaxis, f"Share of the input of {input_j:.3g} J", "%")
     return ax

@@ -20,7 +20,7 @@ def plot_ensemble(result: EnsembleResult, ax: Any = None) -> Any:
         ax.axhline(mean, color=COLOURS[1], label="mean")
         if np.isfinite(half):
             ax.axhspan(mean - half, mean + half, color=COLOURS[1], alpha=0.2, linewidth=0.0, label="95 % interval")
-        label(ax.xaxis, "Number of the realisation", "")
+        label(ax.xaxis, "Number of the realisation", "-")
         label(ax.yaxis, "Mean power", "W")
         ax.legend()
     return ax

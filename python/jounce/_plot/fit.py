@@ -22,7 +22,7 @@ def plot_fit(result: FitResult, ax: Any = None) -> Any:
         ax.plot(position, 100.0 * result.error_after, "o", label="after")
         ax.set_xticks(position, result.feature, rotation=90)
         ax.set_xlim(-1.0, len(position))
-        ax.set_xlabel("Feature")
+        ax.set_xlabel("Feature [-]")
         ax.set_ylabel("Error of the model [%]")
         ax.legend()
     return ax

@@ -30,7 +30,7 @@ def plot_coherence(result: MeasuredFrf, ax: Any = None) -> Any:
             ax.plot(result.frequency_hz[1:], values[1:], label=name)
         ax.set_ylim(0.0, 1.05)
         label(ax.xaxis, "Frequency", "Hz")
-        label(ax.yaxis, "Coherence", "")
+        label(ax.yaxis, "Coherence", "-")
         ax.legend()
     return ax
 
@@ -48,13 +48,13 @@ def plot_stabilisation(result: MeasuredModes, ax: Any = None) -> Any:
     kinds = np.array(result.pole_stable)
     with axes(ax) as ax:
         for hz in result.frequency_hz:
-            ax.axvline(hz, color="#888888", linewidth=0.6)
+            ax.axvline(hz, color="#888888", linewidth=0.6, gid="guide")
         for kind, (marker, colour, fill, text) in _POLES.items():
             selected = inside & (kinds == kind)
             style = {"linestyle": "none", "marker": marker, "fillstyle": fill, "markersize": 3 if kind != "new" else 1.5}
             ax.plot(result.pole_frequency_hz[selected], result.pole_order[selected], color=colour, label=text, **style)
         label(ax.xaxis, "Frequency", "Hz")
-        label(ax.yaxis, "Order", "")
+        label(ax.yaxis, "Order", "-")
         ax.legend()
     return ax
 

@@ -27,8 +27,8 @@ def plot_modes(result: ModesResult, ax: Any = None, modes: int = 4) -> Any:
                 text = f"{result.frequency_hz[mode]:.4g} Hz" if colour is None else None
                 (line,) = ax.plot(position_m, shape[mode] / scale, label=text, color=colour)
                 colour = line.get_color()
-        ax.axhline(0.0, color="#888888", linewidth=0.6)
+        ax.axhline(0.0, color="#888888", linewidth=0.6, gid="guide")
         label(ax.xaxis, "Distance from the root", "m")
-        label(ax.yaxis, "Shape, scaled to 1", "")
+        label(ax.yaxis, "Shape, scaled to 1", "-")
         ax.legend()
     return ax

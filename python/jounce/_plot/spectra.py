@@ -36,7 +36,7 @@ def plot_density(result: SpectraResult, ax: Any = None) -> Any:
     """Draws the density of a channel without its line at 0 Hz; vertical lines mark multiples of the drive."""
     with axes(ax) as ax:
         for hz in result.order_frequency_hz:
-            ax.axvline(hz, color="#888888", linewidth=0.5, linestyle=":")
+            ax.axvline(hz, color="#888888", linewidth=0.5, linestyle=":", gid="guide")
         ax.plot(result.frequency_hz[1:], result.density[1:], label=result.channel)
         label(ax.xaxis, "Frequency", "Hz", log=True)
         label(ax.yaxis, f"PSD of {result.channel}", result.density_unit, log=True)

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from .._optional import require
+
+if TYPE_CHECKING:
+    from .._result import Along
 
 #: Colours that colour-blind readers can distinguish (Okabe and Ito, 2008); black, their first, is omitted.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"]
@@ -51,8 +56,31 @@ def label(axis: Any, what: str, unit: str, log: bool = False) -> None:
     ticker = require("matplotlib.ticker", "plot")
     if log:
         axis.axes.set(**{f"{axis.axis_name}scale": "log"})
-    elif unit and unit not in ("Hz", "s"):
+    elif unit and unit not in ("Hz", "s", "ms", "deg", "%", "-"):
         axis.set_major_formatter(ticker.EngFormatter(unit=unit))
         axis.set_major_locator(ticker.MaxNLocator(nbins=6 if axis.axis_name == "y" else 5))
         unit = ""
     axis.set_label_text(f"{what} [{unit}]" if unit else what)
+
+
+def label_field(axis: Any, along: Along, is_power: bool) -> None:
+    """Labels an axis with the description of a field of a result; a power has a logarithmic axis."""
+    text = "Mean power" if is_power else along.about[0].upper() + along.about[1:]
+    label(axis, text, "-" if along.unit == "1" else along.unit, log=is_power)
+
+
+def draw_with(draw: Callable[[Any], Any], ax: Any, style: Mapping[str, Any]) -> Any:
+    """Draws a picture and gives its new lines, except guides, the properties of a style; its label goes to the first of them."""
+    known = {line for one in _flat(ax) for line in one.lines}
+    drawn = draw(ax)
+    for one in _flat(drawn):
+        lines = [line for line in one.lines if line not in known and line.get_gid() != "guide"]
+        for number, line in enumerate(lines):
+            line.set(**{**style, "label": "_nolegend_"} if number and "label" in style else style)
+        if style and one.get_legend() is not None:
+            one.legend()
+    return drawn
+
+
+def _flat(ax: Any) -> list[Any]:
+    return [] if ax is None else list(np.ravel(ax))

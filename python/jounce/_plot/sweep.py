@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from .style import axes, label
+from .._result import dataset_fields
+from .style import axes, label, label_field
 
 if TYPE_CHECKING:
     from .._sweep import SweepResult
@@ -16,21 +17,20 @@ _DIRECTION_STYLES = {
 }
 
 
-def plot_sweep(result: SweepResult, ax: Any = None, text: str | None = None) -> Any:
-    """Draws mean power over the key, with separate directions; unsettled points have a ring."""
+def plot_sweep(result: SweepResult, ax: Any, text: str | None, quantity: str) -> Any:
+    """Draws a quantity over the key, with separate directions; unsettled points have a ring."""
     with axes(ax) as ax:
         colour = None
         for direction, style in _DIRECTION_STYLES.items():
             points = result.going(direction)
             if len(points) == 0:
                 continue
-            (line,) = ax.plot(
-                points.parameter, points.mean_power_w, label=f"{text}, {direction}" if text else direction, color=colour, **style
-            )
+            values = getattr(points, quantity)
+            (line,) = ax.plot(points.parameter, values, label=f"{text}, {direction}" if text else direction, color=colour, **style)
             colour = line.get_color()
             unsettled = ~points.settled
-            ax.plot(points.parameter[unsettled], points.mean_power_w[unsettled], "o", markersize=9, markerfacecolor="none", color=colour)
+            ax.plot(points.parameter[unsettled], values[unsettled], "o", markersize=9, markerfacecolor="none", color=colour)
         label(ax.xaxis, result.key, result.unit)
-        label(ax.yaxis, "Mean power", "W", log=True)
+        label_field(ax.yaxis, dataset_fields(type(result))[quantity], quantity == "mean_power_w")
         ax.legend()
     return ax
