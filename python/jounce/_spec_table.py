@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, MutableMapping
 from typing import Any
 
 #: Stands for an argument that is not given, where None is a value.
-MISSING: Any = object()
+MISSING: Any = ...
 
 
 class SpecTables(MutableMapping[str, Any]):
