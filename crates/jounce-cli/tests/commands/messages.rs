@@ -6,7 +6,7 @@ use crate::{SPEC, jounce};
 const GAP_OVER: &str = "stop.tip.gap=1mm:2mm:3";
 
 /// Commands with a wrong option, and the message of each; `SPEC` precedes the options.
-const WRONG_OPTIONS: [(&str, &[&str], &str); 16] = [
+const WRONG_OPTIONS: [(&str, &[&str], &str); 15] = [
     (
         "modes",
         &["--order", "3"],
