@@ -7,19 +7,18 @@
 >>> print(run.mean_power_w, run.settled)  # doctest: +SKIP
 """
 
-from __future__ import annotations
+import typing as _typing
+from os import PathLike as _PathLike
 
-from os import PathLike
-
+from ._basins import BasinsResult
+from ._bifurcations import BifurcationCurve, BifurcationsResult
+from ._branch import Branch, BranchResult
+from ._contact import ContactResult, Pulse, contact
 from ._core import VERSION as __version__
-from .basins import BasinsResult
-from .bifurcations import BifurcationCurve, BifurcationsResult
-from .branch import Branch, BranchResult
-from .contact import ContactResult, Pulse, contact
-from .diagram import DiagramResult
-from .elements import Beam, Circuit, Damping, Drive, Gravity, Layer, Mass, Modal, Patch, Reduction, Run, Stop
-from .ensemble import EnsembleResult
-from .errors import (
+from ._diagram import DiagramResult
+from ._elements import Beam, Circuit, Damping, Drive, Gravity, Layer, Mass, Modal, Patch, Reduction, Run, Stop
+from ._ensemble import EnsembleResult
+from ._errors import (
     ArgumentError,
     ConvergenceError,
     ExploreError,
@@ -29,6 +28,7 @@ from .errors import (
     IntegrationError,
     Interrupted,
     JounceError,
+    NotSettled,
     OrbitError,
     PlantError,
     RecordingError,
@@ -38,30 +38,30 @@ from .errors import (
     StudyError,
     UnknownKeyError,
 )
-from .examples import Examples, examples
-from .explore import Explorer, explore
-from .fit import FitCurve, FitDeviation, FitResult
-from .frf import FrfResult
-from .history import History
-from .issue import Issue
-from .materials import Material, Materials, materials
-from .measured_frf import ImpactHit, MeasuredFrf, measured_frf
-from .measured_modes import MeasuredModes, measured_modes
-from .modes import ModesResult
-from .noise import NoiseResult
-from .power import PowerResult, power
-from .recorded_file import ModeShape, RecordedFile, read_recordings
-from .recording import Channel, Recording
-from .reproduce import ReproduceResult, reproduce
-from .run import RunResult, State
-from .segments import SegmentsResult, segments
-from .signal import Spectrum, spectrum, write_recording
-from .spec import Spec
-from .spectra import SpectraResult, spectra
-from .starters import keys, new, schema, starters
-from .study import Study
-from .study_result import StudyResult, StudyStatus, StudyTable
-from .sweep import SweepResult
+from ._examples import Examples, examples
+from ._explore import Explorer, explore
+from ._fit import FitCurve, FitDeviation, FitResult
+from ._frf import FrfResult
+from ._history import History
+from ._issue import Issue
+from ._materials import Material, Materials, materials
+from ._measured_frf import ImpactHit, MeasuredFrf, measured_frf
+from ._measured_modes import MeasuredModes, measured_modes
+from ._modes import ModesResult
+from ._noise import NoiseResult
+from ._power import PowerResult, power
+from ._recorded_file import ModeShape, RecordedFile, read_recordings
+from ._recording import Channel, Recording
+from ._reproduce import ReproduceResult, reproduce
+from ._run import RunResult, State
+from ._segments import SegmentsResult, segments
+from ._signal import Spectrum, spectrum, write_recording
+from ._spec import Spec
+from ._spectra import SpectraResult, spectra
+from ._starters import keys, new, schema, starters
+from ._study import Study
+from ._study_result import StudyResult, StudyStatus, StudyTable
+from ._sweep import SweepResult
 
 __all__ = [
     "ArgumentError",
@@ -106,6 +106,7 @@ __all__ = [
     "ModeShape",
     "ModesResult",
     "NoiseResult",
+    "NotSettled",
     "OrbitError",
     "Patch",
     "PlantError",
@@ -156,6 +157,14 @@ __all__ = [
 ]
 
 
-def read(path: str | PathLike[str]) -> Spec:
+def read(path: str | _PathLike[str]) -> Spec:
     """Reads the spec of a harvester from a TOML file."""
     return Spec.read(path)
+
+
+if not _typing.TYPE_CHECKING:
+
+    def __getattr__(name: str) -> object:
+        """Raises AttributeError; the computations on a harvester are methods."""
+        hint = f"; it is a method of a harvester: harvester.{name}(...)" if hasattr(Spec, name) else ""
+        raise AttributeError(f"jounce has no {name!r}{hint}")

@@ -22,7 +22,9 @@ import jounce
 time_s = np.arange(0.0, 10.0, 1e-3)
 ripple = np.random.default_rng(1).normal(size=time_s.size)
 recording = {"name": "floor", "unit_str": "m/s**2", "fs": 1000.0, "data": 2.0 * np.sin(2 * np.pi * 9.0 * time_s) + 0.2 * ripple}
-jounce.spectrum(recording).plot_spectrum()
+spectrum = jounce.spectrum(recording)
+assert abs(spectrum.frequency_hz[spectrum.amplitude_peak.argmax()] - 9.0) < 0.1
+spectrum.plot_spectrum()
 
 # %% [markdown]
 # A drive reads it from a file.
@@ -36,11 +38,12 @@ tables["run"] = {"duration": "10 s", "average_over": "8 s"}
 harvester = jounce.Spec(tables)
 
 # %% [markdown]
-# What does it give, and what would it give without the stop?
+# What does it give, and what would it give without the stop? A recording has no period, so there is no steady state to reach.
 
 # %%
 run = harvester.run(record="2 s")
 run.plot_time_history()
+assert run.settled is None and run.contacts > 0
 run
 
 # %%

@@ -51,6 +51,9 @@ modes
 measured = [{"number": number, "frequency": f"{hz} Hz"} for number, hz in enumerate(modes.frequency_hz, start=2)]
 fit = harvester.fit({"hold": ["table"], "frequency_deviation": 1e-3, "free": {"beam.beam.thickness": 0.05}, "mode": measured})
 fit.plot_fit()
+# The truth lies in the 95 % interval, and within 0.1 % of the fit.
+assert fit.low[0] < built.si("beam.beam.thickness") < fit.high[0]
+assert abs(fit.after[0] / built.si("beam.beam.thickness") - 1.0) < 1e-3
 print(f"thickness {1e3 * fit.after[0]:.4f} mm, the truth is {1e3 * built.si('beam.beam.thickness'):.4f} mm")
 fit
 
@@ -65,6 +68,8 @@ shaken = built.changed({"drive.shaker.frequency": "12 Hz", "run.duration": "6 s"
 records = [shaken.changed({"circuit.load.resistance": load}).rig(rate="1 kHz", noise=0.01) for load in loads]
 power = jounce.power(records, loads, drive="12 Hz")
 power.plot_power()
+simulated_w = np.array([shaken.changed({"circuit.load.resistance": load}).run().mean_power_w for load in loads])
+assert np.allclose(power.mean_power_w, simulated_w, rtol=5e-3)
 power
 
 # %% [markdown]
@@ -77,4 +82,5 @@ quiet = shaken.changed({"drive.shaker.amplitude": "20 N"}).rig(rate="1 kHz", noi
 voltage = np.concatenate([quiet["mfc.voltage"], records[2]["mfc.voltage"]])
 segments = jounce.Recording.of(voltage, 1000.0, units="V").segments("12 Hz", resistance="1 Mohm")
 segments.plot_segments()
+assert len(segments) == 2 and segments.rms[1] > segments.rms[0]
 segments

@@ -73,10 +73,10 @@ def test_exported_data_are_read_back():
     for original in (recording, response):
         for exported in (original.to_xarray(), original.to_pandas()):
             back = jounce.Recording.of(exported)
-            assert back.over == original.over and [one.name for one in back] == [one.name for one in original]
-            assert [one.unit for one in back] == [one.unit for one in original]
+            assert back.over == original.over and list(back) == list(original)
+            assert [one.unit for one in back.channels] == [one.unit for one in original.channels]
             assert np.allclose(back.places, original.places, rtol=1e-12)
-            for name in [one.name for one in original]:
+            for name in original:
                 assert np.array_equal(back[name], original[name])
 
 
@@ -86,6 +86,6 @@ def test_the_history_of_a_run_is_a_recording(short):
         recording = jounce.Recording.of(values)
         assert abs(recording.rate / history.sample_rate_hz - 1.0) < 1e-6
         units = {name: unit for name, (_, unit) in history.channels().items()}
-        assert {one.name: one.unit for one in recording} == units
+        assert {one.name: one.unit for one in recording.channels} == units
         for name, (expected, _) in history.channels().items():
             assert np.array_equal(recording[name], expected)

@@ -34,7 +34,7 @@ def test_the_rig_is_that_of_the_command_line(hits, run_recording, command_line, 
     options = ["--rate=2kHz", "--noise=0.01", "--bits=16", "--seed=3", f"--to={tmp_path / 'run.parquet'}"]
     command_line("rig", *options, keys=SHORTER)
     assert_identical(run_recording["mfc.voltage"], jounce.read_recordings(tmp_path / "run.parquet")[0]["mfc.voltage"])
-    assert run_recording.channel("1").quantity == "voltage" and run_recording.rate == 2000.0 and len(run_recording) == 1000
+    assert run_recording.channel("1").quantity == "voltage" and run_recording.rate == 2000.0 and run_recording.samples == 1000
     assert run_recording.manifest["spec_sha256"] and run_recording.manifest["options"]["seed"] == "3"
 
 
@@ -43,13 +43,13 @@ def test_reading_is_that_of_the_command_line(hits, command_line, tmp_path):
     (expected,) = command_line("read", spec=tmp_path / "hits.csv")["recordings"]
     file = jounce.read_recordings(tmp_path / "hits.csv")
     (result,) = file
-    assert (result.name, result.over, len(result), result.rate) == (
+    assert (result.name, result.over, result.samples, result.rate) == (
         expected["name"],
         expected["over"],
         expected["samples"],
         expected["rate"],
     )
-    for one, expected_channel in zip(result, expected["channels"]):
+    for one, expected_channel in zip(result.channels, expected["channels"]):
         assert (one.name, one.quantity, one.unit) == (expected_channel["name"], expected_channel["quantity"], expected_channel["unit"])
         # Sums in another order: off by 1e-16.
         assert [one.rms, one.peak] == pytest.approx([expected_channel["rms"], expected_channel["peak"]], rel=1e-12)
@@ -264,7 +264,7 @@ def test_functions_of_plain_columns_and_their_gaps():
 
 
 def test_a_value_and_its_uncertainty_end_at_one_digit():
-    from jounce.result import with_uncertainty
+    from jounce._format import with_uncertainty
 
     texts = [with_uncertainty(*one) for one in ((6.9123e-6, 4.9e-6, "W"), (60.312341, 1.23e-4, "Hz"), (123.0, 45.0), (1.234e7, 3e4, "Hz"))]
     assert texts == ["(6.9 +- 4.9)e-6 W", "60.31234 +- 0.00012 Hz", "123 +- 45", "(1.2340 +- 0.0030)e7 Hz"]
@@ -291,7 +291,7 @@ def test_free_decays_and_outputs_alone_are_those_of_the_command_line(harvester, 
     # One hit alone is a free decay from its largest size on; its channel of force is left out.
     hit = harvester.rig(hammer="beam.hammer", at="beam.tip", fixed_table=True, hits=1, block="8 s", rate="512 Hz", contact="8 ms")
     hit.write(tmp_path / "hit.csv")
-    (name,) = [one.name for one in hit if one.name != "force"]
+    (name,) = [name for name in hit if name != "force"]
     cases = [
         (["--free-decay", "--span=0.1s:6s"], {"free_decay": True, "span": "0.1 s:6 s"}),
         (["--output-only", f"--reference={name}", "--lags=1.5s"], {"output_only": True, "reference": name, "lags": "1.5 s"}),

@@ -21,9 +21,9 @@ def test_every_option_of_the_rig_is_that_of_the_command_line(command_line, tmp_p
         options = [f"--{key.replace('_', '-')}" + ("" if value is True else f"={value}") for key, value in arguments.items()]
         command_line("rig", *options, f"--to={to}", keys=SHORTER)
         result, (expected,) = harvester.rig(**keywords), jounce.read_recordings(to)
-        assert [one.name for one in result] == [one.name for one in expected]
-        for one in result:
-            assert_identical(one.values, expected[one.name])
+        assert list(result) == list(expected)
+        for name, values in result.items():
+            assert_identical(values, expected[name])
     # Amplitude and frequency of a shaker that drifts are those of its course; without mean the base moves about 0.
     assert abs(harvester.rig(base=base, fixed_table=True)["base.acceleration"].mean()) < 0.1
     assert result["base.acceleration"].mean() == pytest.approx(9.81, rel=0.01)

@@ -39,7 +39,7 @@ def test_a_key_is_set_and_comments_stay(harvester):
     assert harvester["stop.tip.gap"] == "0.5 mm" and harvester.si("stop.tip.gap") == 0.5e-3 and harvester.unit("stop.tip.gap") == "m"
     harvester["drive.shaker.frequency"] = "11 Hz"
     harvester.set({"damping.ratios": np.full(7, 0.01), "reduction.modes": 8})
-    assert harvester["damping.ratios"] == [0.01] * 7
+    assert harvester["damping.ratios"] == (0.01,) * 7
     assert "# where the stop is struck" in harvester.to_toml()
 
 

@@ -90,19 +90,19 @@ impl Sweep<'_> {
     }
 
     fn visits(&self) -> Vec<(f64, SweepDirection)> {
-        let values = self.range.values();
-        let up = values.iter().map(|value| (*value, SweepDirection::Up));
-        let down = values
-            .iter()
-            .rev()
-            .map(|value| (*value, SweepDirection::Down));
+        let up = self.range.values().to_vec();
+        let down: Vec<f64> = up.iter().rev().copied().collect();
         match self.direction {
-            SweepOrder::Up => up.collect(),
-            SweepOrder::Down => down.collect(),
-            SweepOrder::Both => up.chain(down).collect(),
-            SweepOrder::Independent => values
-                .iter()
-                .map(|value| (*value, SweepDirection::Independent))
+            SweepOrder::Up => directed(&up, SweepDirection::Up),
+            SweepOrder::Down => directed(&down, SweepDirection::Down),
+            SweepOrder::Both => [
+                directed(&up, SweepDirection::Up),
+                directed(&down, SweepDirection::Down),
+            ]
+            .concat(),
+            SweepOrder::Independent => up
+                .into_iter()
+                .map(|value| (value, SweepDirection::Independent))
                 .collect(),
         }
     }
@@ -225,6 +225,21 @@ impl Sweep<'_> {
             }
         }
     }
+}
+
+/// Returns values with the direction in which each is reached; the first has that of the second.
+fn directed(values: &[f64], single: SweepDirection) -> Vec<(f64, SweepDirection)> {
+    let reached = |index: usize| {
+        let next = index.max(1);
+        match values.get(next) {
+            Some(value) if *value < values[next - 1] => SweepDirection::Down,
+            Some(_) => SweepDirection::Up,
+            None => single,
+        }
+    };
+    (values.iter().enumerate())
+        .map(|(index, value)| (*value, reached(index)))
+        .collect()
 }
 
 /// Returns `None` for a point that was cancelled.

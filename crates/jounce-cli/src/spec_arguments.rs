@@ -11,8 +11,8 @@ use std::path::{Path, PathBuf};
 pub struct SpecArguments {
     /// The spec file (TOML).
     pub spec: PathBuf,
-    /// Sets a key for this call, as in --set stop.tip.gap="0.5 mm"; can be given several times; by
-    /// default the spec is used unchanged.
+    /// Sets a key for this call, as in --set stop.tip.gap="0.5 mm", or removes it, as in --set
+    /// run.tolerance=; can be given several times; by default the spec is used unchanged.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub set: Vec<String>,
 }

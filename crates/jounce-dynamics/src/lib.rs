@@ -21,7 +21,8 @@ pub use kernel::{ForceBasis, Kernel};
 pub use record::energies::Energies;
 pub use record::statistics::{ContactIntegrals, ContactStatistics, WorkCount};
 pub use record::trajectory::{
-    ConductionChange, Impact, PortForce, Trajectory, TrajectorySegment, TrajectoryState,
+    ConductionChange, Impact, PortForce, SampledRows, Trajectory, TrajectorySegment,
+    TrajectoryState,
 };
 pub use rectifier::energies::RectifiedEnergies;
 pub use sensitivity::{FlowSensitivity, ParameterSensitivity, SensitivityError};

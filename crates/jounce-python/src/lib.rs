@@ -18,7 +18,7 @@ mod _core {
     #[pymodule_export]
     use super::input::materials::materials;
     #[pymodule_export]
-    use super::input::spec::{Spec, keys, quantity_si, questions, schema};
+    use super::input::spec::{Spec, is_unit, keys, quantities_si, quantity_si, questions, schema};
     #[pymodule_export]
     use super::input::starters::{starter, starters};
     #[pymodule_export]

@@ -75,19 +75,20 @@ impl SpecFile {
     }
 
     /// Overrides one key. The value is written as on a command line: `0.5 mm`, `"0.5 mm"`, `13`,
-    /// `[0.1, 0.2]`, `table`.
+    /// `[0.1, 0.2]`, `table`; a value without characters removes the key.
     ///
     /// The element must exist in the file; an optional key of it may be new. Setting a key removes
-    /// the keys that it excludes.
+    /// the keys that it excludes. A complete table, `{mass = "12 kg", frequency = "1 Hz"}`,
+    /// replaces the table of this name or adds it.
     ///
     /// # Errors
     /// An unknown key, with the nearest key of this file. [`SpecFile::spec`] reports a wrong value.
     pub fn set(&mut self, key: &str, value: &str) -> Result<(), Fault> {
-        let row = resolve(&self.source.root, key).map_err(|message| Fault {
+        let change = Override::new(&self.source.root, key, value, self.overrides.len());
+        let change = change.map_err(|message| Fault {
             set: Some(Override::quoted_value(key, value)),
             ..Fault::without_position(&clip(key), message)
         })?;
-        let change = Override::new(key, value, &row, self.overrides.len());
         change.apply(&mut self.source.root);
         self.overrides.push(change);
         Ok(())
@@ -207,6 +208,12 @@ impl SpecFile {
             false => fault,
         };
         faults.into_iter().map(with_cause).collect()
+    }
+
+    /// Returns the file with the overrides written into its text, to which faults then refer.
+    #[must_use]
+    pub fn written(&self) -> Self {
+        Self::from_text(self.text()).in_folder(&self.folder)
     }
 
     /// Returns the text with the overrides written into it; comments and layout are retained.

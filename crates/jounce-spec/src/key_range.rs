@@ -13,7 +13,7 @@ use super::fault::Fault;
 use super::key::{Kind, Range};
 use super::nearest::clip;
 use super::numeric_key::NumericKey;
-use jounce_units::Decimal;
+use jounce_units::{Decimal, Quantity};
 
 /// Largest number of points of a sweep.
 const MAX_POINTS: usize = 1_000_000;
@@ -33,7 +33,7 @@ impl KeyRange {
     /// A range that is empty, reversed, longer than a million points, in wrong units or beyond the
     /// limits of the key.
     pub fn parse(key: NumericKey, text: &str) -> Result<Self, Fault> {
-        let values = points(&key, text).map_err(|reason| fault(&key, &reason))?;
+        let values = points(key.kind(), text).map_err(|reason| fault(&key, &reason))?;
         for value in &values {
             key.check(*value)?;
         }
@@ -55,7 +55,15 @@ fn fault(key: &NumericKey, reason: &str) -> Fault {
     Fault::without_position(key.path(), format!("{}: {reason}", key.path()))
 }
 
-fn points(key: &NumericKey, text: &str) -> Result<Vec<f64>, String> {
+/// Reads the values of a range as [`KeyRange::parse`], for quantities of one kind, SI.
+///
+/// # Errors
+/// A range that is empty, reversed, longer than a million points or in wrong units.
+pub fn quantity_range(quantity: Quantity, text: &str) -> Result<Vec<f64>, String> {
+    points(Kind::Quantity(quantity), text)
+}
+
+fn points(kind: Kind, text: &str) -> Result<Vec<f64>, String> {
     let parts: Vec<&str> = text.split(':').map(str::trim).collect();
     let [from, to, spacing] = parts[..] else {
         if parts.len() != 1 {
@@ -66,12 +74,12 @@ fn points(key: &NumericKey, text: &str) -> Result<Vec<f64>, String> {
         }
         return text
             .split(',')
-            .map(|part| Ok(DecimalNumber::read(key, part)?.value))
+            .map(|part| Ok(DecimalNumber::read(kind, part)?.value))
             .collect();
     };
     let (from, to) = (
-        DecimalNumber::read(key, from)?,
-        DecimalNumber::read(key, to)?,
+        DecimalNumber::read(kind, from)?,
+        DecimalNumber::read(kind, to)?,
     );
     if from.value > to.value {
         return Err(format!(
@@ -91,7 +99,7 @@ fn points(key: &NumericKey, text: &str) -> Result<Vec<f64>, String> {
             clip(spacing)
         )
     };
-    let step = DecimalNumber::read(key, spacing).map_err(|reason| invalid_step(&reason))?;
+    let step = DecimalNumber::read(kind, spacing).map_err(|reason| invalid_step(&reason))?;
     if step.value <= 0.0 {
         return Err(invalid_step("it must be greater than 0"));
     }
@@ -105,9 +113,9 @@ struct DecimalNumber {
 }
 
 impl DecimalNumber {
-    fn read(key: &NumericKey, text: &str) -> Result<Self, String> {
+    fn read(kind: Kind, text: &str) -> Result<Self, String> {
         let text = text.trim();
-        if let Kind::Quantity(quantity) | Kind::NamedQuantities(quantity) = key.kind() {
+        if let Kind::Quantity(quantity) | Kind::NamedQuantities(quantity) = kind {
             let value = quantity.read(text).map_err(|error| error.to_string())?;
             return Ok(Self {
                 value,
@@ -122,7 +130,7 @@ impl DecimalNumber {
             _ => Err(format!(
                 "\"{}\" is not a plain number; {}",
                 clip(text),
-                key.kind().expectation()
+                kind.expectation()
             )),
         }
     }

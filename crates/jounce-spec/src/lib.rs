@@ -26,8 +26,8 @@ mod write;
 
 pub use fault::{Fault, Faults};
 pub use file::SpecFile;
-pub use jounce_units::{Quantity, QuantityError};
-pub use key_range::KeyRange;
+pub use jounce_units::{Quantity, QuantityError, is_unit};
+pub use key_range::{KeyRange, quantity_range};
 pub use key_reference::reference_markdown;
 pub use model::*;
 pub(crate) use nearest::nearest;

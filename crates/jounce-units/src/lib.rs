@@ -28,4 +28,4 @@ mod symbol;
 pub use clip::clip;
 pub use decimal::Decimal;
 pub use error::QuantityError;
-pub use quantity::Quantity;
+pub use quantity::{Quantity, is_unit};

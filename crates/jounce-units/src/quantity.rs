@@ -181,6 +181,15 @@ impl Quantity {
     }
 }
 
+/// True for the text of a unit of any kind.
+///
+/// ```
+/// assert!(jounce_units::is_unit("kohm") && !jounce_units::is_unit("furlong"));
+/// ```
+pub fn is_unit(text: &str) -> bool {
+    Unit::parse(text).is_ok()
+}
+
 #[cfg(test)]
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {

@@ -81,7 +81,8 @@ impl Harvester {
         })
     }
 
-    /// Sets a key, for example `set("stop.tip.gap", "0.5 mm")`. An error changes nothing.
+    /// Sets a key, for example `set("stop.tip.gap", "0.5 mm")`; a value without characters removes
+    /// it. An error changes nothing.
     ///
     /// # Errors
     /// [`Error::Spec`] for an unknown key or an invalid value.
@@ -90,7 +91,8 @@ impl Harvester {
         Ok(())
     }
 
-    /// Returns a copy with keys set together.
+    /// Returns a copy with keys set together. Places in later faults are those in its
+    /// [`Harvester::text`].
     ///
     /// # Errors
     /// [`Error::Spec`] with the faults of all keys.
@@ -107,6 +109,7 @@ impl Harvester {
         let changed = Self::of(file, self.folder.clone())?;
         Ok(Self {
             control: self.control.clone(),
+            file: changed.file.written(),
             ..changed
         })
     }

@@ -53,4 +53,4 @@ pub use jounce_signal::spectral::HitWarning;
 pub use jounce_signal::{Samples, SignalError, Spectrum, Window};
 pub use jounce_spec::material::{Active, Material};
 pub use jounce_spec::starter::Starter;
-pub use jounce_spec::{Fault, Faults, KeyRange, NumericKey, Quantity};
+pub use jounce_spec::{Fault, Faults, KeyRange, NumericKey, Quantity, is_unit, quantity_range};

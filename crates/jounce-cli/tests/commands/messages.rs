@@ -6,7 +6,7 @@ use crate::{SPEC, jounce};
 const GAP_OVER: &str = "stop.tip.gap=1mm:2mm:3";
 
 /// Commands with a wrong option, and the message of each; `SPEC` precedes the options.
-const WRONG_OPTIONS: [(&str, &[&str], &str); 16] = [
+const WRONG_OPTIONS: [(&str, &[&str], &str); 15] = [
     (
         "modes",
         &["--order", "3"],
@@ -57,11 +57,6 @@ const WRONG_OPTIONS: [(&str, &[&str], &str); 16] = [
         "sweep",
         &["--over", "stop.tip.law=1,3"],
         "no key with a number",
-    ),
-    (
-        "sweep",
-        &["--over", "reduction.modes=1,3"],
-        "choose independent as --direction",
     ),
     (
         "branch",

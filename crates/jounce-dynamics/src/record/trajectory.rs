@@ -100,6 +100,15 @@ pub struct TrajectoryState {
     pub forces_n: Vec<f64>,
 }
 
+/// Values of a trajectory over time.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SampledRows {
+    /// Values of each row.
+    pub values: Vec<Vec<f64>>,
+    /// Contact force of each stop, N.
+    pub forces_n: Vec<Vec<f64>>,
+}
+
 impl Trajectory {
     pub(crate) fn push(&mut self, segment: TrajectorySegment) {
         self.segments.push(segment);
@@ -149,6 +158,28 @@ impl Trajectory {
             },
         );
         instants
+    }
+
+    /// Returns rows of the physical state `(q, q', V, i)` and the contact force of each stop at
+    /// ascending times: one list of values for each row and for each stop.
+    pub fn sample(&self, kernel: &Kernel, times_s: &[f64], rows: &[Vec<f64>]) -> SampledRows {
+        let empty = || Vec::with_capacity(times_s.len());
+        let mut sampled = SampledRows {
+            values: rows.iter().map(|_| empty()).collect(),
+            forces_n: kernel.plant.system.stops.iter().map(|_| empty()).collect(),
+        };
+        self.each(kernel, times_s, |state_kernel, _, instant| {
+            let physical = state_kernel
+                .plant
+                .to_physical(&instant.state, instant.time_s);
+            for (values, row) in sampled.values.iter_mut().zip(rows) {
+                values.push(row.iter().zip(&physical).map(|(r, x)| r * x).sum());
+            }
+            for (forces, force_n) in sampled.forces_n.iter_mut().zip(&instant.forces_n) {
+                forces.push(*force_n);
+            }
+        });
+        sampled
     }
 
     /// Returns the physical state `(q, q', V, i)` at a time. Where diodes conduct, it does not use

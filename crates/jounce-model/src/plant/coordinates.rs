@@ -19,6 +19,22 @@ impl Plant {
             .collect()
     }
 
+    /// Returns the row for each patch whose product with a physical state is its voltage, V.
+    pub fn patch_voltage_rows(&self) -> Vec<Vec<f64>> {
+        let first = 2 * self.system.modes.len();
+        self.electrical
+            .patch
+            .iter()
+            .map(|parts| {
+                let mut row = vec![0.0; self.len()];
+                for (node, factor) in parts {
+                    row[first + *node] += factor;
+                }
+                row
+            })
+            .collect()
+    }
+
     /// Returns the block coordinates of a physical state `(q, q', V, i)` at time `t`, without the
     /// steady part.
     pub fn from_physical(&self, x: &[f64], time_s: f64) -> Vec<f64> {

@@ -61,7 +61,7 @@ impl Failure {
             let details = py
                 .import("json")?
                 .call_method1("loads", (self.details.to_string(),))?;
-            let class = py.import("jounce.errors")?.getattr(self.class)?;
+            let class = py.import("jounce._errors")?.getattr(self.class)?;
             Ok(PyErr::from_value(class.call1((&self.message, details))?))
         };
         make().unwrap_or_else(|error| error)

@@ -1,7 +1,7 @@
 //! Spec: its text and its contents.
 
 use crate::conversion::failure::Failure;
-use jounce::parts::{Manifest, Quantity};
+use jounce::parts::{Manifest, Quantity, quantity_range};
 use jounce::{Harvester, SpecFile};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -159,11 +159,29 @@ pub fn keys() -> String {
     jounce::key_reference()
 }
 
+/// True for the text of a unit.
+#[pyfunction]
+pub fn is_unit(text: &str) -> bool {
+    jounce::parts::is_unit(text)
+}
+
 /// Converts a quantity as text to SI: kind is `time`, `frequency`, `length`, `resistance`,
 /// `capacitance`, `mass` or `force`.
 #[pyfunction]
 pub fn quantity_si(kind: &str, text: &str) -> PyResult<f64> {
-    let quantity = match kind {
+    let value = quantity(kind)?.read(text);
+    value.map_err(|error| invalid(kind, text, error.to_string()))
+}
+
+/// Converts a range as text to its values, SI; kind is one of [`quantity_si`].
+#[pyfunction]
+pub fn quantities_si(kind: &str, text: &str) -> PyResult<Vec<f64>> {
+    let values = quantity_range(quantity(kind)?, text);
+    values.map_err(|reason| invalid(kind, text, reason))
+}
+
+fn quantity(kind: &str) -> PyResult<Quantity> {
+    let known = match kind {
         "time" => Quantity::Time,
         "frequency" => Quantity::Frequency,
         "length" => Quantity::Length,
@@ -172,14 +190,15 @@ pub fn quantity_si(kind: &str, text: &str) -> PyResult<f64> {
         "mass" => Quantity::Mass,
         "force" => Quantity::Force,
         _ => {
-            return Err(PyValueError::new_err(format!(
-                "{kind}: unknown kind of quantity"
-            )));
+            let message = format!("{kind}: unknown kind of quantity");
+            return Err(PyValueError::new_err(message));
         }
     };
-    quantity.read(text).map_err(|error| {
-        Failure::new("ArgumentError", error)
-            .with(serde_json::json!({ "given": text, "due": kind }))
-            .into()
-    })
+    Ok(known)
+}
+
+fn invalid(kind: &str, text: &str, reason: String) -> PyErr {
+    Failure::new("ArgumentError", reason)
+        .with(serde_json::json!({ "given": text, "due": kind }))
+        .into()
 }

@@ -21,6 +21,18 @@ pub enum SpectralError {
         /// Value of all samples.
         value: f64,
     },
+    /// The square of a sample is larger than the largest number.
+    #[error(
+        "sample {sample} of {channel} is {value:e}, and its square is too large for a number; is the unit right?"
+    )]
+    Overflow {
+        /// The channel.
+        channel: String,
+        /// Index of the first such sample.
+        sample: usize,
+        /// Its value.
+        value: f64,
+    },
     /// A segment does not fit into the record.
     #[error(
         "segments of {segment} samples cannot be cut from {samples}; give a length of 8 to {samples} samples"

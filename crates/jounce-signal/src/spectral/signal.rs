@@ -5,12 +5,24 @@ use crate::Samples;
 use super::SpectralError;
 use jounce_data::recording::{Channel, Quantity, Recording};
 
+/// Magnitude up to which a sum of squares of all samples is a number.
+const MAX_MAGNITUDE: f64 = 1e145;
+
 /// Returns the samples of a channel with a signal.
 ///
 /// # Errors
-/// All samples are equal, as from a disconnected sensor; no sample, or one that is not a number.
+/// All samples are equal, as from a disconnected sensor; no sample, or one that is not a number or
+/// too large for sums of squares.
 pub fn signal(channel: &Channel, rate_hz: f64) -> Result<Samples<'_>, SpectralError> {
     let samples = Samples::new(&channel.values, rate_hz)?;
+    let too_large = |value: &f64| value.abs() > MAX_MAGNITUDE;
+    if let Some(sample) = channel.values.iter().position(too_large) {
+        return Err(SpectralError::Overflow {
+            channel: channel.name.clone(),
+            sample,
+            value: channel.values[sample],
+        });
+    }
     match samples.values() {
         [first, rest @ ..] if rest.iter().all(|x| x == first) => Err(SpectralError::Constant {
             channel: channel.name.clone(),

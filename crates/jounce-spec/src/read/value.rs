@@ -86,14 +86,10 @@ pub(crate) fn read_number(kind: Kind, range: Range, node: &Node) -> Result<f64, 
             quantity.read(text).map_err(|error| error.to_string())?,
             clip(text),
         ),
-        (
-            Kind::Quantity(quantity) | Kind::NamedQuantities(quantity),
-            Value::Integer(_) | Value::Float(_),
-        ) => {
-            let example = quantity.units().swap_remove(0);
-            let raw = clip(&node.raw);
+        (Kind::Quantity(_) | Kind::NamedQuantities(_), Value::Integer(_) | Value::Float(_)) => {
             return Err(format!(
-                "{raw} has no unit; {}; write for example \"{raw} {example}\"",
+                "{} has no unit; {}",
+                clip(&node.raw),
                 kind.expectation()
             ));
         }

@@ -61,6 +61,12 @@ impl Node {
         self.entries()?.iter().find(|entry| entry.name == name)
     }
 
+    /// Returns the value under a path of tables.
+    pub(crate) fn find(&self, path: &[String]) -> Option<&Self> {
+        path.iter()
+            .try_fold(self, |node, name| Some(&node.get(name)?.node))
+    }
+
     /// Stores a value under a path. Missing tables are created; elements of a list are counted from
     /// 1. False if another value blocks the path.
     pub(crate) fn put(&mut self, path: &[&str], node: Node) -> bool {

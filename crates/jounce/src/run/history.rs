@@ -80,33 +80,23 @@ impl HistorySamples {
     fn new(kernel: &Kernel, result: &RunResult, time_s: Vec<f64>) -> Self {
         let plant = &kernel.plant;
         let (modes, n) = (&plant.system.modes, plant.system.modes.len());
-        let instants = result.trajectory.at(kernel, &time_s);
-        let states: Vec<Vec<f64>> = instants
-            .iter()
-            .map(|at| plant.to_physical(&at.state, at.time_s))
+        let motion = |shape: &Vec<f64>, first: usize| [vec![0.0; first], shape.clone()].concat();
+        let points = modes.shape.values();
+        let stops = plant.system.stops.iter();
+        let rows: Vec<Vec<f64>> = (points.clone().map(|shape| motion(shape, 0)))
+            .chain(points.map(|shape| motion(shape, n)))
+            .chain(stops.map(|stop| motion(&stop.shape, 0)))
+            .chain(plant.patch_voltage_rows())
             .collect();
-        let voltages: Vec<Vec<f64>> = states.iter().map(|x| plant.patch_voltages_v(x)).collect();
-        let along = |shape: &[f64], first: usize| -> Vec<f64> {
-            let dot = |x: &Vec<f64>| {
-                shape
-                    .iter()
-                    .zip(&x[first..first + n])
-                    .map(|(s, q)| s * q)
-                    .sum()
-            };
-            states.iter().map(dot).collect()
-        };
-        let stops = &plant.system.stops;
+        let sampled = result.trajectory.sample(kernel, &time_s, &rows);
+        let mut values = sampled.values.into_iter();
+        let mut take = |count: usize| values.by_ref().take(count).collect();
         Self {
-            displacement_m: modes.shape.values().map(|shape| along(shape, 0)).collect(),
-            velocity_m_s: modes.shape.values().map(|shape| along(shape, n)).collect(),
-            relative_displacement_m: stops.iter().map(|stop| along(&stop.shape, 0)).collect(),
-            voltage_v: (0..modes.patch.len())
-                .map(|patch| voltages.iter().map(|v| v[patch]).collect())
-                .collect(),
-            force_n: (0..stops.len())
-                .map(|stop| instants.iter().map(|at| at.forces_n[stop]).collect())
-                .collect(),
+            displacement_m: take(modes.shape.len()),
+            velocity_m_s: take(modes.shape.len()),
+            relative_displacement_m: take(plant.system.stops.len()),
+            voltage_v: take(modes.patch.len()),
+            force_n: sampled.forces_n,
             time_s,
         }
     }

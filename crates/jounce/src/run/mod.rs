@@ -13,6 +13,7 @@ use crate::error::Error;
 use crate::harvester::Harvester;
 use jounce_analysis::run::{RunPlan, Warning, charges, simulate, voltage_peaks};
 use jounce_dynamics::Kernel;
+use std::time::Instant;
 
 impl Harvester {
     /// Integrates one run over `run.duration` and averages over the last `run.average_over`.
@@ -21,6 +22,7 @@ impl Harvester {
     /// [`Error::Option`] for a record that is longer than the run, [`Error::Analysis`] for a start
     /// that does not fit or an integration that does not converge.
     pub fn run(&self, options: &RunOptions) -> Result<RunResult, Error> {
+        let clock = Instant::now();
         self.with_tolerance(options.tolerance)?;
         let model = self.model()?;
         options.check(model.spec.run.duration_s)?;
@@ -44,7 +46,11 @@ impl Harvester {
         let history = options.record_s > 0.0;
         let history = history.then(|| History::new(&kernel, &result, &plan, options));
         let warnings = Warning::of(&model.spec, &kernel, &plan, &result);
-        Ok(RunResult::new(&kernel, &plan, result, warnings, history))
+        let result = RunResult::new(&kernel, &plan, result, warnings, history);
+        Ok(RunResult {
+            wall_time_s: clock.elapsed().as_secs_f64(),
+            ..result
+        })
     }
 }
 
@@ -102,6 +108,7 @@ impl RunResult {
             warnings,
             work: run.work,
             wall_time_s: run.wall_time_s,
+            integration_wall_time_s: run.wall_time_s,
             duration_s: plan.duration_s,
             average_over_s: plan.average_over_s,
             tolerance: plan.tolerance,

@@ -58,8 +58,10 @@ pub struct RunResult {
     pub warnings: Vec<Warning>,
     /// Numbers of steps and iterations.
     pub work: WorkCount,
-    /// Wall time of the integration, s.
+    /// Wall time of the call, with the model and the record, s.
     pub wall_time_s: f64,
+    /// Wall time of the integration alone, s.
+    pub integration_wall_time_s: f64,
     /// Length of the run, s.
     pub duration_s: f64,
     /// Length of the averaging window, s.

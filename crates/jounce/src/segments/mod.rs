@@ -15,7 +15,7 @@ use jounce_experiment::segmentation::{
 };
 use jounce_experiment::solution::{as_recorded, solutions};
 use jounce_signal::Samples;
-use jounce_signal::spectral::mean_power_if_long;
+use jounce_signal::spectral::{mean_power_if_long, signal};
 
 impl Recording {
     /// Cuts a long recording under a harmonic drive into segments of one attractor each. With a
@@ -46,7 +46,7 @@ impl Recording {
         let drive_hz = options.check(model.is_some())?;
         let record = self.load(options)?;
         let channel = &record.channels[0];
-        let samples = Samples::new(&channel.values, record.rate())?;
+        let samples = signal(channel, record.rate())?;
         let segmentation = segments_watched(&samples, drive_hz, self.control())?;
         let matches = match model {
             Some(model) => self.matches(model, options, &samples, &segmentation, drive_hz)?,

@@ -97,7 +97,7 @@ impl Harvester {
         let study = Sweep {
             spec: harvester.spec(),
             range: &range,
-            direction: options.direction.into(),
+            direction: order(options, &range).into(),
             fixed_duration: options.fixed_duration,
             folder: harvester.folder().to_path_buf(),
         };
@@ -111,11 +111,14 @@ impl Harvester {
     fn swept(&self, options: &SweepOptions) -> Result<(Self, KeyRange), Error> {
         let harvester = self.with_tolerance(options.tolerance)?;
         let range = key_range(&harvester, "over", &options.over)?;
-        let is_stepped = options.direction != SweepOrder::Independent;
-        if is_stepped && range.key().path() == "reduction.modes" {
-            let expected = "the number of modes differs, so a point cannot start from the state of the point before; choose independent as `direction`";
-            return Err(Error::option("over", &options.over, expected));
-        }
         Ok((harvester, range))
+    }
+}
+
+/// Returns the order of the points; those with other numbers of modes cannot start from each other.
+fn order(options: &SweepOptions, range: &KeyRange) -> SweepOrder {
+    match range.key().path() {
+        "reduction.modes" => SweepOrder::Independent,
+        _ => options.direction,
     }
 }

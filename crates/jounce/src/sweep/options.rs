@@ -24,7 +24,7 @@ pub struct SweepOptions {
     /// The key and its values: KEY=FROM:TO:STEP, KEY=FROM:TO:Nx, KEY=FROM:TO:Nlog or KEY=A,B,C.
     #[arg(long, value_name = "KEY=RANGE")]
     pub over: String,
-    /// Order of the points.
+    /// Order of the points; those over reduction.modes are always independent.
     #[arg(long, value_enum, default_value = "up")]
     pub direction: SweepOrder,
     /// Runs every point for run.duration and averages over run.average_over, instead of until

@@ -271,3 +271,68 @@ fn files_that_cannot_be_read_have_a_reason() {
         Err(ReadError::TooLarge { .. })
     ));
 }
+
+#[test]
+fn a_value_without_characters_removes_a_key() {
+    let rigid = [
+        ("stop.tip.law", "rigid"),
+        ("stop.tip.restitution", "0.8"),
+        ("stop.tip.stiffness", ""),
+    ];
+    assert!(matches!(
+        read_with(&rigid).unwrap().stop["tip"].law,
+        StopLaw::Rigid { .. }
+    ));
+    assert!(
+        read_with(&rigid[..2])
+            .unwrap_err()
+            .contains("stop.tip.stiffness")
+    );
+    let default = read_with(&[("reduction.modes", " ")]).unwrap();
+    assert_eq!(default.reduction.modes, Spec::default().reduction.modes);
+    assert!(read_with(&[("stop.tip", "")]).unwrap().stop.is_empty());
+    // An optional key that the file lacks, twice: nothing to remove.
+    assert!(read_with(&[("patch.mfc.strain_limit", ""); 2]).is_ok());
+    for (key, message) in [
+        ("stop.tip.gapp", "unknown key"),
+        ("stop.below", "this file has no [stop.below]; it has: tip"),
+        ("damping.ratios.2", "set the complete list"),
+        ("stop.tip.gap", "gap"),
+    ] {
+        let fault = read_with(&[(key, "")]).unwrap_err();
+        assert!(fault.contains(message), "{key}: {fault}");
+    }
+}
+
+#[test]
+fn a_table_replaces_or_adds_an_element() {
+    let below =
+        r#"{at = "beam.tip", side = "negative", law = "rigid", gap = "2 mm", restitution = 0.5}"#;
+    let spec = read_with(&[("stop.below", below), ("stop.below.gap", "3 mm")]).unwrap();
+    assert_eq!((spec.stop.len(), spec.stop["below"].gap_m), (2, 3e-3));
+    let replaced = read_with(&[("stop.tip", below)]).unwrap();
+    assert!(matches!(replaced.stop["tip"].law, StopLaw::Rigid { .. }));
+    let both = format!("{{tip = {below}, below = {below}}}");
+    assert_eq!(read_with(&[("stop", &both)]).unwrap().stop.len(), 2);
+    for (key, message) in [
+        ("stop.tip.gap", "found a table"),
+        ("stops.tip", "unknown key"),
+        ("stop.tip.law.name", "has no keys"),
+    ] {
+        let fault = read_with(&[(key, "{a = 1}")]).unwrap_err();
+        assert!(fault.contains(message), "{key}: {fault}");
+    }
+}
+
+#[test]
+fn a_replaced_table_has_its_header_and_its_comment() {
+    let text = "# what the beam strikes\n[stop.tip]\nat = \"a.end\"\ngap = \"1 mm\"\n\n[run]\nduration = \"2 s\"\n";
+    let mut file = SpecFile::from_text(text);
+    file.set("stop.tip", "{at = \"a.end\", gap = \"2 mm\"}")
+        .unwrap();
+    file.set("stop.below", "{at = \"a.end\", gap = \"3 mm\"}")
+        .unwrap();
+    file.set("run.duration", "").unwrap();
+    let expected = "# what the beam strikes\n[stop.tip]\nat = \"a.end\"\ngap = \"2 mm\"\n\n[stop.below]\nat = \"a.end\"\ngap = \"3 mm\"\n\n[run]\n";
+    assert_eq!(file.text(), expected);
+}

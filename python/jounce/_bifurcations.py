@@ -1,0 +1,118 @@
+"""Bifurcation curves in two keys."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable, Iterator
+from typing import Any, Self
+
+import numpy as np
+
+from ._format import counted
+from ._result import Data, Floats, Integers, Result, Variable
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class BifurcationCurve(Data):
+    """Curve of one kind of bifurcation; arrays of shape ``(point,)`` along it."""
+
+    #: ``"fold"``, ``"period-doubling"``, ``"neimark-sacker"``, ``"grazing"``, ``"level"``, or ``"peak"``: the largest mean power along a
+    #: branch.
+    kind: str
+    #: Level of the curve as given; ``None`` for other kinds.
+    level: str | None
+    period_cycles: int
+    #: Values of the two keys, SI.
+    parameter: Floats
+    parameter_2: Floats
+    mean_power_w: Floats
+    #: On a curve of peaks, 1 for a stable orbit and 0 for an unstable one; -1 on other curves.
+    stable: Integers
+    #: Places where continuation stopped early, with the reason.
+    failures: list[str]
+
+    def __len__(self) -> int:
+        return len(self.parameter)
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class BifurcationsResult(Result):
+    """All curves that were found; can be iterated and indexed by number."""
+
+    #: First key and its SI unit.
+    key: str
+    unit: str
+    #: Second key and its SI unit.
+    key_2: str
+    unit_2: str
+    curves: list[BifurcationCurve]
+    #: Curves that the search may miss, and options that find more.
+    note: str
+    #: Warnings about curves that end early.
+    warnings: list[str]
+
+    @classmethod
+    def _from_core(cls, result: dict[str, Any]) -> Self:
+        return super()._from_core({**result, "curves": [BifurcationCurve(**one) for one in result["curves"]]})
+
+    def __len__(self) -> int:
+        return len(self.curves)
+
+    def __getitem__(self, number: int) -> BifurcationCurve:
+        return self.curves[number]
+
+    def __iter__(self) -> Iterator[BifurcationCurve]:
+        return iter(self.curves)
+
+    def _summary(self) -> list[tuple[str, str]]:
+        plane = f"{self.key} [{self.unit}] against {self.key_2} [{self.unit_2}]"
+        curves = [
+            (f"curve {k}", f"{one.level or one.kind} of period {one.period_cycles}, {counted(len(one), 'point')}")
+            for k, one in enumerate(self.curves)
+        ]
+        return [("over", plane), *curves, *(("warning", text) for text in self.warnings), ("note", self.note)]
+
+    def _table(self) -> dict[str, Any]:
+        def concatenated(field: str) -> Any:
+            return np.concatenate([getattr(one, field) for one in self.curves]) if self.curves else np.empty(0)
+
+        lengths = [len(one) for one in self.curves]
+        numbers: Integers = np.repeat(np.arange(len(self), dtype=np.int64), lengths)
+        return {
+            "curve": numbers,
+            "kind": [one.level or one.kind for one in self.curves for _ in range(len(one))],
+            "period_cycles": np.repeat(np.array([one.period_cycles for one in self.curves], dtype=np.int64), lengths),
+            "parameter": concatenated("parameter"),
+            "parameter_2": concatenated("parameter_2"),
+            "mean_power_w": concatenated("mean_power_w"),
+            "stable": concatenated("stable"),
+        }
+
+    def to_xarray(self) -> Any:
+        """Returns an ``xarray.Dataset`` over ``point``: all curves in sequence, numbered by ``curve``."""
+        columns = self._table()
+        descriptions = {
+            "curve": ("curve", "1", "number of the curve"),
+            "kind": ("kind", "", "kind of the bifurcation, or the level"),
+            "period_cycles": ("period_cycles", "1", "period in drive cycles"),
+            "parameter": ("parameter", self.unit, self.key),
+            "parameter_2": ("parameter_2", self.unit_2, self.key_2),
+            "mean_power_w": ("mean_power", "W", "mean power of all loads"),
+            "stable": ("stable", "1", "1 for a stable peak; -1 on other curves"),
+        }
+        return self._dataset(
+            {name: Variable(("point",), columns[column], units, text) for column, (name, units, text) in descriptions.items()}, {}
+        )
+
+    def to_pandas(self) -> Any:
+        """Returns a ``pandas.DataFrame`` with a row for each point of each curve."""
+        return self._frame(self._table())
+
+    def _pictures(self) -> dict[str, Callable[[Any], Any]]:
+        return {"curves": self.plot_bifurcations}
+
+    def plot_bifurcations(self, ax: Any = None) -> Any:
+        """Draws the curves over the plane of the two keys."""
+        from ._plot.bifurcations import plot_bifurcations
+
+        return plot_bifurcations(self, ax)

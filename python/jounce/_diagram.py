@@ -1,0 +1,135 @@
+"""Bifurcation diagrams by integration."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable
+from functools import partial
+from typing import Any, Self
+
+import numpy as np
+
+from ._branch import Branch
+from ._errors import ArgumentError
+from ._format import counted, html_table
+from ._result import Floats, Integers, Result, Variable
+
+#: Quantities of the section: field, unit, description.
+SECTION = {
+    "displacement": ("section_displacement_m", "m", "displacement towards the stop at the start of a drive cycle"),
+    "velocity": ("section_velocity_m_s", "m/s", "velocity towards the stop"),
+    "voltage": ("section_voltage_v", "V", "voltage of the first patch"),
+}
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class DiagramResult(Result):
+    """State at the start of each drive cycle; arrays of shape ``(point,)`` and, of the section, ``(section,)``."""
+
+    #: The key and its SI unit.
+    key: str
+    unit: str
+    #: Value of the key in each run, SI.
+    parameter: Floats
+    #: Direction of each run: ``"up"``, ``"down"``, ``"independent"`` (from a start of the cloud).
+    direction: list[str]
+    #: Number of the start in its cloud; 0 in a stepped diagram.
+    start: Integers
+    #: ``"orbit"``, ``"chaos"``, ``"torus"``, ``"undecided"``, ``"lost"``.
+    motion: list[str]
+    #: Period in drive cycles; 0 without a period.
+    period_cycles: Integers
+    contacts_per_period: Integers
+    mean_power_w: Floats
+    #: Id of the attractor of each run; ``None`` without one, and in a stepped diagram.
+    attractor: list[str | None]
+    #: Points of the section: number of the run, displacement towards the stop, velocity, voltage.
+    section_point: Integers
+    section_displacement_m: Floats
+    section_velocity_m_s: Floats
+    section_voltage_v: Floats
+    #: With starts only: each attractor with ``id``, ``motion``, ``period_cycles``, ``born``, ``died``, ``seen``.
+    attractors: list[dict[str, Any]]
+    #: Branches continued over the same range, unstable parts included.
+    branches: list[Branch]
+    #: Warnings about failed runs.
+    warnings: list[str]
+
+    @classmethod
+    def _from_core(cls, fields: dict[str, Any]) -> Self:
+        branches = [Branch._of(one) for one in fields["branches"]]
+        return super()._from_core({**fields, "branches": branches, "attractors": fields["attractors"] or []})
+
+    def __len__(self) -> int:
+        return len(self.parameter)
+
+    def _summary(self) -> list[tuple[str, str]]:
+        kinds = sorted(set(self.motion))
+        runs = f"{len(self)} with {counted(len(self.section_point), 'point')} of the section"
+        lines = [("over", f"{self.key} [{self.unit}]"), ("runs", runs)]
+        lines += [(kind, str(self.motion.count(kind))) for kind in kinds]
+        for one in self.attractors:
+            track_points = one["seen"]
+            lines.append(
+                (f"attractor {one['id']}", f"from {track_points[0]['parameter']:.6g} to {track_points[-1]['parameter']:.6g} {self.unit}")
+            )
+        return [*lines, ("branches", str(len(self.branches))), *(("warning", text) for text in self.warnings)]
+
+    def _repr_html_(self) -> str:
+        rows = [[kind, self.motion.count(kind)] for kind in sorted(set(self.motion))]
+        return html_table(f"Diagram over {self.key}", ["motion", "runs"], rows)
+
+    def to_xarray(self) -> Any:
+        """Returns an ``xarray.Dataset`` over ``point`` and ``section``; ``section_point`` is the run of each point."""
+        dims = ("point",)
+        variables = {
+            "motion": Variable(dims, self.motion, "", "kind of the motion"),
+            "period_cycles": Variable(dims, self.period_cycles, "1", "period in drive cycles, 0 without a period"),
+            "contacts_per_period": Variable(dims, self.contacts_per_period, "1", "contacts per period"),
+            "mean_power": Variable(dims, self.mean_power_w, "W", "mean power of all loads"),
+            "attractor": Variable(dims, [one or "" for one in self.attractor], "", "id of the attractor, empty without one"),
+            "start": Variable(dims, self.start, "1", "number of the start in its cloud"),
+            "section_point": Variable(("section",), self.section_point, "1", "run of the point"),
+        }
+        for name, (field, units, description) in SECTION.items():
+            variables[f"section_{name}"] = Variable(("section",), getattr(self, field), units, description)
+        coords = {
+            "point": Variable(dims, np.arange(len(self)), "1", "order of the runs"),
+            "parameter": Variable(dims, self.parameter, self.unit, self.key),
+            "direction": Variable(dims, self.direction, "", "direction of the sweep"),
+        }
+        return self._dataset(variables, coords)
+
+    def to_pandas(self) -> Any:
+        """Returns a ``pandas.DataFrame`` with a row for each point of the section."""
+        point = self.section_point
+        return self._frame(
+            {
+                "parameter": self.parameter[point],
+                "direction": [self.direction[k] for k in point],
+                "start": self.start[point],
+                "attractor": [self.attractor[k] or "" for k in point],
+                "motion": [self.motion[k] for k in point],
+                "period_cycles": self.period_cycles[point],
+                "mean_power_w": self.mean_power_w[point],
+                "displacement_m": self.section_displacement_m,
+                "velocity_m_s": self.section_velocity_m_s,
+                "voltage_v": self.section_voltage_v,
+            }
+        )
+
+    def section(self, quantity: str) -> tuple[Floats, str, str]:
+        """Returns values at the points of the section, unit and description of ``"displacement"``, ``"velocity"`` or ``"voltage"``."""
+        if quantity not in SECTION:
+            raise ArgumentError(f"{quantity}: no such quantity of a section; there are {', '.join(SECTION)}")
+        field, units, description = SECTION[quantity]
+        return getattr(self, field), units, description
+
+    def _pictures(self) -> dict[str, Callable[[Any], Any]]:
+        return {quantity: partial(self.plot_diagram, quantity=quantity) for quantity in SECTION}
+
+    def plot_diagram(self, ax: Any = None, quantity: str = "displacement") -> Any:
+        """Draws the section over the key: orbits as large dots, other motions as small dots, coloured by direction or attractor."""
+        from ._plot.diagram import plot_diagram
+
+        return plot_diagram(self, ax, quantity)

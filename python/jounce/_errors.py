@@ -1,0 +1,141 @@
+"""Exceptions of jounce, which carry the numbers of their messages, and its warning."""
+
+from __future__ import annotations
+
+import warnings
+from dataclasses import dataclass
+from typing import Any
+
+__all__ = [
+    "ArgumentError",
+    "ConvergenceError",
+    "ExploreError",
+    "Fault",
+    "FileError",
+    "FitError",
+    "Interrupted",
+    "JounceError",
+    "IntegrationError",
+    "NotSettled",
+    "OrbitError",
+    "PlantError",
+    "RecordingError",
+    "SpecError",
+    "StartError",
+    "StructureError",
+    "StudyError",
+    "UnknownKeyError",
+]
+
+
+@dataclass(frozen=True)
+class Fault:
+    """Fault in a spec.
+
+    ``line`` and ``column`` count from 1. They are 0 where the fault has no place in a text: in a key that was set, or a spec of Python
+    objects.
+    """
+
+    line: int
+    column: int
+    key: str
+    message: str
+
+    def __str__(self) -> str:
+        return f"line {self.line}, column {self.column}: {self.message}" if self.line else self.message
+
+
+class JounceError(Exception):
+    """Base class of the errors of jounce. ``details`` holds the numbers and names of the message, with units in the keys (``time_s``)."""
+
+    def __init__(self, message: str, details: dict[str, Any] | None = None) -> None:
+        super().__init__(message)
+        self.details: dict[str, Any] = details or {}
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (type(self), (self.args[0], self.details))
+
+
+class ArgumentError(JounceError, ValueError):
+    """An argument out of range or of a wrong type."""
+
+
+class FileError(JounceError, OSError):
+    """A file that cannot be read or written. ``details`` holds its ``path``, ``errno`` the error number of the system, if any."""
+
+    def __init__(self, message: str, details: dict[str, Any] | None = None) -> None:
+        super().__init__(message, details)
+        self.errno = self.details.get("errno")
+
+
+class UnknownKeyError(ArgumentError, KeyError):
+    """A name that a mapping does not have: a key of a spec, a channel, an example; ``details`` holds it and the ``nearest`` one."""
+
+    # A KeyError would print its message in quotes, as the name of a key.
+    __str__ = Exception.__str__
+
+
+class SpecError(JounceError, ValueError):
+    """A spec with faults; all faults are listed in the order of their places."""
+
+    def __init__(self, message: str, details: dict[str, Any] | None = None) -> None:
+        super().__init__(message, details)
+        fault_dicts = self.details.get("faults", [])
+        self.faults: list[Fault] = [Fault(f["line"], f["column"], f["key"], f["message"]) for f in fault_dicts]
+
+
+class StructureError(JounceError):
+    """A structure without the requested modes."""
+
+
+class PlantError(JounceError):
+    """A harvester that has no usable linear plant."""
+
+
+class StartError(JounceError):
+    """A start state that cannot be read or does not match the harvester."""
+
+
+class IntegrationError(JounceError):
+    """An integration that could not continue."""
+
+
+class StudyError(JounceError):
+    """A folder that does not match the study, missing or damaged parts, or another process at work on them."""
+
+
+class RecordingError(JounceError, ValueError):
+    """A recording without the requested quantity: too short, without a signal, without a hit, or with unusable sample times."""
+
+
+class FitError(JounceError, ValueError):
+    """Features that are ambiguous, a key or a mode that the harvester does not have, or a fit that does not converge."""
+
+
+class ExploreError(JounceError):
+    """A live page that cannot be served."""
+
+
+class OrbitError(JounceError):
+    """A harvester that cannot have orbits of the requested kind."""
+
+
+class ConvergenceError(JounceError):
+    """A computation that did not converge or found no result."""
+
+
+class Interrupted(KeyboardInterrupt):
+    """Interruption by Ctrl-C. ``result`` holds the finished part, of the type that the call returns; ``None`` without one."""
+
+    def __init__(self, result: Any = None) -> None:
+        super().__init__("interrupted; the finished part is in `result`" if result is not None else "interrupted")
+        self.result = result
+
+
+class NotSettled(UserWarning):
+    """Warning that a run, or points of a sweep or study, have not reached steady state: their means are those of a transient."""
+
+
+def warn_not_settled(message: str) -> None:
+    """Warns at the place from which a method of the package was called."""
+    warnings.warn(f"{message}; the means are those of a transient: give a longer run.duration", NotSettled, stacklevel=3)

@@ -1,0 +1,225 @@
+"""Fit of keys of a spec to measured features."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable
+from functools import partial
+from typing import TYPE_CHECKING, Annotated, Any
+
+import numpy as np
+
+from ._errors import ArgumentError
+from ._format import html_table
+from ._result import Along, Data, Floats, Result, Variable, column
+
+if TYPE_CHECKING:
+    from ._spec import Spec
+else:
+    # The module of Spec imports this one, so the name is looked up when a dataset is made.
+    Spec = Any
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class FitCurve(Data):
+    """Measured curve with the curves of the model before and after a fit; arrays of shape ``(place,)`` in the unit of the curve."""
+
+    #: Name of the curve, ``"mfc.voltage"``, and its unit.
+    name: str
+    unit: str
+    #: Axis of the curve, ``"frequency_hz"`` or ``"time_s"``, and its values, Hz or s.
+    over: str
+    at: Floats
+    measured: Floats
+    before: Floats
+    after: Floats
+    #: 95 % prediction interval of a further measurement.
+    low: Floats
+    high: Floats
+
+    def __len__(self) -> int:
+        return len(self.at)
+
+    @property
+    def error_before(self) -> float:
+        """Rms error of the model before the fit, relative to the rms of the measured curve."""
+        return float(np.linalg.norm(self.before - self.measured) / np.linalg.norm(self.measured))
+
+    @property
+    def error_after(self) -> float:
+        """Rms error of the model after the fit, relative to the rms of the measured curve."""
+        return float(np.linalg.norm(self.after - self.measured) / np.linalg.norm(self.measured))
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class FitDeviation(Data):
+    """Relative standard deviation shared by features, and its source.
+
+    ``degrees_of_freedom`` is ``None`` where the deviation was given; else it is estimated from the residuals.
+    """
+
+    name: str
+    deviation: float
+    degrees_of_freedom: float | None
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class FitResult(Result):
+    """Keys and features before and after a fit, with their uncertainty; arrays of shape ``(key,)`` and ``(feature,)``."""
+
+    #: The keys and their SI units; values before and after, and the ends of the 95 % interval, in these units.
+    key: list[str]
+    key_unit: list[str]
+    before: Floats
+    after: Floats
+    low: Floats
+    high: Floats
+    prior_deviation: Annotated[Floats, Along("key", "1", "relative standard deviation of the prior")]
+    deviation: Annotated[Floats, Along("key", "1", "relative standard deviation after the fit")]
+    correlation: Annotated[Floats, Along("key other_key", "1", "correlation of two keys")]
+    #: Features, ``"mode 1 frequency"``, and their units; measured values, and values of the model before and after.
+    feature: list[str]
+    feature_unit: list[str]
+    feature_measured: Floats
+    feature_before: Floats
+    feature_after: Floats
+    feature_deviation: Annotated[Floats, Along("feature", "1", "relative standard deviation of the measurement")]
+    feature_predicted_deviation: Annotated[Floats, Along("feature", "1", "relative standard deviation of the model after the fit")]
+    #: 95 % prediction interval of further measurements, in the units of the features.
+    feature_low: Floats
+    feature_high: Floats
+    #: Features that are curves: frequency responses and time histories.
+    curves: list[FitCurve]
+    #: Deviations of the features, given or estimated from the residuals.
+    deviations: list[FitDeviation]
+    #: Half width of a 95 % interval in standard deviations; from Student's distribution where a deviation is estimated from residuals.
+    quantile: float
+    #: Sum of the squared errors of the features, each divided by its variance; and that sum with the terms of the priors of the keys.
+    chi_square: float
+    objective: float
+    #: Warnings about quantities that the data do not determine, one sentence each.
+    warnings: list[str]
+    #: Number of model evaluations.
+    evaluations: int
+    #: Harvester with the fitted values.
+    spec: Spec
+
+    def __len__(self) -> int:
+        return len(self.key)
+
+    @property
+    def error_before(self) -> Floats:
+        """Relative error of each feature before the fit."""
+        return self.feature_before / self.feature_measured - 1.0
+
+    @property
+    def error_after(self) -> Floats:
+        """Relative error of each feature after the fit."""
+        return self.feature_after / self.feature_measured - 1.0
+
+    def _summary(self) -> list[tuple[str, str]]:
+        keys = [
+            (key, f"{self.before[k]:.6e} -> {self.after[k]:.6e} {unit}, 95 % from {self.low[k]:.6e} to {self.high[k]:.6e}")
+            for k, (key, unit) in enumerate(zip(self.key, self.key_unit))
+        ]
+        features = [
+            (name, f"{self.feature_measured[k]:.6g} measured, error {100 * before:.3f} % before and {100 * after:.3f} % after")
+            for k, (name, before, after) in enumerate(zip(self.feature, self.error_before, self.error_after))
+        ]
+        curves = [
+            (one.name, f"{len(one)} points, rms error {100 * one.error_before:.3f} % before and {100 * one.error_after:.3f} % after")
+            for one in self.curves
+        ]
+        deviations = [
+            (f"deviation of {one.name}", f"{one.deviation:.3e} from residuals, {one.degrees_of_freedom:.1f} degrees of freedom")
+            for one in self.deviations
+            if one.degrees_of_freedom is not None
+        ]
+        return [*keys, *features, *curves, *deviations, *(("warning", text) for text in self.warnings)]
+
+    def curve(self, name: str | None = None) -> FitCurve:
+        """Returns the curve of a name or of a number from 1; by default the first."""
+        curves_by_name = {**{str(number): one for number, one in enumerate(self.curves, 1)}, **{one.name: one for one in self.curves}}
+        if not curves_by_name:
+            raise ArgumentError("no curve was fitted; add [[response]] or [[history]] tables to the features")
+        curve = curves_by_name.get("1" if name is None else str(name))
+        if curve is None:
+            raise ArgumentError(f"{name}: no such curve; use one of {', '.join(one.name for one in self.curves)}")
+        return curve
+
+    def _repr_html_(self) -> str:
+        numbers = (self.before, self.after, self.low, self.high)
+        rows = [[key, unit, *(f"{one[k]:.6g}" for one in numbers)] for k, (key, unit) in enumerate(zip(self.key, self.key_unit))]
+        errors = zip(self.feature, self.feature_measured, 100 * self.error_before, 100 * self.error_after)
+        feature_rows = [[name, f"{measured:.6g}", f"{before:.3f}", f"{after:.3f}"] for name, measured, before, after in errors]
+        head = ["feature", "measured", "error before [%]", "error after [%]"]
+        return html_table("Keys", ["key", "unit", "before", "after", "95 % from", "to"], rows) + html_table("Features", head, feature_rows)
+
+    def to_xarray(self) -> Any:
+        """Returns an ``xarray.Dataset`` over ``key`` and ``feature``; values are in the units of ``key_unit`` and ``feature_unit``."""
+        variables = self._variables()
+        for axis, names in (("key", ("before", "after", "low", "high")), ("feature", ("measured", "before", "after", "low", "high"))):
+            for name in names:
+                field = name if axis == "key" else f"feature_{name}"
+                variables[field] = Variable((axis,), getattr(self, field), "", f"{axis}, {name}, in {axis}_unit")
+        coords = {
+            "key": Variable(("key",), self.key, "", "key"),
+            "other_key": Variable(("other_key",), self.key, "", "another key"),
+            "key_unit": Variable(("key",), self.key_unit, "", "unit of the key"),
+            "feature": Variable(("feature",), self.feature, "", "feature"),
+            "feature_unit": Variable(("feature",), self.feature_unit, "", "unit of the feature"),
+        }
+        return self._dataset(variables, coords)
+
+    def to_pandas(self) -> Any:
+        """Returns a ``pandas.DataFrame`` with a row for each key."""
+        values = {name: getattr(self, name) for name in ("before", "after", "low", "high")}
+        return self._frame({"key": self.key, "unit": self.key_unit, **values, **self._columns("key")})
+
+    def features_to_pandas(self) -> Any:
+        """Returns a ``pandas.DataFrame`` with a row for each feature."""
+        names = ("measured", "before", "after", "low", "high", "deviation", "predicted_deviation")
+        values = {name: getattr(self, f"feature_{name}") for name in names}
+        return self._frame({"feature": self.feature, "unit": self.feature_unit, **values})
+
+    def _pictures(self) -> dict[str, Callable[[Any], Any]]:
+        return {"error": self.plot_fit, **{one.name: partial(self.plot_curve, curve=one.name) for one in self.curves}}
+
+    def plot_fit(self, ax: Any = None) -> Any:
+        """Draws the relative error of every feature before and after, over the 95 % interval of its measurement."""
+        from ._plot.fit import plot_fit
+
+        return plot_fit(self, ax)
+
+    def plot_curve(self, ax: Any = None, curve: str | None = None) -> Any:
+        """Draws a measured curve, by default the first, with those of the model before and after and the 95 % interval as a band."""
+        from ._plot.fit import plot_curve
+
+        return plot_curve(self.curve(curve), ax)
+
+
+def make_fit(result: dict[str, Any], spec: Spec, manifest: dict[str, Any]) -> FitResult:
+    """Returns the fit of a result of the library, with the fitted spec."""
+    keys, features = result["keys"], result["features"]
+    key_fields = ("before", "after", "low", "high", "prior_deviation", "deviation")
+    feature_fields = ("measured", "deviation", "before", "after", "predicted_deviation", "low", "high")
+    numbers: dict[str, Any] = {name: column(keys, name) for name in key_fields}
+    numbers |= {f"feature_{name}": column(features, name) for name in feature_fields}
+    return FitResult(
+        manifest=manifest,
+        key=[one["key"] for one in keys],
+        key_unit=[one["unit"] for one in keys],
+        **numbers,
+        feature=[one["name"] for one in features],
+        feature_unit=[one["unit"] for one in features],
+        curves=[_curve(one) for one in result["curves"]],
+        deviations=[FitDeviation(**one) for one in result["deviations"]],
+        correlation=np.array(result["correlation"], dtype=np.float64),
+        spec=spec,
+        **{name: result[name] for name in ("quantile", "chi_square", "objective", "warnings", "evaluations")},
+    )
+
+
+def _curve(fields: dict[str, Any]) -> FitCurve:
+    numbers = {name: np.array(fields[name], dtype=np.float64) for name in ("at", "measured", "before", "after", "low", "high")}
+    return FitCurve(name=fields["name"], unit=fields["unit"], over=fields["over"], **numbers)

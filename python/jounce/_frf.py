@@ -1,0 +1,73 @@
+"""Frequency response functions."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable, Mapping
+from functools import partial
+from typing import Any, Self
+
+import numpy as np
+
+from ._named import Named
+from ._result import Complexes, Floats, Result, Variable
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class FrfResult(Result, Named[Complexes]):
+    """Frequency responses without contact, per newton at a point or per m/s^2 of the base; sign convention ``e^{+i w t}``."""
+
+    _noun = "response"
+
+    #: Frequencies, Hz.
+    frequency_hz: Floats
+    #: Excitation point, or ``"base"``.
+    input: str
+    #: Responses by name, ``"beam.tip.acceleration"``, ``"mfc.voltage"``.
+    responses: dict[str, Complexes]
+    #: Units of the responses.
+    units: dict[str, str]
+    #: Masses that were fixed.
+    held: list[str]
+
+    @classmethod
+    def _from_core(cls, result: dict[str, Any]) -> Self:
+        responses = result["responses"]
+        by_name = {"responses": {k: v for k, (v, _) in responses.items()}, "units": {k: unit for k, (_, unit) in responses.items()}}
+        return super()._from_core({**result, **by_name})
+
+    def _named(self) -> Mapping[str, Complexes]:
+        return self.responses
+
+    def _summary(self) -> list[tuple[str, str]]:
+        span = [("frequencies", f"{len(self.frequency_hz)} from {self.frequency_hz.min():g} to {self.frequency_hz.max():g} Hz")]
+        peaks = []
+        for name, values in self.responses.items():
+            highest = int(np.argmax(np.abs(values)))
+            peaks.append((name, f"highest {abs(values[highest]):.5g} {self.units[name]} at {self.frequency_hz[highest]:.5g} Hz"))
+        return [*span, ("input", self.input), *peaks]
+
+    def to_xarray(self) -> Any:
+        """Returns an ``xarray.Dataset`` over ``frequency``; each response as real (``_re``) and imaginary (``_im``) part."""
+        variables = {name: Variable(("frequency",), values, self.units[name], name) for name, values in self.responses.items()}
+        return self._dataset(variables, {"frequency": Variable(("frequency",), self.frequency_hz, "Hz", "frequency")})
+
+    def to_pandas(self) -> Any:
+        """Returns a ``pandas.DataFrame`` with a row for each frequency."""
+        return self._frame({"frequency_hz": self.frequency_hz, **self.responses})
+
+    def _pictures(self) -> dict[str, Callable[[Any], Any]]:
+        from ._plot.frf import plot_bode
+
+        first = self._first()
+        return {name: partial(plot_bode, self, response=name) for name in (first, *(name for name in self.responses if name != first))}
+
+    def _first(self) -> str:
+        """Returns the name of the first voltage, else of the first response."""
+        return next((name for name in self.responses if name.endswith(".voltage")), next(iter(self.responses)))
+
+    def plot_frf(self, ax: Any = None, response: str | None = None) -> Any:
+        """Draws the magnitude of a response, by default of the first voltage (else of the first response)."""
+        from ._plot.frf import plot_frf
+
+        return plot_frf(self, ax, self._first() if response is None else response)

@@ -1,0 +1,66 @@
+"""The library of materials."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+from collections.abc import Mapping
+from typing import Any
+
+from . import _core
+from ._format import html_table
+from ._named import Named
+
+
+@dataclasses.dataclass(frozen=True)
+class Material:
+    """Material of the library, selected in a spec by ``material = "NAME"``."""
+
+    name: str
+    #: Young's modulus along the beam, at short circuit, Pa.
+    youngs_modulus_pa: float
+    density_kg_m3: float
+    #: Recommended strain limit; ``None`` where unknown.
+    strain_limit: float | None
+    #: Lowest and highest permitted voltage, V.
+    voltage_limits_v: tuple[float, float] | None
+    #: Strain along the beam per field, m/V; ``None`` for a material that is not piezoelectric.
+    charge_coefficient_m_per_v: float | None
+    #: Permittivity at constant strain, F/m.
+    permittivity_f_m: float | None
+    #: Distance between interdigitated electrodes, m; ``None`` for electrodes on the two faces.
+    electrode_spacing_m: float | None
+    #: Source of the numbers.
+    source: str
+
+
+class Materials(Named[Material]):
+    """Materials by name."""
+
+    _noun = "material"
+
+    def __init__(self) -> None:
+        self._materials = {one["name"]: _material(one) for one in json.loads(_core.materials())}
+
+    def _named(self) -> Mapping[str, Material]:
+        return self._materials
+
+    def __repr__(self) -> str:
+        return f"<jounce.materials: {', '.join(self._materials)}>"
+
+    def _repr_html_(self) -> str:
+        rows = [
+            [one.name, f"{one.youngs_modulus_pa / 1e9:.4g}", f"{one.density_kg_m3:.4g}", one.source] for one in self._materials.values()
+        ]
+        return html_table("Materials", ["name", "Young's modulus [GPa]", "density [kg/m³]", "source"], rows)
+
+
+def _material(one: dict[str, Any]) -> Material:
+    active = one.pop("active") or dict.fromkeys(("charge_coefficient_m_per_v", "permittivity_f_m", "electrode_spacing_m"))
+    limits = one.pop("voltage_limits_v")
+    return Material(**one, **active, voltage_limits_v=None if limits is None else (limits[0], limits[1]))
+
+
+def materials() -> Materials:
+    """Returns the materials that a spec can name, with their sources: ``jounce.materials()["PZT-5A"]``."""
+    return Materials()

@@ -1,0 +1,193 @@
+"""Frequency responses of a hammer test."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from typing import Any, Literal
+
+import numpy as np
+
+from . import _core
+from ._arguments import names, optional_si, options
+from ._contact import kind_of
+from ._format import html_table
+from ._inputs import Measured, responses
+from ._issue import Issue, issue_lines, parse_issues
+from ._named import Named
+from ._recording import Recording, names_of
+from ._result import Complexes, Floats, Result, Variable, make_manifest
+
+
+@dataclasses.dataclass(frozen=True)
+class ImpactHit:
+    """Hit: number of its record, largest force, N, contact time, s, True where it was averaged, and its warnings."""
+
+    record: int
+    peak_force_n: float
+    contact_time_s: float
+    used: bool
+    warnings: tuple[str, ...]
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class MeasuredFrf(Result, Named[Complexes]):
+    """Frequency responses of a hammer or shaker test with their coherence; sign convention ``e^{+i w t}``."""
+
+    _noun = "response"
+
+    frequency_hz: Floats
+    #: Names of the sensors, and excitation points (or the channel of the force without points); empty for given responses without names.
+    output: list[str]
+    reference: list[str]
+    #: Responses by channel, ``"tip from beam.mid"`` with several excitation points, of shape ``(frequency,)``, with unit and coherence; the
+    #: coherence of a single block is 1.
+    responses: dict[str, Complexes]
+    units: dict[str, str]
+    coherence: dict[str, Floats]
+    #: Channel of the input; empty for given responses.
+    input: str
+    #: For responses to an acceleration: factor of the response per g, and its unit: ``(9.80665, "V/g")``.
+    per_g: dict[str, tuple[float, str]]
+    hits: list[ImpactHit]
+    #: Length of a block, s; ``None`` for given responses.
+    block_s: float | None
+    #: Damping that the exponential window adds to every mode, 1/s.
+    window_decay_per_s: float
+    issues: list[Issue]
+
+    def _named(self) -> Mapping[str, Complexes]:
+        return self.responses
+
+    def _summary(self) -> list[tuple[str, str]]:
+        used = sum(hit.used for hit in self.hits)
+        lines = [] if self.block_s is None else [("hits", f"{used} of {len(self.hits)} averaged, blocks of {self.block_s:.6g} s")]
+        lines += [("warning", f"hit {k} is {kind}") for k, hit in enumerate(self.hits, 1) for kind in hit.warnings]
+        lines += [("left out", f"hit {k}, its block would extend beyond the record") for k, hit in enumerate(self.hits, 1) if not hit.used]
+        return [*lines, *((name, text) for name, text in zip(self.responses, self._peaks())), *issue_lines(self.issues)]
+
+    def _peaks(self) -> list[str]:
+        """Returns the highest line of each response, without the offset of the sensor at 0 Hz."""
+        lines = []
+        for name, values in self.responses.items():
+            k = 1 + int(np.argmax(np.abs(values[1:])))
+            position = f"{self.frequency_hz[k]:.5g} Hz, coherence {self.coherence[name][k]:.5f}"
+            factor, unit = self.per_g.get(name, (1.0, ""))
+            per_g = f" ({factor * abs(values[k]):.5e} {unit})" if unit else ""
+            lines.append(f"highest {abs(values[k]):.5e} {self.units[name]}{per_g} at {position}")
+        return lines
+
+    def _repr_html_(self) -> str:
+        return html_table("Measured responses", ["response", ""], list(zip(self.responses, self._peaks())))
+
+    def to_xarray(self) -> Any:
+        """Returns an ``xarray.Dataset`` over ``frequency``: each response as ``_re`` and ``_im``, its coherence as ``NAME_coherence``."""
+        dims = ("frequency",)
+        variables = {name: Variable(dims, values, self.units[name], name) for name, values in self.responses.items()}
+        variables |= {f"{name}_coherence": Variable(dims, values, "1", f"{name}, coherence") for name, values in self.coherence.items()}
+        return self._dataset(variables, {"frequency": Variable(dims, self.frequency_hz, "Hz", "frequency")})
+
+    def to_pandas(self) -> Any:
+        """Returns a ``pandas.DataFrame`` with a row for each frequency."""
+        coherence = {f"{name}_coherence": values for name, values in self.coherence.items()}
+        return self._frame({"frequency_hz": self.frequency_hz, **self.responses, **coherence})
+
+    def _pictures(self) -> dict[str, Callable[[Any], Any]]:
+        from ._plot.frf import plot_bode
+
+        return {**{name: partial(plot_bode, self, response=name) for name in self.responses}, "coherence": self.plot_coherence}
+
+    def plot_frf(self, ax: Any = None, response: str | None = None) -> Any:
+        """Draws the magnitude of a response, by default of the first."""
+        from ._plot.measured import plot_measured_frf
+
+        return plot_measured_frf(self, ax, next(iter(self.responses)) if response is None else response)
+
+    def plot_coherence(self, ax: Any = None) -> Any:
+        """Draws the coherence of every response."""
+        from ._plot.measured import plot_coherence
+
+        return plot_coherence(self, ax)
+
+
+def hammer_options(
+    force: str | None,
+    input: str | None,
+    response: str | Sequence[str],
+    estimation: tuple[str, float, Any, bool, float | None, bool],
+    functions: str | None,
+    bridge: bool,
+) -> dict[str, Any]:
+    """Returns the options of a hammer or shaker test by their names in the library."""
+    estimator, noise_ratio, block, force_window, end_ratio, shaker = estimation
+    return {
+        "force": force,
+        "input": input,
+        "response": names(response),
+        "estimator": estimator,
+        "noise_ratio": noise_ratio,
+        "block_s": optional_si("time", block, "block"),
+        "force_window": force_window,
+        "end_ratio": end_ratio,
+        "shaker": shaker,
+        "functions": functions,
+        "bridge": bridge,
+    }
+
+
+def make_frf(inputs: list[Recording], result: dict[str, Any], manifest: dict[str, Any]) -> MeasuredFrf:
+    """Returns the responses of a result of the compiled module."""
+    response_tuples = result.pop("responses")
+    hits = [
+        ImpactHit(one["record"], one["peak_force_n"], one["contact_time_s"], one["used"], tuple(map(kind_of, one["warnings"])))
+        for one in result.pop("hits")
+    ]
+    issues = [*(issue for one in inputs for issue in one.issues), *parse_issues(result.pop("issues"))]
+    return MeasuredFrf(
+        manifest=manifest,
+        responses={name: values for name, (values, _, _) in response_tuples.items()},
+        units={name: unit for name, (_, unit, _) in response_tuples.items()},
+        coherence={name: coherence for name, (_, _, coherence) in response_tuples.items()},
+        hits=hits,
+        issues=issues,
+        **result,
+    )
+
+
+def measured_frf(
+    records: Measured,
+    *,
+    sample_rate_hz: Any = None,
+    force: str | None = None,
+    input: str | None = None,
+    response: str | Sequence[str] = (),
+    estimator: Literal["h1", "h2", "hv"] = "h1",
+    noise_ratio: float = 1.0,
+    block: Any = None,
+    force_window: bool = False,
+    end_ratio: float | None = None,
+    shaker: bool = False,
+    functions: Literal["re-im", "size-degrees", "size-radians"] | None = None,
+    bridge: bool = False,
+) -> MeasuredFrf:
+    """Estimates frequency responses from a hammer or shaker test, ``jounce frf --measured``.
+
+    ``records``: one recording or a list of them, each a :class:`Recording`, a file, or SEP005 time series over one time, with one or more
+    hits; or one file of responses over frequency. With several excitation points, one in each recording, there is a response for each
+    sensor and point. ``force`` and ``response`` name channels, by default the first in newtons and all others. ``input`` names a channel of
+    a continuous excitation other than a force: acceleration, velocity or displacement of the base, or a voltage. Responses are in the unit
+    of their channel per unit of the input, ``V/(m/s^2)``; ``per_g`` gives those per g. ``estimator``: ``"h1"`` for noise on the responses,
+    ``"h2"`` for noise on the force, ``"hv"`` for noise on both, with ``noise_ratio`` of their densities. ``block``: ``"2 s"``, by default
+    the shortest time between two hits. ``force_window`` sets the force after each hit to zero; an exponential window ends at ``end_ratio``.
+    A continuous force of both signs, or any force with ``shaker``, is treated as that of a shaker: half-overlapping blocks with a Hann
+    window, by default an eighth of the shortest record long.
+
+    In a file over frequency the complex channels are the responses. ``functions`` gives the contents of every two real columns where the
+    header does not, and ``bridge`` interpolates lines that are not numbers linearly.
+    """
+    inputs = responses(records, sample_rate_hz)
+    estimation = (estimator, noise_ratio, block, force_window, end_ratio, shaker)
+    given = hammer_options(force, input, response, estimation, functions, bridge)
+    result = _core.measured_frf([one._core() for one in inputs], options(**given))
+    return make_frf(inputs, result, make_manifest("frf", **names_of(inputs), **given))

@@ -1,0 +1,81 @@
+"""Modes of a harvester."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable
+from typing import Annotated, Any
+
+from ._format import html_table
+from ._result import Along, Floats, Result, Variable
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class ModesResult(Result):
+    """Undamped short-circuit modes, in ascending frequency."""
+
+    #: Natural frequencies, Hz; 0 for a rigid-body mode. Shape ``(mode,)``.
+    frequency_hz: Annotated[Floats, Along("mode", "Hz", "natural frequency, short circuit")]
+    #: Damping ratios (1 = critical). Shape ``(mode,)``.
+    damping_ratio: Annotated[Floats, Along("mode", "1", "damping ratio")]
+    #: Estimated relative error of each frequency. Shape ``(mode,)``.
+    discretisation_error: Annotated[Floats, Along("mode", "1", "estimated relative error of the frequency")]
+    #: Names of the points.
+    point: list[str]
+    #: Mass-normalised shapes, kg^-1/2. Shape ``(point, mode)``.
+    shape: Annotated[Floats, Along("point mode", "kg^-0.5", "mass-normalised shape")]
+    #: Names of the patches.
+    patch: list[str]
+    #: Frequencies with a patch open, for that mode only, Hz; NaN for a rigid-body mode. Shape ``(patch, mode)``.
+    open_circuit_hz: Annotated[Floats, Along("patch mode", "Hz", "frequency with the patch open")]
+    #: Modal coupling ``theta^2 / (C w^2)``. Shape ``(patch, mode)``.
+    coupling_squared: Annotated[Floats, Along("patch mode", "1", "modal coupling, squared")]
+    #: Modal coupling ``theta``, force per voltage along each mass-normalised mode, N/V per kg^1/2. Shape ``(patch, mode)``.
+    coupling_n_per_v: Annotated[Floats, Along("patch mode", "N V^-1 kg^-0.5", "modal coupling", "coupling")]
+    #: Per beam: positions along it, m, and the shapes there, kg^-1/2, shape ``(mode, place)``.
+    beams: dict[str, tuple[Floats, Floats]]
+    #: Masses that were fixed.
+    held: list[str]
+
+    def __len__(self) -> int:
+        return len(self.frequency_hz)
+
+    def _summary(self) -> list[tuple[str, str]]:
+        lines = [
+            (f"mode {k + 1}", f"{f:.6g} Hz, damping ratio {z:.4g}") for k, (f, z) in enumerate(zip(self.frequency_hz, self.damping_ratio))
+        ]
+        return lines + ([("held", ", ".join(self.held))] if self.held else [])
+
+    def _repr_html_(self) -> str:
+        rows = [
+            [k + 1, f"{f:.6g}", f"{z:.4g}", *(f"{c:.4g}" for c in self.coupling_squared[:, k])]
+            for k, (f, z) in enumerate(zip(self.frequency_hz, self.damping_ratio))
+        ]
+        return html_table("Modes", ["mode", "frequency [Hz]", "damping ratio", *(f"coupling² {name}" for name in self.patch)], rows)
+
+    def to_xarray(self) -> Any:
+        """Returns an ``xarray.Dataset`` over ``mode``, ``point`` and ``patch``; shapes along a beam over ``place_BEAM``."""
+        variables = self._variables()
+        coords = {
+            "mode": Variable(("mode",), range(1, len(self) + 1), "1", "number of the mode"),
+            "point": Variable(("point",), self.point, "", "point"),
+            "patch": Variable(("patch",), self.patch, "", "patch"),
+        }
+        for name, (position_m, shape) in self.beams.items():
+            coords[f"place_{name}"] = Variable((f"place_{name}",), position_m, "m", f"distance from the root of {name}")
+            variables[f"shape_{name}"] = Variable(("mode", f"place_{name}"), shape, "kg^-0.5", f"mass-normalised shape along {name}")
+        return self._dataset(variables, coords)
+
+    def to_pandas(self) -> Any:
+        """Returns a ``pandas.DataFrame`` with a row for each mode."""
+        couplings = {f"coupling_squared_{name}": self.coupling_squared[k] for k, name in enumerate(self.patch)}
+        return self._frame({**self._columns("mode"), **couplings})
+
+    def _pictures(self) -> dict[str, Callable[[Any], Any]]:
+        return {"shape": self.plot_modes}
+
+    def plot_modes(self, ax: Any = None, modes: int = 4) -> Any:
+        """Draws the shapes of the first modes along the beams, each scaled to 1."""
+        from ._plot.modes import plot_modes
+
+        return plot_modes(self, ax, modes)

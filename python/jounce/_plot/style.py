@@ -1,0 +1,86 @@
+"""Style of the pictures."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .._optional import require
+
+if TYPE_CHECKING:
+    from .._result import Along
+
+#: Colours that colour-blind readers can distinguish (Okabe and Ito, 2008); black, their first, is omitted.
+COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"]
+
+_STYLE: dict[str, Any] = {
+    "figure.figsize": (4.8, 3.2),
+    "figure.dpi": 150,
+    "figure.constrained_layout.use": True,
+    "font.size": 9,
+    "axes.labelsize": 9,
+    "axes.titlesize": 9,
+    "axes.linewidth": 0.7,
+    "axes.grid": True,
+    "axes.axisbelow": True,
+    "grid.color": "#dddddd",
+    "grid.linewidth": 0.5,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "lines.linewidth": 1.2,
+    "lines.markersize": 4,
+    "legend.fontsize": 8,
+    "legend.framealpha": 0.8,
+    "legend.edgecolor": "none",
+    "legend.fancybox": False,
+    "xtick.labelsize": 8,
+    "ytick.labelsize": 8,
+    "svg.fonttype": "none",
+    "pdf.fonttype": 42,
+}
+
+
+@contextmanager
+def axes(ax: Any, **figure: Any) -> Iterator[Any]:
+    """Yields the axes to draw into, with the style of jounce."""
+    matplotlib = require("matplotlib", "plot")
+    with matplotlib.rc_context({**_STYLE, "axes.prop_cycle": matplotlib.cycler(color=COLOURS)}):
+        yield require("matplotlib.pyplot", "plot").subplots(**figure)[1] if ax is None else ax
+
+
+def label(axis: Any, what: str, unit: str, log: bool = False) -> None:
+    """Labels an axis with its unit. Ticks of a linear axis carry the unit with a prefix, ``2 mW``; the data remain in SI."""
+    ticker = require("matplotlib.ticker", "plot")
+    if log:
+        axis.axes.set(**{f"{axis.axis_name}scale": "log"})
+    elif unit and unit not in ("Hz", "s", "ms", "deg", "%", "-"):
+        axis.set_major_formatter(ticker.EngFormatter(unit=unit))
+        axis.set_major_locator(ticker.MaxNLocator(nbins=6 if axis.axis_name == "y" else 5))
+        unit = ""
+    axis.set_label_text(f"{what} [{unit}]" if unit else what)
+
+
+def label_field(axis: Any, along: Along, is_power: bool) -> None:
+    """Labels an axis with the description of a field of a result; a power has a logarithmic axis."""
+    text = "Mean power" if is_power else along.about[0].upper() + along.about[1:]
+    label(axis, text, "-" if along.unit == "1" else along.unit, log=is_power)
+
+
+def draw_with(draw: Callable[[Any], Any], ax: Any, style: Mapping[str, Any]) -> Any:
+    """Draws a picture and gives its new lines, except guides, the properties of a style; its label goes to the first of them."""
+    known = {line for one in _flat(ax) for line in one.lines}
+    drawn = draw(ax)
+    for one in _flat(drawn):
+        lines = [line for line in one.lines if line not in known and line.get_gid() != "guide"]
+        for number, line in enumerate(lines):
+            line.set(**{**style, "label": "_nolegend_"} if number and "label" in style else style)
+        if style and one.get_legend() is not None:
+            one.legend()
+    return drawn
+
+
+def _flat(ax: Any) -> list[Any]:
+    return [] if ax is None else list(np.ravel(ax))

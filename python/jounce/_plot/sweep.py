@@ -1,0 +1,36 @@
+"""Sweeps."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from .._result import dataset_fields
+from .style import axes, label, label_field
+
+if TYPE_CHECKING:
+    from .._sweep import SweepResult
+
+_DIRECTION_STYLES = {
+    "up": {"linestyle": "-", "marker": ">"},
+    "down": {"linestyle": "--", "marker": "<", "markerfacecolor": "none"},
+    "independent": {"linestyle": "none", "marker": "o"},
+}
+
+
+def plot_sweep(result: SweepResult, ax: Any, text: str | None, quantity: str) -> Any:
+    """Draws a quantity over the key, with separate directions; unsettled points have a ring."""
+    with axes(ax) as ax:
+        colour = None
+        for direction, style in _DIRECTION_STYLES.items():
+            points = result.going(direction)
+            if len(points) == 0:
+                continue
+            values = getattr(points, quantity)
+            (line,) = ax.plot(points.parameter, values, label=f"{text}, {direction}" if text else direction, color=colour, **style)
+            colour = line.get_color()
+            unsettled = ~points.settled
+            ax.plot(points.parameter[unsettled], values[unsettled], "o", markersize=9, markerfacecolor="none", color=colour)
+        label(ax.xaxis, result.key, result.unit)
+        label_field(ax.yaxis, dataset_fields(type(result))[quantity], quantity == "mean_power_w")
+        ax.legend()
+    return ax

@@ -1,0 +1,151 @@
+"""Virtual test of a harvester: simulated sensor recordings, and the fit of its keys to measurements."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+from collections.abc import Mapping, Sequence
+from os import PathLike, fspath
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, cast
+
+from . import _core
+from ._arguments import check_integers, names, options, to_si
+from ._errors import ArgumentError
+from ._fit import FitResult, make_fit
+from ._inputs import Measured, recording
+from ._progress import Progress, progress_callback
+from ._quantity import toml
+from ._recording import Recording
+from ._result import make_manifest, result_or_raise
+from ._spec_text import SpecText
+
+if TYPE_CHECKING:
+    from ._spec import Spec
+
+
+class SpecOnRig(SpecText):
+    """Spec with virtual tests and fits."""
+
+    __slots__ = ()
+
+    def rig(
+        self,
+        *,
+        rate: Any = "2048 Hz",
+        noise: float = 0.0,
+        bits: int | None = None,
+        seed: int = 1,
+        at: str | Sequence[str] = (),
+        sensor_mass: Any = None,
+        cable: Any = None,
+        cable_leakage: Any = None,
+        hold: str | Sequence[str] = (),
+        fixed_table: bool = False,
+        hammer: str | None = None,
+        hits: int = 5,
+        block: Any = "4 s",
+        peak: Any = "20 N",
+        contact: Any = "3 ms",
+        solution: str | Sequence[str | tuple[str, Any]] = (),
+        starts: int = 40,
+        starts_seed: int = 1,
+        amplitude_wander: float = 0.0,
+        frequency_wander: float = 0.0,
+        wander_time: Any = "5 s",
+        amplitude_drift: float = 0.0,
+        frequency_drift: float = 0.0,
+        base: Measured | None = None,
+        base_channel: str | None = None,
+        keep_mean: bool = False,
+    ) -> Recording:
+        """Simulates the recordings of sensors in a test, so that the true parameters are known; ``jounce rig``.
+
+        By default the run is integrated and its averaging window recorded: voltages, V, contact forces, N, the acceleration of the base and
+        those of accelerometers ``at`` some points, m/s^2. ``rate`` is the sampling rate, ``noise`` the rms noise of every sensor relative
+        to the rms of its signal, ``bits`` the resolution of the converters. An accelerometer loads the structure with its ``sensor_mass``,
+        ``"2 g"``; a ``cable``, ``"1 nF"``, with its ``cable_leakage``, ``"10 Mohm"``, lowers the voltage of each patch. Masses in ``hold``
+        are fixed, with ``fixed_table`` all of them.
+
+        ``hammer`` is the excitation point of a hammer test: stops and drives are removed, and the force and the accelerations ``at`` some
+        points are recorded, by default all points and the voltages. There are ``hits``, one every ``block``, with a force of ``peak`` and a
+        duration of ``contact``.
+
+        ``solution`` selects solutions of the model instead of its run, by their ids in :meth:`basins`: ``["1a", ("3a", "42 s")]`` changes
+        to another one at a time of the record. They are found from random ``starts`` with a seed. Amplitude and frequency of the drive
+        fluctuate with the relative standard deviations ``amplitude_wander`` and ``frequency_wander`` and the correlation time
+        ``wander_time``, and drift by ``amplitude_drift`` and ``frequency_drift`` from begin to end. ``base`` moves the base as in a
+        recording, for its duration, instead of the drives: a :class:`Recording`, a file or SEP005 time series. Its ``base_channel`` is by
+        default the first acceleration, its mean is subtracted unless ``keep_mean``.
+
+        Raises :class:`ArgumentError` for a number out of range or an unknown name or solution, :class:`IntegrationError` for a failed
+        integration. Source of the fluctuation: D. Gillespie, Phys. Rev. E 54 (1996) 2084, equation 1.9.
+        """
+        check_integers(bits=bits, seed=seed, hits=hits, starts=starts, starts_seed=starts_seed)
+        quantities = {
+            "rate_hz": ("frequency", rate),
+            "sensor_mass_kg": ("mass", sensor_mass),
+            "cable_f": ("capacitance", cable),
+            "cable_leakage_ohm": ("resistance", cable_leakage),
+            "block_s": ("time", block),
+            "peak_n": ("force", peak),
+            "contact_s": ("time", contact),
+            "wander_time_s": ("time", wander_time),
+        }
+        given: dict[str, Any] = {
+            field: None if value is None else to_si(kind, value, field.rpartition("_")[0]) for field, (kind, value) in quantities.items()
+        }
+        given |= {"noise": noise, "bits": bits, "seed": seed, "at": names(at), "hold": names(hold), "fixed_table": fixed_table}
+        given |= {"hammer": hammer, "hits": hits, "solution": _solutions(solution), "starts": starts, "starts_seed": starts_seed}
+        given |= {"amplitude_wander": amplitude_wander, "frequency_wander": frequency_wander}
+        given |= {"amplitude_drift": amplitude_drift, "frequency_drift": frequency_drift}
+        given |= {"base_channel": base_channel, "keep_mean": keep_mean}
+        base_recording = None if base is None else recording(base)
+        fields = result_or_raise(_core.rig(self._spec, options(**given), None if base_recording is None else base_recording._core()))
+        if base_recording is not None:
+            given |= {"base": base_recording.name, "base_sha256": base_recording.manifest["options"]["recording_sha256"]}
+        result = Recording._from_core_recording(fields, {**make_manifest("rig", **given), "spec_sha256": self.sha256})
+        return result if base_recording is None else dataclasses.replace(result, issues=[*base_recording.issues, *result.issues])
+
+    def fit(self, to: str | PathLike[str] | Mapping[str, Any], *, progress: bool | Progress | None = None) -> FitResult:
+        """Fits keys to measured features: the path of a file of features, or a dict with the same contents.
+
+        ``{"hold": ["table"], "frequency_deviation": 0.002, "free": {"beam.beam.thickness": 0.01}, "mode": [{"number": 1, "frequency": "9.01
+        Hz"}]}`` frees a key with a relative standard deviation of 1 % and fits the first mode to 9.01 Hz with one of 0.2 %. ``progress``
+        reports the number of computed models; their total is not known and reported as 0.
+        """
+        if isinstance(to, Mapping):
+            source, source_name = {"text": features(to)}, "features"
+        elif isinstance(to, (str, PathLike)):
+            source, source_name = {"path": fspath(to)}, Path(to).name
+        else:
+            raise ArgumentError(f"to is of type {type(to).__name__}; give the path of a file of features, or a dict with the same contents")
+        with progress_callback(progress) as callback:
+            text, fitted = result_or_raise(_core.fit(self._spec, **source, progress=callback))
+        manifest = {**make_manifest("fit", to=source_name), "spec_sha256": self.sha256}
+        return make_fit(json.loads(text), cast("Spec", self._from_core(fitted)), manifest)
+
+
+def _solutions(solution: str | Sequence[str | tuple[str, Any]]) -> list[str]:
+    """Returns solutions as texts: the id, and the time of the record at which it begins, ``"3a@42.0 s"``."""
+
+    def text(one: str | tuple[str, Any]) -> str:
+        if isinstance(one, str):
+            return one
+        if len(one) != 2 or not isinstance(one[0], str):
+            raise ArgumentError(f'solution: {one!r} is invalid; give an id, as in "1a", or an id with its time, as in ("3a", "42 s")')
+        return f"{one[0]}@{to_si('time', one[1], f'the time of solution {one[0]}')!r} s"
+
+    return [text(one) for one in ([solution] if isinstance(solution, str) else solution)]
+
+
+def features(tables: Mapping[str, Any]) -> str:
+    """Returns features as TOML; a list of dicts is an array of tables, ``[[mode]]``."""
+    lists = {key: value for key, value in tables.items() if _is_list_of_tables(value)}
+    text = toml({key: value for key, value in tables.items() if key not in lists})
+    return text + "".join(f"\n[[{key}]]\n{toml(one)}" for key, tables_of_key in lists.items() for one in tables_of_key)
+
+
+def _is_list_of_tables(value: Any) -> bool:
+    is_list = isinstance(value, Sequence) and not isinstance(value, str) and len(value) > 0
+    return is_list and all(isinstance(one, Mapping) for one in value)

@@ -1,0 +1,237 @@
+"""One run and its result."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+from collections.abc import Callable
+from os import PathLike
+from pathlib import Path
+from typing import Annotated, Any, Self
+
+import numpy as np
+
+from ._errors import ArgumentError, FileError, StartError
+from ._history import History
+from ._result import Along, Floats, Integers, Result, Variable
+
+
+@dataclasses.dataclass(frozen=True)
+class State:
+    """State that another run can start from, in the file format of ``jounce run --save-state``."""
+
+    json: str
+
+    @classmethod
+    def read(cls, path: str | PathLike[str]) -> Self:
+        """Reads a state file."""
+        try:
+            return cls(Path(path).read_text(encoding="utf-8"))
+        except (OSError, UnicodeDecodeError) as error:
+            raise StartError(f"the start state {path} cannot be read: {error}", {"path": str(path)}) from error
+
+    def write(self, path: str | PathLike[str]) -> None:
+        """Writes a state file."""
+        try:
+            Path(path).write_text(self.json, encoding="utf-8")
+        except OSError as error:
+            raise FileError(f"the state {path} cannot be written: {error}", {"path": str(path), "errno": error.errno}) from error
+
+    def to_dict(self) -> dict[str, Any]:
+        """Modal displacements and velocities, voltages and drive angles, SI."""
+        values: dict[str, Any] = json.loads(self.json)
+        return values
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class RunResult(Result):
+    """Means over the averaging window at the end of a run, and the energy balance of the complete run."""
+
+    #: Mean power of all loads and rectified circuits together, W.
+    mean_power_w: Annotated[float, Along("", "W", "mean power of all loads and rectified circuits")]
+    #: Rms voltage of the first load, or of the storage of the first rectified circuit without a load, V; ``None`` without either.
+    voltage_rms_v: float | None
+    #: Largest voltage of the first load, or of the first patch without a load, V; ``None`` without either or without a record.
+    voltage_peak_v: float | None
+    #: Names of the loads. Of each the mean power, W, the rms voltage, V, and the largest magnitude of the voltage, V: within a period of
+    #: the orbit where the run has settled, else within the last eight drive cycles. For drives without a common period within the record,
+    #: NaN where no record was stored.
+    load: list[str]
+    load_mean_power_w: Annotated[Floats, Along("load", "W", "mean power")]
+    load_voltage_rms_v: Annotated[Floats, Along("load", "V", "voltage, rms")]
+    load_voltage_peak_v: Annotated[Floats, Along("load", "V", "voltage, peak")]
+    #: Names of the patches, and the largest magnitude of the voltage of each, V, within the same time.
+    patch: list[str]
+    patch_voltage_peak_v: Annotated[Floats, Along("patch", "V", "voltage, peak")]
+    #: Names of the rectified circuits. Of each the mean power of its load or battery, W, the rms voltage of its storage, V, the mean
+    #: current of its diodes, A, the mean power that fills the storage, W, and the losses in diodes, in the switch and by leakage, W.
+    rectified: list[str]
+    rectified_mean_power_w: Annotated[Floats, Along("rectified", "W", "mean power")]
+    rectified_voltage_rms_v: Annotated[Floats, Along("rectified", "V", "voltage of the storage, rms")]
+    rectified_mean_current_a: Annotated[Floats, Along("rectified", "A", "mean current of the diodes")]
+    rectified_storage_w: Annotated[Floats, Along("rectified", "W", "mean power that fills the storage")]
+    rectified_diode_loss_w: Annotated[Floats, Along("rectified", "W", "mean power lost in diodes")]
+    rectified_switch_loss_w: Annotated[Floats, Along("rectified", "W", "mean power lost in the switch")]
+    rectified_leakage_w: Annotated[Floats, Along("rectified", "W", "mean power lost by leakage")]
+    #: Names of the circuits whose diodes feed a capacitor. Of each the charge balance in the averaging window, C:
+    #: ``passed = load + leakage + storage``, and its residual as a share of the largest term.
+    charge: list[str]
+    charge_passed_c: Annotated[Floats, Along("charge", "C", "charge through the diodes")]
+    charge_load_c: Annotated[Floats, Along("charge", "C", "charge through the load")]
+    charge_leakage_c: Annotated[Floats, Along("charge", "C", "charge through the leakage of the storage")]
+    charge_storage_c: Annotated[Floats, Along("charge", "C", "charge added to the storage")]
+    charge_residual_relative: Annotated[Floats, Along("charge", "1", "residual of the charge balance, relative to the largest term")]
+    #: Names of the patches with leakage, and mean power of each leakage, W.
+    leak: list[str]
+    leak_mean_power_w: Annotated[Floats, Along("leak", "W", "mean power lost by leakage of a patch")]
+    #: Names of the stops. Of each the contacts that began and their rate, the mean and the largest impact velocity, m/s, the mean and the
+    #: longest contact duration, s (all 0 without a contact), the share of the time in contact, the largest penetration, m, the largest
+    #: contact force, N, and its time integral, N s.
+    stop: list[str]
+    stop_contacts: Annotated[Integers, Along("stop", "1", "contacts that began")]
+    stop_contact_rate_hz: Annotated[Floats, Along("stop", "1/s", "contacts per second")]
+    stop_mean_impact_velocity_m_s: Annotated[Floats, Along("stop", "m/s", "mean impact velocity")]
+    stop_max_impact_velocity_m_s: Annotated[Floats, Along("stop", "m/s", "largest impact velocity")]
+    stop_mean_contact_duration_s: Annotated[Floats, Along("stop", "s", "mean contact duration")]
+    stop_max_contact_duration_s: Annotated[Floats, Along("stop", "s", "longest contact duration")]
+    stop_contact_duty: Annotated[Floats, Along("stop", "1", "share of the time in contact")]
+    stop_max_penetration_m: Annotated[Floats, Along("stop", "m", "largest penetration")]
+    stop_max_contact_force_n: Annotated[Floats, Along("stop", "N", "largest contact force")]
+    stop_impulse_n_s: Annotated[Floats, Along("stop", "N s", "time integral of the contact force")]
+    #: Largest penetration of any stop, m, and largest contact force, N.
+    max_penetration_m: Annotated[float, Along("", "m", "largest penetration of the stop")]
+    max_contact_force_n: Annotated[float, Along("", "N", "largest contact force")]
+    #: Contacts that began, and the share of the time in contact, summed over the stops.
+    contacts: Annotated[int, Along("", "1", "contacts that began")]
+    contact_duty: Annotated[float, Along("", "1", "share of the time in contact")]
+    #: True where the run has settled; period in drive cycles, relative change over it, and distance to the orbit. ``None`` and NaN where
+    #: the drives have no common period, so that there is no periodic steady state.
+    settled: bool | None
+    period_cycles: int | None
+    periodicity_change: float
+    distance_to_orbit: float
+    #: Warnings about exceeded limits of patches in the recorded end of the run.
+    warnings: list[str]
+    #: Input minus all outputs and the stored energy, relative to the largest energy of the run.
+    energy_residual_relative: Annotated[float, Along("", "1", "energy residual of the run")]
+    #: True where no energy changed by more than roundoff, so that the residual has no meaning.
+    is_trivial: Annotated[bool, Along("", "1", "no contact began and no energy flowed by more than roundoff")]
+    #: Energies of the complete run, J: ``input_j``, ``loads_j``, ``rectified_j`` (into loads and batteries behind rectifiers),
+    #: ``rectified_loss_j`` (in their diodes and switches, and by leakage), ``leaks_j`` (by leakage of patches), ``damping_j``,
+    #: ``contact_loss_j``, ``stored_j``.
+    energies_j: dict[str, float]
+    duration_s: float
+    average_over_s: float
+    tolerance: float
+    #: State at the end.
+    end: State
+    #: Numbers of steps and iterations.
+    work: dict[str, int]
+    #: Recorded end of the run; ``None`` unless requested.
+    history: History | None
+    #: Wall time of the call, with the model and the record, and of the integration alone, s; not compared between results.
+    wall_time_s: float = dataclasses.field(compare=False)
+    integration_wall_time_s: float = dataclasses.field(compare=False)
+
+    @classmethod
+    def _from_core(cls, fields: dict[str, Any]) -> Self:
+        fields, history = dict(fields), fields["history"]
+        if history is not None:
+            history = History._from_core({**history, "manifest": fields["manifest"]})
+        energies = _sums(fields.pop("energies"))
+        return super()._from_core({**cls._filled(fields), "energies_j": energies, "history": history, "end": State(fields["end"])})
+
+    def _peaks(self) -> list[tuple[str, float]]:
+        """Returns the largest voltage of each load, and of each patch without a load."""
+        peaks = list(zip(self.load, map(float, self.load_voltage_peak_v)))
+        patch_peaks = zip(self.patch, map(float, self.patch_voltage_peak_v))
+        return peaks + [(name, volts) for name, volts in patch_peaks if volts not in self.load_voltage_peak_v]
+
+    def _summary(self) -> list[tuple[str, str]]:
+        settled = f"period {self.period_cycles} drive cycles" if self.settled else f"NOT settled, change {self.periodicity_change:.1e}"
+        settled = "no period: the drives have no common period" if self.settled is None else settled
+        return [
+            ("mean power", f"{self.mean_power_w:.6e} W"),
+            *((f"voltage, rms ({name})", f"{volts:.6g} V") for name, volts in zip(self.load, self.load_voltage_rms_v)),
+            *((f"voltage, peak ({name})", f"{volts:.6g} V") for name, volts in self._peaks() if not np.isnan(volts)),
+            *((f"storage, rms ({name})", f"{volts:.6g} V") for name, volts in zip(self.rectified, self.rectified_voltage_rms_v)),
+            *((f"leakage ({name})", f"{power:.6e} W") for name, power in zip(self.leak, self.leak_mean_power_w)),
+            ("contacts", f"{self.contacts} in {self.average_over_s:g} s, {100 * self.contact_duty:.2f} % of the time"),
+            ("penetration, peak", f"{self.max_penetration_m:.4e} m, force {self.max_contact_force_n:.4e} N"),
+            ("energy residual", f"{self.energy_residual_relative:.1e} of the largest energy"),
+            ("settled", settled),
+            *(("warning", text) for text in self.warnings),
+        ]
+
+    @property
+    def is_transient(self) -> bool:
+        """True where the run has not settled, although its drives have a common period."""
+        return self.settled is False
+
+    def to_dict(self) -> dict[str, Any]:
+        """Returns every number and name except the record."""
+        excluded = ("history", "end", "manifest")
+        return {field.name: getattr(self, field.name) for field in dataclasses.fields(self) if field.name not in excluded}
+
+    def to_xarray(self) -> Any:
+        """Returns an ``xarray.Dataset`` of the means over loads, patches, circuits and stops, without the record."""
+        settling = {
+            "settled": Variable((), bool(self.settled), "1", "settled when averaged"),
+            "period_cycles": Variable((), self.period_cycles or 0, "1", "period in drive cycles, 0 without a period"),
+        }
+        coords = {
+            name: Variable((name,), getattr(self, name), "", name) for name in ("load", "patch", "rectified", "charge", "leak", "stop")
+        }
+        return self._dataset({**self._variables(), **settling}, coords)
+
+    def to_pandas(self) -> Any:
+        """Returns a ``pandas.DataFrame`` with one row."""
+        flat = {key: [value] for key, value in self.to_dict().items() if isinstance(value, (bool, int, float))}
+        return self._frame(flat)
+
+    def recorded(self) -> History:
+        """Returns the record; raises ArgumentError without one."""
+        if self.history is None:
+            raise ArgumentError('this run has no record; compute it with run(record="1 s")')
+        return self.history
+
+    def _pictures(self) -> dict[str, Callable[[Any], Any]]:
+        recorded = {} if self.history is None else self.history._pictures()
+        return {**recorded, "energy": self.plot_energy}
+
+    def plot_time_history(self, ax: Any = None, channel: str | None = None) -> Any:
+        """Draws a channel of the record over time, see :meth:`History.channels`."""
+        return self.recorded().plot_time_history(ax, channel)
+
+    def plot_spectrum(self, ax: Any = None, channel: str | None = None) -> Any:
+        """Draws the amplitude spectrum of a channel of the record."""
+        return self.recorded().plot_spectrum(ax, channel)
+
+    def plot_poincare(self, ax: Any = None, point: str | None = None) -> Any:
+        """Draws velocity over displacement of a point once per drive cycle."""
+        return self.recorded().plot_poincare(ax, point)
+
+    def plot_energy(self, ax: Any = None) -> Any:
+        """Draws the energy outputs as shares of the input energy."""
+        from ._plot.energy import plot_energy
+
+        return plot_energy(self, ax)
+
+
+def _sums(energies: dict[str, Any]) -> dict[str, float]:
+    """Returns the energies with those of all loads, circuits and patches added."""
+    rectified = energies["rectified"]
+
+    def over(*names: str) -> float:
+        return float(sum(own[name] for own in rectified for name in names))
+
+    return {
+        "input_j": energies["input_j"],
+        "loads_j": float(sum(energies["loads_j"])),
+        "rectified_j": over("load_j", "battery_j"),
+        "rectified_loss_j": over("diodes_j", "switch_j", "leakage_j"),
+        "leaks_j": float(sum(energies["leaks_j"])),
+        "damping_j": energies["damping_j"],
+        "contact_loss_j": energies["contact_loss_j"],
+        "stored_j": energies["stored_j"],
+    }

@@ -1,0 +1,90 @@
+"""Spectra of sampled signals, and files of recorded drives."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable, Mapping
+from os import PathLike
+from typing import Any
+
+import numpy as np
+
+from . import _core
+from ._arguments import rate_hz
+from ._errors import ArgumentError, FileError
+from ._quantity import is_quantity, unit_of
+from ._result import Floats, Result, Variable, make_manifest
+from ._sep005 import check_series, even_rate_hz, numbers
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class Spectrum(Result):
+    """Amplitudes (zero to peak) over frequency, Hann window."""
+
+    name: str
+    unit: str
+    frequency_hz: Floats
+    amplitude_peak: Floats
+
+    def _summary(self) -> list[tuple[str, str]]:
+        highest = int(np.argmax(self.amplitude_peak))
+        return [
+            ("signal", self.name),
+            ("highest line", f"{self.amplitude_peak[highest]:.5g} {self.unit} at {self.frequency_hz[highest]:.5g} Hz"),
+            ("resolution", f"{self.frequency_hz[1] - self.frequency_hz[0]:g} Hz"),
+        ]
+
+    def to_xarray(self) -> Any:
+        """Returns an ``xarray.Dataset`` over ``frequency``."""
+        amplitude = Variable(("frequency",), self.amplitude_peak, self.unit, f"{self.name}, amplitude zero to peak")
+        return self._dataset({"amplitude": amplitude}, {"frequency": Variable(("frequency",), self.frequency_hz, "Hz", "frequency")})
+
+    def to_pandas(self) -> Any:
+        """Returns a ``pandas.DataFrame`` with a row for each line."""
+        return self._frame({"frequency_hz": self.frequency_hz, "amplitude_peak": self.amplitude_peak})
+
+    def _pictures(self) -> dict[str, Callable[[Any], Any]]:
+        return {"amplitude": self.plot_spectrum}
+
+    def plot_spectrum(self, ax: Any = None) -> Any:
+        """Draws the spectrum."""
+        from ._plot.history import plot_spectrum
+
+        return plot_spectrum(self, ax)
+
+
+def spectrum(values: Any, sample_rate_hz: float | None = None, *, name: str = "signal", unit: str = "") -> Spectrum:
+    """Computes the amplitude spectrum of evenly spaced samples, or of a time series in the form of SEP005."""
+    row, row_rate_hz = _samples(values, sample_rate_hz)
+    if isinstance(values, Mapping):
+        name, unit = values["name"], values["unit_str"]
+    elif is_quantity(values):
+        unit = unit_of(values)
+    frequency_hz, amplitude_peak = _core.spectrum(row, row_rate_hz)
+    return Spectrum(make_manifest("spectrum"), name, unit, frequency_hz, amplitude_peak)
+
+
+def write_recording(path: str | PathLike[str], values: Any, sample_rate_hz: float | None = None) -> None:
+    """Writes evenly spaced samples, or a time series in the form of SEP005, as the CSV file of a recorded drive.
+
+    ``jounce.Drive(kind="base-acceleration", signal="recording", file=PATH)`` reads the file. Values without a unit are in SI, or in
+    that of ``unit=``.
+    """
+    row, row_rate_hz = _samples(values, sample_rate_hz)
+    unit = values["unit_str"] if isinstance(values, Mapping) else unit_of(values) if is_quantity(values) else ""
+    if not np.isfinite(row).all() or len(row) < 2:
+        raise ArgumentError("a recording needs at least two samples, all finite")
+    times = np.arange(len(row)) / row_rate_hz
+    try:
+        with open(path, "w", encoding="utf-8", newline="\n") as file:
+            file.write(f"time (s),value ({unit})\n" if unit else "time (s),value\n")
+            file.writelines(f"{time!r},{value!r}\n" for time, value in zip(times.tolist(), row.tolist()))
+    except OSError as error:
+        raise FileError(f"the recording {path} cannot be written: {error}", {"path": str(path), "errno": error.errno}) from error
+
+
+def _samples(values: Any, sample_rate_hz: float | None) -> tuple[Floats, float]:
+    """Returns samples and their rate, Hz."""
+    if isinstance(values, Mapping):
+        values, sample_rate_hz = check_series(values)["data"], even_rate_hz(values)
+    return numbers(values, "the samples"), rate_hz(sample_rate_hz)

@@ -1,0 +1,327 @@
+"""Harvesters and the computations on them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, Literal
+
+from . import _core
+from ._arguments import check_integers, frequencies, names, optional_hz, options, to_si
+from ._basins import BasinsResult
+from ._bifurcations import BifurcationsResult
+from ._branch import BranchResult
+from ._diagram import DiagramResult
+from ._ensemble import EnsembleResult
+from ._errors import ArgumentError, warn_not_settled
+from ._frf import FrfResult
+from ._modes import ModesResult
+from ._noise import NoiseResult
+from ._progress import Progress, progress_callback
+from ._ranges import sides, span, values
+from ._rig import SpecOnRig
+from ._run import RunResult, State
+from ._sweep import SweepResult
+
+
+class Spec(SpecOnRig):
+    """Harvester, always valid: an invalid change raises :class:`jounce.SpecError` with every fault, and changes nothing.
+
+    Parameters
+    ----------
+    source
+        Text of a spec in TOML, or a dict of its tables. Files are read with :meth:`Spec.read`.
+    tables
+        Tables by keyword, ``stop={"tip": jounce.Stop(at="beam.tip", ...)}``; they replace those of a dict.
+
+    Quantities are text with a unit, ``"0.5 mm"``, or quantities of pint. A number without a unit is refused.
+    """
+
+    __slots__ = ()
+
+    def modes(self, hold: str | Sequence[str] = (), *, fixed_table: bool = False) -> ModesResult:
+        """Computes natural frequencies, damping ratios, couplings and shapes, with some masses fixed, with ``fixed_table`` all of them."""
+        given = options(hold=names(hold), fixed_table=fixed_table)
+        return ModesResult._from_core(_core.modes(self._spec, given))
+
+    def frf(
+        self,
+        frequency: Any = None,
+        *,
+        unit: Any = None,
+        low: Any = None,
+        high: Any = None,
+        points: int | None = None,
+        input: str | None = None,
+        base: bool = False,
+        hold: str | Sequence[str] = (),
+        fixed_table: bool = False,
+        open_circuit: bool = False,
+    ) -> FrfResult:
+        """Computes frequency responses without contact, per newton on ``input`` (by default the point of the first force).
+
+        With ``base`` the base is excited instead: displacements relative to it and voltages, per m/s^2. Masses in ``hold`` are fixed, with
+        ``fixed_table`` all of them; with ``open_circuit`` the patches have no circuit.
+
+        The frequencies are ``points`` (2000) from ``low`` (1 Hz) to ``high`` (1000 Hz), logarithmically spaced; or those of
+        ``frequency``, a range as in :meth:`sweep`.
+        """
+        check_integers(points=points)
+        given = options(
+            frequency_hz=frequencies(frequency, unit),
+            low_hz=optional_hz(low, "low"),
+            high_hz=optional_hz(high, "high"),
+            points=points,
+            input=input,
+            base=base,
+            hold=names(hold),
+            fixed_table=fixed_table,
+            open_circuit=open_circuit,
+        )
+        return FrfResult._from_core_call(_core.frf(self._spec, given))
+
+    def noise(self, *, low: Any = None, high: Any = None, points: int = 1000) -> NoiseResult:
+        """Computes the exact response to the noises of the spec without contact: means, mean squares, bandwidths, gap crossing rates.
+
+        Densities are computed at ``points`` frequencies from ``low`` to ``high``, by default over the band of the noise, and at further
+        ones around each resonance.
+        """
+        check_integers(points=points)
+        given = options(low_hz=optional_hz(low, "low"), high_hz=optional_hz(high, "high"), points=points)
+        return NoiseResult._from_core_call(_core.noise(self._spec, given))
+
+    def run(
+        self,
+        *,
+        tolerance: float | None = None,
+        start: State | None = None,
+        record: Any = None,
+        sample_rate: Any = "4096 Hz",
+        progress: bool | Progress | None = None,
+    ) -> RunResult:
+        """Integrates one run.
+
+        ``tolerance`` overrides ``run.tolerance``; ``start`` is the ``end`` of another run; ``record`` is the length of the stored end of
+        the run, ``"1 s"``. A run that has not settled issues :class:`jounce.NotSettled`. The parts reported to ``progress`` are thousandths
+        of the duration.
+        """
+        given = options(
+            tolerance=tolerance,
+            record_s=0.0 if record is None else to_si("time", record, "record"),
+            sample_rate_hz=to_si("frequency", sample_rate, "sample_rate"),
+        )
+        if start is not None and not isinstance(start, State):
+            raise ArgumentError(f"start is of type {type(start).__name__}; give the `end` of another run, or jounce.State.read(PATH)")
+        with progress_callback(progress) as callback:
+            result = RunResult._from_core_call(_core.run(self._spec, given, start.json if start else None, callback))
+        if result.is_transient:
+            warn_not_settled(f"the run has not settled: its state changes by {result.periodicity_change:.1e} over its period")
+        return result
+
+    def sweep(
+        self,
+        key: str,
+        range: Any,
+        *,
+        unit: Any = None,
+        direction: Literal["up", "down", "both", "independent"] = "up",
+        fixed_duration: bool = False,
+        tolerance: float | None = None,
+        threads: int | None = None,
+        progress: bool | Progress | None = None,
+    ) -> SweepResult:
+        """Runs the model at every value of a key, from the last state of the point before unless ``"independent"``.
+
+        ``range``: ``"10 Hz:14 Hz:0.5 Hz"`` (step), ``"10 Hz:14 Hz:9x"`` (number), ``"1 kohm:1 Mohm:9log"``, or a list or an array of
+        numpy, pandas, xarray or pint, of quantities or of numbers with their ``unit``. Points over ``reduction.modes`` are always
+        independent. Each point is integrated until it has settled, or for ``run.duration`` with ``fixed_duration``; points that have not
+        settled issue :class:`jounce.NotSettled`.
+        """
+        check_integers(threads=threads)
+        over = f"{key}={values(range, unit, key)}"
+        given = options(over=over, direction=direction, fixed_duration=fixed_duration, tolerance=tolerance, threads=threads)
+        with progress_callback(progress) as callback:
+            result = SweepResult._from_core_call(_core.sweep(self._spec, given, callback))
+        if result.transient.any():
+            warn_not_settled(f"{int(result.transient.sum())} of {len(result)} points have not settled; `transient` marks them")
+        return result
+
+    def branch(
+        self,
+        key: str,
+        range: Any,
+        *,
+        unit: Any = None,
+        method: Literal["shooting", "harmonic-balance"] = "shooting",
+        harmonics: int | None = None,
+        tolerance: float = 5e-10,
+        seeds: int = 12,
+        longest_period: int = 12,
+        levels: str | Sequence[str] = (),
+        largest_step: float = 0.4,
+        budget: int = 10000,
+        threads: int | None = None,
+        progress: bool | Progress | None = None,
+    ) -> BranchResult:
+        """Continues every branch of periodic orbits over ``range = "12 Hz:13 Hz"`` of a key, stable or unstable.
+
+        The range may also be a pair of quantities, or of numbers with their ``unit``.
+
+        Branches that none of the ``seeds`` converges to, and branches of a period above ``longest_period`` cycles, are not found; larger
+        values of both find more. ``harmonics`` is the number of harmonics at the start of harmonic balance, 64 if left out.
+
+        ``levels`` are marked on the branches: ``"mean_power=50 uW"``, ``"voltage.PATCH=5 V"``, ``"strain.PATCH=3e-4"``,
+        ``"contact_force.STOP=2 N"``. ``largest_step`` is in relative changes of the state or twentieths of the range. After orbits of
+        ``budget`` drive cycles no further branch is continued; ``not_followed`` counts the rest.
+        """
+        check_integers(harmonics=harmonics, seeds=seeds, longest_period=longest_period, budget=budget, threads=threads)
+        given = options(
+            over=f"{key}={span(range, unit, key)}",
+            method=method,
+            harmonics=harmonics,
+            tolerance=tolerance,
+            seeds=seeds,
+            longest_period=longest_period,
+            levels=names(levels),
+            largest_step=largest_step,
+            budget=budget,
+            threads=threads,
+        )
+        with progress_callback(progress) as callback:
+            return BranchResult._from_core_call(_core.branch(self._spec, given, callback))
+
+    def bifurcations(
+        self,
+        key: str,
+        range: Any,
+        key_2: str,
+        range_2: Any,
+        *,
+        unit: Any = None,
+        unit_2: Any = None,
+        tolerance: float = 1e-9,
+        seeds: int = 4,
+        longest_period: int = 2,
+        peaks: bool = True,
+        levels: str | Sequence[str] = (),
+        threads: int | None = None,
+        progress: bool | Progress | None = None,
+    ) -> BifurcationsResult:
+        """Continues bifurcation curves (folds, period doublings, tori, grazings) in two keys, and the ``peaks`` of power.
+
+        Curves of ``levels`` are also continued. Ranges, ``unit`` and ``levels`` are as in :meth:`branch`.
+
+        The search misses curves that pass neither an edge of the two ranges nor the value of ``key_2`` in the spec. It also misses curves
+        of branches that none of the ``seeds`` converges to, and of periods above ``longest_period`` cycles.
+        """
+        check_integers(seeds=seeds, longest_period=longest_period, threads=threads)
+        given = options(
+            over=f"{key}={span(range, unit, key)}",
+            against=f"{key_2}={span(range_2, unit_2, key_2)}",
+            tolerance=tolerance,
+            seeds=seeds,
+            longest_period=longest_period,
+            peaks=peaks,
+            levels=names(levels),
+            threads=threads,
+        )
+        with progress_callback(progress) as callback:
+            return BifurcationsResult._from_core_call(_core.bifurcations(self._spec, given, callback))
+
+    def basins(
+        self,
+        *,
+        starts: int = 200,
+        seed: int = 1,
+        spread: float = 10.0,
+        grid: Mapping[str, Any] | None = None,
+        units: Mapping[str, Any] | None = None,
+        tolerance: float = 1e-8,
+        longest_period: int = 64,
+        max_cycles: int = 20000,
+        threads: int | None = None,
+        progress: bool | Progress | None = None,
+    ) -> BasinsResult:
+        """Finds the attractors, the share of the starts that reach each, and the expected power.
+
+        The starts are a cloud of ``starts`` starts with a ``seed``, ``spread`` gaps wide, or every combination of the sides of a
+        ``grid``: ``{"displacement": "-5 mm:5 mm:21x", "velocity": ("-1 m/s", "1 m/s", 21)}``, and ``"voltage"``. A side may also be an
+        array of evenly spaced values; ``units`` gives the units of numbers without one, by side.
+
+        A start belongs to the orbit that its motion is proven to reach, of a period of up to ``longest_period`` drive cycles. A start
+        without a proven attractor after ``max_cycles`` drive cycles is chaos or undecided.
+        """
+        check_integers(starts=starts, seed=seed, longest_period=longest_period, max_cycles=max_cycles, threads=threads)
+        given = options(
+            starts=starts,
+            seed=seed,
+            spread=spread,
+            grid=sides(grid, units),
+            tolerance=tolerance,
+            longest_period=longest_period,
+            max_cycles=max_cycles,
+            threads=threads,
+        )
+        with progress_callback(progress) as callback:
+            return BasinsResult._from_core_call(_core.basins(self._spec, given, callback))
+
+    def diagram(
+        self,
+        key: str,
+        range: Any,
+        *,
+        unit: Any = None,
+        direction: Literal["up", "down", "both", "starts"] = "both",
+        starts: int | None = None,
+        seed: int | None = None,
+        spread: float | None = None,
+        cycles: int = 64,
+        tolerance: float = 1e-8,
+        branches: bool = True,
+        longest_period: int | None = None,
+        threads: int | None = None,
+        progress: bool | Progress | None = None,
+    ) -> DiagramResult:
+        """Computes the state at the start of each drive cycle, over increasing values of a key.
+
+        ``"starts"`` integrates at each value from a cloud of ``starts`` (20) starts with the ``seed`` 1 and the size ``spread`` (10 gaps),
+        and matches the attractors between values. The other directions start from the state of the value before and have no cloud.
+        ``range`` is as in :meth:`sweep`; ``cycles`` is the number of points of a motion without a period, ``longest_period`` (4) the limit
+        for continued branches.
+        """
+        check_integers(starts=starts, seed=seed, cycles=cycles, longest_period=longest_period, threads=threads)
+        given = options(
+            over=f"{key}={values(range, unit, key)}",
+            direction=direction,
+            starts=starts,
+            seed=seed,
+            spread=spread,
+            cycles=cycles,
+            tolerance=tolerance,
+            branches=branches,
+            longest_period=longest_period,
+            threads=threads,
+        )
+        with progress_callback(progress) as callback:
+            return DiagramResult._from_core_call(_core.diagram(self._spec, given, callback))
+
+    def ensemble(
+        self,
+        *,
+        members: int = 16,
+        seed: int = 1,
+        relative_width: float | None = None,
+        spectrum: bool = False,
+        tolerance: float | None = None,
+        threads: int | None = None,
+        progress: bool | Progress | None = None,
+    ) -> EnsembleResult:
+        """Integrates realisations of the noise and returns means with 95 % intervals.
+
+        With ``relative_width``, rounds of ``members`` are added until the half width of the interval is at most this share of the mean
+        power. With ``spectrum``, for at least two members, the power spectral density of every voltage and its bandwidth are also
+        estimated.
+        """
+        check_integers(members=members, seed=seed, threads=threads)
+        given = options(members=members, seed=seed, relative_width=relative_width, spectrum=spectrum, tolerance=tolerance, threads=threads)
+        with progress_callback(progress) as callback:
+            return EnsembleResult._from_core_call(_core.ensemble(self._spec, given, callback))

@@ -1,0 +1,160 @@
+"""Spectra of a recorded channel: density, spectrogram, and the lines of its drive."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable
+from typing import Annotated, Any, Literal
+
+from . import _core
+from ._arguments import optional_si, options
+from ._format import html_table
+from ._inputs import Measured, recording
+from ._issue import Issue, issue_lines, parse_issues
+from ._recording import names_of
+from ._result import Along, Floats, Result, Variable, make_manifest, result_or_raise
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class SpectraResult(Result):
+    """Spectra of a channel from overlapping segments; arrays of shape ``(frequency,)``, ``(segment,)`` and ``(order,)``.
+
+    Densities are one-sided: their integral over frequency is the variance. Amplitudes are zero to peak, in the ``unit`` of the channel.
+    """
+
+    channel: str
+    unit: str
+    #: Segments, window and amplitudes in words, and the number of segments.
+    convention: str
+    segments: int
+    #: Window of a segment, overlap of adjacent segments, their length and step, s, and the distance of the lines, Hz.
+    window: str
+    overlap: float
+    segment_s: Annotated[float, Along("", "s", "length of a segment")]
+    step_s: Annotated[float, Along("", "s", "time between starts of segments")]
+    resolution_hz: Annotated[float, Along("", "Hz", "distance of the lines")]
+    #: Mean of the record, subtracted before the density; the spectrogram includes it, at 0 Hz.
+    mean: float
+    #: Lines, Hz, and the power spectral density there (Welch), in the unit of the channel squared per hertz.
+    frequency_hz: Floats
+    density: Floats
+    #: The highest peaks, at most five, the highest first, without side lobes of the window: frequency, Hz, and density.
+    peak_frequency_hz: Annotated[Floats, Along("peak", "Hz", "frequency of a peak of the density")]
+    peak_density: Floats
+    #: Middle of each segment, s from the first sample, and amplitudes of shape ``(segment, frequency)``.
+    time_s: Floats
+    amplitude_peak: Floats
+    #: Drive, Hz (``None`` without one), its multiples below half the sampling rate, with frequency, Hz, and amplitude of each.
+    drive_hz: float | None
+    order: Floats
+    order_frequency_hz: Annotated[Floats, Along("order", "Hz", "frequency of a multiple of the drive")]
+    order_amplitude_peak: Floats
+    issues: list[Issue]
+
+    def __len__(self) -> int:
+        return len(self.time_s)
+
+    @property
+    def density_unit(self) -> str:
+        """Unit of the density."""
+        if not self.unit:
+            return "1/Hz"
+        return f"{self.unit}^2/Hz" if self.unit.isalpha() else f"({self.unit})^2/Hz"
+
+    def variance_between(self, low_hz: float, high_hz: float) -> float:
+        """Returns the variance between two frequencies: the integral of the density."""
+        inside = (self.frequency_hz >= low_hz) & (self.frequency_hz <= high_hz)
+        return float(self.density[inside].sum() * self.resolution_hz)
+
+    def _summary(self) -> list[tuple[str, str]]:
+        lines = [
+            ("channel", f"{self.channel} [{self.unit or 'no unit'}]"),
+            ("segments", f"{len(self)} of {self.segment_s:.4g} s, {self.window} window, overlap {self.overlap:g}"),
+            ("lines", f"{self.resolution_hz:.4g} Hz apart"),
+        ]
+        peaks = zip(self.peak_frequency_hz, self.peak_density)
+        lines += [("peak", f"{density:.4e} {self.density_unit} at {hz:.5g} Hz") for hz, density in peaks]
+        for order, hz, peak in zip(self.order, self.order_frequency_hz, self.order_amplitude_peak):
+            lines.append((f"order {order:.4g}", f"{peak:.5e} {self.unit} peak at {hz:.5g} Hz"))
+        return lines + issue_lines(self.issues)
+
+    def _repr_html_(self) -> str:
+        lines = super()._repr_html_()
+        numbers = zip(self.order, self.order_frequency_hz, self.order_amplitude_peak)
+        rows = [[f"{order:.4g}", f"{hz:.5g}", f"{peak:.5e}"] for order, hz, peak in numbers]
+        return lines + html_table("Orders", ["order", "frequency [Hz]", f"amplitude, peak [{self.unit}]"], rows) if rows else lines
+
+    def to_xarray(self) -> Any:
+        """Returns an ``xarray.Dataset`` over ``frequency``, ``time`` (the middle of each segment) and ``order``."""
+        variables = {
+            **self._variables(),
+            "mean": Variable((), self.mean, self.unit, f"{self.channel}, mean"),
+            "density": Variable(("frequency",), self.density, self.density_unit, f"{self.channel}, one-sided power spectral density"),
+            "peak_density": Variable(("peak",), self.peak_density, self.density_unit, "density of a peak"),
+            "amplitude_peak": Variable(("time", "frequency"), self.amplitude_peak, self.unit, f"{self.channel}, amplitude zero to peak"),
+            "order_amplitude_peak": Variable(("order",), self.order_amplitude_peak, self.unit, "amplitude zero to peak at a multiple"),
+        }
+        coords = {
+            "frequency": Variable(("frequency",), self.frequency_hz, "Hz", "frequency"),
+            "time": Variable(("time",), self.time_s, "s", "middle of the segment, from the first sample"),
+            "order": Variable(("order",), self.order, "1", "multiple of the drive"),
+        }
+        return self._dataset(variables, coords)
+
+    def to_pandas(self) -> Any:
+        """Returns a ``pandas.DataFrame`` of the density, with a row for each line."""
+        return self._frame({"frequency_hz": self.frequency_hz, "density": self.density})
+
+    def orders_to_pandas(self) -> Any:
+        """Returns a ``pandas.DataFrame`` with a row for each multiple of the drive."""
+        numbers = {"frequency_hz": self.order_frequency_hz, "amplitude_peak": self.order_amplitude_peak}
+        return self._frame({"order": self.order, **numbers})
+
+    def _pictures(self) -> dict[str, Callable[[Any], Any]]:
+        return {"density": self.plot_density, "spectrogram": self.plot_spectrogram}
+
+    def plot_density(self, ax: Any = None) -> Any:
+        """Draws the power spectral density; vertical lines mark multiples of the drive."""
+        from ._plot.spectra import plot_density
+
+        return plot_density(self, ax)
+
+    def plot_spectrogram(self, ax: Any = None) -> Any:
+        """Draws the amplitudes over time and frequency, up to twice the highest multiple of the drive."""
+        from ._plot.spectra import plot_spectrogram
+
+        return plot_spectrogram(self, ax)
+
+
+def spectra(
+    record: Measured,
+    *,
+    sample_rate_hz: Any = None,
+    channel: str | None = None,
+    drive: Any = None,
+    segment: Any = None,
+    overlap: float = 0.5,
+    window: Literal["hann", "flat-top", "rectangular"] = "hann",
+) -> SpectraResult:
+    """Computes power spectral density (Welch), order lines and spectrogram of a channel, ``jounce spectra``.
+
+    ``record`` is a :class:`Recording`, a file, SEP005 time series, or an array with its ``sample_rate_hz``. ``channel`` is by default the
+    first varying one in volts, else the first varying one. With a ``drive``, ``"13 Hz"``, amplitudes at its multiples are fitted to the
+    complete record, exact where no line is at a bin. A ``segment``, ``"2 s"``, is by default 24 cycles of the drive, or without a drive a
+    thirty-second of the record. A sinusoid between two lines shows up to 15 % less under ``"hann"``, at most 0.1 % less under
+    ``"flat-top"``, whose lines are wider.
+
+    Raises :class:`ArgumentError` for an unknown channel, window or unit, :class:`RecordingError` for segments that do not fit the record.
+    Source: P. Welch, IEEE Trans. Audio Electroacoust. 15 (1967) 70; G. Heinzel, A. Ruediger, R. Schilling (2002).
+    """
+    input_recording = recording(record, sample_rate_hz)
+    given = {
+        "channel": channel,
+        "drive_hz": optional_si("frequency", drive, "drive"),
+        "segment_s": optional_si("time", segment, "segment"),
+        "overlap": overlap,
+        "window": window,
+    }
+    fields = SpectraResult._filled(result_or_raise(_core.spectra(input_recording._core(), options(**given))))
+    fields["issues"] = [*input_recording.issues, *parse_issues(fields["issues"])]
+    return SpectraResult(**{**fields, "manifest": make_manifest("spectra", **names_of([input_recording]), **given)})

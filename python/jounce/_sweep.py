@@ -1,0 +1,102 @@
+"""Sweeps over one key."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable
+from functools import partial
+from typing import Annotated, Any, Self
+
+import numpy as np
+
+from ._format import counted, html_table
+from ._result import Along, Floats, Integers, Result, Truths, Variable, dataset_fields
+
+
+@dataclasses.dataclass(frozen=True, eq=False, repr=False)
+class SweepResult(Result):
+    """Runs at every value of a key, in the order of computation; arrays of shape ``(point,)``."""
+
+    #: Key and its SI unit.
+    key: str
+    unit: str
+    #: Value of the key, SI.
+    parameter: Floats
+    #: Direction of each point: ``"up"``, ``"down"``, ``"independent"``.
+    direction: list[str]
+    mean_power_w: Annotated[Floats, Along("visit", "W", "mean power of all loads")]
+    voltage_rms_v: Annotated[Floats, Along("visit", "V", "rms voltage of the first load, else of the output of the first rectifier")]
+    max_penetration_m: Annotated[Floats, Along("visit", "m", "largest penetration of the stop")]
+    contact_rate_hz: Annotated[Floats, Along("visit", "1/s", "contacts per second")]
+    settled: Annotated[Truths, Along("visit", "1", "settled when averaged")]
+    period_cycles: Annotated[Integers, Along("visit", "1", "period in drive cycles")]
+    energy_residual_relative: Annotated[Floats, Along("visit", "1", "energy residual of the run")]
+    simulated_time_s: Annotated[Floats, Along("visit", "s", "simulated time")]
+    #: Warnings about exceeded limits of patches at points.
+    warnings: list[str]
+
+    @classmethod
+    def _from_core(cls, fields: dict[str, Any]) -> Self:
+        return super()._from_core(cls._filled(fields))
+
+    def __len__(self) -> int:
+        return len(self.parameter)
+
+    @property
+    def transient(self) -> Truths:
+        """True at points that have not settled, although their drives have a common period."""
+        not_settled: Truths = ~self.settled & (self.period_cycles > 0)
+        return not_settled
+
+    def _summary(self) -> list[tuple[str, str]]:
+        lines = [("over", f"{self.key} [{self.unit}]"), ("points", f"{len(self)}, {int(self.settled.sum())} of them settled")]
+        if self.transient.any():
+            lines.append(("NOT settled", counted(int(self.transient.sum()), "point")))
+        if len(self):
+            best = int(np.argmax(self.mean_power_w))
+            lines.append(("highest power", f"{self.mean_power_w[best]:.6e} W at {self.parameter[best]:g} {self.unit}"))
+        return [*lines, *(("warning", text) for text in self.warnings)]
+
+    def _repr_html_(self) -> str:
+        rows: list[list[object]] = [
+            [f"{p:g}", point_direction, f"{w:.5e}", f"{v:.5g}", bool(s)]
+            for p, point_direction, w, v, s in zip(self.parameter, self.direction, self.mean_power_w, self.voltage_rms_v, self.settled)
+        ]
+        displayed_rows: list[list[object]] = rows if len(rows) <= 20 else [*rows[:10], list("…" * 5), *rows[-10:]]
+        return html_table(
+            f"Sweep over {self.key}", [f"[{self.unit}]", "direction", "mean power [W]", "voltage, rms [V]", "settled"], displayed_rows
+        )
+
+    def to_xarray(self) -> Any:
+        """Returns an ``xarray.Dataset`` over ``visit``, with ``parameter`` and ``direction`` as further coordinates."""
+        coords = {
+            "visit": Variable(("visit",), np.arange(len(self)), "1", "order of the points"),
+            "parameter": Variable(("visit",), self.parameter, self.unit, self.key),
+            "direction": Variable(("visit",), self.direction, "", "direction of the sweep"),
+        }
+        return self._dataset(self._variables(), coords)
+
+    def to_pandas(self) -> Any:
+        """Returns a ``pandas.DataFrame`` with a row for each point."""
+        return self._frame({"parameter": self.parameter, "direction": self.direction, **self._columns("visit")})
+
+    def going(self, direction: str) -> Self:
+        """Returns the points of one direction, by ascending value of the key."""
+        selected = np.array([point_direction == direction for point_direction in self.direction], dtype=bool)
+        order = np.flatnonzero(selected)[np.argsort(self.parameter[selected], kind="stable")]
+        arrays = {
+            field.name: getattr(self, field.name)[order]
+            for field in dataclasses.fields(self)
+            if isinstance(getattr(self, field.name), np.ndarray)
+        }
+        return dataclasses.replace(self, direction=[direction] * len(order), **arrays)
+
+    def _pictures(self) -> dict[str, Callable[[Any], Any]]:
+        fields = (field for field, along in dataset_fields(type(self)).items() if along.axes == "visit")
+        return {field: partial(self.plot_sweep, quantity=field) for field in fields}
+
+    def plot_sweep(self, ax: Any = None, label: str | None = None, *, quantity: str = "mean_power_w") -> Any:
+        """Draws a quantity over the key: up solid, down dashed, single points as dots; unsettled points have a ring."""
+        from ._plot.sweep import plot_sweep
+
+        return plot_sweep(self, ax, label, quantity)
