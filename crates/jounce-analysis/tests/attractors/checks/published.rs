@@ -10,6 +10,7 @@ use crate::agreement::{Verdict, compare, endings};
 use crate::brute::{Kind, Patience};
 use jounce_analysis::{Grid, GridAxis, GridSide, InitialStates, Model};
 use jounce_spec::SpecFile;
+use std::io::Write;
 
 /// Mean power of the orbit of 18 cycles, W.
 const POWER_W: f64 = 6.027_567_570e-6;
@@ -83,11 +84,17 @@ fn starts_end_on_the_published_orbits() {
     assert!((power_w / POWER_W - 1.0).abs() < OTHER_MESH, "{power_w:e}");
 }
 
-/// All 400 starts. `JOUNCE_GRID_PLANT` names a file with other modes; those of another mesh change
-/// the result of one start in ten.
+/// All 400 starts: minutes, so only with `JOUNCE_GRID=1`. `JOUNCE_GRID_PLANT` names a file with
+/// other modes; those of another mesh change the result of one start in ten.
 #[test]
-#[ignore = "400 starts by brute force; three of them in every run"]
 fn the_grid_ends_where_brute_force_ends() {
+    if std::env::var("JOUNCE_GRID").is_err() {
+        let _ = writeln!(
+            std::io::stderr(),
+            "SKIPPED: JOUNCE_GRID=1 marches the grid of 400 starts"
+        );
+        return;
+    }
     let file = std::env::var("JOUNCE_GRID_PLANT")
         .map_or_else(|_| bench(), |path| SpecFile::read(path).unwrap());
     let agreement = compare(
