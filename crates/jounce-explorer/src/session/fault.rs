@@ -15,8 +15,9 @@ pub enum RequestFault {
 
 impl RequestFault {
     /// Returns the faults for the page: key, line, message. Faults of the spec have the messages of
-    /// the command line; `path` is the path of the spec.
-    pub fn list(&self, path: &Path) -> Value {
+    /// the command line; `path` is the path of the spec. The fault of a table without a key that the
+    /// request removed belongs to this key.
+    pub fn list(&self, path: &Path, removed: &[String]) -> Value {
         let faults = match self {
             Self::Library(error) => match error.as_ref() {
                 Error::Spec(faults) | Error::Range { faults, .. } => faults.as_slice(),
@@ -29,7 +30,13 @@ impl RequestFault {
                 .set
                 .as_ref()
                 .and_then(|set| set.strip_prefix("--set ")?.split_once('='));
-            let key = set.map_or(fault.key.as_str(), |(key, _)| key);
+            let in_table = |key: &&String| {
+                key.rsplit_once('.')
+                    .is_some_and(|(table, _)| table == fault.key)
+            };
+            let of_removal = removed.iter().find(in_table);
+            let own = of_removal.map_or(fault.key.as_str(), String::as_str);
+            let key = set.map_or(own, |(key, _)| key);
             let message = match fault.set {
                 Some(_) => fault.to_string(),
                 None if fault.line == 0 => fault.message.clone(),

@@ -106,7 +106,7 @@ impl Session {
                 tokio::time::sleep(max_time).await;
                 timeout_cancellation.stop_on_timeout();
             });
-            let (id, name) = (request.id, request.kind.name());
+            let (id, name, removed) = (request.id, request.kind.name(), request.removed_keys());
             let (worker, worker_cancellation) = (Arc::clone(&session), cancellation.clone());
             let outcome =
                 tokio::task::spawn_blocking(move || worker.compute(&request, &worker_cancellation))
@@ -128,7 +128,8 @@ impl Session {
                 fault.filter(|_| !cancellation.is_stopped() || cancellation.is_timed_out())
             {
                 let mut frame = Frame::new(id, name, "fault");
-                frame.put("faults", fault.list(session.host.options.spec.name()));
+                let path = session.host.options.spec.name();
+                frame.put("faults", fault.list(path, &removed));
                 session.send_async(frame).await;
             }
         });

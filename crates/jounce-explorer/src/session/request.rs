@@ -20,6 +20,14 @@ pub struct Request {
     pub kind: RequestKind,
 }
 
+impl Request {
+    /// Returns the keys without a value: they are removed from the spec.
+    pub fn removed_keys(&self) -> Vec<String> {
+        let removed = self.set.iter().filter(|(_, value)| value.trim().is_empty());
+        removed.map(|(key, _)| key.clone()).collect()
+    }
+}
+
 /// Excitation that replaces the first drive.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
