@@ -15,8 +15,8 @@ pub enum RequestFault {
 
 impl RequestFault {
     /// Returns the faults for the page: key, line, message. Faults of the spec have the messages of
-    /// the command line; `path` is the path of the spec. The fault of a table without a key that the
-    /// request removed belongs to this key.
+    /// the command line; `path` is the path of the spec. A table that lacks a key that the request
+    /// removed has its fault at this key.
     pub fn list(&self, path: &Path, removed: &[String]) -> Value {
         let faults = match self {
             Self::Library(error) => match error.as_ref() {
@@ -30,11 +30,12 @@ impl RequestFault {
                 .set
                 .as_ref()
                 .and_then(|set| set.strip_prefix("--set ")?.split_once('='));
-            let in_table = |key: &&String| {
-                key.rsplit_once('.')
-                    .is_some_and(|(table, _)| table == fault.key)
+            let is_missing = |key: &&String| {
+                key.rsplit_once('.').is_some_and(|(table, name)| {
+                    table == fault.key && fault.message.contains(&format!("`{name}`"))
+                })
             };
-            let of_removal = removed.iter().find(in_table);
+            let of_removal = removed.iter().find(is_missing);
             let own = of_removal.map_or(fault.key.as_str(), String::as_str);
             let key = set.map_or(own, |(key, _)| key);
             let message = match fault.set {

@@ -63,7 +63,7 @@ impl Couplings {
 }
 
 /// Two complex multipliers that may meet on a step and leave the unit circle, each by its index at
-/// both ends; the upper one of two conjugates represents both.
+/// both ends; the first is the upper one of two conjugates. Their conjugates meet likewise.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Meeting {
     pub one: (usize, usize),
@@ -89,7 +89,7 @@ impl Meeting {
             b.value(one.1),
             b.value(two.1),
         ];
-        if values[0].im <= 0.0 || values[1].im <= 0.0 || values.iter().any(|mu| mu.im == 0.0) {
+        if values[0].im <= 0.0 || values.iter().any(|mu| mu.im == 0.0) {
             return None;
         }
         let turn = meeting_turn(ends, one, two)?;
@@ -116,9 +116,9 @@ impl Meeting {
     }
 }
 
-/// Returns by how much more a function of a group, and its slope over the step, may differ from their
-/// bounds: the couplings move its members where they meet those of other groups.
-pub(super) fn shifted(
+/// Returns the errors of a function of a group, and of its slope over the step, by the couplings of
+/// its members to those of other groups that they meet.
+pub(super) fn coupling_error(
     [a, b]: [StepEnd; 2],
     group: &MultiplierGroup,
     f: TestFunction,
@@ -134,10 +134,11 @@ pub(super) fn shifted(
         };
         let mut sums = [0.0; 2];
         for (k, i) in members.iter().enumerate() {
-            let is_lower = end.value(*i).im < 0.0;
-            let upper = if is_lower { end.conjugate(*i) } else { *i };
-            let is_here =
-                |meeting: &&Meeting| [meeting.one, meeting.two].map(index).contains(&upper);
+            let either = [*i, end.conjugate(*i)];
+            let is_here = |meeting: &&Meeting| {
+                let met = [meeting.one, meeting.two].map(index);
+                met.iter().any(|k| either.contains(k))
+            };
             for meeting in meetings.iter().filter(is_here) {
                 for (sum, shift) in sums.iter_mut().zip(meeting.shift) {
                     *sum += change(k, c64::new(shift, 0.0)) + change(k, c64::new(0.0, shift));
@@ -205,6 +206,44 @@ fn meeting_turn(ends: [StepEnd; 2], one: (usize, usize), two: (usize, usize)) ->
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::branches::events::test_data::{TestData, TestDataPair};
+
+    /// Data of two pairs: one at 0.3 rad, one that turns through zero from 0.2 to -0.6 rad.
+    fn at(s: f64) -> TestDataPair {
+        let multipliers = |s: f64| {
+            let pair =
+                |modulus: f64, angle: f64| [angle, -angle].map(|a| c64::from_polar(modulus, a));
+            [pair(1.0, 0.3), pair(0.95, 0.2 - 0.8 * s)].concat()
+        };
+        let current = TestData {
+            multipliers: multipliers(s),
+            radii: vec![2.0; 4],
+            turns: Vec::new(),
+            levels: Vec::new(),
+            period_s: 1.0,
+            cycles: 1,
+            is_free: false,
+        };
+        TestDataPair {
+            current,
+            multipliers: multipliers(s + 1e-6),
+            turns: Vec::new(),
+            levels: Vec::new(),
+            length: 1e-6,
+        }
+    }
+
+    #[test]
+    fn a_multiplier_meets_the_lower_one_of_another_pair_that_turns_through_zero() {
+        let readings = [at(0.0), at(1.0)];
+        let ends = readings.each_ref().map(|readings| StepEnd {
+            readings,
+            length: 1.0,
+        });
+        let meets =
+            |one: usize, two: usize| Meeting::of(ends, || None, (one, one), (two, two)).is_some();
+        assert!(meets(0, 3) && !meets(0, 2));
+    }
 
     /// The exact eigenvalues of `[a c; c z]` with `z = b e^(i angle)` and `|c| = k`.
     #[test]

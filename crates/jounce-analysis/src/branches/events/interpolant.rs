@@ -49,19 +49,19 @@ impl Interpolant {
 
     /// Returns the number of crossings of zero on the step; `None` where it is not proved.
     pub fn crossings(&self) -> Option<usize> {
-        self.crossings_within([0.0; 2])
+        self.crossings_with([0.0; 2])
     }
 
-    /// Returns the number of crossings of zero where the function and its slope differ from their
-    /// bounds by at most `more` at any place of the step.
-    pub fn crossings_within(&self, more: [f64; 2]) -> Option<usize> {
+    /// Returns the number of crossings of zero; `None` where it is not proved. The function and its
+    /// slope have an additional error anywhere on the step.
+    pub fn crossings_with(&self, extra_error: [f64; 2]) -> Option<usize> {
         let [from, to] = self.values;
         if !(from.is_finite()
             && to.is_finite()
             && self
                 .slopes
                 .iter()
-                .chain(&more)
+                .chain(&extra_error)
                 .all(|number| number.is_finite()))
         {
             return None;
@@ -76,7 +76,7 @@ impl Interpolant {
         let bound = |sign: f64| {
             std::array::from_fn(|i| {
                 let of_cubic = if i == 2 { 16.0 / 6.0 * error } else { 0.0 };
-                raised(i) + sign * (of_cubic + more[0])
+                raised(i) + sign * (of_cubic + extra_error[0])
             })
         };
         let slope = std::array::from_fn(|i| 3.0 * (cubic[i + 1] - cubic[i]));
@@ -84,7 +84,7 @@ impl Interpolant {
         examine(
             bound(-1.0),
             bound(1.0),
-            (slope, ERROR_SLOPE * error + more[1]),
+            (slope, ERROR_SLOPE * error + extra_error[1]),
             MAX_HALVINGS,
             &mut pieces,
         );

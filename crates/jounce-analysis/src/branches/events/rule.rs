@@ -1,10 +1,10 @@
 //! Rule by which a step of a curve is accepted.
 
-use super::coupling::{Couplings, Meeting, shifted};
+use super::coupling::{Couplings, Meeting, coupling_error};
 use super::interpolant::Interpolant;
 use super::spectrum::{
     MultiplierGroup, StepEnd, TestFunction, between, doubling, fold, groups, is_enclosed,
-    is_torus_crossing, linked, torus,
+    is_torus_crossing, linked_pairs, torus,
 };
 use super::turning_points::{Extremum, extrema, may_touch_unseen};
 use crate::branches::branch::BranchKind;
@@ -258,14 +258,14 @@ impl BranchTracer {
     }
 }
 
-/// Returns the kinds for which multipliers may pass the critical value more than once: neither the
-/// functions of each pair with the error of its couplings, nor those of coupled pairs together prove
-/// that they do not.
+/// Returns the kinds for which multipliers may pass the critical value more than once. There are two
+/// proofs that they do not: the function of each pair with the error of its couplings, and the
+/// function of coupled pairs together. Either is enough.
 fn doubtful_multipliers<'c>(
     ends: [StepEnd; 2],
     couplings: impl Fn() -> Option<&'c [Couplings; 2]>,
 ) -> Vec<BranchKind> {
-    let pairs = linked(ends);
+    let pairs = linked_pairs(ends);
     let meetings: Vec<Meeting> = (0..pairs.len())
         .flat_map(|k| (0..k).map(move |other| (k, other)))
         .filter_map(|(k, other)| Meeting::of(ends, &couplings, pairs[k], pairs[other]))
@@ -282,8 +282,8 @@ fn doubtful_multipliers<'c>(
         .collect()
 }
 
-/// Returns the kinds for which groups of multipliers may pass the critical value more than once. The
-/// meetings are those of multipliers of different groups.
+/// Returns the kinds for which groups of multipliers may pass the critical value more than once;
+/// `meetings` are the meetings of multipliers of different groups.
 fn doubtful_groups(
     ends: [StepEnd; 2],
     mut groups: Vec<MultiplierGroup>,
@@ -298,8 +298,8 @@ fn doubtful_groups(
     let is_doubtful = |kind: BranchKind, f: TestFunction| {
         let mut count = 0;
         for group in &groups {
-            let more = shifted(ends, group, f, meetings);
-            let Some(readings) = between(ends, group, f).crossings_within(more) else {
+            let extra_error = coupling_error(ends, group, f, meetings);
+            let Some(readings) = between(ends, group, f).crossings_with(extra_error) else {
                 return true;
             };
             let crosses = if kind == BranchKind::NeimarkSacker && readings > 0 {

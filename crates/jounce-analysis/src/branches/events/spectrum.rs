@@ -179,8 +179,8 @@ impl LinkedMultiplier {
     }
 }
 
-/// Returns the multipliers between two ends, by their indices at both.
-pub(super) fn linked([a, b]: [StepEnd; 2]) -> Vec<(usize, usize)> {
+/// Returns each multiplier by its indices at the two ends.
+pub(super) fn linked_pairs([a, b]: [StepEnd; 2]) -> Vec<(usize, usize)> {
     let (from, to) = (LinkedMultiplier::all(a), LinkedMultiplier::all(b));
     paired(from.len(), to.len(), |i, j| {
         from[i].squared_distance(&to[j])
@@ -295,7 +295,8 @@ mod tests {
             readings,
             length: to - from,
         });
-        (groups(ends, &linked(ends), |_, _| false), readings.clone())
+        let pairs = linked_pairs(ends);
+        (groups(ends, &pairs, |_, _| false), readings.clone())
     }
 
     /// A pair that meets at -0.9, passes -1 on the real axis and returns: `mu^2 + 2 b mu + 0.9`
