@@ -7,7 +7,7 @@ use crate::flow::Flow;
 use crate::flow::layout::StateLayout;
 use crate::force_response::basis::BasisFunctions;
 use crate::ports::vectors::PortVectors;
-use crate::tables::cache::{StepTables, levels};
+use crate::tables::step_tables::{StepTables, levels};
 use jounce_control::Control;
 use jounce_model::contact::Law;
 use jounce_model::plant::{

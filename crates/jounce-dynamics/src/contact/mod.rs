@@ -15,8 +15,10 @@ use crate::integrator::Integrator;
 use crate::kernel::{ForceBasis, Kernel};
 use crate::ports::state::ContactState;
 use crate::tables::step_size::LEVELS_PER_OCTAVE;
+use crate::tables::step_tables::StepTables;
 use jounce_model::contact::ContactLaw;
 use jounce_simd::Simd;
+use std::sync::Arc;
 use step::{ContactStep, SolvedStep};
 use step_size_control::{coarsest, levels_too_long};
 
@@ -99,12 +101,13 @@ impl Integrator<'_> {
                 break;
             }
             let odd;
-            let table = if landing {
-                odd = self.ad_hoc_tables.of(kernel, shape, remaining_s);
+            let tables = if landing {
+                odd = self.odd_tables(remaining_s);
                 &odd
             } else {
-                kernel.table(p, shape, level)
+                kernel.tables(level)
             };
+            let table = tables.contact(kernel, (p, shape));
             let step = self.step_in_contact(w, law, (table, p), shape, level, landing);
             let solved = self.solve(w, law, &step);
             let allowed = self.allowed_n_s(law, &step, solved.as_ref());
@@ -167,6 +170,12 @@ impl Integrator<'_> {
             );
         }
         self.tolerance * IMPULSE_ERROR_SHARE * speed_m_s / port.rows.mobility_per_kg
+    }
+
+    /// Returns the tables of a length that is no level.
+    pub(crate) fn odd_tables(&mut self, length_s: f64) -> Arc<StepTables> {
+        self.odd_tables
+            .of(self.kernel, self.switching.conduction_state, length_s)
     }
 
     pub(super) fn diverged(&self, p: usize) -> IntegrationError {

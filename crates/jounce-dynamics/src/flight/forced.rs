@@ -19,7 +19,6 @@ use crate::flow::state::add_force_response;
 use crate::force_response::basis::NODES;
 use crate::force_response::output_rows::{OutputRowsTask, RowReading, RowRequest};
 use crate::kernel::{ForceBasis, Kernel};
-use crate::ports::small_list::SharedOrOwned;
 use jounce_simd::{F64x8, LANES, Simd, widest};
 
 /// Legendre coefficients of `3 x^2 - 2 x^3`, of `x^3 - x^2` and of `x^3 - 2 x^2 + x` ...
@@ -142,11 +141,7 @@ fn by_force(series: &[F64x8]) -> Vec<[F64x8; NODES]> {
 /// Returns bounds on `|z - H|` (m) and `|z' - H'|` (m/s) under the nodal forces of several ports:
 /// the sums of the magnitudes of their common coefficients.
 #[inline(always)]
-pub fn rest_bounds<W: Simd>(
-    w: W,
-    flights: &[SharedOrOwned<ForcedFlight>],
-    forces: &[F64x8],
-) -> [f64; 2] {
+pub fn rest_bounds<W: Simd>(w: W, flights: &[&ForcedFlight], forces: &[F64x8]) -> [f64; 2] {
     let longest = flights
         .iter()
         .map(|flight| flight.rest.len())

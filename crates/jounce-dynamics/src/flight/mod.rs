@@ -117,7 +117,10 @@ impl Integrator<'_> {
     #[inline(always)]
     fn attempt<W: Simd>(&mut self, w: W, level: i32) -> FlightVerdict {
         let kernel = self.kernel;
-        kernel.flow(level).apply(w, &self.y, &mut self.next);
+        kernel
+            .tables(level)
+            .flow(kernel)
+            .apply(w, &self.y, &mut self.next);
         let mut drive = self.excitation.motion_after(0, Kernel::length_s(level));
         for tone in &mut self.tones {
             let turn = tone.end(level);
@@ -176,7 +179,10 @@ impl Integrator<'_> {
         motion: [f64; 2],
         drive: [f64; 2],
     ) -> FlightStep {
-        let (flight, port) = (self.kernel.flight(p, level), &self.ports[p]);
+        let (flight, port) = (
+            self.kernel.tables(level).flight(self.kernel, p),
+            &self.ports[p],
+        );
         let mut step = FlightStep {
             length_s,
             distance_m: [port.penetration_m, motion[0]],

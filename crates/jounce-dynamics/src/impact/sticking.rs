@@ -28,18 +28,14 @@ impl Integrator<'_> {
             let remaining = end_s - self.time_s;
             let landing = Kernel::length_s(level) >= remaining;
             let odd;
-            let (table, sticking) = if landing {
-                odd = (
-                    ContactTable::new(self.kernel, 0, &SMOOTH_BASIS, remaining),
-                    StickingTable::new(self.kernel, 0, &SMOOTH_BASIS, remaining),
-                );
-                (&odd.0, &odd.1)
+            let tables = if landing {
+                odd = self.odd_tables(remaining);
+                &odd
             } else {
-                (
-                    self.kernel.table(0, ForceBasis::Smooth, level),
-                    self.kernel.sticking(0, level),
-                )
+                self.kernel.tables(level)
             };
+            let table = tables.contact(self.kernel, (0, ForceBasis::Smooth));
+            let sticking = tables.sticking(self.kernel, 0);
             let (force, mismatch_n) = self.holding_force(table, sticking);
             let allowed_n = self.allowed_mismatch_n(&force);
             let pulls = force.iter().any(|f| *f < 0.0);

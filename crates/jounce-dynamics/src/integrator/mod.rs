@@ -18,7 +18,7 @@ use crate::record::energies::MeterReadings;
 use crate::record::statistics::{ContactIntegrals, ContactStatistics, WorkCount};
 use crate::record::trajectory::{PortForce, Trajectory, TrajectorySegment};
 use crate::rectifier::switching::Switching;
-use crate::tables::ad_hoc::AdHocTables;
+use crate::tables::odd_tables::OddTables;
 use jounce_model::plant::Stop;
 use jounce_simd::F64x8;
 
@@ -37,7 +37,7 @@ pub struct Integrator<'k> {
     /// Integrals of the force of the current step from its start (see
     /// [`crate::force_response::duhamel`]).
     pub(crate) from_start: Vec<F64x8>,
-    pub(crate) ad_hoc_tables: AdHocTables,
+    pub(crate) odd_tables: OddTables,
     pub(crate) tones: Vec<Phasor>,
     pub(crate) excitation: Excitation,
     pub(crate) ports: PerPort<PortState>,

@@ -11,7 +11,7 @@ use crate::ports::state::PortState;
 use crate::record::energies::MeterReadings;
 use crate::record::statistics::{ContactIntegrals, WorkCount};
 use crate::rectifier::switching::Switching;
-use crate::tables::ad_hoc::AdHocTables;
+use crate::tables::odd_tables::OddTables;
 use crate::tables::step_size::LEVELS_PER_OCTAVE;
 use jounce_simd::{F64x8, Portable};
 
@@ -67,7 +67,7 @@ impl<'k> Integrator<'k> {
             y: layout.pack(&free),
             next: vec![F64x8::ZERO; layout.lanes()],
             from_start: vec![F64x8::ZERO; layout.lanes()],
-            ad_hoc_tables: AdHocTables::default(),
+            odd_tables: OddTables::default(),
             ports: PerPort::new(count, |port| {
                 PortState::new(plant, &layout, &tones, port, contact_level)
             }),

@@ -75,7 +75,7 @@ impl Integrator<'_> {
                 self.update_port(w, p);
             }
         }
-        self.update_ports_in_contact(w, length.level(), steps, solved);
+        self.update_ports_in_contact(w, length.level, steps, solved);
         self.work.contact_steps += 1;
     }
 

@@ -114,7 +114,8 @@ impl Integrator<'_> {
         if landing {
             self.propagate_to(w, length_s);
         } else {
-            self.kernel.flow(level).apply(w, &self.y, &mut self.next);
+            let flow = self.kernel.tables(level).flow(self.kernel);
+            flow.apply(w, &self.y, &mut self.next);
         }
         let mut outcome = StepOutcome::Clear;
         for p in 0..self.kernel.plant.ports.len() {

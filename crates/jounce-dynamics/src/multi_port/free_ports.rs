@@ -64,7 +64,11 @@ impl Integrator<'_> {
         forces: &[F64x8],
         p: usize,
     ) -> FlightVerdict {
-        let flight = |step: &ContactStep| length.flight(self.kernel, (step.port, step.shape), p);
+        let flight = |step: &ContactStep| {
+            length
+                .tables
+                .forced_flight(self.kernel, (step.port, step.shape), p)
+        };
         let flights: SmallList<_> = steps.iter().map(flight).collect();
         let mut forced = w.zero();
         for (flight, force) in flights.iter().zip(forces) {
@@ -78,7 +82,7 @@ impl Integrator<'_> {
             dot(w, &rows.displacement, &self.next) + drive[0] - rows.gap_m,
             dot(w, &rows.velocity, &self.next) + drive[1],
         ];
-        let mut step = self.step_of(w, p, length.level(), length.seconds(), free, drive);
+        let mut step = self.step_of(w, p, length.level, length.seconds(), free, drive);
         step.distance_m[1] += forced[0];
         step.speed_m_s[0] += forced[2];
         step.speed_m_s[1] += forced[1];

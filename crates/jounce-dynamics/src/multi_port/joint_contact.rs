@@ -13,6 +13,7 @@ use crate::ports::small_list::SmallList;
 use crate::ports::state::ContactState;
 use crate::tables::joint::{JointTables, StepLength};
 use crate::tables::step_size::LEVELS_PER_OCTAVE;
+use crate::tables::step_tables::StepTables;
 use jounce_simd::Simd;
 
 /// Largest number of Newton iterations for the length of a step that ends in an impact.
@@ -50,14 +51,14 @@ impl Integrator<'_> {
             loop {
                 let remaining_s = self.excitation.remaining_s(self.time_s, end_s);
                 let landing = Kernel::length_s(level) >= remaining_s;
-                let length = if landing {
-                    StepLength::Odd {
-                        length_s: remaining_s,
-                        level,
-                    }
+                let odd;
+                let tables = if landing {
+                    odd = self.odd_tables(remaining_s);
+                    &odd
                 } else {
-                    StepLength::Level(level)
+                    self.kernel.tables(level)
                 };
+                let length = StepLength { tables, level };
                 match self.attempt_step(w, &ports, length, level >= safe) {
                     StepOutcome::Clear => {
                         if landing {
@@ -179,10 +180,14 @@ impl Integrator<'_> {
                 self.join(w, *striker);
                 return true;
             }
-            let length = StepLength::Odd { length_s, level };
-            let tables = JointTables::new(self.kernel, ports, length);
-            let joint = self.joint_step(w, &tables);
-            let resting = StickingPorts::new(self, &tables);
+            let tables = StepTables::new(self.kernel.plant.ports.len(), length_s);
+            let length = StepLength {
+                tables: &tables,
+                level,
+            };
+            let joint_tables = JointTables::new(self.kernel, ports, length);
+            let joint = self.joint_step(w, &joint_tables);
+            let resting = StickingPorts::new(self, &joint_tables);
             let Some(solved) = self.solve_joint(w, &joint, &resting) else {
                 return false;
             };
@@ -193,7 +198,7 @@ impl Integrator<'_> {
             if change_s.abs() <= roundoff_s.max(LANDING_TOLERANCE * scale_s.max(length_s)) {
                 self.check_free_ports(w, length, &joint.steps, &solved);
                 self.forget_clearances();
-                self.accept_joint_step(w, length, &joint.steps, &solved, Some(&tables));
+                self.accept_joint_step(w, length, &joint.steps, &solved, Some(&joint_tables));
                 self.join(w, *striker);
                 return true;
             }

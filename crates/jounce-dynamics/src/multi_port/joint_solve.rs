@@ -6,14 +6,14 @@ use crate::contact::step::{ContactStep, SolvedStep};
 use crate::flow::state::{add_force_response, columns};
 use crate::integrator::Integrator;
 use crate::ports::small_list::SmallList;
-use crate::tables::joint::{JointTables, StepLength};
+use crate::tables::joint::JointTables;
 use jounce_model::contact::{ContactLaw, Law};
 use jounce_simd::{F64x8, Simd};
 
 /// Step of all ports in contact.
-pub struct JointStep<'t, 'k> {
+pub struct JointStep<'t, 'a> {
     /// Tables of the step.
-    pub tables: &'t JointTables<'k>,
+    pub tables: &'t JointTables<'a>,
     /// Contact step of each port, in the order of the tables.
     pub steps: SmallList<ContactStep<'t>>,
 }
@@ -44,11 +44,11 @@ enum Convergence {
 impl<'k> Integrator<'k> {
     /// Prepares the step.
     #[inline(always)]
-    pub(super) fn joint_step<'t, W: Simd>(
+    pub(super) fn joint_step<'t, 'a, W: Simd>(
         &mut self,
         w: W,
-        tables: &'t JointTables<'k>,
-    ) -> JointStep<'t, 'k>
+        tables: &'t JointTables<'a>,
+    ) -> JointStep<'t, 'a>
     where
         'k: 't,
     {
@@ -59,14 +59,11 @@ impl<'k> Integrator<'k> {
     }
 
     #[inline(always)]
-    fn lay_out<'t, W: Simd>(&mut self, w: W, tables: &'t JointTables<'k>) -> JointStep<'t, 'k>
+    fn lay_out<'t, 'a, W: Simd>(&mut self, w: W, tables: &'t JointTables<'a>) -> JointStep<'t, 'a>
     where
         'k: 't,
     {
-        let (level, odd) = (
-            tables.length.level(),
-            matches!(tables.length, StepLength::Odd { .. }),
-        );
+        let (level, odd) = (tables.length.level, !tables.length.is_level());
         let mut steps = SmallList::new();
         for (index, (port, shape)) in tables.ports.iter().enumerate() {
             steps.push(self.step_in_contact(

@@ -43,9 +43,9 @@ impl Integrator<'_> {
         length: StepLength,
         is_short: bool,
     ) -> StepOutcome {
-        let (law, table) = (self.law(p), length.table(self.kernel, (p, shape)));
-        let is_odd = matches!(length, StepLength::Odd { .. });
-        let step = [self.step_in_contact(w, law, (&table, p), shape, length.level(), is_odd)];
+        let (law, table) = (self.law(p), length.tables.contact(self.kernel, (p, shape)));
+        let is_odd = !length.is_level();
+        let step = [self.step_in_contact(w, law, (table, p), shape, length.level, is_odd)];
         let Some(solved) = self.solve(w, law, &step[0]) else {
             return StepOutcome::Unclear(LEVELS_PER_OCTAVE);
         };

@@ -19,7 +19,7 @@ use crate::impact::acceleration::acceleration;
 use crate::integrator::Integrator;
 use crate::ports::state::ContactState;
 use crate::tables::contact::StickingTable;
-use crate::tables::joint::{JointTables, StepLength};
+use crate::tables::joint::JointTables;
 use faer::{Mat, c64};
 use jounce_simd::{F64x8, LANES, Portable, Simd};
 
@@ -63,14 +63,7 @@ impl StickingPorts {
         };
         for index in resting.positions.clone() {
             let port = tables.ports[index].0;
-            let odd;
-            let sticking = match tables.length {
-                StepLength::Level(level) => integrator.kernel.sticking(port, level),
-                StepLength::Odd { length_s, .. } => {
-                    odd = StickingTable::new(integrator.kernel, port, &SMOOTH_BASIS, length_s);
-                    &odd
-                }
-            };
+            let sticking = tables.length.tables.sticking(integrator.kernel, port);
             resting.free.push(integrator.free_acceleration(
                 sticking,
                 port,

@@ -274,7 +274,7 @@ impl TrajectorySegment {
         let (length_s, port, shape) = (self.length_s, force.port, force.shape);
         let (block, level) = (&kernel.plant.diagonal.block, Kernel::level_within(length_s));
         let responses = if Kernel::length_s(level) == length_s {
-            kernel.responses(port, shape, level)
+            kernel.tables(level).responses(kernel, (port, shape))
         } else {
             let make = || StepResponse::of_all(block, kernel.basis(port, shape), length_s);
             cache

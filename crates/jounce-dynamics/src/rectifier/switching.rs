@@ -215,6 +215,7 @@ impl Integrator<'_> {
             (self.flight_level, self.release_error_factor);
         (next.work, next.checks) = (self.work, self.checks);
         next.record = self.record.take();
+        next.odd_tables = std::mem::take(&mut self.odd_tables);
         next.switching = std::mem::take(&mut self.switching);
         next.switching.conduction_state = conduction_state;
         next.switching.since = (self.time_s, x.to_vec());

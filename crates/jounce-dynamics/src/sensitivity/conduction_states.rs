@@ -18,6 +18,7 @@ use super::{ParameterSensitivity, SensitivityError};
 use crate::kernel::Kernel;
 use crate::record::trajectory::{ConductionChange, Impact, Trajectory};
 use crate::rectifier::switch_map::SwitchMap;
+use crate::tables::odd_tables::OddTables;
 use faer::{Mat, c64};
 use jounce_model::plant::{SignalSample, product};
 use jounce_simd::{F64x8, Portable, widest};
@@ -28,6 +29,8 @@ pub struct ConductionRoute<'a> {
     pub base: &'a Kernel,
     pub drift: &'a ParameterSensitivity,
     pub trajectory: &'a Trajectory,
+    /// Tables of the lengths that are no levels.
+    pub odd_tables: OddTables,
     /// Time of the end, s, ...
     pub end_s: f64,
     /// ... its conduction state, ...
@@ -36,9 +39,9 @@ pub struct ConductionRoute<'a> {
     pub end: Vec<f64>,
 }
 
-impl ConductionRoute<'_> {
+impl<'a> ConductionRoute<'a> {
     /// Returns the derivative of the state at the end, in the block coordinates of the base.
-    pub fn tangents(&self) -> Result<Tangents, SensitivityError> {
+    pub fn tangents(mut self) -> Result<Tangents, SensitivityError> {
         let changes = self.trajectory.changes();
         let mut tangents = Tangents::identity(self.base.plant.len());
         let first = changes
@@ -67,13 +70,14 @@ impl ConductionRoute<'_> {
         }
         let kernel = self.kernel(self.end_conduction_state)?;
         let all = self.trajectory.segments().len();
+        let end = std::mem::take(&mut self.end);
         let LinearizedSegment { mut tangents, .. } =
-            self.linearize(kernel, (from, all), (self.end_s, &self.end), tangents)?;
+            self.linearize(kernel, (from, all), (self.end_s, &end), tangents)?;
         self.convert(&mut tangents, self.end_conduction_state, 0)?;
         Ok(tangents)
     }
 
-    fn kernel(&self, conduction_state: usize) -> Result<&Kernel, SensitivityError> {
+    fn kernel(&self, conduction_state: usize) -> Result<&'a Kernel, SensitivityError> {
         Ok(self
             .base
             .in_conduction_state(conduction_state)
@@ -99,7 +103,7 @@ impl ConductionRoute<'_> {
 
     /// Linearises the steps from one index to another in one conduction state.
     fn linearize(
-        &self,
+        &mut self,
         kernel: &Kernel,
         (from, to): (usize, usize),
         (end_s, end): (f64, &[f64]),
@@ -132,7 +136,12 @@ impl ConductionRoute<'_> {
             end: &end,
         };
         widest(Linearization::new(
-            kernel, self.drift, segment, sizes, tangents,
+            kernel,
+            self.drift,
+            &mut self.odd_tables,
+            segment,
+            sizes,
+            tangents,
         ))
     }
 

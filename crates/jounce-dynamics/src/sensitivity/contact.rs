@@ -36,20 +36,14 @@ impl Linearization<'_> {
             .map(|force| (force.port, force.shape))
             .collect();
         let level = Kernel::level_within(segment.length_s);
-        let is_level = Kernel::length_s(level) == segment.length_s;
-        let odd = StepLength::Odd {
-            length_s: segment.length_s,
-            level,
+        let odd;
+        let tables = if Kernel::length_s(level) == segment.length_s {
+            kernel.tables(level)
+        } else {
+            odd = (self.odd_tables).of(kernel, segment.conduction_state, segment.length_s);
+            &odd
         };
-        let tables = JointTables::new(
-            kernel,
-            &ports,
-            if is_level {
-                StepLength::Level(level)
-            } else {
-                odd
-            },
-        );
+        let tables = JointTables::new(kernel, &ports, StepLength { tables, level });
         if self.system.ports() != ports.len() {
             self.system = NodeSystem::new(ports.len(), self.tangents.width);
         }

@@ -8,6 +8,7 @@ use crate::excitation::row::{ExcitationRow, ExcitationSeries};
 use crate::kernel::Kernel;
 use crate::ports::phasor::Phasor;
 use crate::record::trajectory::{Impact, TrajectorySegment};
+use crate::tables::odd_tables::OddTables;
 use jounce_model::contact::Law;
 use jounce_model::plant::{Port, SignalSample};
 use jounce_simd::{F64x8, Simd, Task};
@@ -31,6 +32,8 @@ pub struct ConductionSegment<'a> {
 pub struct Linearization<'a> {
     pub(super) kernel: &'a Kernel,
     pub(super) drift: &'a ParameterSensitivity,
+    /// Tables of the lengths that are no levels.
+    pub(super) odd_tables: &'a mut OddTables,
     segment: ConductionSegment<'a>,
     pub(super) tangents: Tangents,
     /// System of the current contact step.
@@ -63,6 +66,7 @@ impl<'a> Linearization<'a> {
     pub fn new(
         kernel: &'a Kernel,
         drift: &'a ParameterSensitivity,
+        odd_tables: &'a mut OddTables,
         segment: ConductionSegment<'a>,
         sizes: Vec<SignalSample>,
         tangents: Tangents,
@@ -87,6 +91,7 @@ impl<'a> Linearization<'a> {
         Self {
             kernel,
             drift,
+            odd_tables,
             segment,
             tangents,
             system,

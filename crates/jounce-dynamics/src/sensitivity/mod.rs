@@ -139,6 +139,7 @@ impl FlowSensitivity {
             base: kernel,
             drift,
             trajectory: &trajectory,
+            odd_tables: integrator.odd_tables,
             end_s,
             end_conduction_state,
             end: block_end,

@@ -66,11 +66,10 @@ impl Linearization<'_> {
         for (k, tone) in self.tones.iter_mut().enumerate() {
             let frequency = tone.angular_frequency_rad_s;
             tone.set(segment.start_s);
-            match length {
-                StepLength::Level(level) => tone.swing_over(kernel, port, shape, level),
-                StepLength::Odd { length_s, .. } => {
-                    tone.samples[port] = PhasorSamples::over(frequency, basis, length_s)
-                }
+            if length.is_level() {
+                tone.swing_over(kernel, port, shape, length.level);
+            } else {
+                tone.samples[port] = PhasorSamples::over(frequency, basis, length.seconds());
             }
             let (samples, i) = (tone.samples[port], c64::new(0.0, 1.0));
             let z = tone.displacement_m[port] * tone.turn;

@@ -3,74 +3,30 @@
 
 use super::contact::ContactTable;
 use super::cross::CrossTable;
-use crate::flight::forced::ForcedFlight;
+use super::step_tables::StepTables;
 use crate::force_response::basis::NODES;
 use crate::kernel::{ForceBasis, Kernel};
-use crate::ports::small_list::{SharedOrOwned, SmallList};
+use crate::ports::small_list::SmallList;
 use jounce_simd::F64x8;
 
-/// Length of a step.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum StepLength {
-    /// Length of a level: its tables are shared.
-    Level(i32),
-    /// Any other length: its tables are computed for this step only.
-    Odd {
-        /// Length, s.
-        length_s: f64,
-        /// Desired level, not shorter.
-        level: i32,
-    },
+/// Length of a step: its tables and its level.
+#[derive(Debug, Clone, Copy)]
+pub struct StepLength<'a> {
+    /// Tables.
+    pub tables: &'a StepTables,
+    /// Level of this length, or a longer one where it lies between two levels.
+    pub level: i32,
 }
 
-impl StepLength {
+impl StepLength<'_> {
     /// Returns the length in seconds.
     pub fn seconds(self) -> f64 {
-        match self {
-            StepLength::Level(level) => Kernel::length_s(level),
-            StepLength::Odd { length_s, .. } => length_s,
-        }
+        self.tables.length_s
     }
 
-    /// Returns the level, or the desired one.
-    pub fn level(self) -> i32 {
-        match self {
-            StepLength::Level(level) | StepLength::Odd { level, .. } => level,
-        }
-    }
-
-    /// Returns the table of a port on a step of this length.
-    pub fn table(
-        self,
-        kernel: &Kernel,
-        (port, shape): (usize, ForceBasis),
-    ) -> SharedOrOwned<'_, ContactTable> {
-        match self {
-            StepLength::Level(level) => SharedOrOwned::Shared(kernel.table(port, shape, level)),
-            StepLength::Odd { length_s, .. } => SharedOrOwned::Own(Box::new(ContactTable::new(
-                kernel,
-                port,
-                kernel.basis(port, shape),
-                length_s,
-            ))),
-        }
-    }
-
-    /// Returns the effect of the force of a port on the flight of another.
-    pub fn flight(
-        self,
-        kernel: &Kernel,
-        port: (usize, ForceBasis),
-        other_port: usize,
-    ) -> SharedOrOwned<'_, ForcedFlight> {
-        match self {
-            StepLength::Level(level) => {
-                SharedOrOwned::Shared(kernel.forced_flight(port, other_port, level))
-            }
-            StepLength::Odd { length_s, .. } => SharedOrOwned::Own(Box::new(ForcedFlight::new(
-                kernel, port, other_port, length_s,
-            ))),
-        }
+    /// True for the length of the level.
+    pub fn is_level(self) -> bool {
+        self.tables.length_s == Kernel::length_s(self.level)
     }
 }
 
@@ -80,49 +36,45 @@ pub struct JointTables<'a> {
     /// Ports with their bases.
     pub ports: SmallList<(usize, ForceBasis)>,
     /// Length of the step.
-    pub length: StepLength,
-    contact_tables: SmallList<SharedOrOwned<'a, ContactTable>>,
+    pub length: StepLength<'a>,
+    contact_tables: SmallList<&'a ContactTable>,
     /// From the force of the first index to the port of the second, row by row, without the
     /// diagonal.
-    cross: SmallList<SharedOrOwned<'a, CrossTable>>,
+    cross: SmallList<&'a CrossTable>,
 }
 
 impl<'a> JointTables<'a> {
     /// Collects the tables of ports on a step.
-    pub fn new(kernel: &'a Kernel, ports: &[(usize, ForceBasis)], length: StepLength) -> Self {
-        let cross = |from: (usize, ForceBasis), to: (usize, ForceBasis)| match length {
-            StepLength::Level(level) => SharedOrOwned::Shared(kernel.cross([from, to], level)),
-            StepLength::Odd { length_s, .. } => {
-                SharedOrOwned::Own(Box::new(CrossTable::new(kernel, [from, to], length_s)))
-            }
-        };
+    pub fn new(kernel: &Kernel, ports: &[(usize, ForceBasis)], length: StepLength<'a>) -> Self {
         let pairs = ports.iter().flat_map(|from| {
             ports
                 .iter()
                 .filter(move |to| to.0 != from.0)
-                .map(move |to| (*from, *to))
+                .map(move |to| [*from, *to])
         });
         Self {
             ports: SmallList::from_slice(ports),
             length,
             contact_tables: ports
                 .iter()
-                .map(|port| length.table(kernel, *port))
+                .map(|port| length.tables.contact(kernel, *port))
                 .collect(),
-            cross: pairs.map(|(from, to)| cross(from, to)).collect(),
+            cross: pairs
+                .map(|pair| length.tables.cross(kernel, pair))
+                .collect(),
         }
     }
 
     /// Returns the table of a port by its index among the ports of the step.
     #[inline(always)]
     pub fn table(&self, index: usize) -> &ContactTable {
-        &self.contact_tables[index]
+        self.contact_tables[index]
     }
 
     /// Returns the effect of the force of one port on another, by their indices.
     #[inline(always)]
     pub fn cross(&self, from: usize, to: usize) -> &CrossTable {
-        &self.cross[from * (self.ports.len() - 1) + to - usize::from(to > from)]
+        self.cross[from * (self.ports.len() - 1) + to - usize::from(to > from)]
     }
 
     /// Returns displacement and velocity of one port under the nodal forces of another, or its own.
