@@ -13,6 +13,7 @@ impl F64x8 {
     pub const ZERO: F64x8 = F64x8([0.0; LANES]);
 
     /// Returns `self + factor * other`.
+    #[inline(always)]
     pub fn add_scaled(mut self, factor: f64, other: &F64x8) -> F64x8 {
         self.0
             .iter_mut()
