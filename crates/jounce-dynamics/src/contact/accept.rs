@@ -59,12 +59,23 @@ impl Integrator<'_> {
         let rate_m_s = dot(w, &self.ports[p].rows.velocity, &self.y) + speed;
         self.set_motion(p, [solved.penetration.0[NODES], rate_m_s]);
         self.observe(w, law, step, solved, started);
-        let port = &mut self.ports[p];
         if law.acts_on_both_sides() {
+            let port = &mut self.ports[p];
             port.impact_velocity_m_s = port.impact_velocity_m_s.max(port.rate_m_s.abs());
-        } else if port.penetration_m < 0.0 {
+        } else if self.has_left(p, step.table.length_s) {
+            let port = &mut self.ports[p];
+            port.penetration_m = port.penetration_m.min(0.0);
             port.contact_state = ContactState::Flight;
         }
+    }
+
+    /// True where a point is off its stop, or on its surface within roundoff and moves out; its last
+    /// step has a length.
+    #[inline(always)]
+    fn has_left(&self, p: usize, length_s: f64) -> bool {
+        let port = &self.ports[p];
+        let leaves_next = port.penetration_m < -port.rate_m_s * length_s;
+        port.penetration_m < 0.0 || leaves_next && port.penetration_m <= self.distance_roundoff_m(p)
     }
 
     /// Adds the step to the statistics.

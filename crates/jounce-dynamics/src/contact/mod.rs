@@ -33,14 +33,20 @@ const ONSET_ERROR_SHARE: f64 = 0.01;
 impl SolvedStep {
     /// Returns the time integral of the magnitude of the force, N s.
     #[inline(always)]
-    fn size_n_s<W: Simd>(&self, w: W, step: &ContactStep) -> f64 {
+    pub(super) fn size_n_s<W: Simd>(&self, w: W, step: &ContactStep) -> f64 {
         step.table.length_s * w.sum(w.mul(w.load(&step.basis.weights), w.abs(w.load(&self.force))))
     }
 
-    /// True where the step is reliable in addition to its error estimate.
-    pub(super) fn is_sound(&self, shape: ForceBasis, is_short: bool) -> bool {
+    /// True where the step is reliable in addition to its error estimate; on a negligible step the
+    /// impulse of the force is below the allowed error.
+    pub(super) fn is_sound(
+        &self,
+        shape: ForceBasis,
+        is_short: bool,
+        is_negligible: impl Fn() -> bool,
+    ) -> bool {
         match shape {
-            ForceBasis::Onset => self.rises(),
+            ForceBasis::Onset => self.rises() || is_negligible(),
             ForceBasis::Smooth => is_short || !self.mostly_free(),
         }
     }
@@ -110,9 +116,13 @@ impl Integrator<'_> {
             let table = tables.contact(kernel, (p, shape));
             let step = self.step_in_contact(w, law, (table, p), shape, level, landing);
             let solved = self.solve(w, law, &step);
-            let allowed = self.allowed_n_s(law, &step, solved.as_ref());
-            let sound = solved.filter(|solved| both_sides || solved.is_sound(shape, level >= safe));
-            match accurate(sound, level, share(shape) * allowed) {
+            let allowed = self.allowed_n_s(&step, solved.as_ref());
+            let allowed_error = share(shape) * allowed;
+            let sound = solved.filter(|solved| {
+                let is_negligible = || solved.size_n_s(w, &step) <= allowed_error;
+                both_sides || solved.is_sound(shape, level >= safe, is_negligible)
+            });
+            match accurate(sound, level, allowed_error) {
                 Ok(solved) => {
                     if with_others
                         && !self.all_stay_clear(w, table.length_s, (p, solved.size_n_s(w, &step)))
@@ -154,17 +164,12 @@ impl Integrator<'_> {
 
     /// Returns the allowed impulse error of a port for one step, N s.
     #[inline(always)]
-    pub(super) fn allowed_n_s<L: ContactLaw>(
-        &self,
-        law: L,
-        step: &ContactStep,
-        solved: Option<&SolvedStep>,
-    ) -> f64 {
+    pub(super) fn allowed_n_s(&self, step: &ContactStep, solved: Option<&SolvedStep>) -> f64 {
         let port = &self.ports[step.port];
         let mut speed_m_s = port.impact_velocity_m_s.max(port.rate_m_s.abs());
-        if let (true, Some(solved)) = (law.acts_on_both_sides(), solved) {
-            // Without an impact, an integration that starts at rest has the speed that it gains as
-            // its only scale.
+        if let Some(solved) = solved {
+            // Without an impact, a contact that starts at rest has the speed that it gains as its
+            // only scale.
             speed_m_s = speed_m_s.max(
                 (solved.penetration.0[NODES] - port.penetration_m).abs() / step.table.length_s,
             );

@@ -79,8 +79,18 @@ impl Integrator<'_> {
             .max(self.velocity_terms_m_s(p))
     }
 
+    /// Returns the roundoff of the distance of a port from its stop, m.
+    pub(crate) fn distance_roundoff_m(&self, p: usize) -> f64 {
+        let rows = &self.ports[p].rows;
+        f64::EPSILON
+            * self
+                .terms_of(&rows.displacement)
+                .max(rows.tone_scale_m)
+                .max(rows.gap_m.abs())
+    }
+
     /// Returns the sum of the magnitudes of the terms of the velocity of a port, m/s.
-    pub(super) fn velocity_terms_m_s(&self, p: usize) -> f64 {
+    pub(crate) fn velocity_terms_m_s(&self, p: usize) -> f64 {
         self.terms_of(&self.ports[p].rows.velocity)
     }
 

@@ -100,13 +100,8 @@ impl Integrator<'_> {
     /// True for a hop that starts at a speed past the stop by roundoff and is pressed back before
     /// it leaves the stop by more than the roundoff of the distance.
     pub(crate) fn is_suppressed_hop(&self, p: usize, [depth_m, rate_m_s]: [f64; 2]) -> bool {
-        let rows = &self.ports[p].rows;
-        let roundoff_m = f64::EPSILON
-            * self
-                .terms_of(&rows.displacement)
-                .max(rows.tone_scale_m)
-                .max(rows.gap_m.abs());
-        let least_m = MIN_HOP_HEIGHT * roundoff_m + MIN_HOP_PAST_STOP * depth_m.max(0.0);
+        let least_m =
+            MIN_HOP_HEIGHT * self.distance_roundoff_m(p) + MIN_HOP_PAST_STOP * depth_m.max(0.0);
         // Where the pressing acceleration is roundoff the point leaves: sticking would release it
         // at once.
         rate_m_s * rate_m_s <= 2.0 * self.acceleration_m_s2(p) * least_m && self.is_pressed(p)

@@ -15,6 +15,13 @@ use crate::tables::odd_tables::OddTables;
 use crate::tables::step_size::LEVELS_PER_OCTAVE;
 use jounce_simd::{F64x8, Portable};
 
+/// Error of a given start position, relative to the gap; that of the speed is this times the gap and
+/// the highest frequency.
+const POSITION_ROUNDOFF: f64 = 1e-12;
+
+/// Error of a start in block coordinates, in roundoffs of the terms of distance and speed.
+const START_ROUNDOFF: f64 = 4.0;
+
 impl<'k> Integrator<'k> {
     /// Starts an integration at a time from block coordinates `y` (see
     /// [`jounce_model::plant::Plant::from_physical`]).
@@ -90,6 +97,17 @@ impl<'k> Integrator<'k> {
         integrator
     }
 
+    /// Returns distance (m) and speed (m/s) of a port within which it starts from rest.
+    fn start_roundoffs(&self, p: usize) -> [f64; 2] {
+        let by_gap_m = POSITION_ROUNDOFF * self.ports[p].rows.gap_m.abs();
+        let by_terms_m = START_ROUNDOFF * self.distance_roundoff_m(p);
+        let by_terms_m_s = START_ROUNDOFF * f64::EPSILON * self.velocity_terms_m_s(p);
+        [
+            by_gap_m.max(by_terms_m),
+            by_terms_m_s.max(by_gap_m * self.kernel.fastest_rad_s),
+        ]
+    }
+
     /// Sets the ports to their first motion, and the energy meters to their first readings.
     fn open_ports(&mut self) {
         let kernel = self.kernel;
@@ -97,7 +115,8 @@ impl<'k> Integrator<'k> {
         self.excitation.open(&self.layout, &self.y);
         for (p, stop) in kernel.plant.system.stops.iter().enumerate() {
             self.update_port(Portable::new(), p);
-            self.ports[p].start_pressed(&stop.law, kernel.fastest_rad_s);
+            let roundoffs = self.start_roundoffs(p);
+            self.ports[p].start_pressed(&stop.law, roundoffs);
         }
         for p in kernel.plant.system.stops.len()..count {
             self.update_port(Portable::new(), p);

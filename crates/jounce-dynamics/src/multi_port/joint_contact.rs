@@ -14,7 +14,7 @@ use crate::ports::state::ContactState;
 use crate::tables::joint::{JointTables, StepLength};
 use crate::tables::step_size::LEVELS_PER_OCTAVE;
 use crate::tables::step_tables::StepTables;
-use jounce_simd::Simd;
+use jounce_simd::{Portable, Simd};
 
 /// Largest number of Newton iterations for the length of a step that ends in an impact.
 const MAX_LANDING_ITERATIONS: u32 = 12;
@@ -153,8 +153,10 @@ impl Integrator<'_> {
         let allowed_n_s = self.allowed_with_others_n_s(steps, solved);
         steps.iter().zip(solved).all(|(step, solution)| {
             let is_decided = self.is_rigid(step.port) || self.law(step.port).acts_on_both_sides();
-            solution.error_n_s <= share(step.shape) * allowed_n_s
-                && (is_decided || solution.is_sound(step.shape, is_short))
+            let allowed_error = share(step.shape) * allowed_n_s;
+            let is_negligible = || solution.size_n_s(Portable::new(), step) <= allowed_error;
+            solution.error_n_s <= allowed_error
+                && (is_decided || solution.is_sound(step.shape, is_short, is_negligible))
         })
     }
 

@@ -130,7 +130,7 @@ impl Integrator<'_> {
         let by_port = steps
             .iter()
             .zip(solved)
-            .map(|(step, solution)| self.allowed_n_s(self.law(step.port), step, Some(solution)));
+            .map(|(step, solution)| self.allowed_n_s(step, Some(solution)));
         by_port.fold(by_speed, f64::max)
     }
 

@@ -245,7 +245,11 @@ impl Integrator<'_> {
             };
             let weakest = (0..resting.len()).min_by(|a, b| forces[*a].total_cmp(&forces[*b]));
             match weakest.filter(|index| self.pulls(resting[*index], forces[*index])) {
-                Some(index) => self.ports[resting[index]].contact_state = ContactState::Flight,
+                // It leaves from rest, whatever the roundoff of its motion.
+                Some(index) => {
+                    self.set_motion(resting[index], [0.0, 0.0]);
+                    self.ports[resting[index]].contact_state = ContactState::Flight;
+                }
                 None => return Ok(()),
             }
         }

@@ -8,10 +8,6 @@ use jounce_model::contact::Law;
 use jounce_model::plant::Plant;
 use jounce_simd::F64x8;
 
-/// Tolerance of the position, relative to the gap, within which a start sticks to a rigid stop; the
-/// speed tolerance is this times the gap and the highest frequency.
-const POSITION_ROUNDOFF: f64 = 1e-12;
-
 /// Contact state of a port.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ContactState {
@@ -101,16 +97,17 @@ impl PortState {
     }
 
     /// Starts in contact where the point is past the stop or where the law acts on both sides. A
-    /// point at rest on a rigid stop starts sticking, and flies at once if it is not pressed.
-    /// `fastest_rad_s` is the highest frequency of the plant.
-    pub fn start_pressed(&mut self, law: &Law, fastest_rad_s: f64) {
+    /// point that touches at rest, within the roundoff of its distance and its speed, starts from
+    /// rest: it sticks to a rigid stop, and flies at once if it is not pressed.
+    pub fn start_pressed(&mut self, law: &Law, [roundoff_m, roundoff_m_s]: [f64; 2]) {
         let is_rigid = matches!(law, Law::Rigid(_));
-        let roundoff_m = POSITION_ROUNDOFF * self.rows.gap_m.abs();
-        if is_rigid
-            && self.penetration_m.abs() <= roundoff_m
-            && self.rate_m_s.abs() <= roundoff_m * fastest_rad_s
-        {
-            self.contact_state = ContactState::Contact;
+        let touches = self.penetration_m.abs() <= roundoff_m;
+        if touches && self.rate_m_s.abs() <= roundoff_m_s && !law.acts_on_both_sides() {
+            if is_rigid {
+                self.contact_state = ContactState::Contact;
+            } else {
+                self.penetration_m = 0.0;
+            }
             self.rate_m_s = 0.0;
             return;
         }
