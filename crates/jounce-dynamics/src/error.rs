@@ -60,7 +60,7 @@ pub enum IntegrationError {
     },
     /// Impacts between rigid stops in simultaneous contact do not end.
     #[error(
-        "at t = {time_s} s the rigid stops {} are in contact at once, and their impacts did not end after {impacts}; give one of them a compliant law, another gap or a smaller restitution",
+        "at t = {time_s} s the stops {} are in contact at once, and their impacts did not end after {impacts}; give one of them a compliant law, another gap or a smaller restitution",
         .stops.join(", ")
     )]
     ImpactsWithoutEnd {

@@ -10,6 +10,10 @@ use crate::tables::step_size::LEVELS_PER_OCTAVE;
 /// fraction of the motion.
 pub(crate) const RESOLVED_UNCERTAINTY: f64 = 1e-12;
 
+/// Distance past its stop, in roundoffs, that the state of a point may have while it leaves from
+/// rest: a held point is on its stop to roundoff only.
+const RELEASE_ROUNDOFF: f64 = 4.0;
+
 /// Outcome of one attempted step.
 pub(crate) enum FlightVerdict {
     Clear,
@@ -27,6 +31,12 @@ impl Integrator<'_> {
         displacement_m: f64,
     ) -> FlightVerdict {
         if step.is_clear() {
+            return FlightVerdict::Clear;
+        }
+        if self.leaves_from_rest(p)
+            && step.highest_m() + step.uncertainty_m()
+                <= RELEASE_ROUNDOFF * self.distance_roundoff_m(p)
+        {
             return FlightVerdict::Clear;
         }
         if let Some(crossing) = step.crossing() {

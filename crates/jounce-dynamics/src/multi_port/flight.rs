@@ -135,14 +135,14 @@ impl Integrator<'_> {
             ];
             self.ports[p].motion_at_end = motion;
             let step = self.step_of(w, p, level, length_s, motion, drive);
-            outcome = outcome.and(p, self.judge_with_others(w, p, &step, motion[0]));
+            outcome = outcome.and(p, self.judge_with_others(w, p, &step, motion[0], 0.0));
         }
         outcome
     }
 
-    /// Judges the flight of one port with other ports. Distances below the roundoff of its
-    /// displacement cannot be resolved: two bodies that touch far from the origin have neither gap
-    /// nor relative motion as a scale.
+    /// Judges the flight of one port with other ports, whose forces move it by `forced_m`. Distances
+    /// below the roundoff of its displacement cannot be resolved: two bodies that touch far from the
+    /// origin have neither gap nor relative motion as a scale.
     #[inline(always)]
     pub(super) fn judge_with_others<W: Simd>(
         &self,
@@ -150,11 +150,11 @@ impl Integrator<'_> {
         p: usize,
         step: &FlightStep,
         displacement_m: f64,
+        forced_m: f64,
     ) -> FlightVerdict {
+        let roundoff_m = || RESOLVED_UNCERTAINTY * self.terms_m(w, p).max(forced_m);
         match self.judge_flight(p, step, displacement_m) {
-            FlightVerdict::Unclear(_)
-                if step.uncertainty_m() <= RESOLVED_UNCERTAINTY * self.terms_m(w, p) =>
-            {
+            FlightVerdict::Unclear(_) if step.uncertainty_m() <= roundoff_m() => {
                 by_interpolant(step, self.leaves_from_rest(p))
             }
             verdict => verdict,

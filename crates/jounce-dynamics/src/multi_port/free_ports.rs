@@ -102,7 +102,8 @@ impl Integrator<'_> {
         if touches {
             FlightVerdict::Strike(now)
         } else {
-            self.judge_with_others(w, p, &step, end_m)
+            // The free motion and the motion by the forces may cancel.
+            self.judge_with_others(w, p, &step, end_m, forced[0].abs())
         }
     }
 

@@ -7,6 +7,7 @@ use crate::contact::share;
 use crate::contact::step::{ContactStep, SolvedStep};
 use crate::error::IntegrationError;
 use crate::flight::crossing::Crossing;
+use crate::impact::zeno_guard::ZenoGuard;
 use crate::integrator::Integrator;
 use crate::kernel::{ForceBasis, Kernel};
 use crate::ports::small_list::SmallList;
@@ -30,6 +31,7 @@ impl Integrator<'_> {
         &mut self,
         w: W,
         end_s: f64,
+        rounds: &mut ZenoGuard,
     ) -> Result<(), IntegrationError> {
         // On steps this short no second contact can follow the first.
         let safe = Kernel::level_within(1.0 / self.kernel.fastest_rad_s) + 3 * LEVELS_PER_OCTAVE;
@@ -37,6 +39,8 @@ impl Integrator<'_> {
             && self.switching.pending_event.is_none()
             && !self.hits_rigid_stop()
         {
+            self.poll()?;
+            rounds.count(&self.kernel.plant, self.time_s)?;
             self.release()?;
             let ports = self.ports_with_bases();
             if let [(p, _)] = ports.as_slice()

@@ -78,7 +78,7 @@ impl Task for AdvanceMultiPort<'_, '_> {
                 // An impact that inverts the current of a patch is an extremum of its charge.
                 integrator.switching.pending_event = integrator.crossed_event();
             } else if integrator.ports_in(ContactState::Contact).next().is_some() {
-                integrator.integrate_joint_contact(w, until_s)?;
+                integrator.integrate_joint_contact(w, until_s, &mut rounds)?;
             } else {
                 integrator.fly(w, until_s)?;
             }

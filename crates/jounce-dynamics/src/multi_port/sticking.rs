@@ -87,21 +87,22 @@ impl StickingPorts {
                     .collect(),
             );
         }
-        resting.invert();
+        resting.inverse = resting.inverse_of_system();
         resting
     }
 
-    fn invert(&mut self) {
+    /// Returns the matrix from the nodal accelerations of all ports to their nodal forces.
+    fn inverse_of_system(&self) -> Mat<f64> {
         let count = self.positions.len() * NODES;
         if count == 0 {
-            return;
+            return Mat::zeros(0, 0);
         }
         let entry = |row: usize, column: usize| {
             let ((a, i), (b, j)) = ((row / NODES, row % NODES), (column / NODES, column % NODES));
             let index = self.positions[b];
             (if i == j { self.mobility[a][index] } else { 0.0 }) - self.responses[a][index][j].0[i]
         };
-        self.inverse = jounce_linalg::inverse(&Mat::from_fn(count, count, entry));
+        jounce_linalg::inverse(&Mat::from_fn(count, count, entry))
     }
 
     /// Sets the forces of the sticking ports, given those of the others.
@@ -259,7 +260,23 @@ impl Integrator<'_> {
     /// next moment.
     fn pulls(&self, p: usize, force_n: f64) -> bool {
         let roundoff_n = self.acceleration_roundoff_m_s2(p) / self.ports[p].rows.mobility_per_kg;
-        force_n < -roundoff_n || force_n <= roundoff_n && self.jerk_m_s3(p) <= 0.0
+        let is_pressed_next = || self.jerk_m_s3(p) > self.jerk_by_stops_m_s3(p);
+        force_n < -roundoff_n || force_n <= roundoff_n && !is_pressed_next()
+    }
+
+    /// Returns the rate of the acceleration of a port by the forces of the compliant stops in
+    /// contact, m/s^3; their damping contributes by the acceleration without forces.
+    fn jerk_by_stops_m_s3(&self, p: usize) -> f64 {
+        self.ports_in(ContactState::Contact)
+            .filter(|q| !self.is_rigid(*q))
+            .map(|q| {
+                let port = &self.ports[q];
+                let slopes = self.law(q).slopes(port.penetration_m, port.rate_m_s);
+                let rate_n_s = slopes.stiffness_n_m * port.rate_m_s
+                    + slopes.damping_n_s_m * self.acceleration_m_s2(q);
+                self.mobility_per_kg(p, q) * rate_n_s
+            })
+            .sum()
     }
 
     /// Returns the forces that hold the sticking ports at the current time, N; `None` without one.
