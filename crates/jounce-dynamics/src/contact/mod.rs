@@ -46,7 +46,7 @@ impl SolvedStep {
         is_negligible: impl Fn() -> bool,
     ) -> bool {
         match shape {
-            ForceBasis::Onset => self.rises() || is_negligible(),
+            ForceBasis::Onset => self.rises() || is_short && is_negligible(),
             ForceBasis::Smooth => is_short || !self.mostly_free(),
         }
     }
