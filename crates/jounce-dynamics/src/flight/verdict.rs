@@ -10,9 +10,9 @@ use crate::tables::step_size::LEVELS_PER_OCTAVE;
 /// fraction of the motion.
 pub(crate) const RESOLVED_UNCERTAINTY: f64 = 1e-12;
 
-/// Distance past its stop, in roundoffs, that the state of a point may have while it leaves from
-/// rest: a held point is on its stop to roundoff only.
-const RELEASE_ROUNDOFF: f64 = 4.0;
+/// Distance past its stop, in roundoffs, that the state of a touching point may have: a held point
+/// is on its stop to roundoff only.
+const TOUCH_ROUNDOFF: f64 = 4.0;
 
 /// Outcome of one attempted step.
 pub(crate) enum FlightVerdict {
@@ -33,10 +33,7 @@ impl Integrator<'_> {
         if step.is_clear() {
             return FlightVerdict::Clear;
         }
-        if self.leaves_from_rest(p)
-            && step.highest_m() + step.uncertainty_m()
-                <= RELEASE_ROUNDOFF * self.distance_roundoff_m(p)
-        {
+        if self.touches_within_roundoff(p, step) {
             return FlightVerdict::Clear;
         }
         if let Some(crossing) = step.crossing() {
@@ -59,6 +56,16 @@ impl Integrator<'_> {
         } else {
             LEVELS_PER_OCTAVE
         })
+    }
+
+    /// True where a point touches its stop at the start of a step, and all its motion past the
+    /// surface is roundoff.
+    fn touches_within_roundoff(&self, p: usize, step: &FlightStep) -> bool {
+        let touches_at_most =
+            |distance_m: f64| distance_m.abs() <= TOUCH_ROUNDOFF * self.distance_roundoff_m(p);
+        p < self.kernel.plant.system.stops.len()
+            && touches_at_most(self.ports[p].penetration_m)
+            && touches_at_most((step.highest_m() + step.uncertainty_m()).max(0.0))
     }
 
     /// True for a touching port without speed that is in flight, so that it is not pressed.

@@ -99,11 +99,11 @@ impl Integrator<'_> {
             guess_s: 0.0,
             to_s: step.length_s,
         };
-        if touches {
-            FlightVerdict::Strike(now)
-        } else {
-            // The free motion and the motion by the forces may cancel.
-            self.judge_with_others(w, p, &step, end_m, forced[0].abs())
+        // The free motion and the motion by the forces may cancel.
+        match self.judge_with_others(w, p, &step, end_m, forced[0].abs()) {
+            FlightVerdict::Clear => FlightVerdict::Clear,
+            _ if touches => FlightVerdict::Strike(now),
+            verdict => verdict,
         }
     }
 
