@@ -87,16 +87,21 @@ impl StickingPorts {
                     .collect(),
             );
         }
-        resting.inverse = resting.inverse_of_system();
+        resting.inverse = match resting.positions[..] {
+            [] => Mat::zeros(0, 0),
+            [index] => {
+                let port = tables.ports[index].0;
+                let sticking = tables.length.tables.sticking(integrator.kernel, port);
+                Mat::from_fn(NODES, NODES, |i, j| sticking.inverse[i][j])
+            }
+            _ => resting.inverse_of_system(),
+        };
         resting
     }
 
-    /// Returns the matrix from the nodal accelerations of all ports to their nodal forces.
+    /// Returns the matrix from the nodal accelerations of several ports to their nodal forces.
     fn inverse_of_system(&self) -> Mat<f64> {
         let count = self.positions.len() * NODES;
-        if count == 0 {
-            return Mat::zeros(0, 0);
-        }
         let entry = |row: usize, column: usize| {
             let ((a, i), (b, j)) = ((row / NODES, row % NODES), (column / NODES, column % NODES));
             let index = self.positions[b];

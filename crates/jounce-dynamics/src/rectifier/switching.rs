@@ -176,7 +176,10 @@ impl Integrator<'_> {
             .zip(self.block_state())
             .map(|(row, y)| (row * y).abs())
             .sum::<f64>();
-        let mut size = terms + port.rows.tone_scale_m;
+        // The free motion and the motion forced by signals may cancel.
+        let forced = self.excitation.motion_after(p, 0.0)[0].abs();
+        let free = self.terms_of(&port.rows.displacement);
+        let mut size = terms.max(free) + forced + port.rows.tone_scale_m;
         if guard.change != BridgeChange::Switches {
             let (nodes, first) = (
                 plant.electrical.bridges[guard.bridge],
