@@ -58,9 +58,9 @@ pub enum IntegrationError {
         /// Names of the stops.
         stops: Vec<String>,
     },
-    /// Impacts between rigid stops in simultaneous contact do not end.
+    /// Impacts and releases follow without advance in time.
     #[error(
-        "at t = {time_s} s the stops {} are in contact at once, and their impacts did not end after {impacts}; give one of them a compliant law, another gap or a smaller restitution",
+        "at t = {time_s} s the stops {} had {impacts} impacts and releases without advance in time; give one of them a compliant law, another gap or a smaller restitution",
         .stops.join(", ")
     )]
     ImpactsWithoutEnd {

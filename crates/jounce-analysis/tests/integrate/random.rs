@@ -1,7 +1,7 @@
 //! Random small harvesters: the energy balance holds for any plant, law and drive.
 
 use crate::plants::{from_rest, kernel};
-use jounce_dynamics::{IntegrationError, Integrator};
+use jounce_dynamics::{IntegrationError, Integrator, WorkCount};
 use jounce_model::contact::{Cubic, Hertz, HuntCrossley, KelvinVoigt, Law, Rigid};
 use jounce_model::plant::{Drive, Load, Stop, System};
 use jounce_model::structure::{Modes, PatchModes};
@@ -136,6 +136,12 @@ fn several_stops() -> impl Strategy<Value = System> {
     })
 }
 
+/// Bound on the energy residual of a run with a tolerance of 1e-8. Each step may have an error of a
+/// tenth of the tolerance; in an endless contact with a damped law these add up.
+fn promised(work: &WorkCount) -> f64 {
+    1e-9 * (work.contact_steps as f64).max(100.0)
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 64, failure_persistence: None, ..ProptestConfig::default() })]
 
@@ -143,15 +149,13 @@ proptest! {
     fn energy_is_balanced(system in harvester()) {
         let result = from_rest(&kernel(system), 1.0, 1e-8);
         let residual = result.energies.residual_relative();
-        // Each step may have an error of a tenth of the tolerance; in an endless contact with a
-        // damped law these add up.
-        let promised = 1e-9 * (result.work.contact_steps as f64).max(100.0);
-        prop_assert!(residual.abs() < promised, "residual {:e} after {} contacts", residual, result.contacts);
+        prop_assert!(residual.abs() < promised(&result.work), "residual {:e} after {} contacts", residual, result.contacts);
     }
 }
 
 /// Touching at rest, touching one another and sticking are decided within roundoff. A motion that
-/// two rigid stops hold at once is refused; of the others, few do not end or lose energy.
+/// two rigid stops hold at once is refused. At most two of the others end with an error or with a
+/// large energy residual.
 #[test]
 fn energy_is_balanced_with_several_stops() {
     let mut runner = TestRunner::new_with_rng(
@@ -172,8 +176,8 @@ fn energy_is_balanced_with_several_stops() {
                 Ok(()) => {}
             }
             let residual = integrator.energies().residual_relative();
-            let promised = 1e-9 * (integrator.work().contact_steps as f64).max(100.0);
-            (residual.abs() >= promised).then(|| format!("energy residual {residual:e}"))
+            (residual.abs() >= promised(&integrator.work()))
+                .then(|| format!("energy residual {residual:e}"))
         })
         .collect();
     assert!(failures.len() <= 2, "{failures:#?}");

@@ -69,8 +69,8 @@ impl Integrator<'_> {
         }
     }
 
-    /// True where a point is off its stop, or on its surface within roundoff and moves out; its last
-    /// step has a length.
+    /// True where a point is off its stop, or on its surface within roundoff and moves out;
+    /// `length_s` is the length of its last step.
     #[inline(always)]
     fn has_left(&self, p: usize, length_s: f64) -> bool {
         let port = &self.ports[p];

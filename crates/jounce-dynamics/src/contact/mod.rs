@@ -15,10 +15,8 @@ use crate::integrator::Integrator;
 use crate::kernel::{ForceBasis, Kernel};
 use crate::ports::state::ContactState;
 use crate::tables::step_size::LEVELS_PER_OCTAVE;
-use crate::tables::step_tables::StepTables;
 use jounce_model::contact::ContactLaw;
 use jounce_simd::Simd;
-use std::sync::Arc;
 use step::{ContactStep, SolvedStep};
 use step_size_control::{coarsest, levels_too_long};
 
@@ -108,7 +106,7 @@ impl Integrator<'_> {
             }
             let odd;
             let tables = if landing {
-                odd = self.odd_tables(remaining_s);
+                odd = self.tables_of_length(remaining_s);
                 &odd
             } else {
                 kernel.tables(level)
@@ -175,12 +173,6 @@ impl Integrator<'_> {
             );
         }
         self.tolerance * IMPULSE_ERROR_SHARE * speed_m_s / port.rows.mobility_per_kg
-    }
-
-    /// Returns the tables of a length that is no level.
-    pub(crate) fn odd_tables(&mut self, length_s: f64) -> Arc<StepTables> {
-        self.odd_tables
-            .of(self.kernel, self.switching.conduction_state, length_s)
     }
 
     pub(super) fn diverged(&self, p: usize) -> IntegrationError {

@@ -2,6 +2,7 @@
 
 use super::certificate::FlightStep;
 use super::crossing::Crossing;
+use crate::impact::acceleration::RESOLVED_ROUNDOFFS;
 use crate::integrator::Integrator;
 use crate::tables::step_size::LEVELS_PER_OCTAVE;
 
@@ -9,10 +10,6 @@ use crate::tables::step_size::LEVELS_PER_OCTAVE;
 /// that is neither clear nor a proved crossing. A contact missed in it is shallower than this
 /// fraction of the motion.
 pub(crate) const RESOLVED_UNCERTAINTY: f64 = 1e-12;
-
-/// Distance past its stop, in roundoffs, that the state of a touching point may have: a held point
-/// is on its stop to roundoff only.
-const TOUCH_ROUNDOFF: f64 = 4.0;
 
 /// Outcome of one attempted step.
 pub(crate) enum FlightVerdict {
@@ -30,10 +27,7 @@ impl Integrator<'_> {
         step: &FlightStep,
         displacement_m: f64,
     ) -> FlightVerdict {
-        if step.is_clear() {
-            return FlightVerdict::Clear;
-        }
-        if self.touches_within_roundoff(p, step) {
+        if step.is_clear() || self.touches_within_roundoff(p, step) {
             return FlightVerdict::Clear;
         }
         if let Some(crossing) = step.crossing() {
@@ -59,13 +53,14 @@ impl Integrator<'_> {
     }
 
     /// True where a point touches its stop at the start of a step, and all its motion past the
-    /// surface is roundoff.
+    /// surface is roundoff: a held point is on its stop to roundoff only.
     fn touches_within_roundoff(&self, p: usize, step: &FlightStep) -> bool {
-        let touches_at_most =
-            |distance_m: f64| distance_m.abs() <= TOUCH_ROUNDOFF * self.distance_roundoff_m(p);
-        p < self.kernel.plant.system.stops.len()
-            && touches_at_most(self.ports[p].penetration_m)
-            && touches_at_most((step.highest_m() + step.uncertainty_m()).max(0.0))
+        if p >= self.kernel.plant.system.stops.len() {
+            return false;
+        }
+        let resolved_m = RESOLVED_ROUNDOFFS * self.distance_roundoff_m(p);
+        self.ports[p].penetration_m.abs() <= resolved_m
+            && step.highest_m() + step.uncertainty_m() <= resolved_m
     }
 
     /// True for a touching port without speed that is in flight, so that it is not pressed.

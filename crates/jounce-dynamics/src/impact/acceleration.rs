@@ -9,6 +9,9 @@ use jounce_simd::{F64x8, Portable};
 /// Fraction of the terms of an acceleration that is roundoff.
 const ACCELERATION_ROUNDOFF: f64 = 1e-12;
 
+/// Size, in roundoffs of its terms, below which a distance or speed cannot be told from zero.
+pub(crate) const RESOLVED_ROUNDOFFS: f64 = 4.0;
+
 impl Integrator<'_> {
     /// True where the motion presses a touching point onto its stop: at present, or, where its
     /// acceleration is roundoff, in the next moment.

@@ -29,7 +29,7 @@ impl Integrator<'_> {
             let landing = Kernel::length_s(level) >= remaining;
             let odd;
             let tables = if landing {
-                odd = self.odd_tables(remaining);
+                odd = self.tables_of_length(remaining);
                 &odd
             } else {
                 self.kernel.tables(level)

@@ -19,8 +19,10 @@ use crate::record::statistics::{ContactIntegrals, ContactStatistics, WorkCount};
 use crate::record::trajectory::{PortForce, Trajectory, TrajectorySegment};
 use crate::rectifier::switching::Switching;
 use crate::tables::odd_tables::OddTables;
+use crate::tables::step_tables::StepTables;
 use jounce_model::plant::Stop;
 use jounce_simd::F64x8;
+use std::sync::Arc;
 
 /// Integration in progress.
 #[derive(Debug, Clone)]
@@ -152,6 +154,12 @@ impl Integrator<'_> {
                 conduction_state,
             });
         }
+    }
+
+    /// Returns the tables of a length that is no level.
+    pub(crate) fn tables_of_length(&mut self, length_s: f64) -> Arc<StepTables> {
+        self.odd_tables
+            .of(self.kernel, self.switching.conduction_state, length_s)
     }
 
     /// Returns the numbers of steps and iterations so far.

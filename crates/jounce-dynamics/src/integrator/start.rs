@@ -4,6 +4,7 @@ use super::Integrator;
 use crate::contact::step_size_control::RELEASE_ERROR_FACTOR;
 use crate::error::IntegrationError;
 use crate::excitation::Excitation;
+use crate::impact::acceleration::RESOLVED_ROUNDOFFS;
 use crate::kernel::Kernel;
 use crate::ports::per_port::PerPort;
 use crate::ports::phasor::Phasor;
@@ -18,9 +19,6 @@ use jounce_simd::{F64x8, Portable};
 /// Error of a given start position, relative to the gap; that of the speed is this times the gap and
 /// the highest frequency.
 const POSITION_ROUNDOFF: f64 = 1e-12;
-
-/// Error of a start in block coordinates, in roundoffs of the terms of distance and speed.
-const START_ROUNDOFF: f64 = 4.0;
 
 impl<'k> Integrator<'k> {
     /// Starts an integration at a time from block coordinates `y` (see
@@ -100,8 +98,8 @@ impl<'k> Integrator<'k> {
     /// Returns distance (m) and speed (m/s) of a port within which it starts from rest.
     fn start_roundoffs(&self, p: usize) -> [f64; 2] {
         let by_gap_m = POSITION_ROUNDOFF * self.ports[p].rows.gap_m.abs();
-        let by_terms_m = START_ROUNDOFF * self.distance_roundoff_m(p);
-        let by_terms_m_s = START_ROUNDOFF * f64::EPSILON * self.velocity_terms_m_s(p);
+        let by_terms_m = RESOLVED_ROUNDOFFS * self.distance_roundoff_m(p);
+        let by_terms_m_s = RESOLVED_ROUNDOFFS * f64::EPSILON * self.velocity_terms_m_s(p);
         [
             by_gap_m.max(by_terms_m),
             by_terms_m_s.max(by_gap_m * self.kernel.fastest_rad_s),

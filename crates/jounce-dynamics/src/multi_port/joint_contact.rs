@@ -57,7 +57,7 @@ impl Integrator<'_> {
                 let landing = Kernel::length_s(level) >= remaining_s;
                 let odd;
                 let tables = if landing {
-                    odd = self.odd_tables(remaining_s);
+                    odd = self.tables_of_length(remaining_s);
                     &odd
                 } else {
                     self.kernel.tables(level)

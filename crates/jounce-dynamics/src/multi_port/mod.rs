@@ -39,6 +39,7 @@ pub(super) use clearance::{Clearance, SpeedBound};
 use crate::contact::IMPULSE_ERROR_SHARE;
 use crate::contact::step::{ContactStep, SolvedStep};
 use crate::error::IntegrationError;
+use crate::impact::acceleration::RESOLVED_ROUNDOFFS;
 use crate::impact::zeno_guard::ZenoGuard;
 use crate::integrator::Integrator;
 use crate::kernel::Kernel;
@@ -51,7 +52,7 @@ use jounce_simd::{Simd, Task};
 const SIMULTANEOUS_CONTACT: f64 = 1e-13;
 
 /// Distance, relative to its terms, below which it is roundoff.
-const RESOLVED_DISTANCE: f64 = 4.0 * f64::EPSILON;
+const RESOLVED_DISTANCE: f64 = RESOLVED_ROUNDOFFS * f64::EPSILON;
 
 /// Runs the loop in code compiled for the vector instructions of this machine.
 pub struct AdvanceMultiPort<'m, 'k> {

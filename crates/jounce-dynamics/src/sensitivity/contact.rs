@@ -40,7 +40,9 @@ impl Linearization<'_> {
         let tables = if Kernel::length_s(level) == segment.length_s {
             kernel.tables(level)
         } else {
-            odd = (self.odd_tables).of(kernel, segment.conduction_state, segment.length_s);
+            odd = self
+                .odd_tables
+                .of(kernel, segment.conduction_state, segment.length_s);
             &odd
         };
         let tables = JointTables::new(kernel, &ports, StepLength { tables, level });
