@@ -1,7 +1,7 @@
 //! Fourier transforms of real signals.
 //!
-//! The transforms of `realfft` are generic: each crate that plans one compiles all of them anew, for
-//! half a minute. This crate plans them for doubles, so they are compiled once.
+//! The transforms of `realfft` are generic: each crate that plans one compiles all of them anew. This
+//! crate plans them for doubles, so they are compiled once.
 //!
 //! ```
 //! let plan = jounce_fft::forward(4);
