@@ -138,7 +138,7 @@ fn several_stops() -> impl Strategy<Value = System> {
 
 /// Bound on the energy residual of a run with a tolerance of 1e-8. Each step may have an error of a
 /// tenth of the tolerance; in an endless contact with a damped law these add up.
-fn promised(work: &WorkCount) -> f64 {
+fn energy_residual_bound(work: &WorkCount) -> f64 {
     1e-9 * (work.contact_steps as f64).max(100.0)
 }
 
@@ -149,7 +149,7 @@ proptest! {
     fn energy_is_balanced(system in harvester()) {
         let result = from_rest(&kernel(system), 1.0, 1e-8);
         let residual = result.energies.residual_relative();
-        prop_assert!(residual.abs() < promised(&result.work), "residual {:e} after {} contacts", residual, result.contacts);
+        prop_assert!(residual.abs() < energy_residual_bound(&result.work), "residual {:e} after {} contacts", residual, result.contacts);
     }
 }
 
@@ -176,7 +176,7 @@ fn energy_is_balanced_with_several_stops() {
                 Ok(()) => {}
             }
             let residual = integrator.energies().residual_relative();
-            (residual.abs() >= promised(&integrator.work()))
+            (residual.abs() >= energy_residual_bound(&integrator.work()))
                 .then(|| format!("energy residual {residual:e}"))
         })
         .collect();

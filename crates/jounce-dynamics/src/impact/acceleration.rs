@@ -9,7 +9,8 @@ use jounce_simd::{F64x8, Portable};
 /// Fraction of the terms of an acceleration that is roundoff.
 const ACCELERATION_ROUNDOFF: f64 = 1e-12;
 
-/// Size, in roundoffs of its terms, below which a distance or speed cannot be distinguished from zero.
+/// Size, in roundoffs of its terms, below which a distance or speed cannot be distinguished from
+/// zero.
 pub(crate) const RESOLVED_ROUNDOFFS: f64 = 4.0;
 
 impl Integrator<'_> {
