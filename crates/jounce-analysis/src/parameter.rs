@@ -8,8 +8,8 @@
 //! ```
 
 use super::{AnalysisError, Model};
-use faer::c64;
 use jounce_dynamics::{Kernel, ParameterSensitivity};
+use jounce_linalg::c64;
 use jounce_model::contact::Law;
 use jounce_model::plant::{Drive, Plant};
 use jounce_orbits::{ModelInstance, ParameterDerivatives, ParametricModel};

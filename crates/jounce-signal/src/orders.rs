@@ -2,8 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use faer::linalg::solvers::Solve;
-use faer::{Mat, Side};
+use jounce_linalg::{CholeskyFactor, Mat};
 
 use super::samples::sum;
 use super::{Samples, SignalError};
@@ -139,7 +138,7 @@ impl Basis<'_> {
                 (j..size).for_each(|i| matrix[(i, j)] += row[i] * row[j]);
             }
         }
-        Some(matrix.llt(Side::Lower).ok()?.solve(&right))
+        Some(CholeskyFactor::of(matrix)?.solve(&right))
     }
 
     fn residual_rms(&self, values: &[f64], solution: &Mat<f64>) -> f64 {

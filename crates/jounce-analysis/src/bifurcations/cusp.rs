@@ -13,10 +13,10 @@
 //! Source: V. I. Arnold, Catastrophe Theory (Springer, 1992), ch. 2.
 
 use super::key_plane::KeyPlane;
-use faer::Mat;
 use jounce_continuation::{
     Bracket, CorrectedPoint, Corrector, Direction, Metric, Position, correct, tangent,
 };
+use jounce_linalg::Mat;
 use jounce_orbits::{Condition, ExtendedEvaluation, ExtendedProblem, null_vector};
 
 /// Distances along the eigenvector of the search past the turn, as lengths in the metric.

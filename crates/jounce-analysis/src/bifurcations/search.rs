@@ -8,8 +8,8 @@ use crate::bandwidth::CurvePiece;
 use crate::{
     AnalysisError, Branch, BranchOptions, BranchSearch, Model, OrbitMethodKind, Parameter,
 };
-use faer::ColRef;
 use jounce_continuation::{Corrector, Direction, Metric, Position, Problem, correct_at, tangent};
+use jounce_linalg::norm;
 use jounce_orbits::{ExtendedProblem, OrbitError, Shooting, TwoParameterProblem};
 use jounce_spec::NumericKey;
 
@@ -281,7 +281,7 @@ impl BifurcationSearch<'_> {
             tolerance: self.tolerance,
             scale: shooting.scale.clone(),
             origin: seed.parameter,
-            unit: (high - low) / (20.0 * ColRef::from_slice(&seed.state).norm_l2()),
+            unit: (high - low) / (20.0 * norm(&seed.state)),
         };
         let corrector = Corrector {
             goal: (NEWTON_GOAL_FACTOR * self.tolerance).clamp(1e-9, 1e-4),

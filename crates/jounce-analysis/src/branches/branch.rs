@@ -1,7 +1,7 @@
 //! Results of a search for branches.
 
 use super::events::NotProved;
-use faer::ColRef;
+use jounce_linalg::Mat;
 use jounce_orbits::{Orbit, ShootingEvaluation, nearest_turn};
 use serde::Serialize;
 
@@ -201,13 +201,17 @@ impl Branch {
     /// Returns the bifurcation between two neighbouring points nearest to their chord, of a kind
     /// that can change stability.
     pub(crate) fn bifurcation_between(&self, [a, b]: [&BranchPoint; 2]) -> Option<&BranchPoint> {
-        let [from, to] = [a, b].map(|point| ColRef::from_slice(point.orbit.start()));
-        let chord = to - from;
+        let start = |point: &BranchPoint| {
+            let start = point.orbit.start();
+            Mat::from_column_slice(start.len(), 1, start)
+        };
+        let (from, to) = (start(a), start(b));
+        let chord = to - &from;
         let distance = |at: &BranchPoint| {
-            let offset = ColRef::from_slice(at.orbit.start()) - from;
-            let share = (chord.transpose() * &offset) / chord.squared_norm_l2();
-            let distance = (offset - faer::Scale(share) * &chord).norm_l2();
-            ((0.0..=1.0).contains(&share) && distance < chord.norm_l2()).then_some(distance)
+            let offset = start(at) - &from;
+            let share = chord.dot(&offset) / chord.norm_squared();
+            let distance = (offset - &chord * share).norm();
+            ((0.0..=1.0).contains(&share) && distance < chord.norm()).then_some(distance)
         };
         let candidates = self.bifurcations.iter().filter(|candidate| {
             !matches!(

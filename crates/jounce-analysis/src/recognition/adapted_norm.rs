@@ -10,7 +10,7 @@
 //!
 //! Source: J. P. LaSalle, *The Stability and Control of Discrete Processes* (Springer, 1986), ch. 1
 //! (the equation of Stein and Lyapunov).
-use faer::{Col, ColRef, Mat};
+use jounce_linalg::Mat;
 
 /// Doublings after which the sum has converged for every `g` that doubles can distinguish from the
 /// spectral radius.
@@ -32,14 +32,14 @@ impl AdaptedNorm {
     pub fn of(map: &Mat<f64>, rate: f64) -> Option<Self> {
         let n = map.nrows();
         let mut sum = Mat::<f64>::identity(n, n);
-        let mut power = map * faer::Scale(1.0 / rate);
+        let mut power = map / rate;
         for _ in 0..MAX_DOUBLINGS {
             let term = power.transpose() * &sum * &power;
             sum += &term;
-            if !sum.norm_l2().is_finite() {
+            if !sum.norm().is_finite() {
                 return None;
             }
-            if term.norm_l2() < NEGLIGIBLE_TERM * sum.norm_l2() {
+            if term.norm() < NEGLIGIBLE_TERM * sum.norm() {
                 let factor = jounce_linalg::cholesky(&sum)?;
                 let inverse = jounce_linalg::inverse(&factor);
                 return Some(Self { factor, inverse });
@@ -60,14 +60,14 @@ impl AdaptedNorm {
 
     /// Returns the length of a vector.
     pub fn length(&self, vector: &[f64]) -> f64 {
-        let image: Col<f64> = &self.factor * ColRef::from_slice(vector);
-        image.norm_l2()
+        let column = Mat::from_column_slice(vector.len(), 1, vector);
+        (&self.factor * column).norm()
     }
 
     /// Returns the largest factor by which a map expands a vector; `None` where it is not finite.
     pub fn norm_of(&self, map: &Mat<f64>) -> Option<f64> {
         let transformed = &self.factor * map * &self.inverse;
-        jounce_linalg::singular_values(transformed.as_ref())?
+        jounce_linalg::singular_values(&transformed)?
             .first()
             .copied()
             .filter(|largest| largest.is_finite())

@@ -19,8 +19,8 @@
 //! Notices AMS 62 (2015) 1057.
 
 use super::adapted_norm::AdaptedNorm;
-use faer::{ColRef, Mat};
 use jounce_linalg::{Eigen, eigen};
+use jounce_linalg::{Mat, norm};
 use jounce_orbits::Orbit;
 
 /// Smallest initial radius, relative to the size of the orbit. A motion that begins on the orbit
@@ -155,7 +155,7 @@ impl AttractingOrbit {
             .map(|(u, start)| u - start)
             .collect();
         // The norm is at least as large as the Euclidean one.
-        if ColRef::from_slice(&away).norm_l2() > self.ball.radius {
+        if norm(&away) > self.ball.radius {
             return None;
         }
         let distance = self.ball.norm.length(&away);
@@ -207,8 +207,8 @@ fn directions(norm: &AdaptedNorm, map: &Mat<f64>, displacement: &[f64]) -> Vec<V
             (0..values.len()).max_by(|a, b| values[*a].norm().total_cmp(&values[*b].norm()));
         for part in leading.into_iter().flat_map(|k| {
             [
-                vectors.col(k).iter().map(|u| u.re).collect::<Vec<f64>>(),
-                vectors.col(k).iter().map(|u| u.im).collect(),
+                vectors.column(k).iter().map(|u| u.re).collect::<Vec<f64>>(),
+                vectors.column(k).iter().map(|u| u.im).collect(),
             ]
         }) {
             directions.push(part.iter().map(|d| -d).collect());

@@ -1,6 +1,5 @@
 //! Return times of a motion: numbers of drive cycles after which it returns near its present state.
 
-use faer::ColRef;
 use std::collections::VecDeque;
 
 /// Largest ratio of the distance of a shorter return to the nearest one, for a trial. A motion that
@@ -41,7 +40,7 @@ impl ReturnTimes {
             self.states.get(back)?,
             self.states.get(back + cycles as usize)?,
         );
-        Some((ColRef::from_slice(now) - ColRef::from_slice(before)).norm_l2())
+        Some(jounce_linalg::distance(before, now))
     }
 
     /// Returns at most two periods for a trial: the shortest return that is nearly as close as the

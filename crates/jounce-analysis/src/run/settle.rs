@@ -69,7 +69,7 @@ pub(super) fn settled(
         let amplitude = |i: usize| {
             (0..plant.len())
                 .map(|j| tone.steady[j] * plant.diagonal.to_physical[(i, j)])
-                .sum::<faer::c64>()
+                .sum::<jounce_linalg::c64>()
         };
         norm((0..plant.len()).map(|i| scales[i] * amplitude(i).norm()))
     });

@@ -15,8 +15,8 @@
 //! impacts a hundred thousand samples find no higher value.
 
 use super::{RunPlan, RunResult};
-use faer::c64;
 use jounce_dynamics::{Kernel, Trajectory};
+use jounce_linalg::c64;
 use jounce_model::plant::Plant;
 
 /// Drive cycles of the window if a run has not settled.

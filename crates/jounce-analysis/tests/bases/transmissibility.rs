@@ -4,7 +4,7 @@
 //! the dashpot between them.
 
 use crate::systems::{integrator, kernel, motion};
-use faer::c64;
+use jounce_linalg::c64;
 use std::f64::consts::TAU;
 
 #[test]

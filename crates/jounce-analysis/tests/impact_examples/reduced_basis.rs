@@ -5,7 +5,7 @@
 //! are computed from one model with many free-interface modes; without truncation they span the
 //! same space.
 
-use faer::{Mat, Side};
+use jounce_linalg::{Mat, symmetric_eigen};
 use jounce_model::plant::System;
 use std::sync::Arc;
 
@@ -44,8 +44,8 @@ pub fn fixed_contact(system: &System, coordinates: usize) -> System {
             .map(|i| constrained[(i, a)] * square[i] * constrained[(i, b)])
             .sum::<f64>()
     });
-    let modes = stiffness.self_adjoint_eigen(Side::Lower).unwrap();
-    let constrained_modes = &constrained * modes.U();
+    let (_, modes) = symmetric_eigen(&stiffness).unwrap();
+    let constrained_modes = &constrained * modes;
     let basis = Mat::from_fn(n, coordinates, |row, column| {
         if column + 1 < coordinates {
             constrained_modes[(row, column)]
@@ -60,12 +60,9 @@ pub fn fixed_contact(system: &System, coordinates: usize) -> System {
 fn in_coordinates(system: &System, basis: &Mat<f64>) -> System {
     let modes = &system.modes;
     let square: Vec<f64> = modes.frequency_rad_s[1..].iter().map(|w| w * w).collect();
-    let mass = (basis.transpose() * basis)
-        .self_adjoint_eigen(Side::Lower)
-        .unwrap();
-    let scale = mass.S().column_vector();
+    let (scale, vectors) = symmetric_eigen(&(basis.transpose() * basis)).unwrap();
     let whitened = Mat::from_fn(basis.ncols(), basis.ncols(), |i, j| {
-        mass.U()[(i, j)] / scale[j].sqrt()
+        vectors[(i, j)] / scale[j].sqrt()
     });
     let orthonormal = basis * whitened;
     let stiffness = Mat::from_fn(basis.ncols(), basis.ncols(), |a, b| {
@@ -75,8 +72,8 @@ fn in_coordinates(system: &System, basis: &Mat<f64>) -> System {
             .map(|(i, square)| orthonormal[(i, a)] * square * orthonormal[(i, b)])
             .sum::<f64>()
     });
-    let solved = stiffness.self_adjoint_eigen(Side::Lower).unwrap();
-    let shapes = &orthonormal * solved.U();
+    let (squares, vectors) = symmetric_eigen(&stiffness).unwrap();
+    let shapes = &orthonormal * vectors;
     let onto = |row: &[f64]| -> Vec<f64> {
         let on_beam = (0..shapes.ncols()).map(|k| {
             row[1..]
@@ -88,7 +85,6 @@ fn in_coordinates(system: &System, basis: &Mat<f64>) -> System {
         std::iter::once(row[0]).chain(on_beam).collect()
     };
     let mut reduced = system.clone();
-    let squares = solved.S().column_vector();
     let modal = Arc::make_mut(&mut reduced.modes);
     modal.frequency_rad_s = std::iter::once(0.0)
         .chain((0..shapes.ncols()).map(|k| squares[k].sqrt()))

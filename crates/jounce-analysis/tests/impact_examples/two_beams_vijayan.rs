@@ -3,9 +3,8 @@
 
 use crate::example::{integrator, kernel, relative, run, set_velocity, system};
 use crate::rows::check;
-use faer::linalg::solvers::Solve;
-use faer::{Mat, c64};
 use jounce_analysis::run::{RunPlan, StartState, simulate};
+use jounce_linalg::{Mat, c64};
 use jounce_model::contact::{Cubic, Law};
 use jounce_model::linear::steady_power_w;
 use jounce_model::plant::System;
@@ -121,9 +120,7 @@ fn coupled_power_w(system: &System) -> f64 {
             0.0,
         )
     });
-    let solution = Mat::from_fn(size, size, entry)
-        .partial_piv_lu()
-        .solve(&force);
+    let solution = jounce_linalg::complex_solve(&Mat::from_fn(size, size, entry), &force);
     (0..patches.len())
         .map(|k| 0.5 * solution[(n + k, 0)].norm_sqr() / system.loads[k].resistance_ohm)
         .sum()

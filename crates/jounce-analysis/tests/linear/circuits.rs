@@ -1,7 +1,7 @@
 //! Wiring and inductors against explicit circuit equations, and the conserved charge of open
 //! patches.
 
-use faer::c64;
+use jounce_linalg::c64;
 use jounce_model::linear::{FrfInput, FrfResponse, frf};
 use jounce_model::plant::{Connection, Load, Meters, Plant, System};
 use jounce_model::structure::{Modes, PatchModes};

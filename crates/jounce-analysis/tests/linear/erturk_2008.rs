@@ -1,7 +1,7 @@
 //! `examples/unimorph-erturk-2008`: Erturk and Inman, J. Vib. Acoust. 130 (2008) 041002.
 
 use crate::expected::{best_resistance, check, peak, plant, spec, voltage_per_g};
-use faer::c64;
+use jounce_linalg::c64;
 use jounce_model::linear::{FrfInput, FrfResponse, frf};
 use jounce_model::reference::Cantilever;
 use jounce_model::structure::modes;

@@ -97,14 +97,15 @@ fn the_orbit_has_the_power_of_direct_integration() {
 }
 
 /// Coefficients of `prod (x - m)`, that of the constant first.
-fn polynomial(multipliers: &[faer::c64]) -> Vec<faer::c64> {
-    let mut polynomial = vec![faer::c64::new(1.0, 0.0)];
+fn polynomial(multipliers: &[jounce_linalg::c64]) -> Vec<jounce_linalg::c64> {
+    let mut polynomial = vec![jounce_linalg::c64::new(1.0, 0.0)];
     for value in multipliers {
-        let higher = std::iter::once(faer::c64::new(0.0, 0.0)).chain(polynomial.iter().copied());
+        let higher =
+            std::iter::once(jounce_linalg::c64::new(0.0, 0.0)).chain(polynomial.iter().copied());
         let lower = polynomial
             .iter()
             .map(|c| -*c * *value)
-            .chain([faer::c64::new(0.0, 0.0)]);
+            .chain([jounce_linalg::c64::new(0.0, 0.0)]);
         polynomial = higher.zip(lower).map(|(a, b)| a + b).collect();
     }
     polynomial

@@ -9,7 +9,7 @@ use crate::integrator::Integrator;
 use crate::kernel::ForceBasis;
 use crate::ports::state::ContactState;
 use crate::record::trajectory::PortForce;
-use faer::c64;
+use jounce_linalg::c64;
 use jounce_model::contact::ContactLaw;
 use jounce_simd::{F64x8, Simd};
 

@@ -20,7 +20,7 @@ static INTERPOLATION: LazyLock<Interpolation> = LazyLock::new(|| {
         i if i <= NODES => SMOOTH_BASIS.positions[i - 1],
         _ => 1.0,
     });
-    let values = faer::Mat::from_fn(INTERPOLATION_POINTS, INTERPOLATION_POINTS, |i, n| {
+    let values = jounce_linalg::Mat::from_fn(INTERPOLATION_POINTS, INTERPOLATION_POINTS, |i, n| {
         (n as f64 * (2.0 * places[i] - 1.0).acos()).cos()
     });
     let inverse = jounce_linalg::inverse(&values);

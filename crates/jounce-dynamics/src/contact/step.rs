@@ -11,7 +11,7 @@ use crate::integrator::Integrator;
 use crate::kernel::{ForceBasis, Kernel};
 use crate::ports::phasor::PhasorSamples;
 use crate::tables::contact::ContactTable;
-use faer::c64;
+use jounce_linalg::c64;
 use jounce_model::contact::ContactLaw;
 use jounce_simd::{F64x8, Simd};
 

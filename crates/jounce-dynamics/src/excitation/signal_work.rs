@@ -18,7 +18,7 @@
 use super::repeated_integrals::{repeated, repeated_product};
 use super::row::ExcitationRow;
 use crate::kernel::Kernel;
-use faer::c64;
+use jounce_linalg::c64;
 use jounce_model::plant::{LOCAL_TERMS, SignalIntegrals, SignalSample};
 use jounce_simd::{F64x8, LANES, Portable};
 

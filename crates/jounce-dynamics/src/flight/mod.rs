@@ -227,7 +227,10 @@ impl Integrator<'_> {
     #[inline(always)]
     pub(super) fn drive_after(&self, p: usize, time_s: f64) -> [f64; 2] {
         let motion = |tone: &Phasor| {
-            tone.motion_after(p, faer::c64::cis(tone.angular_frequency_rad_s * time_s))
+            tone.motion_after(
+                p,
+                jounce_linalg::c64::cis(tone.angular_frequency_rad_s * time_s),
+            )
         };
         self.tones
             .iter()

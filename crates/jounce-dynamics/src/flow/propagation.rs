@@ -3,7 +3,7 @@
 use super::state::dot;
 use crate::flow::MAX_SERIES_ARGUMENT;
 use crate::integrator::Integrator;
-use faer::c64;
+use jounce_linalg::c64;
 use jounce_simd::Simd;
 
 impl Integrator<'_> {

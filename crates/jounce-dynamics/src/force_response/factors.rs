@@ -2,7 +2,7 @@
 
 use super::basis::BasisFunctions;
 use super::step_response::BlockOnStep;
-use faer::c64;
+use jounce_linalg::c64;
 use jounce_simd::{F64x8, Simd};
 
 /// Row of `I - z S` factored, for eight values of `z` at once: real and imaginary parts of its

@@ -17,7 +17,7 @@
 use super::basis::{BasisFunctions, NODES};
 use super::factors::{TridiagonalFactors, below, factored, terms};
 use super::output_rows::parts;
-use faer::c64;
+use jounce_linalg::c64;
 use jounce_model::plant::{BlockDiagonal, BlockPair};
 use jounce_simd::{F64x8, Portable, Simd};
 

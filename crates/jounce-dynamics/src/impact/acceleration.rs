@@ -3,7 +3,7 @@
 use crate::flow::state::dot;
 use crate::integrator::Integrator;
 use crate::ports::phasor::Phasor;
-use faer::c64;
+use jounce_linalg::c64;
 use jounce_simd::{F64x8, Portable};
 
 /// Fraction of the terms of an acceleration that is roundoff.

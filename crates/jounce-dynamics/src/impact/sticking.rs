@@ -12,7 +12,7 @@ use crate::ports::state::ContactState;
 use crate::record::trajectory::PortForce;
 use crate::tables::contact::{ContactTable, StickingTable};
 use crate::tables::step_size::LEVELS_PER_OCTAVE;
-use faer::c64;
+use jounce_linalg::c64;
 use jounce_simd::{F64x8, LANES, Portable, Simd};
 
 impl Integrator<'_> {

@@ -16,7 +16,7 @@
 
 use super::sticking::MIN_RELATIVE_MOBILITY;
 use crate::integrator::Integrator;
-use faer::Mat;
+use jounce_linalg::Mat;
 use jounce_model::contact::Law;
 
 /// Largest number of simultaneous impacts with a joint solution: the solver enumerates their

@@ -20,7 +20,7 @@ use crate::integrator::Integrator;
 use crate::ports::state::ContactState;
 use crate::tables::contact::StickingTable;
 use crate::tables::joint::JointTables;
-use faer::{Mat, c64};
+use jounce_linalg::{Mat, c64};
 use jounce_simd::{F64x8, LANES, Portable, Simd};
 
 /// Largest accepted relative mismatch of a holding force at the end of a step, times the tolerance.

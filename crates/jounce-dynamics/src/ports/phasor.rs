@@ -3,7 +3,7 @@
 use super::per_port::PerPort;
 use crate::force_response::basis::{BasisFunctions, NODES};
 use crate::kernel::{ForceBasis, Kernel};
-use faer::c64;
+use jounce_linalg::c64;
 use jounce_model::plant::Plant;
 use jounce_simd::{F64x8, LANES, Simd};
 

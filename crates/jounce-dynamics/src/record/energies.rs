@@ -4,7 +4,7 @@
 use crate::integrator::Integrator;
 use crate::ports::state::ContactState;
 use crate::rectifier::energies::RectifiedEnergies;
-use faer::{Mat, c64};
+use jounce_linalg::{Mat, c64};
 use jounce_model::drive::Wave;
 use jounce_model::plant::Tone;
 

@@ -1,7 +1,7 @@
 //! Statistics of an integration: contacts, and the contact integrals that the energy meters need.
 
 use crate::ports::per_port::PerPort;
-use faer::c64;
+use jounce_linalg::c64;
 
 /// Work done by the integrator, for snapshots that detect an increase.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize)]

@@ -19,7 +19,7 @@ use crate::kernel::Kernel;
 use crate::record::trajectory::{ConductionChange, Impact, Trajectory};
 use crate::rectifier::switch_map::SwitchMap;
 use crate::tables::odd_tables::OddTables;
-use faer::{Mat, c64};
+use jounce_linalg::{Mat, c64};
 use jounce_model::plant::{SignalSample, product};
 use jounce_simd::{F64x8, Portable, widest};
 
@@ -92,11 +92,9 @@ impl<'a> ConductionRoute<'a> {
         to: usize,
     ) -> Result<(), SensitivityError> {
         if from != to {
-            tangents.transform(
-                (&self.kernel(to)?.plant.diagonal.from_physical
-                    * &self.kernel(from)?.plant.diagonal.to_physical)
-                    .as_ref(),
-            );
+            let coordinates = &self.kernel(to)?.plant.diagonal.from_physical
+                * &self.kernel(from)?.plant.diagonal.to_physical;
+            tangents.transform(&coordinates);
         }
         Ok(())
     }
@@ -165,7 +163,7 @@ impl<'a> ConductionRoute<'a> {
             change.state.clone(),
             Mat::identity(change.state.len(), change.state.len()),
         );
-        tangents.transform(kernel.plant.diagonal.to_physical.as_ref());
+        tangents.transform(&kernel.plant.diagonal.to_physical);
         let delay_s = cause_s.unwrap_or_else(|| {
             change
                 .flipped
@@ -175,7 +173,7 @@ impl<'a> ConductionRoute<'a> {
             let switch_map = SwitchMap::of(&self.base.plant, bridge, &change.state);
             switch_map.enter(&self.base.plant, bridge, &mut state);
             slopes = self.slopes(bridge, &switch_map);
-            tangents.transform(slopes.as_ref());
+            tangents.transform(&slopes);
         }
         let after = rate(other, &state, change.time_s, &change.forces_n);
         let jump: Vec<f64> = product(&slopes, &before)
@@ -184,7 +182,7 @@ impl<'a> ConductionRoute<'a> {
             .map(|(mapped, after)| mapped - after)
             .collect();
         tangents.add_product(Portable::new(), &jump, 1.0, &delay_s);
-        tangents.transform(other.plant.diagonal.from_physical.as_ref());
+        tangents.transform(&other.plant.diagonal.from_physical);
         Ok((tangents, Some(delay_s)))
     }
 

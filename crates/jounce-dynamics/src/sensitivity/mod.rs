@@ -47,7 +47,7 @@ use crate::kernel::Kernel;
 use crate::record::statistics::ContactStatistics;
 use crate::record::trajectory::Trajectory;
 use conduction_states::ConductionRoute;
-use faer::Mat;
+use jounce_linalg::Mat;
 
 /// Integrated interval with its derivative.
 #[derive(Debug, Clone, PartialEq)]

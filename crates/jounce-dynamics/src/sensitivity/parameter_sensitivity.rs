@@ -5,7 +5,7 @@ use crate::kernel::ForceBasis;
 use crate::ports::phasor::PhasorSamples;
 use crate::record::trajectory::TrajectorySegment;
 use crate::tables::joint::StepLength;
-use faer::c64;
+use jounce_linalg::c64;
 use jounce_model::plant::Plant;
 use jounce_simd::{F64x8, Simd};
 

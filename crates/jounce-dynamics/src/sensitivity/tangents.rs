@@ -1,6 +1,6 @@
 //! Derivatives of the state by all start states and by the parameter at once.
 
-use faer::MatRef;
+use jounce_linalg::Mat;
 use jounce_simd::{F64x8, LANES, Simd};
 
 /// Columns in groups of eight, one after the other: each group has one vector per state. The first
@@ -93,7 +93,7 @@ impl Tangents {
     }
 
     /// Computes `dy = matrix dy`.
-    pub fn transform(&mut self, matrix: MatRef<f64>) {
+    pub fn transform(&mut self, matrix: &Mat<f64>) {
         let mut before = vec![F64x8::ZERO; self.states];
         for group in self.lanes.chunks_exact_mut(self.states.max(1)) {
             before.copy_from_slice(group);

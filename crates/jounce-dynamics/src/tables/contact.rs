@@ -147,7 +147,7 @@ impl StickingTable {
         });
         let acceleration = tables.rows.into_iter().next().unwrap_or_default();
         let mobility = plant.ports[port].mobility_per_kg;
-        let system = faer::Mat::from_fn(NODES, NODES, |i, j| {
+        let system = jounce_linalg::Mat::from_fn(NODES, NODES, |i, j| {
             (if i == j { mobility } else { 0.0 }) - acceleration.push[j].0[i]
         });
         let inverse = jounce_linalg::inverse(&system);

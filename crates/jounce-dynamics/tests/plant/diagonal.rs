@@ -1,7 +1,7 @@
 //! Diagonal form against the physical matrices, the secular equation and free decay.
 
 use crate::systems::{bench, menagerie};
-use faer::{Mat, c64};
+use jounce_linalg::{Mat, c64};
 use jounce_model::plant::{Plant, System};
 use jounce_model::reference::Harmonic;
 
@@ -54,12 +54,12 @@ fn blocks_are_the_plant_in_other_coordinates() {
             .collect();
         let blocks = Mat::from_fn(n, n, |i, j| columns[j][i]);
         let residual = &a * t - t * &blocks;
-        let size = Mat::from_fn(n, n, |i, j| scale[i] * a[(i, j)] / scale[j]).norm_max();
+        let size = Mat::from_fn(n, n, |i, j| scale[i] * a[(i, j)] / scale[j]).amax();
         let worst = (0..n * n)
             .map(|k| (scale[k / n] * residual[(k / n, k % n)]).abs())
             .fold(0.0, f64::max)
             / size;
-        let identity = (t * inverse - Mat::<f64>::identity(n, n)).norm_max();
+        let identity = (t * inverse - Mat::<f64>::identity(n, n)).amax();
         eprintln!("{name}: A T - T J {worst:.1e}, T T^-1 - I {identity:.1e}");
         assert!(worst < 1e-13, "{name}: {worst:e}");
         // Without scaling, the identity mixes volts with metres: a factor of the largest ratio of

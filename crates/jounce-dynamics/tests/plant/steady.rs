@@ -2,7 +2,7 @@
 
 use crate::diagonal::physical_matrix;
 use crate::systems::bench;
-use faer::c64;
+use jounce_linalg::c64;
 use jounce_model::plant::Plant;
 use jounce_model::reference::Reference;
 use jounce_model::reference::{Harmonic, MASS, PiezoResistor};

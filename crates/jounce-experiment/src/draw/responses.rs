@@ -106,8 +106,9 @@ pub fn stabilisation(title: &str, result: &Identification) -> Figure {
 /// Plots the responses of the band as displacement per force, with the fitted modal model.
 pub fn modal_fit(title: &str, names: &[String], result: &Identification) -> Figure {
     let panel = |(k, name): (usize, &String)| {
-        let magnitudes =
-            |response: &[faer::c64]| response.iter().map(|h| h.norm()).collect::<Vec<f64>>();
+        let magnitudes = |response: &[jounce_linalg::c64]| {
+            response.iter().map(|h| h.norm()).collect::<Vec<f64>>()
+        };
         let axes = Panel::new(Axis::linear("Frequency", "Hz"), Axis::log(name, "")).high(220.0);
         let measured = Series::line(result.frequency_hz.clone(), magnitudes(&result.measured[k]))
             .style(Line::Thin)

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use faer::c64;
+use jounce_linalg::c64;
 use jounce_model::linear::{FrfInput, FrfResponse, frf};
 use jounce_model::plant::Plant;
 use jounce_signal::RandomStream;

@@ -153,7 +153,8 @@ mod tests {
                 .collect::<Vec<_>>()
         };
         // The charge per metre is equal; only the admittance differs.
-        let admittance = |w: f64, farad: f64, siemens: f64| faer::c64::new(siemens, w * farad);
+        let admittance =
+            |w: f64, farad: f64, siemens: f64| jounce_linalg::c64::new(siemens, w * farad);
         for ((f, unloaded), wired) in hz.iter().zip(per_metre(&unloaded)).zip(per_metre(&wired)) {
             let w = TAU * f;
             let expected = admittance(w, 100e-9, 1e-6) / admittance(w, 160e-9, 1e-6 + 0.5e-6);

@@ -1,6 +1,6 @@
 //! Features of a block of the record.
 
-use faer::c64;
+use jounce_linalg::c64;
 use jounce_signal::Samples;
 use std::f64::consts::TAU;
 

@@ -14,7 +14,7 @@
 //! each sum, for `J` lines of `N` samples. The distance of the spectra is `d` with magnitudes
 //! `|X_j|` and `|C_j|`, without phases.
 
-use faer::c64;
+use jounce_linalg::c64;
 use jounce_signal::Samples;
 use serde::Serialize;
 

@@ -6,7 +6,7 @@
 //! solution. Amplitudes of equal shape that differ overall but hardly across the change indicate
 //! drift.
 
-use faer::c64;
+use jounce_linalg::c64;
 use jounce_signal::Samples;
 use serde::Serialize;
 

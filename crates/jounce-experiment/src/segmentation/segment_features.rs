@@ -1,6 +1,6 @@
 //! Features of a segment, corrected for noise.
 
-use faer::c64;
+use jounce_linalg::c64;
 
 /// Relative difference below which amplitudes are equal.
 pub(super) const EQUAL_AMPLITUDE_SHARE: f64 = 0.05;

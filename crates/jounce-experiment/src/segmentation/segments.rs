@@ -1,7 +1,7 @@
 //! Segments of a record.
 
-use faer::c64;
 use jounce_control::Control;
+use jounce_linalg::c64;
 use jounce_signal::{Samples, SignalError};
 use serde::Serialize;
 

@@ -1,6 +1,6 @@
 //! Alignment in time of two sets of lines.
 
-use faer::c64;
+use jounce_linalg::c64;
 use std::f64::consts::TAU;
 
 /// Steps per drive cycle of the phase search before refinement.

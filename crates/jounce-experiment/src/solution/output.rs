@@ -10,8 +10,8 @@
 //! An acceleration is the rate of a velocity. Points move relative to their base, whose
 //! acceleration is added.
 
-use faer::c64;
 use jounce_dynamics::{Kernel, Trajectory, TrajectoryState};
+use jounce_linalg::c64;
 use jounce_model::plant::Plant;
 use jounce_spec::Spec;
 use std::f64::consts::TAU;

@@ -1,8 +1,8 @@
 //! Voltage of an orbit as a Fourier series.
 
-use faer::c64;
 use jounce_analysis::run::{RunError, RunPlan, StartState, simulate};
 use jounce_dynamics::Kernel;
+use jounce_linalg::c64;
 use jounce_spec::Spec;
 use std::f64::consts::TAU;
 

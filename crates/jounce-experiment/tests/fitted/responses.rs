@@ -1,9 +1,9 @@
 //! Frequency responses.
 
 use super::{HARVESTER, fit_and_compare, free_keys, relative_deviation, spec, with_noise};
-use faer::c64;
 use jounce_control::Control;
 use jounce_experiment::fit::{Deviation, Features, MeasuredLines, ResponseFeature, fit};
+use jounce_linalg::c64;
 use jounce_model::linear::{FrfInput, FrfResponse, frf};
 use jounce_model::plant::{Plant, System};
 use jounce_model::structure;

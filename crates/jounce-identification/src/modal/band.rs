@@ -1,6 +1,6 @@
 //! Frequency responses in the band of a modal analysis.
 
-use faer::c64;
+use jounce_linalg::c64;
 
 use super::ModalError;
 use super::band_lines::{BandLines, LeaveOneOutChange, MeasuredResponse, check_lengths};

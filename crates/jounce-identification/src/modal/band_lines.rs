@@ -1,6 +1,6 @@
 //! Lines of a band, and measured responses at them as displacements.
 
-use faer::c64;
+use jounce_linalg::c64;
 
 use super::ModalError;
 use jounce_signal::spectral::LeaveOneOutResponse;

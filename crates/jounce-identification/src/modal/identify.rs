@@ -1,6 +1,6 @@
 //! Modal analysis of frequency responses.
 
-use faer::c64;
+use jounce_linalg::c64;
 
 use super::peaks::{ResponsePeak, unexplained};
 use super::poles::stable;

@@ -1,6 +1,6 @@
 //! Modal assurance criterion.
 
-use faer::c64;
+use jounce_linalg::c64;
 
 use super::Mode;
 

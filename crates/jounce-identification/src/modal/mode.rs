@@ -1,6 +1,6 @@
 //! Mode with its uncertainties.
 
-use faer::c64;
+use jounce_linalg::c64;
 use serde::Serialize;
 use std::f64::consts::TAU;
 

@@ -11,7 +11,7 @@
 //! Source: D. Ewins, Modal Testing, 2nd edition (2000), section 2.4, for modal constants; A.
 //! Chopra, Dynamics of Structures (2012), section 13.1, for participation.
 
-use faer::c64;
+use jounce_linalg::c64;
 
 use super::Mode;
 use crate::response::MeasuredResponses;

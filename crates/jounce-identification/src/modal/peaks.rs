@@ -5,7 +5,7 @@
 //! from the blocks, and from the second differences of neighbouring lines. Second differences of
 //! white noise have six times its variance, those of smooth responses almost 0.
 
-use faer::c64;
+use jounce_linalg::c64;
 
 use super::{Band, Mode, Pole};
 

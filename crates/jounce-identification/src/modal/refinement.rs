@@ -1,6 +1,6 @@
 //! Maximum-likelihood refinement of initial poles to modes.
 
-use faer::c64;
+use jounce_linalg::c64;
 
 use super::maximum_likelihood::{ModalFit, fit, fit_shared};
 use super::mode::normalised;

@@ -21,7 +21,7 @@
 
 use super::NoiseInput;
 use crate::plant::{BlockDiagonal, BlockPair, LyapunovSide, Plant, lyapunov};
-use faer::{Mat, c64};
+use jounce_linalg::{Mat, c64};
 use std::f64::consts::{PI, TAU};
 
 /// Relative part of a drive on the charge of an open patch, below which it is roundoff.

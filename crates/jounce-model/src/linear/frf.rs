@@ -1,7 +1,7 @@
 //! Frequency response functions of any output to a force on a point or an acceleration of the base.
 
 use crate::plant::{Plant, PlantError};
-use faer::c64;
+use jounce_linalg::c64;
 use std::f64::consts::TAU;
 
 /// Excitation of a frequency response.

@@ -19,7 +19,7 @@
 use super::quadrature::integral;
 use crate::plant::{Meters, Plant, PlantError, dot, driven};
 use crate::structure::Modes;
-use faer::c64;
+use jounce_linalg::c64;
 use jounce_spec::{DriveSignal, Spec};
 use std::f64::consts::TAU;
 

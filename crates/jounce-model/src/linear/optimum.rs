@@ -32,14 +32,14 @@ pub fn steady_power_w(plant: &Plant) -> f64 {
 /// # Errors
 /// [`PlantError`] of the plants at two trial resistances.
 pub fn optimal_resistance(plant: &Plant, load: usize) -> Result<Optimum, PlantError> {
-    let voltage = |resistance_ohm: f64| -> Result<faer::c64, PlantError> {
+    let voltage = |resistance_ohm: f64| -> Result<jounce_linalg::c64, PlantError> {
         let mut system = plant.system.clone();
         system.loads[load].resistance_ohm = resistance_ohm;
         let plant = Plant::new(system)?;
         Ok(plant
             .tones
             .first()
-            .map_or(faer::c64::new(0.0, 0.0), |tone| {
+            .map_or(jounce_linalg::c64::new(0.0, 0.0), |tone| {
                 crate::plant::dot(&plant.load_voltage_row(load), &tone.steady)
             }))
     };

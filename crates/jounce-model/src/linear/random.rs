@@ -14,7 +14,7 @@ use super::random_response::{
 };
 use crate::plant::{Plant, PlantError, System};
 use crate::structure::{self, StructureError};
-use faer::Mat;
+use jounce_linalg::Mat;
 use jounce_spec::{Interface, Spec, Stop};
 use std::collections::BTreeMap;
 

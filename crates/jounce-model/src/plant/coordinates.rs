@@ -1,7 +1,7 @@
 //! Conversion between physical states and block coordinates.
 
 use super::{Plant, Tone, product};
-use faer::c64;
+use jounce_linalg::c64;
 
 impl Plant {
     /// Returns the voltage of each patch in a physical state, V.

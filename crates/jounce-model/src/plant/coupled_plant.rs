@@ -5,7 +5,7 @@ use super::{
     Across, Diagonal, Electrical, EventFunction, Forcing, PlantError, Signal, System, Tone,
 };
 use crate::drive::Travel;
-use faer::{Mat, c64};
+use jounce_linalg::{Mat, c64, column};
 use std::sync::Arc;
 
 /// A diagonalised electromechanical system.
@@ -270,7 +270,7 @@ pub fn product(matrix: &Mat<f64>, vector: &[f64]) -> Vec<f64> {
     let mut sum = vec![0.0; matrix.nrows()];
     for (j, factor) in vector.iter().enumerate() {
         sum.iter_mut()
-            .zip(matrix.col_as_slice(j))
+            .zip(column(matrix, j))
             .for_each(|(sum, entry)| *sum += entry * factor);
     }
     sum

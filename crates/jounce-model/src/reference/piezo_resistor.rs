@@ -18,7 +18,7 @@ use super::Reference;
 use super::single_mode::{PATCH, oscillator, shape};
 use crate::plant::{Drive, Load, System};
 use crate::structure::PatchModes;
-use faer::c64;
+use jounce_linalg::c64;
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 

@@ -9,7 +9,7 @@
 //! No product of two matrices is needed, which would dominate the cost of a point of the curve.
 
 use super::border::{Border, Bordered, BorderedSolution};
-use faer::Mat;
+use jounce_linalg::Mat;
 use jounce_model::plant::{Diagonal, product};
 
 /// Derivative of the equations of an orbit by its state, factored with the first requested border.
@@ -43,7 +43,7 @@ impl BlockEquations {
         let sizes: Vec<f64> = (0..n).map(|j| coordinates.size(j)).collect();
         let mut matrix = map.clone();
         for j in 0..n {
-            let column = matrix.col_as_slice_mut(j);
+            let column = jounce_linalg::column_mut(&mut matrix, j);
             column[j] -= 1.0;
             column
                 .iter_mut()
@@ -80,7 +80,7 @@ impl BlockEquations {
 impl EnergyCoordinates<'_> {
     /// Returns the length, in energy coordinates, of a unit of block coordinate `j`.
     fn size(&self, j: usize) -> f64 {
-        let column = self.diagonal.to_physical.col_as_slice(j);
+        let column = jounce_linalg::column(&self.diagonal.to_physical, j);
         column
             .iter()
             .zip(self.scale)
@@ -112,9 +112,7 @@ impl EnergyCoordinates<'_> {
     fn row(&self, row: &[f64], sizes: &[f64]) -> Vec<f64> {
         let physical: Vec<f64> = row.iter().zip(self.scale).map(|(r, w)| r * w).collect();
         let along = |j: usize| {
-            self.diagonal
-                .to_physical
-                .col_as_slice(j)
+            jounce_linalg::column(&self.diagonal.to_physical, j)
                 .iter()
                 .zip(&physical)
                 .map(|(x, r)| x * r)

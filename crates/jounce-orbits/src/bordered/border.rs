@@ -1,7 +1,6 @@
 //! Square matrix with a border of one row and one column.
 
-use super::lu_factors::LuFactors;
-use faer::Mat;
+use jounce_linalg::{LuFactors, Mat, column_mut};
 
 /// `(x, p)`; `None` where the bordered matrix is singular.
 pub type BorderedSolution = Option<(Vec<f64>, f64)>;
@@ -25,13 +24,13 @@ impl Bordered {
             .fold(f64::MIN_POSITIVE, |max, r| max.max(r.abs()));
         let mut bordered = Mat::zeros(n + 1, n + 1);
         for j in 0..n {
-            bordered.col_as_slice_mut(j)[..n].copy_from_slice(matrix.col_as_slice(j));
+            column_mut(&mut bordered, j)[..n].copy_from_slice(jounce_linalg::column(matrix, j));
             bordered[(n, j)] = row[j] / row_size;
             bordered[(j, n)] = column[j] / column_size;
         }
         bordered[(n, n)] = corner / (row_size * column_size);
         Self {
-            factors: LuFactors::of(bordered),
+            factors: LuFactors::of(&bordered),
             row_size,
             column_size,
         }

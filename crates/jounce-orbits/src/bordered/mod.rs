@@ -2,5 +2,4 @@
 
 pub(crate) mod block_equations;
 pub(crate) mod border;
-pub(crate) mod lu_factors;
 pub(crate) mod null_vector;

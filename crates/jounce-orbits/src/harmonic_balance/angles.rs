@@ -6,7 +6,7 @@
 //!
 //! Both use powers of `e^(i x)`, whose roundoff grows with `n`: about 1e-14 at a hundred harmonics.
 
-use faer::c64;
+use jounce_linalg::c64;
 use jounce_simd::{F64x8, LANES, Simd, Task, widest};
 
 /// Angles by their cosines and sines; the last vector is padded with zero angles.

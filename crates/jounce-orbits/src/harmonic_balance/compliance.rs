@@ -10,7 +10,7 @@ use super::compliance_table::ComplianceTable;
 use super::fourier_grid::FourierGrid;
 use super::motion::{complex, real};
 use super::transfer_function::TransferFunction;
-use faer::c64;
+use jounce_linalg::c64;
 use jounce_model::plant::Plant;
 
 /// `G` of every pair of ports.

@@ -9,7 +9,7 @@
 //! That is enough for Newton, because the residual is computed separately.
 
 use super::fourier_grid::FourierGrid;
-use faer::c64;
+use jounce_linalg::c64;
 use jounce_simd::{Simd, Task, widest};
 use std::f64::consts::TAU;
 

@@ -5,8 +5,7 @@ use super::compliance_table::{ComplianceTable, NodePlaces};
 use super::motion::{complex, rotated};
 use super::nodes::ContactQuadrature;
 use crate::bordered::border::{Border, BorderedSolution};
-use crate::bordered::lu_factors::LuFactors;
-use faer::Mat;
+use jounce_linalg::{LuFactors, Mat, column_mut};
 
 /// `I - J K w - J' K' w` at the nodes with the first requested border, factored.
 #[derive(Debug)]
@@ -162,7 +161,7 @@ impl Condensed {
                 .map(move |(position, node)| (b, *position, node.share))
         });
         for (p, ((b, force, share), pulled)) in pushing.zip(&pulled).enumerate() {
-            let column: &mut [f64] = matrix.col_as_slice_mut(p);
+            let column = column_mut(&mut matrix, p);
             let mut rest = &mut column[..];
             for (a, positions) in positions.iter().enumerate() {
                 let (rows, after) = rest.split_at_mut(positions.at.len());
@@ -172,7 +171,7 @@ impl Condensed {
             column[p] += 1.0;
             column[count] = pulled / row_size;
         }
-        let border: &mut [f64] = matrix.col_as_slice_mut(count);
+        let border = column_mut(&mut matrix, count);
         border
             .iter_mut()
             .zip(&node_forces)
@@ -180,7 +179,7 @@ impl Condensed {
         border[count] = bottom / (column_size * row_size);
         let is_finite = row_size.is_finite() && column_size.is_finite();
         is_finite.then(|| Self {
-            factors: LuFactors::of(matrix),
+            factors: LuFactors::of(&matrix),
             first,
             row_size,
             column_size,

@@ -2,7 +2,7 @@
 
 use super::fourier_grid::FourierGrid;
 use super::motion::PortMotion;
-use faer::c64;
+use jounce_linalg::c64;
 use std::f64::consts::TAU;
 
 /// Samples per harmonic of the motion.

@@ -1,7 +1,7 @@
 //! Fourier transforms between samples and harmonics of a period.
 
-use faer::c64;
 use jounce_fft::{ComplexToReal, RealToComplex};
+use jounce_linalg::c64;
 use std::sync::Arc;
 
 /// Fourier transforms of one length.

@@ -10,7 +10,7 @@
 //! roundoff: 1e-12 at a rotation of 2^10 rad.
 
 use super::angles::lanes;
-use faer::c64;
+use jounce_linalg::c64;
 use jounce_model::plant::{BlockDiagonal, BlockPair};
 use jounce_simd::{F64x8, Simd, Task, widest};
 

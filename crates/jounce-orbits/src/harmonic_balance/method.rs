@@ -9,9 +9,9 @@ use super::transfer_function::{TransferFunction, moves_without_end};
 use crate::{
     ModelInstance, Orbit, OrbitError, OrbitMethod, ParametricModel, Shooting, ShootingEvaluation,
 };
-use faer::c64;
 use jounce_continuation::{Linearization, Position, Problem};
 use jounce_dynamics::{IntegrationError, Kernel, SensitivityError};
+use jounce_linalg::c64;
 use jounce_model::contact::Law;
 use std::sync::Arc;
 

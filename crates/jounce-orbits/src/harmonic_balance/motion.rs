@@ -7,7 +7,7 @@
 //! The factor makes `|u|^2` the mean square of `d` (m^2). `x` is an angle of the period, rad.
 
 use super::angles::Angles;
-use faer::c64;
+use jounce_linalg::c64;
 use jounce_model::contact::{ContactLaw, Law};
 use std::f64::consts::SQRT_2;
 

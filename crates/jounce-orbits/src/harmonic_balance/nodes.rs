@@ -5,7 +5,7 @@ use super::contact::{ContactInterval, contacts};
 use super::fourier_grid::FourierGrid;
 use super::motion::{self, PortMotion};
 use super::quadrature::QuadratureRules;
-use faer::c64;
+use jounce_linalg::c64;
 use jounce_model::contact::Slopes;
 use jounce_model::plant::{Plant, Stop};
 use std::f64::consts::TAU;

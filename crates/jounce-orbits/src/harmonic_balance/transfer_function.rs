@@ -8,7 +8,7 @@
 //! the period. The diagonal form makes `G` exact at a cost proportional to the number of modes
 //! times the number of harmonics.
 
-use faer::c64;
+use jounce_linalg::c64;
 use jounce_model::plant::Plant;
 use std::f64::consts::SQRT_2;
 

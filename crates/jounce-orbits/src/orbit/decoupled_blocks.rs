@@ -1,7 +1,7 @@
 //! Blocks of a period map that couple so weakly that their eigenvalues are their own (see
 //! [`super::multipliers`]).
 
-use faer::Mat;
+use jounce_linalg::{Mat, column, column_mut};
 
 /// `|c| |r|` below which a block is decoupled: it moves a multiplier of modulus one by at most
 /// this, less than the integration error.
@@ -25,8 +25,7 @@ pub fn balanced(map: &Mat<f64>) -> (Mat<f64>, Vec<f64>) {
             }
             is_even = false;
             scales[i] *= factor;
-            balanced
-                .col_as_slice_mut(i)
+            column_mut(&mut balanced, i)
                 .iter_mut()
                 .for_each(|entry| *entry *= factor);
             (0..n).for_each(|j| balanced[(i, j)] /= factor);
@@ -44,11 +43,7 @@ fn lengths(map: &Mat<f64>, i: usize) -> (f64, f64) {
     let row = (0..n).map(|j| map[(i, j)].abs()).sum::<f64>() - values;
     (
         row,
-        map.col_as_slice(i)
-            .iter()
-            .map(|entry| entry.abs())
-            .sum::<f64>()
-            - values,
+        column(map, i).iter().map(|entry| entry.abs()).sum::<f64>() - values,
     )
 }
 

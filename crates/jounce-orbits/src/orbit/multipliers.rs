@@ -16,8 +16,8 @@
 //! Source: B. N. Parlett and C. Reinsch, Numer. Math. 13 (1969) 293; G. W. Stewart and J. Sun, *Matrix Perturbation Theory* (1990), ch. V.
 
 use super::decoupled_blocks::{balanced, blocks};
-use faer::{Mat, c64};
 use jounce_linalg::{Eigen, complex_solve, eigen};
+use jounce_linalg::{Mat, c64};
 
 /// Returns the eigenvalues of a period map, largest modulus first; `None` where they do not
 /// converge.

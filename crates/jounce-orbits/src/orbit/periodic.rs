@@ -1,6 +1,6 @@
 //! Periodic orbit and its stability.
 
-use faer::{ColRef, Mat, c64};
+use jounce_linalg::{Mat, c64, norm};
 
 /// Distance, relative to the size of the states, below which two states of an orbit are identical.
 const SAME_STATE_DISTANCE: f64 = 1e-5;
@@ -75,7 +75,7 @@ impl Orbit {
 
     /// Returns the norm of the state at the start of the period.
     pub fn size(&self) -> f64 {
-        ColRef::from_slice(self.start()).norm_l2()
+        norm(self.start())
     }
 
     /// Returns the change of the state over half a period; `None` for an odd number of cycles.
@@ -97,9 +97,7 @@ impl Orbit {
 
     /// Returns the smallest number of cycles, fewer than the period, after which the orbit repeats.
     pub fn shorter_period(&self) -> Option<u32> {
-        let distance = |state: &[f64]| {
-            (ColRef::from_slice(state) - ColRef::from_slice(self.start())).norm_l2()
-        };
+        let distance = |state: &[f64]| jounce_linalg::distance(state, self.start());
         let repeats = |shorter: &u32| {
             distance(&self.strobe_states[*shorter as usize]) < SAME_STATE_DISTANCE * self.size()
         };

@@ -10,8 +10,8 @@
 //! the residual. `M - l' l` replaces `M`: 0 replaces the multiplier 1, and the others are
 //! unchanged.
 
-use faer::Mat;
 use jounce_dynamics::Trajectory;
+use jounce_linalg::Mat;
 use jounce_model::plant::{Conduction, Plant};
 
 /// Returns orthonormal rows that span the conserved charges, in energy coordinates of a scale.

@@ -3,9 +3,9 @@
 use crate::{
     Orbit, OrbitError, ParametricModel, Shooting, ShootingEvaluation, displacement_peak_m,
 };
-use faer::{ColRef, c64};
 use jounce_continuation::Linearization;
 use jounce_dynamics::{Integrator, Kernel, SensitivityError};
+use jounce_linalg::{c64, norm};
 use jounce_model::plant::{Storage, System};
 
 /// Fraction of the energy of the motion in a period above which the error of the power of rectified
@@ -42,7 +42,7 @@ impl<H: ParametricModel> Shooting<'_, H> {
         let Some(correction) = evaluation.correction() else {
             return f64::INFINITY;
         };
-        let size = |vector: &[f64]| ColRef::from_slice(vector).norm_l2();
+        let size = |vector: &[f64]| norm(vector);
         let state = size(&correction) / size(&evaluation.strobe_states[0]).max(f64::MIN_POSITIVE);
         let predicted_end: Vec<f64> = evaluation.strobe_states[0]
             .iter()
@@ -150,7 +150,7 @@ impl ShootingEvaluation {
     /// Returns Newton's correction at a fixed parameter, of the residual and of an added defect of
     /// the size of the tolerance.
     fn correction(&self) -> Option<Vec<f64>> {
-        let size = ColRef::from_slice(&self.strobe_states[0]).norm_l2();
+        let size = norm(&self.strobe_states[0]);
         let defect = self.tolerance * size / (self.residual.len() as f64).sqrt();
         let right: Vec<f64> = self
             .residual

@@ -2,9 +2,9 @@
 
 use crate::bordered::block_equations::{BlockEquations, EnergyCoordinates};
 use crate::orbit::multipliers::Eigenbasis;
-use faer::Mat;
 use jounce_continuation::{Direction, Linearization, Metric, Position, ResidualReport, tangent};
 use jounce_dynamics::{Kernel, Trajectory};
+use jounce_linalg::Mat;
 use std::sync::OnceLock;
 
 /// Integrated period with its derivative.

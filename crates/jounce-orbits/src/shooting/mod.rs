@@ -20,9 +20,9 @@ use super::{
     Orbit, OrbitError, OrbitMethod, ParameterDerivatives, ParametricModel, ShootingEvaluation,
 };
 use charges::{conserved_charges, without_conserved};
-use faer::Mat;
 use jounce_continuation::Problem;
 use jounce_dynamics::{FlowSensitivity, Kernel, ParameterSensitivity};
+use jounce_linalg::Mat;
 use jounce_model::plant::{Plant, product};
 use period_record::PeriodRecord;
 use std::sync::OnceLock;
@@ -167,7 +167,7 @@ impl<H> Shooting<'_, H> {
             kernel,
             strobe_states: record.strobe_states,
             residual,
-            block_map: Mat::new(),
+            block_map: Mat::zeros(0, 0),
             by_parameter: Vec::new(),
             scale: self.scale.clone(),
             map: OnceLock::new(),

@@ -7,8 +7,8 @@
 use super::cycle_s;
 use super::period_record::PeriodRecord;
 use crate::{Orbit, OrbitError, ParametricModel, Shooting};
-use faer::ColRef;
 use jounce_dynamics::{ContactStatistics, Integrator, Kernel, SensitivityError};
+use jounce_linalg::norm;
 
 impl<H: ParametricModel> Shooting<'_, H> {
     /// Returns the periodic orbit through a physical state, integrated without its derivative. It
@@ -56,7 +56,7 @@ impl<H: ParametricModel> Shooting<'_, H> {
             .zip(&record.strobe_states[0])
             .map(|(end, start)| end - start)
             .collect();
-        let open = ColRef::from_slice(&residual).norm_l2();
+        let open = norm(&residual);
         let evaluation = self.evaluation(kernel, record, residual, period_s);
         let mut orbit = evaluation.as_orbit(Vec::new());
         orbit.error_estimate = open / orbit.size().max(f64::MIN_POSITIVE);

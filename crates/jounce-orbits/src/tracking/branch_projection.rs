@@ -4,7 +4,7 @@ use super::extended_problem::ExtendedProblem;
 use super::two_parameter_problem::TwoParameterProblem;
 use crate::bordered::border::solve_bordered;
 use crate::{OrbitError, ParametricModel, ShootingEvaluation, null_vector};
-use faer::{ColRef, Mat};
+use jounce_linalg::{Mat, norm};
 
 /// Newton steps of the projection, and the residual, relative to the size of the state, below which
 /// no step is made.
@@ -50,7 +50,7 @@ impl LinearizedOrbit {
             (&vec![0.0; n], 1.0),
         )?;
         along.push(last);
-        let length = ColRef::from_slice(&along).norm_l2();
+        let length = norm(&along);
         along.iter_mut().for_each(|t| *t /= length);
         Some(Self {
             matrix,
@@ -79,7 +79,7 @@ pub(super) type TrackingError<P> =
 impl BranchProjection {
     /// Returns the size of the state.
     pub fn size(&self) -> f64 {
-        ColRef::from_slice(&self.start).norm_l2()
+        norm(&self.start)
     }
 }
 
@@ -96,8 +96,7 @@ impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
             let Some(tangent) = LinearizedOrbit::of(&evaluation, self.unit) else {
                 break;
             };
-            let residual = ColRef::from_slice(&evaluation.residual).norm_l2()
-                / ColRef::from_slice(&start).norm_l2();
+            let residual = norm(&evaluation.residual) / norm(&start);
             if step == MAX_NEWTON_STEPS || residual < NEWTON_TOLERANCE {
                 return Ok(Some(BranchProjection {
                     start,

@@ -5,8 +5,8 @@ use super::grazing::{self, GrazingPoint};
 use super::two_parameter_problem::TwoParameterProblem;
 use crate::bordered::border::solve_bordered;
 use crate::{OrbitError, ParametricModel, Shooting, ShootingEvaluation};
-use faer::Mat;
 use jounce_continuation::{Linearization, Problem};
+use jounce_linalg::Mat;
 
 /// Integration tolerance relative to the tolerance of the curve. The condition is a derivative of
 /// the flow, and the slopes of Newton are difference quotients of it.
@@ -259,11 +259,8 @@ impl ExtendedEvaluation {
     /// and the first parameter) to the next larger one. It is zero where the branch over the first
     /// parameter is a point, such as an isolated branch at its birth.
     pub fn share_of_branch(&self) -> Option<f64> {
-        let equations = self
-            .matrix
-            .as_ref()
-            .submatrix(0, 0, self.states, self.states + 1);
-        match &jounce_linalg::singular_values(equations)?[..] {
+        let equations = self.matrix.view((0, 0), (self.states, self.states + 1));
+        match &jounce_linalg::singular_values(&equations.into_owned())?[..] {
             [.., next, smallest] => Some(smallest / next),
             _ => None,
         }

@@ -14,7 +14,7 @@
 use super::condition::Gradient;
 use crate::bordered::border::solve_bordered;
 use crate::{ShootingEvaluation, null_vector};
-use faer::{ColRef, Mat};
+use jounce_linalg::{Mat, norm};
 
 /// Step along `v` for the second derivative, relative to the size of the state.
 const DIFFERENCE_STEP: f64 = 1e-5;
@@ -49,8 +49,7 @@ impl CriticalMultiplier {
         shifted_shot: impl Fn(&[f64]) -> Result<ShootingEvaluation, E>,
     ) -> Result<Gradient, E> {
         let n = self.v.len();
-        let step = DIFFERENCE_STEP * ColRef::from_slice(&evaluation.strobe_states[0]).norm_l2()
-            / ColRef::from_slice(&self.v).norm_l2();
+        let step = DIFFERENCE_STEP * norm(&evaluation.strobe_states[0]) / norm(&self.v);
         let along = shifted_shot(&self.v.iter().map(|v| step * v).collect::<Vec<_>>())?;
         let by_unknown = (0..n)
             .map(|j| {

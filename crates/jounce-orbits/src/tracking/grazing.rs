@@ -15,8 +15,8 @@
 use super::condition::Gradient;
 use crate::orbit::sampled_motion::port_motion;
 use crate::{ShootingEvaluation, nearest_turn};
-use faer::{ColRef, Mat};
 use jounce_dynamics::{FlowSensitivity, ParameterSensitivity, SensitivityError};
+use jounce_linalg::{Mat, norm};
 
 /// Half width of the difference quotient for the acceleration, drive cycles.
 const HALF_DIFFERENCE_CYCLES: f64 = 1e-5;
@@ -39,8 +39,7 @@ impl GrazingPoint {
     /// Returns the turning point of an orbit nearest to a surface; `None` without one.
     pub fn of(evaluation: &ShootingEvaluation) -> Option<Self> {
         let cycle_s = evaluation.period_s / evaluation.trajectories.len() as f64;
-        let unit_cycles =
-            TIME_SCALE_CYCLES / ColRef::from_slice(&evaluation.strobe_states[0]).norm_l2();
+        let unit_cycles = TIME_SCALE_CYCLES / norm(&evaluation.strobe_states[0]);
         nearest_turn(evaluation).map(|turn| Self {
             port: turn.port,
             phase_cycles: turn.cycle as f64 + turn.time_s / cycle_s,

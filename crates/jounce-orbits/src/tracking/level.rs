@@ -9,7 +9,7 @@
 
 use super::condition::Gradient;
 use crate::{OrbitQuantity, ShootingEvaluation};
-use faer::ColRef;
+use jounce_linalg::norm;
 
 /// Step of the difference quotient, relative to the norm of the state.
 const RELATIVE_STEP: f64 = 1e-6;
@@ -25,7 +25,7 @@ pub fn gradient<E>(
     let relative_error = |evaluation: &ShootingEvaluation| quantity.of(evaluation) / value - 1.0;
     let current = relative_error(evaluation);
     let states = evaluation.strobe_states[0].len();
-    let step = RELATIVE_STEP * ColRef::from_slice(&evaluation.strobe_states[0]).norm_l2();
+    let step = RELATIVE_STEP * norm(&evaluation.strobe_states[0]);
     let by = |j: usize| {
         let change: Vec<f64> = (0..states)
             .map(|i| if i == j { step } else { 0.0 })

@@ -1,7 +1,7 @@
 //! Two multipliers that are a complex pair, or have just met on the real axis, with their invariant
 //! planes.
-use faer::{Mat, c64};
 use jounce_linalg::{Eigen, eigen, solve};
+use jounce_linalg::{Mat, c64};
 
 /// Largest ratio of two real multipliers that can be a pair that has met.
 const MAX_REAL_RATIO: f64 = 1.5;

@@ -17,7 +17,7 @@
 use super::condition::Gradient;
 use super::multiplier_pair::MultiplierPair;
 use crate::ShootingEvaluation;
-use faer::ColRef;
+use jounce_linalg::norm;
 
 /// Step along a vector of the plane for the second derivative, relative to the size of the state.
 const DIFFERENCE_STEP: f64 = 1e-5;
@@ -33,12 +33,12 @@ pub fn gradient<E>(
         return Ok(None);
     };
     let n = evaluation.map().nrows();
-    let step = DIFFERENCE_STEP * ColRef::from_slice(&evaluation.strobe_states[0]).norm_l2();
+    let step = DIFFERENCE_STEP * norm(&evaluation.strobe_states[0]);
     let along = |column: usize| {
         shifted_shot(
             &pair
                 .right
-                .col(column)
+                .column(column)
                 .iter()
                 .map(|v| step * v)
                 .collect::<Vec<_>>(),

@@ -18,7 +18,7 @@ use super::condition::Gradient;
 use super::extended_problem::ExtendedProblem;
 use super::two_parameter_problem::TwoParameterProblem;
 use crate::{OrbitError, ShootingEvaluation};
-use faer::ColRef;
+use jounce_linalg::norm;
 
 /// Width of a difference along the curve, relative to the size of the state.
 const DIFFERENCE_WIDTH: f64 = 3e-3;
@@ -77,7 +77,7 @@ impl<P: TwoParameterProblem> ExtendedProblem<'_, P> {
         let Some(mut corrected) = shifted(step)? else {
             return Ok(None);
         };
-        let farthest = MAX_STATE_CHANGE * size / ColRef::from_slice(&to_side).norm_l2();
+        let farthest = MAX_STATE_CHANGE * size / norm(&to_side);
         let better = (step * WANTED_CHANGE / (corrected - first).abs()).min(farthest);
         if !(1.0 / ACCEPTED_WAY_RATIO..ACCEPTED_WAY_RATIO).contains(&(better / step)) {
             step = better;

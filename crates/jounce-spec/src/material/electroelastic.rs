@@ -1,7 +1,7 @@
 //! Electroelastic constants of a poled material, and derived constants.
 
 use super::{Ceramic, VACUUM_PERMITTIVITY_F_M};
-use faer::Mat;
+use jounce_linalg::Mat;
 use jounce_linalg::inverse;
 
 /// Electroelastic constants of a material poled along axis 3, isotropic around it.

@@ -7,7 +7,7 @@
 //! Source: Dunn and Taya, Int. J. Solids Struct. 30 (1993) 161.
 
 use super::porous::PoreGeometry;
-use faer::Mat;
+use jounce_linalg::Mat;
 use jounce_linalg::inverse;
 use std::f64::consts::{PI, TAU};
 

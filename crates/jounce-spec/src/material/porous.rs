@@ -20,7 +20,7 @@
 use super::VACUUM_PERMITTIVITY_F_M;
 pub use super::electroelastic::{Electroelastic, PZT_5A};
 use super::hill::hill;
-use faer::Mat;
+use jounce_linalg::Mat;
 use jounce_linalg::inverse;
 
 /// Relative change at which the self-consistent iteration ends, and its largest number of steps.
@@ -94,12 +94,12 @@ fn self_consistent(
             concentration(pore) * porosity,
         );
         let next = (matrix * &in_matrix + pore * &in_pore) * inverse(&(&in_matrix + &in_pore));
-        let change = (&next - &effective).norm_max();
+        let change = (&next - &effective).amax();
         effective = (&effective + &next) * 0.5;
-        if !effective.norm_max().is_finite() || effective[(2, 2)] <= 1e-6 * matrix[(2, 2)] {
+        if !effective.amax().is_finite() || effective[(2, 2)] <= 1e-6 * matrix[(2, 2)] {
             return None;
         }
-        if change <= SCHEME_TOLERANCE * effective.norm_max() {
+        if change <= SCHEME_TOLERANCE * effective.amax() {
             return Some(effective);
         }
     }

@@ -6,7 +6,7 @@
 //! has turned back. The turning point is half-way.
 
 use crate::branches::branch::{Branch, BranchPoint, Termination};
-use faer::ColRef;
+use jounce_linalg::distance;
 
 /// Point where continuation left the orbits without contact.
 #[derive(Debug, Clone, Copy)]
@@ -50,8 +50,7 @@ impl NoncontactEnd {
     pub fn end(self, branch: &mut Branch, back_at: usize) {
         let points = &branch.points;
         let step = |pair: &[BranchPoint]| {
-            let [from, to] = [0, 1].map(|k| ColRef::from_slice(pair[k].orbit.start()));
-            (to - from).norm_l2() / pair[1].orbit.size()
+            distance(pair[0].orbit.start(), pair[1].orbit.start()) / pair[1].orbit.size()
         };
         let mut arc_lengths = vec![0.0];
         arc_lengths.extend(

@@ -15,7 +15,7 @@
 use super::interpolant::Interpolant;
 use super::pairing::paired;
 use super::spectrum::{MultiplierGroup, StepEnd, TestFunction};
-use faer::c64;
+use jounce_linalg::c64;
 use jounce_orbits::ShootingEvaluation;
 use std::f64::consts::TAU;
 

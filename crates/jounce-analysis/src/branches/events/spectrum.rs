@@ -16,7 +16,7 @@
 use super::interpolant::Interpolant;
 use super::pairing::paired;
 use super::test_data::TestDataPair;
-use faer::c64;
+use jounce_linalg::c64;
 use std::f64::consts::TAU;
 
 /// Function of the multipliers of a group.

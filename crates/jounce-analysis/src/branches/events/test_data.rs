@@ -3,8 +3,8 @@
 
 use super::level::QuantityLevel;
 use super::pairing::paired;
-use faer::c64;
 use jounce_continuation::{CurvePoint, Metric};
+use jounce_linalg::c64;
 use jounce_orbits::{
     Orbit, OrbitMethod, ShootingEvaluation, TurningPoint, discs, multipliers, turns,
 };

@@ -15,10 +15,10 @@ use super::branch::{Branch, BranchKind, BranchPoint};
 use super::branch_tracer::tracer::{BranchTracer, RESOLUTION, newton_tolerance};
 use super::options::BranchOptions;
 use crate::{AnalysisError, Model, Parameter};
-use faer::Mat;
 use jounce_continuation::{
     CorrectedPoint, Corrector, Direction, Metric, Position, Problem, StepControl, correct, tangent,
 };
+use jounce_linalg::Mat;
 use jounce_orbits::{
     HarmonicBalance, Orbit, OrbitError, OrbitMethod, ParametricModel, Shooting, null_vector,
 };

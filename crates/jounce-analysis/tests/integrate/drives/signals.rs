@@ -231,7 +231,8 @@ fn a_moving_base_is_a_force_against_the_mass() {
         let displacement =
             plant.steady_output(&plant.displacement_row(&plant.system.modes.shape["m"]))[0];
         // Re(-i z e^{i w t}) is a sine.
-        let exact = faer::c64::new(0.0, -sign * acceleration) / faer::c64::new(elastic, damping);
+        let exact = jounce_linalg::c64::new(0.0, -sign * acceleration)
+            / jounce_linalg::c64::new(elastic, damping);
         assert!(
             (displacement - exact).norm() < 1e-14 * exact.norm(),
             "{kind} {amplitude}: {displacement} {exact}"

@@ -1,7 +1,6 @@
 //! Integration of the Duffing equation and its linearisation, with its folds and cusps.
 
-use faer::Mat;
-use faer::linalg::solvers::Solve;
+use jounce_linalg::Mat;
 use std::f64::consts::TAU;
 
 /// `x'' + 2 zeta w0 x' + w0^2 x + b x^3 = f sin(w t)` over a period, with its linearisation.
@@ -118,9 +117,8 @@ pub fn nearest_cusp(square: f64, damping: f64, b: f64, mut at: [f64; 4]) -> [f64
             let (up, down) = (shifted(j, 1e-5), shifted(j, -1e-5));
             std::array::from_fn(|i| (up[i] - down[i]) / 2e-5)
         });
-        let change = Mat::from_fn(4, 4, |i, j| columns[j][i])
-            .partial_piv_lu()
-            .solve(Mat::from_fn(4, 1, |i, _| value[i]));
+        let derivative = Mat::from_fn(4, 4, |i, j| columns[j][i]);
+        let change = jounce_linalg::solve(&derivative, &Mat::from_fn(4, 1, |i, _| value[i]));
         at = std::array::from_fn(|j| at[j] - change[(j, 0)]);
     }
     at

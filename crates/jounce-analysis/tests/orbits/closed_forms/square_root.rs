@@ -99,7 +99,7 @@ fn one_cycle_from_the_steady_motion_leaves_it_by_the_square_root() {
             &ParameterSensitivity::default(),
         )
         .unwrap();
-        derivatives.push((below, flow.jacobian.norm_l2()));
+        derivatives.push((below, flow.jacobian.norm()));
     }
     let ((distance, scatter), (derivative, derivative_scatter)) =
         (power_law(&distances[2..]), power_law(&derivatives[2..]));

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use faer::c64;
+use jounce_linalg::c64;
 use jounce_model::linear::{FrfInput, FrfResponse, frf};
 use jounce_model::plant::{Plant, System};
 use jounce_model::structure;

@@ -1,9 +1,9 @@
 //! Two modes so close that one reference cannot tell them apart.
 
-use faer::c64;
 use jounce_data::recording::Quantity;
 use jounce_identification::modal::{Band, Identification, ModalSettings, identify, mac};
 use jounce_identification::response::MeasuredResponses;
+use jounce_linalg::c64;
 use jounce_signal::RandomStream;
 use jounce_signal::spectral::{FrequencyResponse, WindowBias};
 use std::f64::consts::TAU;

@@ -1,12 +1,12 @@
 //! References of files of response functions.
 
 use super::close_modes::{CLOSE, modes_of, responses};
-use faer::c64;
 use jounce_data::read;
 use jounce_data::recording::{Channel, Grid, Over, Quantity, Recording};
 use jounce_data::write::write;
 use jounce_identification::modal::{Identification, mac};
 use jounce_identification::response::MeasuredResponses;
+use jounce_linalg::c64;
 use jounce_signal::spectral::FrequencyResponse;
 
 /// The responses as channels over frequency, each with its sensor and the position of the force.

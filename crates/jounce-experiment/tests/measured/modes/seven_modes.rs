@@ -1,9 +1,9 @@
 //! Seven modes from eight noisy frequency responses, and modes from responses of several kinds.
 
-use faer::c64;
 use jounce_data::recording::Quantity;
 use jounce_identification::modal::{Band, ModalSettings, ResponseQuantity, identify};
 use jounce_identification::response::MeasuredResponses;
+use jounce_linalg::c64;
 use jounce_signal::RandomStream;
 use jounce_signal::spectral::{FrequencyResponse, WindowBias};
 use std::f64::consts::TAU;

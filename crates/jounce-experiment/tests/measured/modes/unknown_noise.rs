@@ -1,9 +1,9 @@
 //! Coverage of the stated intervals of modes where response functions have no noise information.
 
-use faer::c64;
 use jounce_identification::modal::{
     Band, Identification, ModalSettings, ResponseQuantity, identify,
 };
+use jounce_linalg::c64;
 use jounce_signal::RandomStream;
 use rayon::prelude::*;
 use std::f64::consts::TAU;

@@ -21,7 +21,7 @@
 //! (tanh a - tanh b)`; one-sided spectra for modes after B. Cauberghe, Applied frequency-domain
 //! system identification in the field of experimental and operational modal analysis (2004).
 
-use faer::c64;
+use jounce_linalg::c64;
 
 /// Lines on both sides of a line over which the variance between blocks is averaged.
 const NEIGHBOUR_LINES: usize = 4;

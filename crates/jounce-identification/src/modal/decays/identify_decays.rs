@@ -1,6 +1,6 @@
 //! Modes of decays.
 
-use faer::c64;
+use jounce_linalg::c64;
 
 use super::half_spectrum::{deviations, half_spectrum, truncate};
 use super::jackknife::leave_one_out;

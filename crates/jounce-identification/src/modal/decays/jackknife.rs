@@ -1,6 +1,6 @@
 //! Standard deviations by the jackknife.
 
-use faer::c64;
+use jounce_linalg::c64;
 
 use crate::modal::maximum_likelihood::fit;
 use crate::modal::{Band, ModalError, Mode, Pole};

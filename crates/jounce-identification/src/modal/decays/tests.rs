@@ -5,8 +5,8 @@ use super::identify_decays::MAX_FREQUENCY_RATIO;
 use crate::modal::poles::plscf::tests::{POLES, shape};
 use crate::modal::{ModalError, ModalSettings, Mode, Pole};
 use crate::response::{AmbientSettings, Decays};
-use faer::c64;
 use jounce_data::recording::{Channel, Grid, Over, Quantity, Recording};
+use jounce_linalg::c64;
 use jounce_signal::RandomStream;
 
 const RATE: f64 = 250.0;

@@ -3,7 +3,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use faer::c64;
+use jounce_linalg::c64;
 
 use crate::modal::{Identification, Pole};
 

@@ -1,6 +1,6 @@
 //! Covariance of the poles: from the scatter of the blocks, the variance of the lines, or the
 //! residuals of the lines.
-use faer::{Mat, c64};
+use jounce_linalg::{Mat, c64};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
@@ -119,7 +119,7 @@ impl PoleCovariance {
     /// Leverage of a row by linear and nonlinear unknowns.
     fn row_leverage(&self, output: &ProjectedProblem, row: usize) -> f64 {
         let row_vector = output.projected.row(row);
-        output.leverage[row] + row_vector * &self.inverse * row_vector.transpose()
+        output.leverage[row] + (row_vector * &self.inverse).dot(&row_vector)
     }
 
     /// Leverage of each line of each response of a band; 0 for lines that the fit leaves out.

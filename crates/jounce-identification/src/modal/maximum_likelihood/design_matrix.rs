@@ -4,7 +4,7 @@
 //! j w - p` in `G`, are products of a number of the line and one of the pole, so no term needs its
 //! own exponential.
 
-use faer::{Mat, c64};
+use jounce_linalg::{Mat, c64};
 
 use jounce_signal::spectral::WindowBias;
 

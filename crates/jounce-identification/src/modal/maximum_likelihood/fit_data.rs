@@ -1,6 +1,6 @@
 //! Responses of a band at the lines used by a fit, with their weights.
 
-use faer::c64;
+use jounce_linalg::c64;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 

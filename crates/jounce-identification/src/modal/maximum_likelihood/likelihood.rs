@@ -5,8 +5,7 @@
 //! Steps use products of columns, the final result orthogonal ones. Lines far from every pole are
 //! thinned out first.
 
-use faer::linalg::solvers::Solve;
-use faer::{Mat, Side, c64};
+use jounce_linalg::{CholeskyFactor, Mat, c64};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
@@ -61,7 +60,7 @@ pub(super) fn by_orthogonal_columns(
     NormalEquations {
         normal: projected.transpose() * &projected,
         rhs: projected.transpose() * &residual,
-        error: residual.squared_norm_l2(),
+        error: residual.norm_squared(),
     }
 }
 
@@ -160,14 +159,11 @@ fn converge(data: &FitData, mut poles: Vec<c64>, upper: usize) -> Option<Converg
 }
 
 /// Factorises the normal matrix with an enlarged diagonal.
-pub(super) fn damped_factor(
-    normal: &Mat<f64>,
-    damping: f64,
-) -> Option<faer::linalg::solvers::Llt<f64>> {
+pub(super) fn damped_factor(normal: &Mat<f64>, damping: f64) -> Option<CholeskyFactor> {
     let damped_normal = Mat::from_fn(normal.nrows(), normal.ncols(), |a, b| {
         normal[(a, b)] * if a == b { 1.0 + damping } else { 1.0 }
     });
-    damped_normal.llt(Side::Lower).ok()
+    CholeskyFactor::of(damped_normal)
 }
 
 /// Normal equations of the poles over all responses, and the weighted squared error.
@@ -250,7 +246,7 @@ fn modal_fit(band: &Band, data: &FitData, result: &ConvergedFit) -> Option<Modal
                 .collect(),
         );
         let terms = LinearTerms::of((data.window_bias, power, upper), poles);
-        let at = |f: &f64| terms.sum(TAU * f, linear.col(0).iter().copied());
+        let at = |f: &f64| terms.sum(TAU * f, linear.column(0).iter().copied());
         model.push(band.frequency_hz.iter().map(at).collect());
     }
     Some(ModalFit {

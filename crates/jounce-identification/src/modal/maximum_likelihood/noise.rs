@@ -14,7 +14,7 @@
 //! squared variance. Without blocks, the residual of a line is one draw from its variance, and more
 //! lines are combined.
 
-use faer::c64;
+use jounce_linalg::c64;
 
 use crate::modal::Band;
 use jounce_signal::spectral::FrequencyResponse;
@@ -138,7 +138,7 @@ fn local_fit(
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
-    use faer::c64;
+    use jounce_linalg::c64;
     use jounce_signal::RandomStream;
     use jounce_signal::spectral::{Estimator, SpectrumAverages, WindowBias};
 

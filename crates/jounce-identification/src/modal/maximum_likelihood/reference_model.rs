@@ -1,6 +1,6 @@
 //! Unknowns of the fit to several references.
 
-use faer::{Mat, c64};
+use jounce_linalg::{Mat, c64, complex_right_singular};
 
 use super::fit_data::FitData;
 use super::likelihood::residues;
@@ -25,8 +25,8 @@ impl ReferenceModel {
             let residues_of_mode = Mat::from_fn(band.outputs(), band.inputs, |o, i| {
                 residue[o * band.inputs + i][r]
             });
-            let svd = residues_of_mode.thin_svd().ok()?;
-            let row: Vec<c64> = (0..band.inputs).map(|i| svd.V()[(i, 0)].conj()).collect();
+            let right = complex_right_singular(residues_of_mode)?;
+            let row: Vec<c64> = right.column(0).iter().map(c64::conj).collect();
             let fixed = (0..row.len()).max_by(|a, b| row[*a].norm().total_cmp(&row[*b].norm()))?;
             Some((row.iter().map(|b| b / row[fixed]).collect(), fixed))
         };

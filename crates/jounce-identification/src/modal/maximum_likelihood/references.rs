@@ -9,8 +9,7 @@
 //! separate them. Gauss-Newton with step control over poles and participations; shapes and residual
 //! terms are linear and are eliminated output by output, as in the fit to one reference.
 
-use faer::linalg::solvers::Solve;
-use faer::{Mat, c64};
+use jounce_linalg::{Mat, c64};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
@@ -126,7 +125,7 @@ fn equations(
     for problem in projected {
         normal += problem.projected.transpose() * &problem.projected;
         rhs += problem.projected.transpose() * &problem.residual;
-        error += problem.residual.squared_norm_l2();
+        error += problem.residual.norm_squared();
     }
     Some((normal, rhs, error))
 }

@@ -14,7 +14,7 @@
 //! carry most information on a sharp peak, and the degrees of freedom are those of the lines that
 //! contribute (F. Satterthwaite, Biometrics Bull. 2 (1946) 110).
 
-use faer::Mat;
+use jounce_linalg::Mat;
 
 use crate::modal::band_lines::LeaveOneOutChange;
 use jounce_signal::spectral::WindowBias;

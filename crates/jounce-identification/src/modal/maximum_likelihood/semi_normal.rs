@@ -13,10 +13,9 @@
 //!
 //! Source: A. Bjorck, Linear Algebra Appl. 88/89 (1987) 31 (corrected semi-normal equations).
 
-use faer::linalg::matmul::matmul;
-use faer::linalg::matmul::triangular::{BlockStructure, matmul as triangular};
-use faer::linalg::solvers::{Llt, Solve};
-use faer::{Accum, Mat, Par, Side};
+use jounce_linalg::{
+    CholeskyFactor, Mat, add_gram, add_transposed_product, column, column_mut, row_product,
+};
 
 use super::design_matrix::DesignMatrix;
 use super::fit_data::WeightedResponse;
@@ -52,11 +51,9 @@ impl NormalEquations {
         }
         let scaled_product =
             |r: usize, c: usize| products[(r.max(c), r.min(c))] / (scale[r] * scale[c]);
-        let factor = Mat::from_fn(width, width, scaled_product)
-            .llt(Side::Lower)
-            .ok()?;
+        let factor = CholeskyFactor::of(Mat::from_fn(width, width, scaled_product))?;
         let mixed = Mat::from_fn(width, columns - width, |r, c| scaled_product(r, width + c));
-        let initial = factor.solve(Mat::from_fn(width, 1, |r, _| {
+        let initial = factor.solve(&Mat::from_fn(width, 1, |r, _| {
             products[(columns, r)] / scale[r]
         }));
         let LinearResidual {
@@ -64,8 +61,7 @@ impl NormalEquations {
             rhs,
             error,
         } = LinearResidual::corrected(weighted, terms, (&scale, &factor, &mixed), initial)?;
-        let mut solved = mixed.clone();
-        factor.L().solve_lower_triangular_in_place(&mut solved);
+        let solved = factor.solve_lower(&mixed);
         let schur = Mat::from_fn(columns - width, columns - width, |r, c| {
             scaled_product(width + r, width + c)
         }) - solved.transpose() * &solved;
@@ -108,23 +104,23 @@ impl LinearResidual {
     fn corrected(
         weighted: &WeightedResponse,
         terms: &DesignMatrix,
-        (scale, factor, mixed): (&[f64], &Llt<f64>, &Mat<f64>),
+        (scale, factor, mixed): (&[f64], &CholeskyFactor, &Mat<f64>),
         mut scaled: Mat<f64>,
     ) -> Option<Self> {
         let width = mixed.nrows();
-        let mut previous_size = scaled.norm_l2();
+        let mut previous_size = scaled.norm();
         loop {
             let unknown = Mat::from_fn(width, 1, |c, _| scaled[(c, 0)] / scale[c]);
             let (by_columns, squared_residual) = residual_products(weighted, terms, &unknown);
-            let scaled_gradient = Mat::from_fn(width, 1, |c, _| by_columns[(c, 0)] / scale[c]);
+            let scaled_gradient = Mat::from_fn(width, 1, |c, _| by_columns[c] / scale[c]);
             let correction = factor.solve(&scaled_gradient);
-            let (correction_size, solution_size) = (correction.norm_l2(), scaled.norm_l2());
+            let (correction_size, solution_size) = (correction.norm(), scaled.norm());
             scaled += &correction;
             if correction_size * correction_size
                 <= CORRECTION_TOLERANCE * previous_size * solution_size
             {
                 let rhs = Mat::from_fn(mixed.ncols(), 1, |c, _| {
-                    by_columns[(width + c, 0)] / scale[width + c]
+                    by_columns[width + c] / scale[width + c]
                 }) - mixed.transpose() * &correction;
                 return Some(Self {
                     unknown: Mat::from_fn(width, 1, |c, _| scaled[(c, 0)] / scale[c]),
@@ -157,40 +153,27 @@ fn products(weighted: &WeightedResponse, terms: &DesignMatrix) -> Mat<f64> {
     for from in (0..rows).step_by(ROWS_AT_ONCE) {
         let count = ROWS_AT_ONCE.min(rows - from);
         let weight = &weighted.weight[from / 2..(from + count) / 2];
-        for (c, column) in block.col_iter_mut().enumerate() {
-            let Some(column) = column.try_as_col_major_mut() else {
-                continue;
-            };
-            let column = column.as_slice_mut().as_chunks_mut::<2>().0.iter_mut();
+        for c in 0..total_columns {
+            let block_column = column_mut(&mut block, c).as_chunks_mut::<2>().0.iter_mut();
             if c == width + derivatives {
-                column
+                block_column
                     .zip(&weighted.value[from / 2..])
                     .for_each(|(x, value)| *x = [value.re, value.im]);
                 continue;
             }
             let source = if c < width {
-                terms.linear.col_as_slice(c)
+                column(&terms.linear, c)
             } else {
-                terms.derivatives.col_as_slice(c - width)
+                column(&terms.derivatives, c - width)
             };
-            for ((x, source), weight) in column.zip(source[from..].as_chunks::<2>().0).zip(weight) {
+            for ((x, source), weight) in block_column
+                .zip(source[from..].as_chunks::<2>().0)
+                .zip(weight)
+            {
                 *x = source.map(|source| weight * source);
             }
         }
-        let block = block.subrows(0, count);
-        let (lower_triangle, rectangular) =
-            (BlockStructure::TriangularLower, BlockStructure::Rectangular);
-        triangular(
-            &mut sums,
-            lower_triangle,
-            Accum::Add,
-            block.transpose(),
-            rectangular,
-            block,
-            rectangular,
-            1.0,
-            Par::Seq,
-        );
+        add_gram(&mut sums, &block, count);
     }
     sums
 }
@@ -200,56 +183,30 @@ fn residual_products(
     weighted: &WeightedResponse,
     terms: &DesignMatrix,
     unknown: &Mat<f64>,
-) -> (Mat<f64>, f64) {
+) -> (Vec<f64>, f64) {
     let (rows, width, derivatives) = (
         terms.linear.nrows(),
         terms.linear.ncols(),
         terms.derivatives.ncols(),
     );
-    let (mut sums, mut squared_residual) = (Mat::<f64>::zeros(width + derivatives, 1), 0.0);
-    let mut residual = Mat::<f64>::zeros(ROWS_AT_ONCE, 1);
+    let (mut sums, mut squared_residual) = (vec![0.0; width + derivatives], 0.0);
+    let (of_linear, of_derivatives) = sums.split_at_mut(width);
     for from in (0..rows).step_by(ROWS_AT_ONCE) {
-        let count = ROWS_AT_ONCE.min(rows - from);
-        let (linear, derivatives_block) = (
-            terms.linear.subrows(from, count),
-            terms.derivatives.subrows(from, count),
-        );
-        let mut residual = residual.subrows_mut(0, count);
-        matmul(
-            &mut residual,
-            Accum::Replace,
-            linear,
-            unknown,
-            1.0,
-            Par::Seq,
-        );
-        for row in 0..count {
-            let k = (from + row) / 2;
-            let (value, weight) = (weighted.value[k], weighted.weight[k]);
-            let line_residual = if row.is_multiple_of(2) {
+        let block = from..rows.min(from + ROWS_AT_ONCE);
+        let mut residual = row_product(&terms.linear, block.clone(), column(unknown, 0));
+        for (row, residual) in block.clone().zip(&mut residual) {
+            let (value, weight) = (weighted.value[row / 2], weighted.weight[row / 2]);
+            let part = if row.is_multiple_of(2) {
                 value.re
             } else {
                 value.im
-            } - weight * residual[(row, 0)];
+            };
+            let line_residual = part - weight * *residual;
             squared_residual += line_residual * line_residual;
-            residual[(row, 0)] = weight * line_residual;
+            *residual = weight * line_residual;
         }
-        matmul(
-            sums.subrows_mut(0, width),
-            Accum::Add,
-            linear.transpose(),
-            &residual,
-            1.0,
-            Par::Seq,
-        );
-        matmul(
-            sums.subrows_mut(width, derivatives),
-            Accum::Add,
-            derivatives_block.transpose(),
-            &residual,
-            1.0,
-            Par::Seq,
-        );
+        add_transposed_product(of_linear, &terms.linear, block.clone(), &residual);
+        add_transposed_product(of_derivatives, &terms.derivatives, block, &residual);
     }
     (sums, squared_residual)
 }
@@ -259,7 +216,7 @@ fn residual_products(
 mod tests {
     use super::super::likelihood::by_orthogonal_columns;
     use super::*;
-    use faer::c64;
+    use jounce_linalg::c64;
     use jounce_signal::RandomStream;
     use jounce_signal::spectral::WindowBias;
 
@@ -310,9 +267,9 @@ mod tests {
                 by_orthogonal_columns(&weighted, &terms),
             );
             let errors = [
-                (&result.normal - &expected.normal).norm_l2() / expected.normal.norm_l2(),
-                (&result.rhs - &expected.rhs).norm_l2()
-                    / (expected.normal.norm_l2() * expected.error).sqrt(),
+                (&result.normal - &expected.normal).norm() / expected.normal.norm(),
+                (&result.rhs - &expected.rhs).norm()
+                    / (expected.normal.norm() * expected.error).sqrt(),
                 (result.error / expected.error - 1.0).abs(),
             ];
             eprintln!(

@@ -4,7 +4,7 @@
 //! Source: G. Golub and V. Pereyra, SIAM J. Numer. Anal. 10 (1973) 413; L. Kaufman, BIT 15 (1975)
 //! 49.
 
-use faer::Mat;
+use jounce_linalg::Mat;
 
 /// Linear problem at its minimum.
 pub(super) struct LinearSolution {
@@ -21,11 +21,11 @@ impl LinearSolution {
     /// terms and residues differ by many powers of ten.
     pub fn new(mut a: Mat<f64>, b: &Mat<f64>) -> Self {
         let scale: Vec<f64> = a
-            .col_iter()
-            .map(|column| column.norm_l2().max(f64::MIN_POSITIVE))
+            .column_iter()
+            .map(|column| column.norm().max(f64::MIN_POSITIVE))
             .collect();
-        for (column, scale) in a.col_iter_mut().zip(&scale) {
-            column.iter_mut().for_each(|x| *x /= scale);
+        for (mut column, scale) in a.column_iter_mut().zip(&scale) {
+            column /= *scale;
         }
         let (thin_q, r) = jounce_linalg::thin_qr(&a);
         let solution = jounce_linalg::solve(&r, &(thin_q.transpose() * b));
@@ -47,7 +47,7 @@ impl LinearSolution {
     pub fn project(self, derivative: &Mat<f64>) -> ProjectedProblem {
         let projected = self.orthogonal_part(derivative);
         let leverage = (0..self.thin_q.nrows())
-            .map(|row| self.thin_q.row(row).squared_norm_l2())
+            .map(|row| self.thin_q.row(row).norm_squared())
             .collect();
         ProjectedProblem {
             linear: self.linear,
@@ -87,16 +87,12 @@ mod tests {
         let cubic = Mat::from_fn(21, 1, |row, _| x(row).powi(3));
         let orthogonal_part = result.orthogonal_part(&cubic);
         for c in 0..3 {
-            let column_norm = columns.col(c).norm_l2();
-            assert!(
-                (columns.col(c).transpose() * result.residual.col(0)).abs() < 1e-12 * column_norm
-            );
-            assert!(
-                (columns.col(c).transpose() * orthogonal_part.col(0)).abs() < 1e-12 * column_norm
-            );
+            let column_norm = columns.column(c).norm();
+            assert!(columns.column(c).dot(&result.residual.column(0)).abs() < 1e-12 * column_norm);
+            assert!(columns.column(c).dot(&orthogonal_part.column(0)).abs() < 1e-12 * column_norm);
         }
         assert!(
-            (&result.residual - &orthogonal_part).norm_l2() < 1e-11,
+            (&result.residual - &orthogonal_part).norm() < 1e-11,
             "a parabola takes up all but the cubic"
         );
     }

@@ -10,7 +10,7 @@
 //! with complex coefficients and `T` such that the lines cover the circle once. Uniform lines make
 //! `R = X^H X` a multiple of the identity, however far from 0 the band is. Modes outside the band,
 //! including conjugate ones, are smooth in it and are absorbed by `B`.
-use faer::{Mat, Side, c64};
+use jounce_linalg::{Mat, c64, complex_inverse_cholesky_factor};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
@@ -100,14 +100,9 @@ impl ComplexMoments {
         let (n, width) = (self.inputs, self.max_order + 1);
         let index = |a: usize, b: usize| self.max_order + b - a;
         let r = Mat::from_fn(width, width, |a, b| self.r[index(a, b)]);
-        let factor = r.llt(Side::Lower).map_err(|_| ModalError::Singular {
+        let inverse = complex_inverse_cholesky_factor(&r).ok_or(ModalError::Singular {
             order: self.max_order,
         })?;
-        let inverse = {
-            let mut inverse = Mat::<c64>::identity(width, width);
-            factor.L().solve_lower_triangular_in_place(&mut inverse);
-            inverse
-        };
         let y: Vec<Mat<c64>> = self
             .s
             .par_iter()
@@ -132,11 +127,11 @@ impl ComplexMoments {
     fn poles(&self, m: &Mat<c64>) -> Option<Vec<Pole>> {
         let n = self.inputs;
         let free = m.nrows() - n;
-        let matrix = m.submatrix(0, 0, free, free).to_owned();
+        let matrix = m.view((0, 0), (free, free)).into_owned();
         let rhs = Mat::from_fn(free, n, |a, b| -m[(a, free + b)]);
         let coefficients = jounce_linalg::complex_solve(&matrix, &rhs);
         if !coefficients
-            .col_iter()
+            .column_iter()
             .all(|column| column.iter().all(|x| x.re.is_finite() && x.im.is_finite()))
         {
             return None;

@@ -12,7 +12,7 @@
 //! whose blocks depend only on the difference of powers, so that one pass over the lines serves
 //! every order. With the highest coefficient fixed to the identity, poles of noise become undamped
 //! or unstable while physical poles do not move: a clear diagram.
-use faer::{Mat, Side, c64};
+use jounce_linalg::{Mat, c64, inverse_cholesky_factor};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
@@ -110,14 +110,9 @@ impl PlscfMoments {
         // Row a of X is z^a, so that X^H Y has z^(b - a).
         let index = |a: usize, b: usize| self.max_order + b - a;
         let r = Mat::from_fn(width, width, |a, b| self.r[a.abs_diff(b)]);
-        let factor = r.llt(Side::Lower).map_err(|_| ModalError::Singular {
+        let inverse = inverse_cholesky_factor(&r).ok_or(ModalError::Singular {
             order: self.max_order,
         })?;
-        let inverse = {
-            let mut inverse = Mat::<f64>::identity(width, width);
-            factor.L().solve_lower_triangular_in_place(&mut inverse);
-            inverse
-        };
         let y: Vec<Mat<f64>> = self
             .s
             .par_iter()
@@ -142,11 +137,11 @@ impl PlscfMoments {
         let n = self.inputs;
         let free = m.nrows() - n;
         let singular = ModalError::Singular { order: free / n };
-        let matrix = m.submatrix(0, 0, free, free).to_owned();
+        let matrix = m.view((0, 0), (free, free)).into_owned();
         let rhs = Mat::from_fn(free, n, |a, b| -m[(a, free + b)]);
         let coefficients = jounce_linalg::solve(&matrix, &rhs);
         if !coefficients
-            .col_iter()
+            .column_iter()
             .all(|column| column.iter().all(|x| x.is_finite()))
         {
             return Err(singular);

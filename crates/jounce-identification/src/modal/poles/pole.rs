@@ -1,6 +1,6 @@
 //! Pole of a structure.
 
-use faer::c64;
+use jounce_linalg::c64;
 use std::f64::consts::TAU;
 
 /// Pole in the upper half plane, as frequency and damping ratio.

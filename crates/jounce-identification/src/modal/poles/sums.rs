@@ -1,6 +1,6 @@
 //! Sums over the lines of a band that the equations of every order share.
 
-use faer::c64;
+use jounce_linalg::c64;
 use rayon::prelude::*;
 
 use crate::modal::Band;

@@ -13,7 +13,7 @@
 //! gained: `integral (V - z) dt = -K^-1 [C V + theta q]`.
 
 use crate::plant::{Electrical, System};
-use faer::Mat;
+use jounce_linalg::Mat;
 
 /// Leakage resistance across a patch.
 #[derive(Debug, Clone, Copy, PartialEq)]

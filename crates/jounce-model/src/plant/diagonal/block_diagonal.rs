@@ -1,7 +1,7 @@
 //! Blocks of a diagonalised plant and their exact flow.
 
 use super::block_pair::{BlockPair, grown};
-use faer::c64;
+use jounce_linalg::c64;
 
 /// Ratio to the fastest rate below which a rate is roundoff of zero; eigenvalues of coupled states
 /// have an error of about 1e-13 of the fastest rate.

@@ -1,6 +1,6 @@
 //! Block of two states of a diagonalised plant.
 
-use faer::c64;
+use jounce_linalg::c64;
 
 /// A 2 x 2 block acting on `(u, v)`.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -7,8 +7,8 @@
 use super::conduction_path::ConductionPath;
 use super::eigen_refinement::refined;
 use crate::plant::{BlockPair, Electrical, PlantError, System};
-use faer::{Mat, c64};
 use jounce_linalg::{Eigen, eigen};
+use jounce_linalg::{Mat, c64};
 
 /// One block with its columns of `T`, and a flag for a closed form.
 pub(super) struct ComponentBlock {

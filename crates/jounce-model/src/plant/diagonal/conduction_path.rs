@@ -7,7 +7,7 @@
 //! is one diagonal entry, `-g |d|^2`, and across it zero.
 
 use crate::plant::Electrical;
-use faer::Mat;
+use jounce_linalg::Mat;
 
 /// A rotation of the coordinates of two nodes, and the rate along the first.
 #[derive(Debug, Clone, Copy, PartialEq)]

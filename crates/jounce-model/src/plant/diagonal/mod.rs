@@ -28,7 +28,7 @@ pub(super) mod stiff;
 
 use super::{BlockDiagonal, BlockPair, Electrical, PlantError, System};
 use component::{ComponentBlock, CoupledMatrix, PieceBlock, components, coupled, single_mode};
-use faer::Mat;
+use jounce_linalg::Mat;
 
 /// Largest accepted condition number of the eigenvectors (in energy coordinates).
 const MAX_CONDITION: f64 = 1e7;
@@ -85,7 +85,7 @@ impl Diagonal {
             }
         }
         let vectors = Mat::from_fn(n, n, |i, j| columns[j][i]);
-        let singular = jounce_linalg::singular_values(vectors.as_ref())
+        let singular = jounce_linalg::singular_values(&vectors)
             .ok_or(PlantError::NoEigenvalues { states: n })?;
         let condition = singular[0] / singular[n - 1];
         if condition.is_nan() || condition > MAX_CONDITION {

@@ -9,7 +9,7 @@
 //! unknowns.
 
 use crate::plant::BlockDiagonal;
-use faer::Mat;
+use jounce_linalg::Mat;
 use std::f64::consts::TAU;
 
 /// Decay of a block, relative to its rate, below which it counts as undamped.
@@ -40,12 +40,12 @@ pub fn lyapunov(
             let right = Mat::from_fn(first.size, second.size, |i, j| {
                 -source(first.start + i, second.start + j)
             });
-            if right.norm_max() == 0.0 {
+            if right.amax() == 0.0 {
                 continue;
             }
             let local = sylvester(first, second, &right);
             let rate = (first.decay + second.decay).abs();
-            if !local.norm_max().is_finite()
+            if !local.amax().is_finite()
                 || rate <= UNDAMPED_RATIO * (first.speed + second.speed)
                     && first.start == second.start
             {

@@ -21,7 +21,7 @@ pub(super) mod quadratic;
 pub(super) mod signal_meter;
 
 use super::{Plant, PlantError, SignalMeter, Tone};
-use faer::c64;
+use jounce_linalg::c64;
 use quadratic::{Quadratic, Quadratics};
 use std::sync::Arc;
 
@@ -102,9 +102,7 @@ impl EnergyMeter {
             return 0.0;
         };
         let column = |j: usize| {
-            quadratic
-                .gramian
-                .col_as_slice(j)
+            jounce_linalg::column(&quadratic.gramian, j)
                 .iter()
                 .zip(y)
                 .map(|(p, y)| p * y)
@@ -178,15 +176,11 @@ impl EnergyMeter {
     /// the contacts between them.
     fn drive(plant: &Plant) -> Self {
         let n = plant.system.modes.len();
-        let velocities = plant
-            .diagonal
-            .to_physical
-            .as_ref()
-            .submatrix(n, 0, n, plant.len());
+        let velocities = plant.diagonal.to_physical.view((n, 0), (n, plant.len()));
         let along = |tone: &Tone, j: usize| {
             tone.force
                 .iter()
-                .zip(velocities.col(j).iter())
+                .zip(velocities.column(j).iter())
                 .map(|(g, v)| g * *v)
                 .sum()
         };

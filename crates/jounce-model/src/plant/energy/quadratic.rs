@@ -2,7 +2,7 @@
 
 use super::lyapunov::{LyapunovSide, lyapunov};
 use crate::plant::{Plant, PlantError};
-use faer::{Mat, c64};
+use jounce_linalg::{Mat, c64};
 use std::sync::Arc;
 
 /// A power `y^T Q y`, W.
@@ -101,7 +101,7 @@ impl Quadratic {
         let mut sum = vec![c64::new(0.0, 0.0); state.len()];
         for (j, s) in state.iter().enumerate() {
             sum.iter_mut()
-                .zip(self.power.col_as_slice(j))
+                .zip(jounce_linalg::column(&self.power, j))
                 .for_each(|(sum, q)| *sum += s * (2.0 * q));
         }
         sum

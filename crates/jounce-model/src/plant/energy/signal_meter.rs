@@ -11,7 +11,7 @@
 //! common to all meters.
 
 use crate::plant::{Plant, dot};
-use faer::c64;
+use jounce_linalg::c64;
 
 /// Integrals of all signals since the start of a run.
 #[derive(Debug, Clone, PartialEq, Default)]

@@ -14,7 +14,7 @@
 
 use crate::drive::{Travel, Wave};
 use crate::plant::{Plant, Stop};
-use faer::c64;
+use jounce_linalg::c64;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 

@@ -2,7 +2,7 @@
 
 use crate::plant::diagonal::block_pair::grown;
 use crate::plant::{Plant, PlantError, Port, dot};
-use faer::c64;
+use jounce_linalg::c64;
 
 /// Largest number of cycles of the slowest drive in a common period.
 const MAX_COMMON_CYCLES: usize = 100;

@@ -3,7 +3,7 @@
 use super::placement::BodyPart;
 use super::{Assembly, Row};
 use crate::structure::error::StructureError;
-use faer::Mat;
+use jounce_linalg::Mat;
 
 impl Assembly<'_> {
     /// Returns the mass factor `G`.
@@ -18,10 +18,7 @@ impl Assembly<'_> {
             body_part.add_mass(&mut factor, row);
             row += body_part.mass_rows();
         }
-        let finite = factor
-            .col_iter()
-            .all(|column| column.iter().all(|entry| entry.is_finite()));
-        if finite {
+        if factor.iter().all(|entry| entry.is_finite()) {
             Ok(factor)
         } else {
             Err(StructureError::NotRepresentable {
@@ -40,7 +37,7 @@ impl Assembly<'_> {
         let factor = self.mass_factor()?;
         let translation: Vec<f64> = self.parts.iter().flat_map(BodyPart::translation).collect();
         Ok(factor
-            .col_iter()
+            .column_iter()
             .map(|column| {
                 column
                     .iter()

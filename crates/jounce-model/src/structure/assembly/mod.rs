@@ -323,7 +323,7 @@ mod tests {
         );
         assert!(assembly.rigid);
         assert!(
-            (assembly.mass_factor().unwrap().col(0).squared_norm_l2() - 2.0 - 0.08 * 0.3).abs()
+            (assembly.mass_factor().unwrap().column(0).norm_squared() - 2.0 - 0.08 * 0.3).abs()
                 < 1e-14
         );
         assert_eq!(assembly.free_ends(), [assembly.displacement(1, 0.3)]);

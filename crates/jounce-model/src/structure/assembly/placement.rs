@@ -4,7 +4,7 @@
 use super::body::Support;
 use crate::structure::assembly::Row;
 use crate::structure::beam::element::Element;
-use faer::Mat;
+use jounce_linalg::Mat;
 use jounce_spec::{Beam, Mass};
 
 /// A part with its coordinates.

@@ -15,10 +15,7 @@
 
 use crate::structure::assembly::{Assembly, Row};
 use crate::structure::error::StructureError;
-use faer::diag::Diag;
-use faer::dyn_stack::{MemBuffer, MemStack};
-use faer::linalg::svd::{ComputeSvdVectors, svd, svd_scratch};
-use faer::{Mat, MatRef, Par};
+use jounce_linalg::{Mat, right_singular};
 
 /// All modes of one assembly, in ascending frequency.
 #[derive(Debug, Clone)]
@@ -38,7 +35,7 @@ impl AssemblyModes {
         let reduced = if assembly.rigid {
             Self::free(factor)
         } else {
-            Self::with_fixed_root(factor.as_ref())
+            Self::with_fixed_root(factor)
         };
         reduced.ok_or_else(|| StructureError::NotRepresentable {
             body: assembly.body.name().into(),
@@ -49,7 +46,7 @@ impl AssemblyModes {
     pub fn modal(&self, row: &Row, modes: usize) -> Vec<f64> {
         let dot = |mode| {
             self.coordinates
-                .col(mode)
+                .column(mode)
                 .iter()
                 .zip(row)
                 .map(|(s, value)| s * value)
@@ -72,19 +69,19 @@ impl AssemblyModes {
                 .find(|end| end.abs() >= furthest / 2.0);
             if leading.is_some_and(|end| end < 0.0) {
                 self.coordinates
-                    .col_mut(mode)
+                    .column_mut(mode)
                     .iter_mut()
                     .for_each(|s| *s = -*s);
             }
         }
     }
 
-    fn with_fixed_root(factor: MatRef<f64>) -> Option<Self> {
+    fn with_fixed_root(factor: Mat<f64>) -> Option<Self> {
         let (singular, mut coordinates) = right_singular(factor)?;
         let frequency_rad_s: Vec<f64> = singular.iter().map(|value| 1.0 / value).collect();
         for (mode, frequency) in frequency_rad_s.iter().enumerate() {
             coordinates
-                .col_mut(mode)
+                .column_mut(mode)
                 .iter_mut()
                 .for_each(|s| *s *= frequency);
         }
@@ -98,30 +95,30 @@ impl AssemblyModes {
     }
 
     fn free(mut factor: Mat<f64>) -> Option<Self> {
-        let (rows, columns) = factor.shape();
-        let root_mass = factor.col(0).norm_l2();
+        let columns = factor.ncols();
+        let root_mass = factor.column(0).norm();
         let rigid: Vec<f64> = factor
-            .col(0)
+            .column(0)
             .iter()
             .map(|entry| entry / root_mass)
             .collect();
         let mut rigid_shares = vec![0.0; columns];
         for (column, rigid_share) in rigid_shares.iter_mut().enumerate().skip(1) {
             let share: f64 = factor
-                .col(column)
+                .column(column)
                 .iter()
                 .zip(&rigid)
                 .map(|(entry, unit)| entry * unit)
                 .sum();
             factor
-                .col_mut(column)
+                .column_mut(column)
                 .iter_mut()
                 .zip(&rigid)
                 .for_each(|(entry, unit)| *entry -= share * unit);
             *rigid_share = share / root_mass;
         }
         let flexible = if columns > 1 {
-            Self::with_fixed_root(factor.get(0..rows, 1..columns))?
+            Self::with_fixed_root(factor.remove_column(0))?
         } else {
             Self::none()
         };
@@ -145,37 +142,9 @@ impl AssemblyModes {
     fn none() -> Self {
         Self {
             frequency_rad_s: Vec::new(),
-            coordinates: Mat::new(),
+            coordinates: Mat::zeros(0, 0),
         }
     }
-}
-
-/// Returns singular values, descending, and right singular vectors; uses one thread for bitwise
-/// reproducible results.
-fn right_singular(factor: MatRef<f64>) -> Option<(Vec<f64>, Mat<f64>)> {
-    let (rows, columns) = factor.shape();
-    let (mut values, mut vectors) = (Diag::zeros(columns), Mat::zeros(columns, columns));
-    let scratch = svd_scratch::<f64>(
-        rows,
-        columns,
-        ComputeSvdVectors::No,
-        ComputeSvdVectors::Thin,
-        Par::Seq,
-        Default::default(),
-    );
-    let mut memory = MemBuffer::new(scratch);
-    let stack = MemStack::new(&mut memory);
-    svd(
-        factor,
-        values.as_mut(),
-        None,
-        Some(vectors.as_mut()),
-        Par::Seq,
-        stack,
-        Default::default(),
-    )
-    .ok()?;
-    Some((values.column_vector().iter().copied().collect(), vectors))
 }
 
 #[cfg(test)]
@@ -244,12 +213,14 @@ mod tests {
             let assembly = assembly(&spec);
             let reduced = AssemblyModes::new(&assembly).unwrap();
             let weighted = assembly.mass_factor().unwrap() * &reduced.coordinates;
-            let strained = reduced.coordinates.get(usize::from(assembly.rigid).., ..);
+            let strained = reduced
+                .coordinates
+                .rows_range(usize::from(assembly.rigid)..);
             for (i, w_i) in reduced.frequency_rad_s.iter().enumerate() {
                 for (j, w_j) in reduced.frequency_rad_s.iter().enumerate() {
                     let same = f64::from(u8::from(i == j));
-                    let kinetic = weighted.col(i).transpose() * weighted.col(j);
-                    let strain = strained.col(i).transpose() * strained.col(j);
+                    let kinetic = weighted.column(i).dot(&weighted.column(j));
+                    let strain = strained.column(i).dot(&strained.column(j));
                     let scale = (w_i * w_j / reduced.frequency_rad_s[1].powi(2)).max(1.0);
                     assert!((kinetic - same).abs() < 1e-12 * scale, "{i} {j}: {kinetic}");
                     assert!(
@@ -268,7 +239,7 @@ mod tests {
         let mut reduced = AssemblyModes::new(&assembly).unwrap();
         reduced
             .coordinates
-            .col_mut(2)
+            .column_mut(2)
             .iter_mut()
             .for_each(|s| *s = -*s);
         reduced.orient(&assembly.free_ends());

@@ -222,13 +222,13 @@ mod tests {
     fn narrow_band(seed: u64, count: usize, zeta: f64) -> Vec<f64> {
         let mut stream = RandomStream::new(seed, 2);
         let w = TAU * 0.05;
-        let pole = faer::c64::from_polar((-zeta * w).exp(), w);
+        let pole = jounce_linalg::c64::from_polar((-zeta * w).exp(), w);
         let innovation = (1.0 - pole.norm_sqr()).sqrt();
         let [re, im] = stream.normal_pair();
-        let mut state = faer::c64::new(re, im);
+        let mut state = jounce_linalg::c64::new(re, im);
         let mut next = || {
             let [re, im] = stream.normal_pair();
-            state = state * pole + faer::c64::new(re, im) * innovation;
+            state = state * pole + jounce_linalg::c64::new(re, im) * innovation;
             state.re
         };
         (0..count).map(|_| next()).collect()
