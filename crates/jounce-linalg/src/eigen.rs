@@ -6,7 +6,7 @@
 //!
 //! Source: G. Golub, C. Van Loan, Matrix Computations, 4th ed., 2013, section 7.6.4.
 
-use crate::{Mat, SWEEPS_PER_ROW, c64};
+use crate::{LuFactors, Mat, SWEEPS_PER_ROW, c64, column_mut};
 use nalgebra::{ComplexField, Dyn, Schur, SymmetricEigen};
 
 /// Eigenvalues of a matrix and the columns of their eigenvectors.
@@ -14,8 +14,17 @@ use nalgebra::{ComplexField, Dyn, Schur, SymmetricEigen};
 pub struct Eigen {
     /// Eigenvalues; complex ones in successive conjugate pairs.
     pub values: Vec<c64>,
-    /// Eigenvectors of length 1, one per column; those of a pair are conjugate.
+    /// Eigenvectors of length 1 whose largest entry is real, one per column; those of a pair are
+    /// conjugate.
     pub vectors: Mat<c64>,
+}
+
+/// The factor of magnitude 1 that makes the largest entry real.
+fn phase(vector: &[c64]) -> c64 {
+    let largest = vector
+        .iter()
+        .max_by(|a, b| a.norm_sqr().total_cmp(&b.norm_sqr()));
+    largest.map_or(c64::new(1.0, 0.0), |x| x.conj() / x.norm())
 }
 
 /// Returns eigenvalues and eigenvectors; `None` without convergence.
@@ -33,9 +42,9 @@ pub fn eigen(matrix: &Mat<f64>) -> Option<Eigen> {
         let x: Vec<c64> = (0..n)
             .map(|i| (0..k + block).map(|j| y[j] * q[(i, j)]).sum())
             .collect();
-        let length = x.iter().map(c64::norm_sqr).sum::<f64>().sqrt();
+        let scale = phase(&x) / x.iter().map(c64::norm_sqr).sum::<f64>().sqrt();
         for (i, x) in x.iter().enumerate() {
-            vectors[(i, k)] = x / length;
+            vectors[(i, k)] = x * scale;
         }
         values.push(value);
         if block == 2 {
@@ -46,6 +55,55 @@ pub fn eigen(matrix: &Mat<f64>) -> Option<Eigen> {
         }
     }
     Some(Eigen { values, vectors })
+}
+
+/// Place of an eigenvalue in a pair.
+#[derive(Clone, Copy)]
+enum Place {
+    Real,
+    First,
+    Second,
+}
+
+impl Eigen {
+    /// Returns `V^-1 B V`, a matrix `B` in the basis of the eigenvectors `V`; not finite where they
+    /// are dependent.
+    ///
+    /// With the real and the imaginary part of each pair as a real basis `W`, `V = W P`, the work is
+    /// that of the real `W^-1 B W`.
+    pub fn transformed(&self, matrix: &Mat<f64>) -> Mat<c64> {
+        let n = self.values.len();
+        let places = self.places();
+        let basis = Mat::from_fn(n, n, |i, j| match places[j] {
+            Place::Second => self.vectors[(i, j - 1)].im,
+            Place::Real | Place::First => self.vectors[(i, j)].re,
+        });
+        let mut real = matrix * &basis;
+        let factors = LuFactors::of(&basis);
+        (0..n).for_each(|j| factors.solve(column_mut(&mut real, j)));
+        let columns = Mat::from_fn(n, n, |i, j| match places[j] {
+            Place::Real => c64::new(real[(i, j)], 0.0),
+            Place::First => c64::new(real[(i, j)], real[(i, j + 1)]),
+            Place::Second => c64::new(real[(i, j - 1)], -real[(i, j)]),
+        });
+        Mat::from_fn(n, n, |i, j| match places[i] {
+            Place::Real => columns[(i, j)],
+            Place::First => 0.5 * (columns[(i, j)] - c64::i() * columns[(i + 1, j)]),
+            Place::Second => 0.5 * (columns[(i - 1, j)] + c64::i() * columns[(i, j)]),
+        })
+    }
+
+    fn places(&self) -> Vec<Place> {
+        let mut places = Vec::with_capacity(self.values.len());
+        while let Some(value) = self.values.get(places.len()) {
+            if value.im == 0.0 {
+                places.push(Place::Real);
+            } else {
+                places.extend([Place::First, Place::Second]);
+            }
+        }
+        places
+    }
 }
 
 /// Returns the eigenvalues, complex ones in successive conjugate pairs; `None` without convergence.
@@ -73,19 +131,36 @@ pub fn complex_eigenvalues(matrix: &Mat<c64>) -> Option<Vec<c64>> {
 
 /// Returns the eigenvalues of a symmetric matrix, ascending, and the columns of their orthonormal
 /// eigenvectors; `None` without convergence. Only the lower triangle is read.
+///
+/// The rows are taken in the order of their diagonal, largest first: the iteration finds the last
+/// eigenvalue first, and small ones accurately only in this order.
 pub fn symmetric_eigen(matrix: &Mat<f64>) -> Option<(Vec<f64>, Mat<f64>)> {
     let n = matrix.nrows();
     if !matrix.iter().all(|x| x.is_finite()) {
         return None;
     }
-    let eigen = SymmetricEigen::try_new(matrix.clone(), f64::EPSILON, SWEEPS_PER_ROW * n)?;
+    let rows = ascending(n, |i| -matrix[(i, i)].abs());
+    let sorted = Mat::from_fn(n, n, |a, b| {
+        let (i, j) = (rows[a], rows[b]);
+        matrix[(i.max(j), i.min(j))]
+    });
+    let eigen = SymmetricEigen::try_new(sorted, f64::EPSILON, SWEEPS_PER_ROW * n)?;
+    let columns = ascending(n, |k| eigen.eigenvalues[k]);
+    let mut vectors = Mat::zeros(n, n);
+    for (k, column) in columns.iter().enumerate() {
+        for (a, i) in rows.iter().enumerate() {
+            vectors[(*i, k)] = eigen.eigenvectors[(a, *column)];
+        }
+    }
+    let values = columns.iter().map(|k| eigen.eigenvalues[*k]).collect();
+    Some((values, vectors))
+}
+
+/// The first `n` indices in ascending order of a value.
+fn ascending(n: usize, value: impl Fn(usize) -> f64) -> Vec<usize> {
     let mut order: Vec<usize> = (0..n).collect();
-    order.sort_by(|a, b| eigen.eigenvalues[*a].total_cmp(&eigen.eigenvalues[*b]));
-    let values = order.iter().map(|k| eigen.eigenvalues[*k]).collect();
-    Some((
-        values,
-        Mat::from_fn(n, n, |i, k| eigen.eigenvectors[(i, order[k])]),
-    ))
+    order.sort_by(|a, b| value(*a).total_cmp(&value(*b)));
+    order
 }
 
 fn schur<T: ComplexField<RealField = f64>>(matrix: Mat<T>) -> Option<Schur<T, Dyn>> {
@@ -198,6 +273,22 @@ mod tests {
         assert_eq!(values, eigenvalues(matrix).unwrap());
     }
 
+    /// A matrix in its own eigenvectors is diagonal, and another has the same trace as before.
+    #[test]
+    fn matrices_in_a_basis_of_eigenvectors() {
+        let mut number = numbers(3);
+        let [matrix, other] = [(); 2].map(|()| Mat::from_fn(9, 9, |_, _| number()));
+        let eigen = eigen(&matrix).unwrap();
+        assert!(eigen.values.iter().any(|value| value.im != 0.0));
+        let diagonal = Mat::from_diagonal(&eigen.values.clone().into());
+        assert!((eigen.transformed(&matrix) - diagonal).norm() < 1e-13);
+        let transformed = eigen.transformed(&other);
+        assert!((transformed.trace() - other.trace()).norm() < 1e-13);
+        let back = &eigen.vectors * transformed;
+        let forth = other.map(|x| c64::new(x, 0.0)) * &eigen.vectors;
+        assert!((back - forth).norm() < 1e-13);
+    }
+
     /// Measured: at most 4e-15.
     #[test]
     fn eigenvectors_of_random_matrices() {
@@ -232,6 +323,28 @@ mod tests {
         assert_eigen(&jordan, 1e-14);
         assert_eigen(&(Mat::identity(4, 4) * 3.0), 1e-15);
         assert!(eigen(&Mat::zeros(0, 0)).unwrap().values.is_empty());
+    }
+
+    /// Entries over twenty powers of ten: relative to each eigenvalue, not to the largest one.
+    /// Eigenvalues of `D B D` with a well-conditioned `B` are as accurate as those of `B`; their
+    /// product is the determinant.
+    #[test]
+    fn small_symmetric_eigenvalues_are_accurate() {
+        let n = 11;
+        for descending in [false, true] {
+            let size = |i: usize| 10f64.powi(if descending { n - 1 - i } else { i } as i32);
+            let matrix = Mat::from_fn(n, n, |i, j| {
+                let shared = if i == j { 1.0 } else { 0.3 };
+                shared * size(i) * size(j)
+            });
+            let (values, _) = symmetric_eigen(&matrix).unwrap();
+            let logarithm: f64 = values.iter().map(|value| value.ln()).sum();
+            // det (0.7 I + 0.3 ones) = 0.7^(n - 1) (0.7 + 0.3 n)
+            let exact = 10.0 * 0.7_f64.ln()
+                + (0.7 + 0.3 * n as f64).ln()
+                + 2.0 * (0..n).map(|i| size(i).ln()).sum::<f64>();
+            assert!((logarithm - exact).abs() < 1e-12, "{}", logarithm - exact);
+        }
     }
 
     #[test]

@@ -3,6 +3,10 @@
 use crate::{Mat, SWEEPS_PER_ROW, c64};
 use nalgebra::{Cholesky, ComplexField, Dyn, SVD};
 
+/// Share of its neighbours below which an entry beside the diagonal ends an iteration for singular
+/// values; below it, roundoff keeps some iterations from their end.
+const NEGLIGIBLE_RATIO: f64 = 5.0 * f64::EPSILON;
+
 /// A matrix that is not finite: the answer where a matrix is singular.
 pub(crate) fn singular<T: ComplexField<RealField = f64>>(rows: usize, columns: usize) -> Mat<T> {
     Mat::from_element(rows, columns, T::from_real(f64::NAN))
@@ -98,7 +102,7 @@ pub(crate) fn svd<T: ComplexField<RealField = f64>>(
 ) -> Option<SVD<T, Dyn, Dyn>> {
     let sweeps = SWEEPS_PER_ROW * matrix.nrows().max(matrix.ncols());
     let is_finite = matrix.iter().all(|x| x.clone().is_finite());
-    is_finite.then(|| SVD::try_new(matrix, left, right, f64::EPSILON, sweeps))?
+    is_finite.then(|| SVD::try_new(matrix, left, right, NEGLIGIBLE_RATIO, sweeps))?
 }
 
 #[cfg(test)]
@@ -117,6 +121,27 @@ mod tests {
             assert!((q.transpose() * &q - Mat::identity(5, 5)).norm() < 1e-14);
             let outside = q.columns(2, 3).transpose() * &columns;
             assert!(outside.norm() < 1e-14, "{outside}");
+        }
+    }
+
+    /// The squares of the singular values are the eigenvalues of `A^T A`; matrices of sines, whole and
+    /// with weak couplings.
+    #[test]
+    fn singular_values_of_many_matrices() {
+        for rows in 1..46 {
+            for coupling in [1.0, 1e-4, 1e-9, 1e-14, 0.0] {
+                let matrix = Mat::from_fn(rows, rows, |i, j| {
+                    let size = if i == j { 1.0 } else { coupling };
+                    size * (1.0 + 1.7 * (i * i + 3 * j * j + i * j) as f64).sin()
+                });
+                let values = singular_values(&matrix).unwrap();
+                let sum: f64 = values.iter().map(|value| value * value).sum();
+                assert!((sum / matrix.norm_squared() - 1.0).abs() < 1e-13);
+                let (squares, _) = crate::symmetric_eigen(&(matrix.transpose() * &matrix)).unwrap();
+                for (value, square) in values.iter().rev().zip(&squares) {
+                    assert!((value * value - square).abs() < 1e-13 * values[0] * values[0]);
+                }
+            }
         }
     }
 

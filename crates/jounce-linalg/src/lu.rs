@@ -21,11 +21,13 @@ impl LuFactors {
     /// Factors a square matrix.
     pub fn of(matrix: &Mat<f64>) -> Self {
         let rows = matrix.nrows();
-        let columns = (0..rows).flat_map(|j| vectors(column(matrix, j)));
         let mut factors = Self {
-            columns: columns.collect(),
+            columns: Vec::with_capacity(rows * rows.div_ceil(LANES)),
             exchanged: Vec::with_capacity(rows),
         };
+        for j in 0..rows {
+            push_vectors(&mut factors.columns, column(matrix, j));
+        }
         widest(Factoring(&mut factors, rows));
         factors
     }
@@ -35,10 +37,12 @@ impl LuFactors {
         for (k, other) in self.exchanged.iter().enumerate() {
             right.swap(k, *other);
         }
-        let mut solution: Vec<F64x8> = vectors(right).collect();
+        let mut solution = Vec::with_capacity(right.len().div_ceil(LANES));
+        push_vectors(&mut solution, right);
         widest(Substitution(self, &mut solution));
-        let solution = solution.iter().flat_map(|vector| vector.0);
-        right.iter_mut().zip(solution).for_each(|(x, y)| *x = y);
+        for (entries, vector) in right.chunks_mut(LANES).zip(&solution) {
+            entries.copy_from_slice(&vector.0[..entries.len()]);
+        }
     }
 
     /// Column of both factors.
@@ -49,13 +53,13 @@ impl LuFactors {
     }
 }
 
-/// Numbers in whole vectors, filled up with zeros.
-fn vectors(numbers: &[f64]) -> impl Iterator<Item = F64x8> {
-    numbers.chunks(LANES).map(|chunk| {
+/// Appends numbers in whole vectors, filled up with zeros.
+fn push_vectors(to: &mut Vec<F64x8>, numbers: &[f64]) {
+    for chunk in numbers.chunks(LANES) {
         let mut vector = F64x8::ZERO;
         vector.0[..chunk.len()].copy_from_slice(chunk);
-        vector
-    })
+        to.push(vector);
+    }
 }
 
 struct Factoring<'f>(&'f mut LuFactors, usize);
@@ -63,48 +67,101 @@ struct Factoring<'f>(&'f mut LuFactors, usize);
 impl Task for Factoring<'_> {
     type Output = ();
 
+    /// Factors as many columns as a vector has numbers, then updates the columns after them.
     #[inline(always)]
     fn run<W: Simd>(self, w: W) {
         let Self(LuFactors { columns, exchanged }, rows) = self;
         let count = rows.div_ceil(LANES);
-        let mut multipliers = vec![F64x8::ZERO; count];
-        for (k, first) in (0..rows).map(|k| (k, k / LANES)) {
-            let at = |i: usize, j: usize| (j * count + i / LANES, i % LANES);
-            let entry = |columns: &[F64x8], (vector, lane): (usize, usize)| columns[vector].0[lane];
-            let pivot = (k..rows).fold(k, |largest, i| {
-                let [old, new] = [largest, i].map(|i| entry(columns, at(i, k)).abs());
-                if new > old { i } else { largest }
-            });
-            exchanged.push(pivot);
-            for j in 0..rows {
-                let ((a, a_lane), (b, b_lane)) = (at(k, j), at(pivot, j));
-                (columns[a].0[a_lane], columns[b].0[b_lane]) =
-                    (columns[b].0[b_lane], columns[a].0[a_lane]);
-            }
-            // The multipliers of the rows below, zero for the others.
-            let reciprocal = w.splat(1.0 / entry(columns, at(k, k)));
-            multipliers[first] = F64x8::ZERO;
-            for i in k + 1..rows.min((first + 1) * LANES) {
-                multipliers[first].0[i % LANES] = entry(columns, at(i, k));
-            }
-            multipliers[first + 1..]
-                .copy_from_slice(&columns[k * count + first + 1..(k + 1) * count]);
-            for vector in &mut multipliers[first..] {
-                *vector = w.store(w.mul(w.load(vector), reciprocal));
-            }
-            for i in k + 1..rows.min((first + 1) * LANES) {
-                columns[k * count + first].0[i % LANES] = multipliers[first].0[i % LANES];
-            }
-            columns[k * count + first + 1..(k + 1) * count]
-                .copy_from_slice(&multipliers[first + 1..]);
-            for j in k + 1..rows {
-                let column = &mut columns[j * count..(j + 1) * count];
-                let factor = w.splat(-column[first].0[k % LANES]);
-                for (vector, multiplier) in column[first..].iter_mut().zip(&multipliers[first..]) {
-                    *vector = w.store(w.fma(factor, w.load(multiplier), w.load(vector)));
+        for first in 0..count {
+            let panel = first * LANES..rows.min((first + 1) * LANES);
+            for k in panel.clone() {
+                exchanged.push(exchange(columns, (rows, count), k));
+                divide(
+                    w,
+                    &mut columns[k * count + first..(k + 1) * count],
+                    k % LANES,
+                );
+                let (before, after) = columns.split_at_mut((k + 1) * count);
+                let factor = &before[k * count + first..];
+                let top = below(&factor[0], k % LANES);
+                for j in 0..panel.end - k - 1 {
+                    let column = &mut after[j * count + first..(j + 1) * count];
+                    let share = w.splat(-column[0].0[k % LANES]);
+                    column[0] = w.store(w.fma(share, w.load(&top), w.load(&column[0])));
+                    for v in 1..column.len() {
+                        let sum = w.fma(share, w.load(&factor[v]), w.load(&column[v]));
+                        column[v] = w.store(sum);
+                    }
                 }
             }
+            let (before, after) = columns.split_at_mut(panel.end * count);
+            let factors = &before[panel.start * count..];
+            for j in 0..rows - panel.end {
+                update(w, &mut after[j * count..(j + 1) * count], factors, first);
+            }
         }
+    }
+}
+
+/// Exchanges row `k` with the one that has the largest pivot, and returns that row.
+#[inline(always)]
+fn exchange(columns: &mut [F64x8], (rows, count): (usize, usize), k: usize) -> usize {
+    let mut pivot = k;
+    for i in k + 1..rows {
+        let size = |i: usize| columns[k * count + i / LANES].0[i % LANES].abs();
+        if size(i) > size(pivot) {
+            pivot = i;
+        }
+    }
+    if pivot != k {
+        for j in 0..rows {
+            let [a, b] = [k, pivot].map(|i| (j * count + i / LANES, i % LANES));
+            let exchanged = columns[a.0].0[a.1];
+            columns[a.0].0[a.1] = columns[b.0].0[b.1];
+            columns[b.0].0[b.1] = exchanged;
+        }
+    }
+    pivot
+}
+
+/// Divides the entries below the diagonal, which lies at `lane` of the first vector, by it.
+#[inline(always)]
+fn divide<W: Simd>(w: W, column: &mut [F64x8], lane: usize) {
+    let reciprocal = 1.0 / column[0].0[lane];
+    for i in lane + 1..LANES {
+        column[0].0[i] *= reciprocal;
+    }
+    for v in 1..column.len() {
+        column[v] = w.store(w.mul(w.splat(reciprocal), w.load(&column[v])));
+    }
+}
+
+/// The entries below one of a vector, zero for the others.
+#[inline(always)]
+fn below(vector: &F64x8, lane: usize) -> F64x8 {
+    let mut rest = F64x8::ZERO;
+    for i in lane + 1..LANES {
+        rest.0[i] = vector.0[i];
+    }
+    rest
+}
+
+/// Updates a column by the factored columns of a whole vector of rows, number `first`.
+#[inline(always)]
+fn update<W: Simd>(w: W, column: &mut [F64x8], factors: &[F64x8], first: usize) {
+    let count = column.len();
+    let mut shares = [w.zero(); LANES];
+    for k in 0..LANES {
+        shares[k] = w.splat(-column[first].0[k]);
+        let lower = below(&factors[k * count + first], k);
+        column[first] = w.store(w.fma(shares[k], w.load(&lower), w.load(&column[first])));
+    }
+    for v in first + 1..count {
+        let mut sum = w.load(&column[v]);
+        for k in 0..LANES {
+            sum = w.fma(shares[k], w.load(&factors[k * count + v]), sum);
+        }
+        column[v] = w.store(sum);
     }
 }
 
@@ -124,8 +181,8 @@ impl Task for Substitution<'_> {
                 x[own].0[i] -= column[own].0[i] * solved;
             }
             let factor = w.splat(-solved);
-            for (x, l) in x[own + 1..].iter_mut().zip(&column[own + 1..]) {
-                *x = w.store(w.fma(factor, w.load(l), w.load(x)));
+            for v in own + 1..column.len() {
+                x[v] = w.store(w.fma(factor, w.load(&column[v]), w.load(&x[v])));
             }
         }
         for (k, own, lane) in (0..rows).rev().map(|k| (k, k / LANES, k % LANES)) {
@@ -136,8 +193,8 @@ impl Task for Substitution<'_> {
                 x[own].0[i] -= column[own].0[i] * solved;
             }
             let factor = w.splat(-solved);
-            for (x, u) in x[..own].iter_mut().zip(column) {
-                *x = w.store(w.fma(factor, w.load(u), w.load(x)));
+            for v in 0..own {
+                x[v] = w.store(w.fma(factor, w.load(&column[v]), w.load(&x[v])));
             }
         }
     }

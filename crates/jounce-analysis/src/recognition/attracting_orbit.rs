@@ -31,6 +31,10 @@ const FIRST_RADIUS: f64 = 1e-3;
 /// the bound.
 const MAX_ENLARGEMENTS: usize = 20;
 
+/// Error of a period by roundoff, relative to the size of the orbit: of tens of steps, each with some
+/// roundoffs. Two integrations of a motion without contacts may agree in every digit.
+const ROUNDOFF_ERROR: f64 = 1e-14;
+
 /// Distance at which a motion has reached an orbit without a derivative, relative to its size.
 const REACHED_DISTANCE: f64 = 1e-6;
 
@@ -83,11 +87,10 @@ impl AttractingOrbit {
         let rate = 0.5 * (1.0 + orbit.floquet_max_abs());
         let norm = AdaptedNorm::of(&at_rest.derivative, rate)?;
         let directions = directions(&norm, &at_rest.derivative, displacement);
+        let size = orbit.size().max(f64::MIN_POSITIVE);
+        let error_at_rest = norm.length(&at_rest.error).max(ROUNDOFF_ERROR * size);
         let bound = |radius: f64| -> Option<(f64, f64)> {
-            let mut worst = (
-                norm.norm_of(&at_rest.derivative)?,
-                norm.length(&at_rest.error),
-            );
+            let mut worst = (norm.norm_of(&at_rest.derivative)?, error_at_rest);
             for direction in &directions {
                 let found =
                     period(&direction.iter().map(|d| radius * d).collect::<Vec<_>>()).ok()?;
@@ -98,8 +101,7 @@ impl AttractingOrbit {
             }
             (worst.0 + worst.1 / radius < 1.0).then_some(worst)
         };
-        let size = orbit.size().max(f64::MIN_POSITIVE);
-        let least = (norm.length(&at_rest.error) / (1.0 - rate)).max(f64::EPSILON * size);
+        let least = error_at_rest / (1.0 - rate);
         let mut radius = norm
             .length(displacement)
             .max(2.0 * least)

@@ -38,7 +38,8 @@ impl Integrator<'_> {
             let sticking = tables.sticking(self.kernel, 0);
             let (force, mismatch_n) = self.holding_force(table, sticking);
             let allowed_n = self.allowed_mismatch_n(&force);
-            let pulls = force.iter().any(|f| *f < 0.0);
+            let roundoff_n = self.force_roundoff_n();
+            let pulls = force.iter().any(|f| *f < -roundoff_n);
             let negligible = force_now * table.length_s
                 <= 1e-3 * self.tolerance * self.speed_m_s(0) / self.ports[0].rows.mobility_per_kg;
             if (pulls && !negligible) || mismatch_n > allowed_n {
@@ -77,8 +78,12 @@ impl Integrator<'_> {
             .iter()
             .fold(f64::MIN_POSITIVE, |max, f| max.max(f.abs()));
         // Just before the point leaves, its force is at most the roundoff of its terms.
-        let roundoff_n = self.acceleration_roundoff_m_s2(0) / self.ports[0].rows.mobility_per_kg;
-        (self.tolerance.max(1e-12) * 1e-2 * size_n).max(roundoff_n)
+        (self.tolerance.max(1e-12) * 1e-2 * size_n).max(self.force_roundoff_n())
+    }
+
+    /// Returns the magnitude below which a holding force is roundoff, N.
+    fn force_roundoff_n(&self) -> f64 {
+        self.acceleration_roundoff_m_s2(0) / self.ports[0].rows.mobility_per_kg
     }
 
     /// Returns the nodal forces that hold the point, and their mismatch at the end of the step, N.

@@ -16,8 +16,7 @@
 //! Source: B. N. Parlett and C. Reinsch, Numer. Math. 13 (1969) 293; G. W. Stewart and J. Sun, *Matrix Perturbation Theory* (1990), ch. V.
 
 use super::decoupled_blocks::{balanced, blocks};
-use jounce_linalg::{Eigen, complex_solve, eigen};
-use jounce_linalg::{Mat, c64};
+use jounce_linalg::{Eigen, Mat, c64, eigen};
 
 /// Returns the eigenvalues of a period map, largest modulus first; `None` where they do not
 /// converge.
@@ -93,9 +92,8 @@ pub struct Eigenbasis {
     scales: Vec<f64>,
     /// Indices of the states that the basis spans.
     states: Vec<usize>,
-    /// Eigenvalues of the basis.
-    values: Vec<c64>,
-    vectors: Mat<c64>,
+    /// Eigenvalues and eigenvectors of the basis.
+    eigen: Eigen,
 }
 
 impl Eigenbasis {
@@ -103,13 +101,12 @@ impl Eigenbasis {
     pub fn of(map: &Mat<f64>) -> Option<Self> {
         let (balanced, scales) = balanced(map);
         let (blocks, states) = blocks(&balanced);
-        let Eigen { values, vectors } = eigen(&part(&balanced, &states))?;
+        let eigen = eigen(&part(&balanced, &states))?;
         Some(Self {
-            multipliers: with_blocks(&balanced, blocks, values.clone()),
+            multipliers: with_blocks(&balanced, blocks, eigen.values.clone()),
             scales,
             states,
-            values,
-            vectors,
+            eigen,
         })
     }
 
@@ -117,8 +114,7 @@ impl Eigenbasis {
     fn extended(&self, map: &Mat<f64>, more: &[usize]) -> Option<Self> {
         let mut basis = self.clone();
         basis.states.extend(more);
-        let Eigen { values, vectors } = eigen(&basis.part(map))?;
-        (basis.values, basis.vectors) = (values, vectors);
+        basis.eigen = eigen(&basis.part(map))?;
         Some(basis)
     }
 
@@ -154,11 +150,10 @@ impl Eigenbasis {
         if !more.is_empty() {
             return self.extended(map, &more)?.couplings(map, (other, beyond));
         }
-        let (n, values) = (self.states.len(), self.part(beyond));
-        let complex = Mat::from_fn(n, n, |i, j| c64::new(values[(i, j)], 0.0));
-        let transformed = complex_solve(&self.vectors, &(complex * &self.vectors));
+        let n = self.states.len();
+        let transformed = self.eigen.transformed(&self.part(beyond));
         Some((
-            self.values.clone(),
+            self.eigen.values.clone(),
             Mat::from_fn(n, n, |i, j| {
                 (transformed[(i, j)] * transformed[(j, i)]).norm().sqrt()
             }),

@@ -115,7 +115,11 @@ fn gravity_lets_a_sprung_mass_sag() {
         relative(settled.end.displacement[0], sag_m) < 1e-13
             && relative(linear.displacement[0], sag_m) < 1e-15
     );
-    assert!(settled.energies.residual_relative().abs() < 1e-13 && settled.settlement.is_none());
+    let residual = settled.energies.residual_relative().abs();
+    assert!(
+        residual < 1e-13 && settled.settlement.is_none(),
+        "{residual:e}"
+    );
 }
 
 #[test]
