@@ -38,10 +38,16 @@ pub fn inverse_fully_pivoted(matrix: &Mat<f64>) -> (Mat<f64>, Vec<f64>) {
     )
 }
 
-/// Solves `A X = B` by full pivoting; not finite for a singular matrix.
+/// Solves `A X = B` by full pivoting and one step of refinement; not finite for a singular matrix.
 pub fn solve_fully_pivoted(matrix: &Mat<f64>, right: &Mat<f64>) -> Mat<f64> {
-    let solution = matrix.clone().full_piv_lu().solve(right);
-    solution.unwrap_or_else(|| singular(right.nrows(), right.ncols()))
+    let lu = matrix.clone().full_piv_lu();
+    let solved = |right: &Mat<f64>| {
+        let solution = lu.solve(right);
+        solution.unwrap_or_else(|| singular(right.nrows(), right.ncols()))
+    };
+    let solution = solved(right);
+    let correction = solved(&(right - matrix * &solution));
+    solution + correction
 }
 
 /// Returns the determinant, by partial pivoting.

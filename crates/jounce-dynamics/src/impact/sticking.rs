@@ -38,8 +38,7 @@ impl Integrator<'_> {
             let sticking = tables.sticking(self.kernel, 0);
             let (force, mismatch_n) = self.holding_force(table, sticking);
             let allowed_n = self.allowed_mismatch_n(&force);
-            let roundoff_n = self.force_roundoff_n();
-            let pulls = force.iter().any(|f| *f < -roundoff_n);
+            let pulls = force.iter().any(|f| *f < -allowed_n);
             let negligible = force_now * table.length_s
                 <= 1e-3 * self.tolerance * self.speed_m_s(0) / self.ports[0].rows.mobility_per_kg;
             if (pulls && !negligible) || mismatch_n > allowed_n {
@@ -72,7 +71,7 @@ impl Integrator<'_> {
         Ok(())
     }
 
-    /// Returns the allowed mismatch of nodal forces that hold the point, N.
+    /// Returns the magnitude to which nodal forces that hold the point are known, N.
     fn allowed_mismatch_n(&self, force: &[f64; NODES]) -> f64 {
         let size_n = force
             .iter()
