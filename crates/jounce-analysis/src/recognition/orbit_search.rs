@@ -193,29 +193,34 @@ impl<H: ParametricModel> OrbitSearch<'_, H> {
         Ok(shooting.unknown(&plant.to_physical(&integrator.state(), 0.0)))
     }
 
-    /// Returns the orbit that a motion without a derivative has reached, by its contraction over
-    /// the last three periods.
+    /// Returns the orbit that a motion without a derivative has reached, with the least period that
+    /// divides the given one. Changes by roundoff do not tell a period from its multiples.
     fn observed(&self, motion: &Transient<'_>, cycles: u32) -> Option<AttractingOrbit> {
-        let size = motion.state.iter().map(|u| u * u).sum::<f64>().sqrt();
-        let change = |back: u32| motion.returns.distance((back * cycles) as usize, cycles);
-        let [now, before] = [change(0)?, change(1)?];
-        let rate = now / before;
-        // The further changes are a geometric series, down to the error of the integration.
-        let remaining = if rate < 1.0 {
-            now * rate / (1.0 - rate)
-        } else {
-            f64::INFINITY
-        };
-        if now > SETTLED_CHANGE * size
-            || remaining > SETTLED_CHANGE * size
-                && now > SETTLED_CHANGE * TOLERANCE_REDUCTION * size
-        {
-            return None;
-        }
+        let cycles = (1..=cycles)
+            .filter(|least| cycles.is_multiple_of(*least))
+            .find(|least| has_settled(motion, *least))?;
         let shooting = Shooting::new(self.harvester, self.kernel, cycles, motion.tolerance);
         let orbit = shooting
             .integrated_orbit(&motion.physical(), self.parameter)
             .ok()?;
         Some(AttractingOrbit::observed(orbit))
     }
+}
+
+/// True when a motion without a derivative has reached an orbit, by its contraction over the last
+/// three periods.
+fn has_settled(motion: &Transient<'_>, cycles: u32) -> bool {
+    let settled = SETTLED_CHANGE * jounce_linalg::norm(&motion.state);
+    let change = |back: u32| motion.returns.distance((back * cycles) as usize, cycles);
+    let (Some(now), Some(before)) = (change(0), change(1)) else {
+        return false;
+    };
+    let rate = now / before;
+    // The further changes are a geometric series, down to the error of the integration.
+    let remaining = if rate < 1.0 {
+        now * rate / (1.0 - rate)
+    } else {
+        f64::INFINITY
+    };
+    now <= settled && (remaining <= settled || now <= TOLERANCE_REDUCTION * settled)
 }
