@@ -9,7 +9,7 @@
 //! cycles after which a motion is not periodic, default 20,000.
 
 use crate::agreement::{Verdict, compare};
-use crate::brute::Patience;
+use crate::brute::{Patience, STEP_TOLERANCE};
 use crate::random_specs::random_spec;
 use jounce_analysis::{Cloud, InitialStates};
 use jounce_spec::SpecFile;
@@ -17,9 +17,6 @@ use std::io::Write;
 
 /// Seed of the harvesters.
 const SEED: u64 = 22;
-
-/// Error of a brute-force step, relative to the size of the motion.
-const TOLERANCE: f64 = 1e-13;
 
 fn number(name: &str) -> Option<usize> {
     std::env::var(name).ok().map(|text| {
@@ -50,7 +47,7 @@ fn a_few_random_harvesters_end_where_brute_force_ends() {
                 cycles: 4000,
                 period: 64,
             },
-            TOLERANCE,
+            STEP_TOLERANCE,
         );
         eprint!("{index:3} {agreement}");
         assert!(
@@ -94,7 +91,7 @@ fn many_random_harvesters_end_where_brute_force_ends() {
     let (mut checked, mut inside) = (0, 0);
     for index in first..first + systems {
         let file = SpecFile::from_text(random_spec(SEED, index as u64));
-        let agreement = compare(&file, cloud(starts), patience, TOLERANCE);
+        let agreement = compare(&file, cloud(starts), patience, STEP_TOLERANCE);
         eprint!("{index:3} {agreement}");
         checked += agreement.other_starts[0];
         inside += agreement.other_starts[1];

@@ -33,6 +33,10 @@ pub struct Motion<const D: usize> {
     length: f64,
 }
 
+/// Error of a step on random harvesters, relative to the size of the motion. Where a force grows with
+/// the 1.2th power of the penetration, a cycle can add up to 2e4 of it.
+pub const STEP_TOLERANCE: f64 = 2e-14;
+
 /// Flow of a model with an error per step relative to the size of the motion.
 #[derive(Debug, Clone, Copy)]
 pub struct Flow<'m, const N: usize, const D: usize> {

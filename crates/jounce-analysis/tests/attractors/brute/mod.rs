@@ -10,5 +10,5 @@ mod model;
 mod scales;
 
 pub use classify::{Ending, Kind, Patience, classify};
-pub use flow::Flow;
+pub use flow::{Flow, STEP_TOLERANCE};
 pub use model::ReferenceModel;

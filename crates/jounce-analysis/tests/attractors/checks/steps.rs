@@ -1,7 +1,7 @@
 //! Brute force against a tenth of its error, and against the classical Runge-Kutta method without
 //! events.
 
-use crate::brute::{Flow, ReferenceModel};
+use crate::brute::{Flow, ReferenceModel, STEP_TOLERANCE};
 use crate::random_specs::random_spec;
 use jounce_analysis::{Cloud, Model};
 use jounce_model::plant::Plant;
@@ -53,7 +53,8 @@ fn refined<const N: usize, const D: usize>(
     model: &ReferenceModel<N, D>,
     starts: &[Vec<f64>],
 ) -> f64 {
-    let [coarse, fine] = [1e-13, 1e-14].map(|tolerance| Flow { model, tolerance });
+    let [coarse, fine] =
+        [STEP_TOLERANCE, 0.1 * STEP_TOLERANCE].map(|tolerance| Flow { model, tolerance });
     let mut largest = 0.0_f64;
     for start in starts {
         let mut motion = coarse.start(model.state(start));
@@ -95,7 +96,7 @@ fn plain<const N: usize, const D: usize>(
 ) -> [f64; 2] {
     let flow = Flow {
         model,
-        tolerance: 1e-13,
+        tolerance: STEP_TOLERANCE,
     };
     let mut largest = [0.0_f64; 2];
     for start in starts {
