@@ -6,7 +6,7 @@ use crate::ports::phasor::Phasor;
 use jounce_linalg::c64;
 use jounce_simd::{F64x8, Portable};
 
-/// Fraction of the terms of an acceleration that is roundoff.
+/// Fraction of the terms of an acceleration, and of the shortest time scale, that is roundoff.
 const ACCELERATION_ROUNDOFF: f64 = 1e-12;
 
 /// Size, in roundoffs of its terms, below which a distance or speed cannot be distinguished from
@@ -21,7 +21,10 @@ impl Integrator<'_> {
             self.acceleration_m_s2(p),
             self.acceleration_roundoff_m_s2(p),
         );
-        acceleration > roundoff || acceleration >= -roundoff && self.jerk_m_s3(p) > 0.0
+        // The instant at which an acceleration changes sign is known to the same fraction.
+        let resolved_s = ACCELERATION_ROUNDOFF / self.kernel.fastest_rad_s;
+        let jerk = self.jerk_m_s3(p);
+        acceleration > roundoff || acceleration + jerk * resolved_s >= -roundoff && jerk > 0.0
     }
 
     /// Returns the magnitude below which the acceleration towards the stop is roundoff, m/s^2.
