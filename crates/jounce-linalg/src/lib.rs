@@ -19,8 +19,9 @@ mod factors;
 mod lu;
 mod slices;
 mod solve;
+mod symmetric_eigen;
 
-pub use eigen::{Eigen, complex_eigenvalues, eigen, eigenvalues, symmetric_eigen};
+pub use eigen::{Eigen, complex_eigenvalues, eigen, eigenvalues};
 pub use factors::{
     CholeskyFactor, cholesky, complex_inverse_cholesky_factor, complex_right_singular,
     inverse_cholesky_factor, orthogonal_factor, right_singular, singular_values, thin_qr,
@@ -33,6 +34,7 @@ pub use solve::{
     complex_inverse, complex_solve, determinant, inverse, inverse_fully_pivoted, positive_inverse,
     pseudoinverse, solve, solve_fully_pivoted,
 };
+pub use symmetric_eigen::symmetric_eigen;
 
 /// Dense matrix, stored by columns.
 pub type Mat<T> = nalgebra::DMatrix<T>;

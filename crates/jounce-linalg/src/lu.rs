@@ -86,12 +86,9 @@ impl Task for Factoring<'_> {
                 let top = below(&factor[0], k % LANES);
                 for j in 0..panel.end - k - 1 {
                     let column = &mut after[j * count + first..(j + 1) * count];
-                    let share = w.splat(-column[0].0[k % LANES]);
-                    column[0] = w.store(w.fma(share, w.load(&top), w.load(&column[0])));
-                    for v in 1..column.len() {
-                        let sum = w.fma(share, w.load(&factor[v]), w.load(&column[v]));
-                        column[v] = w.store(sum);
-                    }
+                    let share = -column[0].0[k % LANES];
+                    add_multiple(w, &mut column[..1], share, &[top]);
+                    add_multiple(w, &mut column[1..], share, &factor[1..]);
                 }
             }
             let (before, after) = columns.split_at_mut(panel.end * count);
@@ -131,8 +128,16 @@ fn divide<W: Simd>(w: W, column: &mut [F64x8], lane: usize) {
     for i in lane + 1..LANES {
         column[0].0[i] *= reciprocal;
     }
-    for v in 1..column.len() {
-        column[v] = w.store(w.mul(w.splat(reciprocal), w.load(&column[v])));
+    for vector in &mut column[1..] {
+        *vector = w.store(w.mul(w.splat(reciprocal), w.load(vector)));
+    }
+}
+
+/// Adds a multiple of a column to another.
+#[inline(always)]
+fn add_multiple<W: Simd>(w: W, column: &mut [F64x8], factor: f64, other: &[F64x8]) {
+    for (sum, term) in column.iter_mut().zip(other) {
+        *sum = w.store(w.fma(w.splat(factor), w.load(term), w.load(sum)));
     }
 }
 
@@ -180,10 +185,7 @@ impl Task for Substitution<'_> {
             for i in lane + 1..LANES {
                 x[own].0[i] -= column[own].0[i] * solved;
             }
-            let factor = w.splat(-solved);
-            for v in own + 1..column.len() {
-                x[v] = w.store(w.fma(factor, w.load(&column[v]), w.load(&x[v])));
-            }
+            add_multiple(w, &mut x[own + 1..], -solved, &column[own + 1..]);
         }
         for (k, own, lane) in (0..rows).rev().map(|k| (k, k / LANES, k % LANES)) {
             let column = factors.column(k);
@@ -192,10 +194,7 @@ impl Task for Substitution<'_> {
             for i in 0..lane {
                 x[own].0[i] -= column[own].0[i] * solved;
             }
-            let factor = w.splat(-solved);
-            for v in 0..own {
-                x[v] = w.store(w.fma(factor, w.load(&column[v]), w.load(&x[v])));
-            }
+            add_multiple(w, &mut x[..own], -solved, &column[..own]);
         }
     }
 }
