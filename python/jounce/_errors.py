@@ -17,6 +17,7 @@ __all__ = [
     "JounceError",
     "IntegrationError",
     "NotSettled",
+    "PointsWithoutResult",
     "OrbitError",
     "PlantError",
     "RecordingError",
@@ -134,6 +135,10 @@ class Interrupted(KeyboardInterrupt):
 
 class NotSettled(UserWarning):
     """Warning that a run, or points of a sweep or study, have not reached steady state: their means are those of a transient."""
+
+
+class PointsWithoutResult(UserWarning):
+    """Warning that points of a study have no result; the column ``failure`` of its table gives the reasons."""
 
 
 def warn_not_settled(message: str) -> None:

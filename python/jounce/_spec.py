@@ -95,19 +95,19 @@ class Spec(SpecOnRig):
         tolerance: float | None = None,
         start: State | None = None,
         record: Any = None,
-        sample_rate: Any = "4096 Hz",
+        sample_rate: Any = None,
         progress: bool | Progress | None = None,
     ) -> RunResult:
         """Integrates one run.
 
         ``tolerance`` overrides ``run.tolerance``; ``start`` is the ``end`` of another run; ``record`` is the length of the stored end of
-        the run, ``"1 s"``. A run that has not settled issues :class:`jounce.NotSettled`. The parts reported to ``progress`` are thousandths
+        the run, ``"1 s"``, with ``sample_rate`` ("4096 Hz"). A run that has not settled issues :class:`jounce.NotSettled`. The parts reported to ``progress`` are thousandths
         of the duration.
         """
         given = options(
             tolerance=tolerance,
             record_s=0.0 if record is None else to_si("time", record, "record"),
-            sample_rate_hz=to_si("frequency", sample_rate, "sample_rate"),
+            sample_rate_hz=optional_hz(sample_rate, "sample_rate"),
         )
         if start is not None and not isinstance(start, State):
             raise ArgumentError(f"start is of type {type(start).__name__}; give the `end` of another run, or jounce.State.read(PATH)")

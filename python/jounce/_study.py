@@ -7,6 +7,7 @@ import json
 import math
 import time
 import tomllib
+import warnings
 from collections.abc import Mapping, Sequence
 from os import PathLike, fspath
 from pathlib import Path
@@ -14,7 +15,7 @@ from typing import Any, Literal
 
 from . import _core
 from ._arguments import check_integers, options
-from ._errors import ArgumentError, FileError, Interrupted, SpecError
+from ._errors import ArgumentError, FileError, Interrupted, PointsWithoutResult, SpecError
 from ._format import counted
 from ._progress import Progress, progress_callback
 from ._quantity import plain, toml
@@ -149,7 +150,8 @@ class Study:
 
         Without an ``executor`` all threads of this process are used; with one its workers: a process pool, Dask's
         ``Client.get_executor()``. Parts are written when finished, completely or not at all, so that a stopped or killed call can be
-        continued. ``shard="3/8"`` computes every eighth part; the table is written when no part is missing.
+        continued. ``shard="3/8"`` computes every eighth part; the table is written when no part is missing. Points without a result issue
+        :class:`jounce.PointsWithoutResult`.
         """
         check_integers(threads=threads)
         if executor is not None and not callable(getattr(executor, "submit", None)):
@@ -166,6 +168,8 @@ class Study:
                 wall_time_s = float(result["wall_time_s"]) if result else 0.0
             else:
                 wall_time_s = self._run_on_executor(folder, executor, given, callback)
+        for warning in StudyStatus.read(folder).warnings:
+            warnings.warn(warning, PointsWithoutResult, stacklevel=2)
         return StudyResult(Path(folder), wall_time_s)
 
     def _run_on_executor(self, folder: str, executor: concurrent.futures.Executor, given: str, callback: Progress | None) -> float:

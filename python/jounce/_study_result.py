@@ -33,6 +33,8 @@ class StudyStatus:
     damaged: list[str]
     #: True where the merged table exists.
     merged: bool
+    #: What the table lacks, one sentence each.
+    warnings: list[str]
 
     @classmethod
     def read(cls, folder: str | PathLike[str]) -> Self:

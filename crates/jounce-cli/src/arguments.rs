@@ -72,7 +72,6 @@ pub enum Command {
     Contact(contact::Contact),
     /// Segments a recording by steady-state response and matches each segment to an attractor of
     /// the model.
-    #[command(alias = "regimes")]
     Segments(segments::Segments),
     /// Computes power spectral density, order lines and spectrogram of a recorded channel.
     Spectra(spectra::Spectra),

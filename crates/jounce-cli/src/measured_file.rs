@@ -1,13 +1,11 @@
 //! Arguments of commands that read a recording.
 
 use crate::failure::Failure;
-use crate::output;
 use crate::spec_arguments::OutputArguments;
 use clap::Args;
 use jounce::parts::{Issue, Manifest, UsesChannels, unreadable};
 use jounce::{Error, ReadOptions, Recording};
 use serde::Serialize;
-use serde_json::Value;
 use sha2::{Digest, Sha256};
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -31,14 +29,15 @@ impl MeasuredFile {
     }
 
     /// Returns the manifest of a result.
-    pub fn manifest(&self, command: &str) -> Result<Manifest, Failure> {
-        manifest(command, std::slice::from_ref(&self.file))
+    pub fn manifest(&self, command: &str, options: &impl Serialize) -> Result<Manifest, Failure> {
+        let manifest = manifest(command, std::slice::from_ref(&self.file), &self.read)?;
+        Ok(manifest.with_options(options).map_err(Error::from)?)
     }
 }
 
 /// Returns the manifest of a result from recordings: their names and the SHA-256 of their bytes, in
-/// order.
-pub fn manifest(command: &str, files: &[PathBuf]) -> Result<Manifest, Failure> {
+/// order, and the options that read them.
+pub fn manifest(command: &str, files: &[PathBuf], read: &ReadOptions) -> Result<Manifest, Failure> {
     let name = |file: &PathBuf| {
         file.file_name()
             .map_or_else(String::new, |name| name.to_string_lossy().into_owned())
@@ -48,24 +47,11 @@ pub fn manifest(command: &str, files: &[PathBuf]) -> Result<Manifest, Failure> {
         .iter()
         .map(|file| hash_hex(file))
         .collect::<Result<Vec<_>, _>>()?;
-    let manifest = Manifest::new("").with("command", command);
-    Ok(manifest
+    let manifest = Manifest::new("")
+        .with("command", command)
         .with("recording", names.join(" "))
-        .with("recording_sha256", hashes.join(" ")))
-}
-
-/// Adds the options of a result that are given to its manifest.
-pub fn with_options(manifest: Manifest, options: &impl Serialize) -> Result<Manifest, Failure> {
-    let options = output::to_json(options)?;
-    let given = options.as_object().into_iter().flatten();
-    let is_given = |value: &Value| !value.is_null() && value.as_array() != Some(&Vec::new());
-    let given = given.filter(|(_, value)| is_given(value));
-    Ok(
-        given.fold(manifest, |manifest, (name, value)| match value.as_str() {
-            Some(text) => manifest.with(name, text),
-            None => manifest.with(name, value),
-        }),
-    )
+        .with("recording_sha256", hashes.join(" "));
+    Ok(manifest.with_options(read).map_err(Error::from)?)
 }
 
 /// Computes the SHA-256 of a file, read in blocks.

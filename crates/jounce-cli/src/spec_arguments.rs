@@ -4,6 +4,7 @@ use crate::failure::Failure;
 use clap::Args;
 use jounce::parts::Manifest;
 use jounce::{Error, Harvester, Spec, SpecFile};
+use serde::Serialize;
 use std::path::{Path, PathBuf};
 
 /// The spec and its overrides.
@@ -95,10 +96,14 @@ impl SpecArguments {
     }
 
     /// Returns the manifest of a result.
-    pub fn manifest(&self, spec: &Spec, command: &str) -> Manifest {
-        Manifest::new(&spec.hash_hex())
-            .with("command", command)
-            .with("set", self.set.join(" "))
+    pub fn manifest(
+        &self,
+        harvester: &Harvester,
+        command: &str,
+        options: &impl Serialize,
+    ) -> Result<Manifest, Failure> {
+        let manifest = harvester.manifest(command, options)?;
+        Ok(manifest.with("set", self.set.join(" ")))
     }
 }
 

@@ -5,7 +5,9 @@ use jounce_analysis::Model;
 use jounce_control::Control;
 use jounce_data::recording::Issue;
 use jounce_io::store;
+use jounce_io::table::Manifest;
 use jounce_spec::{NumericKey, Spec, SpecFile};
+use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
 
@@ -112,6 +114,16 @@ impl Harvester {
             file: changed.file.written(),
             ..changed
         })
+    }
+
+    /// Returns the origin of a result of this harvester: the SHA-256 of its spec, the question and
+    /// its options.
+    ///
+    /// # Errors
+    /// [`Error::Table`] for an option that JSON cannot hold.
+    pub fn manifest(&self, question: &str, options: &impl Serialize) -> Result<Manifest, Error> {
+        let manifest = Manifest::new(&self.spec.hash_hex()).with("command", question);
+        Ok(manifest.with_options(options)?)
     }
 
     /// Returns a copy with a tolerance of the integration; `None` keeps the one of the spec.

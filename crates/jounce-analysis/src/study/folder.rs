@@ -45,6 +45,8 @@ pub struct Status {
     pub damaged: Vec<PathBuf>,
     /// True if the merged table exists.
     pub merged: bool,
+    /// What the table lacks, one sentence each.
+    pub warnings: Vec<String>,
 }
 
 impl Folder {
@@ -188,7 +190,11 @@ impl Folder {
             parts,
             ..
         } = self.card.clone();
+        let warning = format!(
+            "{failed_points} of {points} points have no result; the column `failure` of the table gives the reasons"
+        );
         Status {
+            warnings: Vec::from_iter((failed_points > 0).then_some(warning)),
             study_sha256,
             points,
             parts,

@@ -201,6 +201,11 @@ fn bad_input_ends_with_its_code_and_one_clear_sentence() {
         ),
         (vec!["run"], 2, "SPEC"),
         (vec!["frf", SPEC, "--low", "3 mm"], 2, "--low"),
+        (
+            vec!["run", SPEC, "--sample-rate", "100 Hz"],
+            2,
+            "--sample-rate is 100 Hz; nothing is stored at this rate; give --record too",
+        ),
     ] {
         let (exit_code, _, stderr) = jounce(&arguments);
         assert_eq!(exit_code, code, "{arguments:?}: {stderr}");

@@ -26,6 +26,12 @@ pub enum TableError {
         /// Name of the column.
         column: String,
     },
+    /// Options of a result that JSON cannot hold.
+    #[error("cannot store the options of a result: {reason}")]
+    Options {
+        /// Message of the library.
+        reason: String,
+    },
     /// The file extension is not a known format.
     #[error("the extension of \"{path}\" is not a known format; use .csv, .parquet or .json")]
     Format {

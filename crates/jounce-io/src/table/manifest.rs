@@ -1,8 +1,8 @@
 //! Origin of a table: all data to reproduce it, without time or machine.
 
-use std::collections::BTreeMap;
-
+use super::error::TableError;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// Origin of a result. It contains no time and no machine, so the same run gives identical bytes.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -15,9 +15,6 @@ pub struct Manifest {
     pub spec_sha256: String,
     /// The command and its options, as typed by the user.
     pub options: BTreeMap<String, String>,
-    /// Seed of the random numbers, if any.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub seed: Option<u64>,
 }
 
 impl Manifest {
@@ -28,7 +25,6 @@ impl Manifest {
             version: env!("CARGO_PKG_VERSION").to_owned(),
             spec_sha256: spec_sha256.to_owned(),
             options: BTreeMap::new(),
-            seed: None,
         }
     }
 
@@ -37,5 +33,32 @@ impl Manifest {
     pub fn with(mut self, option: &str, value: impl ToString) -> Self {
         self.options.insert(option.to_owned(), value.to_string());
         self
+    }
+
+    /// Returns the manifest with the options of a question that have a value, under the names of
+    /// their fields: texts as they are, other values as JSON. The number of threads is left out,
+    /// because no result depends on it.
+    ///
+    /// # Errors
+    /// [`TableError::Options`] for a value that JSON cannot hold.
+    pub fn with_options(self, options: &impl Serialize) -> Result<Self, TableError> {
+        let fault = |error: serde_json::Error| TableError::Options {
+            reason: error.to_string(),
+        };
+        let options = serde_json::to_value(options).map_err(fault)?;
+        let given = options
+            .as_object()
+            .into_iter()
+            .flatten()
+            .filter(|(name, value)| {
+                let is_empty = value.as_array().is_some_and(Vec::is_empty);
+                !value.is_null() && !is_empty && *name != "threads"
+            });
+        Ok(
+            given.fold(self, |manifest, (name, value)| match value.as_str() {
+                Some(text) => manifest.with(name, text),
+                None => manifest.with(name, value),
+            }),
+        )
     }
 }

@@ -1,11 +1,12 @@
 //! Spec: its text and its contents.
 
 use crate::conversion::failure::Failure;
-use jounce::parts::{Manifest, Quantity, quantity_range};
+use jounce::parts::{Quantity, quantity_range};
 use jounce::{Harvester, SpecFile};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
+use serde::Serialize;
 use std::path::PathBuf;
 use std::sync::OnceLock;
 
@@ -116,27 +117,9 @@ impl Spec {
     }
 
     /// Returns the origin of a result, as JSON.
-    pub fn manifest(&self, command: &str, options: &[(&str, String)]) -> String {
-        let manifest = Manifest::new(self.hash_hex()).with("command", command);
-        let manifest = options.iter().fold(manifest, |manifest, (name, value)| {
-            manifest.with(name, value)
-        });
-        serde_json::to_string(&manifest).unwrap_or_default()
-    }
-
-    /// Returns the origin of a result, as JSON, with all options that have a value and change the
-    /// result.
-    pub fn manifest_with(&self, command: &str, options: &impl serde::Serialize) -> String {
-        let fields = serde_json::to_value(options).unwrap_or_default();
-        let fields = fields.as_object().into_iter().flatten();
-        let given: Vec<(&str, String)> = fields
-            .filter(|(name, value)| !value.is_null() && *name != "threads")
-            .map(|(name, value)| {
-                let text = value.as_str().map(str::to_owned);
-                (name.as_str(), text.unwrap_or_else(|| value.to_string()))
-            })
-            .collect();
-        self.manifest(command, &given)
+    pub fn manifest(&self, question: &str, options: &impl Serialize) -> Result<String, Failure> {
+        let manifest = self.harvester.manifest(question, options)?;
+        serde_json::to_string(&manifest).map_err(|error| Failure::new("JounceError", error))
     }
 }
 

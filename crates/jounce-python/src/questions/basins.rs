@@ -25,15 +25,7 @@ pub fn basins<'py>(
     let outcome = cancellable(py, progress.as_ref(), |control| {
         Ok(spec.harvester.with_control(control).basins(&options)?)
     });
-    let manifest_options = match options.grid.is_empty() {
-        true => vec![
-            ("starts", options.starts.to_string()),
-            ("seed", options.seed.to_string()),
-            ("spread", options.spread.to_string()),
-        ],
-        false => vec![("grid", options.grid.join(" "))],
-    };
-    let manifest = spec.manifest("basins", &manifest_options);
+    let manifest = spec.manifest("basins", &options)?;
     to_python_result(py, outcome, |result| into_python(py, &result, manifest))
 }
 

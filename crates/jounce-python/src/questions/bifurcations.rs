@@ -28,7 +28,7 @@ pub fn bifurcations<'py>(
             .with_control(control)
             .bifurcations(&options)?)
     });
-    let manifest = spec.manifest_with("bifurcations", &options);
+    let manifest = spec.manifest("bifurcations", &options)?;
     to_python_result(py, outcome, |result| into_python(py, result, manifest))
 }
 

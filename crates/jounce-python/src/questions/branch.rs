@@ -23,7 +23,7 @@ pub fn branch<'py>(
     let outcome = cancellable(py, progress.as_ref(), |control| {
         Ok(spec.harvester.with_control(control).branch(&options)?)
     });
-    let manifest = spec.manifest_with("branch", &options);
+    let manifest = spec.manifest("branch", &options)?;
     to_python_result(py, outcome, |result| into_python(py, result, manifest))
 }
 

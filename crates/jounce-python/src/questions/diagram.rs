@@ -23,7 +23,7 @@ pub fn diagram<'py>(
     let outcome = cancellable(py, progress.as_ref(), |control| {
         Ok(spec.harvester.with_control(control).diagram(&options)?)
     });
-    let manifest = spec.manifest_with("diagram", &options);
+    let manifest = spec.manifest("diagram", &options)?;
     to_python_result(py, outcome, |result| into_python(py, &result, manifest))
 }
 

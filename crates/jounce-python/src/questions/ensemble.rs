@@ -22,7 +22,7 @@ pub fn ensemble<'py>(
     let outcome = cancellable(py, progress.as_ref(), |control| {
         Ok(spec.harvester.with_control(control).ensemble(&options)?)
     });
-    let manifest = spec.manifest_with("ensemble", &options);
+    let manifest = spec.manifest("ensemble", &options)?;
     to_python_result(py, outcome, |result| into_python(py, &result, manifest))
 }
 

@@ -20,14 +20,8 @@ pub fn frf<'py>(py: Python<'py>, spec: &Spec, options: &str) -> PythonResult<'py
     let outcome = cancellable(py, None, |control| {
         Ok(spec.harvester.with_control(control).frf(&options)?)
     });
-    to_python_result(py, outcome, |result| {
-        let manifest_options = [
-            ("input", result.input.clone()),
-            ("hold", result.held.join(" ")),
-            ("open_circuit", options.open_circuit.to_string()),
-        ];
-        into_python(py, result, spec.manifest("frf", &manifest_options))
-    })
+    let manifest = spec.manifest("frf", &options)?;
+    to_python_result(py, outcome, |result| into_python(py, result, manifest))
 }
 
 fn into_python(py: Python<'_>, result: FrfResult, manifest: String) -> PyResult<Bound<'_, PyDict>> {

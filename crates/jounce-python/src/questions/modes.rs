@@ -16,7 +16,7 @@ pub fn modes<'py>(py: Python<'py>, spec: &Spec, options: &str) -> PyResult<Bound
     let options: ModesOptions = flat::options(options)?;
     let result = py.detach(|| spec.harvester.modes(&options));
     let result = result.map_err(|error| Failure::from(error).into_exception(py))?;
-    let manifest = spec.manifest("modes", &[("hold", result.held.join(" "))]);
+    let manifest = spec.manifest("modes", &options)?;
     into_python(py, &result, manifest)
 }
 

@@ -17,7 +17,7 @@ pub fn noise<'py>(py: Python<'py>, spec: &Spec, options: &str) -> PythonResult<'
     let outcome = cancellable(py, None, |control| {
         Ok(spec.harvester.with_control(control).noise(&options)?)
     });
-    let manifest = spec.manifest("noise", &[("points", options.points.to_string())]);
+    let manifest = spec.manifest("noise", &options)?;
     to_python_result(py, outcome, |result| into_python(py, result, manifest))
 }
 

@@ -30,7 +30,7 @@ pub fn run<'py>(
     let outcome = on_this_thread(py, progress.as_ref(), |control| {
         Ok(spec.harvester.with_control(control).run(&options)?)
     });
-    let manifest = spec.manifest("run", &[]);
+    let manifest = spec.manifest("run", &options)?;
     to_python_result(py, outcome, |result| into_python(py, result, manifest))
 }
 

@@ -20,7 +20,7 @@ pub fn sweep<'py>(
     let outcome = cancellable(py, progress.as_ref(), |control| {
         Ok(spec.harvester.with_control(control).sweep(&options)?)
     });
-    let manifest = spec.manifest_with("sweep", &options);
+    let manifest = spec.manifest("sweep", &options)?;
     to_python_result(py, outcome, |result| {
         let dict = flat::dict_with_main(py, &result, "points")?
             .with("warnings", result.warnings())?

@@ -74,7 +74,7 @@ pub(super) static SPEC: &[Key<Spec>] = &[
     ),
     named_tables(
         "stop",
-        "one-sided contacts; without stops the harvester is linear",
+        "contacts of a point with a body or the ground; without stops the harvester is linear",
         &Named {
             get: |s: &Spec| &s.stop,
             open: |s| &mut s.stop,

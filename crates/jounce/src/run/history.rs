@@ -49,7 +49,7 @@ impl History {
         plan: &RunPlan,
         options: &RunOptions,
     ) -> Self {
-        let (system, sample_rate_hz) = (&kernel.plant.system, options.sample_rate_hz);
+        let (system, sample_rate_hz) = (&kernel.plant.system, options.sampled_at_hz());
         let begin_s = plan.duration_s - options.record_s;
         let count = (options.record_s * sample_rate_hz * (1.0 + 1e-12)) as usize + 1;
         let even = (0..count).map(|k| begin_s + k as f64 / sample_rate_hz);

@@ -8,7 +8,9 @@ use serde::{Deserialize, Serialize};
 
 /// Largest number of samples of a record.
 const MAX_SAMPLES: f64 = 1e8;
-/// Smallest number of samples of a recorded averaging window.
+/// Sampling rate by default, Hz.
+const SAMPLE_RATE_HZ: f64 = 4096.0;
+/// Smallest number of samples of a recorded averaging window by default.
 const MIN_SAMPLES: f64 = 1024.0;
 
 /// Options of [`crate::Harvester::run`].
@@ -26,9 +28,10 @@ pub struct RunOptions {
     /// --out, else nothing.
     #[arg(long = "record", value_name = "TIME", value_parser = time_s, default_value = "0 s")]
     pub record_s: f64,
-    /// Sampling rate of the stored end of the run.
-    #[arg(long = "sample-rate", value_name = "FREQUENCY", value_parser = frequency_hz, default_value = "4096 Hz")]
-    pub sample_rate_hz: f64,
+    /// Sampling rate of the stored end of the run; by default 4096 Hz, and higher for the averaging
+    /// window where it is short.
+    #[arg(long = "sample-rate", value_name = "FREQUENCY", value_parser = frequency_hz)]
+    pub sample_rate_hz: Option<f64>,
 }
 
 impl Default for RunOptions {
@@ -38,45 +41,50 @@ impl Default for RunOptions {
 }
 
 impl RunOptions {
-    /// Records the averaging window of a spec, unless a record is requested; a short window has a
-    /// higher sampling rate.
+    /// Records the averaging window of a spec, unless a record is requested.
     #[must_use]
     pub fn with_record(self, spec: &Spec) -> Self {
         if self.record_s > 0.0 {
             return self;
         }
         let record_s = spec.run.average_over_s;
-        let sample_rate_hz = self.sample_rate_hz.max(MIN_SAMPLES / record_s);
+        let by_default = SAMPLE_RATE_HZ.max(MIN_SAMPLES / record_s);
         Self {
             record_s,
-            sample_rate_hz,
+            sample_rate_hz: self.sample_rate_hz.or(Some(by_default)),
             ..self
         }
     }
 
+    /// Returns the sampling rate of the record, Hz.
+    pub(super) fn sampled_at_hz(&self) -> f64 {
+        self.sample_rate_hz.unwrap_or(SAMPLE_RATE_HZ)
+    }
+
     /// Checks the record against the duration of the run, s.
     pub(super) fn check(&self, duration_s: f64) -> Result<(), Error> {
-        let (record_s, rate_hz) = (self.record_s, self.sample_rate_hz);
+        let (record_s, rate_hz) = (self.record_s, self.sampled_at_hz());
         if !(0.0..=duration_s).contains(&record_s) {
             let expected = format!("it must be from 0 s to run.duration = {duration_s} s");
             return Err(Error::option("record", format!("{record_s} s"), expected));
         }
-        if !(rate_hz > 0.0 && rate_hz.is_finite()) {
-            return Err(Error::option(
-                "sample_rate",
-                format!("{rate_hz} Hz"),
-                "it must be greater than 0 Hz",
-            ));
-        }
-        if record_s * rate_hz > MAX_SAMPLES {
-            let expected = format!(
-                "with a `record` of {record_s} s that is {:e} samples; at most {MAX_SAMPLES:e} are stored",
-                record_s * rate_hz
-            );
-            return Err(Error::option(
+        let fault = |expected: String| {
+            Err(Error::option(
                 "sample_rate",
                 format!("{rate_hz} Hz"),
                 expected,
+            ))
+        };
+        if self.sample_rate_hz.is_some() && record_s == 0.0 {
+            return fault("nothing is stored at this rate; give `record` too".to_owned());
+        }
+        if !(rate_hz > 0.0 && rate_hz.is_finite()) {
+            return fault("it must be greater than 0 Hz".to_owned());
+        }
+        let samples = record_s * rate_hz;
+        if samples > MAX_SAMPLES {
+            return fault(format!(
+                "with a `record` of {record_s} s that is {samples:e} samples; at most {MAX_SAMPLES:e} are stored"
             ));
         }
         Ok(())

@@ -199,7 +199,7 @@ impl Alternating {
             the model.",
             self.known.len()
         );
-        Ok(NamedTable::new("figure-12-stretches", &caption, 4, table))
+        Ok(NamedTable::new("figure-12-segments", &caption, 4, table))
     }
 
     pub fn figures(&self) -> Result<Vec<NamedFigure>, ExperimentError> {

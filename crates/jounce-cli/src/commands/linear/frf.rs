@@ -42,7 +42,7 @@ impl Frf {
             for (name, figure) in result.figures() {
                 output::figure(folder, &name, &figure)?;
             }
-            let manifest = spec.manifest(harvester.spec(), "frf");
+            let manifest = spec.manifest(&harvester, "frf", &model.options)?;
             output::table(folder, "frf", &result.table()?, &manifest)?;
         }
         match self.output.json {

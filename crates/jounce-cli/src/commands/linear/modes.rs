@@ -44,7 +44,7 @@ impl Modes {
             .modes(&model.options)
             .map_err(|error| spec.failure(error))?;
         if let Some(folder) = &self.output.out {
-            let manifest = spec.manifest(harvester.spec(), "modes");
+            let manifest = spec.manifest(&harvester, "modes", &model.options)?;
             output::table(folder, "modes", &result.table()?, &manifest)?;
             for (name, figure) in result.figures() {
                 output::figure(folder, &name, &figure)?;

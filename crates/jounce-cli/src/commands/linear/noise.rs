@@ -25,7 +25,7 @@ impl Noise {
             .noise(&self.options)
             .map_err(|error| self.spec.failure(error))?;
         if let Some(folder) = &self.output.out {
-            let manifest = self.spec.manifest(harvester.spec(), "noise");
+            let manifest = self.spec.manifest(&harvester, "noise", &self.options)?;
             output::figure(folder, "noise", &result.figure())?;
             output::table(folder, "noise", &result.table()?, &manifest)?;
         }

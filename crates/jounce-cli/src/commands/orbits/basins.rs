@@ -57,10 +57,7 @@ impl Basins {
         harvester: &Harvester,
         result: &BasinsResult,
     ) -> Result<(), Failure> {
-        let manifest = self.spec.manifest(harvester.spec(), "basins");
-        let manifest = manifest
-            .with("seed", self.options.seed)
-            .with("spread", self.options.spread);
+        let manifest = self.spec.manifest(harvester, "basins", &self.options)?;
         output::table(folder, "attractors", &result.table()?, &manifest)?;
         output::table(folder, "starts", &result.starts_table()?, &manifest)?;
         output::figure(folder, "basins", &result.figure())

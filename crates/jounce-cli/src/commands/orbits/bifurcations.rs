@@ -54,10 +54,9 @@ impl Bifurcations {
         harvester: &Harvester,
         result: &BifurcationsResult,
     ) -> Result<(), Failure> {
-        let manifest = self.spec.manifest(harvester.spec(), "bifurcations");
-        let manifest = manifest
-            .with("over", &self.options.over)
-            .with("against", &self.options.against);
+        let manifest = self
+            .spec
+            .manifest(harvester, "bifurcations", &self.options)?;
         output::table(folder, "bifurcations", &result.table()?, &manifest)?;
         output::figure(folder, "bifurcations", &result.figure())
     }

@@ -59,10 +59,7 @@ impl Branch {
         harvester: &Harvester,
         result: &BranchResult,
     ) -> Result<(), Failure> {
-        let manifest = self.spec.manifest(harvester.spec(), "branch");
-        let manifest = manifest
-            .with("over", &self.options.over)
-            .with("tolerance", self.options.tolerance);
+        let manifest = self.spec.manifest(harvester, "branch", &self.options)?;
         output::table(folder, "branches", &result.table()?, &manifest)?;
         let bifurcations = result.bifurcations_table()?;
         output::table(folder, "bifurcations", &bifurcations, &manifest)?;

@@ -67,10 +67,7 @@ impl Diagram {
         harvester: &Harvester,
         result: &DiagramResult,
     ) -> Result<(), Failure> {
-        let manifest = self.spec.manifest(harvester.spec(), "diagram");
-        let manifest = manifest
-            .with("over", &self.options.over)
-            .with("seed", self.options.cloud_seed());
+        let manifest = self.spec.manifest(harvester, "diagram", &self.options)?;
         output::table(folder, "diagram", &result.table()?, &manifest)?;
         if let Some(attractors) = result.attractors_table()? {
             output::table(folder, "attractors", &attractors, &manifest)?;

@@ -37,7 +37,7 @@ impl Contact {
     }
 
     fn write(&self, folder: &Path, result: &ContactResult) -> Result<(), Failure> {
-        let manifest = self.file.manifest("contact")?;
+        let manifest = self.file.manifest("contact", &self.options)?;
         output::table(folder, "contact", &result.table()?, &manifest)?;
         output::figure(folder, "contact-pulses", &result.figure())
     }

@@ -53,7 +53,7 @@ impl Fit {
         let result = progress::with_count("models computed", &models, || harvester.fit(&features));
         let result = result.map_err(|error| self.spec.failure(error))?;
         if let Some(folder) = &self.output.out {
-            let manifest = self.spec.manifest(harvester.spec(), "fit");
+            let manifest = self.spec.manifest(&harvester, "fit", &())?;
             write(folder, &result, &manifest.with("to", self.to.display()))?;
         }
         match self.output.json {

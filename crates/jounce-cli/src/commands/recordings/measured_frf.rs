@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::hammer_arguments::HammerArguments;
-use crate::measured_file::{or_issues, print_issues, with_options};
+use crate::measured_file::{or_issues, print_issues};
 use crate::output::{self, line, print};
 use crate::spec_arguments::OutputArguments;
 use jounce::{MeasuredFrfResult, Recording};
@@ -14,7 +14,7 @@ pub fn run(hammer: &HammerArguments, output: &OutputArguments) -> Result<(), Fai
     let result = or_issues(result, &recordings)?;
     print_issues(result.used_issues());
     if let Some(folder) = &output.out {
-        let manifest = with_options(hammer.manifest("frf")?, &hammer.options)?;
+        let manifest = hammer.manifest("frf")?;
         output::table(folder, "frf", &result.table()?, &manifest)?;
         output::figure(folder, "frf", &result.figure())?;
     }

@@ -2,11 +2,11 @@
 
 use crate::failure::Failure;
 use crate::hammer_arguments::HammerArguments;
-use crate::measured_file::{or_issues, print_issues, with_options};
+use crate::measured_file::{or_issues, print_issues};
 use crate::option_names::on_command_line;
 use crate::output::{self, line, print, with_uncertainty};
 use crate::spec_arguments::OutputArguments;
-use jounce::{MeasuredModesOptions, MeasuredModesResult, Recording};
+use jounce::{Error, MeasuredModesOptions, MeasuredModesResult, Recording};
 use std::path::Path;
 
 /// Prints the modes of a hammer test, of free decays or of outputs only.
@@ -35,8 +35,8 @@ fn write(
     options: &MeasuredModesOptions,
     result: &MeasuredModesResult,
 ) -> Result<(), Failure> {
-    let manifest = with_options(hammer.manifest("modes")?, &hammer.options)?;
-    let manifest = with_options(manifest, options)?;
+    let manifest = hammer.manifest("modes")?;
+    let manifest = manifest.with_options(options).map_err(Error::from)?;
     output::table(folder, "modes", &result.table()?, &manifest)?;
     output::table(folder, "modes-mac", &result.mac_table()?, &manifest)?;
     let diagram = result.stabilisation_table()?;

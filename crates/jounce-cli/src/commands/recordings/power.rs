@@ -1,12 +1,12 @@
 //! `jounce power FILE... --resistance R...`
 
 use crate::failure::Failure;
-use crate::measured_file::{manifest, or_issues, print_issues, with_options};
+use crate::measured_file::{manifest, or_issues, print_issues};
 use crate::output::{self, line, print, with_uncertainty};
 use crate::spec_arguments::OutputArguments;
 use clap::Args;
 use jounce::parts::PowerRecord;
-use jounce::{PowerOptions, PowerResult, ReadOptions, Recording};
+use jounce::{Error, PowerOptions, PowerResult, ReadOptions, Recording};
 use std::path::{Path, PathBuf};
 
 /// Arguments of `power`.
@@ -49,7 +49,8 @@ impl Power {
     }
 
     fn write(&self, folder: &Path, result: &PowerResult) -> Result<(), Failure> {
-        let manifest = with_options(manifest("power", &self.files)?, &self.options)?;
+        let manifest = manifest("power", &self.files, &self.read)?;
+        let manifest = manifest.with_options(&self.options).map_err(Error::from)?;
         output::table(folder, "power", &result.table()?, &manifest)?;
         output::figure(folder, "power-load", &result.figure())?;
         output::figure(folder, "power-spectrum", &result.spectra_figure())

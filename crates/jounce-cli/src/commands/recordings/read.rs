@@ -70,7 +70,7 @@ impl Read {
         file: &RecordedFile,
         result: &ReadResult,
     ) -> Result<(), Failure> {
-        let manifest = self.file.manifest("read")?;
+        let manifest = self.file.manifest("read", &())?;
         output::table(folder, "read", &result.table()?, &manifest)?;
         output::table(folder, "read-issues", &result.issues_table()?, &manifest)?;
         for (number, figure) in (1..).zip(file.figures()?) {

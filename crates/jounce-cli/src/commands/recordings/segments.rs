@@ -55,7 +55,7 @@ impl Segments {
     }
 
     fn write(&self, folder: &Path, result: &SegmentsResult) -> Result<(), Failure> {
-        let manifest = self.file.manifest("segments")?;
+        let manifest = self.file.manifest("segments", &self.options)?;
         let manifest = manifest.with("drive_hz", result.drive_hz);
         output::table(folder, "segments", &result.table()?, &manifest)?;
         for (name, figure) in result.figures()? {

@@ -1,7 +1,7 @@
 //! `jounce spectra FILE`
 
 use crate::failure::Failure;
-use crate::measured_file::{MeasuredFile, or_issues, print_issues, with_options};
+use crate::measured_file::{MeasuredFile, or_issues, print_issues};
 use crate::output::{self, line, print};
 use clap::Args;
 use jounce::{SpectraOptions, SpectraResult};
@@ -37,7 +37,9 @@ impl Spectra {
     }
 
     fn write(&self, folder: &Path, result: &SpectraResult) -> Result<(), Failure> {
-        let manifest = with_options(self.file.manifest("spectra")?, &self.options)?
+        let manifest = self
+            .file
+            .manifest("spectra", &self.options)?
             .with("convention", &result.convention)
             .with("channel", &result.channel);
         output::table(folder, "spectra", &result.table()?, &manifest)?;

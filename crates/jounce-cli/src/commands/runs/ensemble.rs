@@ -49,14 +49,7 @@ impl Ensemble {
         harvester: &Harvester,
         result: &EnsembleResult,
     ) -> Result<(), Failure> {
-        let manifest = self.spec.manifest(harvester.spec(), "ensemble");
-        let manifest = manifest
-            .with("seed", self.options.seed)
-            .with("members", result.members.len());
-        let manifest = match self.options.tolerance {
-            Some(tolerance) => manifest.with("tolerance", tolerance),
-            None => manifest,
-        };
+        let manifest = self.spec.manifest(harvester, "ensemble", &self.options)?;
         output::table(folder, "ensemble", &result.table()?, &manifest)?;
         output::figure(folder, "ensemble", &result.figure())?;
         if let Some(table) = result.spectrum_table()? {

@@ -58,7 +58,7 @@ impl Run {
             result.end.write(path).map_err(Error::from)?;
         }
         if let Some(folder) = &self.output.out {
-            self.write(folder, &harvester, &result)?;
+            self.write(folder, &harvester, &options, &result)?;
         }
         for warning in &result.warnings {
             // Issues of recordings are printed when the spec is read.
@@ -77,16 +77,13 @@ impl Run {
         &self,
         folder: &Path,
         harvester: &Harvester,
+        options: &RunOptions,
         result: &RunResult,
     ) -> Result<(), Failure> {
         if let Some(table) = result.table()? {
-            let manifest = self.spec.manifest(harvester.spec(), "run");
-            output::table(
-                folder,
-                "run",
-                &table,
-                &manifest.with("tolerance", result.tolerance),
-            )?;
+            let manifest = self.spec.manifest(harvester, "run", options)?;
+            let manifest = manifest.with("tolerance", result.tolerance);
+            output::table(folder, "run", &table, &manifest)?;
         }
         for (name, figure) in result.figures()? {
             output::figure(folder, name, &figure)?;

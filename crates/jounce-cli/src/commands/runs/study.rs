@@ -2,7 +2,7 @@
 
 use crate::failure::{Failure, of_study};
 use crate::interruption;
-use crate::output::{line, print};
+use crate::output::{self, line, print};
 use crate::progress;
 use crate::spec_arguments::print_recording_issues;
 use clap::{Args, Subcommand};
@@ -104,6 +104,7 @@ impl Run {
                     .to_owned(),
             ));
         }
+        output::warn(&status.warnings);
         print_status(&status, self.json);
         Ok(())
     }

@@ -62,12 +62,7 @@ impl Sweep {
         harvester: &Harvester,
         result: &SweepResult,
     ) -> Result<(), Failure> {
-        let manifest = self.spec.manifest(harvester.spec(), "sweep");
-        let manifest = manifest.with("over", &self.options.over);
-        let manifest = match self.options.tolerance {
-            Some(tolerance) => manifest.with("tolerance", tolerance),
-            None => manifest,
-        };
+        let manifest = self.spec.manifest(harvester, "sweep", &self.options)?;
         output::table(folder, "sweep", &result.table()?, &manifest)?;
         output::figure(folder, "sweep", &result.figure())
     }

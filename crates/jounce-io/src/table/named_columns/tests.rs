@@ -49,12 +49,10 @@ fn awkward() -> Table {
 }
 
 fn manifest() -> Manifest {
-    Manifest {
-        seed: Some(7),
-        ..Manifest::new("00ff")
-            .with("command", "sweep")
-            .with("over", "drive.shaker.frequency=4Hz:20Hz:0.1Hz")
-    }
+    Manifest::new("00ff")
+        .with("command", "sweep")
+        .with("over", "drive.shaker.frequency=4Hz:20Hz:0.1Hz")
+        .with("seed", 7)
 }
 
 /// True where the bits are equal; `==` differs for NaN and -0.
