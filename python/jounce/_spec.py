@@ -101,8 +101,8 @@ class Spec(SpecOnRig):
         """Integrates one run.
 
         ``tolerance`` overrides ``run.tolerance``; ``start`` is the ``end`` of another run; ``record`` is the length of the stored end of
-        the run, ``"1 s"``, with ``sample_rate`` ("4096 Hz"). A run that has not settled issues :class:`jounce.NotSettled`. The parts reported to ``progress`` are thousandths
-        of the duration.
+        the run, ``"1 s"``, with ``sample_rate`` ("4096 Hz"). A run that has not settled issues :class:`jounce.NotSettled`. The parts
+        reported to ``progress`` are thousandths of the duration.
         """
         given = options(
             tolerance=tolerance,

@@ -7,7 +7,7 @@ use nalgebra::{Cholesky, ComplexField, Dyn, SVD};
 /// values; below it, roundoff keeps some iterations from their end.
 const NEGLIGIBLE_RATIO: f64 = 5.0 * f64::EPSILON;
 
-/// A matrix that is not finite: the answer where a matrix is singular.
+/// A matrix that is not finite: the result where a matrix is singular.
 pub(crate) fn singular<T: ComplexField<RealField = f64>>(rows: usize, columns: usize) -> Mat<T> {
     Mat::from_element(rows, columns, T::from_real(f64::NAN))
 }
