@@ -55,6 +55,7 @@ from ._recorded_file import ModeShape, RecordedFile, read_recordings
 from ._recording import Channel, Recording
 from ._reproduce import ReproduceResult, reproduce
 from ._run import RunResult, State
+from ._saved import load
 from ._segments import SegmentsResult, segments
 from ._signal import Spectrum, spectrum, write_recording
 from ._spec import Spec
@@ -142,6 +143,7 @@ __all__ = [
     "examples",
     "explore",
     "keys",
+    "load",
     "materials",
     "measured_frf",
     "measured_modes",

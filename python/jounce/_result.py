@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import json
 from collections.abc import Callable, Mapping, Sequence
+from os import PathLike
 from typing import Any, NamedTuple, Self, TypeVar, get_args, get_origin, get_type_hints
 
 import numpy as np
@@ -125,6 +126,12 @@ class Result(Data):
             raise error
         assert result is not None, "a call without an error must have a result"
         return result
+
+    def save(self, path: str | PathLike[str]) -> None:
+        """Writes the result with its origin into a file, for :func:`jounce.load`; it replaces a file of that name."""
+        from ._saved import save
+
+        save(self, path)
 
     def _summary(self) -> list[tuple[str, str]]:
         """Returns printable lines of name and value."""

@@ -1,6 +1,8 @@
 """Datasets and data frames: units, names, origin, and the way through files and back."""
 
 import json
+import re
+import zipfile
 
 import numpy as np
 import pytest
@@ -123,6 +125,32 @@ def test_every_result_pickles_and_prints(results, name):
 
     assert pickle.loads(pickle.dumps(results[name])) == results[name]
     assert repr(results[name]).startswith("<jounce.") and "<table>" in results[name]._repr_html_()
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_saved_result_is_the_same(results, name, tmp_path):
+    path = tmp_path / "result.jounce"
+    results[name].save(path)
+    restored = jounce.load(path)
+    assert restored == results[name] and repr(restored) == repr(results[name])
+    assert [entry.name for entry in tmp_path.iterdir()] == ["result.jounce"]
+
+
+def test_a_file_that_is_no_result_is_named(results, tmp_path):
+    damaged, other = tmp_path / "damaged.jounce", tmp_path / "other.jounce"
+    results["run"].save(damaged)
+    content = bytearray(damaged.read_bytes())
+    content[len(content) // 2] ^= 1
+    damaged.write_bytes(content)
+    other.write_text("run")
+    harmful = tmp_path / "harmful.jounce"
+    with zipfile.ZipFile(harmful, "w") as archive:
+        archive.writestr("result.json", '{"format": 1, "result": {"class": ["jounce._errors", "Interrupted"], "fields": {}}}')
+    for path in (damaged, other, harmful, tmp_path / "missing.jounce", tmp_path):
+        with pytest.raises(jounce.FileError, match=re.escape(str(path))):
+            jounce.load(path)
+    with pytest.raises(jounce.FileError, match="cannot be written"):
+        results["run"].save(tmp_path / "missing" / "run.jounce")
 
 
 def test_bifurcation_curves_pass_through_the_bifurcations_and_peaks_of_a_branch(results):

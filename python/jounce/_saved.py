@@ -1,0 +1,148 @@
+"""Results in files: a ZIP archive of ``result.json`` and one ``.npy`` file for each array, without code."""
+
+from __future__ import annotations
+
+import dataclasses
+import importlib
+import io
+import json
+import math
+import os
+import tempfile
+import zipfile
+from os import PathLike, fspath
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ._errors import FileError, JounceError
+from ._result import Result
+from ._spec_text import SpecText, _rebuild
+
+#: Name of the structure in the archive, and its version: that of the format, not of jounce.
+_STRUCTURE, _FORMAT = "result.json", 1
+
+
+def save(result: Result, path: str | PathLike[str]) -> None:
+    """Writes a result completely or not at all."""
+    arrays: list[np.ndarray[Any, Any]] = []
+    structure = {"format": _FORMAT, "result": _encoded(result, arrays)}
+    target = Path(path)
+    try:
+        with tempfile.NamedTemporaryFile(dir=target.parent, prefix=f".{target.name}.", delete=False) as file:
+            try:
+                with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
+                    archive.writestr(_STRUCTURE, json.dumps(structure))
+                    for number, array in enumerate(arrays):
+                        with archive.open(f"{number}.npy", "w", force_zip64=True) as member:
+                            np.lib.format.write_array(member, array, allow_pickle=False)
+                file.close()
+                os.replace(file.name, target)
+            except BaseException:
+                file.close()
+                os.unlink(file.name)
+                raise
+    except OSError as error:
+        raise FileError(f"the result {target} cannot be written: {error}", {"path": str(target), "errno": error.errno}) from error
+
+
+def load(path: str | PathLike[str]) -> Any:
+    """Reads a result that its ``save`` wrote; it equals the saved one.
+
+    Parameters
+    ----------
+    path
+        The file.
+
+    Returns
+    -------
+    The result, of the class that was saved, with its arrays read-only.
+
+    Raises
+    ------
+    FileError
+        For a file that cannot be read, is no saved result, or is damaged.
+
+    Examples
+    --------
+    >>> modes = jounce.examples()["impact-harvester-2019"].modes()
+    >>> modes.save("modes.jounce")
+    >>> jounce.load("modes.jounce") == modes
+    True
+    """
+    try:
+        with zipfile.ZipFile(path) as archive:
+            structure = json.loads(archive.read(_STRUCTURE))
+            if structure["format"] != _FORMAT:
+                raise ValueError(f"its format is {structure['format']}, and this version of jounce reads {_FORMAT}")
+            result = _decoded(structure["result"], archive)
+    except OSError as error:
+        raise FileError(f"the result {fspath(path)} cannot be read: {error}", {"path": fspath(path), "errno": error.errno}) from error
+    except (zipfile.BadZipFile, KeyError, TypeError, ValueError, AttributeError, ImportError, JounceError) as error:
+        raise FileError(f"{fspath(path)} is no result that `save` of a result wrote: {error}", {"path": fspath(path)}) from error
+    if not isinstance(result, Result):
+        raise FileError(f"{fspath(path)} holds no result", {"path": fspath(path)})
+    return result
+
+
+def _encoded(value: Any, arrays: list[np.ndarray[Any, Any]]) -> Any:
+    """Returns a value as JSON; arrays are appended to a list, and objects are a dict of one key that names their kind."""
+    if isinstance(value, np.ndarray) and value.dtype != object:
+        arrays.append(value)
+        return {"array": len(arrays) - 1}
+    if isinstance(value, np.generic):
+        return _encoded(value.item(), arrays)
+    if isinstance(value, float) and not math.isfinite(value):
+        return {"float": str(value)}
+    if value is None or isinstance(value, (bool, int, float, str)):
+        return value
+    if isinstance(value, complex):
+        return {"complex": [_encoded(value.real, arrays), _encoded(value.imag, arrays)]}
+    if isinstance(value, dict):
+        return {"dict": [[_encoded(key, arrays), _encoded(one, arrays)] for key, one in value.items()]}
+    if isinstance(value, SpecText):
+        return {"spec": [type(value).__name__, *value.__reduce__()[1][1:]]}
+    if dataclasses.is_dataclass(value) and type(value).__module__.startswith("jounce."):
+        fields = {field.name: _encoded(getattr(value, field.name), arrays) for field in dataclasses.fields(value)}
+        return {"class": [type(value).__module__, type(value).__name__], "fields": fields}
+    if isinstance(value, (list, tuple, np.ndarray)):
+        items = [_encoded(one, arrays) for one in value]
+        return items if isinstance(value, list) else {"objects" if isinstance(value, np.ndarray) else "tuple": items}
+    raise TypeError(f"a result holds a {type(value).__name__}, which has no form in a file")
+
+
+def _decoded(value: Any, archive: zipfile.ZipFile) -> Any:
+    """Returns the value of its JSON."""
+    if isinstance(value, list):
+        return [_decoded(one, archive) for one in value]
+    if not isinstance(value, dict):
+        return value
+    match value:
+        case {"array": number}:
+            return np.load(io.BytesIO(archive.read(f"{int(number)}.npy")), allow_pickle=False)
+        case {"float": text}:
+            return float(text)
+        case {"complex": [real, imaginary]}:
+            return complex(_decoded(real, archive), _decoded(imaginary, archive))
+        case {"dict": pairs}:
+            return {_decoded(key, archive): _decoded(one, archive) for key, one in pairs}
+        case {"tuple": items}:
+            return tuple(_decoded(items, archive))
+        case {"objects": items}:
+            return np.array(_decoded(items, archive), dtype=object)
+        case {"spec": [name, text, folder]}:
+            return _rebuild(_checked(getattr(importlib.import_module("jounce"), name)), text, folder)
+        case {"class": [module, name], "fields": fields} if module.startswith("jounce."):
+            kind: Any = getattr(importlib.import_module(module), name)
+            if not (isinstance(kind, type) and dataclasses.is_dataclass(kind)):
+                raise ValueError(f"{name} is no part of a result")
+            return kind(**{field: _decoded(one, archive) for field, one in fields.items()})
+    raise ValueError(f"it has a part of unknown kind, {', '.join(value)}")
+
+
+def _checked(kind: Any) -> type[SpecText]:
+    """Returns the class of a spec; raises ValueError for anything else."""
+    if not (isinstance(kind, type) and issubclass(kind, SpecText)):
+        raise ValueError(f"{kind} is no spec")
+    return kind
