@@ -44,7 +44,7 @@ def test_a_study_counts_what_failed_and_what_has_not_settled(harvester, tmp_path
     assert re.search("NOT settled +2 points", repr(table)) and "without a result" not in repr(result)
     # A rigid stop that the harvester starts inside: the point fails.
     inside = harvester.changed({**TRANSIENT, "stop.tip.law": "rigid", "stop.tip.restitution": 0.8, "stop.tip.stiffness": None})
-    with pytest.warns(jounce.PointsWithoutResult, match="1 of 2 points have no result; the column `failure`") as caught:
+    with pytest.warns(jounce.PointsWithoutResult, match="points without a result: 1 of 2; the column `failure`") as caught:
         failed = jounce.Study(inside, {"stop.tip.gap": "-1 mm:1 mm:2x"}).run(tmp_path / "failed")
     assert caught[0].filename == __file__
     assert failed.status.failed_points == 1 and repr(failed).endswith("2 points, 1 without a result>")

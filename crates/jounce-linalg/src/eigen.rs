@@ -7,7 +7,7 @@
 //! Source: G. Golub, C. Van Loan, Matrix Computations, 4th ed., 2013, section 7.6.4.
 
 use crate::{LuFactors, Mat, SWEEPS_PER_ROW, c64, column_mut};
-use nalgebra::{ComplexField, Dyn, Schur};
+use nalgebra::{ComplexField, DVector, Schur};
 
 /// Eigenvalues of a matrix and the columns of their eigenvectors.
 #[derive(Debug, Clone)]
@@ -30,7 +30,7 @@ fn phase(vector: &[c64]) -> c64 {
 /// Returns eigenvalues and eigenvectors; `None` without convergence.
 pub fn eigen(matrix: &Mat<f64>) -> Option<Eigen> {
     let n = matrix.nrows();
-    let (q, t) = schur(matrix.clone())?.unpack();
+    let (q, t) = schur(matrix)?;
     let norm = t.norm();
     let mut values = Vec::with_capacity(n);
     let mut vectors = Mat::zeros(n, n);
@@ -109,7 +109,7 @@ impl Eigen {
 /// Returns the eigenvalues, complex ones in successive conjugate pairs; `None` without convergence.
 pub fn eigenvalues(matrix: &Mat<f64>) -> Option<Vec<c64>> {
     let n = matrix.nrows();
-    let (_, t) = schur(matrix.clone())?.unpack();
+    let (_, t) = schur(matrix)?;
     let mut values = Vec::with_capacity(n);
     while values.len() < n {
         let k = values.len();
@@ -125,14 +125,28 @@ pub fn eigenvalues(matrix: &Mat<f64>) -> Option<Vec<c64>> {
 
 /// Returns the eigenvalues of a complex matrix; `None` without convergence.
 pub fn complex_eigenvalues(matrix: &Mat<c64>) -> Option<Vec<c64>> {
-    let values = schur(matrix.clone())?.unpack().1.diagonal();
+    let values = schur(matrix)?.1.diagonal();
     Some(values.iter().copied().collect())
 }
 
-fn schur<T: ComplexField<RealField = f64>>(matrix: Mat<T>) -> Option<Schur<T, Dyn>> {
-    let sweeps = SWEEPS_PER_ROW * matrix.nrows().max(1);
-    let is_finite = matrix.iter().all(|x| x.clone().is_finite());
-    is_finite.then(|| Schur::try_new(matrix, f64::EPSILON, sweeps))?
+/// Returns the factors `Q` and `T` of `A = Q T Q^H`. The iteration repeats a cyclic matrix without
+/// end, so a matrix that does not converge is reflected first.
+fn schur<T: ComplexField<RealField = f64>>(matrix: &Mat<T>) -> Option<(Mat<T>, Mat<T>)> {
+    let rows = matrix.nrows();
+    if !matrix.iter().all(|x| x.clone().is_finite()) {
+        return None;
+    }
+    let factors = |matrix: Mat<T>| {
+        let schur = Schur::try_new(matrix, f64::EPSILON, SWEEPS_PER_ROW * rows.max(1))?;
+        Some(schur.unpack())
+    };
+    factors(matrix.clone()).or_else(|| {
+        let normal =
+            DVector::from_fn(rows, |i, _| T::from_real(1.0 / (1.0 + i as f64))).normalize();
+        let reflection = Mat::identity(rows, rows) - &normal * normal.adjoint() * T::from_real(2.0);
+        let (q, t) = factors(&reflection * matrix * &reflection)?;
+        Some((reflection * q, t))
+    })
 }
 
 /// Rows of the diagonal block of a real Schur form that begins at row `k`: 1 or 2.
@@ -148,7 +162,9 @@ fn block_eigenvalue(t: &Mat<f64>, k: usize, block: usize) -> c64 {
     let half_difference = 0.5 * (t[(k, k)] - t[(k + 1, k + 1)]);
     let product = t[(k, k + 1)] * t[(k + 1, k)];
     let mean = 0.5 * (t[(k, k)] + t[(k + 1, k + 1)]);
-    c64::new(mean, 0.0) + c64::new(half_difference * half_difference + product, 0.0).sqrt()
+    // Positive by roundoff for a double eigenvalue.
+    let discriminant = (half_difference * half_difference + product).min(0.0);
+    c64::new(mean, (-discriminant).sqrt())
 }
 
 /// Solves `(T - lambda) y = 0` for the eigenvalue of the block at row `k`.
@@ -280,6 +296,22 @@ mod tests {
             }
         });
         assert_eigen(&matrix, 1e-14);
+    }
+
+    /// Matrices that the iteration repeats without end.
+    #[test]
+    fn eigenvectors_of_cyclic_matrices() {
+        for rows in 2..9 {
+            let cyclic = Mat::from_fn(rows, rows, |i, j| f64::from(u8::from((i + 1) % rows == j)));
+            assert_eigen(&cyclic, 1e-14);
+            let complex = cyclic.map(|x| c64::new(0.0, x));
+            let values = complex_eigenvalues(&complex).unwrap();
+            assert!(
+                values
+                    .iter()
+                    .all(|value| (value.norm() - 1.0).abs() < 1e-14)
+            );
+        }
     }
 
     /// A repeated eigenvalue with one vector, and one with all of them.

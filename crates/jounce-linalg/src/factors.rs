@@ -54,6 +54,11 @@ pub fn inverse_cholesky_factor(matrix: &Mat<f64>) -> Option<Mat<f64>> {
 pub fn complex_inverse_cholesky_factor(matrix: &Mat<c64>) -> Option<Mat<c64>> {
     let mut inverse = Mat::identity(matrix.nrows(), matrix.nrows());
     let factor = matrix.clone().cholesky()?;
+    // The root of a negative pivot is imaginary; nalgebra goes on with it.
+    let is_definite = |pivot: &c64| pivot.re > 0.0 && pivot.im == 0.0;
+    if !factor.l_dirty().diagonal().iter().all(is_definite) {
+        return None;
+    }
     factor.l_dirty().solve_lower_triangular_mut(&mut inverse);
     Some(inverse)
 }
@@ -109,6 +114,16 @@ pub(crate) fn svd<T: ComplexField<RealField = f64>>(
 #[allow(clippy::unwrap_used, reason = "tests")]
 mod tests {
     use super::*;
+
+    #[test]
+    fn indefinite_matrices_have_no_cholesky_factor() {
+        let matrix = |diagonal: f64| Mat::from_fn(2, 2, |i, j| if i == j { diagonal } else { 2.0 });
+        assert!(cholesky(&matrix(1.0)).is_none() && cholesky(&matrix(3.0)).is_some());
+        let complex = |diagonal: f64| {
+            complex_inverse_cholesky_factor(&matrix(diagonal).map(|x| c64::new(x, 0.0)))
+        };
+        assert!(complex(1.0).is_none() && complex(f64::NAN).is_none() && complex(3.0).is_some());
+    }
 
     /// Columns of a rank-deficient matrix, too.
     #[test]

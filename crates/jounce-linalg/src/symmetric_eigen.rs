@@ -6,6 +6,8 @@ use nalgebra::SymmetricEigen;
 /// Returns the eigenvalues of a symmetric matrix, ascending, and the columns of their orthonormal
 /// eigenvectors; `None` without convergence. Only the lower triangle is read.
 ///
+/// Vectors of eigenvalues below roundoff of the largest one are accurate as a space, not each.
+///
 /// The rows are taken in the order of their diagonal, largest first: the iteration finds the last
 /// eigenvalue first, and small ones accurately only in this order.
 pub fn symmetric_eigen(matrix: &Mat<f64>) -> Option<(Vec<f64>, Mat<f64>)> {

@@ -8,8 +8,7 @@
 //! which `DP(x*)` contracts (see [`AdaptedNorm`]). By the mean value theorem a motion inside the
 //! radius `r` approaches by the factor `c` in every period, down to the error `e` of the
 //! integration. No other orbit of the period lies inside. `e` is measured: it is the difference
-//! between one period at the tolerance and one at a hundredth of it, plus the closure error of the
-//! orbit.
+//! between one period at the tolerance and one at a hundredth of it, and at least roundoff.
 //!
 //! Limits: `sup |DP|` is taken over states at the radius, along the displacement of the motion and
 //! both ways along the plane of the leading multipliers, not over all directions. Each motion must
@@ -19,8 +18,7 @@
 //! Notices AMS 62 (2015) 1057.
 
 use super::adapted_norm::AdaptedNorm;
-use jounce_linalg::{Eigen, eigen};
-use jounce_linalg::{Mat, norm};
+use jounce_linalg::{Eigen, Mat, eigen, norm};
 use jounce_orbits::Orbit;
 
 /// Smallest initial radius, relative to the size of the orbit. A motion that begins on the orbit
@@ -31,8 +29,8 @@ const FIRST_RADIUS: f64 = 1e-3;
 /// the bound.
 const MAX_ENLARGEMENTS: usize = 20;
 
-/// Error of a period by roundoff, relative to the size of the orbit: of tens of steps, each with some
-/// roundoffs. Two integrations of a motion without contacts may agree in every digit.
+/// Least error of a period, relative to the size of the orbit: some tens of roundoffs. Without
+/// contacts two integrations may agree in every digit.
 const ROUNDOFF_ERROR: f64 = 1e-14;
 
 /// Distance at which a motion has reached an orbit without a derivative, relative to its size.

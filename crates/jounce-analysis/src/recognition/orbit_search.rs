@@ -194,7 +194,7 @@ impl<H: ParametricModel> OrbitSearch<'_, H> {
     }
 
     /// Returns the orbit that a motion without a derivative has reached, with the least period that
-    /// divides the given one. Changes by roundoff do not tell a period from its multiples.
+    /// divides the given one: return times that differ by roundoff are those of one period.
     fn observed(&self, motion: &Transient<'_>, cycles: u32) -> Option<AttractingOrbit> {
         let cycles = (1..=cycles)
             .filter(|least| cycles.is_multiple_of(*least))

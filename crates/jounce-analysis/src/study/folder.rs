@@ -191,7 +191,7 @@ impl Folder {
             ..
         } = self.card.clone();
         let warning = format!(
-            "{failed_points} of {points} points have no result; the column `failure` of the table gives the reasons"
+            "points without a result: {failed_points} of {points}; the column `failure` gives the reasons"
         );
         Status {
             warnings: Vec::from_iter((failed_points > 0).then_some(warning)),

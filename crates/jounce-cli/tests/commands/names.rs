@@ -29,43 +29,37 @@ fn commands_have_the_options_of_the_questions() {
 /// Every option with a value is in the manifest of the tables, under its name in the library.
 #[test]
 fn tables_carry_the_options_of_their_question() {
-    let grid = ["displacement=-5mm:5mm:2x", "velocity=-1m/s:1m/s:2x"];
-    let short = ["--set", "run.average_over=2 s"];
+    assert_options("frf", "frf", &["--points", "7"], &[("points", "7")]);
     let sweep = ["--over", "stop.tip.gap=1mm,2mm", "--direction", "down"];
-    let cases: [(&str, &str, Vec<&str>, Vec<(&str, &str)>); 3] = [
-        ("frf", "frf", vec!["--points", "7"], vec![("points", "7")]),
-        (
-            "sweep",
-            "sweep",
-            [&sweep[..], &short[..]].concat(),
-            vec![
-                ("over", "stop.tip.gap=1mm,2mm"),
-                ("direction", "down"),
-                ("set", "run.average_over=2 s"),
-            ],
-        ),
-        (
-            "basins",
-            "starts",
-            vec!["--grid", grid[0], "--grid", grid[1], "--threads", "1"],
-            vec![(
-                "grid",
-                r#"["displacement=-5mm:5mm:2x","velocity=-1m/s:1m/s:2x"]"#,
-            )],
-        ),
+    let expected = [
+        ("over", "stop.tip.gap=1mm,2mm"),
+        ("direction", "down"),
+        ("set", "run.average_over=2 s"),
     ];
-    for (command, table, arguments, options) in cases {
-        let folder = tempfile::tempdir().unwrap();
-        let out = folder.path().to_str().unwrap();
-        let (code, _, text) = jounce(&[&[command, SPEC, "--out", out], &arguments[..]].concat());
-        assert_eq!(code, 0, "{command}: {text}");
-        let path = folder.path().join(format!("{table}.manifest.json"));
-        let manifest: Value = serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap();
-        let given = &manifest["manifest"]["options"];
-        assert_eq!(given["command"], command);
-        assert!(given["threads"].is_null(), "{given}");
-        for (name, value) in options {
-            assert_eq!(given[name], value, "{command}: {given}");
-        }
+    let short = ["--set", "run.average_over=2 s"];
+    assert_options(
+        "sweep",
+        "sweep",
+        &[&sweep[..], &short[..]].concat(),
+        &expected,
+    );
+    let grid = ["displacement=-5mm:5mm:2x", "velocity=-1m/s:1m/s:2x"];
+    let arguments = ["--grid", grid[0], "--grid", grid[1], "--threads", "1"];
+    let sides = r#"["displacement=-5mm:5mm:2x","velocity=-1m/s:1m/s:2x"]"#;
+    assert_options("basins", "starts", &arguments, &[("grid", sides)]);
+}
+
+fn assert_options(command: &str, table: &str, arguments: &[&str], options: &[(&str, &str)]) {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    let (code, _, text) = jounce(&[&[command, SPEC, "--out", out], arguments].concat());
+    assert_eq!(code, 0, "{command}: {text}");
+    let path = folder.path().join(format!("{table}.manifest.json"));
+    let manifest: Value = serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap();
+    let given = &manifest["manifest"]["options"];
+    assert_eq!(given["command"], command);
+    assert!(given["threads"].is_null(), "{given}");
+    for (name, value) in options {
+        assert_eq!(given[*name], *value, "{command}: {given}");
     }
 }

@@ -2,11 +2,12 @@
 
 use crate::flow::state::dot;
 use crate::integrator::Integrator;
+use crate::kernel::Kernel;
 use crate::ports::phasor::Phasor;
 use jounce_linalg::c64;
 use jounce_simd::{F64x8, Portable};
 
-/// Fraction of the terms of an acceleration, and of the shortest time scale, that is roundoff.
+/// Fraction of the terms of an acceleration that is roundoff.
 const ACCELERATION_ROUNDOFF: f64 = 1e-12;
 
 /// Size, in roundoffs of its terms, below which a distance or speed cannot be distinguished from
@@ -14,17 +15,26 @@ const ACCELERATION_ROUNDOFF: f64 = 1e-12;
 pub(crate) const RESOLVED_ROUNDOFFS: f64 = 4.0;
 
 impl Integrator<'_> {
-    /// True where the motion presses a touching point onto its stop: at present, or, where its
-    /// acceleration is roundoff, in the next moment.
+    /// True where the motion presses a touching point onto its stop.
     pub(super) fn is_pressed(&self, p: usize) -> bool {
-        let (acceleration, roundoff) = (
-            self.acceleration_m_s2(p),
-            self.acceleration_roundoff_m_s2(p),
-        );
-        // The instant at which an acceleration changes sign is known to the same fraction.
-        let resolved_s = ACCELERATION_ROUNDOFF / self.kernel.fastest_rad_s;
-        let jerk = self.jerk_m_s3(p);
-        acceleration > roundoff || acceleration + jerk * resolved_s >= -roundoff && jerk > 0.0
+        self.presses(p, self.acceleration_m_s2(p), || self.jerk_m_s3(p))
+    }
+
+    /// True where an acceleration towards the stop presses a touching point: at present, or, where
+    /// it is roundoff or changes its sign within the shortest step, in the next moment.
+    pub(crate) fn presses(
+        &self,
+        p: usize,
+        acceleration_m_s2: f64,
+        jerk_m_s3: impl FnOnce() -> f64,
+    ) -> bool {
+        let roundoff_m_s2 = self.acceleration_roundoff_m_s2(p);
+        if acceleration_m_s2 > roundoff_m_s2 {
+            return true;
+        }
+        let jerk_m_s3 = jerk_m_s3();
+        let next_m_s2 = acceleration_m_s2 + jerk_m_s3 * Kernel::length_s(Kernel::finest());
+        jerk_m_s3 > 0.0 && next_m_s2 >= -roundoff_m_s2
     }
 
     /// Returns the magnitude below which the acceleration towards the stop is roundoff, m/s^2.

@@ -37,11 +37,11 @@ impl Integrator<'_> {
             let table = tables.contact(self.kernel, (0, ForceBasis::Smooth));
             let sticking = tables.sticking(self.kernel, 0);
             let (force, mismatch_n) = self.holding_force(table, sticking);
-            let allowed_n = self.allowed_mismatch_n(&force);
-            let pulls = force.iter().any(|f| *f < -allowed_n);
+            let error_n = self.force_error_n(&force);
+            let pulls = force.iter().any(|f| *f < -error_n);
             let negligible = force_now * table.length_s
                 <= 1e-3 * self.tolerance * self.speed_m_s(0) / self.ports[0].rows.mobility_per_kg;
-            if (pulls && !negligible) || mismatch_n > allowed_n {
+            if (pulls && !negligible) || mismatch_n > error_n {
                 level = if landing {
                     Kernel::level_within(remaining) + 1
                 } else {
@@ -64,25 +64,21 @@ impl Integrator<'_> {
             }
             // The mismatch of a polynomial through seven nodes grows with the seventh power of the
             // length.
-            if mismatch_n * 2.0_f64.powi(NODES as i32) <= allowed_n {
+            if mismatch_n * 2.0_f64.powi(NODES as i32) <= error_n {
                 level = (level - LEVELS_PER_OCTAVE).max(Kernel::coarsest());
             }
         }
         Ok(())
     }
 
-    /// Returns the magnitude to which nodal forces that hold the point are known, N.
-    fn allowed_mismatch_n(&self, force: &[f64; NODES]) -> f64 {
+    /// Returns the error to which nodal forces that hold the point are known, N.
+    fn force_error_n(&self, force: &[f64; NODES]) -> f64 {
         let size_n = force
             .iter()
             .fold(f64::MIN_POSITIVE, |max, f| max.max(f.abs()));
         // Just before the point leaves, its force is at most the roundoff of its terms.
-        (self.tolerance.max(1e-12) * 1e-2 * size_n).max(self.force_roundoff_n())
-    }
-
-    /// Returns the magnitude below which a holding force is roundoff, N.
-    fn force_roundoff_n(&self) -> f64 {
-        self.acceleration_roundoff_m_s2(0) / self.ports[0].rows.mobility_per_kg
+        let roundoff_n = self.acceleration_roundoff_m_s2(0) / self.ports[0].rows.mobility_per_kg;
+        (self.tolerance.max(1e-12) * 1e-2 * size_n).max(roundoff_n)
     }
 
     /// Returns the nodal forces that hold the point, and their mismatch at the end of the step, N.

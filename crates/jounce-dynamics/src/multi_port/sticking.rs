@@ -178,9 +178,10 @@ impl StickingPorts {
                 / mobility;
             let negligible =
                 size * length_s <= HOLDING_FORCE_TOLERANCE * allowed_n_s.max(impulse_roundoff_n_s);
-            let pulls = solved[*index].force.0.iter().any(|force| *force < 0.0);
             let allowed = (self.allowed * mobility * size)
                 .max(integrator.acceleration_roundoff_m_s2(joint.tables.ports[*index].0));
+            let pulls = |force: &f64| *force < -allowed / mobility;
+            let pulls = solved[*index].force.0.iter().any(pulls);
             let is_good = mismatch.abs() <= allowed && !pulls;
             solved[*index].error_n_s = if is_good || negligible {
                 0.0
@@ -261,12 +262,12 @@ impl Integrator<'_> {
         }
     }
 
-    /// True where a holding force would have to pull: at present, or, where it is roundoff, in the
-    /// next moment.
+    /// True where a holding force would have to pull.
     fn pulls(&self, p: usize, force_n: f64) -> bool {
-        let roundoff_n = self.acceleration_roundoff_m_s2(p) / self.ports[p].rows.mobility_per_kg;
-        let is_pressed_next = || self.jerk_m_s3(p) > self.jerk_by_stops_m_s3(p);
-        force_n < -roundoff_n || force_n <= roundoff_n && !is_pressed_next()
+        let acceleration_m_s2 = force_n * self.ports[p].rows.mobility_per_kg;
+        !self.presses(p, acceleration_m_s2, || {
+            self.jerk_m_s3(p) - self.jerk_by_stops_m_s3(p)
+        })
     }
 
     /// Returns the rate of the acceleration of a port by the forces of the compliant stops in

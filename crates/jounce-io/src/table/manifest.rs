@@ -13,7 +13,7 @@ pub struct Manifest {
     pub version: String,
     /// SHA-256 of the spec in hexadecimal; empty without a spec.
     pub spec_sha256: String,
-    /// The command and its options, as typed by the user.
+    /// The command, and its options by the names of their fields.
     pub options: BTreeMap<String, String>,
 }
 

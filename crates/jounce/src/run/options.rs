@@ -22,7 +22,7 @@ pub struct RunOptions {
     pub tolerance: Option<f64>,
     /// State at the end of another run; overrides run.start.
     #[arg(skip)]
-    #[serde(skip)]
+    #[serde(skip_deserializing, skip_serializing_if = "Option::is_none")]
     pub start: Option<StartState>,
     /// Length of the stored end of the run, for example "1 s"; with 0 s the averaging window with
     /// --out, else nothing.
