@@ -32,7 +32,7 @@ impl CriticalMultiplier {
     pub fn of(map: &Mat<f64>, s: f64) -> Option<Self> {
         let n = map.nrows();
         let shifted = Mat::from_fn(n, n, |i, j| map[(i, j)] - if i == j { s } else { 0.0 });
-        let transposed = shifted.transpose().to_owned();
+        let transposed = shifted.transpose();
         let (c, b) = (null_vector(&shifted), null_vector(&transposed));
         let zero = vec![0.0; n];
         let (v, g) = solve_bordered(&shifted, &b, (&c, 0.0), (&zero, 1.0))?;

@@ -1,7 +1,6 @@
 //! Two multipliers that are a complex pair, or have just met on the real axis, with their invariant
 //! planes.
-use jounce_linalg::{Eigen, eigen, solve};
-use jounce_linalg::{Mat, c64};
+use jounce_linalg::{Eigen, Mat, c64, eigen, solve};
 
 /// Largest ratio of two real multipliers that can be a pair that has met.
 const MAX_REAL_RATIO: f64 = 1.5;
@@ -25,10 +24,10 @@ impl MultiplierPair {
         let (right, values) = plane(map, |[a, b]| ((a * b).re - 1.0).abs())?;
         let (sum, product) = ((values[0] + values[1]).re, (values[0] * values[1]).re);
         let mismatch = |[a, b]: [c64; 2]| ((a + b).re - sum).abs() + ((a * b).re - product).abs();
-        let (left_basis, _) = plane(&map.transpose().to_owned(), mismatch)?;
+        let (left_basis, _) = plane(&map.transpose(), mismatch)?;
         let overlap = left_basis.transpose() * &right;
         // W = U (V' U)^-1, so that W' V = I.
-        let left_basis = solve(&overlap, &left_basis.transpose().to_owned())
+        let left_basis = solve(&overlap, &left_basis.transpose())
             .transpose()
             .to_owned();
         let reduced = left_basis.transpose() * map * &right;

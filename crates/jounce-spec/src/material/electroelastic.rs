@@ -1,8 +1,7 @@
 //! Electroelastic constants of a poled material, and derived constants.
 
 use super::{Ceramic, VACUUM_PERMITTIVITY_F_M};
-use jounce_linalg::Mat;
-use jounce_linalg::inverse;
+use jounce_linalg::{Mat, inverse};
 
 /// Electroelastic constants of a material poled along axis 3, isotropic around it.
 #[derive(Debug, Clone, Copy, PartialEq)]

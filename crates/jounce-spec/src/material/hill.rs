@@ -7,8 +7,7 @@
 //! Source: Dunn and Taya, Int. J. Solids Struct. 30 (1993) 161.
 
 use super::porous::PoreGeometry;
-use jounce_linalg::Mat;
-use jounce_linalg::inverse;
+use jounce_linalg::{Mat, inverse};
 use std::f64::consts::{PI, TAU};
 
 /// Quadrature points along the polar axis. Few points suffice around the axis, because the

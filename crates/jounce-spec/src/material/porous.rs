@@ -20,8 +20,7 @@
 use super::VACUUM_PERMITTIVITY_F_M;
 pub use super::electroelastic::{Electroelastic, PZT_5A};
 use super::hill::hill;
-use jounce_linalg::Mat;
-use jounce_linalg::inverse;
+use jounce_linalg::{Mat, inverse};
 
 /// Relative change at which the self-consistent iteration ends, and its largest number of steps.
 const SCHEME_TOLERANCE: f64 = 1e-12;

@@ -7,8 +7,7 @@
 use super::conduction_path::ConductionPath;
 use super::eigen_refinement::refined;
 use crate::plant::{BlockPair, Electrical, PlantError, System};
-use jounce_linalg::{Eigen, eigen};
-use jounce_linalg::{Mat, c64};
+use jounce_linalg::{Eigen, Mat, c64, eigen};
 
 /// One block with its columns of `T`, and a flag for a closed form.
 pub(super) struct ComponentBlock {
