@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::measured_file::manifest;
 use clap::Args;
 use jounce::parts::Manifest;
-use jounce::{Error, MeasuredFrfOptions, ReadOptions, Recording};
+use jounce::{MeasuredFrfOptions, ReadOptions, Recording};
 use std::path::PathBuf;
 
 /// Arguments of a hammer test.
@@ -30,7 +30,6 @@ impl HammerArguments {
 
     /// Returns the manifest of a result.
     pub fn manifest(&self, command: &str) -> Result<Manifest, Failure> {
-        let manifest = manifest(command, &self.measured, &self.read)?;
-        Ok(manifest.with_options(&self.options).map_err(Error::from)?)
+        manifest(command, &self.measured, &self.read, &self.options)
     }
 }

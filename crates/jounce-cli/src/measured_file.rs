@@ -30,14 +30,23 @@ impl MeasuredFile {
 
     /// Returns the manifest of a result.
     pub fn manifest(&self, command: &str, options: &impl Serialize) -> Result<Manifest, Failure> {
-        let manifest = manifest(command, std::slice::from_ref(&self.file), &self.read)?;
-        Ok(manifest.with_options(options).map_err(Error::from)?)
+        manifest(
+            command,
+            std::slice::from_ref(&self.file),
+            &self.read,
+            options,
+        )
     }
 }
 
 /// Returns the manifest of a result from recordings: their names and the SHA-256 of their bytes, in
-/// order, and the options that read them.
-pub fn manifest(command: &str, files: &[PathBuf], read: &ReadOptions) -> Result<Manifest, Failure> {
+/// order, the options that read them, and those of the command.
+pub fn manifest(
+    command: &str,
+    files: &[PathBuf],
+    read: &ReadOptions,
+    options: &impl Serialize,
+) -> Result<Manifest, Failure> {
     let name = |file: &PathBuf| {
         file.file_name()
             .map_or_else(String::new, |name| name.to_string_lossy().into_owned())
@@ -51,7 +60,8 @@ pub fn manifest(command: &str, files: &[PathBuf], read: &ReadOptions) -> Result<
         .with("command", command)
         .with("recording", names.join(" "))
         .with("recording_sha256", hashes.join(" "));
-    Ok(manifest.with_options(read).map_err(Error::from)?)
+    let manifest = manifest.with_options(read).map_err(Error::from)?;
+    Ok(manifest.with_options(options).map_err(Error::from)?)
 }
 
 /// Computes the SHA-256 of a file, read in blocks.

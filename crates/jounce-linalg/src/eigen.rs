@@ -32,27 +32,23 @@ pub fn eigen(matrix: &Mat<f64>) -> Option<Eigen> {
     let n = matrix.nrows();
     let (q, t) = schur(matrix)?;
     let norm = t.norm();
-    let mut values = Vec::with_capacity(n);
+    let values = block_values(&t);
     let mut vectors = Mat::zeros(n, n);
-    while values.len() < n {
-        let k = values.len();
-        let block = diagonal_block(&t, k);
-        let value = block_eigenvalue(&t, k, block);
-        let y = back_substituted(&t, k, value, norm);
+    let mut k = 0;
+    while k < n {
+        let rows = diagonal_block(&t, k);
+        let y = back_substituted(&t, k, values[k], norm);
         let x: Vec<c64> = (0..n)
-            .map(|i| (0..k + block).map(|j| y[j] * q[(i, j)]).sum())
+            .map(|i| (0..k + rows).map(|j| y[j] * q[(i, j)]).sum())
             .collect();
         let scale = phase(&x) / x.iter().map(c64::norm_sqr).sum::<f64>().sqrt();
         for (i, x) in x.iter().enumerate() {
             vectors[(i, k)] = x * scale;
-        }
-        values.push(value);
-        if block == 2 {
-            for i in 0..n {
+            if rows == 2 {
                 vectors[(i, k + 1)] = vectors[(i, k)].conj();
             }
-            values.push(value.conj());
         }
+        k += rows;
     }
     Some(Eigen { values, vectors })
 }
@@ -108,19 +104,7 @@ impl Eigen {
 
 /// Returns the eigenvalues, complex ones in successive conjugate pairs; `None` without convergence.
 pub fn eigenvalues(matrix: &Mat<f64>) -> Option<Vec<c64>> {
-    let n = matrix.nrows();
-    let (_, t) = schur(matrix)?;
-    let mut values = Vec::with_capacity(n);
-    while values.len() < n {
-        let k = values.len();
-        let block = diagonal_block(&t, k);
-        let value = block_eigenvalue(&t, k, block);
-        values.push(value);
-        if block == 2 {
-            values.push(value.conj());
-        }
-    }
-    Some(values)
+    Some(block_values(&schur(matrix)?.1))
 }
 
 /// Returns the eigenvalues of a complex matrix; `None` without convergence.
@@ -154,17 +138,33 @@ fn diagonal_block(t: &Mat<f64>, k: usize) -> usize {
     1 + usize::from(k + 1 < t.nrows() && t[(k + 1, k)] != 0.0)
 }
 
-/// The eigenvalue of a diagonal block, of a pair that above the real axis.
-fn block_eigenvalue(t: &Mat<f64>, k: usize, block: usize) -> c64 {
-    if block == 1 {
-        return c64::new(t[(k, k)], 0.0);
+/// The eigenvalues of all diagonal blocks of a real Schur form.
+fn block_values(t: &Mat<f64>) -> Vec<c64> {
+    let mut values = Vec::with_capacity(t.nrows());
+    while values.len() < t.nrows() {
+        let k = values.len();
+        if diagonal_block(t, k) == 1 {
+            values.push(c64::new(t[(k, k)], 0.0));
+            continue;
+        }
+        let half_difference = 0.5 * (t[(k, k)] - t[(k + 1, k + 1)]);
+        let product = t[(k, k + 1)] * t[(k + 1, k)];
+        let mean = 0.5 * (t[(k, k)] + t[(k + 1, k + 1)]);
+        // Roundoff can make it positive for a double eigenvalue.
+        let discriminant = (half_difference * half_difference + product).min(0.0);
+        let above = c64::new(mean, (-discriminant).sqrt());
+        values.extend([above, above.conj()]);
     }
-    let half_difference = 0.5 * (t[(k, k)] - t[(k + 1, k + 1)]);
-    let product = t[(k, k + 1)] * t[(k + 1, k)];
-    let mean = 0.5 * (t[(k, k)] + t[(k + 1, k + 1)]);
-    // Positive by roundoff for a double eigenvalue.
-    let discriminant = (half_difference * half_difference + product).min(0.0);
-    c64::new(mean, (-discriminant).sqrt())
+    values
+}
+
+/// Returns a pivot, or the least one where it is smaller.
+fn at_least(least: f64, pivot: c64) -> c64 {
+    if pivot.norm() < least {
+        c64::new(least, 0.0)
+    } else {
+        pivot
+    }
 }
 
 /// Solves `(T - lambda) y = 0` for the eigenvalue of the block at row `k`.
@@ -173,7 +173,7 @@ fn back_substituted(t: &Mat<f64>, k: usize, value: c64, norm: f64) -> Vec<c64> {
     let mut y = vec![c64::new(0.0, 0.0); k + block];
     y[k] = c64::new(1.0, 0.0);
     if block == 2 {
-        // The row with the larger entry beside the diagonal gives the ratio.
+        // The row with the larger off-diagonal entry determines the ratio.
         y[k + 1] = if t[(k, k + 1)].abs() >= t[(k + 1, k)].abs() {
             (value - t[(k, k)]) / t[(k, k + 1)]
         } else {
@@ -189,23 +189,12 @@ fn back_substituted(t: &Mat<f64>, k: usize, value: c64, norm: f64) -> Vec<c64> {
         let first = above - rows;
         let right = |i: usize| -> c64 { -(above..y.len()).map(|j| y[j] * t[(i, j)]).sum::<c64>() };
         if rows == 1 {
-            let pivot = t[(first, first)] - value;
-            let pivot = if pivot.norm() < smallest {
-                c64::new(smallest, 0.0)
-            } else {
-                pivot
-            };
-            y[first] = right(first) / pivot;
+            y[first] = right(first) / at_least(smallest, t[(first, first)] - value);
         } else {
             let (a, d) = (t[(first, first)] - value, t[(first + 1, first + 1)] - value);
             let (b, c) = (t[(first, first + 1)], t[(first + 1, first)]);
-            let determinant = a * d - b * c;
-            let limit = smallest * smallest.max(b.abs().max(c.abs()));
-            let determinant = if determinant.norm() < limit {
-                c64::new(limit, 0.0)
-            } else {
-                determinant
-            };
+            let least = smallest * smallest.max(b.abs().max(c.abs()));
+            let determinant = at_least(least, a * d - b * c);
             let (r, s) = (right(first), right(first + 1));
             y[first] = (r * d - s * b) / determinant;
             y[first + 1] = (a * s - r * c) / determinant;

@@ -3,8 +3,8 @@
 use crate::{Mat, SWEEPS_PER_ROW, c64};
 use nalgebra::{Cholesky, ComplexField, Dyn, SVD};
 
-/// Share of its neighbours below which an entry beside the diagonal ends an iteration for singular
-/// values; below it, roundoff keeps some iterations from their end.
+/// Ratio to its neighbours below which the iteration for singular values takes an off-diagonal entry
+/// as zero. With a smaller one, some matrices do not converge because of roundoff.
 const NEGLIGIBLE_RATIO: f64 = 5.0 * f64::EPSILON;
 
 /// A matrix that is not finite: the result where a matrix is singular.
@@ -54,7 +54,7 @@ pub fn inverse_cholesky_factor(matrix: &Mat<f64>) -> Option<Mat<f64>> {
 pub fn complex_inverse_cholesky_factor(matrix: &Mat<c64>) -> Option<Mat<c64>> {
     let mut inverse = Mat::identity(matrix.nrows(), matrix.nrows());
     let factor = matrix.clone().cholesky()?;
-    // The root of a negative pivot is imaginary; nalgebra goes on with it.
+    // nalgebra accepts a negative pivot, whose root is imaginary.
     let is_definite = |pivot: &c64| pivot.re > 0.0 && pivot.im == 0.0;
     if !factor.l_dirty().diagonal().iter().all(is_definite) {
         return None;

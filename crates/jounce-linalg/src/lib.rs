@@ -2,7 +2,7 @@
 //!
 //! The algorithms of `nalgebra` are generic: each crate that calls one compiles it anew. This crate
 //! calls them for doubles, so they are compiled once. Its own are the eigenvectors of real matrices
-//! without symmetry, which `nalgebra` lacks, and the factors that Newton's method takes most time for.
+//! without symmetry, which `nalgebra` lacks, and the LU factors of Newton's method.
 //!
 //! ```
 //! use jounce_linalg::{Mat, eigenvalues, inverse};
@@ -40,7 +40,7 @@ pub use symmetric_eigen::symmetric_eigen;
 pub type Mat<T> = nalgebra::DMatrix<T>;
 
 /// Complex number of two doubles.
-#[allow(non_camel_case_types, reason = "the usual short name beside f64")]
+#[allow(non_camel_case_types, reason = "the usual short name, as f64")]
 pub type c64 = nalgebra::Complex<f64>;
 
 /// Sweeps per row of a matrix after which an iteration is taken not to converge.

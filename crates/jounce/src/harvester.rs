@@ -30,6 +30,8 @@ pub struct Harvester {
     control: Control,
     /// The model, created by the first computation and shared by all copies of this harvester.
     model: Arc<OnceLock<Model>>,
+    /// The digest of the spec, likewise.
+    hash_hex: Arc<OnceLock<String>>,
 }
 
 /// Value of a key with a number.
@@ -80,6 +82,7 @@ impl Harvester {
             spec,
             control: Control::default(),
             model: Arc::default(),
+            hash_hex: Arc::default(),
         })
     }
 
@@ -122,8 +125,13 @@ impl Harvester {
     /// # Errors
     /// [`Error::Table`] for an option that JSON cannot hold.
     pub fn manifest(&self, question: &str, options: &impl Serialize) -> Result<Manifest, Error> {
-        let manifest = Manifest::new(&self.spec.hash_hex()).with("command", question);
+        let manifest = Manifest::new(self.hash_hex()).with("command", question);
         Ok(manifest.with_options(options)?)
+    }
+
+    /// Returns the SHA-256 of the canonical form of the spec, in hexadecimal.
+    pub fn hash_hex(&self) -> &str {
+        self.hash_hex.get_or_init(|| self.spec.hash_hex())
     }
 
     /// Returns a copy with a tolerance of the integration; `None` keeps the one of the spec.

@@ -19,7 +19,7 @@ pub fn open<P: Serialize + DeserializeOwned>(
     (question, options): (&str, &impl Serialize),
 ) -> Result<Journal<P>, Error> {
     let options = serde_json::to_string(options).unwrap_or_default();
-    let (spec, version) = (harvester.spec().hash_hex(), env!("CARGO_PKG_VERSION"));
+    let (spec, version) = (harvester.hash_hex(), env!("CARGO_PKG_VERSION"));
     let digest = Sha256::digest(format!("{spec} {question} {options} {version}"));
     let key: String = digest.iter().map(|byte| format!("{byte:02x}")).collect();
     Ok(Journal::open(folder, &key)?)

@@ -8,7 +8,8 @@
 //! which `DP(x*)` contracts (see [`AdaptedNorm`]). By the mean value theorem a motion inside the
 //! radius `r` approaches by the factor `c` in every period, down to the error `e` of the
 //! integration. No other orbit of the period lies inside. `e` is measured: it is the difference
-//! between one period at the tolerance and one at a hundredth of it, and at least roundoff.
+//! between one period at the tolerance and one at a hundredth of it, plus the closure error of the
+//! orbit, and at least roundoff.
 //!
 //! Limits: `sup |DP|` is taken over states at the radius, along the displacement of the motion and
 //! both ways along the plane of the leading multipliers, not over all directions. Each motion must
@@ -44,7 +45,9 @@ const SAME_POWER_DISTANCE: f64 = 1e-5;
 pub(super) struct PeriodRun {
     /// Derivative of the map at the start.
     pub derivative: Mat<f64>,
-    /// Difference of two integrations of the period at its end.
+    /// State at the end, the more accurate of two integrations.
+    pub end: Vec<f64>,
+    /// Difference of the two at the end.
     pub error: Vec<f64>,
 }
 
@@ -86,7 +89,14 @@ impl AttractingOrbit {
         let norm = AdaptedNorm::of(&at_rest.derivative, rate)?;
         let directions = directions(&norm, &at_rest.derivative, displacement);
         let size = orbit.size().max(f64::MIN_POSITIVE);
-        let error_at_rest = norm.length(&at_rest.error).max(ROUNDOFF_ERROR * size);
+        let closure: Vec<f64> = at_rest
+            .end
+            .iter()
+            .zip(orbit.start())
+            .map(|(end, start)| end - start)
+            .collect();
+        let error_at_rest =
+            (norm.length(&at_rest.error) + norm.length(&closure)).max(ROUNDOFF_ERROR * size);
         let bound = |radius: f64| -> Option<(f64, f64)> {
             let mut worst = (norm.norm_of(&at_rest.derivative)?, error_at_rest);
             for direction in &directions {

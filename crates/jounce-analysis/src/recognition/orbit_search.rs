@@ -120,10 +120,11 @@ impl<H: ParametricModel> OrbitSearch<'_, H> {
                     ContinuationError::Family(OrbitError::Integration(error.into()))
                 })
             });
-            let error = coarse?.iter().zip(fine?).map(|(a, b)| a - b).collect();
+            let end = fine?;
             Ok(PeriodRun {
                 derivative: evaluation.map().clone(),
-                error,
+                error: coarse?.iter().zip(&end).map(|(a, b)| a - b).collect(),
+                end,
             })
         };
         let found = AttractingOrbit::prove(orbit, shot.keeps_charge, &displacement, period);

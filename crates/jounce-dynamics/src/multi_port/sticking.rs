@@ -180,8 +180,8 @@ impl StickingPorts {
                 size * length_s <= HOLDING_FORCE_TOLERANCE * allowed_n_s.max(impulse_roundoff_n_s);
             let allowed = (self.allowed * mobility * size)
                 .max(integrator.acceleration_roundoff_m_s2(joint.tables.ports[*index].0));
-            let pulls = |force: &f64| *force < -allowed / mobility;
-            let pulls = solved[*index].force.0.iter().any(pulls);
+            let error_n = allowed / mobility;
+            let pulls = solved[*index].force.0.iter().any(|f| *f < -error_n);
             let is_good = mismatch.abs() <= allowed && !pulls;
             solved[*index].error_n_s = if is_good || negligible {
                 0.0

@@ -2,6 +2,7 @@
 
 use super::error::TableError;
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 use std::collections::BTreeMap;
 
 /// Origin of a result. It contains no time and no machine, so the same run gives identical bytes.
@@ -46,19 +47,16 @@ impl Manifest {
             reason: error.to_string(),
         };
         let options = serde_json::to_value(options).map_err(fault)?;
-        let given = options
-            .as_object()
-            .into_iter()
-            .flatten()
-            .filter(|(name, value)| {
-                let is_empty = value.as_array().is_some_and(Vec::is_empty);
-                !value.is_null() && !is_empty && *name != "threads"
-            });
-        Ok(
-            given.fold(self, |manifest, (name, value)| match value.as_str() {
-                Some(text) => manifest.with(name, text),
-                None => manifest.with(name, value),
-            }),
-        )
+        let mut manifest = self;
+        for (name, value) in options.as_object().into_iter().flatten() {
+            manifest = match value {
+                Value::Null => manifest,
+                Value::Array(values) if values.is_empty() => manifest,
+                _ if name == "threads" => manifest,
+                Value::String(text) => manifest.with(name, text),
+                value => manifest.with(name, value),
+            };
+        }
+        Ok(manifest)
     }
 }

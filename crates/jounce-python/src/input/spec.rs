@@ -8,7 +8,6 @@ use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use serde::Serialize;
 use std::path::PathBuf;
-use std::sync::OnceLock;
 
 /// Spec that is read and checked. It is immutable; a change returns a new one.
 #[pyclass(frozen, module = "jounce._core")]
@@ -16,7 +15,6 @@ pub struct Spec {
     /// The harvester of the text.
     pub harvester: Harvester,
     text: String,
-    hash_hex: OnceLock<String>,
 }
 
 #[pymethods]
@@ -67,7 +65,7 @@ impl Spec {
 
     /// Returns the SHA-256 of the canonical form.
     fn hash_hex(&self) -> &str {
-        self.hash_hex.get_or_init(|| self.spec().hash_hex())
+        self.harvester.hash_hex()
     }
 
     /// Returns the value of a key with a number, SI, and its unit.
@@ -99,11 +97,7 @@ impl Spec {
     /// Returns the spec of a harvester.
     pub fn of(harvester: Harvester) -> Self {
         let text = harvester.text();
-        Self {
-            harvester,
-            text,
-            hash_hex: OnceLock::new(),
-        }
+        Self { harvester, text }
     }
 
     /// Returns the contents of the spec.

@@ -6,7 +6,7 @@ use crate::output::{self, line, print, with_uncertainty};
 use crate::spec_arguments::OutputArguments;
 use clap::Args;
 use jounce::parts::PowerRecord;
-use jounce::{Error, PowerOptions, PowerResult, ReadOptions, Recording};
+use jounce::{PowerOptions, PowerResult, ReadOptions, Recording};
 use std::path::{Path, PathBuf};
 
 /// Arguments of `power`.
@@ -49,8 +49,7 @@ impl Power {
     }
 
     fn write(&self, folder: &Path, result: &PowerResult) -> Result<(), Failure> {
-        let manifest = manifest("power", &self.files, &self.read)?;
-        let manifest = manifest.with_options(&self.options).map_err(Error::from)?;
+        let manifest = manifest("power", &self.files, &self.read, &self.options)?;
         output::table(folder, "power", &result.table()?, &manifest)?;
         output::figure(folder, "power-load", &result.figure())?;
         output::figure(folder, "power-spectrum", &result.spectra_figure())
