@@ -17,10 +17,12 @@ from ._contact import ContactResult, Pulse, contact
 from ._core import VERSION as __version__
 from ._diagram import DiagramResult
 from ._elements import Beam, Circuit, Damping, Drive, Gravity, Layer, Mass, Modal, Patch, Reduction, Run, Stop
+from ._design import DesignResult
 from ._ensemble import EnsembleResult
 from ._errors import (
     ArgumentError,
     ConvergenceError,
+    DesignError,
     ExploreError,
     Fault,
     FileError,
@@ -57,6 +59,7 @@ from ._reproduce import ReproduceResult, reproduce
 from ._run import RunResult, State
 from ._saved import load
 from ._segments import SegmentsResult, segments
+from ._sensitivity import SensitivityResult
 from ._signal import Spectrum, spectrum, write_recording
 from ._spec import Spec
 from ._spectra import SpectraResult, spectra
@@ -78,6 +81,8 @@ __all__ = [
     "ContactResult",
     "ConvergenceError",
     "Damping",
+    "DesignError",
+    "DesignResult",
     "DiagramResult",
     "Drive",
     "EnsembleResult",
@@ -123,6 +128,7 @@ __all__ = [
     "Run",
     "RunResult",
     "SegmentsResult",
+    "SensitivityResult",
     "Spec",
     "SpecError",
     "SpectraResult",

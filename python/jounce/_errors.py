@@ -12,6 +12,7 @@ __all__ = [
     "ExploreError",
     "Fault",
     "FileError",
+    "DesignError",
     "FitError",
     "Interrupted",
     "JounceError",
@@ -107,6 +108,10 @@ class StudyError(JounceError):
 
 class RecordingError(JounceError, ValueError):
     """A recording without the requested quantity: too short, without a signal, without a hit, or with unusable sample times."""
+
+
+class DesignError(JounceError):
+    """A design file that cannot be read, or a design of which nothing can be evaluated."""
 
 
 class FitError(JounceError, ValueError):

@@ -1,4 +1,4 @@
-"""Virtual test of a harvester: simulated sensor recordings, and the fit of its keys to measurements."""
+"""Virtual test of a harvester, the fit of its keys to measurements, and its design."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 from . import _core
 from ._arguments import check_integers, names, options, to_si
+from ._design import DesignResult, make_design, problem_text
 from ._errors import ArgumentError
 from ._fit import FitResult, make_fit
 from ._inputs import Measured, recording
@@ -18,6 +19,7 @@ from ._progress import Progress, progress_callback
 from ._quantity import toml
 from ._recording import Recording
 from ._result import make_manifest, result_or_raise
+from ._sensitivity import SensitivityResult, make_sensitivity
 from ._spec_text import SpecText
 
 if TYPE_CHECKING:
@@ -25,7 +27,7 @@ if TYPE_CHECKING:
 
 
 class SpecOnRig(SpecText):
-    """Spec with virtual tests and fits."""
+    """Spec with virtual tests, fits and designs."""
 
     __slots__ = ()
 
@@ -124,6 +126,55 @@ class SpecOnRig(SpecText):
             text, fitted = result_or_raise(_core.fit(self._spec, **source, progress=callback))
         manifest = {**make_manifest("fit", to=source_name), "spec_sha256": self.sha256}
         return make_fit(json.loads(text), cast("Spec", self._from_core(fitted)), manifest)
+
+    def sensitivity(
+        self,
+        key: str | Sequence[str] = (),
+        *,
+        at: str | None = None,
+        starts: int = 50,
+        seed: int = 1,
+        threads: int | None = None,
+        progress: bool | Progress | None = None,
+    ) -> SensitivityResult:
+        """Computes the derivatives of the results of a stable periodic orbit with respect to keys; ``jounce sensitivity``.
+
+        ``key`` is a key, a list of the spec such as ``"damping.ratios"``, or several; by default all numbers of the spec other than 0. The
+        orbit is the one that most of the ``starts`` of a cloud with a ``seed`` reach, or that of the id ``at`` in :meth:`basins`.
+
+        Raises :class:`ArgumentError` for an unknown orbit, :class:`SpecError` for an unknown key.
+        """
+        check_integers(starts=starts, seed=seed, threads=threads)
+        given = {"key": names(key), "at": at, "starts": starts, "seed": seed}
+        with progress_callback(progress) as callback:
+            text = result_or_raise(_core.sensitivity(self._spec, options(**given, threads=threads), callback))
+        return make_sensitivity(json.loads(text), {**make_manifest("sensitivity", **given), "spec_sha256": self.sha256})
+
+    def design(
+        self,
+        problem: str | PathLike[str] | Mapping[str, Any],
+        *,
+        seed: int | None = None,
+        evaluations: int | None = None,
+        threads: int | None = None,
+        progress: bool | Progress | None = None,
+    ) -> DesignResult:
+        """Searches the values of keys with the largest power within limits, and examines the best design; ``jounce design``.
+
+        ``problem`` is the path of a design file without the key ``spec``, or a dict with the same contents: ``{"free": {"stop.tip.gap":
+        "0.2mm:3mm"}, "goal": {"maximise": "expected-power", "starts": 100}, "limits": {"patch.mfc.strain": "600 ppm"}, "tolerance":
+        {"stop.tip.gap": "0.05 mm"}}``. ``seed`` and ``evaluations``, the largest number of evaluated designs, replace those of the problem.
+        ``progress`` reports the number of evaluated designs; their total is not known and reported as 0.
+
+        Raises :class:`SpecError` with all faults of the problem, :class:`DesignError` where no design can be evaluated.
+        """
+        check_integers(seed=seed, evaluations=evaluations, threads=threads)
+        text, name = problem_text(problem)
+        given = {"seed": seed, "evaluations": evaluations, "threads": threads}
+        with progress_callback(progress) as callback:
+            result, best = result_or_raise(_core.design(self._spec, text, options(**given), callback))
+        manifest = {**make_manifest("design", problem=name, seed=seed, evaluations=evaluations), "spec_sha256": self.sha256}
+        return make_design(json.loads(result), cast("Spec", self._from_core(best)), manifest)
 
 
 def _solutions(solution: str | Sequence[str | tuple[str, Any]]) -> list[str]:

@@ -7,8 +7,10 @@ mod branches;
 mod diagram;
 mod ensemble;
 mod journal;
+mod key_line;
 mod model;
 mod model_at_start;
+mod orbit_derivatives;
 mod orbit_limits;
 mod parameter;
 mod recognition;
@@ -41,8 +43,12 @@ pub use ensemble::{
     StopEstimates, VoltageSpectrum,
 };
 pub use journal::{Journal, JournalError};
+pub use key_line::KeyLine;
 pub use model::{AnalysisError, Model};
 pub use model_at_start::ModelAtStart;
+pub use orbit_derivatives::{
+    Derivative, DerivativeAccuracy, DerivativeKey, OrbitDerivatives, orbit_derivatives,
+};
 pub use parameter::Parameter;
 pub(crate) use recognition::settled_orbits;
 pub use recognition::{

@@ -178,14 +178,9 @@ impl ParametricModel for Parameter<'_> {
     fn at(&self, parameter: f64) -> Result<ModelInstance, AnalysisError> {
         self.base.kernel.control.count_harvester();
         let kernel = self.kernel(parameter)?;
-        let system = &kernel.plant.system;
-        if let Some(drive) = system.aperiodic() {
-            return Err(AnalysisError::Aperiodic {
-                drive: drive.to_owned(),
-            });
-        }
+        check_periodic(&kernel)?;
         // The closed forms hold for a single conduction state only.
-        let change = if system.bridges.is_empty() {
+        let change = if kernel.plant.system.bridges.is_empty() {
             self.change(&kernel, parameter)
         } else {
             None
@@ -195,5 +190,15 @@ impl ParametricModel for Parameter<'_> {
 
     fn difference(&self) -> f64 {
         self.difference
+    }
+}
+
+/// Checks that all drives are periodic.
+pub(crate) fn check_periodic(kernel: &Kernel) -> Result<(), AnalysisError> {
+    match kernel.plant.system.aperiodic() {
+        None => Ok(()),
+        Some(drive) => Err(AnalysisError::Aperiodic {
+            drive: drive.to_owned(),
+        }),
     }
 }

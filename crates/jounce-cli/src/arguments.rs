@@ -1,16 +1,16 @@
 //! Commands of the command line.
 
 use crate::commands::{
-    basins, bifurcations, branch, check, completions, contact, diagram, ensemble, explore, fit,
-    frf, materials, modes, new, noise, power, read, reproduce, rig, run, segments, show, spectra,
-    study, sweep,
+    basins, bifurcations, branch, check, completions, contact, design, diagram, ensemble, explore,
+    fit, frf, materials, modes, new, noise, power, read, reproduce, rig, run, segments,
+    sensitivity, show, spectra, study, sweep,
 };
 use clap::{Parser, Subcommand};
 
 /// Simulates, analyses and designs vibro-impact piezoelectric energy harvesters.
 ///
 /// Exit codes: 0 success, 2 wrong usage, 3 not converged (`branch` and `bifurcations`: no branch
-/// or curve is complete), 4 invalid input.
+/// or curve is complete; `design`: no design keeps the limits), 4 invalid input.
 #[derive(Debug, Parser)]
 #[command(name = "jounce", version, max_term_width = 110)]
 pub struct Arguments {
@@ -51,6 +51,8 @@ pub enum Command {
     Diagram(diagram::Diagram),
     /// Finds the attractors, the share of random starts that reach each, and the expected power.
     Basins(basins::Basins),
+    /// Computes the derivatives of the results of a periodic orbit with respect to keys of the spec.
+    Sensitivity(sensitivity::Sensitivity),
     /// Integrates realisations of noise and reports the mean power with its confidence interval.
     Ensemble(ensemble::Ensemble),
     /// Opens a page in the browser with sliders for the keys; the drawing and curves follow every
@@ -59,6 +61,9 @@ pub enum Command {
     /// Computes one quantity at many points over the keys of a spec, in parts that several
     /// processes can share.
     Study(study::Study),
+    /// Searches the values of keys with the largest power within limits, and examines the best
+    /// design.
+    Design(design::Design),
     /// Computes the tables, figures and claims of the 2019 impact-harvester paper.
     Reproduce(reproduce::Reproduce),
     /// Reads a recording of any supported format and reports its contents and its data-quality
@@ -109,9 +114,11 @@ impl Command {
             Command::Bifurcations(command) => command.output.json,
             Command::Diagram(command) => command.output.json,
             Command::Basins(command) => command.output.json,
+            Command::Sensitivity(command) => command.output.json,
             Command::Ensemble(command) => command.output.json,
             Command::Explore(command) => command.json,
             Command::Study(command) => command.wants_json(),
+            Command::Design(command) => command.output.json,
             Command::Reproduce(command) => command.json,
             Command::Read(command) => command.file.output.json,
             Command::Power(command) => command.output.json,

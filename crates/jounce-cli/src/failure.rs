@@ -2,7 +2,7 @@
 
 use crate::option_names::on_command_line;
 use crate::output::print;
-use jounce::parts::{Fault, StudyError};
+use jounce::parts::{DesignError, Fault, StudyError};
 use jounce::{Error, ErrorKind};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -92,9 +92,13 @@ fn fault_line(path: &Path, fault: &Fault) -> String {
     }
 }
 
-/// Returns the failure of a study file; faults in it get its name.
-pub fn of_study(path: &Path, error: Error) -> Failure {
+/// Returns the failure of a file of a study or a design; faults in it get its name.
+pub fn of_file(path: &Path, error: Error) -> Failure {
     match error {
+        Error::Design(error) => match *error {
+            DesignError::Faults(faults) => Failure::faults(path, faults),
+            error => Error::from(error).into(),
+        },
         Error::Study(error) => match *error {
             StudyError::Faults(faults) => Failure::faults(path, faults),
             error => Error::from(error).into(),

@@ -44,6 +44,8 @@ mod _core {
     #[pymodule_export]
     use super::questions::branch::branch;
     #[pymodule_export]
+    use super::questions::design::design;
+    #[pymodule_export]
     use super::questions::diagram::diagram;
     #[pymodule_export]
     use super::questions::ensemble::ensemble;
@@ -61,6 +63,8 @@ mod _core {
     use super::questions::rig::rig;
     #[pymodule_export]
     use super::questions::run::run;
+    #[pymodule_export]
+    use super::questions::sensitivity::sensitivity;
     #[pymodule_export]
     use super::questions::study::{Study, study_merge, study_status, table_read};
     #[pymodule_export]

@@ -22,7 +22,7 @@ pub struct Fault {
 
 impl Fault {
     /// Returns a fault without a place in a file.
-    pub(super) fn without_position(key: &str, message: impl Into<String>) -> Self {
+    pub fn without_position(key: &str, message: impl Into<String>) -> Self {
         Self {
             line: 0,
             column: 0,

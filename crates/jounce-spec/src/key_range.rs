@@ -63,6 +63,11 @@ pub fn quantity_range(quantity: Quantity, text: &str) -> Result<Vec<f64>, String
     points(Kind::Quantity(quantity), text)
 }
 
+/// Reads one number of a kind, SI.
+pub(super) fn number(kind: Kind, text: &str) -> Result<f64, String> {
+    Ok(DecimalNumber::read(kind, text)?.value)
+}
+
 fn points(kind: Kind, text: &str) -> Result<Vec<f64>, String> {
     let parts: Vec<&str> = text.split(':').map(str::trim).collect();
     let [from, to, spacing] = parts[..] else {

@@ -97,6 +97,14 @@ impl NumericKey {
         self.kind.show(value_si)
     }
 
+    /// Reads a number in a unit of the key, SI; the limits of the key do not apply.
+    ///
+    /// # Errors
+    /// What is wrong with the number or its unit.
+    pub fn read(&self, text: &str) -> Result<f64, String> {
+        super::key_range::number(self.kind, text)
+    }
+
     /// Returns the help text of the key.
     pub fn about(&self) -> &'static str {
         self.info.doc
@@ -127,18 +135,37 @@ impl NumericKey {
     /// A value outside the limits of the key, or a value that violates a rule between keys (a patch
     /// beyond its beam).
     pub fn set(&self, spec: &mut Spec, value_si: f64) -> Result<(), Fault> {
-        self.check(value_si)?;
-        let before = self.get(spec)?;
-        self.store(spec, value_si);
-        let faults = validation::first(spec);
-        if let Some((_, message)) = faults {
-            self.store(spec, before);
-            return Err(Fault::without_position(
-                &self.path,
-                format!("{} = {}: {message}", self.path, self.kind.show(value_si)),
-            ));
+        Self::set_all(spec, &[(self, value_si)])
+    }
+
+    /// Sets the values of several keys together, SI: rules between keys apply to all of them at
+    /// once. On an error the spec is unchanged.
+    ///
+    /// # Errors
+    /// As [`NumericKey::set`].
+    pub fn set_all(spec: &mut Spec, values: &[(&Self, f64)]) -> Result<(), Fault> {
+        for (key, value_si) in values {
+            key.check(*value_si)?;
         }
-        Ok(())
+        let mut before = Vec::with_capacity(values.len());
+        for (key, value_si) in values {
+            before.push((key, key.get(spec)?));
+            key.store(spec, *value_si);
+        }
+        let Some((_, message)) = validation::first(spec) else {
+            return Ok(());
+        };
+        for (key, value_si) in before.iter().rev() {
+            key.store(spec, *value_si);
+        }
+        let assignment =
+            |(key, value): &(&Self, f64)| format!("{} = {}", key.path, key.kind.show(*value));
+        let assignments: Vec<String> = values.iter().map(assignment).collect();
+        let path = values.first().map_or("", |(key, _)| &key.path);
+        Err(Fault::without_position(
+            path,
+            format!("{}: {message}", assignments.join(", ")),
+        ))
     }
 
     /// Checks a value against the limits of the key itself.

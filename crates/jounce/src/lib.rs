@@ -12,7 +12,7 @@
 //!
 //! A [`Harvester`] is read from a spec file. Each question is one method with its options and its
 //! result. The exceptions are [`Harvester::check`] without options, [`Harvester::fit`] with
-//! [`Features`], and [`Study::run`], a method of a [`Study`]:
+//! [`Features`], [`Study::run`], a method of a [`Study`], and [`Design::run`], one of a [`Design`]:
 //!
 //! | question | method | options | result |
 //! |---|---|---|---|
@@ -26,8 +26,10 @@
 //! | bifurcation curves in two keys | [`Harvester::bifurcations`] | [`BifurcationsOptions`] | [`BifurcationsResult`] |
 //! | bifurcation diagram over a key | [`Harvester::diagram`] | [`DiagramOptions`] | [`DiagramResult`] |
 //! | attractors and how likely each is | [`Harvester::basins`] | [`BasinsOptions`] | [`BasinsResult`] |
+//! | derivatives of results of an orbit | [`Harvester::sensitivity`] | [`SensitivityOptions`] | [`SensitivityResult`] |
 //! | means over realisations of noise | [`Harvester::ensemble`] | [`EnsembleOptions`] | [`EnsembleResult`] |
 //! | one quantity over several keys | [`Study::run`] | [`StudyOptions`] | [`parts::StudyStatus`] |
+//! | keys with the largest power within limits | [`Design::run`] | [`DesignOptions`] | [`DesignResult`] |
 //! | keys that fit measurements | [`Harvester::fit`] | [`Features`] | [`FitResult`] |
 //! | simulated recordings of sensors | [`Harvester::rig`] | [`RigOptions`] | [`RigResult`] |
 //!
@@ -66,6 +68,7 @@ mod branch;
 mod check;
 mod contact;
 mod continuation_options;
+mod design;
 mod diagram;
 mod ensemble;
 mod error;
@@ -73,6 +76,7 @@ mod fit;
 mod frf;
 mod harvester;
 mod journal;
+mod leaves;
 pub mod live;
 mod measured_frf;
 mod measured_modes;
@@ -90,6 +94,7 @@ mod reproduce;
 mod rig;
 mod run;
 mod segments;
+mod sensitivity;
 mod spectra;
 mod study;
 mod sweep;
@@ -99,6 +104,7 @@ pub use bifurcations::{BifurcationsOptions, BifurcationsResult};
 pub use branch::{BranchOptions, BranchResult};
 pub use check::CheckResult;
 pub use contact::{ContactOptions, ContactResult};
+pub use design::{Design, DesignOptions, DesignResult};
 pub use diagram::{DiagramOptions, DiagramResult};
 pub use ensemble::{EnsembleOptions, EnsembleResult};
 pub use error::{Error, ErrorDetails, ErrorKind};
@@ -127,6 +133,7 @@ pub use reproduce::{ReproduceOptions, ReproduceResult, reproduce};
 pub use rig::{RigOptions, RigResult};
 pub use run::{RunOptions, RunResult};
 pub use segments::{SegmentsOptions, SegmentsResult};
+pub use sensitivity::{SensitivityOptions, SensitivityResult};
 pub use spectra::{SpectraOptions, SpectraResult};
 pub use study::{Study, StudyFolder, StudyOptions};
 pub use sweep::{SweepOptions, SweepResult};

@@ -8,6 +8,7 @@ pub use crate::branch::{
 };
 pub use crate::check::DriveIssue;
 pub use crate::contact::{FixedLawResult, HitResult};
+pub use crate::design::DesignJournal;
 pub use crate::diagram::{DiagramDirection, DiagramJournal, DiagramPoint, SectionPoint};
 pub use crate::ensemble::{EnsemblePatch, EnsembleStop, VoltageSpectrum};
 pub use crate::frf::FrfResponse;
@@ -20,6 +21,7 @@ pub use crate::recording::{ChannelList, ChosenChannel, UsesChannels};
 pub use crate::rig::BaseMotion;
 pub use crate::run::{History, HistorySamples, LoadResult, PatchResult};
 pub use crate::segments::SegmentResult;
+pub use crate::sensitivity::{FailedKey, KeyDerivative, KeySensitivity, OrbitResult};
 pub use crate::spectra::OrderPeak;
 pub use crate::study::{Shard, StudyStatus};
 pub use crate::sweep::{SweepOrder, SweepPoint};
@@ -34,6 +36,10 @@ pub use jounce_analysis::{IntervalOver, Journal, Member, SweepDirection};
 pub use jounce_data::read::RawChannel;
 pub use jounce_data::recording::{
     Channel, ChannelError, Grid, Issue, Over, Quantity as MeasuredQuantity,
+};
+pub use jounce_design::{
+    BestDesign, DesignBefore, DesignError, DesignOutcome, FreeValue, FrontPoint, Journaled,
+    LimitResult, NearestFold, Quantile, Robustness, SearchEnd, SobolIndex, TracePoint,
 };
 pub use jounce_experiment::draw::PulseFigure;
 pub use jounce_experiment::fit::{

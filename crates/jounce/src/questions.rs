@@ -4,6 +4,7 @@ use crate::basins::BasinsOptions;
 use crate::bifurcations::BifurcationsOptions;
 use crate::branch::BranchOptions;
 use crate::contact::ContactOptions;
+use crate::design::DesignOptions;
 use crate::diagram::DiagramOptions;
 use crate::ensemble::EnsembleOptions;
 use crate::frf::FrfOptions;
@@ -18,6 +19,7 @@ use crate::reproduce::ReproduceOptions;
 use crate::rig::RigOptions;
 use crate::run::RunOptions;
 use crate::segments::SegmentsOptions;
+use crate::sensitivity::SensitivityOptions;
 use crate::spectra::SpectraOptions;
 use crate::study::StudyOptions;
 use crate::sweep::SweepOptions;
@@ -132,6 +134,11 @@ fn of_runs_and_orbits() -> Vec<Question> {
             ["Harvester::basins", "basins", "Spec.basins"],
             Some("basins"),
         ),
+        question::<SensitivityOptions>(
+            "derivatives of the results of an orbit with respect to keys",
+            ["Harvester::sensitivity", "sensitivity", "Spec.sensitivity"],
+            None,
+        ),
     ]
 }
 
@@ -146,6 +153,11 @@ fn of_many_runs() -> Vec<Question> {
         question::<StudyOptions>(
             "one quantity over several keys",
             ["Study::run", "study run", "Study.run"],
+            None,
+        ),
+        question::<DesignOptions>(
+            "keys with the largest power within limits",
+            ["Design::run", "design", "Spec.design"],
             None,
         ),
         question::<RigOptions>(

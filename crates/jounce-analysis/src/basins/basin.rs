@@ -6,9 +6,7 @@ use super::attractor::{Attractor, BasinsResult, counted, orbits};
 use super::mirror::mirrored_states;
 use crate::orbit_limits::{exceeded_by_orbit, exceeded_over_cycles};
 use crate::run::{ExceededLimit, Limits, RunError, check_outside};
-use crate::{
-    AnalysisError, AttractingOrbit, Model, Parameter, Recognition, Recognizer, SteadyState,
-};
+use crate::{AnalysisError, AttractingOrbit, KeyLine, Model, Recognition, Recognizer, SteadyState};
 use jounce_dynamics::{IntegrationError, Kernel};
 use jounce_orbits::{ParametricModel, Shooting};
 use rayon::prelude::*;
@@ -27,10 +25,6 @@ const FIRST_BATCH: usize = 4;
 pub struct Basins<'s> {
     /// The spec.
     pub base: &'s Model,
-    /// Model of the spec, as one value of any key.
-    pub parameter: &'s Parameter<'s>,
-    /// Value of that key.
-    pub value: f64,
     /// Initial states.
     pub starts: InitialStates,
     /// Options of the recognition of attractors.
@@ -44,10 +38,11 @@ impl Basins<'_> {
     /// # Errors
     /// A model cannot be built.
     pub fn run(&self, done: &(dyn Fn() + Sync)) -> Result<BasinsResult, AnalysisError> {
-        let kernel = self.parameter.at(self.value)?.kernel;
+        let line = KeyLine::at(self.base);
+        let kernel = line.at(0.0)?.kernel;
         self.base.kernel.control.expect(self.starts.len());
-        let ends = self.ends(&kernel, done);
-        let scale = Shooting::new(self.parameter, &kernel, 1, self.recognition.tolerance).scale;
+        let ends = self.ends(&line, &kernel, done);
+        let scale = Shooting::new(&line, &kernel, 1, self.recognition.tolerance).scale;
         let mirrored = |one: &AttractingOrbit, two: &AttractingOrbit| {
             mirrored_states(&kernel, &one.orbit, &scale, self.recognition.tolerance)
                 .is_ok_and(|states| two.passes(&states))
@@ -64,18 +59,23 @@ impl Basins<'_> {
                 .find(|(index, _)| attractor.starts.first() == Some(index))
                 .map(|(_, end)| end);
             attractor.exceeded = self
-                .exceeded_limits(&limits, &kernel, attractor, end)
+                .exceeded_limits(&limits, (&line, &kernel), attractor, end)
                 .map_err(RunError::from)?;
         }
         Ok(result)
     }
 
     /// Returns the index and the steady state of each start.
-    fn ends(&self, kernel: &Kernel, done: &(dyn Fn() + Sync)) -> Vec<(usize, SteadyState)> {
+    fn ends(
+        &self,
+        line: &KeyLine<'_>,
+        kernel: &Kernel,
+        done: &(dyn Fn() + Sync),
+    ) -> Vec<(usize, SteadyState)> {
         let recognizer = Recognizer {
-            harvester: self.parameter,
+            harvester: line,
             kernel,
-            parameter: self.value,
+            parameter: 0.0,
             options: self.recognition,
         };
         let control = &self.base.kernel.control;
@@ -114,15 +114,13 @@ impl Basins<'_> {
     fn exceeded_limits(
         &self,
         limits: &Limits,
-        kernel: &Kernel,
+        (line, kernel): (&KeyLine<'_>, &Kernel),
         attractor: &Attractor,
         end: Option<&SteadyState>,
     ) -> Result<Vec<ExceededLimit>, IntegrationError> {
         let tolerance = self.recognition.tolerance;
         match (&attractor.orbit, end) {
-            (Some(orbit), _) => {
-                exceeded_by_orbit(limits, (self.parameter, kernel), orbit, tolerance)
-            }
+            (Some(orbit), _) => exceeded_by_orbit(limits, (line, kernel), orbit, tolerance),
             (None, Some(SteadyState::Aperiodic(end))) => {
                 exceeded_over_cycles(limits, kernel, &end.state, LATE_CYCLES, tolerance)
             }

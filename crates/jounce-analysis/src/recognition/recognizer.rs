@@ -54,6 +54,8 @@ pub struct Recognition {
     pub longest_period: u32,
     /// Drive cycles after which a motion without a proved attractor is chaos or undecided.
     pub max_cycles: u32,
+    /// True where such a motion is examined for chaos by its exponent; otherwise it is undecided.
+    pub examines_chaos: bool,
 }
 
 impl Recognition {
@@ -64,6 +66,7 @@ impl Recognition {
             goal: 10.0 * tolerance,
             longest_period: 64,
             max_cycles: 20_000,
+            examines_chaos: true,
         }
     }
 }
@@ -98,6 +101,7 @@ impl<H: ParametricModel> Recognizer<'_, H> {
             goal: target_residual,
             longest_period,
             max_cycles,
+            examines_chaos,
         } = self.options;
         let scale = Shooting::new(self.harvester, self.kernel, 1, tolerance).scale;
         let cycle_s = self.kernel.plant.period_s().unwrap_or(1.0);
@@ -139,7 +143,10 @@ impl<H: ParametricModel> Recognizer<'_, H> {
                 }
             }
         }
-        self.without_orbit(&motion)
+        match examines_chaos {
+            true => self.without_orbit(&motion),
+            false => Ok(aperiodic(AttractorKind::Undecided, None, &motion)),
+        }
     }
 
     /// Returns chaos or an undecided end for a motion without a proved attractor.

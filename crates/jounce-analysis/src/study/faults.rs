@@ -1,4 +1,4 @@
-//! The text of a study as a table whose values have positions, and its faults.
+//! The text of a study or a design as a table whose values have positions, and its faults.
 
 use jounce_spec::Fault;
 use std::ops::Range;
@@ -6,13 +6,15 @@ use toml_edit::{Document, Item, Table};
 
 /// Collector of faults.
 #[derive(Debug)]
-pub(super) struct FaultCollector<'t> {
+pub struct FaultCollector<'t> {
     text: &'t str,
-    pub(super) faults: Vec<Fault>,
+    /// Faults so far.
+    pub faults: Vec<Fault>,
 }
 
 impl<'t> FaultCollector<'t> {
-    pub(super) fn new(text: &'t str) -> Self {
+    /// Starts with the text of a file.
+    pub fn new(text: &'t str) -> Self {
         Self {
             text,
             faults: Vec::new(),
@@ -20,7 +22,7 @@ impl<'t> FaultCollector<'t> {
     }
 
     /// Parses the document; a syntax error is then the only fault.
-    pub(super) fn document(&mut self) -> Option<Document<&'t str>> {
+    pub fn document(&mut self) -> Option<Document<&'t str>> {
         match Document::parse(self.text) {
             Ok(document) => Some(document),
             Err(error) => {
@@ -32,19 +34,14 @@ impl<'t> FaultCollector<'t> {
     }
 
     /// Returns a value exactly as written.
-    pub(super) fn bare(&self, item: &Item) -> &'t str {
+    pub fn bare(&self, item: &Item) -> &'t str {
         item.span()
             .and_then(|span| self.text.get(span))
             .unwrap_or_default()
     }
 
     /// Adds a fault.
-    pub(super) fn fault(
-        &mut self,
-        key: &str,
-        span: Option<Range<usize>>,
-        message: impl Into<String>,
-    ) {
+    pub fn fault(&mut self, key: &str, span: Option<Range<usize>>, message: impl Into<String>) {
         let place = |span: Range<usize>| {
             let before = self.text.get(..span.start).unwrap_or(self.text);
             let last_line = before.rsplit('\n').next().unwrap_or_default();
@@ -65,7 +62,7 @@ impl<'t> FaultCollector<'t> {
     }
 
     /// Refuses unknown keys.
-    pub(super) fn known(&mut self, path: &str, table: &Table, known: &[&str]) {
+    pub fn known(&mut self, path: &str, table: &Table, known: &[&str]) {
         for (key, item) in table {
             if !known.contains(&key) {
                 let span = table
@@ -85,7 +82,7 @@ impl<'t> FaultCollector<'t> {
     }
 
     /// Returns a table inside another; `None` if it is absent.
-    pub(super) fn table<'i>(&mut self, path: &str, item: Option<&'i Item>) -> Option<&'i Table> {
+    pub fn table<'i>(&mut self, path: &str, item: Option<&'i Item>) -> Option<&'i Table> {
         let item = item?;
         if item.as_table().is_none() {
             self.fault(
@@ -98,7 +95,7 @@ impl<'t> FaultCollector<'t> {
     }
 
     /// Returns a text.
-    pub(super) fn text<'i>(&mut self, path: &str, item: Option<&'i Item>) -> Option<&'i str> {
+    pub fn text<'i>(&mut self, path: &str, item: Option<&'i Item>) -> Option<&'i str> {
         let item = item?;
         if item.as_str().is_none() {
             self.fault(
@@ -111,7 +108,7 @@ impl<'t> FaultCollector<'t> {
     }
 
     /// Returns an integer within limits, or its default.
-    pub(super) fn integer(
+    pub fn integer(
         &mut self,
         path: &str,
         item: Option<&Item>,
@@ -138,7 +135,7 @@ impl<'t> FaultCollector<'t> {
     }
 
     /// Returns a number above 0, or its default.
-    pub(super) fn positive(&mut self, path: &str, item: Option<&Item>, default: f64) -> f64 {
+    pub fn positive(&mut self, path: &str, item: Option<&Item>, default: f64) -> f64 {
         let Some(item) = item else { return default };
         let number = item
             .as_float()

@@ -19,8 +19,9 @@ mod sobol;
 
 pub use design::{Design, Varied};
 pub use error::StudyError;
+pub use faults::FaultCollector;
 pub use folder::{Folder, Status};
 pub use parametric_study::Study;
 pub use quantity::Quantity;
-pub use sampling::Sampling;
+pub use sampling::{CubePoints, Sampling};
 pub use shard::Shard;

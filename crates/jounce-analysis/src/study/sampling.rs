@@ -47,7 +47,7 @@ impl Sampling {
 
 /// Positions of drawn points in the unit cube.
 #[derive(Debug, Clone)]
-pub(super) struct CubePoints {
+pub struct CubePoints {
     sampling: Sampling,
     points: usize,
     seed: u64,
@@ -58,7 +58,8 @@ pub(super) struct CubePoints {
 }
 
 impl CubePoints {
-    pub(super) fn new(sampling: Sampling, dimensions: usize, points: usize, seed: u64) -> Self {
+    /// Creates the positions of a number of points; grids and lists have none.
+    pub fn new(sampling: Sampling, dimensions: usize, points: usize, seed: u64) -> Self {
         let each = |is_used: bool| if is_used { dimensions } else { 0 };
         let cells = (0..each(sampling == Sampling::LatinHypercube))
             .map(|dimension| shuffled(points, seed, dimension as u64))
@@ -75,7 +76,7 @@ impl CubePoints {
     }
 
     /// Returns the position of a point along a dimension, in [0, 1).
-    pub(super) fn coordinate(&self, index: usize, dimension: usize) -> f64 {
+    pub fn coordinate(&self, index: usize, dimension: usize) -> f64 {
         match self.sampling {
             Sampling::Sobol => sobol(dimension, index as u32, self.shifts[dimension]),
             Sampling::LatinHypercube => {

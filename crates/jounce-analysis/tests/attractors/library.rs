@@ -31,13 +31,14 @@ pub enum AccountKind {
 /// Returns the results for all starts; a start in no list is undecided. `key` is any numeric key of
 /// the spec.
 pub fn accounts(file: &SpecFile, (key, value): (&str, f64), starts: InitialStates) -> Vec<Account> {
-    let base = Model::new(file.spec().unwrap()).unwrap();
-    let key = file.numeric_key(key).unwrap();
-    let parameter = Parameter::new(&base, &key, 1.0);
+    let mut spec = file.spec().unwrap();
+    file.numeric_key(key)
+        .unwrap()
+        .set(&mut spec, value)
+        .unwrap();
+    let base = Model::new(spec).unwrap();
     let basins = Basins {
         base: &base,
-        parameter: &parameter,
-        value,
         starts,
         recognition: Recognition::at(1e-8),
     }

@@ -10,9 +10,9 @@ mod runs;
 mod specs;
 
 pub use linear::{frf, modes, noise};
-pub use orbits::{basins, bifurcations, branch, diagram};
+pub use orbits::{basins, bifurcations, branch, diagram, sensitivity};
 pub use recordings::{contact, fit, power, read, rig, segments, spectra};
-pub use runs::{ensemble, run, study, sweep};
+pub use runs::{design, ensemble, run, study, sweep};
 pub use specs::{check, materials, new, show};
 
 use crate::arguments::Command;
@@ -36,8 +36,10 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Bifurcations(command) => command.run(),
         Command::Diagram(command) => command.run(),
         Command::Basins(command) => command.run(),
+        Command::Sensitivity(command) => command.run(),
         Command::Ensemble(command) => command.run(),
         Command::Study(command) => command.run(),
+        Command::Design(command) => command.run(),
         Command::Explore(command) => command.run(),
         Command::Reproduce(command) => command.run(),
         Command::Read(command) => command.run(),

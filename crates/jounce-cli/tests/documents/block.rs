@@ -14,7 +14,7 @@ pub struct Block {
 }
 
 /// What a block may say that it is.
-const KNOWN: [&str; 9] = [
+const KNOWN: [&str; 10] = [
     "console",
     "python",
     "sh",
@@ -24,6 +24,7 @@ const KNOWN: [&str; 9] = [
     "toml spec",
     "toml part",
     "toml study",
+    "toml design",
 ];
 
 impl Block {

@@ -5,7 +5,7 @@
 //! | `sh`, `console` | its commands run in order in a folder with a copy of `examples/`; each must succeed |
 //! | `toml spec` | `jounce check` must accept it |
 //! | `toml part` | the same, its tables put in place of those of the paper's spec |
-//! | `toml study` | it must be a study of the paper's spec |
+//! | `toml study`, `toml design` | it must be a study, or a design, of the paper's spec |
 //! | `rust`, `rust,no_run` | the document must be among the doctests of the library |
 //! | `python` | `python/tests/test_documents.py` runs it |
 //! | `text` | nothing |
@@ -114,18 +114,32 @@ fn every_spec_is_valid() {
 }
 
 #[test]
-fn every_study_is_valid() {
+fn every_study_and_every_design_is_valid() {
     let base_folder = root().join("examples/impact-harvester-2019");
-    let study_fault = |block: Block| {
-        let error = jounce_analysis::study::Study::parse(&block.text, &base_folder).err()?;
-        Some(format!(
-            "{}: this study is refused\n{error}",
-            block.location()
-        ))
+    let error_of = |block: &Block| {
+        if block.info == "toml study" {
+            let study = jounce_analysis::study::Study::parse(&block.text, &base_folder);
+            return study.err().map(|error| error.to_string());
+        }
+        let path = empty_folder("design").join("design.toml");
+        let named = block.text.replace(
+            "harvester.toml",
+            &base_folder.join("harvester.toml").display().to_string(),
+        );
+        std::fs::write(&path, named).expect("the folder is ours");
+        jounce::Design::read(&path)
+            .err()
+            .map(|error| error.to_string())
     };
-    let selected = all_blocks(|block| block.info == "toml study");
-    assert!(!selected.is_empty(), "no document shows a study");
-    assert_none(selected.into_iter().filter_map(study_fault).collect());
+    for kind in ["toml study", "toml design"] {
+        let selected = all_blocks(|block| block.info == kind);
+        assert!(!selected.is_empty(), "no document shows a block `{kind}`");
+        let fault = |block: Block| {
+            let error = error_of(&block)?;
+            Some(format!("{}: it is refused\n{error}", block.location()))
+        };
+        assert_none(selected.into_iter().filter_map(fault).collect());
+    }
 }
 
 #[test]

@@ -88,8 +88,6 @@ pub fn solutions(
     });
     let study = Basins {
         base: &base,
-        parameter: &parameter,
-        value: drive_hz,
         starts,
         recognition: Recognition::at(search.tolerance),
     };

@@ -1,7 +1,7 @@
 //! Quantities of an orbit for which a user may specify a level.
 
 use crate::ShootingEvaluation;
-use jounce_dynamics::Trajectory;
+use jounce_dynamics::{Trajectory, TrajectoryState};
 
 /// Samples per drive cycle in the search for the largest value.
 const SAMPLES_PER_CYCLE: usize = 1024;
@@ -21,6 +21,9 @@ pub enum OrbitQuantity {
     Strain(usize),
     /// Largest contact force of a stop, by its number.
     ContactForce(usize),
+    /// Largest magnitude of the displacement of the point that strikes a stop, by the number of the
+    /// stop.
+    Displacement(usize),
 }
 
 impl OrbitQuantity {
@@ -52,14 +55,27 @@ impl OrbitQuantity {
                     shapes.iter().map(strain).fold(0.0, f64::max)
                 })
             }
-            OrbitQuantity::ContactForce(stop) => largest(evaluation, |_, forces_n| forces_n[stop]),
+            OrbitQuantity::ContactForce(stop) => largest(evaluation, |_, at| at.forces_n[stop]),
+            OrbitQuantity::Displacement(stop) => largest(evaluation, |_, at| {
+                let port = &plant.ports[stop];
+                let moving: f64 = port
+                    .displacement
+                    .iter()
+                    .zip(&at.state)
+                    .map(|(c, y)| c * y)
+                    .sum();
+                (moving + plant.driven(port, at.time_s)[0]).abs()
+            }),
         }
     }
 }
 
-/// Returns the largest value, over the period, of a function of the physical state and the contact
-/// forces.
-fn largest(evaluation: &ShootingEvaluation, value: impl Fn(&[f64], &[f64]) -> f64) -> f64 {
+/// Returns the largest value, over the period, of a function of the physical state and the sample of
+/// the trajectory.
+fn largest(
+    evaluation: &ShootingEvaluation,
+    value: impl Fn(&[f64], &TrajectoryState) -> f64,
+) -> f64 {
     let plant = &evaluation.kernel.plant;
     let cycle_s = evaluation.period_s / evaluation.trajectories.len() as f64;
     let of_cycle = |trajectory: &Trajectory| {
@@ -67,7 +83,7 @@ fn largest(evaluation: &ShootingEvaluation, value: impl Fn(&[f64], &[f64]) -> f6
             let instants = trajectory.at(&evaluation.kernel, times_s);
             instants
                 .iter()
-                .map(|at| value(&plant.to_physical(&at.state, at.time_s), &at.forces_n))
+                .map(|at| value(&plant.to_physical(&at.state, at.time_s), at))
                 .collect()
         };
         let step_s = cycle_s / SAMPLES_PER_CYCLE as f64;

@@ -13,6 +13,7 @@
 mod charges;
 mod estimate;
 pub(crate) mod evaluation;
+mod integrated;
 mod period_record;
 mod sticking_orbit;
 

@@ -5,7 +5,6 @@
 //! the motion that an integration has settled on.
 
 use super::cycle_s;
-use super::period_record::PeriodRecord;
 use crate::{Orbit, OrbitError, ParametricModel, Shooting};
 use jounce_dynamics::{ContactStatistics, Integrator, Kernel, SensitivityError};
 use jounce_linalg::norm;
@@ -26,38 +25,13 @@ impl<H: ParametricModel> Shooting<'_, H> {
             .at(parameter)
             .map_err(OrbitError::Harvester)?
             .kernel;
-        let plant = &kernel.plant;
-        let cycle_s = cycle_s(plant)?;
-        let period_s = cycle_s * f64::from(self.cycles);
-        let mut y = plant.from_physical(physical, 0.0);
-        let mut record = PeriodRecord::new(plant, self.unknown(physical));
-        record.add_contacts(&self.settled_statistics(&kernel, &y, period_s)?);
-        for _ in 0..self.cycles {
-            let mut integrator = Integrator::new(&kernel, &y, 0.0, self.tolerance)
-                .map_err(SensitivityError::Integration)?;
-            integrator.start_record();
-            integrator
-                .advance_to(cycle_s)
-                .map_err(SensitivityError::Integration)?;
-            let energies = integrator.energies();
-            let rectified = energies
-                .rectified
-                .iter()
-                .map(|energy| energy.load_j + energy.battery_j);
-            record.add_delivered(energies.loads_j.iter().copied().chain(rectified), period_s);
-            y = integrator.state();
-            let unknown = self.unknown(&plant.to_physical(&y, 0.0));
-            record.strobe_states.push(unknown);
-            record.trajectories.push(integrator.take_record());
-        }
-        let residual: Vec<f64> = record
-            .end()
-            .iter()
-            .zip(&record.strobe_states[0])
-            .map(|(end, start)| end - start)
-            .collect();
-        let open = norm(&residual);
-        let evaluation = self.evaluation(kernel, record, residual, period_s);
+        let y = kernel.plant.from_physical(physical, 0.0);
+        let period_s = cycle_s(&kernel.plant)? * f64::from(self.cycles);
+        let statistics = self.settled_statistics(&kernel, &y, period_s)?;
+        let mut evaluation = self.integrated(kernel, &self.unknown(physical))?;
+        evaluation.contacts = statistics.contacts;
+        evaluation.max_penetration_m = statistics.max_penetration_m;
+        let open = norm(&evaluation.residual);
         let mut orbit = evaluation.as_orbit(Vec::new());
         orbit.error_estimate = open / orbit.size().max(f64::MIN_POSITIVE);
         Ok(orbit)

@@ -3,6 +3,7 @@
 pub mod basins;
 pub mod bifurcations;
 pub mod branch;
+pub mod design;
 pub mod diagram;
 pub mod ensemble;
 pub mod fit;
@@ -12,5 +13,6 @@ pub mod noise;
 pub mod reproduce;
 pub mod rig;
 pub mod run;
+pub mod sensitivity;
 pub mod study;
 pub mod sweep;

@@ -13,7 +13,7 @@ use crate::harvester::Harvester;
 use crate::options::on_threads;
 use crate::periodic;
 use jounce_analysis::run::WorstExcess;
-use jounce_analysis::{Basins, InitialStates, Parameter, SectionPoint};
+use jounce_analysis::{Basins, InitialStates, SectionPoint};
 use jounce_model::plant::Plant;
 
 impl Harvester {
@@ -35,14 +35,11 @@ impl Harvester {
     pub fn basins(&self, options: &BasinsOptions) -> Result<BasinsResult, Error> {
         let recognition = options.recognition()?;
         let starts = options.initial_states(self.spec().stop.len())?;
-        let (key, value) = periodic::frequency(self, "a basin")?;
+        periodic::frequency(self, "a basin")?;
         let base = self.model()?;
         periodic::check_drives(&base.kernel.plant, "a basin")?;
-        let parameter = Parameter::new(&base, &key, value);
         let study = Basins {
             base: &base,
-            parameter: &parameter,
-            value,
             starts,
             recognition,
         };

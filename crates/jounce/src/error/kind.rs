@@ -5,6 +5,7 @@ use jounce_analysis::run::RunError;
 use jounce_analysis::study::StudyError;
 use jounce_analysis::{AnalysisError, GridError};
 use jounce_data::recording::ChannelError;
+use jounce_design::DesignError;
 use jounce_dynamics::IntegrationError;
 use jounce_experiment::fit::FitError;
 use jounce_experiment::rig::RigError;
@@ -48,6 +49,11 @@ impl Error {
             Self::Analysis(error) | Self::Orbit(OrbitError::Harvester(error)) => kind_of(error),
             Self::Study(error) => match error.as_ref() {
                 StudyError::Study(error) => kind_of(error),
+                _ => ErrorKind::Input,
+            },
+            Self::Design(error) => match error.as_ref() {
+                DesignError::Analysis(error) => kind_of(error),
+                DesignError::NothingEvaluated { .. } => ErrorKind::NotConverged,
                 _ => ErrorKind::Input,
             },
             Self::Orbit(OrbitError::Integration(_) | OrbitError::Multipliers { .. }) => {

@@ -15,6 +15,7 @@ use jounce_continuation::ContinuationError;
 use jounce_data::read::ArraysError;
 use jounce_data::recording::{ChannelError, NoChannel};
 use jounce_data::write::WriteError;
+use jounce_design::DesignError;
 use jounce_experiment::fit::FitError;
 use jounce_experiment::rig::RigError;
 use jounce_experiment::segmentation::SegmentationError;
@@ -121,6 +122,9 @@ pub enum Error {
     /// A figure cannot be written.
     #[error(transparent)]
     Picture(#[from] PictureError),
+    /// A design problem has faults, or no design can be evaluated.
+    #[error(transparent)]
+    Design(Box<DesignError>),
     /// A study, its folder or a part of it cannot be used.
     #[error(transparent)]
     Study(Box<StudyError>),
@@ -255,6 +259,12 @@ impl From<RunError> for Error {
 impl From<ContinuationError<OrbitError<AnalysisError>>> for Error {
     fn from(error: ContinuationError<OrbitError<AnalysisError>>) -> Self {
         Self::Continuation(Box::new(error))
+    }
+}
+
+impl From<DesignError> for Error {
+    fn from(error: DesignError) -> Self {
+        Self::Design(Box::new(error))
     }
 }
 

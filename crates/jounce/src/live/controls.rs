@@ -1,9 +1,9 @@
 //! Controls of a design: every number of the spec, with its unit and the range of its slider.
 
 use super::Design;
+use crate::leaves::leaves;
 use jounce_spec::NumericKey;
 use serde::Serialize;
-use toml_edit::{DocumentMut, Item};
 
 /// Ratio of the ends of a logarithmic slider to the value.
 const LOG_RATIO: f64 = 10.0;
@@ -106,26 +106,6 @@ impl Design {
             count: key.is_count(),
             written: file_text.is_some(),
         })
-    }
-}
-
-/// Returns the dotted paths of all leaves of a document with their texts.
-fn leaves(text: &str) -> Vec<(String, String)> {
-    let mut leaves = Vec::new();
-    if let Ok(document) = text.parse::<DocumentMut>() {
-        for (name, item) in document.iter() {
-            collect_leaves(name.to_owned(), item, &mut leaves);
-        }
-    }
-    leaves
-}
-
-fn collect_leaves(path: String, item: &Item, leaves: &mut Vec<(String, String)>) {
-    match item.as_table_like() {
-        Some(table) => table
-            .iter()
-            .for_each(|(name, item)| collect_leaves(format!("{path}.{name}"), item, leaves)),
-        None => leaves.push((path, item.as_str().unwrap_or_default().to_owned())),
     }
 }
 

@@ -78,22 +78,16 @@ pub(in crate::study) fn evaluate(
     }
 }
 
-/// Returns the frequency of the only drive, for a study of basins.
-pub(super) fn drive_key(model: &Model) -> Result<(NumericKey, f64), StudyError> {
-    let noise_drive = model
-        .spec
-        .drive
-        .iter()
-        .find_map(|(name, drive)| Some((name, drive.frequency_hz()?)));
-    let aperiodic = || AnalysisError::Aperiodic {
-        drive: model.spec.drive.keys().next().cloned().unwrap_or_default(),
-    };
-    let (name, value) = noise_drive.ok_or_else(aperiodic)?;
-    Ok((
-        NumericKey::find(&model.spec, &format!("drive.{name}.frequency"))
-            .map_err(AnalysisError::from)?,
-        value,
-    ))
+/// Checks that a drive is periodic, for a study of basins.
+fn check_drive(model: &Model) -> Result<(), StudyError> {
+    let drives = &model.spec.drive;
+    match drives.values().any(|drive| drive.frequency_hz().is_some()) {
+        true => Ok(()),
+        false => Err(AnalysisError::Aperiodic {
+            drive: drives.keys().next().cloned().unwrap_or_default(),
+        }
+        .into()),
+    }
 }
 
 /// Returns the excitation of a harvester: its first force, or else its base.
@@ -187,12 +181,9 @@ fn modes(model: &Model, count: usize) -> Vec<f64> {
 }
 
 fn basins(model: &Model, cloud: Cloud, recognition: Recognition) -> Result<Vec<f64>, StudyError> {
-    let (key, value) = drive_key(model)?;
-    let parameter = Parameter::new(model, &key, value);
+    check_drive(model)?;
     let study = Basins {
         base: model,
-        parameter: &parameter,
-        value,
         starts: InitialStates::Cloud(cloud),
         recognition,
     };

@@ -18,15 +18,17 @@ const CLOUD: Cloud = Cloud {
     spread: 20.0,
 };
 
+/// Model of the bench at a frequency.
+fn at(frequency_hz: f64) -> Model {
+    let mut spec = bench().spec().unwrap();
+    spec.set_si("drive.shaker.frequency", frequency_hz).unwrap();
+    Model::new(spec).unwrap()
+}
+
 fn basins(frequency_hz: f64) -> BasinsResult {
-    let file = bench();
-    let base = Model::new(file.spec().unwrap()).unwrap();
-    let key = file.numeric_key("drive.shaker.frequency").unwrap();
-    let parameter = Parameter::new(&base, &key, 1.0);
+    let base = at(frequency_hz);
     Basins {
         base: &base,
-        parameter: &parameter,
-        value: frequency_hz,
         starts: InitialStates::Cloud(CLOUD),
         recognition: Recognition::at(1e-8),
     }
@@ -102,10 +104,6 @@ fn any_number_of_threads_gives_the_same_bits() {
 /// and neighbours neither separate nor converge.
 #[test]
 fn slow_transients_are_recognised_at_every_frequency() {
-    let file = bench();
-    let base = Model::new(file.spec().unwrap()).unwrap();
-    let key = file.numeric_key("drive.shaker.frequency").unwrap();
-    let parameter = Parameter::new(&base, &key, 1.0);
     for (value, seed) in [
         (5.0, 1),
         (8.0, 2),
@@ -121,10 +119,9 @@ fn slow_transients_are_recognised_at_every_frequency() {
             seed,
             spread: 10.0,
         });
+        let base = at(value);
         let result = Basins {
             base: &base,
-            parameter: &parameter,
-            value,
             starts,
             recognition: Recognition::at(1e-8),
         }

@@ -40,8 +40,6 @@ fn with_basins<T>(
     let recognition = Recognition::at(tolerance);
     let study = Basins {
         base: &base,
-        parameter: &parameter,
-        value,
         starts: starts.clone(),
         recognition,
     };
@@ -178,17 +176,12 @@ fn attractors_do_not_depend_on_the_tolerance() {
 #[test]
 fn an_attractor_without_proof_is_undecided() {
     let base = Model::new(bench().spec().unwrap()).unwrap();
-    let file = bench();
-    let key = file.numeric_key("drive.shaker.frequency").unwrap();
-    let parameter = Parameter::new(&base, &key, 1.0);
     let recognition = Recognition {
         max_cycles: 20,
         ..Recognition::at(1e-8)
     };
     let result = Basins {
         base: &base,
-        parameter: &parameter,
-        value: 11.0,
         starts: grid(5e-3, 0.5, 3),
         recognition,
     }

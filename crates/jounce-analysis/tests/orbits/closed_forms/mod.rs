@@ -2,6 +2,7 @@
 
 mod backbones;
 mod bouncing_table;
+mod derivatives;
 mod duffing;
 mod duffing_equation;
 mod interfaces;

@@ -66,9 +66,6 @@ fn basins(text: &str, amplitude: &str, starts: usize) -> BasinsResult {
     let mut file = SpecFile::from_text(text);
     file.set("drive.base.amplitude", amplitude).unwrap();
     let base = Model::new(file.spec().unwrap()).unwrap();
-    let key = file.numeric_key("drive.base.amplitude").unwrap();
-    let value = key.get(&base.spec).unwrap();
-    let parameter = Parameter::new(&base, &key, 1.0);
     let starts = InitialStates::Cloud(Cloud {
         starts,
         seed: 1,
@@ -76,8 +73,6 @@ fn basins(text: &str, amplitude: &str, starts: usize) -> BasinsResult {
     });
     Basins {
         base: &base,
-        parameter: &parameter,
-        value,
         starts,
         recognition: Recognition::at(1e-8),
     }

@@ -4,3 +4,4 @@ pub mod basins;
 pub mod bifurcations;
 pub mod branch;
 pub mod diagram;
+pub mod sensitivity;

@@ -1,6 +1,6 @@
 //! `jounce study run|merge|status`
 
-use crate::failure::{Failure, of_study};
+use crate::failure::{Failure, of_file};
 use crate::interruption;
 use crate::output::{self, line, print};
 use crate::progress;
@@ -92,7 +92,7 @@ impl Run {
     fn run(&self) -> Result<(), Failure> {
         let control = Control::default();
         let study = jounce::Study::read(&self.study);
-        let study = study.map_err(|error| of_study(&self.study, error))?;
+        let study = study.map_err(|error| of_file(&self.study, error))?;
         let study = study.with_control(&control);
         print_recording_issues(study.spec());
         interruption::install(&control);

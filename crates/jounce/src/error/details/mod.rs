@@ -7,6 +7,7 @@ use impact_harvester_2019::ReproduceError;
 use jounce_analysis::AnalysisError;
 use jounce_analysis::run::RunError;
 use jounce_analysis::study::StudyError;
+use jounce_design::DesignError;
 use jounce_dynamics::SensitivityError;
 use jounce_io::store::StoreError;
 use jounce_io::table::TableError;
@@ -81,6 +82,7 @@ impl From<&Error> for ErrorDetails {
             Error::Journal(error) => Self::of("FileError", error),
             Error::Table(error) => error.into(),
             Error::Picture(error) => Self::of("FileError", error),
+            Error::Design(error) => error.as_ref().into(),
             Error::Study(error) => error.as_ref().into(),
             Error::Option { option, value, .. } => {
                 Self::new("ArgumentError").with(json!({ "option": option, "value": value }))
@@ -205,6 +207,24 @@ impl From<&AnalysisError> for ErrorDetails {
             }
             AnalysisError::OfRuns { key } => Self::new("ArgumentError").with(json!({ "key": key })),
             AnalysisError::NoNoise => Self::new("ArgumentError"),
+        }
+    }
+}
+
+impl From<&DesignError> for ErrorDetails {
+    fn from(error: &DesignError) -> Self {
+        match error {
+            DesignError::Unreadable { path, .. } => {
+                Self::new("DesignError").with(json!({ "path": path }))
+            }
+            DesignError::Faults(faults) => Self::of_faults(faults),
+            DesignError::SpecFile(error) => error.into(),
+            DesignError::Spec { faults, .. } => faults.into(),
+            DesignError::Analysis(error) => error.into(),
+            DesignError::Journal(error) => Self::of("FileError", error),
+            DesignError::NothingEvaluated { evaluations, .. } => {
+                Self::new("DesignError").with(json!({ "evaluations": evaluations }))
+            }
         }
     }
 }

@@ -1,0 +1,161 @@
+//! Attractors of a cloud of starts, and the peaks of quantities on them.
+
+use super::{Effort, InCondition, MainOrbit, SCREENING_STARTS};
+use crate::problem::{Goal, LimitedQuantity, Problem};
+use jounce_analysis::{
+    AnalysisError, Attractor, Basins, BasinsResult, Cloud, InitialStates, KeyLine, Model,
+    Recognition,
+};
+use jounce_orbits::{Orbit, OrbitQuantity, Shooting};
+
+/// Size of the cloud of starts, in gaps or steady amplitudes.
+const SPREAD: f64 = 10.0;
+
+/// Tolerance and largest number of drive cycles of a first evaluation.
+const SCREENING_TOLERANCE: f64 = 1e-7;
+const SCREENING_CYCLES: u32 = 300;
+
+/// Tolerance of an evaluation with all starts.
+const TOLERANCE: f64 = 1e-8;
+
+/// Largest number of drive cycles of an evaluation with all starts.
+const MAX_CYCLES: u32 = 4000;
+
+/// Evaluates the goals and limits of orbits.
+pub(super) fn evaluate(
+    problem: &Problem,
+    model: &Model,
+    effort: Effort,
+) -> Result<InCondition, AnalysisError> {
+    let (starts, recognition) = settings(problem, effort);
+    let line = KeyLine::at(model);
+    let study = Basins {
+        base: model,
+        starts: InitialStates::Cloud(Cloud {
+            starts,
+            seed: problem.seed,
+            spread: SPREAD,
+        }),
+        recognition,
+    };
+    let result = study.run(&|| ())?;
+    let main = main_attractor(problem, &result);
+    let peaks = Peaks {
+        line: &line,
+        model,
+        tolerance: recognition.tolerance,
+    };
+    let limit = |quantity| match quantity {
+        LimitedQuantity::BasinFraction => main.map_or(0.0, |main| main.share.fraction),
+        LimitedQuantity::Peak(quantity) => peaks.largest(&result, quantity),
+    };
+    let aperiodic = result.attractors.iter().filter(|one| one.orbit.is_none());
+    let lost = result.lost.len() as f64 / starts as f64;
+    let goal = |goal: &Goal| match goal {
+        Goal::ExpectedPower => expected_w(&result, effort),
+        Goal::StablePower => main.map_or(0.0, |main| main.mean_power_w),
+        Goal::Bandwidth | Goal::MeanPower => f64::NAN,
+    };
+    Ok(InCondition {
+        goals: problem.goals.iter().map(goal).collect(),
+        limits: problem
+            .limits
+            .iter()
+            .map(|one| limit(one.quantity))
+            .collect(),
+        unknown_share: lost + aperiodic.map(|one| one.share.fraction).sum::<f64>(),
+        expected_power_w: [
+            expected_w(&result, effort),
+            result.expected_power_low_w,
+            result.expected_power_high_w,
+        ],
+        basin_fraction: main.map_or([0.0; 3], |main| {
+            [main.share.fraction, main.share.low, main.share.high]
+        }),
+        orbit: main.and_then(|main| Some(main_orbit(main, main.orbit.as_ref()?))),
+    })
+}
+
+/// Returns the number of starts and the options of their integration.
+fn settings(problem: &Problem, effort: Effort) -> (usize, Recognition) {
+    match effort {
+        Effort::Screening => (
+            SCREENING_STARTS.min(problem.starts),
+            Recognition {
+                max_cycles: SCREENING_CYCLES,
+                examines_chaos: false,
+                ..Recognition::at(SCREENING_TOLERANCE)
+            },
+        ),
+        Effort::Full => (
+            problem.starts,
+            Recognition {
+                max_cycles: MAX_CYCLES,
+                ..Recognition::at(TOLERANCE)
+            },
+        ),
+    }
+}
+
+/// Returns the expected power, W. In a first evaluation a start without a proved attractor has no
+/// power: its motion may be a transient.
+fn expected_w(result: &BasinsResult, effort: Effort) -> f64 {
+    let undecided: f64 = result
+        .attractors
+        .iter()
+        .filter(|one| effort == Effort::Screening && one.orbit.is_none())
+        .map(|one| one.share.fraction * one.mean_power_w)
+        .sum();
+    result.expected_power_w - undecided
+}
+
+/// Returns the periodic attractor that contributes most to the goal.
+fn main_attractor<'r>(problem: &Problem, result: &'r BasinsResult) -> Option<&'r Attractor> {
+    let stable_power = problem.goals.contains(&Goal::StablePower);
+    let contribution = |one: &Attractor| match stable_power {
+        true => one.mean_power_w,
+        false => one.share.fraction * one.mean_power_w,
+    };
+    result
+        .attractors
+        .iter()
+        .filter(|one| one.orbit.is_some())
+        .max_by(|a, b| contribution(a).total_cmp(&contribution(b)))
+}
+
+fn main_orbit(attractor: &Attractor, orbit: &Orbit) -> MainOrbit {
+    MainOrbit {
+        period_cycles: orbit.period_cycles,
+        state: orbit.start().to_vec(),
+        mean_power_w: attractor.mean_power_w,
+    }
+}
+
+/// Largest values of quantities over the periodic attractors of a model.
+struct Peaks<'m> {
+    line: &'m KeyLine<'m>,
+    model: &'m Model,
+    tolerance: f64,
+}
+
+impl Peaks<'_> {
+    /// NaN where an orbit cannot be integrated, or where there is none.
+    fn largest(&self, result: &BasinsResult, quantity: OrbitQuantity) -> f64 {
+        let orbits = result
+            .attractors
+            .iter()
+            .filter_map(|one| one.orbit.as_ref());
+        let peaks = orbits.map(|orbit| self.of(orbit, quantity));
+        peaks.reduce(super::larger).unwrap_or(f64::NAN)
+    }
+
+    fn of(&self, orbit: &Orbit, quantity: OrbitQuantity) -> f64 {
+        let kernel = &self.model.kernel;
+        let shooting = Shooting::new(self.line, kernel, orbit.period_cycles, self.tolerance);
+        let copy = self.line.model(0.0).map(|model| model.kernel);
+        let evaluation = copy
+            .ok()
+            .and_then(|kernel| shooting.integrated(kernel, orbit.start()).ok());
+        evaluation.map_or(f64::NAN, |evaluation| quantity.of(&evaluation))
+    }
+}

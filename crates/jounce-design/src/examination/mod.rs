@@ -1,0 +1,135 @@
+//! What is known of the best design: its values, the price of its limits, the nearest fold and its
+//! robustness.
+
+mod nearest_fold;
+mod prices;
+
+use crate::DesignError;
+use crate::evaluation::{Evaluation, Evaluator};
+use crate::problem::{FreeKey, FreeValues, Problem};
+use crate::result::{BestDesign, DesignBefore, DesignOutcome, FreeValue, LimitResult, SearchEnd};
+use crate::robustness::robustness;
+use crate::search::{Candidate, Followed};
+use std::collections::BTreeMap;
+
+/// Share of a limit above which it binds.
+const ACTIVE_SHARE: f64 = 0.99;
+
+/// Distance from an end of the unit cube below which a key is at the end of its range.
+const AT_END: f64 = 1e-3;
+
+/// Examines the best design.
+pub fn examine(
+    evaluator: &Evaluator<'_>,
+    best: &Candidate,
+    ended_by: SearchEnd,
+) -> Result<DesignOutcome, DesignError> {
+    let problem = evaluator.problem;
+    let evaluation = &best.evaluation;
+    let followed = evaluation
+        .orbit
+        .as_ref()
+        .and_then(|orbit| Followed::start(evaluator, &best.place, orbit));
+    let pairs = || problem.limits.iter().zip(&evaluation.limits);
+    let active: Vec<bool> = pairs()
+        .map(|(limit, value)| match limit.is_lower() {
+            true => value * ACTIVE_SHARE <= limit.value,
+            false => *value >= ACTIVE_SHARE * limit.value,
+        })
+        .collect();
+    let prices = match &followed {
+        Some(followed) => prices::prices(problem, &best.place, followed, &active),
+        None => vec![None; active.len()],
+    };
+    let limits = pairs().zip(&active).zip(prices);
+    let limits = limits.map(|(((limit, value), active), price)| LimitResult {
+        name: limit.name.clone(),
+        value: *value,
+        limit: limit.value,
+        active: *active,
+        price,
+    });
+    let nearest_fold = followed.as_ref().and_then(nearest_fold::nearest_fold);
+    Ok(DesignOutcome {
+        limits: limits.collect(),
+        robust: match &followed {
+            Some(followed) => robustness(evaluator, followed)?,
+            None => None,
+        },
+        front: Vec::new(),
+        before: before(evaluator),
+        feasible: evaluation.is_feasible(),
+        violation: evaluation.violation,
+        ended_by,
+        trace: Vec::new(),
+        evaluations: 0,
+        seed: problem.seed,
+        wall_time_s: 0.0,
+        best: BestDesign {
+            set: settings(problem, &best.place),
+            keys: keys(problem, &best.place),
+            goals: goals(problem, evaluation),
+            mean_power_w: evaluation
+                .orbit
+                .as_ref()
+                .map_or(evaluation.goals[0], |orbit| orbit.mean_power_w),
+            expected_power_w: evaluation.expected_power_w[0],
+            expected_power_low_w: evaluation.expected_power_w[1],
+            expected_power_high_w: evaluation.expected_power_w[2],
+            basin_fraction: evaluation.basin_fraction[0],
+            basin_fraction_low: evaluation.basin_fraction[1],
+            basin_fraction_high: evaluation.basin_fraction[2],
+            stable: followed.is_some(),
+            period_cycles: followed.map_or(0, |followed| followed.orbit.period_cycles),
+            nearest_fold,
+        },
+    })
+}
+
+/// Returns the values of the free keys at a place, as text.
+pub fn settings(problem: &Problem, place: &[f64]) -> BTreeMap<String, String> {
+    let pairs = problem.free.iter().zip(place);
+    pairs
+        .map(|(free, place)| (free.path.clone(), free.text(*place)))
+        .collect()
+}
+
+fn goals(problem: &Problem, evaluation: &Evaluation) -> BTreeMap<String, f64> {
+    let names = problem.goals.iter().map(|goal| goal.name().to_owned());
+    names.zip(evaluation.goals.iter().copied()).collect()
+}
+
+fn keys(problem: &Problem, place: &[f64]) -> Vec<FreeValue> {
+    let value = |(free, place): (&FreeKey, &f64)| {
+        let before = match &free.values {
+            FreeValues::Range { key, .. } => key
+                .get(&problem.spec)
+                .map(|value| format!("{value:?} {}", key.unit()).trim_end().to_owned()),
+            FreeValues::Choice(texts) => Ok(texts[0].clone()),
+        };
+        let is_range = matches!(free.values, FreeValues::Range { .. });
+        FreeValue {
+            key: free.path.clone(),
+            value: free.text(*place),
+            before: before.unwrap_or_default(),
+            at_end: match *place {
+                _ if !is_range => None,
+                place if place < AT_END => Some("lower"),
+                place if place > 1.0 - AT_END => Some("upper"),
+                _ => None,
+            },
+        }
+    };
+    problem.free.iter().zip(place).map(value).collect()
+}
+
+/// Evaluates the spec as given.
+fn before(evaluator: &Evaluator<'_>) -> DesignBefore {
+    let problem = evaluator.problem;
+    let evaluation = evaluator.given();
+    DesignBefore {
+        goals: goals(problem, &evaluation),
+        expected_power_w: evaluation.expected_power_w[0],
+        violation: Some(evaluation.violation).filter(|violation| violation.is_finite()),
+    }
+}

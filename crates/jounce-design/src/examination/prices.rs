@@ -1,0 +1,100 @@
+//! Price of a limit: the gain of power per unit of it.
+//!
+//! At the best design the derivative of the power by the free keys is a combination of those of the
+//! limits that bind (Karush, Kuhn and Tucker),
+//!
+//! ```text
+//! dP/dx = sum_i price_i dc_i/dx,   price_i >= 0
+//! ```
+//!
+//! over the keys that are not at an end of their range. The prices solve it in the least squares;
+//! a limit with a negative price does not bind, and is left out.
+
+use crate::problem::{LimitedQuantity, Problem};
+use crate::search::Followed;
+use jounce_analysis::{Derivative, DerivativeAccuracy, DerivativeKey, orbit_derivatives};
+use jounce_linalg::Mat;
+use jounce_orbits::OrbitQuantity;
+
+/// Returns the price of each limit, W per SI unit; `None` for one that does not bind.
+pub fn prices(
+    problem: &Problem,
+    place: &[f64],
+    followed: &Followed,
+    active: &[bool],
+) -> Vec<Option<f64>> {
+    let mut prices = vec![None; active.len()];
+    let mut binding: Vec<(usize, OrbitQuantity)> = Vec::new();
+    for (index, limit) in problem.limits.iter().enumerate() {
+        if let (true, LimitedQuantity::Peak(quantity)) = (active[index], limit.quantity) {
+            binding.push((index, quantity));
+        }
+    }
+    let inner: Vec<usize> = (0..place.len())
+        .filter(|k| (super::AT_END..=1.0 - super::AT_END).contains(&place[*k]))
+        .collect();
+    let slopes: Vec<f64> = inner
+        .iter()
+        .map(|k| problem.free[*k].slope(place[*k]))
+        .collect();
+    let keys: Vec<DerivativeKey<'_>> = inner
+        .iter()
+        .zip(&slopes)
+        .filter_map(|(k, slope)| {
+            let key = problem.free[*k].smooth()?;
+            Some(DerivativeKey { key, scale: *slope })
+        })
+        .collect();
+    let quantities: Vec<OrbitQuantity> = std::iter::once(OrbitQuantity::MeanPower)
+        .chain(binding.iter().map(|(_, quantity)| *quantity))
+        .collect();
+    if binding.is_empty() || keys.is_empty() {
+        return prices;
+    }
+    let accuracy = DerivativeAccuracy::Extrapolated;
+    let found = orbit_derivatives(
+        &followed.model,
+        &followed.orbit,
+        &keys,
+        &quantities,
+        accuracy,
+    );
+    let Ok(found) = found else { return prices };
+    let by_key: Result<Vec<_>, _> = found.by_key.into_iter().collect();
+    let Ok(by_key) = by_key else { return prices };
+    let scales: Vec<f64> = keys.iter().map(|key| key.scale).collect();
+    let mut columns: Vec<usize> = (1..quantities.len()).collect();
+    while !columns.is_empty() {
+        let Some(solved) = least_squares((&found.values, &by_key), &scales, &columns) else {
+            return prices;
+        };
+        let Some(worst) = (0..solved.len())
+            .filter(|k| solved[*k] < 0.0)
+            .min_by(|a, b| solved[*a].total_cmp(&solved[*b]))
+        else {
+            for (column, price) in columns.iter().zip(solved) {
+                prices[binding[column - 1].0] = Some(price);
+            }
+            return prices;
+        };
+        columns.remove(worst);
+    }
+    prices
+}
+
+/// Solves for the prices of some limits, by the normal equations in relative units.
+fn least_squares(
+    (values, by_key): (&[f64], &[Vec<Derivative>]),
+    scales: &[f64],
+    columns: &[usize],
+) -> Option<Vec<f64>> {
+    let entry =
+        |key: usize, quantity: usize| by_key[key][quantity].value * scales[key] / values[quantity];
+    let keys = by_key.len();
+    let matrix = Mat::from_fn(keys, columns.len(), |key, j| entry(key, columns[j]));
+    let right = Mat::from_fn(keys, 1, |key, _| entry(key, 0));
+    let solved = jounce_linalg::pseudoinverse(&matrix)? * right;
+    let power_w = values[0];
+    let price = |(j, column): (usize, &usize)| solved[(j, 0)] * power_w / values[*column];
+    Some(columns.iter().enumerate().map(price).collect())
+}

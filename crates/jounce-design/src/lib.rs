@@ -1,0 +1,35 @@
+//! Design: values of keys of a harvester with the largest power within limits.
+//!
+//! A [`Problem`] is read from a file: the free keys with their ranges, the goal, the limits, the
+//! conditions and the tolerances of the workshop. [`design`] searches for the best design and
+//! examines it:
+//!
+//! 1. The starts of a cloud are integrated until their attractors are proved, at points that fill
+//!    the space of the keys (a Sobol sequence). A start without a proved attractor has no power, so
+//!    that no transient is rewarded.
+//! 2. From the best of them, the orbit is followed to larger power within its limits, by
+//!    sequential quadratic programming with the derivatives of the orbit. Goals that are not the
+//!    power of an orbit are searched by differential evolution.
+//! 3. What is found counts only after all starts have been integrated there.
+//!
+//! The order of the work does not depend on the number of threads, and neither does the result.
+
+mod error;
+mod evaluation;
+mod examination;
+mod front;
+mod problem;
+mod result;
+mod robustness;
+mod search;
+
+pub use error::DesignError;
+pub use evaluation::{Evaluation, Journaled, MainOrbit};
+pub use problem::{
+    Condition, FreeKey, FreeValues, Goal, Limit, LimitedQuantity, Problem, Tolerance,
+};
+pub use result::{
+    BestDesign, DesignBefore, DesignOutcome, FreeValue, FrontPoint, LimitResult, NearestFold,
+    Quantile, Robustness, SearchEnd, SobolIndex, TracePoint,
+};
+pub use search::design;

@@ -1,0 +1,12 @@
+//! Conditions in which a design is evaluated.
+
+use jounce_spec::NumericKey;
+
+/// Values of keys in one condition, with its weight in the goal.
+#[derive(Debug, Clone)]
+pub struct Condition {
+    /// Keys with their values, SI.
+    pub values: Vec<(NumericKey, f64)>,
+    /// Weight, relative to the sum of all.
+    pub weight: f64,
+}

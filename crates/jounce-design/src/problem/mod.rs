@@ -1,0 +1,158 @@
+//! The problem: what is free, what is wanted, and what must not be exceeded.
+
+mod condition;
+mod free_key;
+mod goal;
+mod limit;
+mod read;
+mod tolerance;
+
+pub use condition::Condition;
+pub use free_key::{FreeKey, FreeValues};
+pub use goal::Goal;
+pub use limit::{Limit, LimitedQuantity};
+pub use tolerance::Tolerance;
+
+use crate::DesignError;
+use jounce_analysis::Model;
+use jounce_control::Control;
+use jounce_spec::{Fault, NumericKey, Spec, SpecFile};
+use sha2::{Digest, Sha256};
+use std::path::{Path, PathBuf};
+
+/// A design problem.
+#[derive(Debug, Clone)]
+pub struct Problem {
+    /// Specs of all combinations of choices, the one of the file first; the first choice varies
+    /// fastest.
+    variants: Vec<SpecFile>,
+    /// The spec of the file.
+    pub spec: Spec,
+    /// Folder of the files that the spec names.
+    pub folder: PathBuf,
+    /// Free keys.
+    pub free: Vec<FreeKey>,
+    /// Goals to maximise; several have a front.
+    pub goals: Vec<Goal>,
+    /// Number of starts of the cloud.
+    pub starts: usize,
+    /// Limits.
+    pub limits: Vec<Limit>,
+    /// Conditions; one without changes if the file has none.
+    pub conditions: Vec<Condition>,
+    /// Tolerances of the workshop.
+    pub tolerances: Vec<Tolerance>,
+    /// Number of draws for each quantile and index.
+    pub draws: usize,
+    /// Seed of the search, of the cloud and of the draws.
+    pub seed: u64,
+    /// Largest number of evaluated designs.
+    pub evaluations: usize,
+    /// Largest wall time of the search, s.
+    pub seconds: Option<f64>,
+    hash_hex: String,
+}
+
+impl Problem {
+    /// Reads a file; the path of its spec is relative to its folder.
+    ///
+    /// # Errors
+    /// A file that cannot be read; all faults in it.
+    pub fn read(path: &Path) -> Result<Self, DesignError> {
+        let unreadable = |reason: std::io::Error| DesignError::Unreadable {
+            path: path.to_owned(),
+            reason: format!("\"{}\" cannot be read: {reason}", path.display()),
+        };
+        let text = std::fs::read_to_string(path).map_err(unreadable)?;
+        let parent = path.parent().unwrap_or(Path::new(""));
+        let mut folder = parent.to_path_buf();
+        let parsed = read::read(&text, |named| {
+            let Some(named) = named else {
+                let message =
+                    "the design names no spec; write spec = \"harvester.toml\" at its top";
+                return Err(fault_of_spec(message));
+            };
+            let path = parent.join(named);
+            folder = path.parent().map_or_else(PathBuf::new, Path::to_path_buf);
+            Ok((SpecFile::read(&path)?, path.display().to_string()))
+        })?;
+        Ok(Self { folder, ..parsed })
+    }
+
+    /// Creates a problem from its text and a separate spec.
+    ///
+    /// # Errors
+    /// As [`Problem::read`], and a text that names a spec.
+    pub fn with_spec(file: SpecFile, folder: &Path, text: &str) -> Result<Self, DesignError> {
+        let parsed = read::read(text, |named| match named {
+            None => Ok((file, "the spec of the design".to_owned())),
+            Some(named) => Err(fault_of_spec(&format!(
+                "spec is \"{named}\", but this design has a spec already; omit the key"
+            ))),
+        })?;
+        let folder = folder.to_path_buf();
+        Ok(Self { folder, ..parsed })
+    }
+
+    /// Returns the spec file.
+    pub fn file(&self) -> &SpecFile {
+        &self.variants[0]
+    }
+
+    /// Returns the SHA-256 of the text and of the spec: everything that determines the result.
+    pub fn hash_hex(&self) -> &str {
+        &self.hash_hex
+    }
+
+    /// Returns the models of all combinations of choices.
+    pub(crate) fn models(&self, control: &Control) -> Result<Vec<Model>, DesignError> {
+        let model = |file: &SpecFile| {
+            let spec = file.spec().map_err(|faults| DesignError::Spec {
+                file: "a choice of the design".to_owned(),
+                faults,
+            })?;
+            Ok(Model::watched(spec, control)?)
+        };
+        self.variants.iter().map(model).collect()
+    }
+
+    /// Returns the index of the combination of choices at a place of the unit cube.
+    pub(crate) fn variant(&self, place: &[f64]) -> usize {
+        let mut stride = 1;
+        let mut index = 0;
+        for (free, place) in self.free.iter().zip(place) {
+            if let FreeValues::Choice(texts) = &free.values {
+                index += stride * free.choice(*place);
+                stride *= texts.len();
+            }
+        }
+        index
+    }
+
+    /// Returns the values of the numeric keys at a place of the unit cube, SI.
+    pub(crate) fn numbers(&self, place: &[f64]) -> Vec<(&NumericKey, f64)> {
+        let mut all = Vec::with_capacity(self.free.len());
+        for (free, place) in self.free.iter().zip(place) {
+            if let FreeValues::Range { key, .. } = &free.values {
+                all.push((&**key, free.value(*place)));
+            }
+        }
+        all
+    }
+}
+
+/// Returns the error of the key `spec`.
+fn fault_of_spec(message: &str) -> DesignError {
+    DesignError::Faults(vec![Fault::without_position("spec", message)])
+}
+
+/// Returns the digest of a text and a spec.
+fn digest(text: &str, spec: &Spec) -> String {
+    let all = format!(
+        "jounce {}\n{text}\n{}",
+        env!("CARGO_PKG_VERSION"),
+        spec.to_toml()
+    );
+    let bytes = Sha256::digest(all.as_bytes());
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+}

@@ -1,0 +1,192 @@
+//! Results of a design.
+
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// Best design and what is known of it.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct DesignOutcome {
+    /// The best design: within the limits or, if there is none, the one with the least violation.
+    pub best: BestDesign,
+    /// Limits at the best design.
+    pub limits: Vec<LimitResult>,
+    /// Distribution of the power under the tolerances; `None` without tolerances or without an
+    /// orbit.
+    pub robust: Option<Robustness>,
+    /// Designs that no other design beats in all goals; empty for one goal.
+    pub front: Vec<FrontPoint>,
+    /// Spec as given, evaluated in the same way.
+    pub before: DesignBefore,
+    /// True where the best design keeps all limits.
+    pub feasible: bool,
+    /// Sum of the relative violations of the limits, and the share of the starts of which no limit
+    /// is known; 0 within the limits.
+    pub violation: f64,
+    /// Reason of the end of the search.
+    pub ended_by: SearchEnd,
+    /// Better and better designs.
+    pub trace: Vec<TracePoint>,
+    /// Number of evaluated designs.
+    pub evaluations: usize,
+    /// Seed.
+    pub seed: u64,
+    /// Wall time, s.
+    pub wall_time_s: f64,
+}
+
+/// Best design.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct BestDesign {
+    /// Values of the free keys with their units, as `--set` takes them.
+    pub set: BTreeMap<String, String>,
+    /// The free keys in the order of the file.
+    pub keys: Vec<FreeValue>,
+    /// Value of each goal, in W or Hz.
+    pub goals: BTreeMap<String, f64>,
+    /// Mean power of the main orbit, W; of the goal without an orbit.
+    pub mean_power_w: f64,
+    /// Expected power of a start, W.
+    pub expected_power_w: f64,
+    /// Lower end of its 95 % interval, W.
+    pub expected_power_low_w: f64,
+    /// Upper end of its 95 % interval, W.
+    pub expected_power_high_w: f64,
+    /// Share of the starts that reach the main orbit.
+    pub basin_fraction: f64,
+    /// Lower end of its 95 % interval.
+    pub basin_fraction_low: f64,
+    /// Upper end of its 95 % interval.
+    pub basin_fraction_high: f64,
+    /// True where the main orbit is stable; false without an orbit.
+    pub stable: bool,
+    /// Period of the main orbit, drive cycles; 0 without an orbit.
+    pub period_cycles: u32,
+    /// Nearest fold of the main orbit over the frequency of the drive.
+    pub nearest_fold: Option<NearestFold>,
+}
+
+/// Value of a free key.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FreeValue {
+    /// Dotted path.
+    pub key: String,
+    /// Value with its unit.
+    pub value: String,
+    /// Value in the spec as given.
+    pub before: String,
+    /// `lower` or `upper` where the value is at an end of its range.
+    pub at_end: Option<&'static str>,
+}
+
+/// A fold of the main orbit.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct NearestFold {
+    /// Key over which the orbit is followed.
+    pub key: String,
+    /// Frequency of the fold, Hz.
+    pub frequency_hz: f64,
+    /// Distance from the frequency of the drive, Hz.
+    pub distance_hz: f64,
+}
+
+/// Limit at the best design.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct LimitResult {
+    /// Name.
+    pub name: String,
+    /// Value at the design, SI; the worst of all conditions and attractors.
+    pub value: f64,
+    /// Limit, SI.
+    pub limit: f64,
+    /// True where the limit binds.
+    pub active: bool,
+    /// Gain of mean power per unit of the limit, W per SI unit, where the limit binds and the main
+    /// orbit has derivatives.
+    pub price: Option<f64>,
+}
+
+/// Spec as given.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct DesignBefore {
+    /// Value of each goal, in W or Hz.
+    pub goals: BTreeMap<String, f64>,
+    /// Expected power of a start, W.
+    pub expected_power_w: f64,
+    /// Sum of the relative violations of the limits; `None` where the spec cannot be evaluated.
+    pub violation: Option<f64>,
+}
+
+/// Distribution of the power under the tolerances.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Robustness {
+    /// Quantiles of the power.
+    pub quantiles: Vec<Quantile>,
+    /// Sobol indices of each tolerance.
+    pub sobol: Vec<SobolIndex>,
+    /// Number of drawn designs of the quantiles.
+    pub draws: usize,
+    /// Share of these in which the main orbit is lost, so that the power is that of the starts.
+    pub lost_fraction: f64,
+}
+
+/// Quantile of the power.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Quantile {
+    /// Share of the designs with less power.
+    pub share: f64,
+    /// Mean power, W.
+    pub mean_power_w: f64,
+}
+
+/// Share of the variance of the power that a tolerance causes.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SobolIndex {
+    /// Key of the tolerance.
+    pub key: String,
+    /// Share that it causes alone, with the ends of its 95 % interval.
+    pub first: f64,
+    /// Lower end.
+    pub first_low: f64,
+    /// Upper end.
+    pub first_high: f64,
+    /// Share that it causes with all others.
+    pub total: f64,
+    /// Lower end.
+    pub total_low: f64,
+    /// Upper end.
+    pub total_high: f64,
+}
+
+/// Point of a front.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FrontPoint {
+    /// Values of the free keys with their units.
+    pub set: BTreeMap<String, String>,
+    /// Value of each goal.
+    pub goals: BTreeMap<String, f64>,
+}
+
+/// A better design.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct TracePoint {
+    /// Number of evaluated designs.
+    pub evaluation: usize,
+    /// Value of the first goal.
+    pub goal: f64,
+    /// Sum of the relative violations of the limits.
+    pub violation: f64,
+}
+
+/// Reason of the end of a search.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum SearchEnd {
+    /// Nothing better was found in two rounds.
+    Converged,
+    /// The number of evaluations was reached.
+    Evaluations,
+    /// The wall time was reached: the result depends on the machine.
+    Seconds,
+    /// The user stopped it.
+    Stopped,
+}

@@ -1,0 +1,100 @@
+//! Search for the best design.
+
+mod candidate;
+mod evolution;
+mod follow;
+mod front_search;
+mod refine;
+mod rounds;
+mod sampling;
+
+pub use candidate::Candidate;
+pub use follow::Followed;
+pub use sampling::Places;
+
+use crate::evaluation::{Effort, Evaluator};
+use crate::examination::examine;
+use crate::front::front;
+use crate::problem::Problem;
+use crate::result::{DesignOutcome, SearchEnd, TracePoint};
+use crate::{DesignError, Journaled};
+use jounce_analysis::Journal;
+use jounce_control::Control;
+use std::time::Instant;
+
+/// What a search found.
+pub struct Found {
+    /// Best design, evaluated with all starts.
+    pub best: Option<Candidate>,
+    /// Designs evaluated with all starts.
+    pub full: Vec<Candidate>,
+    /// Best value of the first goal so far, by evaluations.
+    pub trace: Vec<TracePoint>,
+    /// Reason of the end.
+    pub end: SearchEnd,
+}
+
+/// Budget of a search.
+pub struct Budget<'b> {
+    begin: Instant,
+    problem: &'b Problem,
+    control: &'b Control,
+}
+
+impl Budget<'_> {
+    /// Returns the reason to end, after a number of evaluations.
+    pub fn end(&self, evaluations: usize) -> Option<SearchEnd> {
+        let seconds = self.begin.elapsed().as_secs_f64();
+        if self.control.is_stopped() {
+            Some(SearchEnd::Stopped)
+        } else if evaluations >= self.problem.evaluations {
+            Some(SearchEnd::Evaluations)
+        } else {
+            let is_late = self.problem.seconds.is_some_and(|most| seconds >= most);
+            is_late.then_some(SearchEnd::Seconds)
+        }
+    }
+}
+
+/// Searches for the best design of a problem, and examines it. After a stop by the control, the
+/// best design so far is the result. `journal` keeps the evaluations, from which an interrupted
+/// search resumes.
+///
+/// # Errors
+/// No model can be built, no design can be evaluated, or the journal cannot be written.
+pub fn design(
+    problem: &Problem,
+    control: &Control,
+    journal: Option<&Journal<Journaled>>,
+) -> Result<DesignOutcome, DesignError> {
+    let begin = Instant::now();
+    let evaluator = Evaluator::new(problem, control, journal)?;
+    let budget = Budget {
+        begin,
+        problem,
+        control,
+    };
+    let found = match problem.goals.len() {
+        1 => rounds::search(&evaluator, &budget)?,
+        _ => front_search::search(&evaluator, &budget)?,
+    };
+    let Some(best) = found.best.clone() else {
+        let evaluations = evaluator.count();
+        let reason = evaluator.evaluate(&vec![0.5; problem.free.len()], Effort::Screening)?;
+        let reason = reason
+            .failure
+            .unwrap_or_else(|| "the search was stopped".to_owned());
+        return Err(DesignError::NothingEvaluated {
+            evaluations,
+            reason,
+        });
+    };
+    let mut result = examine(&evaluator, &best, found.end)?;
+    if problem.goals.len() > 1 {
+        result.front = front(problem, &found.full);
+    }
+    result.trace = found.trace;
+    result.evaluations = evaluator.count();
+    result.wall_time_s = begin.elapsed().as_secs_f64();
+    Ok(result)
+}

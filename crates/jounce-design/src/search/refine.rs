@@ -1,0 +1,238 @@
+//! Refinement of a design along its orbit: sequential quadratic programming with the derivatives of
+//! the orbit.
+//!
+//! The logarithm of the power is maximised over the unit cube of the keys that have a derivative,
+//! while every limited peak on the orbit stays below its limit. A design at which the orbit is lost
+//! or unstable counts as much worse, so that the line search turns back.
+
+use super::{Candidate, Followed};
+use crate::evaluation::Evaluator;
+use crate::problem::{LimitedQuantity, Problem};
+use jounce_analysis::{DerivativeAccuracy, DerivativeKey, orbit_derivatives};
+use jounce_orbits::OrbitQuantity;
+use jounce_spec::NumericKey;
+use slsqp::{Func, StopTols, minimize};
+use std::cell::RefCell;
+use std::rc::Rc;
+
+/// Largest number of followed designs.
+const MAX_EVALUATIONS: usize = 40;
+
+/// Relative change of the power below which the refinement ends.
+const POWER_TOLERANCE: f64 = 1e-8;
+
+/// Value of a design without a stable orbit.
+const LOST: f64 = 1e3;
+
+/// Share of the distance to a limit that the refinement leaves, for its own error.
+const MARGIN: f64 = 1e-3;
+
+/// A followed design.
+struct Point {
+    place: Vec<f64>,
+    followed: Option<Followed>,
+    /// `-ln P`, then `value / limit - 1` of each limited peak.
+    values: Vec<f64>,
+    /// Derivatives of the values by the place; per value.
+    slopes: Vec<Vec<f64>>,
+}
+
+/// Refinement of one design.
+struct Refinement<'r> {
+    problem: &'r Problem,
+    /// Place of the start, with the keys that stay.
+    start: &'r [f64],
+    /// Indices of the keys that have a derivative.
+    smooth: Vec<usize>,
+    quantities: Vec<OrbitQuantity>,
+    /// Limits of the quantities after the first, SI.
+    limits: Vec<f64>,
+    points: RefCell<Vec<Rc<Point>>>,
+}
+
+/// Returns the place of the largest power along the orbit of a design within its limits, and the
+/// number of followed designs; `None` where there is nothing to follow.
+pub fn refine(evaluator: &Evaluator<'_>, start: &Candidate) -> Option<(Vec<f64>, usize)> {
+    let problem = evaluator.problem;
+    let smooth: Vec<usize> = (0..problem.free.len())
+        .filter(|index| problem.free[*index].smooth().is_some())
+        .collect();
+    let follows = problem.goals[0].needs_starts() && problem.conditions.len() == 1;
+    if !follows || smooth.is_empty() {
+        return None;
+    }
+    let peaks = problem
+        .limits
+        .iter()
+        .filter_map(|limit| match limit.quantity {
+            LimitedQuantity::Peak(quantity) => Some((quantity, limit.value)),
+            LimitedQuantity::BasinFraction => None,
+        });
+    let (mut quantities, mut limits) = (vec![OrbitQuantity::MeanPower], Vec::new());
+    for (quantity, limit) in peaks {
+        quantities.push(quantity);
+        limits.push(limit * (1.0 - MARGIN));
+    }
+    let first = Followed::start(evaluator, &start.place, start.evaluation.orbit.as_ref()?)?;
+    let refinement = Refinement {
+        problem,
+        start: &start.place,
+        smooth,
+        quantities,
+        limits,
+        points: RefCell::new(Vec::new()),
+    };
+    refinement.keep(start.place.clone(), Some(first));
+    refinement.minimised();
+    let points = refinement.points.borrow();
+    let best = points
+        .iter()
+        .filter(|point| {
+            point.values[1..]
+                .iter()
+                .all(|excess| *excess <= 2.0 * MARGIN)
+        })
+        .min_by(|a, b| a.values[0].total_cmp(&b.values[0]));
+    // Beyond the limits everywhere: the least violation.
+    let worst = |point: &Point| point.values[1..].iter().copied().fold(0.0, f64::max);
+    let least = || points.iter().min_by(|a, b| worst(a).total_cmp(&worst(b)));
+    let best = best.filter(|best| best.values[0] < LOST).or_else(least)?;
+    Some((best.place.clone(), points.len()))
+}
+
+impl Refinement<'_> {
+    fn minimised(&self) {
+        let inner: Vec<f64> = self.smooth.iter().map(|k| self.start[*k]).collect();
+        let function = |index: usize| {
+            move |x: &[f64], gradient: Option<&mut [f64]>, _: &mut ()| {
+                let point = self.at(x);
+                if let Some(gradient) = gradient {
+                    gradient.copy_from_slice(&point.slopes[index]);
+                }
+                point.values[index]
+            }
+        };
+        let constraints: Vec<_> = (1..=self.limits.len()).map(function).collect();
+        let constraints: Vec<&dyn Func<()>> =
+            constraints.iter().map(|one| one as &dyn Func<()>).collect();
+        let tolerances = StopTols {
+            ftol_abs: POWER_TOLERANCE,
+            ..StopTols::default()
+        };
+        let bounds = vec![(0.0, 1.0); inner.len()];
+        // The points are kept, whatever the reason of the end.
+        let _ = minimize(
+            function(0),
+            &inner,
+            &bounds,
+            &constraints,
+            (),
+            MAX_EVALUATIONS,
+            Some(tolerances),
+        );
+    }
+
+    /// Returns the followed design at some values of the smooth keys.
+    fn at(&self, x: &[f64]) -> Rc<Point> {
+        let mut place = self.start.to_vec();
+        for (k, x) in self.smooth.iter().zip(x) {
+            place[*k] = x.clamp(0.0, 1.0);
+        }
+        let known = self.points.borrow();
+        if let Some(point) = known.iter().find(|point| point.place == place) {
+            return Rc::clone(point);
+        }
+        let distance = |point: &Point| jounce_linalg::distance(&point.place, &place);
+        let nearest = known
+            .iter()
+            .filter(|point| point.followed.is_some())
+            .min_by(|a, b| distance(a).total_cmp(&distance(b)))
+            .map(Rc::clone);
+        drop(known);
+        let from = nearest.as_ref().and_then(|point| point.followed.as_ref());
+        let followed = from.and_then(|from| from.to(&self.numbers(&place)));
+        self.keep(place, followed)
+    }
+
+    fn numbers(&self, place: &[f64]) -> Vec<(&NumericKey, f64)> {
+        let mut all = self.problem.numbers(place);
+        all.retain(|(key, _)| !key.is_count());
+        all
+    }
+
+    /// Evaluates a followed design, and keeps it.
+    fn keep(&self, place: Vec<f64>, followed: Option<Followed>) -> Rc<Point> {
+        let evaluated = followed
+            .as_ref()
+            .and_then(|followed| self.evaluated(&place, followed));
+        let point = match evaluated {
+            Some((values, slopes)) => Point {
+                place,
+                followed,
+                values,
+                slopes,
+            },
+            None => {
+                let mut values = vec![0.0; self.quantities.len()];
+                values[0] = LOST;
+                Point {
+                    place,
+                    followed: None,
+                    values,
+                    slopes: vec![vec![0.0; self.smooth.len()]; self.quantities.len()],
+                }
+            }
+        };
+        let point = Rc::new(point);
+        self.points.borrow_mut().push(Rc::clone(&point));
+        point
+    }
+
+    fn evaluated(&self, place: &[f64], followed: &Followed) -> Option<(Vec<f64>, Vec<Vec<f64>>)> {
+        let free = |k: &usize| (&self.problem.free[*k], place[*k]);
+        let slopes: Vec<f64> = self
+            .smooth
+            .iter()
+            .map(free)
+            .map(|(free, place)| free.slope(place))
+            .collect();
+        let keys: Vec<DerivativeKey<'_>> = self
+            .smooth
+            .iter()
+            .zip(&slopes)
+            .filter_map(|(k, slope)| {
+                let key = self.problem.free[*k].smooth()?;
+                Some(DerivativeKey { key, scale: *slope })
+            })
+            .collect();
+        let found = orbit_derivatives(
+            &followed.model,
+            &followed.orbit,
+            &keys,
+            &self.quantities,
+            DerivativeAccuracy::Rough,
+        )
+        .ok()?;
+        let by_key: Result<Vec<_>, _> = found.by_key.into_iter().collect();
+        let by_key = by_key.ok()?;
+        let power_w = found.values[0].max(f64::MIN_POSITIVE);
+        let mut values = vec![-power_w.ln()];
+        let factor = |index: usize| match index {
+            0 => -1.0 / power_w,
+            _ => 1.0 / self.limits[index - 1],
+        };
+        for (value, limit) in found.values[1..].iter().zip(&self.limits) {
+            values.push(value / limit - 1.0);
+        }
+        let by_place = |index: usize| {
+            let slope = |(k, slope): (usize, &f64)| factor(index) * by_key[k][index].value * slope;
+            slopes.iter().enumerate().map(slope).collect::<Vec<f64>>()
+        };
+        let by_place: Vec<Vec<f64>> = (0..values.len()).map(by_place).collect();
+        let is_finite = values
+            .iter()
+            .chain(by_place.iter().flatten())
+            .all(|x| x.is_finite());
+        is_finite.then_some((values, by_place))
+    }
+}

@@ -1,0 +1,204 @@
+//! Designs with known optima, limits, bad input and interruptions.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+use jounce_analysis::Journal;
+use jounce_control::Control;
+use jounce_design::{DesignError, DesignOutcome, Problem, SearchEnd, design};
+use jounce_spec::SpecFile;
+use std::f64::consts::TAU;
+use std::path::Path;
+
+const LINEAR: &str = r#"
+[modal.m]
+frequency_hz = [10.0]
+damping_ratio = [0.02]
+[modal.m.point]
+tip = [1.3]
+[modal.m.patch.p]
+coupling_n_per_v = [0.004]
+capacitance = "150 nF"
+[circuit.load]
+patch = "m.p"
+resistance = "80 kohm"
+[drive.d]
+at = "m.tip"
+kind = "force"
+amplitude = "0.7 N"
+frequency = "9.7 Hz"
+[run]
+duration = "1 s"
+average_over = "1 s"
+"#;
+
+fn problem(text: &str) -> Result<Problem, DesignError> {
+    Problem::with_spec(SpecFile::from_text(LINEAR), Path::new(""), text)
+}
+
+fn outcome(text: &str) -> DesignOutcome {
+    design(&problem(text).unwrap(), &Control::default(), None).unwrap()
+}
+
+/// Voltage amplitude and mean power of the linear harvester with a resistance.
+fn linear(r: f64) -> (f64, f64) {
+    let (w, w0, c, theta, zeta) = (TAU * 9.7, TAU * 10.0, 150e-9, 0.004, 0.02);
+    let (g, b) = (1.0 / r, w * c);
+    let shunt = w * theta * theta / (g * g + b * b);
+    let real = w0 * w0 - w * w + shunt * b;
+    let imaginary = 2.0 * zeta * w0 * w + shunt * g;
+    let q = 1.3 * 0.7 / real.hypot(imaginary);
+    let v = w * theta * q / g.hypot(b);
+    (v, 0.5 * v * v / r)
+}
+
+/// The electric port is linear, so the largest power is at `R = 1 / |Y|`, with the admittance `Y` of
+/// the port without the load.
+fn optimal_resistance() -> f64 {
+    let (w, w0, c, theta, zeta) = (TAU * 9.7, TAU * 10.0, 150e-9, 0.004, 0.02);
+    // Y = i w C + i w theta^2 / (w0^2 - w^2 + 2 i zeta w0 w)
+    let (real, imaginary) = (w0 * w0 - w * w, 2.0 * zeta * w0 * w);
+    let square: f64 = real * real + imaginary * imaginary;
+    let motion = w * theta * theta / square;
+    1.0 / (motion * imaginary).hypot(w * c + motion * real)
+}
+
+const LOAD: &str = "[free]\n\"circuit.load.resistance\" = \"1kohm:10Mohm:log\"\n\
+    [goal]\nmaximise = \"expected-power\"\nstarts = 4\n";
+
+#[test]
+fn the_optimal_load_of_a_linear_harvester_has_its_closed_form() {
+    let found = outcome(LOAD);
+    let expected = linear(optimal_resistance()).1;
+    let power = found.best.mean_power_w;
+    assert!((power / expected - 1.0).abs() < 1e-8, "{power} {expected}");
+    assert!(found.feasible && found.best.stable && found.best.basin_fraction == 1.0);
+    assert_eq!(found.ended_by, SearchEnd::Converged);
+    let before = linear(80e3).1;
+    assert!((found.before.expected_power_w / before - 1.0).abs() < 1e-7);
+}
+
+/// The voltage rises with the resistance, so a limit below the voltage at the optimal load binds,
+/// and its price is the slope of power by voltage.
+#[test]
+fn a_binding_limit_has_its_price() {
+    let limit = 0.8 * linear(optimal_resistance()).0;
+    let found = outcome(&format!(
+        "{LOAD}[limits]\n\"patch.m.p.voltage\" = \"{limit} V\"\n"
+    ));
+    let (mut low, mut high) = (1e3, optimal_resistance());
+    for _ in 0..100 {
+        let middle = 0.5 * (low + high);
+        if linear(middle).0 < limit {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    let [voltage] = &found.limits[..] else {
+        panic!("{found:?}")
+    };
+    assert!(found.feasible && voltage.active && voltage.value <= limit);
+    // The search stays a thousandth below a limit.
+    assert!((found.best.mean_power_w / linear(low).1 - 1.0).abs() < 3e-3);
+    let slope = (linear(1.001 * low).1 - linear(0.999 * low).1)
+        / (linear(1.001 * low).0 - linear(0.999 * low).0);
+    let price = voltage.price.unwrap();
+    assert!((price / slope - 1.0).abs() < 1e-2, "{price} {slope}");
+}
+
+#[test]
+fn limits_that_cannot_be_kept_leave_the_least_violation() {
+    let found = outcome(&format!(
+        "{LOAD}[limits]\n\"patch.m.p.voltage\" = \"1 mV\"\n"
+    ));
+    let least = linear(1e3).0 / 1e-3 - 1.0;
+    assert!(!found.feasible && found.violation < 1.1 * least && found.violation > 0.9 * least);
+}
+
+/// The drive at twice the weight of another one: the weighted mean is maximised.
+#[test]
+fn conditions_have_weights() {
+    let found = outcome(&format!(
+        "evaluations = 400\n{LOAD}\
+         [[conditions]]\nset = {{ \"drive.d.amplitude\" = \"0.7 N\" }}\nweight = 2\n\
+         [[conditions]]\nset = {{ \"drive.d.amplitude\" = \"1.4 N\" }}\n"
+    ));
+    // Power grows with the square of the force: (2 + 4) / 3 of that at 0.7 N.
+    let expected = 2.0 * linear(optimal_resistance()).1;
+    let power = found.best.goals["expected-power"];
+    assert!((power / expected - 1.0).abs() < 1e-5, "{power} {expected}");
+}
+
+/// Scatter of the force alone: its square is all of the variance, and the quantiles follow.
+#[test]
+fn tolerances_give_quantiles_and_indices() {
+    let found = outcome(&format!(
+        "draws = 256\n{LOAD}[tolerance]\n\"drive.d.amplitude\" = \"0.07 N\"\n\"modal.m.damping_ratio.1\" = \"1e-9\"\n"
+    ));
+    let robust = found.robust.unwrap();
+    let power = |force: f64| found.best.mean_power_w * (force / 0.7).powi(2);
+    for one in &robust.quantiles {
+        let expected = power(0.63 + 0.14 * one.share);
+        assert!(
+            (one.mean_power_w / expected - 1.0).abs() < 3e-3,
+            "{one:?} {expected}"
+        );
+    }
+    let [force, damping] = &robust.sobol[..] else {
+        panic!("{robust:?}")
+    };
+    assert!(
+        force.first > 0.9 && force.total > 0.95 && damping.total < 1e-3,
+        "{robust:?}"
+    );
+    assert_eq!(robust.lost_fraction, 0.0);
+}
+
+#[test]
+fn all_faults_of_a_file_are_listed_at_once() {
+    let text = "sed = 1\nevaluations = 0\n[free]\n\"circuit.load.resistance\" = \"10kohm:1kohm\"\n\
+        \"stop.x.gap\" = \"1mm:2mm\"\n[goal]\nmaximise = \"power\"\n[limits]\n\"patch.m.q.voltage\" = \"3 V\"\n\
+        [tolerance]\n\"drive.d.amplitude\" = \"-1 N\"\n";
+    let Err(DesignError::Faults(faults)) = problem(text) else {
+        panic!("no faults")
+    };
+    let messages: Vec<String> = faults.iter().map(ToString::to_string).collect();
+    let all = messages.join("\n");
+    for expected in [
+        "sed",
+        "evaluations",
+        "circuit.load.resistance",
+        "stop.x.gap",
+        "expected-power",
+        "patch.m.p.voltage",
+        "drive.d.amplitude",
+    ] {
+        assert!(all.contains(expected), "{expected}: {all}");
+    }
+    assert!(
+        faults
+            .iter()
+            .all(|fault| fault.line > 0 || fault.key.is_empty()),
+        "{all}"
+    );
+    let missing = problem("[goal]\nmaximise = \"expected-power\"").unwrap_err();
+    assert!(missing.to_string().contains("[free]"), "{missing}");
+}
+
+/// A search that a budget interrupts leaves a journal, from which the complete search gives the
+/// result of an uninterrupted one.
+#[test]
+fn an_interrupted_search_continues_from_its_journal() {
+    let folder = tempfile::tempdir().unwrap();
+    let complete = problem(LOAD).unwrap();
+    let mut short = complete.clone();
+    short.evaluations = 20;
+    let open = || Journal::open(folder.path(), "key").unwrap();
+    let control = Control::default();
+    let begun = design(&short, &control, Some(&open())).unwrap();
+    assert_eq!(begun.ended_by, SearchEnd::Evaluations);
+    assert!(open().found().len() >= 20);
+    let continued = design(&complete, &control, Some(&open())).unwrap();
+    let expected = design(&complete, &control, None).unwrap();
+    assert_eq!(continued.best, expected.best);
+    assert_eq!(continued.trace, expected.trace);
+}

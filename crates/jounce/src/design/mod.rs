@@ -1,0 +1,161 @@
+//! Design: values of keys with the largest power within limits.
+
+mod options;
+mod report;
+
+pub use options::DesignOptions;
+
+use crate::error::Error;
+use crate::harvester::Harvester;
+use crate::options::on_threads;
+use jounce_analysis::Journal;
+use jounce_control::Control;
+use jounce_design::{DesignOutcome, Journaled, Problem, design};
+use jounce_spec::Spec;
+use serde::Serialize;
+use std::path::Path;
+use std::sync::Arc;
+
+/// Journal of the evaluations of a design.
+pub type DesignJournal = Journal<Journaled>;
+
+/// Best design with what is known of it, and its harvester.
+#[derive(Debug, Clone, Serialize)]
+pub struct DesignResult {
+    /// Result of the search.
+    #[serde(flatten)]
+    pub outcome: DesignOutcome,
+    /// Harvester of the best design.
+    #[serde(skip)]
+    pub harvester: Harvester,
+}
+
+/// A design problem: a spec, its free keys, the goal, the limits, the conditions and the
+/// tolerances.
+#[derive(Debug, Clone)]
+pub struct Design {
+    problem: Arc<Problem>,
+    control: Control,
+}
+
+impl Harvester {
+    /// Reads a design problem of this harvester from the text of its file, without the key `spec`.
+    ///
+    /// # Errors
+    /// [`Error::Design`] with all faults.
+    ///
+    /// ```
+    /// use jounce::{DesignOptions, Harvester};
+    /// # std::env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).unwrap();
+    /// let harvester = Harvester::read("examples/impact-harvester-2019/harvester.toml")?;
+    /// let design = harvester.design(
+    ///     "evaluations = 60\n[free]\n\"circuit.load.resistance\" = \"10kohm:3Mohm:log\"\n\
+    ///      [goal]\nmaximise = \"expected-power\"\nstarts = 10",
+    /// )?;
+    /// let result = design.run(&DesignOptions::default())?;
+    /// let best = &result.outcome.best;
+    /// println!("{:?}: {} W", best.set, best.expected_power_w);
+    /// # assert!(best.expected_power_w > result.outcome.before.expected_power_w);
+    /// # Ok::<(), jounce::Error>(())
+    /// ```
+    pub fn design(&self, text: &str) -> Result<Design, Error> {
+        let problem = Problem::with_spec(self.file().clone(), self.folder(), text)?;
+        Ok(Design::of(problem).with_control(self.control()))
+    }
+}
+
+impl Design {
+    /// Reads the file of a design (TOML); the path of its spec is relative to its folder.
+    ///
+    /// # Errors
+    /// [`Error::Design`] for a file that cannot be read, or with all faults.
+    pub fn read(path: impl AsRef<Path>) -> Result<Self, Error> {
+        Ok(Self::of(Problem::read(path.as_ref())?))
+    }
+
+    fn of(problem: Problem) -> Self {
+        Self {
+            problem: Arc::new(problem),
+            control: Control::default(),
+        }
+    }
+
+    /// Returns a copy whose computations poll a control: it reports progress and stops them.
+    #[must_use]
+    pub fn with_control(&self, control: &Control) -> Self {
+        Self {
+            control: control.clone(),
+            ..self.clone()
+        }
+    }
+
+    /// Returns the spec of the design.
+    pub fn spec(&self) -> &Spec {
+        &self.problem.spec
+    }
+
+    /// Returns the SHA-256 of the text and the spec.
+    pub fn hash_hex(&self) -> &str {
+        self.problem.hash_hex()
+    }
+
+    /// Searches for the best design and examines it. After a stop by the control, the best design
+    /// so far is the result.
+    ///
+    /// # Errors
+    /// [`Error::Design`] where no design can be evaluated.
+    pub fn run(&self, options: &DesignOptions) -> Result<DesignResult, Error> {
+        self.with_optional_journal(options, None)
+    }
+
+    /// Searches as [`Design::run`], and keeps every evaluation in a journal, from which an
+    /// interrupted search continues. [`Journal::finish`] removes the journal of a complete search.
+    ///
+    /// # Errors
+    /// As [`Design::run`], and [`Error::Design`] for a journal that cannot be written.
+    pub fn run_with_journal(
+        &self,
+        options: &DesignOptions,
+        journal: &DesignJournal,
+    ) -> Result<DesignResult, Error> {
+        self.with_optional_journal(options, Some(journal))
+    }
+
+    /// Opens the journal of a search in a folder.
+    ///
+    /// # Errors
+    /// [`Error::Journal`].
+    pub fn journal(
+        &self,
+        options: &DesignOptions,
+        folder: impl AsRef<Path>,
+    ) -> Result<DesignJournal, Error> {
+        let problem = self.problem_with(options);
+        let key = format!("{}-{}", problem.hash_hex(), problem.seed);
+        Ok(Journal::open(folder.as_ref(), &key)?)
+    }
+
+    fn with_optional_journal(
+        &self,
+        options: &DesignOptions,
+        journal: Option<&DesignJournal>,
+    ) -> Result<DesignResult, Error> {
+        let problem = self.problem_with(options);
+        let work = || Ok(design(&problem, &self.control, journal)?);
+        let outcome = on_threads(options.threads, work)?;
+        let given = Harvester::of(problem.file().clone(), problem.folder.clone())?;
+        let pairs = outcome.best.set.iter();
+        let harvester = given.changed(pairs.map(|(key, value)| (key.as_str(), value.as_str())))?;
+        Ok(DesignResult { outcome, harvester })
+    }
+
+    /// Returns the problem with the seed and the budget of the options.
+    fn problem_with(&self, options: &DesignOptions) -> Problem {
+        let mut problem = (*self.problem).clone();
+        problem.seed = options.seed.unwrap_or(problem.seed);
+        if let Some(evaluations) = options.evaluations {
+            problem.evaluations = evaluations as usize;
+        }
+        problem
+    }
+}

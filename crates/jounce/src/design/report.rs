@@ -1,0 +1,293 @@
+//! Tables, figure and text of a design.
+
+use super::DesignResult;
+use crate::error::Error;
+use jounce_design::{FreeValue, FrontPoint, LimitResult, SobolIndex};
+use jounce_io::table::{Column, Table};
+use jounce_plot::{Axis, Figure, Marker, Panel, Series};
+
+impl DesignResult {
+    /// Returns the tables with their names: the free keys, the limits, the better and better designs
+    /// and, where there are any, the Sobol indices and the front.
+    ///
+    /// # Errors
+    /// [`Error::Table`].
+    pub fn tables(&self) -> Result<Vec<(&'static str, Table)>, Error> {
+        let mut tables = vec![
+            ("design-keys", self.table()?),
+            ("design-limits", self.limits_table()?),
+            ("design-trace", self.trace_table()?),
+        ];
+        if let Some(robust) = &self.outcome.robust {
+            tables.push(("design-sobol", sobol_table(&robust.sobol)?));
+        }
+        if !self.outcome.front.is_empty() {
+            tables.push(("design-front", front_table(&self.outcome.front)?));
+        }
+        Ok(tables)
+    }
+
+    /// Returns the table of the free keys: the best value and the one in the spec.
+    ///
+    /// # Errors
+    /// [`Error::Table`].
+    pub fn table(&self) -> Result<Table, Error> {
+        let text = |name: &str, about: &str, value: fn(&FreeValue) -> String| {
+            let values: Vec<String> = self.outcome.best.keys.iter().map(value).collect();
+            Column::new(name, "", about, values)
+        };
+        Ok(Table::new(vec![
+            text("key", "free key", |one| one.key.clone()),
+            text("value", "best value", |one| one.value.clone()),
+            text("before", "value in the spec", |one| one.before.clone()),
+            text("at_end", "end of the range that the value has", |one| {
+                one.at_end.unwrap_or_default().to_owned()
+            }),
+        ])?)
+    }
+
+    fn limits_table(&self) -> Result<Table, Error> {
+        let names: Vec<String> = self
+            .outcome
+            .limits
+            .iter()
+            .map(|one| one.name.clone())
+            .collect();
+        let active: Vec<bool> = self.outcome.limits.iter().map(|one| one.active).collect();
+        let number = |name: &str, about: &str, value: fn(&LimitResult) -> f64| {
+            let values: Vec<f64> = self.outcome.limits.iter().map(value).collect();
+            Column::new(name, "", about, values)
+        };
+        Ok(Table::new(vec![
+            Column::new("name", "", "limited quantity", names),
+            number("value", "value at the best design, SI", |one| one.value),
+            number("limit", "limit, SI", |one| one.limit),
+            Column::new("active", "", "the limit binds", active),
+            number(
+                "price",
+                "gain of power per unit of the limit, W per SI unit",
+                |one| one.price.unwrap_or(f64::NAN),
+            ),
+        ])?)
+    }
+
+    fn trace_table(&self) -> Result<Table, Error> {
+        let evaluation: Vec<u64> = self
+            .outcome
+            .trace
+            .iter()
+            .map(|one| one.evaluation as u64)
+            .collect();
+        let goal: Vec<f64> = self.outcome.trace.iter().map(|one| one.goal).collect();
+        let violation: Vec<f64> = self.outcome.trace.iter().map(|one| one.violation).collect();
+        Ok(Table::new(vec![
+            Column::new("evaluation", "", "number of evaluated designs", evaluation),
+            Column::new("goal", "", "first goal, in its unit", goal),
+            Column::new("violation", "", "sum of relative violations", violation),
+        ])?)
+    }
+
+    /// Returns the figure of the front or, for one goal, of the better and better designs.
+    pub fn figure(&self) -> Figure {
+        let names: Vec<&String> = self.outcome.best.goals.keys().collect();
+        let figure = Figure::new("Design");
+        if let (false, [first, second, ..]) = (self.outcome.front.is_empty(), &names[..]) {
+            let of = |name: &str| {
+                self.outcome
+                    .front
+                    .iter()
+                    .map(|one| one.goals[name])
+                    .collect()
+            };
+            let panel = Panel::new(axis(first), axis(second)).high(380.0);
+            return figure.with(panel.with(Series::points(of(first), of(second), Marker::Circle)));
+        }
+        let feasible = || self.outcome.trace.iter().filter(|one| one.violation == 0.0);
+        let x: Vec<f64> = feasible().map(|one| one.evaluation as f64).collect();
+        let y: Vec<f64> = feasible().map(|one| one.goal).collect();
+        let name = names.first().map_or("goal", |name| name.as_str());
+        let panel = Panel::new(Axis::linear("Evaluated designs", ""), axis(name)).high(300.0);
+        let line = Series::line(x, y).marker(Marker::Circle);
+        figure.with(panel.with(line.label("within the limits")))
+    }
+
+    /// Returns the result as lines of text.
+    pub fn text(&self) -> String {
+        let best = &self.outcome.best;
+        let mut lines = Vec::new();
+        for (name, value) in &best.goals {
+            let before = self
+                .outcome
+                .before
+                .goals
+                .get(name)
+                .copied()
+                .unwrap_or(f64::NAN);
+            let unit = if name == "bandwidth" { "Hz" } else { "W" };
+            lines.push(format!(
+                "{name:<16} {value:.6e} {unit}, before {before:.6e} {unit}"
+            ));
+        }
+        for key in &best.keys {
+            let end = key
+                .at_end
+                .map_or_else(String::new, |end| format!(", at its {end} end"));
+            lines.push(format!(
+                "{} = {}, before {}{end}",
+                key.key, key.value, key.before
+            ));
+        }
+        if best.stable {
+            lines.push(format!(
+                "orbit            period {}, stable, {:.6e} W, reached by {:.1} % of the starts ({:.1} % to {:.1} %)",
+                best.period_cycles,
+                best.mean_power_w,
+                100.0 * best.basin_fraction,
+                100.0 * best.basin_fraction_low,
+                100.0 * best.basin_fraction_high
+            ));
+        }
+        if let Some(fold) = &best.nearest_fold {
+            lines.push(format!(
+                "nearest fold     {} = {:.6} Hz, {:.3e} Hz away",
+                fold.key, fold.frequency_hz, fold.distance_hz
+            ));
+        }
+        lines.extend(self.outcome.limits.iter().map(limit_text));
+        lines.extend(self.outcome.robust.iter().flat_map(robust_lines));
+        if !self.outcome.front.is_empty() {
+            lines.push(format!(
+                "front            {} designs",
+                self.outcome.front.len()
+            ));
+        }
+        let end = format!("{:?}", self.outcome.ended_by).to_lowercase();
+        lines.push(format!(
+            "search           {} designs in {:.1} s, ended: {end}",
+            self.outcome.evaluations, self.outcome.wall_time_s
+        ));
+        lines.join("\n")
+    }
+
+    /// Returns the message for a design beyond its limits.
+    pub fn violation_text(&self) -> String {
+        let of = |one: &&LimitResult| match one.name.as_str() {
+            "basin_fraction" => one.value < one.limit,
+            _ => one.value > one.limit,
+        };
+        let broken = self.outcome.limits.iter().filter(of);
+        let names: Vec<String> = broken.map(limit_text).collect();
+        format!(
+            "no design found keeps all limits; the least violation is {:.3e}: {}",
+            self.outcome.violation,
+            match names.is_empty() {
+                true => "some starts have no periodic orbit".to_owned(),
+                false => names.join("; "),
+            }
+        )
+    }
+}
+
+fn axis(goal: &str) -> Axis {
+    match goal {
+        "bandwidth" => Axis::linear("Half-power bandwidth", "Hz"),
+        "expected-power" => Axis::linear("Expected power", "W"),
+        "stable-power" => Axis::linear("Power of the best stable orbit", "W"),
+        _ => Axis::linear("Mean power", "W"),
+    }
+}
+
+fn limit_text(limit: &LimitResult) -> String {
+    let price = limit.price.map_or_else(String::new, |price| {
+        format!(
+            ", one more per cent of it is worth {:.3e} W",
+            0.01 * price * limit.limit
+        )
+    });
+    let state = if limit.active {
+        "binds"
+    } else {
+        "does not bind"
+    };
+    format!(
+        "{:<16} {:.6e} of {:.6e}, {state}{price}",
+        limit.name, limit.value, limit.limit
+    )
+}
+
+fn robust_lines(robust: &jounce_design::Robustness) -> Vec<String> {
+    let mut lines = Vec::new();
+    for one in &robust.quantiles {
+        lines.push(format!(
+            "quantile {:>4.0} %   {:.6e} W",
+            100.0 * one.share,
+            one.mean_power_w
+        ));
+    }
+    for index in &robust.sobol {
+        lines.push(format!(
+            "{}: {:.2} of the variance alone ({:.2} to {:.2}), {:.2} in all ({:.2} to {:.2})",
+            index.key,
+            index.first,
+            index.first_low,
+            index.first_high,
+            index.total,
+            index.total_low,
+            index.total_high
+        ));
+    }
+    if robust.lost_fraction > 0.0 {
+        lines.push(format!(
+            "the orbit is lost in {:.1} % of the drawn designs",
+            100.0 * robust.lost_fraction
+        ));
+    }
+    lines
+}
+
+fn sobol_table(all: &[SobolIndex]) -> Result<Table, Error> {
+    let keys: Vec<String> = all.iter().map(|one| one.key.clone()).collect();
+    let number = |name: &str, about: &str, value: fn(&SobolIndex) -> f64| {
+        Column::new(name, "", about, all.iter().map(value).collect::<Vec<f64>>())
+    };
+    Ok(Table::new(vec![
+        Column::new("key", "", "key of the tolerance", keys),
+        number(
+            "first",
+            "share of the variance that it causes alone",
+            |one| one.first,
+        ),
+        number("first_low", "lower end of the 95 % interval", |one| {
+            one.first_low
+        }),
+        number("first_high", "upper end of the 95 % interval", |one| {
+            one.first_high
+        }),
+        number("total", "share that it causes with all others", |one| {
+            one.total
+        }),
+        number("total_low", "lower end of the 95 % interval", |one| {
+            one.total_low
+        }),
+        number("total_high", "upper end of the 95 % interval", |one| {
+            one.total_high
+        }),
+    ])?)
+}
+
+fn front_table(front: &[FrontPoint]) -> Result<Table, Error> {
+    let mut columns = Vec::new();
+    let Some(first) = front.first() else {
+        return Ok(Table::new(columns)?);
+    };
+    for name in first.goals.keys() {
+        let unit = if name == "bandwidth" { "Hz" } else { "W" };
+        let values: Vec<f64> = front.iter().map(|one| one.goals[name]).collect();
+        columns.push(Column::new(name, unit, "goal", values));
+    }
+    for key in first.set.keys() {
+        let values: Vec<String> = front.iter().map(|one| one.set[key].clone()).collect();
+        columns.push(Column::new(key, "", "free key", values));
+    }
+    Ok(Table::new(columns)?)
+}

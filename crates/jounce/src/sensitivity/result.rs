@@ -1,0 +1,65 @@
+//! Result of sensitivities.
+
+use serde::Serialize;
+
+/// Derivatives of the results of a periodic orbit with respect to keys of the spec.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SensitivityResult {
+    /// Id of the orbit, as in `basins`.
+    pub at: String,
+    /// Period in drive cycles.
+    pub period_cycles: u32,
+    /// Mean power of all loads, W.
+    pub mean_power_w: f64,
+    /// Results of the orbit: the mean power first, then peaks.
+    pub quantities: Vec<OrbitResult>,
+    /// Keys with their derivatives, the largest relative one of the mean power first.
+    pub keys: Vec<KeySensitivity>,
+    /// Keys without derivatives, with the reason.
+    pub failed: Vec<FailedKey>,
+}
+
+/// A result of an orbit.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct OrbitResult {
+    /// Name: `mean_power`, `voltage.PATCH`, `strain.PATCH`, `contact_force.STOP` or
+    /// `displacement.STOP`.
+    pub name: String,
+    /// SI unit; empty for a strain.
+    pub unit: &'static str,
+    /// Value, SI.
+    pub value: f64,
+}
+
+/// A key with its derivatives.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct KeySensitivity {
+    /// Dotted path.
+    pub key: String,
+    /// SI unit; empty for a plain number.
+    pub unit: String,
+    /// Value, SI.
+    pub value: f64,
+    /// Derivative of each result, in the order of `quantities`.
+    pub derivatives: Vec<KeyDerivative>,
+}
+
+/// Derivative of a result with respect to a key.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct KeyDerivative {
+    /// Derivative, SI.
+    pub derivative: f64,
+    /// Relative change of the result per relative change of the key, d ln result / d ln key.
+    pub relative: f64,
+    /// Estimated error of `relative`.
+    pub relative_error: f64,
+}
+
+/// A key without derivatives.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct FailedKey {
+    /// Dotted path.
+    pub key: String,
+    /// The reason.
+    pub reason: String,
+}

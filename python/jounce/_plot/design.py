@@ -1,0 +1,39 @@
+"""Pictures of a design: the search, and the front."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from .style import axes, label
+
+if TYPE_CHECKING:
+    from .._design import DesignResult
+
+#: Name and unit of each goal on an axis.
+GOALS = {
+    "expected-power": ("Expected power", "W"),
+    "stable-power": ("Power of the best stable orbit", "W"),
+    "mean-power": ("Mean power", "W"),
+    "bandwidth": ("Half-power bandwidth", "Hz"),
+}
+
+
+def plot_trace(result: DesignResult, ax: Any = None) -> Any:
+    """Draws the first goal of the best design within the limits over the number of evaluated designs."""
+    within = result.trace_violation == 0.0
+    with axes(ax) as ax:
+        ax.plot(result.trace_evaluation[within], result.trace_goal[within], "o-")
+        ax.set_xlabel("Evaluated designs [-]")
+        label(ax.yaxis, *GOALS[next(iter(result.goals))])
+    return ax
+
+
+def plot_front(result: DesignResult, ax: Any = None) -> Any:
+    """Draws the front over its first two goals."""
+    first, second = list(result.goals)[:2]
+    with axes(ax) as ax:
+        points = [(one["goals"][first], one["goals"][second]) for one in result.front]
+        ax.plot([x for x, _ in points], [y for _, y in points], "o")
+        label(ax.xaxis, *GOALS[first])
+        label(ax.yaxis, *GOALS[second])
+    return ax
