@@ -19,7 +19,7 @@ const SCREENING_CYCLES: u32 = 300;
 const TOLERANCE: f64 = 1e-8;
 
 /// Largest number of drive cycles of an evaluation with all starts.
-const MAX_CYCLES: u32 = 4000;
+const MAX_CYCLES: u32 = 600;
 
 /// Evaluates the goals and limits of orbits.
 pub(super) fn evaluate(
@@ -52,7 +52,7 @@ pub(super) fn evaluate(
     let aperiodic = result.attractors.iter().filter(|one| one.orbit.is_none());
     let lost = result.lost.len() as f64 / starts as f64;
     let goal = |goal: &Goal| match goal {
-        Goal::ExpectedPower => expected_w(&result, effort),
+        Goal::ExpectedPower => expected_w(&result),
         Goal::StablePower => main.map_or(0.0, |main| main.mean_power_w),
         Goal::Bandwidth | Goal::MeanPower => f64::NAN,
     };
@@ -65,7 +65,7 @@ pub(super) fn evaluate(
             .collect(),
         unknown_share: lost + aperiodic.map(|one| one.share.fraction).sum::<f64>(),
         expected_power_w: [
-            expected_w(&result, effort),
+            expected_w(&result),
             result.expected_power_low_w,
             result.expected_power_high_w,
         ],
@@ -91,19 +91,20 @@ fn settings(problem: &Problem, effort: Effort) -> (usize, Recognition) {
             problem.starts,
             Recognition {
                 max_cycles: MAX_CYCLES,
+                examines_chaos: false,
                 ..Recognition::at(TOLERANCE)
             },
         ),
     }
 }
 
-/// Returns the expected power, W. In a first evaluation a start without a proved attractor has no
-/// power: its motion may be a transient.
-fn expected_w(result: &BasinsResult, effort: Effort) -> f64 {
+/// Returns the expected power, W. A start without a proved attractor has no power: its motion may be
+/// a transient.
+fn expected_w(result: &BasinsResult) -> f64 {
     let undecided: f64 = result
         .attractors
         .iter()
-        .filter(|one| effort == Effort::Screening && one.orbit.is_none())
+        .filter(|one| one.orbit.is_none())
         .map(|one| one.share.fraction * one.mean_power_w)
         .sum();
     result.expected_power_w - undecided

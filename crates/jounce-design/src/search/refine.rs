@@ -50,9 +50,19 @@ struct Refinement<'r> {
     points: RefCell<Vec<Rc<Point>>>,
 }
 
-/// Returns the place of the largest power along the orbit of a design within its limits, and the
-/// number of followed designs; `None` where there is nothing to follow.
-pub fn refine(evaluator: &Evaluator<'_>, start: &Candidate) -> Option<(Vec<f64>, usize)> {
+/// Result of a refinement.
+pub struct Refined {
+    /// Place of the largest power along the orbit within its limits.
+    pub place: Vec<f64>,
+    /// Power there, W.
+    pub mean_power_w: f64,
+    /// Number of followed designs.
+    pub designs: usize,
+}
+
+/// Follows the orbit of a design to its largest power within the limits; `None` where there is
+/// nothing to follow.
+pub fn refine(evaluator: &Evaluator<'_>, start: &Candidate) -> Option<Refined> {
     let problem = evaluator.problem;
     let smooth: Vec<usize> = (0..problem.free.len())
         .filter(|index| problem.free[*index].smooth().is_some())
@@ -97,7 +107,11 @@ pub fn refine(evaluator: &Evaluator<'_>, start: &Candidate) -> Option<(Vec<f64>,
     let worst = |point: &Point| point.values[1..].iter().copied().fold(0.0, f64::max);
     let least = || points.iter().min_by(|a, b| worst(a).total_cmp(&worst(b)));
     let best = best.filter(|best| best.values[0] < LOST).or_else(least)?;
-    Some((best.place.clone(), points.len()))
+    Some(Refined {
+        place: best.place.clone(),
+        mean_power_w: (-best.values[0]).exp(),
+        designs: points.len(),
+    })
 }
 
 impl Refinement<'_> {

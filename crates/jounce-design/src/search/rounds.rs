@@ -2,7 +2,7 @@
 //! the best of them. The search ends when two rounds in a row have found nothing better.
 
 use super::evolution::{self, Population};
-use super::refine::refine;
+use super::refine::{Refined, refine};
 use super::sampling::Places;
 use super::{Budget, Candidate, Found};
 use crate::DesignError;
@@ -99,8 +99,24 @@ fn refined(
         .map(|start| refine(evaluator, start))
         .collect();
     for (start, refined) in starts.iter().zip(refined) {
-        let (place, designs) = refined.unwrap_or_else(|| (start.place.clone(), 0));
+        let Refined {
+            place,
+            mean_power_w,
+            designs,
+        } = refined.unwrap_or_else(|| Refined {
+            place: start.place.clone(),
+            mean_power_w: f64::INFINITY,
+            designs: 0,
+        });
         evaluator.add(designs);
+        // An orbit with less power than the best design is not worth the integration of all starts.
+        let best = found.best.as_ref().map(|best| &best.evaluation);
+        let is_beaten = |mean_power_w: f64| {
+            best.is_some_and(|best| best.is_feasible() && mean_power_w <= best.goals[0])
+        };
+        if is_beaten(mean_power_w) {
+            continue;
+        }
         let is_known = |one: &Candidate| jounce_linalg::distance(&one.place, &place) < SAME_PLACE;
         if found.full.iter().any(is_known) || evaluator.control.is_stopped() {
             continue;

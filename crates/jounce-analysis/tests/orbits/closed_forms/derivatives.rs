@@ -112,7 +112,7 @@ fn derivatives_of_a_linear_harvester_have_their_closed_form() {
             power_w(at).ln()
         };
         // Fourth order, of a smooth closed form.
-        let h = 1e-3;
+        let h = 1e-4;
         let slope = |h: f64| (shifted(1.0 + h) - shifted(1.0 - h)) / (2.0 * h);
         let expected = (4.0 * slope(h) - slope(2.0 * h)) / 3.0;
         assert!(
