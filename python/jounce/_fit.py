@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 import numpy as np
 
 from ._errors import ArgumentError
+from ._fields import About, Along, Variable
 from ._format import html_table
-from ._result import Along, Data, Floats, Result, Variable, column
+from ._result import Data, Floats, Result, column
 
 if TYPE_CHECKING:
     from ._spec import Spec
@@ -24,18 +25,15 @@ else:
 class FitCurve(Data):
     """Measured curve with the curves of the model before and after a fit; arrays of shape ``(place,)`` in the unit of the curve."""
 
-    #: Name of the curve, ``"mfc.voltage"``, and its unit.
-    name: str
-    unit: str
-    #: Axis of the curve, ``"frequency_hz"`` or ``"time_s"``, and its values, Hz or s.
-    over: str
-    at: Floats
-    measured: Floats
-    before: Floats
-    after: Floats
-    #: 95 % prediction interval of a further measurement.
-    low: Floats
-    high: Floats
+    name: Annotated[str, About('name of the curve, ``"mfc.voltage"``')]
+    unit: Annotated[str, About("unit of the curve")]
+    over: Annotated[str, About('axis of the curve, ``"frequency_hz"`` or ``"time_s"``')]
+    at: Annotated[Floats, About("values of the axis, Hz or s", axes="point")]
+    measured: Annotated[Floats, About("measured values, in ``unit``", axes="point")]
+    before: Annotated[Floats, About("values of the model before the fit, in ``unit``", axes="point")]
+    after: Annotated[Floats, About("values of the model after the fit, in ``unit``", axes="point")]
+    low: Annotated[Floats, About("lower end of the 95 % prediction interval of a further measurement, in ``unit``", axes="point")]
+    high: Annotated[Floats, About("upper end of this interval, in ``unit``", axes="point")]
 
     def __len__(self) -> int:
         return len(self.at)
@@ -58,51 +56,51 @@ class FitDeviation(Data):
     ``degrees_of_freedom`` is ``None`` where the deviation was given; else it is estimated from the residuals.
     """
 
-    name: str
-    deviation: float
-    degrees_of_freedom: float | None
+    name: Annotated[str, About("name of the deviation")]
+    deviation: Annotated[float, About("relative standard deviation of the features")]
+    degrees_of_freedom: Annotated[
+        float | None, About("degrees of freedom where the deviation is estimated from residuals; ``None`` where it was given")
+    ]
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class FitResult(Result):
     """Keys and features before and after a fit, with their uncertainty; arrays of shape ``(key,)`` and ``(feature,)``."""
 
-    #: The keys and their SI units; values before and after, and the ends of the 95 % interval, in these units.
-    key: list[str]
-    key_unit: list[str]
-    before: Floats
-    after: Floats
-    low: Floats
-    high: Floats
+    key: Annotated[list[str], About("fitted keys")]
+    key_unit: Annotated[list[str], About("SI unit of each key")]
+    before: Annotated[Floats, About("values before the fit, in ``key_unit``", axes="key")]
+    after: Annotated[Floats, About("values after the fit, in ``key_unit``", axes="key")]
+    low: Annotated[Floats, About("lower end of the 95 % interval, in ``key_unit``", axes="key")]
+    high: Annotated[Floats, About("upper end of the 95 % interval, in ``key_unit``", axes="key")]
     prior_deviation: Annotated[Floats, Along("key", "1", "relative standard deviation of the prior")]
     deviation: Annotated[Floats, Along("key", "1", "relative standard deviation after the fit")]
     correlation: Annotated[Floats, Along("key other_key", "1", "correlation of two keys")]
-    #: Features, ``"mode 1 frequency"``, and their units; measured values, and values of the model before and after.
-    feature: list[str]
-    feature_unit: list[str]
-    feature_measured: Floats
-    feature_before: Floats
-    feature_after: Floats
+    feature: Annotated[list[str], About('features, ``"mode 1 frequency"``')]
+    feature_unit: Annotated[list[str], About("unit of each feature")]
+    feature_measured: Annotated[Floats, About("measured values, in ``feature_unit``", axes="feature")]
+    feature_before: Annotated[Floats, About("values of the model before the fit, in ``feature_unit``", axes="feature")]
+    feature_after: Annotated[Floats, About("values of the model after the fit, in ``feature_unit``", axes="feature")]
     feature_deviation: Annotated[Floats, Along("feature", "1", "relative standard deviation of the measurement")]
     feature_predicted_deviation: Annotated[Floats, Along("feature", "1", "relative standard deviation of the model after the fit")]
-    #: 95 % prediction interval of further measurements, in the units of the features.
-    feature_low: Floats
-    feature_high: Floats
-    #: Features that are curves: frequency responses and time histories.
-    curves: list[FitCurve]
-    #: Deviations of the features, given or estimated from the residuals.
-    deviations: list[FitDeviation]
-    #: Half width of a 95 % interval in standard deviations; from Student's distribution where a deviation is estimated from residuals.
-    quantile: float
-    #: Sum of the squared errors of the features, each divided by its variance; and that sum with the terms of the priors of the keys.
-    chi_square: float
-    objective: float
-    #: Warnings about quantities that the data do not determine, one sentence each.
-    warnings: list[str]
-    #: Number of model evaluations.
-    evaluations: int
-    #: Harvester with the fitted values.
-    spec: Spec
+    feature_low: Annotated[
+        Floats, About("lower end of the 95 % prediction interval of a further measurement, in ``feature_unit``", axes="feature")
+    ]
+    feature_high: Annotated[Floats, About("upper end of this interval, in ``feature_unit``", axes="feature")]
+    curves: Annotated[list[FitCurve], About("features that are curves: frequency responses and time histories")]
+    deviations: Annotated[list[FitDeviation], About("deviations of the features, given or estimated from the residuals")]
+    quantile: Annotated[
+        float,
+        About(
+            "half width of a 95 % interval in standard deviations; from Student's distribution where a deviation is estimated from "
+            "residuals"
+        ),
+    ]
+    chi_square: Annotated[float, About("sum of the squared errors of the features, each divided by its variance")]
+    objective: Annotated[float, About("this sum with the terms of the priors of the keys")]
+    warnings: Annotated[list[str], About("quantities that the data do not determine, one sentence each")]
+    evaluations: Annotated[int, About("number of model evaluations")]
+    spec: Annotated[Spec, About("harvester with the fitted values")]
 
     def __len__(self) -> int:
         return len(self.key)

@@ -5,12 +5,13 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable, Mapping
 from functools import partial
-from typing import Any, Self
+from typing import Annotated, Any, Self
 
 import numpy as np
 
+from ._fields import About, Variable
 from ._named import Named
-from ._result import Complexes, Floats, Result, Variable
+from ._result import Complexes, Floats, Result
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -19,16 +20,14 @@ class FrfResult(Result, Named[Complexes]):
 
     _noun = "response"
 
-    #: Frequencies, Hz.
-    frequency_hz: Floats
-    #: Excitation point, or ``"base"``.
-    input: str
-    #: Responses by name, ``"beam.tip.acceleration"``, ``"mfc.voltage"``.
-    responses: dict[str, Complexes]
-    #: Units of the responses.
-    units: dict[str, str]
-    #: Masses that were fixed.
-    held: list[str]
+    frequency_hz: Annotated[Floats, About("frequencies", "Hz", axes="frequency")]
+    input: Annotated[str, About('excitation point, or ``"base"``')]
+    responses: Annotated[
+        dict[str, Complexes],
+        About('responses by name, ``"beam.tip.acceleration"``, ``"mfc.voltage"``, each of shape ``(frequency,)``, in ``units``'),
+    ]
+    units: Annotated[dict[str, str], About("unit of each response")]
+    held: Annotated[list[str], About("masses that were fixed")]
 
     @classmethod
     def _from_core(cls, result: dict[str, Any]) -> Self:

@@ -5,10 +5,11 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable
 from functools import partial
-from typing import Any
+from typing import Annotated, Any
 
+from ._fields import About, Variable
 from ._named import look_up
-from ._result import Floats, Result, Variable
+from ._result import Floats, Result
 from ._signal import Spectrum, spectrum
 
 
@@ -19,29 +20,24 @@ class History(Result):
     Arrays have a row for each point, patch or stop and a column for each time.
     """
 
-    #: Names of the points, patches and stops.
-    point: list[str]
-    patch: list[str]
-    stop: list[str]
-    #: Sampling rate, Hz.
-    sample_rate_hz: float
-    #: Time since the start of the run, s.
-    time_s: Floats
-    #: Displacement and velocity of each point.
-    displacement_m: Floats
-    velocity_m_s: Floats
-    #: Displacement towards each stop, m; contact begins at the gap.
-    relative_displacement_m: Floats
-    #: Voltage of each patch, V.
-    voltage_v: Floats
-    #: Contact force of each stop, N.
-    force_n: Floats
-    poincare_time_s: Floats
-    poincare_displacement_m: Floats
-    poincare_velocity_m_s: Floats
-    poincare_relative_displacement_m: Floats
-    poincare_voltage_v: Floats
-    poincare_force_n: Floats
+    point: Annotated[list[str], About("names of the points")]
+    patch: Annotated[list[str], About("names of the patches")]
+    stop: Annotated[list[str], About("names of the stops")]
+    sample_rate_hz: Annotated[float, About("sampling rate", "Hz")]
+    time_s: Annotated[Floats, About("time since the start of the run", "s", axes="time")]
+    displacement_m: Annotated[Floats, About("displacement of each point", "m", axes="time point")]
+    velocity_m_s: Annotated[Floats, About("velocity of each point", "m/s", axes="time point")]
+    relative_displacement_m: Annotated[Floats, About("displacement towards each stop; contact begins at the gap", "m", axes="time stop")]
+    voltage_v: Annotated[Floats, About("voltage of each patch", "V", axes="time patch")]
+    force_n: Annotated[Floats, About("contact force of each stop", "N", axes="time stop")]
+    poincare_time_s: Annotated[Floats, About("times of the samples once per drive cycle", "s", axes="cycle_time")]
+    poincare_displacement_m: Annotated[Floats, About("displacement of each point once per drive cycle", "m", axes="cycle_time point")]
+    poincare_velocity_m_s: Annotated[Floats, About("velocity of each point once per drive cycle", "m/s", axes="cycle_time point")]
+    poincare_relative_displacement_m: Annotated[
+        Floats, About("displacement towards each stop once per drive cycle", "m", axes="cycle_time stop")
+    ]
+    poincare_voltage_v: Annotated[Floats, About("voltage of each patch once per drive cycle", "V", axes="cycle_time patch")]
+    poincare_force_n: Annotated[Floats, About("contact force of each stop once per drive cycle", "N", axes="cycle_time stop")]
 
     def _summary(self) -> list[tuple[str, str]]:
         return [

@@ -5,30 +5,31 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
 import numpy as np
 
 from . import _core
 from ._arguments import names, optional_si, options
 from ._contact import kind_of
+from ._fields import About, Variable
 from ._format import html_table
 from ._inputs import Measured, responses
 from ._issue import Issue, issue_lines, parse_issues
 from ._named import Named
 from ._recording import Recording, names_of
-from ._result import Complexes, Floats, Result, Variable, make_manifest
+from ._result import Complexes, Floats, Result, make_manifest
 
 
 @dataclasses.dataclass(frozen=True)
 class ImpactHit:
     """Hit: number of its record, largest force, N, contact time, s, True where it was averaged, and its warnings."""
 
-    record: int
-    peak_force_n: float
-    contact_time_s: float
-    used: bool
-    warnings: tuple[str, ...]
+    record: Annotated[int, About("number of its record, from 1")]
+    peak_force_n: Annotated[float, About("largest force", "N")]
+    contact_time_s: Annotated[float, About("contact time", "s")]
+    used: Annotated[bool, About("True where the hit is part of the averages")]
+    warnings: Annotated[tuple[str, ...], About("warnings of the hit")]
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -37,25 +38,26 @@ class MeasuredFrf(Result, Named[Complexes]):
 
     _noun = "response"
 
-    frequency_hz: Floats
-    #: Names of the sensors, and excitation points (or the channel of the force without points); empty for given responses without names.
-    output: list[str]
-    reference: list[str]
-    #: Responses by channel, ``"tip from beam.mid"`` with several excitation points, of shape ``(frequency,)``, with unit and coherence; the
-    #: coherence of a single block is 1.
-    responses: dict[str, Complexes]
-    units: dict[str, str]
-    coherence: dict[str, Floats]
-    #: Channel of the input; empty for given responses.
-    input: str
-    #: For responses to an acceleration: factor of the response per g, and its unit: ``(9.80665, "V/g")``.
-    per_g: dict[str, tuple[float, str]]
-    hits: list[ImpactHit]
-    #: Length of a block, s; ``None`` for given responses.
-    block_s: float | None
-    #: Damping that the exponential window adds to every mode, 1/s.
-    window_decay_per_s: float
-    issues: list[Issue]
+    frequency_hz: Annotated[Floats, About("frequencies", "Hz", axes="frequency")]
+    output: Annotated[list[str], About("names of the sensors; empty for given responses without names")]
+    reference: Annotated[
+        list[str], About("excitation points, or the channel of the force without points; empty for given responses without names")
+    ]
+    responses: Annotated[
+        dict[str, Complexes],
+        About('responses by channel, ``"tip from beam.mid"`` with several excitation points, each of shape ``(frequency,)``, in ``units``'),
+    ]
+    units: Annotated[dict[str, str], About("unit of each response")]
+    coherence: Annotated[dict[str, Floats], About("coherence of each response, of shape ``(frequency,)``; 1 for a single block")]
+    input: Annotated[str, About("channel of the input; empty for given responses")]
+    per_g: Annotated[
+        dict[str, tuple[float, str]],
+        About('for responses to an acceleration: factor of the response per g, and its unit, ``(9.80665, "V/g")``'),
+    ]
+    hits: Annotated[list[ImpactHit], About("hits of a hammer test")]
+    block_s: Annotated[float | None, About("length of a block; ``None`` for given responses", "s")]
+    window_decay_per_s: Annotated[float, About("damping that the exponential window adds to every mode", "1/s")]
+    issues: Annotated[list[Issue], About("data-quality issues of the recordings")]
 
     def _named(self) -> Mapping[str, Complexes]:
         return self.responses

@@ -12,12 +12,13 @@ import numpy as np
 from . import _core
 from ._arguments import names, optional_range_si, optional_si, options
 from ._errors import ArgumentError
+from ._fields import About, Along, Variable
 from ._format import html_table, with_uncertainty
 from ._inputs import Measured, responses
 from ._issue import Issue, parse_issues
 from ._measured_frf import MeasuredFrf, hammer_options, make_frf
 from ._recording import names_of
-from ._result import Along, Complexes, Floats, Integers, Result, Variable, make_manifest
+from ._result import Complexes, Floats, Integers, Result, make_manifest
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -28,42 +29,60 @@ class MeasuredModes(Result):
     frequency_deviation_hz: Annotated[Floats, Along("mode", "Hz", "standard deviation of the frequency")]
     damping_ratio: Annotated[Floats, Along("mode", "1", "damping ratio")]
     damping_deviation: Annotated[Floats, Along("mode", "1", "standard deviation of the damping ratio")]
-    #: True where the interval of the damping ratio includes 0: the mode may be noise.
-    doubtful: list[bool]
-    #: Names of the responses, and the shapes, normalised to 1 at the largest response.
-    response: list[str]
+    doubtful: Annotated[list[bool], About("True where the interval of the damping ratio includes 0: the mode may be noise")]
+    response: Annotated[list[str], About("names of the responses")]
     shape: Annotated[Complexes, Along("response mode", "1", "shape, normalised to 1 at the largest response")]
-    #: Excitation points, where there are several, and participation of each in a mode, 1 at the largest; by reciprocity the shape there.
-    reference: list[str]
-    participation: Annotated[Complexes, Along("reference mode", "1", "participation of a force, by reciprocity the shape at its point")]
-    #: Shape at each response times the participation of the base whose motion is the input. The sum over all modes is 1 at each point of
-    #: the structure; values of voltages are in V/m. NaN for another input.
-    base_participation: Annotated[Complexes, Along("response mode", "", "shape times participation of the base")]
+    reference: Annotated[list[str], About("excitation points, where there are several")]
+    participation: Annotated[
+        Complexes,
+        Along(
+            "reference mode",
+            "1",
+            "participation of a force, by reciprocity the shape at its point",
+            detail="1 at the largest; by reciprocity the shape at the excitation points",
+        ),
+    ]
+    base_participation: Annotated[
+        Complexes,
+        Along(
+            "response mode",
+            "",
+            "shape times participation of the base",
+            detail="values of voltages are in V/m; the sum over all modes is 1 at each point of the structure; NaN where the input is not "
+            "a motion of the base",
+        ),
+    ]
     mac: Annotated[Floats, Along("mode other_mode", "1", "modal assurance criterion")]
-    #: Squared error relative to the variance from the coherence; above 1 the deviations are widened by its root.
-    misfit: float
-    #: Half width of a 95 % interval in standard deviations: above 1.96 where it is based on few blocks.
-    quantile_95: Annotated[Floats, Along("mode", "1", "half width of the 95 % interval in standard deviations")]
-    #: Peaks of the responses without a mode, Hz; try a band around them, or a larger order.
-    unexplained_hz: Floats
-    #: Stabilisation diagram, of shape ``(pole,)``; ``pole_stable`` is ``"new"``, ``"frequency"`` or ``"pole"``, the agreement with the
-    #: order below.
+    misfit: Annotated[
+        float, About("squared error relative to the variance from the coherence; above 1 the deviations are widened by its root")
+    ]
+    quantile_95: Annotated[
+        Floats,
+        Along("mode", "1", "half width of the 95 % interval in standard deviations", detail="above 1.96 where it is based on few blocks"),
+    ]
+    unexplained_hz: Annotated[
+        Floats, About("peaks of the responses without a mode; try a band around them, or a larger order", "Hz", axes="peak")
+    ]
     pole_order: Annotated[Integers, Along("pole", "1", "order of the denominator")]
     pole_frequency_hz: Annotated[Floats, Along("pole", "Hz", "frequency of the pole")]
     pole_damping_ratio: Annotated[Floats, Along("pole", "1", "damping ratio of the pole")]
-    pole_stable: list[str]
-    #: Lines of the band, Hz, and the functions that the modes were identified from, of shape ``(function, line)``: responses of a hammer
-    #: test as displacement per force; without a measured force one-sided spectra of decays, one or more for each response.
-    function: list[str]
-    line_hz: Floats
-    measured: Annotated[Complexes, Along("function line", "", "function, measured")]
+    pole_stable: Annotated[list[str], About('agreement of each pole with the order below: ``"new"``, ``"frequency"`` or ``"pole"``')]
+    function: Annotated[list[str], About("names of the functions that the modes were identified from")]
+    line_hz: Annotated[Floats, About("frequencies of the band", "Hz", axes="line")]
+    measured: Annotated[
+        Complexes,
+        Along(
+            "function line",
+            "",
+            "function, measured",
+            detail="of a hammer test as displacement per force; without a measured force one-sided spectra of decays",
+        ),
+    ]
     model: Annotated[Complexes, Along("function line", "", "function reconstructed from the modes")]
-    #: Responses of a hammer test; ``None`` without a measured force.
-    frf: MeasuredFrf | None
-    #: Messages about modes that may be noise and peaks without a mode; about the window and the noise of the test.
-    warnings: list[str]
-    notes: list[str]
-    issues: list[Issue]
+    frf: Annotated[MeasuredFrf | None, About("responses of a hammer test; ``None`` without a measured force")]
+    warnings: Annotated[list[str], About("modes that may be noise, and peaks without a mode")]
+    notes: Annotated[list[str], About("window and noise of the test")]
+    issues: Annotated[list[Issue], About("data-quality issues of the recordings")]
 
     def __len__(self) -> int:
         return len(self.frequency_hz)

@@ -8,11 +8,12 @@ from typing import Annotated, Any
 
 from . import _core
 from ._arguments import optional_si, options, to_si
+from ._fields import About, Along, Variable
 from ._format import html_table, with_uncertainty
 from ._inputs import Measured, recordings
 from ._issue import Issue, issue_lines, parse_issues
 from ._recording import names_of
-from ._result import Along, Floats, Integers, Result, Truths, Variable, make_manifest, result_or_raise
+from ._result import Floats, Integers, Result, Truths, make_manifest, result_or_raise
 from ._signal import Spectrum
 
 
@@ -20,29 +21,28 @@ from ._signal import Spectrum
 class PowerResult(Result):
     """Mean power of each record with its interval; arrays of shape ``(record,)`` and, for amplitudes at orders, ``(record, order)``."""
 
-    #: Names of the recordings and of their voltage channels.
-    record: list[str]
-    channel: list[str]
+    record: Annotated[list[str], About("names of the recordings")]
+    channel: Annotated[list[str], About("voltage channel of each recording")]
     resistance_ohm: Annotated[Floats, Along("record", "ohm", "resistance of the load")]
     mean_power_w: Annotated[Floats, Along("record", "W", "mean power")]
     half_width_w: Annotated[Floats, Along("record", "W", "half width of its 95 % interval")]
-    #: Batches of the interval, correlation of neighbouring batches, effective number of independent values (at most 256), and True where
-    #: the interval is too narrow.
     batches: Annotated[Integers, Along("record", "1", "number of batches of the interval")]
     batch_correlation: Annotated[Floats, Along("record", "1", "correlation of neighbouring batches")]
-    effective_samples: Annotated[Floats, Along("record", "1", "effective number of independent values")]
+    effective_samples: Annotated[Floats, Along("record", "1", "effective number of independent values", detail="at most 256")]
     correlated: Annotated[Truths, Along("record", "1", "True where the record is too short and its interval too narrow")]
     mean_voltage_v: Annotated[Floats, Along("record", "V", "mean of the voltage")]
-    #: NaN where no base channel was named.
-    mean_square_base_acceleration_m2_s4: Annotated[Floats, Along("record", "m^2/s^4", "mean square of the base's acceleration")]
-    #: Mean power divided by it, W/(m/s^2)^2.
-    mean_power_per_mean_square_w_s4_m2: Annotated[Floats, Along("record", "W s^4/m^2", "mean power per mean square of it")]
-    #: Multiples of the drive, and amplitudes there, zero to peak; NaN above half the sampling rate, and empty without a drive.
-    order: Floats
-    order_amplitude_peak_v: Annotated[Floats, Along("record order", "V", "amplitude zero to peak at a multiple of the drive")]
-    #: Spectra of the voltages, Hann window.
-    spectra: list[Spectrum]
-    issues: list[Issue]
+    mean_square_base_acceleration_m2_s4: Annotated[
+        Floats, Along("record", "m^2/s^4", "mean square of the base's acceleration", detail="NaN where no base channel was named")
+    ]
+    mean_power_per_mean_square_w_s4_m2: Annotated[
+        Floats, Along("record", "W s^4/m^2", "mean power per mean square of it", detail="NaN where no base channel was named")
+    ]
+    order: Annotated[Floats, About("multiples of the drive; empty without a drive", axes="order")]
+    order_amplitude_peak_v: Annotated[
+        Floats, Along("record order", "V", "amplitude zero to peak at a multiple of the drive", detail="NaN above half the sampling rate")
+    ]
+    spectra: Annotated[list[Spectrum], About("spectrum of each voltage, Hann window")]
+    issues: Annotated[list[Issue], About("data-quality issues of the recordings")]
 
     def __len__(self) -> int:
         return len(self.record)

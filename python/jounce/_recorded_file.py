@@ -6,37 +6,36 @@ import dataclasses
 from collections.abc import Callable, Iterator
 from os import PathLike, fspath
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
 from . import _core
 from ._arguments import options, rate_hz
 from ._errors import ArgumentError
+from ._fields import About, Variable
 from ._format import counted, html_table
 from ._issue import Issue, issue_lines, parse_issues
 from ._recording import Recording, digest_of
-from ._result import Complexes, Data, Floats, Integers, Result, Variable, make_manifest
+from ._result import Complexes, Data, Floats, Integers, Result, make_manifest
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class ModeShape(Data):
     """Mode shape of a UFF file: natural frequency, Hz, damping ratio, NaN where not given, and the shape at each node."""
 
-    frequency_hz: float
-    damping_ratio: float
-    #: Numbers of the nodes, and components at each node, of shape ``(node, component)``.
-    node: Integers
-    shape: Complexes
+    frequency_hz: Annotated[float, About("natural frequency", "Hz")]
+    damping_ratio: Annotated[float, About("damping ratio, 1 = critical")]
+    node: Annotated[Integers, About("numbers of the nodes", axes="node")]
+    shape: Annotated[Complexes, About("components at each node", axes="node component")]
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class RecordedFile(Result):
     """Contents of a file: recordings, one for each grid of time or frequency, and mode shapes; can be iterated."""
 
-    name: str
-    recordings: list[Recording]
-    shapes: list[ModeShape]
-    #: Issues of the complete file.
-    issues: list[Issue]
+    name: Annotated[str, About("name of the file")]
+    recordings: Annotated[list[Recording], About("recordings of the file")]
+    shapes: Annotated[list[ModeShape], About("mode shapes of a UFF file")]
+    issues: Annotated[list[Issue], About("issues of the complete file")]
 
     def __len__(self) -> int:
         return len(self.recordings)

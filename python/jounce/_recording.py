@@ -7,16 +7,17 @@ import hashlib
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from os import PathLike, fspath
-from typing import TYPE_CHECKING, Any, Literal, Self
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
 
 import numpy as np
 
 from . import _core
 from ._errors import ArgumentError
+from ._fields import About, Variable
 from ._format import counted, html_table
 from ._issue import Issue, issue_lines, parse_issues
 from ._named import Named, look_up
-from ._result import Complexes, Data, Floats, Result, Variable, make_manifest
+from ._result import Complexes, Data, Floats, Result, make_manifest
 
 if TYPE_CHECKING:
     from ._contact import ContactResult
@@ -29,18 +30,13 @@ if TYPE_CHECKING:
 class Channel(Data):
     """Samples of one quantity at one place."""
 
-    name: str
-    #: ``"acceleration"``, ``"voltage"``, ``"force"``, ..., ``"unknown"`` where the file does not give it.
-    quantity: str
-    #: SI unit; unchanged where the quantity is unknown.
-    unit: str
-    #: Place and direction of the sensor; empty where unknown.
-    place: str
-    direction: str
-    #: Place and direction of the force of a response function, ``"node 3 +z"``; empty where unknown.
-    reference: str
-    #: Samples; NaN for a missing sample.
-    values: Floats | Complexes
+    name: Annotated[str, About("name of the channel")]
+    quantity: Annotated[str, About('``"acceleration"``, ``"voltage"``, ``"force"``, ..., ``"unknown"`` where the file does not give it')]
+    unit: Annotated[str, About("SI unit; unchanged where the quantity is unknown")]
+    place: Annotated[str, About("place of the sensor; empty where unknown")]
+    direction: Annotated[str, About("direction of the sensor; empty where unknown")]
+    reference: Annotated[str, About('place and direction of the force of a response function, ``"node 3 +z"``; empty where unknown')]
+    values: Annotated[Floats | Complexes, About("samples, in ``unit``; NaN for a missing sample", axes="sample")]
 
     @property
     def rms(self) -> float:
@@ -63,16 +59,13 @@ class Recording(Result, Named[Floats | Complexes]):
 
     _noun = "channel"
 
-    name: str
-    over: Literal["time", "frequency"]
-    #: Times or frequencies of the samples, s or Hz.
-    places: Floats
-    #: Step between samples; ``None`` where each sample has its own stamp.
-    step: float | None
-    #: Samples per second, or per hertz.
-    rate: float
-    channels: list[Channel]
-    issues: list[Issue]
+    name: Annotated[str, About("name of the recording")]
+    over: Annotated[Literal["time", "frequency"], About("axis of the samples")]
+    places: Annotated[Floats, About("times or frequencies of the samples, s or Hz", axes="sample")]
+    step: Annotated[float | None, About("step between samples, s or Hz; ``None`` where each sample has its own stamp")]
+    rate: Annotated[float, About("samples per second, or per hertz")]
+    channels: Annotated[list[Channel], About("channels of the recording")]
+    issues: Annotated[list[Issue], About("data-quality issues and corrections")]
 
     @classmethod
     def _from_core_recording(cls, fields: Mapping[str, Any], manifest: Mapping[str, Any]) -> Self:

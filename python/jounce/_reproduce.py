@@ -5,10 +5,11 @@ from __future__ import annotations
 import dataclasses
 from os import PathLike, fspath
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
 
 from . import _core
 from ._arguments import check_integers, options
+from ._fields import About
 from ._format import html_table
 from ._progress import Progress, progress_callback
 from ._result import Result, make_manifest, result_or_raise
@@ -18,14 +19,12 @@ from ._result import Result, make_manifest, result_or_raise
 class ReproduceResult(Result):
     """Claims of the paper with a verdict on each, and the files of the report."""
 
-    #: The report, one HTML file; the tables (CSV with a manifest, and JSON); the figures (SVG and PNG).
-    report: Path
-    tables: list[Path]
-    figures: list[Path]
-    #: The claims, True where a claim holds, and the numbers of the evidence.
-    claim: list[str]
-    holds: list[bool]
-    evidence: list[str]
+    report: Annotated[Path, About("report, one HTML file")]
+    tables: Annotated[list[Path], About("tables, CSV with a manifest and JSON")]
+    figures: Annotated[list[Path], About("figures, SVG and PNG")]
+    claim: Annotated[list[str], About("claims of the paper")]
+    holds: Annotated[list[bool], About("True where the claim holds")]
+    evidence: Annotated[list[str], About("numbers of the evidence of each claim")]
 
     def __len__(self) -> int:
         return len(self.claim)

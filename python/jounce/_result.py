@@ -6,13 +6,14 @@ import dataclasses
 import json
 from collections.abc import Callable, Mapping, Sequence
 from os import PathLike
-from typing import Any, NamedTuple, Self, TypeVar, get_args, get_origin, get_type_hints
+from typing import Annotated, Any, Self, TypeVar, get_args, get_origin, get_type_hints
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
 from ._errors import Interrupted
+from ._fields import About, Variable, dataset_fields
 from ._format import html_table
 from ._named import look_up
 from ._optional import require
@@ -26,41 +27,6 @@ Complexes = NDArray[np.complex128]
 #: Result of a long call of the compiled module, if there is one, and the error that ended it early.
 CoreResult = tuple[dict[str, Any] | None, BaseException | None]
 ResultT = TypeVar("ResultT")
-
-
-class Variable(NamedTuple):
-    """Variable of a dataset."""
-
-    dims: tuple[str, ...]
-    values: Any
-    units: str
-    long_name: str
-
-
-class Along(NamedTuple):
-    """Description of a result field in a dataset: ``power_w: Annotated[Floats, Along("record", "W", "power")]``."""
-
-    #: Names of the axes, separated by blanks; empty for a number.
-    axes: str
-    unit: str
-    about: str
-    #: Name in a dataset, without a unit; by default the name of the field without its unit.
-    dataset_name: str = ""
-
-    def name(self, field: str) -> str:
-        """Returns the name in a dataset."""
-        unit_suffix = {"1/s": "hz"}.get(self.unit, self.unit.lower().replace("^", "").replace("/", "_").replace(" ", "_"))
-        return self.dataset_name or field.removesuffix(f"_{unit_suffix}")
-
-    def of(self, values: Any) -> Variable:
-        """Returns the variable of these values."""
-        return Variable(tuple(self.axes.split()), values, self.unit, self.about)
-
-
-def dataset_fields(kind: type) -> dict[str, Along]:
-    """Returns the fields of a class that are part of its dataset."""
-    hints = get_type_hints(kind, include_extras=True)
-    return {field: annotation for field, hint in hints.items() for annotation in get_args(hint)[1:] if isinstance(annotation, Along)}
 
 
 class Data:
@@ -107,8 +73,7 @@ class Data:
 class Result(Data):
     """Base class of results: plain data that can be pickled, compared and printed."""
 
-    #: Origin: program, version, SHA-256 of the spec, command and options.
-    manifest: dict[str, Any]
+    manifest: Annotated[dict[str, Any], About("origin: program, version, SHA-256 of the spec, command and options")]
 
     @classmethod
     def _from_core(cls, fields: dict[str, Any]) -> Self:

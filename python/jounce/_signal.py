@@ -5,15 +5,16 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable, Mapping
 from os import PathLike
-from typing import Any
+from typing import Annotated, Any
 
 import numpy as np
 
 from . import _core
 from ._arguments import rate_hz
 from ._errors import ArgumentError, FileError
+from ._fields import About, Variable
 from ._quantity import is_quantity, unit_of
-from ._result import Floats, Result, Variable, make_manifest
+from ._result import Floats, Result, make_manifest
 from ._sep005 import check_series, even_rate_hz, numbers
 
 
@@ -21,10 +22,10 @@ from ._sep005 import check_series, even_rate_hz, numbers
 class Spectrum(Result):
     """Amplitudes (zero to peak) over frequency, Hann window."""
 
-    name: str
-    unit: str
-    frequency_hz: Floats
-    amplitude_peak: Floats
+    name: Annotated[str, About("name of the signal")]
+    unit: Annotated[str, About("unit of the signal")]
+    frequency_hz: Annotated[Floats, About("frequencies of the lines", "Hz", axes="frequency")]
+    amplitude_peak: Annotated[Floats, About("amplitudes zero to peak, in ``unit``", axes="frequency")]
 
     def _summary(self) -> list[tuple[str, str]]:
         highest = int(np.argmax(self.amplitude_peak))

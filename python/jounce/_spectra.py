@@ -8,11 +8,12 @@ from typing import Annotated, Any, Literal
 
 from . import _core
 from ._arguments import optional_si, options
+from ._fields import About, Along, Variable
 from ._format import html_table
 from ._inputs import Measured, recording
 from ._issue import Issue, issue_lines, parse_issues
 from ._recording import names_of
-from ._result import Along, Floats, Result, Variable, make_manifest, result_or_raise
+from ._result import Floats, Result, make_manifest, result_or_raise
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -22,34 +23,27 @@ class SpectraResult(Result):
     Densities are one-sided: their integral over frequency is the variance. Amplitudes are zero to peak, in the ``unit`` of the channel.
     """
 
-    channel: str
-    unit: str
-    #: Segments, window and amplitudes in words, and the number of segments.
-    convention: str
-    segments: int
-    #: Window of a segment, overlap of adjacent segments, their length and step, s, and the distance of the lines, Hz.
-    window: str
-    overlap: float
+    channel: Annotated[str, About("channel that was transformed")]
+    unit: Annotated[str, About("unit of the channel")]
+    convention: Annotated[str, About("segments, window and amplitudes in words")]
+    segments: Annotated[int, About("number of segments")]
+    window: Annotated[str, About("window of a segment")]
+    overlap: Annotated[float, About("overlap of adjacent segments, as a share of a segment")]
     segment_s: Annotated[float, Along("", "s", "length of a segment")]
     step_s: Annotated[float, Along("", "s", "time between starts of segments")]
     resolution_hz: Annotated[float, Along("", "Hz", "distance of the lines")]
-    #: Mean of the record, subtracted before the density; the spectrogram includes it, at 0 Hz.
-    mean: float
-    #: Lines, Hz, and the power spectral density there (Welch), in the unit of the channel squared per hertz.
-    frequency_hz: Floats
-    density: Floats
-    #: The highest peaks, at most five, the highest first, without side lobes of the window: frequency, Hz, and density.
+    mean: Annotated[float, About("mean of the record, in ``unit``, subtracted before the density; the spectrogram includes it, at 0 Hz")]
+    frequency_hz: Annotated[Floats, About("frequencies of the lines", "Hz", axes="frequency")]
+    density: Annotated[Floats, About("power spectral density (Welch), in ``density_unit``", axes="frequency")]
     peak_frequency_hz: Annotated[Floats, Along("peak", "Hz", "frequency of a peak of the density")]
-    peak_density: Floats
-    #: Middle of each segment, s from the first sample, and amplitudes of shape ``(segment, frequency)``.
-    time_s: Floats
-    amplitude_peak: Floats
-    #: Drive, Hz (``None`` without one), its multiples below half the sampling rate, with frequency, Hz, and amplitude of each.
-    drive_hz: float | None
-    order: Floats
+    peak_density: Annotated[Floats, About("density at the peaks, in ``density_unit``", axes="peak")]
+    time_s: Annotated[Floats, About("middle of each segment from the first sample", "s", axes="time")]
+    amplitude_peak: Annotated[Floats, About("amplitudes zero to peak of each segment, in ``unit``", axes="time frequency")]
+    drive_hz: Annotated[float | None, About("frequency of the drive; ``None`` without one", "Hz")]
+    order: Annotated[Floats, About("multiples of the drive below half the sampling rate", axes="order")]
     order_frequency_hz: Annotated[Floats, Along("order", "Hz", "frequency of a multiple of the drive")]
-    order_amplitude_peak: Floats
-    issues: list[Issue]
+    order_amplitude_peak: Annotated[Floats, About("amplitudes zero to peak at the multiples of the drive, in ``unit``", axes="order")]
+    issues: Annotated[list[Issue], About("data-quality issues of the recording")]
 
     def __len__(self) -> int:
         return len(self.time_s)

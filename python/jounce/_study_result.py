@@ -8,33 +8,30 @@ from collections.abc import Callable
 from functools import partial
 from os import PathLike, fspath
 from pathlib import Path
-from typing import Any, Self
+from typing import Annotated, Any, Self
 
 import numpy as np
 
 from . import _core
 from ._errors import ArgumentError, warn_not_settled
+from ._fields import About, Variable
 from ._format import counted, html_table
 from ._named import look_up
-from ._result import Result, Variable
+from ._result import Result
 
 
 @dataclasses.dataclass(frozen=True)
 class StudyStatus:
     """Progress of a study."""
 
-    study_sha256: str
-    points: int
-    parts: int
-    #: Finished parts, and their points without a result.
-    finished: int
-    failed_points: int
-    #: Files whose contents do not match the part in their name.
-    damaged: list[str]
-    #: True where the merged table exists.
-    merged: bool
-    #: What the table lacks, one sentence each.
-    warnings: list[str]
+    study_sha256: Annotated[str, About("digest of all inputs of the table")]
+    points: Annotated[int, About("number of points")]
+    parts: Annotated[int, About("number of parts")]
+    finished: Annotated[int, About("number of finished parts")]
+    failed_points: Annotated[int, About("points of the finished parts without a result")]
+    damaged: Annotated[list[str], About("files whose contents do not match the part in their name")]
+    merged: Annotated[bool, About("True where the merged table exists")]
+    warnings: Annotated[list[str], About("gaps of the table, one sentence each")]
 
     @classmethod
     def read(cls, folder: str | PathLike[str]) -> Self:
@@ -108,9 +105,8 @@ class StudyResult:
 class StudyTable(Result):
     """Columns by name: ``point``, the varied keys in SI units, the numbers of the quantity, ``failure``; ``table["mean_power_w"]``."""
 
-    columns: dict[str, Any]
-    #: Unit and meaning of each column.
-    notes: dict[str, tuple[str, str]]
+    columns: Annotated[dict[str, Any], About("arrays by name, each of shape ``(point,)``")]
+    notes: Annotated[dict[str, tuple[str, str]], About("unit and meaning of each column")]
 
     def __len__(self) -> int:
         return len(self.columns["point"])

@@ -9,21 +9,19 @@ from typing import Annotated, Any, Self
 
 import numpy as np
 
+from ._fields import About, Along, Variable, dataset_fields
 from ._format import counted, html_table
-from ._result import Along, Floats, Integers, Result, Truths, Variable, dataset_fields
+from ._result import Floats, Integers, Result, Truths
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class SweepResult(Result):
     """Runs at every value of a key, in the order of computation; arrays of shape ``(point,)``."""
 
-    #: Key and its SI unit.
-    key: str
-    unit: str
-    #: Value of the key, SI.
-    parameter: Floats
-    #: Direction of each point: ``"up"``, ``"down"``, ``"independent"``.
-    direction: list[str]
+    key: Annotated[str, About("key of the sweep")]
+    unit: Annotated[str, About("SI unit of the key")]
+    parameter: Annotated[Floats, About("value of the key", "SI", axes="visit")]
+    direction: Annotated[list[str], About('direction of each point: ``"up"``, ``"down"`` or ``"independent"``')]
     mean_power_w: Annotated[Floats, Along("visit", "W", "mean power of all loads")]
     voltage_rms_v: Annotated[Floats, Along("visit", "V", "rms voltage of the first load, else of the output of the first rectifier")]
     max_penetration_m: Annotated[Floats, Along("visit", "m", "largest penetration of the stop")]
@@ -32,8 +30,7 @@ class SweepResult(Result):
     period_cycles: Annotated[Integers, Along("visit", "1", "period in drive cycles")]
     energy_residual_relative: Annotated[Floats, Along("visit", "1", "energy residual of the run")]
     simulated_time_s: Annotated[Floats, Along("visit", "s", "simulated time")]
-    #: Warnings about exceeded limits of patches at points.
-    warnings: list[str]
+    warnings: Annotated[list[str], About("exceeded limits of patches at points")]
 
     @classmethod
     def _from_core(cls, fields: dict[str, Any]) -> Self:

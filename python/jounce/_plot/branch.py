@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .._branch import Branch
-from .._result import dataset_fields
+from .._fields import dataset_fields
 from .style import COLOURS, axes, label, label_field
 
 if TYPE_CHECKING:

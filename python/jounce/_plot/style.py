@@ -11,7 +11,7 @@ import numpy as np
 from .._optional import require
 
 if TYPE_CHECKING:
-    from .._result import Along
+    from .._fields import Along
 
 #: Colours that colour-blind readers can distinguish (Okabe and Ito, 2008); black, their first, is omitted.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from .._result import dataset_fields
+from .._fields import dataset_fields
 from .style import axes, label, label_field
 
 if TYPE_CHECKING:
