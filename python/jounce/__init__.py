@@ -16,6 +16,7 @@ from ._branch import Branch, BranchResult
 from ._contact import ContactResult, Pulse, contact
 from ._core import VERSION as __version__
 from ._diagram import DiagramResult
+from ._docstrings import apply as _apply_docstrings
 from ._elements import Beam, Circuit, Damping, Drive, Gravity, Layer, Mass, Modal, Patch, Reduction, Run, Stop
 from ._ensemble import EnsembleResult
 from ._errors import (
@@ -172,3 +173,6 @@ if not _typing.TYPE_CHECKING:
         """Raises AttributeError; the computations on a harvester are methods."""
         hint = f"; it is a method of a harvester: harvester.{name}(...)" if hasattr(Spec, name) else ""
         raise AttributeError(f"jounce has no {name!r}{hint}")
+
+
+_apply_docstrings({name: globals()[name] for name in __all__})

@@ -164,9 +164,7 @@ def contact(record: Measured, *, sample_rate_hz: Any = None, force: str | None =
     """Fits contact time, exponent and restitution of every hit in a record of force, and stiffnesses with the ``mass`` of the hammer.
 
     Stiffnesses are returned for the fitted exponent, and for the linear spring and Hertz's law where a pulse allows them.
-
-    ``record`` is a :class:`Recording`, a file, SEP005 time series, or an array with its ``sample_rate_hz``. ``force`` names the channel, by
-    default the first in newtons. The struck body is assumed to be at rest during a contact.
+    The struck body is assumed to be at rest during a contact.
     """
     input_recording = recording(record, sample_rate_hz)
     mass_kg = None if mass is None else to_si("mass", mass, "mass")

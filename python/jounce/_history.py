@@ -25,19 +25,19 @@ class History(Result):
     stop: Annotated[list[str], About("names of the stops")]
     sample_rate_hz: Annotated[float, About("sampling rate", "Hz")]
     time_s: Annotated[Floats, About("time since the start of the run", "s", axes="time")]
-    displacement_m: Annotated[Floats, About("displacement of each point", "m", axes="time point")]
-    velocity_m_s: Annotated[Floats, About("velocity of each point", "m/s", axes="time point")]
-    relative_displacement_m: Annotated[Floats, About("displacement towards each stop; contact begins at the gap", "m", axes="time stop")]
-    voltage_v: Annotated[Floats, About("voltage of each patch", "V", axes="time patch")]
-    force_n: Annotated[Floats, About("contact force of each stop", "N", axes="time stop")]
+    displacement_m: Annotated[Floats, About("displacement of each point", "m", axes="point time")]
+    velocity_m_s: Annotated[Floats, About("velocity of each point", "m/s", axes="point time")]
+    relative_displacement_m: Annotated[Floats, About("displacement towards each stop; contact begins at the gap", "m", axes="stop time")]
+    voltage_v: Annotated[Floats, About("voltage of each patch", "V", axes="patch time")]
+    force_n: Annotated[Floats, About("contact force of each stop", "N", axes="stop time")]
     poincare_time_s: Annotated[Floats, About("times of the samples once per drive cycle", "s", axes="cycle_time")]
-    poincare_displacement_m: Annotated[Floats, About("displacement of each point once per drive cycle", "m", axes="cycle_time point")]
-    poincare_velocity_m_s: Annotated[Floats, About("velocity of each point once per drive cycle", "m/s", axes="cycle_time point")]
+    poincare_displacement_m: Annotated[Floats, About("displacement of each point once per drive cycle", "m", axes="point cycle_time")]
+    poincare_velocity_m_s: Annotated[Floats, About("velocity of each point once per drive cycle", "m/s", axes="point cycle_time")]
     poincare_relative_displacement_m: Annotated[
-        Floats, About("displacement towards each stop once per drive cycle", "m", axes="cycle_time stop")
+        Floats, About("displacement towards each stop once per drive cycle", "m", axes="stop cycle_time")
     ]
-    poincare_voltage_v: Annotated[Floats, About("voltage of each patch once per drive cycle", "V", axes="cycle_time patch")]
-    poincare_force_n: Annotated[Floats, About("contact force of each stop once per drive cycle", "N", axes="cycle_time stop")]
+    poincare_voltage_v: Annotated[Floats, About("voltage of each patch once per drive cycle", "V", axes="patch cycle_time")]
+    poincare_force_n: Annotated[Floats, About("contact force of each stop once per drive cycle", "N", axes="stop cycle_time")]
 
     def _summary(self) -> list[tuple[str, str]]:
         return [

@@ -175,18 +175,9 @@ def measured_frf(
 ) -> MeasuredFrf:
     """Estimates frequency responses from a hammer or shaker test, ``jounce frf --measured``.
 
-    ``records``: one recording or a list of them, each a :class:`Recording`, a file, or SEP005 time series over one time, with one or more
-    hits; or one file of responses over frequency. With several excitation points, one in each recording, there is a response for each
-    sensor and point. ``force`` and ``response`` name channels, by default the first in newtons and all others. ``input`` names a channel of
-    a continuous excitation other than a force: acceleration, velocity or displacement of the base, or a voltage. Responses are in the unit
-    of their channel per unit of the input, ``V/(m/s^2)``; ``per_g`` gives those per g. ``estimator``: ``"h1"`` for noise on the responses,
-    ``"h2"`` for noise on the force, ``"hv"`` for noise on both, with ``noise_ratio`` of their densities. ``block``: ``"2 s"``, by default
-    the shortest time between two hits. ``force_window`` sets the force after each hit to zero; an exponential window ends at ``end_ratio``.
-    A continuous force of both signs, or any force with ``shaker``, is treated as that of a shaker: half-overlapping blocks with a Hann
-    window, by default an eighth of the shortest record long.
-
-    In a file over frequency the complex channels are the responses. ``functions`` gives the contents of every two real columns where the
-    header does not, and ``bridge`` interpolates lines that are not numbers linearly.
+    Each recording has one or more hits; one file of responses over frequency is accepted too. With several excitation points, one in each
+    recording, there is a response for each sensor and point. Responses are in the unit of their channel per unit of the input,
+    ``V/(m/s^2)``; ``per_g`` gives those per g.
     """
     inputs = responses(records, sample_rate_hz)
     estimation = (estimator, noise_ratio, block, force_window, end_ratio, shaker)

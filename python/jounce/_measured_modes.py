@@ -164,17 +164,13 @@ def measured_modes(
 ) -> MeasuredModes:
     """Identifies modes of a hammer or shaker test, of free decays or of outputs only, with uncertainty, ``jounce modes --measured``.
 
-    The band is ``between = "500 Hz:4300 Hz"``, by default all lines, with denominators up to an ``order``. ``records`` and the other
-    options are those of :func:`measured_frf`; damping of an exponential window is subtracted. With several excitation points the shapes at
-    these points are also returned, in ``participation``, and close modes are separated that one point cannot separate.
+    Damping of an exponential window is subtracted. With several excitation points the shapes at these points are also returned, in
+    ``participation``, and close modes are separated that one point cannot separate. Options of a hammer are not allowed with
+    ``free_decay`` or ``output_only``.
 
-    With ``free_decay`` each record is a decay after a release or a hit, used from its largest sample, or over a ``span`` after its first
-    sample, ``"0.2 s:3 s"``. With ``output_only`` the record is the response to unmeasured noise. It is correlated with the ``reference``
-    channels (by default all) up to ``lags``, ``"2 s"`` (by default a sixty-fourth of the record, at least 512 samples). It can also be an
-    amplitude spectrum over frequency. Options of a hammer are not allowed with either.
-
-    Sources: B. Peeters and others, Shock and Vibration 11 (2004) 395 (poles); G. James, T. Carne, J. Lauffer, SAND92-1666 (1993)
-    (output-only).
+    References
+    ----------
+    B. Peeters and others, Shock and Vibration 11 (2004) 395 (poles); G. James, T. Carne, J. Lauffer, SAND92-1666 (1993) (output-only).
     """
     inputs = responses(records, sample_rate_hz)
     estimation = (estimator, noise_ratio, block, force_window, end_ratio, shaker)

@@ -102,10 +102,7 @@ def power(
 ) -> PowerResult:
     """Computes the mean power of a voltage over a ``resistance``, with a confidence interval that accounts for correlation.
 
-    ``records``: one recording or a list of them, each a :class:`Recording`, a file, a SEP005 time series (a list of these is one
-    recording), or an array with its ``sample_rate_hz``. ``resistance``: one for all, ``"100 kohm"``, or a list. ``voltage`` and ``base``
-    name channels; by default the first one in volts, and no base. With a ``drive``, ``"13 Hz"``, amplitudes at its multiples are returned.
-    ``remove_mean`` subtracts the mean of the voltage first, where it is an amplifier offset.
+    A list of SEP005 time series is one recording.
     """
     inputs = recordings(records, sample_rate_hz)
     is_list = isinstance(resistance, Sequence) and not isinstance(resistance, str)

@@ -98,8 +98,7 @@ class RecordedFile(Result):
 def read_recordings(path: str | PathLike[str], *, sample_rate_hz: Any = None) -> RecordedFile:
     """Reads a file of an instrument: CSV and text with any header, Parquet, NPY, NPZ, MAT, HDF5, TDMS, WAV, UFF 55, 58 and 58b, LVM.
 
-    Notes in ``FILE.channels.toml`` next to the file add data that the file lacks. With ``sample_rate_hz`` the times of the file are not
-    used. Every data-quality issue is an :class:`Issue`.
+    Notes in ``FILE.channels.toml`` next to the file add data that the file lacks. Every data-quality issue is an :class:`Issue`.
     """
     given = {"sample_rate_hz": None if sample_rate_hz is None else rate_hz(sample_rate_hz)}
     contents = _core.recording_read(fspath(path), options(**given))

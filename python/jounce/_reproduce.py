@@ -48,10 +48,11 @@ def reproduce(
     """Computes the tables, figures and claims of the 2019 impact-harvester paper, ``jounce reproduce``: about ten seconds on two cores.
 
     ``report.html``, ``tables/`` and ``figures/`` are written into the folder ``out``, which is created if missing. The numbers are bitwise
-    equal for any number of threads. ``progress`` reports finished runs and searches; the total increases as they become known. Raises
-    :class:`FileError` where the folder cannot be written.
+    equal for any number of threads. ``progress`` reports finished runs and searches; the total increases as they become known.
 
-    Source: "Experimental validation of an impact off-resonance energy harvester" (2019).
+    References
+    ----------
+    "Experimental validation of an impact off-resonance energy harvester" (2019).
     """
     check_integers(threads=threads)
     with progress_callback(progress) as callback:

@@ -140,13 +140,7 @@ def segments(
 ) -> SegmentsResult:
     """Segments a record under a ``drive`` of a known frequency, ``"13 Hz"``, by steady-state response.
 
-    ``record`` is a :class:`Recording`, a file, SEP005 time series, or an array with its ``sample_rate_hz``. ``channel`` names the channel
-    to segment, by default the first in volts. With the ``resistance`` of a load whose voltage this channel is, the power of each segment is
-    returned.
-
-    With a ``model``, set to the drive and the load of the record, each segment is matched with the nearest solution. A solution matches if
-    the relative distance of its waveform is at most ``within``. The solutions are found from random ``starts`` with a ``seed``; ``load``
-    names the circuit whose voltage was recorded, by default the first.
+    With a ``model``, set to the drive and the load of the record, each segment is matched with the nearest solution.
     """
     check_integers(starts=starts, seed=seed)
     if model is not None and not isinstance(model, Spec):

@@ -132,14 +132,12 @@ def spectra(
 ) -> SpectraResult:
     """Computes power spectral density (Welch), order lines and spectrogram of a channel, ``jounce spectra``.
 
-    ``record`` is a :class:`Recording`, a file, SEP005 time series, or an array with its ``sample_rate_hz``. ``channel`` is by default the
-    first varying one in volts, else the first varying one. With a ``drive``, ``"13 Hz"``, amplitudes at its multiples are fitted to the
-    complete record, exact where no line is at a bin. A ``segment``, ``"2 s"``, is by default 24 cycles of the drive, or without a drive a
-    thirty-second of the record. A sinusoid between two lines shows up to 15 % less under ``"hann"``, at most 0.1 % less under
-    ``"flat-top"``, whose lines are wider.
+    Amplitudes at the multiples of the ``drive`` are fitted to the complete record, exact where no line is at a bin. A sinusoid between
+    two lines shows up to 15 % less under ``"hann"``, at most 0.1 % less under ``"flat-top"``, whose lines are wider.
 
-    Raises :class:`ArgumentError` for an unknown channel, window or unit, :class:`RecordingError` for segments that do not fit the record.
-    Source: P. Welch, IEEE Trans. Audio Electroacoust. 15 (1967) 70; G. Heinzel, A. Ruediger, R. Schilling (2002).
+    References
+    ----------
+    P. Welch, IEEE Trans. Audio Electroacoust. 15 (1967) 70; G. Heinzel, A. Ruediger, R. Schilling (2002).
     """
     input_recording = recording(record, sample_rate_hz)
     given = {
