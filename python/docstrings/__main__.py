@@ -23,6 +23,7 @@ from parameters import EXAMPLES, LIMITS, PAGES, PARAMETERS, RAISES
 import jounce
 from jounce._core import questions
 from jounce._docstrings import IN_SOURCE
+from jounce._elements import Element
 
 _BOOK = "https://github.com/jounce/jounce/blob/main/book/src"
 _KINDS = {"hz": "frequency", "s": "time", "kg": "mass", "f": "capacitance", "ohm": "resistance", "n": "force"}
@@ -179,8 +180,10 @@ def document_class(name: str, kind: type, options: Options, public: Mapping[str,
         hints = {field: hint for base in reversed(kind.__mro__) for field, hint in vars(base).get("__annotations__", {}).items()}
         fields = {field: str(hint) for field, hint in hints.items() if field in kind.__dataclass_fields__}
         completed["Attributes"] = [line for field, hint in fields.items() for line in field_entry(field, hint)]
-    if "Parameters" in sections:
-        completed["Parameters"] = list(parameters(name, kind.__init__, options, entries(sections["Parameters"])))  # type: ignore[misc]
+    if issubclass(kind, Element):
+        completed["Parameters"] = table_entries(name.lower())
+    elif "Parameters" in sections:
+        completed["Parameters"] = list(parameters(name, kind.__init__, options, entries(sections["Parameters"])))
     completed["Notes"] = [*sections.get("Notes", []), *notes(name)]
     completed["Examples"] = example("", EXAMPLES.get(name, []) or sections.get("Examples", []), [])
     documented[name] = joined(head, completed)
@@ -193,6 +196,27 @@ def document_class(name: str, kind: type, options: Options, public: Mapping[str,
             seen.add(id(function))
             call = f"{name}.{method_name}"
             documented[call] = document_call(call, function, options, public, first_lines)
+
+
+def table_entries(table: str) -> list[str]:
+    """Returns the lines of the keys of a table of a spec, from its JSON schema."""
+    schema = jounce.schema()["properties"][table]
+    (schema,) = schema.get("patternProperties", {"": schema}).values()
+    lines: list[str] = []
+    for key, value in schema["properties"].items():
+        if "enum" in value:
+            kind = "{" + ", ".join(json.dumps(one) for one in value["enum"]) + "}"
+        elif "pattern" in value:
+            kind = "str or quantity"
+        else:
+            kinds = {"string": "str", "number": "float", "integer": "int", "boolean": "bool", "array": "list of float", "object": "dict"}
+            kind = kinds[value["type"]]
+        least, most = value.get("minimum"), value.get("maximum")
+        kind += "" if least is None or most is None else f" from {least:g} to {most:g}"
+        text, _, default = value["description"].removesuffix(")").partition(" (default ")
+        end = f", default {default}" if default else "" if key in schema.get("required", ()) else ", optional"
+        lines += entry(key, kind + end, sentence(re.sub(r"`([^`]*)`", r"``\1``", text)))
+    return lines
 
 
 def complete(public: Mapping[str, Any]) -> str:

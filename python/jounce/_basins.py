@@ -4,13 +4,18 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable
-from typing import Annotated, Any, Self
+from typing import TYPE_CHECKING, Annotated, Any, Self
 
 import numpy as np
 
 from ._fields import About, Along, Variable
 from ._format import counted, html_table
 from ._result import Floats, Integers, Result, Truths
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -84,7 +89,7 @@ class BasinsResult(Result):
         ]
         return html_table("Basins", ["attractor", "period", "mean power [W]", "share", "95 %"], rows)
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """An ``xarray.Dataset`` over ``attractor`` and ``start``."""
         coords = {
             "attractor": Variable(("attractor",), self.attractor, "", "attractor"),
@@ -92,14 +97,14 @@ class BasinsResult(Result):
         }
         return self._dataset(self._variables(), coords)
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """A ``pandas.DataFrame`` with a row for each attractor."""
         return self._frame({"attractor": self.attractor, **self._columns("attractor")})
 
     def _pictures(self) -> dict[str, Callable[[Any], Any]]:
         return {"starts": self.plot_basins}
 
-    def plot_basins(self, ax: Any = None) -> Any:
+    def plot_basins(self, ax: Axes | None = None) -> Axes:
         """Draws the starts by displacement and velocity towards the stop, coloured by attractor."""
         from ._plot.basins import plot_basins
 

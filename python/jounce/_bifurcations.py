@@ -4,13 +4,18 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable, Iterator
-from typing import Annotated, Any, Self
+from typing import TYPE_CHECKING, Annotated, Any, Self
 
 import numpy as np
 
 from ._fields import About, Variable
 from ._format import counted
 from ._result import Data, Floats, Integers, Result
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -51,8 +56,8 @@ class BifurcationsResult(Result):
     warnings: Annotated[list[str], About("curves that end early")]
 
     @classmethod
-    def _from_core(cls, result: dict[str, Any]) -> Self:
-        return super()._from_core({**result, "curves": [BifurcationCurve(**one) for one in result["curves"]]})
+    def _from_core(cls, fields: dict[str, Any]) -> Self:
+        return super()._from_core({**fields, "curves": [BifurcationCurve(**one) for one in fields["curves"]]})
 
     def __len__(self) -> int:
         return len(self.curves)
@@ -87,7 +92,7 @@ class BifurcationsResult(Result):
             "stable": concatenated("stable"),
         }
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``point``: all curves in sequence, numbered by ``curve``."""
         columns = self._table()
         descriptions = {
@@ -103,14 +108,14 @@ class BifurcationsResult(Result):
             {name: Variable(("point",), columns[column], units, text) for column, (name, units, text) in descriptions.items()}, {}
         )
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each point of each curve."""
         return self._frame(self._table())
 
     def _pictures(self) -> dict[str, Callable[[Any], Any]]:
         return {"curves": self.plot_bifurcations}
 
-    def plot_bifurcations(self, ax: Any = None) -> Any:
+    def plot_bifurcations(self, ax: Axes | None = None) -> Axes:
         """Draws the curves over the plane of the two keys."""
         from ._plot.bifurcations import plot_bifurcations
 

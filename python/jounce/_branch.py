@@ -5,13 +5,18 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable, Iterator
 from functools import partial
-from typing import Annotated, Any, Self
+from typing import TYPE_CHECKING, Annotated, Any, Self
 
 import numpy as np
 
 from ._fields import About, Along, Variable, dataset_fields
 from ._format import counted, html_table
 from ._result import Data, Floats, Integers, Result, Truths
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -134,7 +139,7 @@ class BranchResult(Result):
     def _branch_numbers(self) -> Integers:
         return np.repeat(np.arange(len(self), dtype=np.int64), [len(one) for one in self.branches])
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``point`` (all branches in sequence, numbered by ``branch``) and ``bifurcation``."""
         variables = {"parameter": Variable(("point",), self._concatenated("parameter"), self.unit, self.key)}
         variables |= {along.name(field): along.of(self._concatenated(field)) for field, along in dataset_fields(Branch).items()}
@@ -153,13 +158,13 @@ class BranchResult(Result):
         coords = {"bifurcation": Variable(("bifurcation",), kinds, "", "kind of the bifurcation")}
         return self._dataset(variables, coords)
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each point of each branch."""
         periods = np.repeat([one.period_cycles for one in self.branches], [len(one) for one in self.branches])
         along = {field: self._concatenated(field) for field in ("parameter", *dataset_fields(Branch))}
         return self._frame({"branch": self._branch_numbers(), "period_cycles": periods, **along})
 
-    def bifurcations_to_pandas(self) -> Any:
+    def bifurcations_to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each bifurcation."""
         rows = [
             (number, *row)
@@ -179,7 +184,7 @@ class BranchResult(Result):
         default = "mean_power_w" if any(one.mean_power_w.any() for one in self) else "displacement_peak_m"
         return {field: partial(self.plot_branch, quantity=field) for field in dict.fromkeys([default, *dataset_fields(Branch)])}
 
-    def plot_branch(self, ax: Any = None, *, quantity: str | None = None) -> Any:
+    def plot_branch(self, ax: Axes | None = None, *, quantity: str | None = None) -> Axes:
         """Draws a quantity over the key: stable solid, unstable dashed, bifurcations marked.
 
         The quantity is by default the mean power, or the displacement amplitude without power.

@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 import json
 from collections.abc import Callable
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 
@@ -17,6 +17,11 @@ from ._inputs import Measured, recording
 from ._issue import Issue, issue_lines, parse_issues
 from ._recording import names_of
 from ._result import Data, Floats, Result, make_manifest
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
 
 #: Description of the laws that a pulse allows.
 LAW_DESCRIPTIONS = {
@@ -140,20 +145,20 @@ class ContactResult(Result):
         rows = [[*(f"{one[k]:.5g}" for one in columns), law] for k, law in enumerate(laws)]
         return html_table("Hits", ["time [s]", "peak force [N]", "contact [s]", "exponent", "restitution", ""], rows)
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``hit``."""
         allowed_laws = [one or "" for one in self.allowed_laws]
         variables = {**self._variables(), "allowed_laws": Variable(("hit",), allowed_laws, "", "laws that the pulse allows")}
         return self._dataset(variables, {"hit": Variable(("hit",), np.arange(len(self)), "1", "number of the hit")})
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each hit."""
         return self._frame({**self._columns("hit"), "allowed_laws": self.allowed_laws, "reason": self.reason})
 
     def _pictures(self) -> dict[str, Callable[[Any], Any]]:
         return {"force": self.plot_contact}
 
-    def plot_contact(self, ax: Any = None, hits: int = 6) -> Any:
+    def plot_contact(self, ax: Axes | None = None, hits: int = 6) -> Axes:
         """Draws the first pulses with the laws fitted to them."""
         from ._plot.contact import plot_contact
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable
 from functools import partial
-from typing import Annotated, Any, Self
+from typing import TYPE_CHECKING, Annotated, Any, Self
 
 import numpy as np
 
@@ -14,6 +14,11 @@ from ._errors import ArgumentError
 from ._fields import About, Variable
 from ._format import counted, html_table
 from ._result import Floats, Integers, Result
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
 
 #: Quantities of the section: field, unit, description.
 SECTION = {
@@ -72,7 +77,7 @@ class DiagramResult(Result):
         rows = [[kind, self.motion.count(kind)] for kind in sorted(set(self.motion))]
         return html_table(f"Diagram over {self.key}", ["motion", "runs"], rows)
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``point`` and ``section``; ``section_point`` is the run of each point."""
         dims = ("point",)
         variables = {
@@ -93,7 +98,7 @@ class DiagramResult(Result):
         }
         return self._dataset(variables, coords)
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each point of the section."""
         point = self.section_point
         return self._frame(
@@ -121,7 +126,7 @@ class DiagramResult(Result):
     def _pictures(self) -> dict[str, Callable[[Any], Any]]:
         return {quantity: partial(self.plot_diagram, quantity=quantity) for quantity in SECTION}
 
-    def plot_diagram(self, ax: Any = None, quantity: str = "displacement") -> Any:
+    def plot_diagram(self, ax: Axes | None = None, quantity: str = "displacement") -> Axes:
         """Draws the section over the key: orbits as large dots, other motions as small dots, coloured by direction or attractor."""
         from ._plot.diagram import plot_diagram
 

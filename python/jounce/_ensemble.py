@@ -4,11 +4,16 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable
-from typing import Annotated, Any, Self
+from typing import TYPE_CHECKING, Annotated, Any, Self
 
 from ._errors import ArgumentError
 from ._fields import About, Along, Variable
 from ._result import Floats, Integers, Result
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -94,7 +99,7 @@ class EnsembleResult(Result):
         strike = f"{self.stop_mean_impact_velocity_m_s[k]:.4e} m/s +- {self.stop_mean_impact_velocity_half_width_m_s[k]:.1e} m/s"
         return f"{rate}, at {strike}, {100 * self.stop_contact_duty[k]:.3g} % of the time"
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``member`` and ``stop``, means as scalars, spectra over ``patch`` and ``frequency``."""
         coords = {
             "member": Variable(("member",), self.member, "1", "number of the realisation under its seed"),
@@ -106,20 +111,20 @@ class EnsembleResult(Result):
         axes = {axis for one in variables.values() for axis in one.dims}
         return self._dataset(variables, {name: one for name, one in coords.items() if name in axes})
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each member."""
         return self._frame({"member": self.member, **self._columns("member")})
 
     def _pictures(self) -> dict[str, Callable[[Any], Any]]:
         return {"mean_power_w": self.plot_ensemble, **({"voltage_psd_v2_hz": self.plot_spectra} if self.patch else {})}
 
-    def plot_ensemble(self, ax: Any = None) -> Any:
+    def plot_ensemble(self, ax: Axes | None = None) -> Axes:
         """Draws the mean power of each member over the mean of all with its 95 % interval."""
         from ._plot.ensemble import plot_ensemble
 
         return plot_ensemble(self, ax)
 
-    def plot_spectra(self, ax: Any = None) -> Any:
+    def plot_spectra(self, ax: Axes | None = None) -> Axes:
         """Draws the density of each voltage with its 95 % interval; needs ``ensemble(spectrum=True)``."""
         from ._plot.spectra import plot_spectra
 

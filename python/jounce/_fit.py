@@ -15,6 +15,10 @@ from ._format import html_table
 from ._result import Data, Floats, Result, column
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
+
     from ._spec import Spec
 else:
     # The module of Spec imports this one, so the name is looked up when a dataset is made.
@@ -153,7 +157,7 @@ class FitResult(Result):
         head = ["feature", "measured", "error before [%]", "error after [%]"]
         return html_table("Keys", ["key", "unit", "before", "after", "95 % from", "to"], rows) + html_table("Features", head, feature_rows)
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``key`` and ``feature``; values are in the units of ``key_unit`` and ``feature_unit``."""
         variables = self._variables()
         for axis, names in (("key", ("before", "after", "low", "high")), ("feature", ("measured", "before", "after", "low", "high"))):
@@ -169,12 +173,12 @@ class FitResult(Result):
         }
         return self._dataset(variables, coords)
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each key."""
         values = {name: getattr(self, name) for name in ("before", "after", "low", "high")}
         return self._frame({"key": self.key, "unit": self.key_unit, **values, **self._columns("key")})
 
-    def features_to_pandas(self) -> Any:
+    def features_to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each feature."""
         names = ("measured", "before", "after", "low", "high", "deviation", "predicted_deviation")
         values = {name: getattr(self, f"feature_{name}") for name in names}
@@ -183,13 +187,13 @@ class FitResult(Result):
     def _pictures(self) -> dict[str, Callable[[Any], Any]]:
         return {"error": self.plot_fit, **{one.name: partial(self.plot_curve, curve=one.name) for one in self.curves}}
 
-    def plot_fit(self, ax: Any = None) -> Any:
+    def plot_fit(self, ax: Axes | None = None) -> Axes:
         """Draws the relative error of every feature before and after, over the 95 % interval of its measurement."""
         from ._plot.fit import plot_fit
 
         return plot_fit(self, ax)
 
-    def plot_curve(self, ax: Any = None, curve: str | None = None) -> Any:
+    def plot_curve(self, ax: Axes | None = None, curve: str | None = None) -> Axes:
         """Draws a measured curve, by default the first, with those of the model before and after and the 95 % interval as a band."""
         from ._plot.fit import plot_curve
 

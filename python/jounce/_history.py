@@ -5,12 +5,17 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable
 from functools import partial
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 from ._fields import About, Variable
 from ._named import look_up
 from ._result import Floats, Result
 from ._signal import Spectrum, spectrum
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -76,7 +81,7 @@ class History(Result):
         common = {"time": self.time_s, "fs": self.sample_rate_hz}
         return [{"name": name, "data": values, "unit_str": unit, **common} for name, (values, unit) in self.channels().items()]
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``time`` and ``cycle_time`` (once per drive cycle), ``point``, ``patch`` and ``stop``."""
         variables: dict[str, Variable] = {}
         for prefix, time in (("", "time"), ("poincare_", "cycle_time")):
@@ -98,7 +103,7 @@ class History(Result):
         }
         return self._dataset(variables, coords)
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each sample and a column for each channel; units are in ``attrs["units"]``."""
         units = {"time_s": "s", **{name: unit for name, (_, unit) in self.channels().items()}}
         return self._frame({"time_s": self.time_s, **{name: values for name, (values, _) in self.channels().items()}}, units)
@@ -106,17 +111,17 @@ class History(Result):
     def _pictures(self) -> dict[str, Callable[[Any], Any]]:
         return {**{name: partial(self.plot_time_history, channel=name) for name in self.channels()}, "poincare": self.plot_poincare}
 
-    def plot_time_history(self, ax: Any = None, channel: str | None = None) -> Any:
+    def plot_time_history(self, ax: Axes | None = None, channel: str | None = None) -> Axes:
         """Draws a channel over time."""
         from ._plot.history import plot_time_history
 
         return plot_time_history(self, ax, channel)
 
-    def plot_spectrum(self, ax: Any = None, channel: str | None = None) -> Any:
+    def plot_spectrum(self, ax: Axes | None = None, channel: str | None = None) -> Axes:
         """Draws the amplitude spectrum of a channel."""
         return self.spectrum(channel).plot_spectrum(ax)
 
-    def plot_poincare(self, ax: Any = None, point: str | None = None) -> Any:
+    def plot_poincare(self, ax: Axes | None = None, point: str | None = None) -> Axes:
         """Draws velocity over displacement of a point once per drive cycle; an orbit gives one dot for each cycle of its period."""
         from ._plot.history import plot_poincare
 

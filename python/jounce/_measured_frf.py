@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
-from typing import Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import numpy as np
 
@@ -19,6 +19,11 @@ from ._issue import Issue, issue_lines, parse_issues
 from ._named import Named
 from ._recording import Recording, names_of
 from ._result import Complexes, Floats, Result, make_manifest
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
 @dataclasses.dataclass(frozen=True)
@@ -83,14 +88,14 @@ class MeasuredFrf(Result, Named[Complexes]):
     def _repr_html_(self) -> str:
         return html_table("Measured responses", ["response", ""], list(zip(self.responses, self._peaks())))
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``frequency``: each response as ``_re`` and ``_im``, its coherence as ``NAME_coherence``."""
         dims = ("frequency",)
         variables = {name: Variable(dims, values, self.units[name], name) for name, values in self.responses.items()}
         variables |= {f"{name}_coherence": Variable(dims, values, "1", f"{name}, coherence") for name, values in self.coherence.items()}
         return self._dataset(variables, {"frequency": Variable(dims, self.frequency_hz, "Hz", "frequency")})
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each frequency."""
         coherence = {f"{name}_coherence": values for name, values in self.coherence.items()}
         return self._frame({"frequency_hz": self.frequency_hz, **self.responses, **coherence})
@@ -100,13 +105,13 @@ class MeasuredFrf(Result, Named[Complexes]):
 
         return {**{name: partial(plot_bode, self, response=name) for name in self.responses}, "coherence": self.plot_coherence}
 
-    def plot_frf(self, ax: Any = None, response: str | None = None) -> Any:
+    def plot_frf(self, ax: Axes | None = None, response: str | None = None) -> Axes:
         """Draws the magnitude of a response, by default of the first."""
         from ._plot.measured import plot_measured_frf
 
         return plot_measured_frf(self, ax, next(iter(self.responses)) if response is None else response)
 
-    def plot_coherence(self, ax: Any = None) -> Any:
+    def plot_coherence(self, ax: Axes | None = None) -> Axes:
         """Draws the coherence of every response."""
         from ._plot.measured import plot_coherence
 

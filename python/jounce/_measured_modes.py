@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import numpy as np
 
@@ -19,6 +19,11 @@ from ._issue import Issue, parse_issues
 from ._measured_frf import MeasuredFrf, hammer_options, make_frf
 from ._recording import names_of
 from ._result import Complexes, Floats, Integers, Result, make_manifest
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -101,7 +106,7 @@ class MeasuredModes(Result):
         rows = [[k + 1, *(f"{one[k]:.6g}" for one in numbers)] for k in range(len(self))]
         return html_table("Measured modes", ["mode", "frequency [Hz]", "deviation [Hz]", "damping ratio", "deviation"], rows)
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``mode``, ``response``, ``pole``, ``function``, ``line``; complex as ``_re``, ``_im``."""
         numbers = range(1, len(self) + 1)
         coords = {
@@ -115,7 +120,7 @@ class MeasuredModes(Result):
         stable = Variable(("pole",), self.pole_stable, "", "agreement with the order below")
         return self._dataset({**self._variables(), "pole_stable": stable}, coords)
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each mode."""
         return self._frame(self._columns("mode"))
 
@@ -123,13 +128,13 @@ class MeasuredModes(Result):
         functions = {name: partial(self.plot_fit, function=name) for name in self.function}
         return {"stabilisation": self.plot_stabilisation, **functions}
 
-    def plot_stabilisation(self, ax: Any = None) -> Any:
+    def plot_stabilisation(self, ax: Axes | None = None) -> Axes:
         """Draws the stabilisation diagram: poles by order, filled where frequency and damping are stable."""
         from ._plot.measured import plot_stabilisation
 
         return plot_stabilisation(self, ax)
 
-    def plot_fit(self, ax: Any = None, function: str | None = None) -> Any:
+    def plot_fit(self, ax: Axes | None = None, function: str | None = None) -> Axes:
         """Draws a response or the spectrum of a decay, by default the first, with its reconstruction from the modes."""
         from ._plot.measured import plot_modal_fit
 

@@ -4,11 +4,16 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 from ._fields import About, Along, Variable
 from ._format import html_table
 from ._result import Floats, Result
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -48,7 +53,7 @@ class ModesResult(Result):
         ]
         return html_table("Modes", ["mode", "frequency [Hz]", "damping ratio", *(f"coupling² {name}" for name in self.patch)], rows)
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``mode``, ``point`` and ``patch``; shapes along a beam over ``place_BEAM``."""
         variables = self._variables()
         coords = {
@@ -61,7 +66,7 @@ class ModesResult(Result):
             variables[f"shape_{name}"] = Variable(("mode", f"place_{name}"), shape, "kg^-0.5", f"mass-normalised shape along {name}")
         return self._dataset(variables, coords)
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each mode."""
         couplings = {f"coupling_squared_{name}": self.coupling_squared[k] for k, name in enumerate(self.patch)}
         return self._frame({**self._columns("mode"), **couplings})
@@ -69,7 +74,7 @@ class ModesResult(Result):
     def _pictures(self) -> dict[str, Callable[[Any], Any]]:
         return {"shape": self.plot_modes}
 
-    def plot_modes(self, ax: Any = None, modes: int = 4) -> Any:
+    def plot_modes(self, ax: Axes | None = None, modes: int = 4) -> Axes:
         """Draws the shapes of the first modes along the beams, each scaled to 1."""
         from ._plot.modes import plot_modes
 

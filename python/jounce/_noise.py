@@ -5,11 +5,16 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable, Mapping
 from functools import partial
-from typing import Annotated, Any, Self
+from typing import TYPE_CHECKING, Annotated, Any, Self
 
 from ._fields import About, Along, Variable
 from ._named import Named
 from ._result import Floats, Result
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -73,10 +78,10 @@ class NoiseResult(Result, Named[Floats]):
     units: Annotated[dict[str, str], About('unit of each density, ``"V^2/Hz"``')]
 
     @classmethod
-    def _from_core(cls, result: dict[str, Any]) -> Self:
-        densities, drives = result.pop("densities"), result.pop("drives")
+    def _from_core(cls, fields: dict[str, Any]) -> Self:
+        densities, drives = fields.pop("densities"), fields.pop("drives")
         by_name = {"densities": {k: v for k, (v, _) in densities.items()}, "units": {k: unit for k, (_, unit) in densities.items()}}
-        return super()._from_core(cls._filled({**result, **by_name, "drive": drives}))
+        return super()._from_core(cls._filled({**fields, **by_name, "drive": drives}))
 
     def _named(self) -> Mapping[str, Floats]:
         return self.densities
@@ -105,7 +110,7 @@ class NoiseResult(Result, Named[Floats]):
             ),
         ]
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset``: densities over ``frequency``, others over ``load``, ``drive``, ``patch``, ``point``, ``stop``."""
         variables = self._variables()
         for name, values in self.densities.items():
@@ -114,14 +119,14 @@ class NoiseResult(Result, Named[Floats]):
         coords = {name: Variable((name,), getattr(self, name), "", name) for name in ("load", "drive", "patch", "point", "stop")}
         return self._dataset(variables, {**coords, "frequency": Variable(("frequency",), self.frequency_hz, "Hz", "frequency")})
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` of the densities, with a row for each frequency."""
         return self._frame({"frequency_hz": self.frequency_hz, **self.densities})
 
     def _pictures(self) -> dict[str, Callable[[Any], Any]]:
         return {name: partial(self.plot_noise, density=name) for name in self.densities}
 
-    def plot_noise(self, ax: Any = None, density: str | None = None) -> Any:
+    def plot_noise(self, ax: Axes | None = None, density: str | None = None) -> Axes:
         """Draws a power spectral density, by default of the first voltage (else of the first output)."""
         from ._plot.noise import plot_noise
 

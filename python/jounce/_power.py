@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable, Sequence
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 from . import _core
 from ._arguments import optional_si, options, to_si
@@ -15,6 +15,11 @@ from ._issue import Issue, issue_lines, parse_issues
 from ._recording import names_of
 from ._result import Floats, Integers, Result, Truths, make_manifest, result_or_raise
 from ._signal import Spectrum
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -62,7 +67,7 @@ class PowerResult(Result):
         ]
         return html_table("Measured power", ["record", "load [ohm]", "mean power [W]", "± 95 % [W]"], rows)
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``record`` and ``order``."""
         coords = {
             "record": Variable(("record",), self.record, "", "recording"),
@@ -70,20 +75,20 @@ class PowerResult(Result):
         }
         return self._dataset(self._variables(), coords)
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each record."""
         return self._frame({"record": self.record, "channel": self.channel, **self._columns("record")})
 
     def _pictures(self) -> dict[str, Callable[[Any], Any]]:
         return {"mean_power_w": self.plot_power, "spectra": self.plot_spectra}
 
-    def plot_power(self, ax: Any = None) -> Any:
+    def plot_power(self, ax: Axes | None = None) -> Axes:
         """Draws mean power over the load with its intervals, per mean square of the base acceleration where that is known."""
         from ._plot.power import plot_power
 
         return plot_power(self, ax)
 
-    def plot_spectra(self, ax: Any = None) -> Any:
+    def plot_spectra(self, ax: Axes | None = None) -> Axes:
         """Draws the spectra of the voltages."""
         from ._plot.power import plot_spectra
 

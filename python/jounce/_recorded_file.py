@@ -6,7 +6,7 @@ import dataclasses
 from collections.abc import Callable, Iterator
 from os import PathLike, fspath
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 from . import _core
 from ._arguments import options, rate_hz
@@ -16,6 +16,10 @@ from ._format import counted, html_table
 from ._issue import Issue, issue_lines, parse_issues
 from ._recording import Recording, digest_of
 from ._result import Complexes, Data, Floats, Integers, Result, make_manifest
+
+if TYPE_CHECKING:
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -84,13 +88,13 @@ class RecordedFile(Result):
             for name, draw in one._pictures().items()
         }
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``channel`` that lists the channels; each recording has a dataset of its samples."""
         dims = ("channel",)
         variables = {name: Variable(dims, values, "", name) for name, values in self._table().items() if name != "channel"}
         return self._dataset(variables, {"channel": Variable(dims, self._table()["channel"], "", "channel")})
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each channel; each recording has a frame of its samples."""
         return self._frame(self._table())
 

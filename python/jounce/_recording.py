@@ -20,6 +20,10 @@ from ._named import Named, look_up
 from ._result import Complexes, Data, Floats, Result, make_manifest
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
+
     from ._contact import ContactResult
     from ._power import PowerResult
     from ._segments import SegmentsResult
@@ -189,13 +193,13 @@ class Recording(Result, Named[Floats | Complexes]):
         title = f"{self.name}: {counted(self.samples, 'sample')}, {self.rate:.6g} per {self._grid()[2]}"
         return html_table(title, ["channel", "quantity", "unit", "rms", "peak"], rows) + issue_table
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``time`` or ``frequency`` with a variable for each channel."""
         axis, _, unit = self._grid()
         variables = {one.name: Variable((axis,), one.values, one.unit, " ".join([one.name, one.place]).strip()) for one in self.channels}
         return self._dataset(variables, {axis: Variable((axis,), self.places, unit, axis)})
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each sample and a column for each channel; units are in ``attrs["units"]``."""
         units = {self._grid()[1]: self._grid()[2], **{one.name: one.unit for one in self.channels}}
         return self._frame({self._grid()[1]: self.places, **{one.name: one.values for one in self.channels}}, units)
@@ -203,7 +207,7 @@ class Recording(Result, Named[Floats | Complexes]):
     def _pictures(self) -> dict[str, Callable[[Any], Any]]:
         return {name: partial(self.plot_recording, channel=name) for name in self}
 
-    def plot_recording(self, ax: Any = None, channel: str | None = None) -> Any:
+    def plot_recording(self, ax: Axes | None = None, channel: str | None = None) -> Axes:
         """Draws a channel, by default the first; a complex one by its magnitude."""
         from ._plot.recording import plot_recording
 

@@ -6,7 +6,7 @@ import dataclasses
 import json
 from collections.abc import Callable, Mapping, Sequence
 from os import PathLike
-from typing import Annotated, Any, Self, TypeVar, get_args, get_origin, get_type_hints
+from typing import TYPE_CHECKING, Annotated, Any, Self, TypeVar, get_args, get_origin, get_type_hints
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +17,10 @@ from ._fields import About, Variable, dataset_fields
 from ._format import html_table
 from ._named import look_up
 from ._optional import require
+
+if TYPE_CHECKING:
+    from pandas import DataFrame
+    from xarray import Dataset
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -62,8 +66,8 @@ class Data:
         for name, hint in hints.items():
             if hint is float and filled.get(name, 0.0) is None:
                 filled[name] = np.nan
-            elif name not in filled and get_origin(hint) is list:
-                filled[name] = []
+            elif get_origin(hint) is list and (name not in filled or isinstance(filled[name], np.ndarray)):
+                filled[name] = list(filled.get(name, []))
             elif name not in filled and get_origin(hint) is np.ndarray:
                 filled[name] = np.array([], dtype=get_args(get_args(hint)[1])[0])
         return filled
@@ -139,7 +143,7 @@ class Result(Data):
         """Returns the fields along one axis, by their own names."""
         return {field: getattr(self, field) for field, along in dataset_fields(type(self)).items() if along.axes == axis}
 
-    def _dataset(self, variables: Mapping[str, Variable], coords: Mapping[str, Variable]) -> Any:
+    def _dataset(self, variables: Mapping[str, Variable], coords: Mapping[str, Variable]) -> Dataset:
         """Returns an xarray.Dataset with units, long names and the manifest in its attributes."""
         xarray = require("xarray", "xarray")
 
@@ -147,7 +151,7 @@ class Result(Data):
             entries = {}
             for name, variable in variables.items():
                 # A copy, which can be changed: the arrays of a result are read-only.
-                values = np.array(variable.values)
+                values: Any = np.array(variable.values)
                 attrs = {"units": variable.units, "long_name": variable.long_name}
                 if np.iscomplexobj(values):
                     entries[f"{name}_re"] = (variable.dims, values.real, {**attrs, "long_name": f"{variable.long_name}, real part"})
@@ -157,9 +161,10 @@ class Result(Data):
             return entries
 
         attrs = {"manifest": json.dumps(self.manifest, sort_keys=True), "created_by": "jounce", "version": self.manifest["version"]}
-        return xarray.Dataset(with_attrs(variables), with_attrs(coords), attrs)
+        dataset: Dataset = xarray.Dataset(with_attrs(variables), with_attrs(coords), attrs)
+        return dataset
 
-    def _frame(self, columns: Mapping[str, Any], units: Mapping[str, str] | None = None) -> Any:
+    def _frame(self, columns: Mapping[str, Any], units: Mapping[str, str] | None = None) -> DataFrame:
         """Returns a pandas.DataFrame with the manifest in its attributes, and the units of its columns where given."""
         frame = require("pandas", "pandas").DataFrame(dict(columns))
         frame.attrs["manifest"] = self.manifest

@@ -7,7 +7,7 @@ import json
 from collections.abc import Callable
 from os import PathLike
 from pathlib import Path
-from typing import Annotated, Any, Self
+from typing import TYPE_CHECKING, Annotated, Any, Self
 
 import numpy as np
 
@@ -15,6 +15,11 @@ from ._errors import ArgumentError, FileError, StartError
 from ._fields import About, Along, Variable
 from ._history import History
 from ._result import Floats, Integers, Result
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
 @dataclasses.dataclass(frozen=True)
@@ -189,7 +194,7 @@ class RunResult(Result):
         excluded = ("history", "end", "manifest")
         return {field.name: getattr(self, field.name) for field in dataclasses.fields(self) if field.name not in excluded}
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` of the means over loads, patches, circuits and stops, without the record."""
         settling = {
             "settled": Variable((), bool(self.settled), "1", "settled when averaged"),
@@ -200,7 +205,7 @@ class RunResult(Result):
         }
         return self._dataset({**self._variables(), **settling}, coords)
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with one row."""
         flat = {key: [value] for key, value in self.to_dict().items() if isinstance(value, (bool, int, float))}
         return self._frame(flat)
@@ -215,19 +220,19 @@ class RunResult(Result):
         recorded = {} if self.history is None else self.history._pictures()
         return {**recorded, "energy": self.plot_energy}
 
-    def plot_time_history(self, ax: Any = None, channel: str | None = None) -> Any:
+    def plot_time_history(self, ax: Axes | None = None, channel: str | None = None) -> Axes:
         """Draws a channel of the record over time, see :meth:`History.channels`."""
         return self.recorded().plot_time_history(ax, channel)
 
-    def plot_spectrum(self, ax: Any = None, channel: str | None = None) -> Any:
+    def plot_spectrum(self, ax: Axes | None = None, channel: str | None = None) -> Axes:
         """Draws the amplitude spectrum of a channel of the record."""
         return self.recorded().plot_spectrum(ax, channel)
 
-    def plot_poincare(self, ax: Any = None, point: str | None = None) -> Any:
+    def plot_poincare(self, ax: Axes | None = None, point: str | None = None) -> Axes:
         """Draws velocity over displacement of a point once per drive cycle."""
         return self.recorded().plot_poincare(ax, point)
 
-    def plot_energy(self, ax: Any = None) -> Any:
+    def plot_energy(self, ax: Axes | None = None) -> Axes:
         """Draws the energy outputs as shares of the input energy."""
         from ._plot.energy import plot_energy
 

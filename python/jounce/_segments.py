@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 import json
 from collections.abc import Callable
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 
@@ -19,6 +19,11 @@ from ._issue import Issue, issue_lines, parse_issues
 from ._recording import names_of
 from ._result import Floats, Integers, Result, Truths, make_manifest, result_or_raise
 from ._spec import Spec
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -89,7 +94,7 @@ class SegmentsResult(Result):
         rows = [[name, *(f"{one[k]:.5g}" for one in columns)] for k, name in enumerate(self.names())]
         return html_table("Segments", ["solution", "from [s]", "to [s]", f"rms [{self.unit}]", "mismatch"], rows)
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``segment``, and the record over ``time``."""
         variables = {
             **self._variables(),
@@ -105,12 +110,12 @@ class SegmentsResult(Result):
         }
         return self._dataset(variables, coords)
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each segment."""
         solution_column = {"solution": self.solution} if self.solution else {}
         return self._frame({**self._columns("segment"), "rms": self.rms, **solution_column})
 
-    def candidates_to_pandas(self) -> Any:
+    def candidates_to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each solution of the model in each segment."""
         rows = [{"segment": k, **one} for k, each in enumerate(self.candidates) for one in each]
         return self._frame({name: [row[name] for row in rows] for name in (rows[0] if rows else ())})
@@ -118,7 +123,7 @@ class SegmentsResult(Result):
     def _pictures(self) -> dict[str, Callable[[Any], Any]]:
         return {"record": self.plot_segments}
 
-    def plot_segments(self, ax: Any = None) -> Any:
+    def plot_segments(self, ax: Axes | None = None) -> Axes:
         """Draws the record, with a colour for each segment."""
         from ._plot.segments import plot_segments
 

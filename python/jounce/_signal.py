@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable, Mapping
 from os import PathLike
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 
@@ -16,6 +16,11 @@ from ._fields import About, Variable
 from ._quantity import is_quantity, unit_of
 from ._result import Floats, Result, make_manifest
 from ._sep005 import check_series, even_rate_hz, numbers
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -35,19 +40,19 @@ class Spectrum(Result):
             ("resolution", f"{self.frequency_hz[1] - self.frequency_hz[0]:g} Hz"),
         ]
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``frequency``."""
         amplitude = Variable(("frequency",), self.amplitude_peak, self.unit, f"{self.name}, amplitude zero to peak")
         return self._dataset({"amplitude": amplitude}, {"frequency": Variable(("frequency",), self.frequency_hz, "Hz", "frequency")})
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each line."""
         return self._frame({"frequency_hz": self.frequency_hz, "amplitude_peak": self.amplitude_peak})
 
     def _pictures(self) -> dict[str, Callable[[Any], Any]]:
         return {"amplitude": self.plot_spectrum}
 
-    def plot_spectrum(self, ax: Any = None) -> Any:
+    def plot_spectrum(self, ax: Axes | None = None) -> Axes:
         """Draws the spectrum."""
         from ._plot.history import plot_spectrum
 

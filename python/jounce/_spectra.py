@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable
-from typing import Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from . import _core
 from ._arguments import optional_si, options
@@ -14,6 +14,11 @@ from ._inputs import Measured, recording
 from ._issue import Issue, issue_lines, parse_issues
 from ._recording import names_of
 from ._result import Floats, Result, make_manifest, result_or_raise
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -78,7 +83,7 @@ class SpectraResult(Result):
         rows = [[f"{order:.4g}", f"{hz:.5g}", f"{peak:.5e}"] for order, hz, peak in numbers]
         return lines + html_table("Orders", ["order", "frequency [Hz]", f"amplitude, peak [{self.unit}]"], rows) if rows else lines
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``frequency``, ``time`` (the middle of each segment) and ``order``."""
         variables = {
             **self._variables(),
@@ -95,11 +100,11 @@ class SpectraResult(Result):
         }
         return self._dataset(variables, coords)
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` of the density, with a row for each line."""
         return self._frame({"frequency_hz": self.frequency_hz, "density": self.density})
 
-    def orders_to_pandas(self) -> Any:
+    def orders_to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each multiple of the drive."""
         numbers = {"frequency_hz": self.order_frequency_hz, "amplitude_peak": self.order_amplitude_peak}
         return self._frame({"order": self.order, **numbers})
@@ -107,13 +112,13 @@ class SpectraResult(Result):
     def _pictures(self) -> dict[str, Callable[[Any], Any]]:
         return {"density": self.plot_density, "spectrogram": self.plot_spectrogram}
 
-    def plot_density(self, ax: Any = None) -> Any:
+    def plot_density(self, ax: Axes | None = None) -> Axes:
         """Draws the power spectral density; vertical lines mark multiples of the drive."""
         from ._plot.spectra import plot_density
 
         return plot_density(self, ax)
 
-    def plot_spectrogram(self, ax: Any = None) -> Any:
+    def plot_spectrogram(self, ax: Axes | None = None) -> Axes:
         """Draws the amplitudes over time and frequency, up to twice the highest multiple of the drive."""
         from ._plot.spectra import plot_spectrogram
 

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from functools import partial
 from os import PathLike, fspath
 from pathlib import Path
-from typing import Annotated, Any, Self
+from typing import TYPE_CHECKING, Annotated, Any, Self
 
 import numpy as np
 
@@ -18,6 +18,10 @@ from ._fields import About, Variable
 from ._format import counted, html_table
 from ._named import look_up
 from ._result import Result
+
+if TYPE_CHECKING:
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
 @dataclasses.dataclass(frozen=True)
@@ -79,11 +83,11 @@ class StudyResult:
             warn_not_settled(f"{table._transient()} of {len(table)} points of the study have not settled")
         return table
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each point."""
         return self.table().to_pandas()
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``point``."""
         return self.table().to_xarray()
 
@@ -135,7 +139,7 @@ class StudyTable(Result):
         rows = [[f"{self.columns[name][k]:.6g}" for name in columns] for k in range(min(len(self), 20))]
         return html_table(f"The first of {len(self)} points", columns, rows)
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``point``, the varied keys as further coordinates."""
         variables = {
             name: Variable(("point",), values, self.notes[name][0] or "1", self.notes[name][1] if name not in self.keys else name)
@@ -144,7 +148,7 @@ class StudyTable(Result):
         coords = {name: variables.pop(name) for name in ["point", *self.keys]}
         return self._dataset(variables, coords)
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each point."""
         return self._frame(self.columns)
 

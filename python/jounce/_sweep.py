@@ -5,13 +5,18 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable
 from functools import partial
-from typing import Annotated, Any, Self
+from typing import TYPE_CHECKING, Annotated, Any, Self
 
 import numpy as np
 
 from ._fields import About, Along, Variable, dataset_fields
 from ._format import counted, html_table
 from ._result import Floats, Integers, Result, Truths
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -64,7 +69,7 @@ class SweepResult(Result):
             f"Sweep over {self.key}", [f"[{self.unit}]", "direction", "mean power [W]", "voltage, rms [V]", "settled"], displayed_rows
         )
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``visit``, with ``parameter`` and ``direction`` as further coordinates."""
         coords = {
             "visit": Variable(("visit",), np.arange(len(self)), "1", "order of the points"),
@@ -73,7 +78,7 @@ class SweepResult(Result):
         }
         return self._dataset(self._variables(), coords)
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each point."""
         return self._frame({"parameter": self.parameter, "direction": self.direction, **self._columns("visit")})
 
@@ -92,7 +97,7 @@ class SweepResult(Result):
         fields = (field for field, along in dataset_fields(type(self)).items() if along.axes == "visit")
         return {field: partial(self.plot_sweep, quantity=field) for field in fields}
 
-    def plot_sweep(self, ax: Any = None, label: str | None = None, *, quantity: str = "mean_power_w") -> Any:
+    def plot_sweep(self, ax: Axes | None = None, label: str | None = None, *, quantity: str = "mean_power_w") -> Axes:
         """Draws a quantity over the key: up solid, down dashed, single points as dots; unsettled points have a ring."""
         from ._plot.sweep import plot_sweep
 

@@ -9,11 +9,13 @@ import numpy as np
 from .style import axes, label
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
     from .._frf import FrfResult
     from .._measured_frf import MeasuredFrf
 
 
-def plot_frf(result: FrfResult, ax: Any, response: str) -> Any:
+def plot_frf(result: FrfResult, ax: Axes | None, response: str) -> Axes:
     """Draws the magnitude of a response over frequency, both axes logarithmic."""
     values = result[response]
     with axes(ax) as ax:

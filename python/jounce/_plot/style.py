@@ -11,6 +11,8 @@ import numpy as np
 from .._optional import require
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
     from .._fields import Along
 
 #: Colours that colour-blind readers can distinguish (Okabe and Ito, 2008); black, their first, is omitted.
@@ -44,7 +46,7 @@ _STYLE: dict[str, Any] = {
 
 
 @contextmanager
-def axes(ax: Any, **figure: Any) -> Iterator[Any]:
+def axes(ax: Axes | None, **figure: Any) -> Iterator[Axes]:
     """Yields the axes to draw into, with the style of jounce."""
     matplotlib = require("matplotlib", "plot")
     with matplotlib.rc_context({**_STYLE, "axes.prop_cycle": matplotlib.cycler(color=COLOURS)}):
