@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Callable
+from functools import partial
 from os import PathLike, fspath
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 from . import _core
 from ._arguments import check_integers, options
@@ -13,6 +15,10 @@ from ._fields import About
 from ._format import html_table
 from ._progress import Progress, progress_callback
 from ._result import Result, make_manifest, result_or_raise
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -37,9 +43,21 @@ class ReproduceResult(Result):
         rows = [[claim, "yes" if holds else "no", evidence] for claim, holds, evidence in zip(self.claim, self.holds, self.evidence)]
         return html_table("Claims of the paper", ["claim", "holds", "evidence"], rows)
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each claim."""
         return self._frame({"claim": self.claim, "holds": self.holds, "evidence": self.evidence})
+
+    def _pictures(self) -> dict[str, Callable[[Any], Any]]:
+        from ._plot.reproduce import plot_figure
+
+        pngs = (path for path in self.figures if path.suffix == ".png")
+        return {"claims": self.plot_claims, **{path.stem: partial(plot_figure, path) for path in pngs}}
+
+    def plot_claims(self, ax: Axes | None = None) -> Axes:
+        """Draws a dot for each claim at its verdict; the quantities besides ``claims`` are the figures of the report."""
+        from ._plot.reproduce import plot_claims
+
+        return plot_claims(self, ax)
 
 
 def reproduce(

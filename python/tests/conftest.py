@@ -112,4 +112,5 @@ def results(tmp_path_factory):
         modes,
         modes.frf,
         harvester.fit({"hold": ["table"], **features}),
+        jounce.reproduce(tmp_path_factory.mktemp("report")),
     ]
