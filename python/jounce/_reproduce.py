@@ -76,4 +76,4 @@ def reproduce(
     with progress_callback(progress) as callback:
         fields = result_or_raise(_core.reproduce(options(out=fspath(out), threads=threads), callback))
     paths = {"report": Path(fields["report"]), **{name: [Path(path) for path in fields[name]] for name in ("tables", "figures")}}
-    return ReproduceResult(manifest=make_manifest("reproduce"), **{**fields, **paths})
+    return ReproduceResult(manifest=make_manifest("reproduce"), **ReproduceResult._filled({**fields, **paths}))

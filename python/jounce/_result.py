@@ -67,7 +67,7 @@ class Data:
             if hint is float and filled.get(name, 0.0) is None:
                 filled[name] = np.nan
             elif get_origin(hint) is list and (name not in filled or isinstance(filled[name], np.ndarray)):
-                filled[name] = list(filled.get(name, []))
+                filled[name] = filled[name].tolist() if name in filled else []
             elif name not in filled and get_origin(hint) is np.ndarray:
                 filled[name] = np.array([], dtype=get_args(get_args(hint)[1])[0])
         return filled

@@ -28,7 +28,7 @@ def plot_frf(result: FrfResult, ax: Axes | None, response: str) -> Axes:
 def plot_bode(result: FrfResult | MeasuredFrf, ax: Any, response: str) -> Any:
     """Draws magnitude and phase of a response into two axes, which are returned; into a single one the magnitude."""
     if ax is None:
-        with axes(None, nrows=2, sharex=True, figsize=(4.8, 4.8)) as ax:
+        with axes(None, nrows=2, sharex=True, figsize=(4.8, 5.8)) as ax:
             pass
     pair = list(np.ravel(ax))
     result.plot_frf(pair[0], response)

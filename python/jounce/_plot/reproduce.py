@@ -20,7 +20,7 @@ def plot_claims(result: ReproduceResult, ax: Axes | None) -> Axes:
     with axes(ax, figsize=(6.4, 0.45 * len(result) + 0.8)) as ax:
         rows = range(len(result))
         for verdict, colour in ((True, COLOURS[0]), (False, COLOURS[1])):
-            selected = [row for row in rows if result.holds[row] is verdict]
+            selected = [row for row in rows if result.holds[row] == verdict]
             ax.plot([int(verdict)] * len(selected), selected, "o", color=colour)
         ax.set_xticks([0, 1], ["does not hold", "holds"])
         ax.set_yticks(rows, [textwrap.fill(claim, 60) for claim in result.claim])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
@@ -68,7 +69,7 @@ def label(axis: Any, what: str, unit: str, log: bool = False) -> None:
 def label_field(axis: Any, along: Along, is_power: bool) -> None:
     """Labels an axis with the description of a field of a result; a power has a logarithmic axis."""
     text = "Mean power" if is_power else along.about[0].upper() + along.about[1:]
-    label(axis, text, "-" if along.unit == "1" else along.unit, log=is_power)
+    label(axis, textwrap.fill(text, 40), "-" if along.unit == "1" else along.unit, log=is_power)
 
 
 def draw_with(draw: Callable[[Any], Any], ax: Any, style: Mapping[str, Any]) -> Any:
