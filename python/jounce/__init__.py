@@ -55,13 +55,14 @@ from ._power import PowerResult, power
 from ._recorded_file import ModeShape, RecordedFile, read_recordings
 from ._recording import Channel, Recording
 from ._reproduce import ReproduceResult, reproduce
-from ._run import RunResult, State
+from ._run import RunResult
 from ._saved import load
 from ._segments import SegmentsResult, segments
 from ._signal import Spectrum, spectrum, write_recording
 from ._spec import Spec
 from ._spectra import SpectraResult, spectra
 from ._starters import keys, new, schema, starters
+from ._state import State
 from ._study import Study
 from ._study_result import StudyResult, StudyStatus, StudyTable
 from ._sweep import SweepResult

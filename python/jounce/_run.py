@@ -3,50 +3,21 @@
 from __future__ import annotations
 
 import dataclasses
-import json
 from collections.abc import Callable
-from os import PathLike
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Self
 
 import numpy as np
 
-from ._errors import ArgumentError, FileError, StartError
+from ._errors import ArgumentError
 from ._fields import About, Along, Variable
 from ._history import History
 from ._result import Floats, Integers, Result
+from ._state import State
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from pandas import DataFrame
     from xarray import Dataset
-
-
-@dataclasses.dataclass(frozen=True)
-class State:
-    """State that another run can start from, in the file format of ``jounce run --save-state``."""
-
-    json: Annotated[str, About("contents of the state file")]
-
-    @classmethod
-    def read(cls, path: str | PathLike[str]) -> Self:
-        """Reads a state file."""
-        try:
-            return cls(Path(path).read_text(encoding="utf-8"))
-        except (OSError, UnicodeDecodeError) as error:
-            raise StartError(f"the start state {path} cannot be read: {error}", {"path": str(path)}) from error
-
-    def write(self, path: str | PathLike[str]) -> None:
-        """Writes a state file."""
-        try:
-            Path(path).write_text(self.json, encoding="utf-8")
-        except OSError as error:
-            raise FileError(f"the state {path} cannot be written: {error}", {"path": str(path), "errno": error.errno}) from error
-
-    def to_dict(self) -> dict[str, Any]:
-        """Modal displacements and velocities, voltages and drive angles, SI."""
-        values: dict[str, Any] = json.loads(self.json)
-        return values
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)

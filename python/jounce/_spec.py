@@ -19,7 +19,8 @@ from ._noise import NoiseResult
 from ._progress import Progress, progress_callback
 from ._ranges import sides, span, values
 from ._rig import SpecOnRig
-from ._run import RunResult, State
+from ._run import RunResult
+from ._state import State
 from ._sweep import SweepResult
 
 

@@ -166,7 +166,8 @@ def test_documented_limits_are_those_of_the_call(limit, harvester):
 
 
 def test_every_documented_limit_is_tested():
-    limited = {f"{name}.{one}" for name in OBJECTS for one in re.findall(r"^(\w+) : int from", section(OBJECTS[name], "Parameters"), re.M)}
+    calls = [name for name, one in OBJECTS.items() if inspect.isroutine(one)]
+    limited = {f"{name}.{one}" for name in calls for one in re.findall(r"^(\w+) : int from", section(OBJECTS[name], "Parameters"), re.M)}
     assert limited == LIMITED.keys()
 
 
