@@ -1,7 +1,7 @@
 """Writes the reference of the Python package from its docstrings: ``python -P python/reference.py > book/src/python-reference.md``."""
 
-import dataclasses
 import inspect
+import re
 import sys
 
 import jounce
@@ -24,42 +24,58 @@ def signature(name: str, member: object) -> str:
     return f"{name}{call_signature.replace(parameters=parameters, return_annotation=inspect.Signature.empty)}"
 
 
-def members(kind: type) -> list[str]:
-    """Lines of the public methods and properties of a class, its bases of jounce included."""
+def markdown(line: str) -> str:
+    """A line of a docstring with the marks of Markdown."""
+    return re.sub(r":(?:class|meth|func|attr):(?=`)", "", line).replace("``", "`")
+
+
+def page_text(documented: object) -> str:
+    """The docstring of an object in Markdown: entries of sections as lists, the example as a block."""
+    text, _, example = (inspect.getdoc(documented) or "").partition("\nExamples\n--------\n")
+    lines = []
+    source = text.rstrip().split("\n")
+    for line, following in zip(source, [*source[1:], ""]):
+        if line.startswith("    "):
+            lines.append(f"  {markdown(line.strip())}")
+        elif following.startswith("    "):
+            name, _, kind = line.partition(" : ")
+            lines.append(f"- `{name}`" + (f" ({markdown(kind)})" if kind else "") + ":")
+        elif following and following == "-" * len(line):
+            lines.append(f"{line}:")
+        elif not line.startswith("---"):
+            lines.append(markdown(line))
+        else:
+            lines.append("")
+    return "\n".join([*lines, *(["", "```pycon", example.rstrip(), "```"] if example else [])]) + "\n"
+
+
+def members(kind: type, shown: dict[int, str]) -> list[str]:
+    """Lines of the public methods and properties of a class, its bases of jounce included; one shown before is named only."""
     lines = []
     for name, member in inspect.getmembers(kind):
-        is_shown = inspect.isfunction(member) or inspect.ismethod(member) or isinstance(member, property)
-        if name.startswith("_") or not is_shown or not (inspect.getdoc(member) or "").strip() or hasattr(dict, name):
+        is_public = inspect.isfunction(member) or inspect.ismethod(member) or isinstance(member, property)
+        if name.startswith("_") or not is_public or not (inspect.getdoc(member) or "").strip() or hasattr(dict, name):
             continue
         call = f"{name}" if isinstance(member, property) else signature(name, member)
-        lines.append(f"- `{call}`: {' '.join((inspect.getdoc(member) or '').split())}")
+        first = shown.setdefault(id(getattr(member, "__func__", member)), f"{kind.__name__}.{name}")
+        text = page_text(member) if first == f"{kind.__name__}.{name}" else f"As `{first}`.\n"
+        lines += [f"### {kind.__name__}.{name}\n", f"`{call}`\n", text]
     return lines
-
-
-def fields(kind: type) -> str:
-    """The names of the values that a result holds."""
-    if not dataclasses.is_dataclass(kind):
-        return ""
-    return ", ".join(f"`{field.name}`" for field in dataclasses.fields(kind))
 
 
 def page() -> str:
     """The whole page."""
     parts = [HEAD]
+    shown: dict[int, str] = {}
     for name in sorted(jounce.__all__, key=str.lower):
         member = getattr(jounce, name)
         if not callable(member):
             continue
-        parts.append(f"## {name}\n\n{' '.join((inspect.getdoc(member) or '').split())}\n")
-        if not inspect.isclass(member):
-            parts.append(f"`{signature(name, member)}`\n")
-            continue
-        field_names = fields(member)
-        if field_names:
-            parts.append(f"Holds {field_names}.\n")
-        lines = members(member)
-        if lines:
-            parts.append("\n".join(lines) + "\n")
+        parts.append(f"## {name}\n")
+        if inspect.isclass(member):
+            parts += [page_text(member), *members(member, shown)]
+        else:
+            parts += [f"`{signature(name, member)}`\n", page_text(member)]
     return "\n".join(parts)
 
 

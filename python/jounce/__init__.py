@@ -16,6 +16,7 @@ from ._branch import Branch, BranchResult
 from ._contact import ContactResult, Pulse, contact
 from ._core import VERSION as __version__
 from ._diagram import DiagramResult
+from ._docstrings import apply as _apply_docstrings
 from ._elements import Beam, Circuit, Damping, Drive, Gravity, Layer, Mass, Modal, Patch, Reduction, Run, Stop
 from ._design import DesignResult
 from ._ensemble import EnsembleResult
@@ -56,7 +57,7 @@ from ._power import PowerResult, power
 from ._recorded_file import ModeShape, RecordedFile, read_recordings
 from ._recording import Channel, Recording
 from ._reproduce import ReproduceResult, reproduce
-from ._run import RunResult, State
+from ._run import RunResult
 from ._saved import load
 from ._segments import SegmentsResult, segments
 from ._sensitivity import SensitivityResult
@@ -64,6 +65,7 @@ from ._signal import Spectrum, spectrum, write_recording
 from ._spec import Spec
 from ._spectra import SpectraResult, spectra
 from ._starters import keys, new, schema, starters
+from ._state import State
 from ._study import Study
 from ._study_result import StudyResult, StudyStatus, StudyTable
 from ._sweep import SweepResult
@@ -178,3 +180,6 @@ if not _typing.TYPE_CHECKING:
         """Raises AttributeError; the computations on a harvester are methods."""
         hint = f"; it is a method of a harvester: harvester.{name}(...)" if hasattr(Spec, name) else ""
         raise AttributeError(f"jounce has no {name!r}{hint}")
+
+
+_apply_docstrings({name: globals()[name] for name in __all__})

@@ -4,32 +4,40 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable, Iterator
-from typing import Any, Self
+from typing import TYPE_CHECKING, Annotated, Any, Self
 
 import numpy as np
 
+from ._fields import About, Variable
 from ._format import counted
-from ._result import Data, Floats, Integers, Result, Variable
+from ._result import Data, Floats, Integers, Result
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class BifurcationCurve(Data):
     """Curve of one kind of bifurcation; arrays of shape ``(point,)`` along it."""
 
-    #: ``"fold"``, ``"period-doubling"``, ``"neimark-sacker"``, ``"grazing"``, ``"level"``, or ``"peak"``: the largest mean power along a
-    #: branch.
-    kind: str
-    #: Level of the curve as given; ``None`` for other kinds.
-    level: str | None
-    period_cycles: int
-    #: Values of the two keys, SI.
-    parameter: Floats
-    parameter_2: Floats
-    mean_power_w: Floats
-    #: On a curve of peaks, 1 for a stable orbit and 0 for an unstable one; -1 on other curves.
-    stable: Integers
-    #: Places where continuation stopped early, with the reason.
-    failures: list[str]
+    kind: Annotated[
+        str,
+        About(
+            '``"fold"``, ``"period-doubling"``, ``"neimark-sacker"``, ``"grazing"``, ``"level"``, or ``"peak"``: the largest mean power '
+            "along a branch"
+        ),
+    ]
+    level: Annotated[str | None, About("level of the curve as given; ``None`` for other kinds")]
+    period_cycles: Annotated[int, About("period in drive cycles")]
+    parameter: Annotated[Floats, About("value of the first key", "SI", axes="point")]
+    parameter_2: Annotated[Floats, About("value of the second key", "SI", axes="point")]
+    mean_power_w: Annotated[Floats, About("mean power of all loads", "W", axes="point")]
+    stable: Annotated[
+        Integers, About("on a curve of peaks 1 for a stable orbit and 0 for an unstable one; -1 on other curves", axes="point")
+    ]
+    failures: Annotated[list[str], About("places where continuation stopped early, with the reason")]
 
     def __len__(self) -> int:
         return len(self.parameter)
@@ -39,21 +47,17 @@ class BifurcationCurve(Data):
 class BifurcationsResult(Result):
     """All curves that were found; can be iterated and indexed by number."""
 
-    #: First key and its SI unit.
-    key: str
-    unit: str
-    #: Second key and its SI unit.
-    key_2: str
-    unit_2: str
-    curves: list[BifurcationCurve]
-    #: Curves that the search may miss, and options that find more.
-    note: str
-    #: Warnings about curves that end early.
-    warnings: list[str]
+    key: Annotated[str, About("first key")]
+    unit: Annotated[str, About("SI unit of the first key")]
+    key_2: Annotated[str, About("second key")]
+    unit_2: Annotated[str, About("SI unit of the second key")]
+    curves: Annotated[list[BifurcationCurve], About("curves that were found")]
+    note: Annotated[str, About("curves that the search may miss, and options that find more")]
+    warnings: Annotated[list[str], About("curves that end early")]
 
     @classmethod
-    def _from_core(cls, result: dict[str, Any]) -> Self:
-        return super()._from_core({**result, "curves": [BifurcationCurve(**one) for one in result["curves"]]})
+    def _from_core(cls, fields: dict[str, Any]) -> Self:
+        return super()._from_core({**fields, "curves": [BifurcationCurve(**one) for one in fields["curves"]]})
 
     def __len__(self) -> int:
         return len(self.curves)
@@ -88,7 +92,7 @@ class BifurcationsResult(Result):
             "stable": concatenated("stable"),
         }
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``point``: all curves in sequence, numbered by ``curve``."""
         columns = self._table()
         descriptions = {
@@ -104,14 +108,14 @@ class BifurcationsResult(Result):
             {name: Variable(("point",), columns[column], units, text) for column, (name, units, text) in descriptions.items()}, {}
         )
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each point of each curve."""
         return self._frame(self._table())
 
     def _pictures(self) -> dict[str, Callable[[Any], Any]]:
         return {"curves": self.plot_bifurcations}
 
-    def plot_bifurcations(self, ax: Any = None) -> Any:
+    def plot_bifurcations(self, ax: Axes | None = None) -> Axes:
         """Draws the curves over the plane of the two keys."""
         from ._plot.bifurcations import plot_bifurcations
 

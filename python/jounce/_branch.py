@@ -5,51 +5,66 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable, Iterator
 from functools import partial
-from typing import Annotated, Any, Self
+from typing import TYPE_CHECKING, Annotated, Any, Self
 
 import numpy as np
 
+from ._fields import About, Along, Variable, dataset_fields
 from ._format import counted, html_table
-from ._result import Along, Data, Floats, Integers, Result, Truths, Variable, dataset_fields
+from ._result import Data, Floats, Integers, Result, Truths
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Branch(Data):
     """Branch of periodic orbits; arrays of shape ``(point,)`` along it."""
 
-    period_cycles: int
-    #: Value of the key, SI.
-    parameter: Floats
+    period_cycles: Annotated[int, About("period in drive cycles")]
+    parameter: Annotated[Floats, About("value of the key", "SI", axes="point")]
     mean_power_w: Annotated[Floats, Along("point", "W", "mean power of all loads")]
     voltage_rms_v: Annotated[Floats, Along("point", "V", "rms voltage of the first load, else of the output of the first rectifier")]
     stable: Annotated[Truths, Along("point", "1", "attracts")]
     stability_undecided: Annotated[Truths, Along("point", "1", "a Floquet multiplier has modulus one within its error")]
-    #: Largest modulus of a Floquet multiplier.
     floquet_max_abs: Annotated[Floats, Along("point", "1", "largest modulus of a Floquet multiplier")]
     contacts_per_period: Annotated[Integers, Along("point", "1", "contacts per period")]
     max_penetration_m: Annotated[Floats, Along("point", "m", "largest penetration of the stop")]
     displacement_peak_m: Annotated[Floats, Along("point", "m", "half the peak-to-peak displacement at the first stop")]
-    #: Larger of the estimated relative errors of the state and the mean power.
     error_estimate: Annotated[Floats, Along("point", "1", "larger of the estimated relative errors of the state and the mean power")]
-    #: ``"fold"``, ``"period-doubling"``, ``"neimark-sacker"``, ``"branch-point"``, ``"grazing"``, ``"sticking"``, ``"level"``.
-    bifurcation_kind: list[str]
-    #: Level that is crossed, as given, and stop of a grazing or of sticking; ``None`` for the others.
-    bifurcation_level: list[str | None]
-    bifurcation_stop: list[str | None]
-    bifurcation_parameter: Floats
-    bifurcation_mean_power_w: Floats
-    bifurcation_displacement_peak_m: Floats
-    bifurcation_contacts_per_period: Integers
-    #: Intervals that may contain two more events of a kind than are listed: ``event``, ``from``, ``to``, ``message``.
-    not_proved: list[dict[str, Any]]
-    #: Number of period doublings whose branch was not continued: the budget was used up, or Newton iteration found no first orbit.
-    not_followed: int
-    #: Terminations at the first and the last point: ``reason``, and where continuation stopped early ``parameter`` and ``message``.
-    termination: list[dict[str, Any]]
-    #: Largest mean power of a stable orbit: ``parameter``, ``parameter_error``, ``mean_power_w``, ``at``; ``None`` without one.
-    peak: dict[str, Any] | None
-    #: Half-power bandwidth of the stable part: ``width``, ``width_error``, ``intervals``; ``None`` without a peak.
-    half_power_bandwidth: dict[str, Any] | None
+    bifurcation_kind: Annotated[
+        list[str],
+        About('``"fold"``, ``"period-doubling"``, ``"neimark-sacker"``, ``"branch-point"``, ``"grazing"``, ``"sticking"`` or ``"level"``'),
+    ]
+    bifurcation_level: Annotated[list[str | None], About("level that is crossed, as given; ``None`` for other kinds")]
+    bifurcation_stop: Annotated[list[str | None], About("stop of a grazing or of sticking; ``None`` for other kinds")]
+    bifurcation_parameter: Annotated[Floats, About("value of the key", "SI", axes="bifurcation")]
+    bifurcation_mean_power_w: Annotated[Floats, About("mean power of all loads", "W", axes="bifurcation")]
+    bifurcation_displacement_peak_m: Annotated[Floats, About("largest displacement towards the first stop", "m", axes="bifurcation")]
+    bifurcation_contacts_per_period: Annotated[Integers, About("contacts in a period", axes="bifurcation")]
+    not_proved: Annotated[
+        list[dict[str, Any]],
+        About("intervals that may contain two more events of a kind than are listed: ``event``, ``from``, ``to``, ``message``"),
+    ]
+    not_followed: Annotated[
+        int, About("period doublings whose branch was not continued: the budget was used up, or Newton iteration found no first orbit")
+    ]
+    termination: Annotated[
+        list[dict[str, Any]],
+        About(
+            "termination at the first and the last point: ``reason``, and where continuation stopped early ``parameter`` and ``message``"
+        ),
+    ]
+    peak: Annotated[
+        dict[str, Any] | None,
+        About("largest mean power of a stable orbit: ``parameter``, ``parameter_error``, ``mean_power_w``, ``at``; ``None`` without one"),
+    ]
+    half_power_bandwidth: Annotated[
+        dict[str, Any] | None,
+        About("half-power bandwidth of the stable part: ``width``, ``width_error``, ``intervals``; ``None`` without a peak"),
+    ]
 
     @classmethod
     def _of(cls, fields: dict[str, Any]) -> Self:
@@ -68,17 +83,21 @@ class Branch(Data):
 class BranchResult(Result):
     """All branches that were found; can be iterated and indexed by number."""
 
-    key: str
-    unit: str
-    branches: list[Branch]
-    #: Largest mean power of a stable orbit on all branches: ``parameter``, ``parameter_error``, ``mean_power_w``, ``at``.
-    peak: dict[str, Any] | None
-    #: Intervals where any stable orbit has at least half the power of the peak: ``width``, ``width_error``, ``intervals``.
-    half_power_bandwidth: dict[str, Any] | None
-    #: Branches that the search may miss, and options that find more.
-    note: str
-    #: Warnings: branches that end early or are missing, events that are not proved, large errors, exceeded limits of patches.
-    warnings: list[str]
+    key: Annotated[str, About("key of the branches")]
+    unit: Annotated[str, About("SI unit of the key")]
+    branches: Annotated[list[Branch], About("branches that were found")]
+    peak: Annotated[
+        dict[str, Any] | None,
+        About("largest mean power of a stable orbit on all branches: ``parameter``, ``parameter_error``, ``mean_power_w``, ``at``"),
+    ]
+    half_power_bandwidth: Annotated[
+        dict[str, Any] | None,
+        About("intervals where any stable orbit has at least half the power of the peak: ``width``, ``width_error``, ``intervals``"),
+    ]
+    note: Annotated[str, About("branches that the search may miss, and options that find more")]
+    warnings: Annotated[
+        list[str], About("branches that end early or are missing, events that are not proved, large errors, exceeded limits of patches")
+    ]
 
     @classmethod
     def _from_core(cls, fields: dict[str, Any]) -> Self:
@@ -120,7 +139,7 @@ class BranchResult(Result):
     def _branch_numbers(self) -> Integers:
         return np.repeat(np.arange(len(self), dtype=np.int64), [len(one) for one in self.branches])
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``point`` (all branches in sequence, numbered by ``branch``) and ``bifurcation``."""
         variables = {"parameter": Variable(("point",), self._concatenated("parameter"), self.unit, self.key)}
         variables |= {along.name(field): along.of(self._concatenated(field)) for field, along in dataset_fields(Branch).items()}
@@ -139,13 +158,13 @@ class BranchResult(Result):
         coords = {"bifurcation": Variable(("bifurcation",), kinds, "", "kind of the bifurcation")}
         return self._dataset(variables, coords)
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each point of each branch."""
         periods = np.repeat([one.period_cycles for one in self.branches], [len(one) for one in self.branches])
         along = {field: self._concatenated(field) for field in ("parameter", *dataset_fields(Branch))}
         return self._frame({"branch": self._branch_numbers(), "period_cycles": periods, **along})
 
-    def bifurcations_to_pandas(self) -> Any:
+    def bifurcations_to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each bifurcation."""
         rows = [
             (number, *row)
@@ -165,7 +184,7 @@ class BranchResult(Result):
         default = "mean_power_w" if any(one.mean_power_w.any() for one in self) else "displacement_peak_m"
         return {field: partial(self.plot_branch, quantity=field) for field in dict.fromkeys([default, *dataset_fields(Branch)])}
 
-    def plot_branch(self, ax: Any = None, *, quantity: str | None = None) -> Any:
+    def plot_branch(self, ax: Axes | None = None, *, quantity: str | None = None) -> Axes:
         """Draws a quantity over the key: stable solid, unstable dashed, bifurcations marked.
 
         The quantity is by default the mean power, or the displacement amplitude without power.

@@ -5,17 +5,23 @@ from __future__ import annotations
 import dataclasses
 import json
 from collections.abc import Callable
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 
 from . import _core
 from ._arguments import options, to_si
+from ._fields import About, Along, Variable
 from ._format import html_table
 from ._inputs import Measured, recording
 from ._issue import Issue, issue_lines, parse_issues
 from ._recording import names_of
-from ._result import Along, Data, Floats, Result, Variable, make_manifest
+from ._result import Data, Floats, Result, make_manifest
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
 
 #: Description of the laws that a pulse allows.
 LAW_DESCRIPTIONS = {
@@ -30,19 +36,18 @@ LAW_DESCRIPTIONS = {
 class Pulse(Data):
     """Samples of one pulse, time from the largest force, s, and the fitted law between them; the last two are empty without a law."""
 
-    time_s: Floats
-    force_n: Floats
-    law_time_s: Floats
-    law_force_n: Floats
+    time_s: Annotated[Floats, About("time from the largest force", "s", axes="sample")]
+    force_n: Annotated[Floats, About("measured force", "N", axes="sample")]
+    law_time_s: Annotated[Floats, About("time from the largest force, of the fitted law", "s", axes="law_sample")]
+    law_force_n: Annotated[Floats, About("force of the fitted law", "N", axes="law_sample")]
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class ContactResult(Result):
     """Hits of a record and the contact law fitted to each; arrays of shape ``(hit,)``, NaN where no law could be fitted."""
 
-    channel: str
-    #: Mass of the hammer; NaN where it was not given.
-    mass_kg: float
+    channel: Annotated[str, About("channel of the force")]
+    mass_kg: Annotated[float, About("mass of the hammer; NaN where it was not given", "kg")]
     time_s: Annotated[Floats, Along("hit", "s", "time of the largest force, from the first sample")]
     start_s: Annotated[Floats, Along("hit", "s", "begin of the pulse, from the first sample")]
     end_s: Annotated[Floats, Along("hit", "s", "end of the pulse, from the first sample")]
@@ -57,35 +62,56 @@ class ContactResult(Result):
     restitution: Annotated[Floats, Along("hit", "1", "ratio of speed after to speed before contact")]
     restitution_deviation: Annotated[Floats, Along("hit", "1", "standard deviation of the restitution")]
     restitution_half_width: Annotated[Floats, Along("hit", "1", "half width of the 95 % interval of the restitution")]
-    #: NaN where the mass of the hammer was not given; stiffness in N/m^exponent.
-    stiffness: Annotated[Floats, Along("hit", "N m^-exponent", "stiffness of the law")]
-    stiffness_relative_deviation: Annotated[Floats, Along("hit", "1", "standard deviation of the logarithm of the stiffness")]
+    stiffness: Annotated[
+        Floats,
+        Along("hit", "N m^-exponent", "stiffness of the law", detail="in N/m^exponent; NaN where the mass of the hammer was not given"),
+    ]
+    stiffness_relative_deviation: Annotated[
+        Floats,
+        Along("hit", "1", "standard deviation of the logarithm of the stiffness", detail="NaN where the mass of the hammer was not given"),
+    ]
     stiffness_low: Annotated[Floats, Along("hit", "N m^-exponent", "lower end of the 95 % interval of the stiffness")]
     stiffness_high: Annotated[Floats, Along("hit", "N m^-exponent", "upper end of the 95 % interval of the stiffness")]
-    #: Also NaN where the pulse does not allow a linear spring.
-    linear_stiffness: Annotated[Floats, Along("hit", "N/m", "stiffness of a linear spring")]
+    linear_stiffness: Annotated[
+        Floats,
+        Along(
+            "hit",
+            "N/m",
+            "stiffness of a linear spring",
+            detail="NaN without the mass of the hammer, and where the pulse does not allow a linear spring",
+        ),
+    ]
     linear_stiffness_low: Annotated[Floats, Along("hit", "N/m", "lower end of the 95 % interval of this stiffness")]
     linear_stiffness_high: Annotated[Floats, Along("hit", "N/m", "upper end of the 95 % interval of this stiffness")]
     linear_restitution: Annotated[Floats, Along("hit", "1", "restitution of a linear spring")]
     linear_speed_m_s: Annotated[Floats, Along("hit", "m/s", "speed of the hammer by a linear spring")]
     linear_relative_error: Annotated[Floats, Along("hit", "1", "rms residual of a linear spring relative to the largest force")]
-    #: Also NaN where the pulse does not allow Hertz's law.
-    hertz_stiffness: Annotated[Floats, Along("hit", "N m^-1.5", "stiffness of Hertz's law")]
+    hertz_stiffness: Annotated[
+        Floats,
+        Along(
+            "hit",
+            "N m^-1.5",
+            "stiffness of Hertz's law",
+            detail="NaN without the mass of the hammer, and where the pulse does not allow Hertz's law",
+        ),
+    ]
     hertz_stiffness_low: Annotated[Floats, Along("hit", "N m^-1.5", "lower end of the 95 % interval of this stiffness")]
     hertz_stiffness_high: Annotated[Floats, Along("hit", "N m^-1.5", "upper end of the 95 % interval of this stiffness")]
     hertz_restitution: Annotated[Floats, Along("hit", "1", "restitution of Hertz's law")]
     hertz_speed_m_s: Annotated[Floats, Along("hit", "m/s", "speed of the hammer by Hertz's law")]
     hertz_relative_error: Annotated[Floats, Along("hit", "1", "rms residual of Hertz's law relative to the largest force")]
-    speed_m_s: Annotated[Floats, Along("hit", "m/s", "speed of the hammer")]
+    speed_m_s: Annotated[Floats, Along("hit", "m/s", "speed of the hammer", detail="NaN where the mass of the hammer was not given")]
     relative_error: Annotated[Floats, Along("hit", "1", "rms residual of the law relative to the largest force")]
-    #: Laws that a pulse allows, at 95 %: ``"neither"``, ``"linear"``, ``"hertz"``, ``"both"``; ``None`` where no law could be fitted.
-    allowed_laws: list[str | None]
-    #: Reason why no law could be fitted; ``None`` where one was fitted.
-    reason: list[str | None]
-    #: Warnings of each hit: ``"double"``, ``"clipped"``, ``"coarse"``, ``"cut"``.
-    warnings: list[list[str]]
-    pulses: list[Pulse]
-    issues: list[Issue]
+    allowed_laws: Annotated[
+        list[str | None],
+        About(
+            'laws that a pulse allows, at 95 %: ``"neither"``, ``"linear"``, ``"hertz"``, ``"both"``; ``None`` where no law could be fitted'
+        ),
+    ]
+    reason: Annotated[list[str | None], About("reason why no law could be fitted; ``None`` where one was fitted")]
+    warnings: Annotated[list[list[str]], About('warnings of each hit: ``"double"``, ``"clipped"``, ``"coarse"``, ``"cut"``')]
+    pulses: Annotated[list[Pulse], About("samples of each pulse")]
+    issues: Annotated[list[Issue], About("data-quality issues of the recording")]
 
     def __len__(self) -> int:
         return len(self.time_s)
@@ -119,20 +145,20 @@ class ContactResult(Result):
         rows = [[*(f"{one[k]:.5g}" for one in columns), law] for k, law in enumerate(laws)]
         return html_table("Hits", ["time [s]", "peak force [N]", "contact [s]", "exponent", "restitution", ""], rows)
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``hit``."""
         allowed_laws = [one or "" for one in self.allowed_laws]
         variables = {**self._variables(), "allowed_laws": Variable(("hit",), allowed_laws, "", "laws that the pulse allows")}
         return self._dataset(variables, {"hit": Variable(("hit",), np.arange(len(self)), "1", "number of the hit")})
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each hit."""
         return self._frame({**self._columns("hit"), "allowed_laws": self.allowed_laws, "reason": self.reason})
 
     def _pictures(self) -> dict[str, Callable[[Any], Any]]:
         return {"force": self.plot_contact}
 
-    def plot_contact(self, ax: Any = None, hits: int = 6) -> Any:
+    def plot_contact(self, ax: Axes | None = None, hits: int = 6) -> Axes:
         """Draws the first pulses with the laws fitted to them."""
         from ._plot.contact import plot_contact
 
@@ -143,9 +169,7 @@ def contact(record: Measured, *, sample_rate_hz: Any = None, force: str | None =
     """Fits contact time, exponent and restitution of every hit in a record of force, and stiffnesses with the ``mass`` of the hammer.
 
     Stiffnesses are returned for the fitted exponent, and for the linear spring and Hertz's law where a pulse allows them.
-
-    ``record`` is a :class:`Recording`, a file, SEP005 time series, or an array with its ``sample_rate_hz``. ``force`` names the channel, by
-    default the first in newtons. The struck body is assumed to be at rest during a contact.
+    The struck body is assumed to be at rest during a contact.
     """
     input_recording = recording(record, sample_rate_hz)
     mass_kg = None if mass is None else to_si("mass", mass, "mass")

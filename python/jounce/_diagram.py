@@ -5,14 +5,20 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable
 from functools import partial
-from typing import Any, Self
+from typing import TYPE_CHECKING, Annotated, Any, Self
 
 import numpy as np
 
 from ._branch import Branch
 from ._errors import ArgumentError
+from ._fields import About, Variable
 from ._format import counted, html_table
-from ._result import Floats, Integers, Result, Variable
+from ._result import Floats, Integers, Result
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
 
 #: Quantities of the section: field, unit, description.
 SECTION = {
@@ -26,34 +32,26 @@ SECTION = {
 class DiagramResult(Result):
     """State at the start of each drive cycle; arrays of shape ``(point,)`` and, of the section, ``(section,)``."""
 
-    #: The key and its SI unit.
-    key: str
-    unit: str
-    #: Value of the key in each run, SI.
-    parameter: Floats
-    #: Direction of each run: ``"up"``, ``"down"``, ``"independent"`` (from a start of the cloud).
-    direction: list[str]
-    #: Number of the start in its cloud; 0 in a stepped diagram.
-    start: Integers
-    #: ``"orbit"``, ``"chaos"``, ``"torus"``, ``"undecided"``, ``"lost"``.
-    motion: list[str]
-    #: Period in drive cycles; 0 without a period.
-    period_cycles: Integers
-    contacts_per_period: Integers
-    mean_power_w: Floats
-    #: Id of the attractor of each run; ``None`` without one, and in a stepped diagram.
-    attractor: list[str | None]
-    #: Points of the section: number of the run, displacement towards the stop, velocity, voltage.
-    section_point: Integers
-    section_displacement_m: Floats
-    section_velocity_m_s: Floats
-    section_voltage_v: Floats
-    #: With starts only: each attractor with ``id``, ``motion``, ``period_cycles``, ``born``, ``died``, ``seen``.
-    attractors: list[dict[str, Any]]
-    #: Branches continued over the same range, unstable parts included.
-    branches: list[Branch]
-    #: Warnings about failed runs.
-    warnings: list[str]
+    key: Annotated[str, About("key of the diagram")]
+    unit: Annotated[str, About("SI unit of the key")]
+    parameter: Annotated[Floats, About("value of the key in each run", "SI", axes="point")]
+    direction: Annotated[list[str], About('direction of each run: ``"up"``, ``"down"``, ``"independent"`` (from a start of the cloud)')]
+    start: Annotated[Integers, About("number of the start in its cloud; 0 in a stepped diagram", axes="point")]
+    motion: Annotated[list[str], About('``"orbit"``, ``"chaos"``, ``"torus"``, ``"undecided"`` or ``"lost"`` of each run')]
+    period_cycles: Annotated[Integers, About("period in drive cycles; 0 without a period", axes="point")]
+    contacts_per_period: Annotated[Integers, About("contacts in a period", axes="point")]
+    mean_power_w: Annotated[Floats, About("mean power of all loads", "W", axes="point")]
+    attractor: Annotated[list[str | None], About("attractor of each run; ``None`` without one, and in a stepped diagram")]
+    section_point: Annotated[Integers, About("number of the run of each point of the section", axes="section")]
+    section_displacement_m: Annotated[Floats, About("displacement towards the first stop", "m", axes="section")]
+    section_velocity_m_s: Annotated[Floats, About("velocity towards the first stop", "m/s", axes="section")]
+    section_voltage_v: Annotated[Floats, About("voltage of the first patch", "V", axes="section")]
+    attractors: Annotated[
+        list[dict[str, Any]],
+        About("with starts only: each attractor with ``id``, ``motion``, ``period_cycles``, ``born``, ``died``, ``seen``"),
+    ]
+    branches: Annotated[list[Branch], About("branches continued over the same range, unstable parts included")]
+    warnings: Annotated[list[str], About("failed runs")]
 
     @classmethod
     def _from_core(cls, fields: dict[str, Any]) -> Self:
@@ -79,7 +77,7 @@ class DiagramResult(Result):
         rows = [[kind, self.motion.count(kind)] for kind in sorted(set(self.motion))]
         return html_table(f"Diagram over {self.key}", ["motion", "runs"], rows)
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``point`` and ``section``; ``section_point`` is the run of each point."""
         dims = ("point",)
         variables = {
@@ -100,7 +98,7 @@ class DiagramResult(Result):
         }
         return self._dataset(variables, coords)
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each point of the section."""
         point = self.section_point
         return self._frame(
@@ -128,7 +126,7 @@ class DiagramResult(Result):
     def _pictures(self) -> dict[str, Callable[[Any], Any]]:
         return {quantity: partial(self.plot_diagram, quantity=quantity) for quantity in SECTION}
 
-    def plot_diagram(self, ax: Any = None, quantity: str = "displacement") -> Any:
+    def plot_diagram(self, ax: Axes | None = None, quantity: str = "displacement") -> Axes:
         """Draws the section over the key: orbits as large dots, other motions as small dots, coloured by direction or attractor."""
         from ._plot.diagram import plot_diagram
 

@@ -6,7 +6,10 @@ Each is a dict of its keys, as in TOML. The keys, units and limits are those of 
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any, Unpack
+
+if TYPE_CHECKING:
+    from . import _tables
 
 __all__ = ["Beam", "Circuit", "Damping", "Drive", "Gravity", "Layer", "Mass", "Modal", "Patch", "Reduction", "Run", "Stop"]
 
@@ -29,48 +32,96 @@ def _rebuild(kind: type[Element], keys: dict[str, Any]) -> Element:
 
 
 class Beam(Element):
-    """Uniform beam: ``length``, ``width``, ``thickness``, ``material`` or ``youngs_modulus``, ``density``; ``root``, ``point={...}``."""
+    """Uniform beam, clamped at its root."""
+
+    if TYPE_CHECKING:
+
+        def __init__(self, **keys: Unpack[_tables.BeamKeys]) -> None: ...
 
 
 class Patch(Element):
-    """Piezoelectric patch: ``on``, ``start``, ``length``, ``width``, ``thickness``, ``material`` or ``d31`` and ``capacitance``."""
+    """Piezoelectric patch on a beam."""
+
+    if TYPE_CHECKING:
+
+        def __init__(self, **keys: Unpack[_tables.PatchKeys]) -> None: ...
 
 
 class Layer(Element):
-    """Passive layer on a face of a beam: ``on``, ``face``, ``start``, ``length``, ``width``, ``thickness``, ``material``."""
+    """Passive layer on a face of a beam."""
+
+    if TYPE_CHECKING:
+
+        def __init__(self, **keys: Unpack[_tables.LayerKeys]) -> None: ...
 
 
 class Mass(Element):
-    """Rigid mass: ``mass``, ``on``; on a spring also ``frequency`` or ``stiffness``, and ``damping_ratio``."""
+    """Rigid mass: on a spring, fixed to a beam, or free."""
+
+    if TYPE_CHECKING:
+
+        def __init__(self, **keys: Unpack[_tables.MassKeys]) -> None: ...
 
 
 class Modal(Element):
-    """Structure given by its modes: ``frequency_hz``, ``damping_ratio``, ``point={name: shape}``, ``patch={name: {...}}``."""
+    """Structure given by its modes."""
+
+    if TYPE_CHECKING:
+
+        def __init__(self, **keys: Unpack[_tables.ModalKeys]) -> None: ...
 
 
 class Stop(Element):
-    """Stop with a gap: ``at``, ``frame``, ``side``, ``gap``, ``law`` and the keys of the law."""
+    """Contact of a point with a body or the ground after a gap."""
+
+    if TYPE_CHECKING:
+
+        def __init__(self, **keys: Unpack[_tables.StopKeys]) -> None: ...
 
 
 class Circuit(Element):
-    """Electrical load: ``patch`` or ``patches`` with their ``wiring``, ``resistance``, ``inductance``."""
+    """Circuit across one patch or several."""
+
+    if TYPE_CHECKING:
+
+        def __init__(self, **keys: Unpack[_tables.CircuitKeys]) -> None: ...
 
 
 class Drive(Element):
-    """Excitation: ``kind``, ``at``, ``signal`` and the keys of the signal, by default ``amplitude`` (zero to peak), ``frequency``."""
+    """Excitation: a force, or a motion of the ground or of another base."""
+
+    if TYPE_CHECKING:
+
+        def __init__(self, **keys: Unpack[_tables.DriveKeys]) -> None: ...
 
 
 class Gravity(Element):
-    """Gravity on all moving parts: ``acceleration``."""
+    """Gravity on all moving parts."""
+
+    if TYPE_CHECKING:
+
+        def __init__(self, **keys: Unpack[_tables.GravityKeys]) -> None: ...
 
 
 class Damping(Element):
-    """Damping ratios of the flexible modes: ``ratios``, ``beyond``."""
+    """Damping ratios of the flexible modes."""
+
+    if TYPE_CHECKING:
+
+        def __init__(self, **keys: Unpack[_tables.DampingKeys]) -> None: ...
 
 
 class Reduction(Element):
-    """Number of retained modes: ``modes``, ``mesh_tolerance``."""
+    """Number of retained modes."""
+
+    if TYPE_CHECKING:
+
+        def __init__(self, **keys: Unpack[_tables.ReductionKeys]) -> None: ...
 
 
 class Run(Element):
-    """Settings of a run: ``start``, ``duration``, ``average_over``, ``tolerance``."""
+    """Settings of a run."""
+
+    if TYPE_CHECKING:
+
+        def __init__(self, **keys: Unpack[_tables.RunKeys]) -> None: ...

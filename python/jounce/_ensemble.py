@@ -4,10 +4,16 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable
-from typing import Annotated, Any, Self
+from typing import TYPE_CHECKING, Annotated, Any, Self
 
 from ._errors import ArgumentError
-from ._result import Along, Floats, Integers, Result, Variable
+from ._fields import About, Along, Variable
+from ._result import Floats, Integers, Result
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -17,27 +23,21 @@ class EnsembleResult(Result):
     The half width of an interval that cannot be estimated is NaN.
     """
 
-    #: Mean power of all loads and half width of its 95 % interval, W.
     mean_power_w: Annotated[float, Along("", "W", "mean power of all loads")]
     mean_power_half_width_w: Annotated[float, Along("", "W", "half width of its 95 % interval")]
-    #: Half width over the mean power.
     relative_width: Annotated[float, Along("", "1", "half width over the mean power")]
-    #: Basis of the interval: ``"members"``, or ``"batches"`` of them where they are few.
-    interval_over: str
-    #: True where the required width was reached (or no width was required) and the work was not stopped.
-    reached: Annotated[bool, Along("", "1", "the required width was reached")]
-    #: Contacts per second and half width of its 95 % interval.
+    interval_over: Annotated[str, About('basis of the interval: ``"members"``, or ``"batches"`` of them where they are few')]
+    reached: Annotated[
+        bool, Along("", "1", "the required width was reached", detail="also where no width was required; False where the work was stopped")
+    ]
     contact_rate_hz: Annotated[float, Along("", "1/s", "contacts per second")]
     contact_rate_half_width_hz: Annotated[float, Along("", "1/s", "half width of its 95 % interval")]
-    #: Impact velocity, m/s, and contact duration, s; 0 without contact.
-    mean_impact_velocity_m_s: Annotated[float, Along("", "m/s", "mean impact velocity")]
+    mean_impact_velocity_m_s: Annotated[float, Along("", "m/s", "mean impact velocity", detail="0 without contact")]
     max_impact_velocity_m_s: Annotated[float, Along("", "m/s", "largest impact velocity")]
-    mean_contact_duration_s: Annotated[float, Along("", "s", "mean contact duration")]
-    #: Largest energy residual of a member.
+    mean_contact_duration_s: Annotated[float, Along("", "s", "mean contact duration", detail="0 without contact")]
     energy_residual_relative: Annotated[float, Along("", "1", "largest energy residual of a member")]
-    #: Seed of the realisations, number of each realisation under it, and its results.
-    seed: int
-    member: Integers
+    seed: Annotated[int, About("seed of the realisations")]
+    member: Annotated[Integers, About("number of each realisation under the seed", axes="member")]
     member_mean_power_w: Annotated[Floats, Along("member", "W", "mean power of all loads")]
     member_contacts: Annotated[Integers, Along("member", "1", "contacts that began")]
     member_contact_rate_hz: Annotated[Floats, Along("member", "1/s", "contacts per second")]
@@ -45,12 +45,9 @@ class EnsembleResult(Result):
     member_max_impact_velocity_m_s: Annotated[Floats, Along("member", "m/s", "largest impact velocity")]
     member_mean_contact_duration_s: Annotated[Floats, Along("member", "s", "mean contact duration")]
     member_max_penetration_m: Annotated[Floats, Along("member", "m", "largest penetration of the stop")]
-    #: Warnings about recordings that end too early and about exceeded limits of patches in members.
-    warnings: list[str]
+    warnings: Annotated[list[str], About("recordings that end too early and exceeded limits of patches in members")]
     member_energy_residual_relative: Annotated[Floats, Along("member", "1", "energy residual of the run")]
-    #: Names of the stops. For each: contacts per second, impact velocity, m/s, contact duration, s, and share of the time in contact, with
-    #: the half widths of their 95 % intervals (basis: ``interval_over``) and their largest values.
-    stop: list[str]
+    stop: Annotated[list[str], About("names of the stops")]
     stop_contact_rate_hz: Annotated[Floats, Along("stop", "1/s", "contacts per second")]
     stop_contact_rate_half_width_hz: Annotated[Floats, Along("stop", "1/s", "half width of its 95 % interval")]
     stop_mean_impact_velocity_m_s: Annotated[Floats, Along("stop", "m/s", "mean impact velocity")]
@@ -61,18 +58,12 @@ class EnsembleResult(Result):
     stop_max_contact_duration_s: Annotated[Floats, Along("stop", "s", "longest contact duration")]
     stop_contact_duty: Annotated[Floats, Along("stop", "1", "share of the time in contact")]
     stop_contact_duty_half_width: Annotated[Floats, Along("stop", "1", "half width of its 95 % interval")]
-    #: Largest contact force, N (0 for impacts on a rigid stop), and penetration, m.
-    stop_max_contact_force_n: Annotated[Floats, Along("stop", "N", "largest contact force")]
+    stop_max_contact_force_n: Annotated[Floats, Along("stop", "N", "largest contact force", detail="0 for impacts on a rigid stop")]
     stop_max_penetration_m: Annotated[Floats, Along("stop", "m", "largest penetration")]
-    #: Names of the patches whose voltages have a spectrum; empty unless requested.
-    patch: list[str]
-    #: Middle of each bin of frequencies, Hz; of shape ``(frequency,)``.
-    frequency_hz: Floats
-    #: One-sided power spectral density of each voltage, V^2/Hz, and half width of its 95 % interval over members; of shape ``(patch,
-    #: frequency)``.
+    patch: Annotated[list[str], About("patches whose voltages have a spectrum; empty unless requested")]
+    frequency_hz: Annotated[Floats, About("middle of each bin of frequencies", "Hz", axes="frequency")]
     voltage_psd_v2_hz: Annotated[Floats, Along("patch frequency", "V^2/Hz", "one-sided power spectral density")]
     voltage_psd_half_width_v2_hz: Annotated[Floats, Along("patch frequency", "V^2/Hz", "half width of its 95 % interval")]
-    #: Statistical bandwidth of each voltage, Hz, and half width of its 95 % interval; of shape ``(patch,)``.
     bandwidth_hz: Annotated[Floats, Along("patch", "Hz", "statistical bandwidth of the voltage")]
     bandwidth_half_width_hz: Annotated[Floats, Along("patch", "Hz", "half width of its 95 % interval")]
 
@@ -108,7 +99,7 @@ class EnsembleResult(Result):
         strike = f"{self.stop_mean_impact_velocity_m_s[k]:.4e} m/s +- {self.stop_mean_impact_velocity_half_width_m_s[k]:.1e} m/s"
         return f"{rate}, at {strike}, {100 * self.stop_contact_duty[k]:.3g} % of the time"
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``member`` and ``stop``, means as scalars, spectra over ``patch`` and ``frequency``."""
         coords = {
             "member": Variable(("member",), self.member, "1", "number of the realisation under its seed"),
@@ -120,20 +111,20 @@ class EnsembleResult(Result):
         axes = {axis for one in variables.values() for axis in one.dims}
         return self._dataset(variables, {name: one for name, one in coords.items() if name in axes})
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each member."""
         return self._frame({"member": self.member, **self._columns("member")})
 
     def _pictures(self) -> dict[str, Callable[[Any], Any]]:
         return {"mean_power_w": self.plot_ensemble, **({"voltage_psd_v2_hz": self.plot_spectra} if self.patch else {})}
 
-    def plot_ensemble(self, ax: Any = None) -> Any:
+    def plot_ensemble(self, ax: Axes | None = None) -> Axes:
         """Draws the mean power of each member over the mean of all with its 95 % interval."""
         from ._plot.ensemble import plot_ensemble
 
         return plot_ensemble(self, ax)
 
-    def plot_spectra(self, ax: Any = None) -> Any:
+    def plot_spectra(self, ax: Axes | None = None) -> Axes:
         """Draws the density of each voltage with its 95 % interval; needs ``ensemble(spectrum=True)``."""
         from ._plot.spectra import plot_spectra
 

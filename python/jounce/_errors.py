@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import warnings
 from dataclasses import dataclass
-from typing import Any
+from typing import Annotated, Any
+
+from ._fields import About
 
 __all__ = [
     "ArgumentError",
@@ -34,14 +36,13 @@ __all__ = [
 class Fault:
     """Fault in a spec.
 
-    ``line`` and ``column`` count from 1. They are 0 where the fault has no place in a text: in a key that was set, or a spec of Python
-    objects.
+    ``line`` and ``column`` are 0 where the fault has no place in a text: in a key that was set, or a spec of Python objects.
     """
 
-    line: int
-    column: int
-    key: str
-    message: str
+    line: Annotated[int, About("line, from 1")]
+    column: Annotated[int, About("column, from 1")]
+    key: Annotated[str, About("key of the fault")]
+    message: Annotated[str, About("message in one sentence")]
 
     def __str__(self) -> str:
         return f"line {self.line}, column {self.column}: {self.message}" if self.line else self.message

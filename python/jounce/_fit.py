@@ -10,10 +10,15 @@ from typing import TYPE_CHECKING, Annotated, Any
 import numpy as np
 
 from ._errors import ArgumentError
+from ._fields import About, Along, Variable
 from ._format import html_table
-from ._result import Along, Data, Floats, Result, Variable, column
+from ._result import Data, Floats, Result, column
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
+
     from ._spec import Spec
 else:
     # The module of Spec imports this one, so the name is looked up when a dataset is made.
@@ -24,18 +29,15 @@ else:
 class FitCurve(Data):
     """Measured curve with the curves of the model before and after a fit; arrays of shape ``(place,)`` in the unit of the curve."""
 
-    #: Name of the curve, ``"mfc.voltage"``, and its unit.
-    name: str
-    unit: str
-    #: Axis of the curve, ``"frequency_hz"`` or ``"time_s"``, and its values, Hz or s.
-    over: str
-    at: Floats
-    measured: Floats
-    before: Floats
-    after: Floats
-    #: 95 % prediction interval of a further measurement.
-    low: Floats
-    high: Floats
+    name: Annotated[str, About('name of the curve, ``"mfc.voltage"``')]
+    unit: Annotated[str, About("unit of the curve")]
+    over: Annotated[str, About('axis of the curve, ``"frequency_hz"`` or ``"time_s"``')]
+    at: Annotated[Floats, About("values of the axis, Hz or s", axes="point")]
+    measured: Annotated[Floats, About("measured values, in ``unit``", axes="point")]
+    before: Annotated[Floats, About("values of the model before the fit, in ``unit``", axes="point")]
+    after: Annotated[Floats, About("values of the model after the fit, in ``unit``", axes="point")]
+    low: Annotated[Floats, About("lower end of the 95 % prediction interval of a further measurement, in ``unit``", axes="point")]
+    high: Annotated[Floats, About("upper end of this interval, in ``unit``", axes="point")]
 
     def __len__(self) -> int:
         return len(self.at)
@@ -58,51 +60,51 @@ class FitDeviation(Data):
     ``degrees_of_freedom`` is ``None`` where the deviation was given; else it is estimated from the residuals.
     """
 
-    name: str
-    deviation: float
-    degrees_of_freedom: float | None
+    name: Annotated[str, About("name of the deviation")]
+    deviation: Annotated[float, About("relative standard deviation of the features")]
+    degrees_of_freedom: Annotated[
+        float | None, About("degrees of freedom where the deviation is estimated from residuals; ``None`` where it was given")
+    ]
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class FitResult(Result):
     """Keys and features before and after a fit, with their uncertainty; arrays of shape ``(key,)`` and ``(feature,)``."""
 
-    #: The keys and their SI units; values before and after, and the ends of the 95 % interval, in these units.
-    key: list[str]
-    key_unit: list[str]
-    before: Floats
-    after: Floats
-    low: Floats
-    high: Floats
+    key: Annotated[list[str], About("fitted keys")]
+    key_unit: Annotated[list[str], About("SI unit of each key")]
+    before: Annotated[Floats, About("values before the fit, in ``key_unit``", axes="key")]
+    after: Annotated[Floats, About("values after the fit, in ``key_unit``", axes="key")]
+    low: Annotated[Floats, About("lower end of the 95 % interval, in ``key_unit``", axes="key")]
+    high: Annotated[Floats, About("upper end of the 95 % interval, in ``key_unit``", axes="key")]
     prior_deviation: Annotated[Floats, Along("key", "1", "relative standard deviation of the prior")]
     deviation: Annotated[Floats, Along("key", "1", "relative standard deviation after the fit")]
     correlation: Annotated[Floats, Along("key other_key", "1", "correlation of two keys")]
-    #: Features, ``"mode 1 frequency"``, and their units; measured values, and values of the model before and after.
-    feature: list[str]
-    feature_unit: list[str]
-    feature_measured: Floats
-    feature_before: Floats
-    feature_after: Floats
+    feature: Annotated[list[str], About('features, ``"mode 1 frequency"``')]
+    feature_unit: Annotated[list[str], About("unit of each feature")]
+    feature_measured: Annotated[Floats, About("measured values, in ``feature_unit``", axes="feature")]
+    feature_before: Annotated[Floats, About("values of the model before the fit, in ``feature_unit``", axes="feature")]
+    feature_after: Annotated[Floats, About("values of the model after the fit, in ``feature_unit``", axes="feature")]
     feature_deviation: Annotated[Floats, Along("feature", "1", "relative standard deviation of the measurement")]
     feature_predicted_deviation: Annotated[Floats, Along("feature", "1", "relative standard deviation of the model after the fit")]
-    #: 95 % prediction interval of further measurements, in the units of the features.
-    feature_low: Floats
-    feature_high: Floats
-    #: Features that are curves: frequency responses and time histories.
-    curves: list[FitCurve]
-    #: Deviations of the features, given or estimated from the residuals.
-    deviations: list[FitDeviation]
-    #: Half width of a 95 % interval in standard deviations; from Student's distribution where a deviation is estimated from residuals.
-    quantile: float
-    #: Sum of the squared errors of the features, each divided by its variance; and that sum with the terms of the priors of the keys.
-    chi_square: float
-    objective: float
-    #: Warnings about quantities that the data do not determine, one sentence each.
-    warnings: list[str]
-    #: Number of model evaluations.
-    evaluations: int
-    #: Harvester with the fitted values.
-    spec: Spec
+    feature_low: Annotated[
+        Floats, About("lower end of the 95 % prediction interval of a further measurement, in ``feature_unit``", axes="feature")
+    ]
+    feature_high: Annotated[Floats, About("upper end of this interval, in ``feature_unit``", axes="feature")]
+    curves: Annotated[list[FitCurve], About("features that are curves: frequency responses and time histories")]
+    deviations: Annotated[list[FitDeviation], About("deviations of the features, given or estimated from the residuals")]
+    quantile: Annotated[
+        float,
+        About(
+            "half width of a 95 % interval in standard deviations; from Student's distribution where a deviation is estimated from "
+            "residuals"
+        ),
+    ]
+    chi_square: Annotated[float, About("sum of the squared errors of the features, each divided by its variance")]
+    objective: Annotated[float, About("this sum with the terms of the priors of the keys")]
+    warnings: Annotated[list[str], About("quantities that the data do not determine, one sentence each")]
+    evaluations: Annotated[int, About("number of model evaluations")]
+    spec: Annotated[Spec, About("harvester with the fitted values")]
 
     def __len__(self) -> int:
         return len(self.key)
@@ -155,7 +157,7 @@ class FitResult(Result):
         head = ["feature", "measured", "error before [%]", "error after [%]"]
         return html_table("Keys", ["key", "unit", "before", "after", "95 % from", "to"], rows) + html_table("Features", head, feature_rows)
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``key`` and ``feature``; values are in the units of ``key_unit`` and ``feature_unit``."""
         variables = self._variables()
         for axis, names in (("key", ("before", "after", "low", "high")), ("feature", ("measured", "before", "after", "low", "high"))):
@@ -171,12 +173,12 @@ class FitResult(Result):
         }
         return self._dataset(variables, coords)
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each key."""
         values = {name: getattr(self, name) for name in ("before", "after", "low", "high")}
         return self._frame({"key": self.key, "unit": self.key_unit, **values, **self._columns("key")})
 
-    def features_to_pandas(self) -> Any:
+    def features_to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each feature."""
         names = ("measured", "before", "after", "low", "high", "deviation", "predicted_deviation")
         values = {name: getattr(self, f"feature_{name}") for name in names}
@@ -185,13 +187,13 @@ class FitResult(Result):
     def _pictures(self) -> dict[str, Callable[[Any], Any]]:
         return {"error": self.plot_fit, **{one.name: partial(self.plot_curve, curve=one.name) for one in self.curves}}
 
-    def plot_fit(self, ax: Any = None) -> Any:
+    def plot_fit(self, ax: Axes | None = None) -> Axes:
         """Draws the relative error of every feature before and after, over the 95 % interval of its measurement."""
         from ._plot.fit import plot_fit
 
         return plot_fit(self, ax)
 
-    def plot_curve(self, ax: Any = None, curve: str | None = None) -> Any:
+    def plot_curve(self, ax: Axes | None = None, curve: str | None = None) -> Axes:
         """Draws a measured curve, by default the first, with those of the model before and after and the 95 % interval as a band."""
         from ._plot.fit import plot_curve
 

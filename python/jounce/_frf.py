@@ -5,12 +5,18 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable, Mapping
 from functools import partial
-from typing import Any, Self
+from typing import TYPE_CHECKING, Annotated, Any, Self
 
 import numpy as np
 
+from ._fields import About, Variable
 from ._named import Named
-from ._result import Complexes, Floats, Result, Variable
+from ._result import Complexes, Floats, Result
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -19,22 +25,20 @@ class FrfResult(Result, Named[Complexes]):
 
     _noun = "response"
 
-    #: Frequencies, Hz.
-    frequency_hz: Floats
-    #: Excitation point, or ``"base"``.
-    input: str
-    #: Responses by name, ``"beam.tip.acceleration"``, ``"mfc.voltage"``.
-    responses: dict[str, Complexes]
-    #: Units of the responses.
-    units: dict[str, str]
-    #: Masses that were fixed.
-    held: list[str]
+    frequency_hz: Annotated[Floats, About("frequencies", "Hz", axes="frequency")]
+    input: Annotated[str, About('excitation point, or ``"base"``')]
+    responses: Annotated[
+        dict[str, Complexes],
+        About('responses by name, ``"beam.tip.acceleration"``, ``"mfc.voltage"``, each of shape ``(frequency,)``, in ``units``'),
+    ]
+    units: Annotated[dict[str, str], About("unit of each response")]
+    held: Annotated[list[str], About("masses that were fixed")]
 
     @classmethod
-    def _from_core(cls, result: dict[str, Any]) -> Self:
-        responses = result["responses"]
+    def _from_core(cls, fields: dict[str, Any]) -> Self:
+        responses = fields["responses"]
         by_name = {"responses": {k: v for k, (v, _) in responses.items()}, "units": {k: unit for k, (_, unit) in responses.items()}}
-        return super()._from_core({**result, **by_name})
+        return super()._from_core({**fields, **by_name})
 
     def _named(self) -> Mapping[str, Complexes]:
         return self.responses
@@ -47,12 +51,12 @@ class FrfResult(Result, Named[Complexes]):
             peaks.append((name, f"highest {abs(values[highest]):.5g} {self.units[name]} at {self.frequency_hz[highest]:.5g} Hz"))
         return [*span, ("input", self.input), *peaks]
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``frequency``; each response as real (``_re``) and imaginary (``_im``) part."""
         variables = {name: Variable(("frequency",), values, self.units[name], name) for name, values in self.responses.items()}
         return self._dataset(variables, {"frequency": Variable(("frequency",), self.frequency_hz, "Hz", "frequency")})
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each frequency."""
         return self._frame({"frequency_hz": self.frequency_hz, **self.responses})
 
@@ -66,7 +70,7 @@ class FrfResult(Result, Named[Complexes]):
         """Returns the name of the first voltage, else of the first response."""
         return next((name for name in self.responses if name.endswith(".voltage")), next(iter(self.responses)))
 
-    def plot_frf(self, ax: Any = None, response: str | None = None) -> Any:
+    def plot_frf(self, ax: Axes | None = None, response: str | None = None) -> Axes:
         """Draws the magnitude of a response, by default of the first voltage (else of the first response)."""
         from ._plot.frf import plot_frf
 

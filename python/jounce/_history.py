@@ -5,11 +5,17 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Annotated, Any
 
+from ._fields import About, Variable
 from ._named import look_up
-from ._result import Floats, Result, Variable
+from ._result import Floats, Result
 from ._signal import Spectrum, spectrum
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -19,29 +25,24 @@ class History(Result):
     Arrays have a row for each point, patch or stop and a column for each time.
     """
 
-    #: Names of the points, patches and stops.
-    point: list[str]
-    patch: list[str]
-    stop: list[str]
-    #: Sampling rate, Hz.
-    sample_rate_hz: float
-    #: Time since the start of the run, s.
-    time_s: Floats
-    #: Displacement and velocity of each point.
-    displacement_m: Floats
-    velocity_m_s: Floats
-    #: Displacement towards each stop, m; contact begins at the gap.
-    relative_displacement_m: Floats
-    #: Voltage of each patch, V.
-    voltage_v: Floats
-    #: Contact force of each stop, N.
-    force_n: Floats
-    poincare_time_s: Floats
-    poincare_displacement_m: Floats
-    poincare_velocity_m_s: Floats
-    poincare_relative_displacement_m: Floats
-    poincare_voltage_v: Floats
-    poincare_force_n: Floats
+    point: Annotated[list[str], About("names of the points")]
+    patch: Annotated[list[str], About("names of the patches")]
+    stop: Annotated[list[str], About("names of the stops")]
+    sample_rate_hz: Annotated[float, About("sampling rate", "Hz")]
+    time_s: Annotated[Floats, About("time since the start of the run", "s", axes="time")]
+    displacement_m: Annotated[Floats, About("displacement of each point", "m", axes="point time")]
+    velocity_m_s: Annotated[Floats, About("velocity of each point", "m/s", axes="point time")]
+    relative_displacement_m: Annotated[Floats, About("displacement towards each stop; contact begins at the gap", "m", axes="stop time")]
+    voltage_v: Annotated[Floats, About("voltage of each patch", "V", axes="patch time")]
+    force_n: Annotated[Floats, About("contact force of each stop", "N", axes="stop time")]
+    poincare_time_s: Annotated[Floats, About("times of the samples once per drive cycle", "s", axes="cycle_time")]
+    poincare_displacement_m: Annotated[Floats, About("displacement of each point once per drive cycle", "m", axes="point cycle_time")]
+    poincare_velocity_m_s: Annotated[Floats, About("velocity of each point once per drive cycle", "m/s", axes="point cycle_time")]
+    poincare_relative_displacement_m: Annotated[
+        Floats, About("displacement towards each stop once per drive cycle", "m", axes="stop cycle_time")
+    ]
+    poincare_voltage_v: Annotated[Floats, About("voltage of each patch once per drive cycle", "V", axes="patch cycle_time")]
+    poincare_force_n: Annotated[Floats, About("contact force of each stop once per drive cycle", "N", axes="stop cycle_time")]
 
     def _summary(self) -> list[tuple[str, str]]:
         return [
@@ -80,7 +81,7 @@ class History(Result):
         common = {"time": self.time_s, "fs": self.sample_rate_hz}
         return [{"name": name, "data": values, "unit_str": unit, **common} for name, (values, unit) in self.channels().items()]
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``time`` and ``cycle_time`` (once per drive cycle), ``point``, ``patch`` and ``stop``."""
         variables: dict[str, Variable] = {}
         for prefix, time in (("", "time"), ("poincare_", "cycle_time")):
@@ -102,7 +103,7 @@ class History(Result):
         }
         return self._dataset(variables, coords)
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each sample and a column for each channel; units are in ``attrs["units"]``."""
         units = {"time_s": "s", **{name: unit for name, (_, unit) in self.channels().items()}}
         return self._frame({"time_s": self.time_s, **{name: values for name, (values, _) in self.channels().items()}}, units)
@@ -110,17 +111,17 @@ class History(Result):
     def _pictures(self) -> dict[str, Callable[[Any], Any]]:
         return {**{name: partial(self.plot_time_history, channel=name) for name in self.channels()}, "poincare": self.plot_poincare}
 
-    def plot_time_history(self, ax: Any = None, channel: str | None = None) -> Any:
+    def plot_time_history(self, ax: Axes | None = None, channel: str | None = None) -> Axes:
         """Draws a channel over time."""
         from ._plot.history import plot_time_history
 
         return plot_time_history(self, ax, channel)
 
-    def plot_spectrum(self, ax: Any = None, channel: str | None = None) -> Any:
+    def plot_spectrum(self, ax: Axes | None = None, channel: str | None = None) -> Axes:
         """Draws the amplitude spectrum of a channel."""
         return self.spectrum(channel).plot_spectrum(ax)
 
-    def plot_poincare(self, ax: Any = None, point: str | None = None) -> Any:
+    def plot_poincare(self, ax: Axes | None = None, point: str | None = None) -> Axes:
         """Draws velocity over displacement of a point once per drive cycle; an orbit gives one dot for each cycle of its period."""
         from ._plot.history import plot_poincare
 

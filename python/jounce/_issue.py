@@ -5,22 +5,20 @@ from __future__ import annotations
 import dataclasses
 import json
 from collections.abc import Sequence
+from typing import Annotated
+
+from ._fields import About
 
 
 @dataclasses.dataclass(frozen=True)
 class Issue:
     """Data-quality issue of a recording, or a correction made by a reader; every correction is reported."""
 
-    #: Kind: ``"jitter"``, ``"gap"``, ``"not-a-number"``, ``"clipping"``, ``"converted"``, ``"resampled"``, ...
-    kind: str
-    #: Channel; ``None`` for all channels of the recording.
-    channel: str | None
-    #: Number of samples, time stamps or lines.
-    count: int
-    #: Place of the first one, ``"sample 7"``.
-    first: str | None
-    #: Message in one sentence, with the numbers.
-    text: str
+    kind: Annotated[str, About('kind: ``"jitter"``, ``"gap"``, ``"not-a-number"``, ``"clipping"``, ``"converted"``, ``"resampled"``, ...')]
+    channel: Annotated[str | None, About("channel; ``None`` for all channels of the recording")]
+    count: Annotated[int, About("number of samples, time stamps or lines")]
+    first: Annotated[str | None, About('place of the first one, ``"sample 7"``')]
+    text: Annotated[str, About("message in one sentence, with the numbers")]
 
     def __str__(self) -> str:
         return self.text

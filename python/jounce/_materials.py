@@ -5,9 +5,10 @@ from __future__ import annotations
 import dataclasses
 import json
 from collections.abc import Mapping
-from typing import Any
+from typing import Annotated, Any
 
 from . import _core
+from ._fields import About
 from ._format import html_table
 from ._named import Named
 
@@ -16,22 +17,21 @@ from ._named import Named
 class Material:
     """Material of the library, selected in a spec by ``material = "NAME"``."""
 
-    name: str
-    #: Young's modulus along the beam, at short circuit, Pa.
-    youngs_modulus_pa: float
-    density_kg_m3: float
-    #: Recommended strain limit; ``None`` where unknown.
-    strain_limit: float | None
-    #: Lowest and highest permitted voltage, V.
-    voltage_limits_v: tuple[float, float] | None
-    #: Strain along the beam per field, m/V; ``None`` for a material that is not piezoelectric.
-    charge_coefficient_m_per_v: float | None
-    #: Permittivity at constant strain, F/m.
-    permittivity_f_m: float | None
-    #: Distance between interdigitated electrodes, m; ``None`` for electrodes on the two faces.
-    electrode_spacing_m: float | None
-    #: Source of the numbers.
-    source: str
+    name: Annotated[str, About("name in a spec")]
+    youngs_modulus_pa: Annotated[float, About("Young's modulus along the beam, at short circuit", "Pa")]
+    density_kg_m3: Annotated[float, About("density", "kg/m^3")]
+    strain_limit: Annotated[float | None, About("recommended strain limit; ``None`` where unknown")]
+    voltage_limits_v: Annotated[tuple[float, float] | None, About("lowest and highest permitted voltage; ``None`` where unknown", "V")]
+    charge_coefficient_m_per_v: Annotated[
+        float | None, About("strain along the beam per field; ``None`` for a material that is not piezoelectric", "m/V")
+    ]
+    permittivity_f_m: Annotated[
+        float | None, About("permittivity at constant strain; ``None`` for a material that is not piezoelectric", "F/m")
+    ]
+    electrode_spacing_m: Annotated[
+        float | None, About("distance between interdigitated electrodes; ``None`` for electrodes on the two faces", "m")
+    ]
+    source: Annotated[str, About("source of the numbers")]
 
 
 class Materials(Named[Material]):

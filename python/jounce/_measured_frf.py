@@ -5,30 +5,36 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import numpy as np
 
 from . import _core
 from ._arguments import names, optional_si, options
 from ._contact import kind_of
+from ._fields import About, Variable
 from ._format import html_table
 from ._inputs import Measured, responses
 from ._issue import Issue, issue_lines, parse_issues
 from ._named import Named
 from ._recording import Recording, names_of
-from ._result import Complexes, Floats, Result, Variable, make_manifest
+from ._result import Complexes, Floats, Result, make_manifest
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
 @dataclasses.dataclass(frozen=True)
 class ImpactHit:
     """Hit: number of its record, largest force, N, contact time, s, True where it was averaged, and its warnings."""
 
-    record: int
-    peak_force_n: float
-    contact_time_s: float
-    used: bool
-    warnings: tuple[str, ...]
+    record: Annotated[int, About("number of its record, from 1")]
+    peak_force_n: Annotated[float, About("largest force", "N")]
+    contact_time_s: Annotated[float, About("contact time", "s")]
+    used: Annotated[bool, About("True where the hit is part of the averages")]
+    warnings: Annotated[tuple[str, ...], About("warnings of the hit")]
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -37,25 +43,26 @@ class MeasuredFrf(Result, Named[Complexes]):
 
     _noun = "response"
 
-    frequency_hz: Floats
-    #: Names of the sensors, and excitation points (or the channel of the force without points); empty for given responses without names.
-    output: list[str]
-    reference: list[str]
-    #: Responses by channel, ``"tip from beam.mid"`` with several excitation points, of shape ``(frequency,)``, with unit and coherence; the
-    #: coherence of a single block is 1.
-    responses: dict[str, Complexes]
-    units: dict[str, str]
-    coherence: dict[str, Floats]
-    #: Channel of the input; empty for given responses.
-    input: str
-    #: For responses to an acceleration: factor of the response per g, and its unit: ``(9.80665, "V/g")``.
-    per_g: dict[str, tuple[float, str]]
-    hits: list[ImpactHit]
-    #: Length of a block, s; ``None`` for given responses.
-    block_s: float | None
-    #: Damping that the exponential window adds to every mode, 1/s.
-    window_decay_per_s: float
-    issues: list[Issue]
+    frequency_hz: Annotated[Floats, About("frequencies", "Hz", axes="frequency")]
+    output: Annotated[list[str], About("names of the sensors; empty for given responses without names")]
+    reference: Annotated[
+        list[str], About("excitation points, or the channel of the force without points; empty for given responses without names")
+    ]
+    responses: Annotated[
+        dict[str, Complexes],
+        About('responses by channel, ``"tip from beam.mid"`` with several excitation points, each of shape ``(frequency,)``, in ``units``'),
+    ]
+    units: Annotated[dict[str, str], About("unit of each response")]
+    coherence: Annotated[dict[str, Floats], About("coherence of each response, of shape ``(frequency,)``; 1 for a single block")]
+    input: Annotated[str, About("channel of the input; empty for given responses")]
+    per_g: Annotated[
+        dict[str, tuple[float, str]],
+        About('for responses to an acceleration: factor of the response per g, and its unit, ``(9.80665, "V/g")``'),
+    ]
+    hits: Annotated[list[ImpactHit], About("hits of a hammer test")]
+    block_s: Annotated[float | None, About("length of a block; ``None`` for given responses", "s")]
+    window_decay_per_s: Annotated[float, About("damping that the exponential window adds to every mode", "1/s")]
+    issues: Annotated[list[Issue], About("data-quality issues of the recordings")]
 
     def _named(self) -> Mapping[str, Complexes]:
         return self.responses
@@ -81,14 +88,14 @@ class MeasuredFrf(Result, Named[Complexes]):
     def _repr_html_(self) -> str:
         return html_table("Measured responses", ["response", ""], list(zip(self.responses, self._peaks())))
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``frequency``: each response as ``_re`` and ``_im``, its coherence as ``NAME_coherence``."""
         dims = ("frequency",)
         variables = {name: Variable(dims, values, self.units[name], name) for name, values in self.responses.items()}
         variables |= {f"{name}_coherence": Variable(dims, values, "1", f"{name}, coherence") for name, values in self.coherence.items()}
         return self._dataset(variables, {"frequency": Variable(dims, self.frequency_hz, "Hz", "frequency")})
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each frequency."""
         coherence = {f"{name}_coherence": values for name, values in self.coherence.items()}
         return self._frame({"frequency_hz": self.frequency_hz, **self.responses, **coherence})
@@ -98,13 +105,13 @@ class MeasuredFrf(Result, Named[Complexes]):
 
         return {**{name: partial(plot_bode, self, response=name) for name in self.responses}, "coherence": self.plot_coherence}
 
-    def plot_frf(self, ax: Any = None, response: str | None = None) -> Any:
+    def plot_frf(self, ax: Axes | None = None, response: str | None = None) -> Axes:
         """Draws the magnitude of a response, by default of the first."""
         from ._plot.measured import plot_measured_frf
 
         return plot_measured_frf(self, ax, next(iter(self.responses)) if response is None else response)
 
-    def plot_coherence(self, ax: Any = None) -> Any:
+    def plot_coherence(self, ax: Axes | None = None) -> Axes:
         """Draws the coherence of every response."""
         from ._plot.measured import plot_coherence
 
@@ -173,18 +180,9 @@ def measured_frf(
 ) -> MeasuredFrf:
     """Estimates frequency responses from a hammer or shaker test, ``jounce frf --measured``.
 
-    ``records``: one recording or a list of them, each a :class:`Recording`, a file, or SEP005 time series over one time, with one or more
-    hits; or one file of responses over frequency. With several excitation points, one in each recording, there is a response for each
-    sensor and point. ``force`` and ``response`` name channels, by default the first in newtons and all others. ``input`` names a channel of
-    a continuous excitation other than a force: acceleration, velocity or displacement of the base, or a voltage. Responses are in the unit
-    of their channel per unit of the input, ``V/(m/s^2)``; ``per_g`` gives those per g. ``estimator``: ``"h1"`` for noise on the responses,
-    ``"h2"`` for noise on the force, ``"hv"`` for noise on both, with ``noise_ratio`` of their densities. ``block``: ``"2 s"``, by default
-    the shortest time between two hits. ``force_window`` sets the force after each hit to zero; an exponential window ends at ``end_ratio``.
-    A continuous force of both signs, or any force with ``shaker``, is treated as that of a shaker: half-overlapping blocks with a Hann
-    window, by default an eighth of the shortest record long.
-
-    In a file over frequency the complex channels are the responses. ``functions`` gives the contents of every two real columns where the
-    header does not, and ``bridge`` interpolates lines that are not numbers linearly.
+    Each recording has one or more hits; one file of responses over frequency is accepted too. With several excitation points, one in each
+    recording, there is a response for each sensor and point. Responses are in the unit of their channel per unit of the input,
+    ``V/(m/s^2)``; ``per_g`` gives those per g.
     """
     inputs = responses(records, sample_rate_hz)
     estimation = (estimator, noise_ratio, block, force_window, end_ratio, shaker)

@@ -5,19 +5,25 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import numpy as np
 
 from . import _core
 from ._arguments import names, optional_range_si, optional_si, options
 from ._errors import ArgumentError
+from ._fields import About, Along, Variable
 from ._format import html_table, with_uncertainty
 from ._inputs import Measured, responses
 from ._issue import Issue, parse_issues
 from ._measured_frf import MeasuredFrf, hammer_options, make_frf
 from ._recording import names_of
-from ._result import Along, Complexes, Floats, Integers, Result, Variable, make_manifest
+from ._result import Complexes, Floats, Integers, Result, make_manifest
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -28,42 +34,60 @@ class MeasuredModes(Result):
     frequency_deviation_hz: Annotated[Floats, Along("mode", "Hz", "standard deviation of the frequency")]
     damping_ratio: Annotated[Floats, Along("mode", "1", "damping ratio")]
     damping_deviation: Annotated[Floats, Along("mode", "1", "standard deviation of the damping ratio")]
-    #: True where the interval of the damping ratio includes 0: the mode may be noise.
-    doubtful: list[bool]
-    #: Names of the responses, and the shapes, normalised to 1 at the largest response.
-    response: list[str]
+    doubtful: Annotated[list[bool], About("True where the interval of the damping ratio includes 0: the mode may be noise")]
+    response: Annotated[list[str], About("names of the responses")]
     shape: Annotated[Complexes, Along("response mode", "1", "shape, normalised to 1 at the largest response")]
-    #: Excitation points, where there are several, and participation of each in a mode, 1 at the largest; by reciprocity the shape there.
-    reference: list[str]
-    participation: Annotated[Complexes, Along("reference mode", "1", "participation of a force, by reciprocity the shape at its point")]
-    #: Shape at each response times the participation of the base whose motion is the input. The sum over all modes is 1 at each point of
-    #: the structure; values of voltages are in V/m. NaN for another input.
-    base_participation: Annotated[Complexes, Along("response mode", "", "shape times participation of the base")]
+    reference: Annotated[list[str], About("excitation points, where there are several")]
+    participation: Annotated[
+        Complexes,
+        Along(
+            "reference mode",
+            "1",
+            "participation of a force, by reciprocity the shape at its point",
+            detail="1 at the largest; by reciprocity the shape at the excitation points",
+        ),
+    ]
+    base_participation: Annotated[
+        Complexes,
+        Along(
+            "response mode",
+            "",
+            "shape times participation of the base",
+            detail="values of voltages are in V/m; the sum over all modes is 1 at each point of the structure; NaN where the input is not "
+            "a motion of the base",
+        ),
+    ]
     mac: Annotated[Floats, Along("mode other_mode", "1", "modal assurance criterion")]
-    #: Squared error relative to the variance from the coherence; above 1 the deviations are widened by its root.
-    misfit: float
-    #: Half width of a 95 % interval in standard deviations: above 1.96 where it is based on few blocks.
-    quantile_95: Annotated[Floats, Along("mode", "1", "half width of the 95 % interval in standard deviations")]
-    #: Peaks of the responses without a mode, Hz; try a band around them, or a larger order.
-    unexplained_hz: Floats
-    #: Stabilisation diagram, of shape ``(pole,)``; ``pole_stable`` is ``"new"``, ``"frequency"`` or ``"pole"``, the agreement with the
-    #: order below.
+    misfit: Annotated[
+        float, About("squared error relative to the variance from the coherence; above 1 the deviations are widened by its root")
+    ]
+    quantile_95: Annotated[
+        Floats,
+        Along("mode", "1", "half width of the 95 % interval in standard deviations", detail="above 1.96 where it is based on few blocks"),
+    ]
+    unexplained_hz: Annotated[
+        Floats, About("peaks of the responses without a mode; try a band around them, or a larger order", "Hz", axes="peak")
+    ]
     pole_order: Annotated[Integers, Along("pole", "1", "order of the denominator")]
     pole_frequency_hz: Annotated[Floats, Along("pole", "Hz", "frequency of the pole")]
     pole_damping_ratio: Annotated[Floats, Along("pole", "1", "damping ratio of the pole")]
-    pole_stable: list[str]
-    #: Lines of the band, Hz, and the functions that the modes were identified from, of shape ``(function, line)``: responses of a hammer
-    #: test as displacement per force; without a measured force one-sided spectra of decays, one or more for each response.
-    function: list[str]
-    line_hz: Floats
-    measured: Annotated[Complexes, Along("function line", "", "function, measured")]
+    pole_stable: Annotated[list[str], About('agreement of each pole with the order below: ``"new"``, ``"frequency"`` or ``"pole"``')]
+    function: Annotated[list[str], About("names of the functions that the modes were identified from")]
+    line_hz: Annotated[Floats, About("frequencies of the band", "Hz", axes="line")]
+    measured: Annotated[
+        Complexes,
+        Along(
+            "function line",
+            "",
+            "function, measured",
+            detail="of a hammer test as displacement per force; without a measured force one-sided spectra of decays",
+        ),
+    ]
     model: Annotated[Complexes, Along("function line", "", "function reconstructed from the modes")]
-    #: Responses of a hammer test; ``None`` without a measured force.
-    frf: MeasuredFrf | None
-    #: Messages about modes that may be noise and peaks without a mode; about the window and the noise of the test.
-    warnings: list[str]
-    notes: list[str]
-    issues: list[Issue]
+    frf: Annotated[MeasuredFrf | None, About("responses of a hammer test; ``None`` without a measured force")]
+    warnings: Annotated[list[str], About("modes that may be noise, and peaks without a mode")]
+    notes: Annotated[list[str], About("window and noise of the test")]
+    issues: Annotated[list[Issue], About("data-quality issues of the recordings")]
 
     def __len__(self) -> int:
         return len(self.frequency_hz)
@@ -82,7 +106,7 @@ class MeasuredModes(Result):
         rows = [[k + 1, *(f"{one[k]:.6g}" for one in numbers)] for k in range(len(self))]
         return html_table("Measured modes", ["mode", "frequency [Hz]", "deviation [Hz]", "damping ratio", "deviation"], rows)
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``mode``, ``response``, ``pole``, ``function``, ``line``; complex as ``_re``, ``_im``."""
         numbers = range(1, len(self) + 1)
         coords = {
@@ -96,7 +120,7 @@ class MeasuredModes(Result):
         stable = Variable(("pole",), self.pole_stable, "", "agreement with the order below")
         return self._dataset({**self._variables(), "pole_stable": stable}, coords)
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each mode."""
         return self._frame(self._columns("mode"))
 
@@ -104,13 +128,13 @@ class MeasuredModes(Result):
         functions = {name: partial(self.plot_fit, function=name) for name in self.function}
         return {"stabilisation": self.plot_stabilisation, **functions}
 
-    def plot_stabilisation(self, ax: Any = None) -> Any:
+    def plot_stabilisation(self, ax: Axes | None = None) -> Axes:
         """Draws the stabilisation diagram: poles by order, filled where frequency and damping are stable."""
         from ._plot.measured import plot_stabilisation
 
         return plot_stabilisation(self, ax)
 
-    def plot_fit(self, ax: Any = None, function: str | None = None) -> Any:
+    def plot_fit(self, ax: Axes | None = None, function: str | None = None) -> Axes:
         """Draws a response or the spectrum of a decay, by default the first, with its reconstruction from the modes."""
         from ._plot.measured import plot_modal_fit
 
@@ -145,17 +169,13 @@ def measured_modes(
 ) -> MeasuredModes:
     """Identifies modes of a hammer or shaker test, of free decays or of outputs only, with uncertainty, ``jounce modes --measured``.
 
-    The band is ``between = "500 Hz:4300 Hz"``, by default all lines, with denominators up to an ``order``. ``records`` and the other
-    options are those of :func:`measured_frf`; damping of an exponential window is subtracted. With several excitation points the shapes at
-    these points are also returned, in ``participation``, and close modes are separated that one point cannot separate.
+    Damping of an exponential window is subtracted. With several excitation points the shapes at these points are also returned, in
+    ``participation``, and close modes are separated that one point cannot separate. Options of a hammer are not allowed with
+    ``free_decay`` or ``output_only``.
 
-    With ``free_decay`` each record is a decay after a release or a hit, used from its largest sample, or over a ``span`` after its first
-    sample, ``"0.2 s:3 s"``. With ``output_only`` the record is the response to unmeasured noise. It is correlated with the ``reference``
-    channels (by default all) up to ``lags``, ``"2 s"`` (by default a sixty-fourth of the record, at least 512 samples). It can also be an
-    amplitude spectrum over frequency. Options of a hammer are not allowed with either.
-
-    Sources: B. Peeters and others, Shock and Vibration 11 (2004) 395 (poles); G. James, T. Carne, J. Lauffer, SAND92-1666 (1993)
-    (output-only).
+    References
+    ----------
+    B. Peeters and others, Shock and Vibration 11 (2004) 395 (poles); G. James, T. Carne, J. Lauffer, SAND92-1666 (1993) (output-only).
     """
     inputs = responses(records, sample_rate_hz)
     estimation = (estimator, noise_ratio, block, force_window, end_ratio, shaker)

@@ -4,38 +4,38 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
+from ._fields import About, Along, Variable
 from ._format import html_table
-from ._result import Along, Floats, Result, Variable
+from ._result import Floats, Result
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class ModesResult(Result):
     """Undamped short-circuit modes, in ascending frequency."""
 
-    #: Natural frequencies, Hz; 0 for a rigid-body mode. Shape ``(mode,)``.
-    frequency_hz: Annotated[Floats, Along("mode", "Hz", "natural frequency, short circuit")]
-    #: Damping ratios (1 = critical). Shape ``(mode,)``.
+    frequency_hz: Annotated[Floats, Along("mode", "Hz", "natural frequency, short circuit", detail="0 for a rigid-body mode")]
     damping_ratio: Annotated[Floats, Along("mode", "1", "damping ratio")]
-    #: Estimated relative error of each frequency. Shape ``(mode,)``.
     discretisation_error: Annotated[Floats, Along("mode", "1", "estimated relative error of the frequency")]
-    #: Names of the points.
-    point: list[str]
-    #: Mass-normalised shapes, kg^-1/2. Shape ``(point, mode)``.
+    point: Annotated[list[str], About("names of the points")]
     shape: Annotated[Floats, Along("point mode", "kg^-0.5", "mass-normalised shape")]
-    #: Names of the patches.
-    patch: list[str]
-    #: Frequencies with a patch open, for that mode only, Hz; NaN for a rigid-body mode. Shape ``(patch, mode)``.
-    open_circuit_hz: Annotated[Floats, Along("patch mode", "Hz", "frequency with the patch open")]
-    #: Modal coupling ``theta^2 / (C w^2)``. Shape ``(patch, mode)``.
+    patch: Annotated[list[str], About("names of the patches")]
+    open_circuit_hz: Annotated[
+        Floats,
+        Along("patch mode", "Hz", "frequency with the patch open", detail="one patch open, for this mode only; NaN for a rigid-body mode"),
+    ]
     coupling_squared: Annotated[Floats, Along("patch mode", "1", "modal coupling, squared")]
-    #: Modal coupling ``theta``, force per voltage along each mass-normalised mode, N/V per kg^1/2. Shape ``(patch, mode)``.
     coupling_n_per_v: Annotated[Floats, Along("patch mode", "N V^-1 kg^-0.5", "modal coupling", "coupling")]
-    #: Per beam: positions along it, m, and the shapes there, kg^-1/2, shape ``(mode, place)``.
-    beams: dict[str, tuple[Floats, Floats]]
-    #: Masses that were fixed.
-    held: list[str]
+    beams: Annotated[
+        dict[str, tuple[Floats, Floats]], About("positions along each beam, m, and the shapes there, kg^-1/2, of shape ``(mode, place)``")
+    ]
+    held: Annotated[list[str], About("masses that were fixed")]
 
     def __len__(self) -> int:
         return len(self.frequency_hz)
@@ -53,7 +53,7 @@ class ModesResult(Result):
         ]
         return html_table("Modes", ["mode", "frequency [Hz]", "damping ratio", *(f"coupling² {name}" for name in self.patch)], rows)
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``mode``, ``point`` and ``patch``; shapes along a beam over ``place_BEAM``."""
         variables = self._variables()
         coords = {
@@ -66,7 +66,7 @@ class ModesResult(Result):
             variables[f"shape_{name}"] = Variable(("mode", f"place_{name}"), shape, "kg^-0.5", f"mass-normalised shape along {name}")
         return self._dataset(variables, coords)
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each mode."""
         couplings = {f"coupling_squared_{name}": self.coupling_squared[k] for k, name in enumerate(self.patch)}
         return self._frame({**self._columns("mode"), **couplings})
@@ -74,7 +74,7 @@ class ModesResult(Result):
     def _pictures(self) -> dict[str, Callable[[Any], Any]]:
         return {"shape": self.plot_modes}
 
-    def plot_modes(self, ax: Any = None, modes: int = 4) -> Any:
+    def plot_modes(self, ax: Axes | None = None, modes: int = 4) -> Axes:
         """Draws the shapes of the first modes along the beams, each scaled to 1."""
         from ._plot.modes import plot_modes
 

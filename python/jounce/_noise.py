@@ -5,10 +5,16 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable, Mapping
 from functools import partial
-from typing import Annotated, Any, Self
+from typing import TYPE_CHECKING, Annotated, Any, Self
 
+from ._fields import About, Along, Variable
 from ._named import Named
-from ._result import Along, Floats, Result, Variable
+from ._result import Floats, Result
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -20,53 +26,62 @@ class NoiseResult(Result, Named[Floats]):
 
     _noun = "density"
 
-    #: Names of the drives with noise, and of the omitted drives.
-    drive: list[str]
-    left_out: list[str]
-    #: Mean power of all loads, W.
+    drive: Annotated[list[str], About("drives with noise")]
+    left_out: Annotated[list[str], About("drives that were omitted")]
     mean_power_w: Annotated[float, Along("", "W", "mean power of all loads")]
-    #: Names of the circuits; arrays of shape ``(load,)``.
-    load: list[str]
-    #: Mean power by the Lyapunov equation and by the integral over frequency, W, and their difference relative to the first.
+    load: Annotated[list[str], About("names of the circuits")]
     load_mean_power_w: Annotated[Floats, Along("load", "W", "mean power, by the Lyapunov equation")]
-    load_spectral_power_w: Annotated[Floats, Along("load", "W", "mean power, by the integral over frequency")]
+    load_spectral_power_w: Annotated[
+        Floats,
+        Along("load", "W", "mean power, by the integral over frequency", detail="the other value is computed from the Lyapunov equation"),
+    ]
     load_difference_relative: Annotated[Floats, Along("load", "1", "difference of the two relative to the first")]
-    #: Voltage, rms, V.
     load_voltage_rms_v: Annotated[Floats, Along("load", "V", "voltage, rms")]
-    #: Noise bandwidth of the voltage per unit of each drive, Hz; of shape ``(load, drive)``.
     load_noise_bandwidth_hz: Annotated[Floats, Along("load drive", "Hz", "noise bandwidth of the voltage per unit of a drive")]
-    #: Statistical bandwidth of the voltage, Hz.
     load_statistical_bandwidth_hz: Annotated[Floats, Along("load", "Hz", "statistical bandwidth of the voltage")]
-    #: Names of the patches, and their voltages, rms, V; of shape ``(patch,)``.
-    patch: list[str]
+    patch: Annotated[list[str], About("names of the patches")]
     patch_voltage_rms_v: Annotated[Floats, Along("patch", "V", "voltage, rms")]
-    #: Names of the points; displacement about its mean, rms, m, relative to a moving base, and velocity, rms, m/s.
-    point: list[str]
+    point: Annotated[list[str], About("names of the points")]
     point_displacement_rms_m: Annotated[Floats, Along("point", "m", "displacement, rms about its mean")]
     point_velocity_rms_m_s: Annotated[Floats, Along("point", "m/s", "velocity, rms")]
-    #: Names of the stops; gap, and displacement towards the stop in its absence: mean, and rms about the mean, m; of shape ``(stop,)``.
-    stop: list[str]
+    stop: Annotated[list[str], About("names of the stops")]
     stop_gap_m: Annotated[Floats, Along("stop", "m", "gap")]
     stop_mean_m: Annotated[Floats, Along("stop", "m", "mean displacement towards the stop")]
     stop_displacement_rms_m: Annotated[Floats, Along("stop", "m", "displacement towards the stop, rms about its mean")]
-    #: Crossing rate of the gap, 1/s, and share of the time beyond it; NaN where a noise moves only one side of the gap, with growing
-    #: variance.
-    stop_reached_hz: Annotated[Floats, Along("stop", "1/s", "crossing rate of the gap without contact")]
-    stop_share_beyond: Annotated[Floats, Along("stop", "1", "share of the time beyond the gap")]
-    #: Noise that moves only one side of the gap; ``None`` for the other stops.
-    stop_carried_by: list[str | None]
-    #: Frequencies of the densities, Hz, closer about each resonance.
-    frequency_hz: Floats
-    #: Density of each output by name, ``"mfc.voltage"``, ``"beam.tip.displacement"``; of shape ``(frequency,)``.
-    densities: dict[str, Floats]
-    #: Units of the densities, ``"V^2/Hz"``.
-    units: dict[str, str]
+    stop_reached_hz: Annotated[
+        Floats,
+        Along(
+            "stop",
+            "1/s",
+            "crossing rate of the gap without contact",
+            detail="NaN where a noise moves only one side of the gap, with growing variance",
+        ),
+    ]
+    stop_share_beyond: Annotated[
+        Floats,
+        Along(
+            "stop",
+            "1",
+            "share of the time beyond the gap",
+            detail="NaN where a noise moves only one side of the gap, with growing variance",
+        ),
+    ]
+    stop_carried_by: Annotated[list[str | None], About("noise that moves only one side of the gap; ``None`` for the other stops")]
+    frequency_hz: Annotated[Floats, About("frequencies of the densities, closer about each resonance", "Hz", axes="frequency")]
+    densities: Annotated[
+        dict[str, Floats],
+        About(
+            'one-sided density of each output by name, ``"mfc.voltage"``, ``"beam.tip.displacement"``, of shape ``(frequency,)``, in '
+            "``units``"
+        ),
+    ]
+    units: Annotated[dict[str, str], About('unit of each density, ``"V^2/Hz"``')]
 
     @classmethod
-    def _from_core(cls, result: dict[str, Any]) -> Self:
-        densities, drives = result.pop("densities"), result.pop("drives")
+    def _from_core(cls, fields: dict[str, Any]) -> Self:
+        densities, drives = fields.pop("densities"), fields.pop("drives")
         by_name = {"densities": {k: v for k, (v, _) in densities.items()}, "units": {k: unit for k, (_, unit) in densities.items()}}
-        return super()._from_core(cls._filled({**result, **by_name, "drive": drives}))
+        return super()._from_core(cls._filled({**fields, **by_name, "drive": drives}))
 
     def _named(self) -> Mapping[str, Floats]:
         return self.densities
@@ -95,7 +110,7 @@ class NoiseResult(Result, Named[Floats]):
             ),
         ]
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset``: densities over ``frequency``, others over ``load``, ``drive``, ``patch``, ``point``, ``stop``."""
         variables = self._variables()
         for name, values in self.densities.items():
@@ -104,14 +119,14 @@ class NoiseResult(Result, Named[Floats]):
         coords = {name: Variable((name,), getattr(self, name), "", name) for name in ("load", "drive", "patch", "point", "stop")}
         return self._dataset(variables, {**coords, "frequency": Variable(("frequency",), self.frequency_hz, "Hz", "frequency")})
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` of the densities, with a row for each frequency."""
         return self._frame({"frequency_hz": self.frequency_hz, **self.densities})
 
     def _pictures(self) -> dict[str, Callable[[Any], Any]]:
         return {name: partial(self.plot_noise, density=name) for name in self.densities}
 
-    def plot_noise(self, ax: Any = None, density: str | None = None) -> Any:
+    def plot_noise(self, ax: Axes | None = None, density: str | None = None) -> Axes:
         """Draws a power spectral density, by default of the first voltage (else of the first output)."""
         from ._plot.noise import plot_noise
 

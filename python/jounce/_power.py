@@ -4,45 +4,50 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable, Sequence
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 from . import _core
 from ._arguments import optional_si, options, to_si
+from ._fields import About, Along, Variable
 from ._format import html_table, with_uncertainty
 from ._inputs import Measured, recordings
 from ._issue import Issue, issue_lines, parse_issues
 from ._recording import names_of
-from ._result import Along, Floats, Integers, Result, Truths, Variable, make_manifest, result_or_raise
+from ._result import Floats, Integers, Result, Truths, make_manifest, result_or_raise
 from ._signal import Spectrum
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class PowerResult(Result):
     """Mean power of each record with its interval; arrays of shape ``(record,)`` and, for amplitudes at orders, ``(record, order)``."""
 
-    #: Names of the recordings and of their voltage channels.
-    record: list[str]
-    channel: list[str]
+    record: Annotated[list[str], About("names of the recordings")]
+    channel: Annotated[list[str], About("voltage channel of each recording")]
     resistance_ohm: Annotated[Floats, Along("record", "ohm", "resistance of the load")]
     mean_power_w: Annotated[Floats, Along("record", "W", "mean power")]
     half_width_w: Annotated[Floats, Along("record", "W", "half width of its 95 % interval")]
-    #: Batches of the interval, correlation of neighbouring batches, effective number of independent values (at most 256), and True where
-    #: the interval is too narrow.
     batches: Annotated[Integers, Along("record", "1", "number of batches of the interval")]
     batch_correlation: Annotated[Floats, Along("record", "1", "correlation of neighbouring batches")]
-    effective_samples: Annotated[Floats, Along("record", "1", "effective number of independent values")]
+    effective_samples: Annotated[Floats, Along("record", "1", "effective number of independent values", detail="at most 256")]
     correlated: Annotated[Truths, Along("record", "1", "True where the record is too short and its interval too narrow")]
     mean_voltage_v: Annotated[Floats, Along("record", "V", "mean of the voltage")]
-    #: NaN where no base channel was named.
-    mean_square_base_acceleration_m2_s4: Annotated[Floats, Along("record", "m^2/s^4", "mean square of the base's acceleration")]
-    #: Mean power divided by it, W/(m/s^2)^2.
-    mean_power_per_mean_square_w_s4_m2: Annotated[Floats, Along("record", "W s^4/m^2", "mean power per mean square of it")]
-    #: Multiples of the drive, and amplitudes there, zero to peak; NaN above half the sampling rate, and empty without a drive.
-    order: Floats
-    order_amplitude_peak_v: Annotated[Floats, Along("record order", "V", "amplitude zero to peak at a multiple of the drive")]
-    #: Spectra of the voltages, Hann window.
-    spectra: list[Spectrum]
-    issues: list[Issue]
+    mean_square_base_acceleration_m2_s4: Annotated[
+        Floats, Along("record", "m^2/s^4", "mean square of the base's acceleration", detail="NaN where no base channel was named")
+    ]
+    mean_power_per_mean_square_w_s4_m2: Annotated[
+        Floats, Along("record", "W s^4/m^2", "mean power per mean square of it", detail="NaN where no base channel was named")
+    ]
+    order: Annotated[Floats, About("multiples of the drive; empty without a drive", axes="order")]
+    order_amplitude_peak_v: Annotated[
+        Floats, Along("record order", "V", "amplitude zero to peak at a multiple of the drive", detail="NaN above half the sampling rate")
+    ]
+    spectra: Annotated[list[Spectrum], About("spectrum of each voltage, Hann window")]
+    issues: Annotated[list[Issue], About("data-quality issues of the recordings")]
 
     def __len__(self) -> int:
         return len(self.record)
@@ -62,7 +67,7 @@ class PowerResult(Result):
         ]
         return html_table("Measured power", ["record", "load [ohm]", "mean power [W]", "± 95 % [W]"], rows)
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``record`` and ``order``."""
         coords = {
             "record": Variable(("record",), self.record, "", "recording"),
@@ -70,20 +75,20 @@ class PowerResult(Result):
         }
         return self._dataset(self._variables(), coords)
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each record."""
         return self._frame({"record": self.record, "channel": self.channel, **self._columns("record")})
 
     def _pictures(self) -> dict[str, Callable[[Any], Any]]:
         return {"mean_power_w": self.plot_power, "spectra": self.plot_spectra}
 
-    def plot_power(self, ax: Any = None) -> Any:
+    def plot_power(self, ax: Axes | None = None) -> Axes:
         """Draws mean power over the load with its intervals, per mean square of the base acceleration where that is known."""
         from ._plot.power import plot_power
 
         return plot_power(self, ax)
 
-    def plot_spectra(self, ax: Any = None) -> Any:
+    def plot_spectra(self, ax: Axes | None = None) -> Axes:
         """Draws the spectra of the voltages."""
         from ._plot.power import plot_spectra
 
@@ -102,10 +107,7 @@ def power(
 ) -> PowerResult:
     """Computes the mean power of a voltage over a ``resistance``, with a confidence interval that accounts for correlation.
 
-    ``records``: one recording or a list of them, each a :class:`Recording`, a file, a SEP005 time series (a list of these is one
-    recording), or an array with its ``sample_rate_hz``. ``resistance``: one for all, ``"100 kohm"``, or a list. ``voltage`` and ``base``
-    name channels; by default the first one in volts, and no base. With a ``drive``, ``"13 Hz"``, amplitudes at its multiples are returned.
-    ``remove_mean`` subtracts the mean of the voltage first, where it is an amplifier offset.
+    A list of SEP005 time series is one recording.
     """
     inputs = recordings(records, sample_rate_hz)
     is_list = isinstance(resistance, Sequence) and not isinstance(resistance, str)

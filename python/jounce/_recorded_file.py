@@ -6,37 +6,40 @@ import dataclasses
 from collections.abc import Callable, Iterator
 from os import PathLike, fspath
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 from . import _core
 from ._arguments import options, rate_hz
 from ._errors import ArgumentError
+from ._fields import About, Variable
 from ._format import counted, html_table
 from ._issue import Issue, issue_lines, parse_issues
 from ._recording import Recording, digest_of
-from ._result import Complexes, Data, Floats, Integers, Result, Variable, make_manifest
+from ._result import Complexes, Data, Floats, Integers, Result, make_manifest
+
+if TYPE_CHECKING:
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class ModeShape(Data):
     """Mode shape of a UFF file: natural frequency, Hz, damping ratio, NaN where not given, and the shape at each node."""
 
-    frequency_hz: float
-    damping_ratio: float
-    #: Numbers of the nodes, and components at each node, of shape ``(node, component)``.
-    node: Integers
-    shape: Complexes
+    frequency_hz: Annotated[float, About("natural frequency", "Hz")]
+    damping_ratio: Annotated[float, About("damping ratio, 1 = critical")]
+    node: Annotated[Integers, About("numbers of the nodes", axes="node")]
+    shape: Annotated[Complexes, About("components at each node", axes="node component")]
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class RecordedFile(Result):
     """Contents of a file: recordings, one for each grid of time or frequency, and mode shapes; can be iterated."""
 
-    name: str
-    recordings: list[Recording]
-    shapes: list[ModeShape]
-    #: Issues of the complete file.
-    issues: list[Issue]
+    name: Annotated[str, About("name of the file")]
+    recordings: Annotated[list[Recording], About("recordings of the file")]
+    shapes: Annotated[list[ModeShape], About("mode shapes of a UFF file")]
+    issues: Annotated[list[Issue], About("issues of the complete file")]
 
     def __len__(self) -> int:
         return len(self.recordings)
@@ -85,13 +88,13 @@ class RecordedFile(Result):
             for name, draw in one._pictures().items()
         }
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``channel`` that lists the channels; each recording has a dataset of its samples."""
         dims = ("channel",)
         variables = {name: Variable(dims, values, "", name) for name, values in self._table().items() if name != "channel"}
         return self._dataset(variables, {"channel": Variable(dims, self._table()["channel"], "", "channel")})
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each channel; each recording has a frame of its samples."""
         return self._frame(self._table())
 
@@ -99,8 +102,7 @@ class RecordedFile(Result):
 def read_recordings(path: str | PathLike[str], *, sample_rate_hz: Any = None) -> RecordedFile:
     """Reads a file of an instrument: CSV and text with any header, Parquet, NPY, NPZ, MAT, HDF5, TDMS, WAV, UFF 55, 58 and 58b, LVM.
 
-    Notes in ``FILE.channels.toml`` next to the file add data that the file lacks. With ``sample_rate_hz`` the times of the file are not
-    used. Every data-quality issue is an :class:`Issue`.
+    Notes in ``FILE.channels.toml`` next to the file add data that the file lacks. Every data-quality issue is an :class:`Issue`.
     """
     given = {"sample_rate_hz": None if sample_rate_hz is None else rate_hz(sample_rate_hz)}
     contents = _core.recording_read(fspath(path), options(**given))

@@ -7,18 +7,23 @@ import hashlib
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from os import PathLike, fspath
-from typing import TYPE_CHECKING, Any, Literal, Self
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
 
 import numpy as np
 
 from . import _core
 from ._errors import ArgumentError
+from ._fields import About, Variable
 from ._format import counted, html_table
 from ._issue import Issue, issue_lines, parse_issues
 from ._named import Named, look_up
-from ._result import Complexes, Data, Floats, Result, Variable, make_manifest
+from ._result import Complexes, Data, Floats, Result, make_manifest
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
+
     from ._contact import ContactResult
     from ._power import PowerResult
     from ._segments import SegmentsResult
@@ -29,18 +34,13 @@ if TYPE_CHECKING:
 class Channel(Data):
     """Samples of one quantity at one place."""
 
-    name: str
-    #: ``"acceleration"``, ``"voltage"``, ``"force"``, ..., ``"unknown"`` where the file does not give it.
-    quantity: str
-    #: SI unit; unchanged where the quantity is unknown.
-    unit: str
-    #: Place and direction of the sensor; empty where unknown.
-    place: str
-    direction: str
-    #: Place and direction of the force of a response function, ``"node 3 +z"``; empty where unknown.
-    reference: str
-    #: Samples; NaN for a missing sample.
-    values: Floats | Complexes
+    name: Annotated[str, About("name of the channel")]
+    quantity: Annotated[str, About('``"acceleration"``, ``"voltage"``, ``"force"``, ..., ``"unknown"`` where the file does not give it')]
+    unit: Annotated[str, About("SI unit; unchanged where the quantity is unknown")]
+    place: Annotated[str, About("place of the sensor; empty where unknown")]
+    direction: Annotated[str, About("direction of the sensor; empty where unknown")]
+    reference: Annotated[str, About('place and direction of the force of a response function, ``"node 3 +z"``; empty where unknown')]
+    values: Annotated[Floats | Complexes, About("samples, in ``unit``; NaN for a missing sample", axes="sample")]
 
     @property
     def rms(self) -> float:
@@ -63,16 +63,13 @@ class Recording(Result, Named[Floats | Complexes]):
 
     _noun = "channel"
 
-    name: str
-    over: Literal["time", "frequency"]
-    #: Times or frequencies of the samples, s or Hz.
-    places: Floats
-    #: Step between samples; ``None`` where each sample has its own stamp.
-    step: float | None
-    #: Samples per second, or per hertz.
-    rate: float
-    channels: list[Channel]
-    issues: list[Issue]
+    name: Annotated[str, About("name of the recording")]
+    over: Annotated[Literal["time", "frequency"], About("axis of the samples")]
+    places: Annotated[Floats, About("times or frequencies of the samples, s or Hz", axes="sample")]
+    step: Annotated[float | None, About("step between samples, s or Hz; ``None`` where each sample has its own stamp")]
+    rate: Annotated[float, About("samples per second, or per hertz")]
+    channels: Annotated[list[Channel], About("channels of the recording")]
+    issues: Annotated[list[Issue], About("data-quality issues and corrections")]
 
     @classmethod
     def _from_core_recording(cls, fields: Mapping[str, Any], manifest: Mapping[str, Any]) -> Self:
@@ -196,13 +193,13 @@ class Recording(Result, Named[Floats | Complexes]):
         title = f"{self.name}: {counted(self.samples, 'sample')}, {self.rate:.6g} per {self._grid()[2]}"
         return html_table(title, ["channel", "quantity", "unit", "rms", "peak"], rows) + issue_table
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``time`` or ``frequency`` with a variable for each channel."""
         axis, _, unit = self._grid()
         variables = {one.name: Variable((axis,), one.values, one.unit, " ".join([one.name, one.place]).strip()) for one in self.channels}
         return self._dataset(variables, {axis: Variable((axis,), self.places, unit, axis)})
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each sample and a column for each channel; units are in ``attrs["units"]``."""
         units = {self._grid()[1]: self._grid()[2], **{one.name: one.unit for one in self.channels}}
         return self._frame({self._grid()[1]: self.places, **{one.name: one.values for one in self.channels}}, units)
@@ -210,7 +207,7 @@ class Recording(Result, Named[Floats | Complexes]):
     def _pictures(self) -> dict[str, Callable[[Any], Any]]:
         return {name: partial(self.plot_recording, channel=name) for name in self}
 
-    def plot_recording(self, ax: Any = None, channel: str | None = None) -> Any:
+    def plot_recording(self, ax: Axes | None = None, channel: str | None = None) -> Axes:
         """Draws a channel, by default the first; a complex one by its magnitude."""
         from ._plot.recording import plot_recording
 

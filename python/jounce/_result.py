@@ -6,16 +6,21 @@ import dataclasses
 import json
 from collections.abc import Callable, Mapping, Sequence
 from os import PathLike
-from typing import Any, NamedTuple, Self, TypeVar, get_args, get_origin, get_type_hints
+from typing import TYPE_CHECKING, Annotated, Any, Self, TypeVar, get_args, get_origin, get_type_hints
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
 from ._errors import Interrupted
+from ._fields import About, Variable, dataset_fields
 from ._format import html_table
 from ._named import look_up
 from ._optional import require
+
+if TYPE_CHECKING:
+    from pandas import DataFrame
+    from xarray import Dataset
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -26,41 +31,6 @@ Complexes = NDArray[np.complex128]
 #: Result of a long call of the compiled module, if there is one, and the error that ended it early.
 CoreResult = tuple[dict[str, Any] | None, BaseException | None]
 ResultT = TypeVar("ResultT")
-
-
-class Variable(NamedTuple):
-    """Variable of a dataset."""
-
-    dims: tuple[str, ...]
-    values: Any
-    units: str
-    long_name: str
-
-
-class Along(NamedTuple):
-    """Description of a result field in a dataset: ``power_w: Annotated[Floats, Along("record", "W", "power")]``."""
-
-    #: Names of the axes, separated by blanks; empty for a number.
-    axes: str
-    unit: str
-    about: str
-    #: Name in a dataset, without a unit; by default the name of the field without its unit.
-    dataset_name: str = ""
-
-    def name(self, field: str) -> str:
-        """Returns the name in a dataset."""
-        unit_suffix = {"1/s": "hz"}.get(self.unit, self.unit.lower().replace("^", "").replace("/", "_").replace(" ", "_"))
-        return self.dataset_name or field.removesuffix(f"_{unit_suffix}")
-
-    def of(self, values: Any) -> Variable:
-        """Returns the variable of these values."""
-        return Variable(tuple(self.axes.split()), values, self.unit, self.about)
-
-
-def dataset_fields(kind: type) -> dict[str, Along]:
-    """Returns the fields of a class that are part of its dataset."""
-    hints = get_type_hints(kind, include_extras=True)
-    return {field: annotation for field, hint in hints.items() for annotation in get_args(hint)[1:] if isinstance(annotation, Along)}
 
 
 class Data:
@@ -96,8 +66,8 @@ class Data:
         for name, hint in hints.items():
             if hint is float and filled.get(name, 0.0) is None:
                 filled[name] = np.nan
-            elif name not in filled and get_origin(hint) is list:
-                filled[name] = []
+            elif get_origin(hint) is list and (name not in filled or isinstance(filled[name], np.ndarray)):
+                filled[name] = filled[name].tolist() if name in filled else []
             elif name not in filled and get_origin(hint) is np.ndarray:
                 filled[name] = np.array([], dtype=get_args(get_args(hint)[1])[0])
         return filled
@@ -107,8 +77,7 @@ class Data:
 class Result(Data):
     """Base class of results: plain data that can be pickled, compared and printed."""
 
-    #: Origin: program, version, SHA-256 of the spec, command and options.
-    manifest: dict[str, Any]
+    manifest: Annotated[dict[str, Any], About("origin: program, version, SHA-256 of the spec, command and options")]
 
     @classmethod
     def _from_core(cls, fields: dict[str, Any]) -> Self:
@@ -174,7 +143,7 @@ class Result(Data):
         """Returns the fields along one axis, by their own names."""
         return {field: getattr(self, field) for field, along in dataset_fields(type(self)).items() if along.axes == axis}
 
-    def _dataset(self, variables: Mapping[str, Variable], coords: Mapping[str, Variable]) -> Any:
+    def _dataset(self, variables: Mapping[str, Variable], coords: Mapping[str, Variable]) -> Dataset:
         """Returns an xarray.Dataset with units, long names and the manifest in its attributes."""
         xarray = require("xarray", "xarray")
 
@@ -182,7 +151,7 @@ class Result(Data):
             entries = {}
             for name, variable in variables.items():
                 # A copy, which can be changed: the arrays of a result are read-only.
-                values = np.array(variable.values)
+                values: Any = np.array(variable.values)
                 attrs = {"units": variable.units, "long_name": variable.long_name}
                 if np.iscomplexobj(values):
                     entries[f"{name}_re"] = (variable.dims, values.real, {**attrs, "long_name": f"{variable.long_name}, real part"})
@@ -192,9 +161,10 @@ class Result(Data):
             return entries
 
         attrs = {"manifest": json.dumps(self.manifest, sort_keys=True), "created_by": "jounce", "version": self.manifest["version"]}
-        return xarray.Dataset(with_attrs(variables), with_attrs(coords), attrs)
+        dataset: Dataset = xarray.Dataset(with_attrs(variables), with_attrs(coords), attrs)
+        return dataset
 
-    def _frame(self, columns: Mapping[str, Any], units: Mapping[str, str] | None = None) -> Any:
+    def _frame(self, columns: Mapping[str, Any], units: Mapping[str, str] | None = None) -> DataFrame:
         """Returns a pandas.DataFrame with the manifest in its attributes, and the units of its columns where given."""
         frame = require("pandas", "pandas").DataFrame(dict(columns))
         frame.attrs["manifest"] = self.manifest

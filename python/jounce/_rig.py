@@ -64,24 +64,11 @@ class SpecOnRig(SpecText):
         """Simulates the recordings of sensors in a test, so that the true parameters are known; ``jounce rig``.
 
         By default the run is integrated and its averaging window recorded: voltages, V, contact forces, N, the acceleration of the base and
-        those of accelerometers ``at`` some points, m/s^2. ``rate`` is the sampling rate, ``noise`` the rms noise of every sensor relative
-        to the rms of its signal, ``bits`` the resolution of the converters. An accelerometer loads the structure with its ``sensor_mass``,
-        ``"2 g"``; a ``cable``, ``"1 nF"``, with its ``cable_leakage``, ``"10 Mohm"``, lowers the voltage of each patch. Masses in ``hold``
-        are fixed, with ``fixed_table`` all of them.
+        those of accelerometers ``at`` some points, m/s^2.
 
-        ``hammer`` is the excitation point of a hammer test: stops and drives are removed, and the force and the accelerations ``at`` some
-        points are recorded, by default all points and the voltages. There are ``hits``, one every ``block``, with a force of ``peak`` and a
-        duration of ``contact``.
-
-        ``solution`` selects solutions of the model instead of its run, by their ids in :meth:`basins`: ``["1a", ("3a", "42 s")]`` changes
-        to another one at a time of the record. They are found from random ``starts`` with a seed. Amplitude and frequency of the drive
-        fluctuate with the relative standard deviations ``amplitude_wander`` and ``frequency_wander`` and the correlation time
-        ``wander_time``, and drift by ``amplitude_drift`` and ``frequency_drift`` from begin to end. ``base`` moves the base as in a
-        recording, for its duration, instead of the drives: a :class:`Recording`, a file or SEP005 time series. Its ``base_channel`` is by
-        default the first acceleration, its mean is subtracted unless ``keep_mean``.
-
-        Raises :class:`ArgumentError` for a number out of range or an unknown name or solution, :class:`IntegrationError` for a failed
-        integration. Source of the fluctuation: D. Gillespie, Phys. Rev. E 54 (1996) 2084, equation 1.9.
+        References
+        ----------
+        D. Gillespie, Phys. Rev. E 54 (1996) 2084, equation 1.9 (fluctuation of the drive).
         """
         check_integers(bits=bits, seed=seed, hits=hits, starts=starts, starts_seed=starts_seed)
         quantities = {

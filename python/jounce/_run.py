@@ -3,69 +3,54 @@
 from __future__ import annotations
 
 import dataclasses
-import json
 from collections.abc import Callable
-from os import PathLike
-from pathlib import Path
-from typing import Annotated, Any, Self
+from typing import TYPE_CHECKING, Annotated, Any, Self
 
 import numpy as np
 
-from ._errors import ArgumentError, FileError, StartError
+from ._errors import ArgumentError
+from ._fields import About, Along, Variable
 from ._history import History
-from ._result import Along, Floats, Integers, Result, Variable
+from ._result import Floats, Integers, Result
+from ._state import State
 
-
-@dataclasses.dataclass(frozen=True)
-class State:
-    """State that another run can start from, in the file format of ``jounce run --save-state``."""
-
-    json: str
-
-    @classmethod
-    def read(cls, path: str | PathLike[str]) -> Self:
-        """Reads a state file."""
-        try:
-            return cls(Path(path).read_text(encoding="utf-8"))
-        except (OSError, UnicodeDecodeError) as error:
-            raise StartError(f"the start state {path} cannot be read: {error}", {"path": str(path)}) from error
-
-    def write(self, path: str | PathLike[str]) -> None:
-        """Writes a state file."""
-        try:
-            Path(path).write_text(self.json, encoding="utf-8")
-        except OSError as error:
-            raise FileError(f"the state {path} cannot be written: {error}", {"path": str(path), "errno": error.errno}) from error
-
-    def to_dict(self) -> dict[str, Any]:
-        """Modal displacements and velocities, voltages and drive angles, SI."""
-        values: dict[str, Any] = json.loads(self.json)
-        return values
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class RunResult(Result):
     """Means over the averaging window at the end of a run, and the energy balance of the complete run."""
 
-    #: Mean power of all loads and rectified circuits together, W.
     mean_power_w: Annotated[float, Along("", "W", "mean power of all loads and rectified circuits")]
-    #: Rms voltage of the first load, or of the storage of the first rectified circuit without a load, V; ``None`` without either.
-    voltage_rms_v: float | None
-    #: Largest voltage of the first load, or of the first patch without a load, V; ``None`` without either or without a record.
-    voltage_peak_v: float | None
-    #: Names of the loads. Of each the mean power, W, the rms voltage, V, and the largest magnitude of the voltage, V: within a period of
-    #: the orbit where the run has settled, else within the last eight drive cycles. For drives without a common period within the record,
-    #: NaN where no record was stored.
-    load: list[str]
+    voltage_rms_v: Annotated[
+        float | None,
+        About(
+            "rms voltage of the first load, or of the storage of the first rectified circuit without a load; ``None`` without either", "V"
+        ),
+    ]
+    voltage_peak_v: Annotated[
+        float | None,
+        About("largest voltage of the first load, or of the first patch without a load; ``None`` without either or without a record", "V"),
+    ]
+    load: Annotated[list[str], About("names of the loads")]
     load_mean_power_w: Annotated[Floats, Along("load", "W", "mean power")]
     load_voltage_rms_v: Annotated[Floats, Along("load", "V", "voltage, rms")]
-    load_voltage_peak_v: Annotated[Floats, Along("load", "V", "voltage, peak")]
-    #: Names of the patches, and the largest magnitude of the voltage of each, V, within the same time.
-    patch: list[str]
+    load_voltage_peak_v: Annotated[
+        Floats,
+        Along(
+            "load",
+            "V",
+            "voltage, peak",
+            detail="largest magnitude within a period of the orbit where the run has settled, else within the last eight drive cycles; "
+            "NaN without a common period and without a record",
+        ),
+    ]
+    patch: Annotated[list[str], About("names of the patches")]
     patch_voltage_peak_v: Annotated[Floats, Along("patch", "V", "voltage, peak")]
-    #: Names of the rectified circuits. Of each the mean power of its load or battery, W, the rms voltage of its storage, V, the mean
-    #: current of its diodes, A, the mean power that fills the storage, W, and the losses in diodes, in the switch and by leakage, W.
-    rectified: list[str]
+    rectified: Annotated[list[str], About("names of the rectified circuits")]
     rectified_mean_power_w: Annotated[Floats, Along("rectified", "W", "mean power")]
     rectified_voltage_rms_v: Annotated[Floats, Along("rectified", "V", "voltage of the storage, rms")]
     rectified_mean_current_a: Annotated[Floats, Along("rectified", "A", "mean current of the diodes")]
@@ -73,65 +58,72 @@ class RunResult(Result):
     rectified_diode_loss_w: Annotated[Floats, Along("rectified", "W", "mean power lost in diodes")]
     rectified_switch_loss_w: Annotated[Floats, Along("rectified", "W", "mean power lost in the switch")]
     rectified_leakage_w: Annotated[Floats, Along("rectified", "W", "mean power lost by leakage")]
-    #: Names of the circuits whose diodes feed a capacitor. Of each the charge balance in the averaging window, C:
-    #: ``passed = load + leakage + storage``, and its residual as a share of the largest term.
-    charge: list[str]
+    charge: Annotated[
+        list[str],
+        About(
+            "circuits whose diodes feed a capacitor; the charge balance in the averaging window is ``passed = load + leakage + storage``"
+        ),
+    ]
     charge_passed_c: Annotated[Floats, Along("charge", "C", "charge through the diodes")]
     charge_load_c: Annotated[Floats, Along("charge", "C", "charge through the load")]
     charge_leakage_c: Annotated[Floats, Along("charge", "C", "charge through the leakage of the storage")]
     charge_storage_c: Annotated[Floats, Along("charge", "C", "charge added to the storage")]
     charge_residual_relative: Annotated[Floats, Along("charge", "1", "residual of the charge balance, relative to the largest term")]
-    #: Names of the patches with leakage, and mean power of each leakage, W.
-    leak: list[str]
+    leak: Annotated[list[str], About("patches with leakage")]
     leak_mean_power_w: Annotated[Floats, Along("leak", "W", "mean power lost by leakage of a patch")]
-    #: Names of the stops. Of each the contacts that began and their rate, the mean and the largest impact velocity, m/s, the mean and the
-    #: longest contact duration, s (all 0 without a contact), the share of the time in contact, the largest penetration, m, the largest
-    #: contact force, N, and its time integral, N s.
-    stop: list[str]
+    stop: Annotated[list[str], About("names of the stops")]
     stop_contacts: Annotated[Integers, Along("stop", "1", "contacts that began")]
     stop_contact_rate_hz: Annotated[Floats, Along("stop", "1/s", "contacts per second")]
-    stop_mean_impact_velocity_m_s: Annotated[Floats, Along("stop", "m/s", "mean impact velocity")]
+    stop_mean_impact_velocity_m_s: Annotated[Floats, Along("stop", "m/s", "mean impact velocity", detail="0 without a contact")]
     stop_max_impact_velocity_m_s: Annotated[Floats, Along("stop", "m/s", "largest impact velocity")]
-    stop_mean_contact_duration_s: Annotated[Floats, Along("stop", "s", "mean contact duration")]
+    stop_mean_contact_duration_s: Annotated[Floats, Along("stop", "s", "mean contact duration", detail="0 without a contact")]
     stop_max_contact_duration_s: Annotated[Floats, Along("stop", "s", "longest contact duration")]
     stop_contact_duty: Annotated[Floats, Along("stop", "1", "share of the time in contact")]
     stop_max_penetration_m: Annotated[Floats, Along("stop", "m", "largest penetration")]
     stop_max_contact_force_n: Annotated[Floats, Along("stop", "N", "largest contact force")]
     stop_impulse_n_s: Annotated[Floats, Along("stop", "N s", "time integral of the contact force")]
-    #: Largest penetration of any stop, m, and largest contact force, N.
     max_penetration_m: Annotated[float, Along("", "m", "largest penetration of the stop")]
     max_contact_force_n: Annotated[float, Along("", "N", "largest contact force")]
-    #: Contacts that began, and the share of the time in contact, summed over the stops.
-    contacts: Annotated[int, Along("", "1", "contacts that began")]
-    contact_duty: Annotated[float, Along("", "1", "share of the time in contact")]
-    #: True where the run has settled; period in drive cycles, relative change over it, and distance to the orbit. ``None`` and NaN where
-    #: the drives have no common period, so that there is no periodic steady state.
-    settled: bool | None
-    period_cycles: int | None
-    periodicity_change: float
-    distance_to_orbit: float
-    #: Warnings about exceeded limits of patches in the recorded end of the run.
-    warnings: list[str]
-    #: Input minus all outputs and the stored energy, relative to the largest energy of the run.
-    energy_residual_relative: Annotated[float, Along("", "1", "energy residual of the run")]
-    #: True where no energy changed by more than roundoff, so that the residual has no meaning.
-    is_trivial: Annotated[bool, Along("", "1", "no contact began and no energy flowed by more than roundoff")]
-    #: Energies of the complete run, J: ``input_j``, ``loads_j``, ``rectified_j`` (into loads and batteries behind rectifiers),
-    #: ``rectified_loss_j`` (in their diodes and switches, and by leakage), ``leaks_j`` (by leakage of patches), ``damping_j``,
-    #: ``contact_loss_j``, ``stored_j``.
-    energies_j: dict[str, float]
-    duration_s: float
-    average_over_s: float
-    tolerance: float
-    #: State at the end.
-    end: State
-    #: Numbers of steps and iterations.
-    work: dict[str, int]
-    #: Recorded end of the run; ``None`` unless requested.
-    history: History | None
-    #: Wall time of the call, with the model and the record, and of the integration alone, s; not compared between results.
-    wall_time_s: float = dataclasses.field(compare=False)
-    integration_wall_time_s: float = dataclasses.field(compare=False)
+    contacts: Annotated[int, Along("", "1", "contacts that began", detail="summed over the stops")]
+    contact_duty: Annotated[float, Along("", "1", "share of the time in contact", detail="summed over the stops")]
+    settled: Annotated[bool | None, About("True where the run has settled; ``None`` where the drives have no common period")]
+    period_cycles: Annotated[int | None, About("period in drive cycles; ``None`` where the drives have no common period")]
+    periodicity_change: Annotated[float, About("relative change of the state over its period; NaN without a common period")]
+    distance_to_orbit: Annotated[float, About("relative distance of the state to the periodic orbit; NaN without a common period")]
+    warnings: Annotated[list[str], About("exceeded limits of patches in the recorded end of the run")]
+    energy_residual_relative: Annotated[
+        float,
+        Along(
+            "",
+            "1",
+            "energy residual of the run",
+            detail="input minus all outputs and the stored energy, relative to the largest energy of the run",
+        ),
+    ]
+    is_trivial: Annotated[
+        bool, Along("", "1", "no contact began and no energy flowed by more than roundoff", detail="the residual has no meaning then")
+    ]
+    energies_j: Annotated[
+        dict[str, float],
+        About(
+            "energies of the complete run: ``input_j``, ``loads_j``, ``rectified_j`` (into loads and batteries behind rectifiers), "
+            "``rectified_loss_j`` (in their diodes and switches, and by leakage), ``leaks_j`` (by leakage of patches), ``damping_j``, "
+            "``contact_loss_j``, ``stored_j``",
+            "J",
+        ),
+    ]
+    duration_s: Annotated[float, About("simulated time", "s")]
+    average_over_s: Annotated[float, About("length of the averaging window", "s")]
+    tolerance: Annotated[float, About("required relative error")]
+    end: Annotated[State, About("state at the end")]
+    work: Annotated[dict[str, int], About("numbers of steps and iterations")]
+    history: Annotated[History | None, About("recorded end of the run; ``None`` unless requested")]
+    wall_time_s: Annotated[float, About("wall time of the call, with the model and the record; not compared between results", "s")] = (
+        dataclasses.field(compare=False)
+    )
+    integration_wall_time_s: Annotated[float, About("wall time of the integration alone; not compared between results", "s")] = (
+        dataclasses.field(compare=False)
+    )
 
     @classmethod
     def _from_core(cls, fields: dict[str, Any]) -> Self:
@@ -173,7 +165,7 @@ class RunResult(Result):
         excluded = ("history", "end", "manifest")
         return {field.name: getattr(self, field.name) for field in dataclasses.fields(self) if field.name not in excluded}
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` of the means over loads, patches, circuits and stops, without the record."""
         settling = {
             "settled": Variable((), bool(self.settled), "1", "settled when averaged"),
@@ -184,7 +176,7 @@ class RunResult(Result):
         }
         return self._dataset({**self._variables(), **settling}, coords)
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with one row."""
         flat = {key: [value] for key, value in self.to_dict().items() if isinstance(value, (bool, int, float))}
         return self._frame(flat)
@@ -199,19 +191,19 @@ class RunResult(Result):
         recorded = {} if self.history is None else self.history._pictures()
         return {**recorded, "energy": self.plot_energy}
 
-    def plot_time_history(self, ax: Any = None, channel: str | None = None) -> Any:
+    def plot_time_history(self, ax: Axes | None = None, channel: str | None = None) -> Axes:
         """Draws a channel of the record over time, see :meth:`History.channels`."""
         return self.recorded().plot_time_history(ax, channel)
 
-    def plot_spectrum(self, ax: Any = None, channel: str | None = None) -> Any:
+    def plot_spectrum(self, ax: Axes | None = None, channel: str | None = None) -> Axes:
         """Draws the amplitude spectrum of a channel of the record."""
         return self.recorded().plot_spectrum(ax, channel)
 
-    def plot_poincare(self, ax: Any = None, point: str | None = None) -> Any:
+    def plot_poincare(self, ax: Axes | None = None, point: str | None = None) -> Axes:
         """Draws velocity over displacement of a point once per drive cycle."""
         return self.recorded().plot_poincare(ax, point)
 
-    def plot_energy(self, ax: Any = None) -> Any:
+    def plot_energy(self, ax: Axes | None = None) -> Axes:
         """Draws the energy outputs as shares of the input energy."""
         from ._plot.energy import plot_energy
 

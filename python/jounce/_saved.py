@@ -50,14 +50,10 @@ def save(result: Result, path: str | PathLike[str]) -> None:
 def load(path: str | PathLike[str]) -> Any:
     """Reads a result that its ``save`` wrote; it equals the saved one.
 
-    Parameters
-    ----------
-    path
-        The file.
-
     Returns
     -------
-    The result, of the class that was saved, with its arrays read-only.
+    Result
+        Result of the class that was saved, with its arrays read-only.
 
     Raises
     ------

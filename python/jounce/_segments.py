@@ -5,60 +5,67 @@ from __future__ import annotations
 import dataclasses
 import json
 from collections.abc import Callable
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 
 from . import _core
 from ._arguments import check_integers, options, to_si
 from ._errors import ArgumentError
+from ._fields import About, Along, Variable
 from ._format import html_table, with_uncertainty
 from ._inputs import Measured, recording
 from ._issue import Issue, issue_lines, parse_issues
 from ._recording import names_of
-from ._result import Along, Floats, Integers, Result, Truths, Variable, make_manifest, result_or_raise
+from ._result import Floats, Integers, Result, Truths, make_manifest, result_or_raise
 from ._spec import Spec
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class SegmentsResult(Result):
     """Segments of one solution each; arrays of shape ``(segment,)`` and, for the segmented record, ``(time,)``."""
 
-    #: Segmented channel, and its unit.
-    channel: str
-    unit: str
-    drive_hz: float
-    #: Resistance of the load; NaN where it was not given.
-    resistance_ohm: float
+    channel: Annotated[str, About("segmented channel")]
+    unit: Annotated[str, About("unit of the channel")]
+    drive_hz: Annotated[float, About("frequency of the drive", "Hz")]
+    resistance_ohm: Annotated[float, About("resistance of the load; NaN where it was not given", "ohm")]
     start_s: Annotated[Floats, Along("segment", "s", "begin of the segment")]
     end_s: Annotated[Floats, Along("segment", "s", "end of the segment")]
-    #: Rms about the mean, in ``unit``.
-    rms: Floats
+    rms: Annotated[Floats, About("rms about the mean, in ``unit``", axes="segment")]
     period_cycles: Annotated[Integers, Along("segment", "1", "period in drive cycles, 0 where it is longer than 12 or absent")]
     mismatch: Annotated[Floats, Along("segment", "1", "deviation from periodicity, relative to the rms")]
-    #: NaN where no resistance was given, and where a segment is too short for an interval.
-    mean_power_w: Annotated[Floats, Along("segment", "W", "mean power")]
+    mean_power_w: Annotated[Floats, Along("segment", "W", "mean power", detail="NaN where no resistance was given")]
     half_width_w: Annotated[Floats, Along("segment", "W", "half width of its 95 % interval")]
     effective_samples: Annotated[Floats, Along("segment", "1", "effective number of independent values of the power")]
     batch_correlation: Annotated[Floats, Along("segment", "1", "correlation between consecutive batches of the power")]
     mean_voltage_v: Annotated[Floats, Along("segment", "V", "mean voltage")]
     correlated: Annotated[Truths, Along("segment", "1", "the interval of the mean power may be too narrow")]
-    #: Changes within one solution: ``"noise-changed"``, ``"drifts"`` or ``"glitch"`` at each.
     joint_at_s: Annotated[Floats, Along("joint", "s", "change within one solution")]
-    joint_reason: list[str]
-    #: Uncertainty of the time of a change, s.
-    uncertainty_s: float
-    #: Matching solution of the model for each segment, ``"1a"``; ``"several"`` where more than one matches, ``"none"`` where no solution
-    #: matches. Empty without a model.
-    solution: list[str]
-    #: For each segment every solution of the model, the nearest first: ``id``, ``period_cycles``, ``mean_power_w``, ``waveform_distance``,
-    #: ``spectrum_distance`` (relative to that of the record, ``None`` without a period), ``power_ratio``, ``inverted``. Empty without a
-    #: model.
-    candidates: list[list[dict[str, Any]]]
-    #: Record: time from its first sample, s, and the values.
-    time_s: Floats
-    values: Floats
-    issues: list[Issue]
+    joint_reason: Annotated[list[str], About('changes within one solution: ``"noise-changed"``, ``"drifts"`` or ``"glitch"`` at each')]
+    uncertainty_s: Annotated[float, About("uncertainty of the time of a change", "s")]
+    solution: Annotated[
+        list[str],
+        About(
+            'matching solution of the model for each segment, ``"1a"``; ``"several"`` where more than one matches, ``"none"`` where no '
+            "solution matches; empty without a model"
+        ),
+    ]
+    candidates: Annotated[
+        list[list[dict[str, Any]]],
+        About(
+            "for each segment every solution of the model, the nearest first: ``id``, ``period_cycles``, ``mean_power_w``, "
+            "``waveform_distance``, ``spectrum_distance`` (relative to that of the record, ``None`` without a period), ``power_ratio``, "
+            "``inverted``; empty without a model"
+        ),
+    ]
+    time_s: Annotated[Floats, About("time of each sample from the first one", "s", axes="time")]
+    values: Annotated[Floats, About("samples of the channel, in ``unit``", axes="time")]
+    issues: Annotated[list[Issue], About("data-quality issues of the recording")]
 
     def __len__(self) -> int:
         return len(self.start_s)
@@ -87,7 +94,7 @@ class SegmentsResult(Result):
         rows = [[name, *(f"{one[k]:.5g}" for one in columns)] for k, name in enumerate(self.names())]
         return html_table("Segments", ["solution", "from [s]", "to [s]", f"rms [{self.unit}]", "mismatch"], rows)
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``segment``, and the record over ``time``."""
         variables = {
             **self._variables(),
@@ -103,12 +110,12 @@ class SegmentsResult(Result):
         }
         return self._dataset(variables, coords)
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each segment."""
         solution_column = {"solution": self.solution} if self.solution else {}
         return self._frame({**self._columns("segment"), "rms": self.rms, **solution_column})
 
-    def candidates_to_pandas(self) -> Any:
+    def candidates_to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each solution of the model in each segment."""
         rows = [{"segment": k, **one} for k, each in enumerate(self.candidates) for one in each]
         return self._frame({name: [row[name] for row in rows] for name in (rows[0] if rows else ())})
@@ -116,7 +123,7 @@ class SegmentsResult(Result):
     def _pictures(self) -> dict[str, Callable[[Any], Any]]:
         return {"record": self.plot_segments}
 
-    def plot_segments(self, ax: Any = None) -> Any:
+    def plot_segments(self, ax: Axes | None = None) -> Axes:
         """Draws the record, with a colour for each segment."""
         from ._plot.segments import plot_segments
 
@@ -138,13 +145,7 @@ def segments(
 ) -> SegmentsResult:
     """Segments a record under a ``drive`` of a known frequency, ``"13 Hz"``, by steady-state response.
 
-    ``record`` is a :class:`Recording`, a file, SEP005 time series, or an array with its ``sample_rate_hz``. ``channel`` names the channel
-    to segment, by default the first in volts. With the ``resistance`` of a load whose voltage this channel is, the power of each segment is
-    returned.
-
-    With a ``model``, set to the drive and the load of the record, each segment is matched with the nearest solution. A solution matches if
-    the relative distance of its waveform is at most ``within``. The solutions are found from random ``starts`` with a ``seed``; ``load``
-    names the circuit whose voltage was recorded, by default the first.
+    With a ``model``, set to the drive and the load of the record, each segment is matched with the nearest solution.
     """
     check_integers(starts=starts, seed=seed)
     if model is not None and not isinstance(model, Spec):

@@ -5,26 +5,32 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable, Mapping
 from os import PathLike
-from typing import Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 
 from . import _core
 from ._arguments import rate_hz
 from ._errors import ArgumentError, FileError
+from ._fields import About, Variable
 from ._quantity import is_quantity, unit_of
-from ._result import Floats, Result, Variable, make_manifest
+from ._result import Floats, Result, make_manifest
 from ._sep005 import check_series, even_rate_hz, numbers
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class Spectrum(Result):
     """Amplitudes (zero to peak) over frequency, Hann window."""
 
-    name: str
-    unit: str
-    frequency_hz: Floats
-    amplitude_peak: Floats
+    name: Annotated[str, About("name of the signal")]
+    unit: Annotated[str, About("unit of the signal")]
+    frequency_hz: Annotated[Floats, About("frequencies of the lines", "Hz", axes="frequency")]
+    amplitude_peak: Annotated[Floats, About("amplitudes zero to peak, in ``unit``", axes="frequency")]
 
     def _summary(self) -> list[tuple[str, str]]:
         highest = int(np.argmax(self.amplitude_peak))
@@ -34,19 +40,19 @@ class Spectrum(Result):
             ("resolution", f"{self.frequency_hz[1] - self.frequency_hz[0]:g} Hz"),
         ]
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``frequency``."""
         amplitude = Variable(("frequency",), self.amplitude_peak, self.unit, f"{self.name}, amplitude zero to peak")
         return self._dataset({"amplitude": amplitude}, {"frequency": Variable(("frequency",), self.frequency_hz, "Hz", "frequency")})
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each line."""
         return self._frame({"frequency_hz": self.frequency_hz, "amplitude_peak": self.amplitude_peak})
 
     def _pictures(self) -> dict[str, Callable[[Any], Any]]:
         return {"amplitude": self.plot_spectrum}
 
-    def plot_spectrum(self, ax: Any = None) -> Any:
+    def plot_spectrum(self, ax: Axes | None = None) -> Axes:
         """Draws the spectrum."""
         from ._plot.history import plot_spectrum
 

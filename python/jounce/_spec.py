@@ -19,7 +19,8 @@ from ._noise import NoiseResult
 from ._progress import Progress, progress_callback
 from ._ranges import sides, span, values
 from ._rig import SpecOnRig
-from ._run import RunResult, State
+from ._run import RunResult
+from ._state import State
 from ._sweep import SweepResult
 
 
@@ -39,7 +40,7 @@ class Spec(SpecOnRig):
     __slots__ = ()
 
     def modes(self, hold: str | Sequence[str] = (), *, fixed_table: bool = False) -> ModesResult:
-        """Computes natural frequencies, damping ratios, couplings and shapes, with some masses fixed, with ``fixed_table`` all of them."""
+        """Computes natural frequencies, damping ratios, couplings and shapes without contact."""
         given = options(hold=names(hold), fixed_table=fixed_table)
         return ModesResult._from_core(_core.modes(self._spec, given))
 
@@ -57,14 +58,7 @@ class Spec(SpecOnRig):
         fixed_table: bool = False,
         open_circuit: bool = False,
     ) -> FrfResult:
-        """Computes frequency responses without contact, per newton on ``input`` (by default the point of the first force).
-
-        With ``base`` the base is excited instead: displacements relative to it and voltages, per m/s^2. Masses in ``hold`` are fixed, with
-        ``fixed_table`` all of them; with ``open_circuit`` the patches have no circuit.
-
-        The frequencies are ``points`` (2000) from ``low`` (1 Hz) to ``high`` (1000 Hz), logarithmically spaced; or those of
-        ``frequency``, a range as in :meth:`sweep`.
-        """
+        """Computes frequency responses without contact, per newton on ``input``, or per m/s^2 of the ``base``."""
         check_integers(points=points)
         given = options(
             frequency_hz=frequencies(frequency, unit),
@@ -80,11 +74,7 @@ class Spec(SpecOnRig):
         return FrfResult._from_core_call(_core.frf(self._spec, given))
 
     def noise(self, *, low: Any = None, high: Any = None, points: int = 1000) -> NoiseResult:
-        """Computes the exact response to the noises of the spec without contact: means, mean squares, bandwidths, gap crossing rates.
-
-        Densities are computed at ``points`` frequencies from ``low`` to ``high``, by default over the band of the noise, and at further
-        ones around each resonance.
-        """
+        """Computes the exact response to the noises of the spec without contact: means, mean squares, bandwidths, gap crossing rates."""
         check_integers(points=points)
         given = options(low_hz=optional_hz(low, "low"), high_hz=optional_hz(high, "high"), points=points)
         return NoiseResult._from_core_call(_core.noise(self._spec, given))
@@ -98,11 +88,14 @@ class Spec(SpecOnRig):
         sample_rate: Any = None,
         progress: bool | Progress | None = None,
     ) -> RunResult:
-        """Integrates one run.
+        """Integrates one run from a start in time.
 
-        ``tolerance`` overrides ``run.tolerance``; ``start`` is the ``end`` of another run; ``record`` is the length of the stored end of
-        the run, ``"1 s"``, with ``sample_rate`` ("4096 Hz"). A run that has not settled issues :class:`jounce.NotSettled`. The parts
-        reported to ``progress`` are thousandths of the duration.
+        The parts reported to ``progress`` are thousandths of the duration.
+
+        Warns
+        -----
+        NotSettled
+            The run has not reached steady state.
         """
         given = options(
             tolerance=tolerance,
@@ -131,10 +124,12 @@ class Spec(SpecOnRig):
     ) -> SweepResult:
         """Runs the model at every value of a key, from the last state of the point before unless ``"independent"``.
 
-        ``range``: ``"10 Hz:14 Hz:0.5 Hz"`` (step), ``"10 Hz:14 Hz:9x"`` (number), ``"1 kohm:1 Mohm:9log"``, or a list or an array of
-        numpy, pandas, xarray or pint, of quantities or of numbers with their ``unit``. Points over ``reduction.modes`` are always
-        independent. Each point is integrated until it has settled, or for ``run.duration`` with ``fixed_duration``; points that have not
-        settled issue :class:`jounce.NotSettled`.
+        Each point is integrated until it has settled. ``range`` may be an array of numpy, pandas, xarray or pint.
+
+        Warns
+        -----
+        NotSettled
+            Some points have not reached steady state.
         """
         check_integers(threads=threads)
         over = f"{key}={values(range, unit, key)}"
@@ -162,16 +157,10 @@ class Spec(SpecOnRig):
         threads: int | None = None,
         progress: bool | Progress | None = None,
     ) -> BranchResult:
-        """Continues every branch of periodic orbits over ``range = "12 Hz:13 Hz"`` of a key, stable or unstable.
-
-        The range may also be a pair of quantities, or of numbers with their ``unit``.
+        """Continues every branch of periodic orbits over a range of a key, stable or unstable.
 
         Branches that none of the ``seeds`` converges to, and branches of a period above ``longest_period`` cycles, are not found; larger
-        values of both find more. ``harmonics`` is the number of harmonics at the start of harmonic balance, 64 if left out.
-
-        ``levels`` are marked on the branches: ``"mean_power=50 uW"``, ``"voltage.PATCH=5 V"``, ``"strain.PATCH=3e-4"``,
-        ``"contact_force.STOP=2 N"``. ``largest_step`` is in relative changes of the state or twentieths of the range. After orbits of
-        ``budget`` drive cycles no further branch is continued; ``not_followed`` counts the rest.
+        values of both find more. ``not_followed`` of a branch counts those beyond the ``budget``.
         """
         check_integers(harmonics=harmonics, seeds=seeds, longest_period=longest_period, budget=budget, threads=threads)
         given = options(
@@ -208,8 +197,6 @@ class Spec(SpecOnRig):
     ) -> BifurcationsResult:
         """Continues bifurcation curves (folds, period doublings, tori, grazings) in two keys, and the ``peaks`` of power.
 
-        Curves of ``levels`` are also continued. Ranges, ``unit`` and ``levels`` are as in :meth:`branch`.
-
         The search misses curves that pass neither an edge of the two ranges nor the value of ``key_2`` in the spec. It also misses curves
         of branches that none of the ``seeds`` converges to, and of periods above ``longest_period`` cycles.
         """
@@ -243,12 +230,7 @@ class Spec(SpecOnRig):
     ) -> BasinsResult:
         """Finds the attractors, the share of the starts that reach each, and the expected power.
 
-        The starts are a cloud of ``starts`` starts with a ``seed``, ``spread`` gaps wide, or every combination of the sides of a
-        ``grid``: ``{"displacement": "-5 mm:5 mm:21x", "velocity": ("-1 m/s", "1 m/s", 21)}``, and ``"voltage"``. A side may also be an
-        array of evenly spaced values; ``units`` gives the units of numbers without one, by side.
-
-        A start belongs to the orbit that its motion is proven to reach, of a period of up to ``longest_period`` drive cycles. A start
-        without a proven attractor after ``max_cycles`` drive cycles is chaos or undecided.
+        A start belongs to the orbit that its motion is proven to reach.
         """
         check_integers(starts=starts, seed=seed, longest_period=longest_period, max_cycles=max_cycles, threads=threads)
         given = options(
@@ -283,10 +265,8 @@ class Spec(SpecOnRig):
     ) -> DiagramResult:
         """Computes the state at the start of each drive cycle, over increasing values of a key.
 
-        ``"starts"`` integrates at each value from a cloud of ``starts`` (20) starts with the ``seed`` 1 and the size ``spread`` (10 gaps),
-        and matches the attractors between values. The other directions start from the state of the value before and have no cloud.
-        ``range`` is as in :meth:`sweep`; ``cycles`` is the number of points of a motion without a period, ``longest_period`` (4) the limit
-        for continued branches.
+        ``"starts"`` integrates at each value from a cloud of starts and matches the attractors between values. The other directions start
+        from the state of the value before and have no cloud.
         """
         check_integers(starts=starts, seed=seed, cycles=cycles, longest_period=longest_period, threads=threads)
         given = options(
@@ -315,12 +295,7 @@ class Spec(SpecOnRig):
         threads: int | None = None,
         progress: bool | Progress | None = None,
     ) -> EnsembleResult:
-        """Integrates realisations of the noise and returns means with 95 % intervals.
-
-        With ``relative_width``, rounds of ``members`` are added until the half width of the interval is at most this share of the mean
-        power. With ``spectrum``, for at least two members, the power spectral density of every voltage and its bandwidth are also
-        estimated.
-        """
+        """Integrates realisations of the noise and estimates means with 95 % intervals."""
         check_integers(members=members, seed=seed, threads=threads)
         given = options(members=members, seed=seed, relative_width=relative_width, spectrum=spectrum, tolerance=tolerance, threads=threads)
         with progress_callback(progress) as callback:

@@ -6,7 +6,7 @@ import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from difflib import get_close_matches
 from os import PathLike, fspath
-from typing import Any, Self
+from typing import TYPE_CHECKING, Any, Self, Unpack
 
 from . import _core
 from ._arguments import names, spec_from_tables
@@ -16,6 +16,11 @@ from ._issue import Issue, parse_issues
 from ._quantity import settings
 from ._spec_table import MISSING, SpecTable, SpecTables, dotted
 
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from ._tables import SpecKeys
+
 
 class SpecText(SpecTables):
     """Text of a spec with its operations that need no computation."""
@@ -23,7 +28,7 @@ class SpecText(SpecTables):
     __slots__ = ("_spec",)
     _spec: _core.Spec
 
-    def __init__(self, source: str | Mapping[str, Any] | None = None, /, **tables: Any) -> None:
+    def __init__(self, source: str | Mapping[str, Any] | SpecKeys | None = None, /, **tables: Unpack[SpecKeys]) -> None:
         if isinstance(source, str) and not tables:
             if "\n" not in source and source.endswith(".toml"):
                 raise ArgumentError(f"{source} is the name of a file: read it with jounce.read({source!r})")
@@ -187,7 +192,7 @@ class SpecText(SpecTables):
         drawing, _ = self._spec.drawing("")
         return drawing + html_table("Spec", ["", ""], list(self._lines()))
 
-    def plot_harvester(self, ax: Any = None, title: str = "Harvester") -> Any:
+    def plot_harvester(self, ax: Axes | None = None, title: str = "Harvester") -> Axes:
         """Draws the harvester to scale, the drawing of ``jounce show``."""
         from ._plot.harvester import plot_harvester
 

@@ -4,15 +4,21 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable
-from typing import Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from . import _core
 from ._arguments import optional_si, options
+from ._fields import About, Along, Variable
 from ._format import html_table
 from ._inputs import Measured, recording
 from ._issue import Issue, issue_lines, parse_issues
 from ._recording import names_of
-from ._result import Along, Floats, Result, Variable, make_manifest, result_or_raise
+from ._result import Floats, Result, make_manifest, result_or_raise
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -22,34 +28,27 @@ class SpectraResult(Result):
     Densities are one-sided: their integral over frequency is the variance. Amplitudes are zero to peak, in the ``unit`` of the channel.
     """
 
-    channel: str
-    unit: str
-    #: Segments, window and amplitudes in words, and the number of segments.
-    convention: str
-    segments: int
-    #: Window of a segment, overlap of adjacent segments, their length and step, s, and the distance of the lines, Hz.
-    window: str
-    overlap: float
+    channel: Annotated[str, About("channel that was transformed")]
+    unit: Annotated[str, About("unit of the channel")]
+    convention: Annotated[str, About("segments, window and amplitudes in words")]
+    segments: Annotated[int, About("number of segments")]
+    window: Annotated[str, About("window of a segment")]
+    overlap: Annotated[float, About("overlap of adjacent segments, as a share of a segment")]
     segment_s: Annotated[float, Along("", "s", "length of a segment")]
     step_s: Annotated[float, Along("", "s", "time between starts of segments")]
     resolution_hz: Annotated[float, Along("", "Hz", "distance of the lines")]
-    #: Mean of the record, subtracted before the density; the spectrogram includes it, at 0 Hz.
-    mean: float
-    #: Lines, Hz, and the power spectral density there (Welch), in the unit of the channel squared per hertz.
-    frequency_hz: Floats
-    density: Floats
-    #: The highest peaks, at most five, the highest first, without side lobes of the window: frequency, Hz, and density.
+    mean: Annotated[float, About("mean of the record, in ``unit``, subtracted before the density; the spectrogram includes it, at 0 Hz")]
+    frequency_hz: Annotated[Floats, About("frequencies of the lines", "Hz", axes="frequency")]
+    density: Annotated[Floats, About("power spectral density (Welch), in ``density_unit``", axes="frequency")]
     peak_frequency_hz: Annotated[Floats, Along("peak", "Hz", "frequency of a peak of the density")]
-    peak_density: Floats
-    #: Middle of each segment, s from the first sample, and amplitudes of shape ``(segment, frequency)``.
-    time_s: Floats
-    amplitude_peak: Floats
-    #: Drive, Hz (``None`` without one), its multiples below half the sampling rate, with frequency, Hz, and amplitude of each.
-    drive_hz: float | None
-    order: Floats
+    peak_density: Annotated[Floats, About("density at the peaks, in ``density_unit``", axes="peak")]
+    time_s: Annotated[Floats, About("middle of each segment from the first sample", "s", axes="time")]
+    amplitude_peak: Annotated[Floats, About("amplitudes zero to peak of each segment, in ``unit``", axes="time frequency")]
+    drive_hz: Annotated[float | None, About("frequency of the drive; ``None`` without one", "Hz")]
+    order: Annotated[Floats, About("multiples of the drive below half the sampling rate", axes="order")]
     order_frequency_hz: Annotated[Floats, Along("order", "Hz", "frequency of a multiple of the drive")]
-    order_amplitude_peak: Floats
-    issues: list[Issue]
+    order_amplitude_peak: Annotated[Floats, About("amplitudes zero to peak at the multiples of the drive, in ``unit``", axes="order")]
+    issues: Annotated[list[Issue], About("data-quality issues of the recording")]
 
     def __len__(self) -> int:
         return len(self.time_s)
@@ -84,7 +83,7 @@ class SpectraResult(Result):
         rows = [[f"{order:.4g}", f"{hz:.5g}", f"{peak:.5e}"] for order, hz, peak in numbers]
         return lines + html_table("Orders", ["order", "frequency [Hz]", f"amplitude, peak [{self.unit}]"], rows) if rows else lines
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``frequency``, ``time`` (the middle of each segment) and ``order``."""
         variables = {
             **self._variables(),
@@ -101,11 +100,11 @@ class SpectraResult(Result):
         }
         return self._dataset(variables, coords)
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` of the density, with a row for each line."""
         return self._frame({"frequency_hz": self.frequency_hz, "density": self.density})
 
-    def orders_to_pandas(self) -> Any:
+    def orders_to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each multiple of the drive."""
         numbers = {"frequency_hz": self.order_frequency_hz, "amplitude_peak": self.order_amplitude_peak}
         return self._frame({"order": self.order, **numbers})
@@ -113,13 +112,13 @@ class SpectraResult(Result):
     def _pictures(self) -> dict[str, Callable[[Any], Any]]:
         return {"density": self.plot_density, "spectrogram": self.plot_spectrogram}
 
-    def plot_density(self, ax: Any = None) -> Any:
+    def plot_density(self, ax: Axes | None = None) -> Axes:
         """Draws the power spectral density; vertical lines mark multiples of the drive."""
         from ._plot.spectra import plot_density
 
         return plot_density(self, ax)
 
-    def plot_spectrogram(self, ax: Any = None) -> Any:
+    def plot_spectrogram(self, ax: Axes | None = None) -> Axes:
         """Draws the amplitudes over time and frequency, up to twice the highest multiple of the drive."""
         from ._plot.spectra import plot_spectrogram
 
@@ -138,14 +137,12 @@ def spectra(
 ) -> SpectraResult:
     """Computes power spectral density (Welch), order lines and spectrogram of a channel, ``jounce spectra``.
 
-    ``record`` is a :class:`Recording`, a file, SEP005 time series, or an array with its ``sample_rate_hz``. ``channel`` is by default the
-    first varying one in volts, else the first varying one. With a ``drive``, ``"13 Hz"``, amplitudes at its multiples are fitted to the
-    complete record, exact where no line is at a bin. A ``segment``, ``"2 s"``, is by default 24 cycles of the drive, or without a drive a
-    thirty-second of the record. A sinusoid between two lines shows up to 15 % less under ``"hann"``, at most 0.1 % less under
-    ``"flat-top"``, whose lines are wider.
+    Amplitudes at the multiples of the ``drive`` are fitted to the complete record, exact where no line is at a bin. A sinusoid between
+    two lines shows up to 15 % less under ``"hann"``, at most 0.1 % less under ``"flat-top"``, whose lines are wider.
 
-    Raises :class:`ArgumentError` for an unknown channel, window or unit, :class:`RecordingError` for segments that do not fit the record.
-    Source: P. Welch, IEEE Trans. Audio Electroacoust. 15 (1967) 70; G. Heinzel, A. Ruediger, R. Schilling (2002).
+    References
+    ----------
+    P. Welch, IEEE Trans. Audio Electroacoust. 15 (1967) 70; G. Heinzel, A. Ruediger, R. Schilling (2002).
     """
     input_recording = recording(record, sample_rate_hz)
     given = {

@@ -8,33 +8,34 @@ from collections.abc import Callable
 from functools import partial
 from os import PathLike, fspath
 from pathlib import Path
-from typing import Any, Self
+from typing import TYPE_CHECKING, Annotated, Any, Self
 
 import numpy as np
 
 from . import _core
 from ._errors import ArgumentError, warn_not_settled
+from ._fields import About, Variable
 from ._format import counted, html_table
 from ._named import look_up
-from ._result import Result, Variable
+from ._result import Result
+
+if TYPE_CHECKING:
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
 @dataclasses.dataclass(frozen=True)
 class StudyStatus:
     """Progress of a study."""
 
-    study_sha256: str
-    points: int
-    parts: int
-    #: Finished parts, and their points without a result.
-    finished: int
-    failed_points: int
-    #: Files whose contents do not match the part in their name.
-    damaged: list[str]
-    #: True where the merged table exists.
-    merged: bool
-    #: What the table lacks, one sentence each.
-    warnings: list[str]
+    study_sha256: Annotated[str, About("digest of all inputs of the table")]
+    points: Annotated[int, About("number of points")]
+    parts: Annotated[int, About("number of parts")]
+    finished: Annotated[int, About("number of finished parts")]
+    failed_points: Annotated[int, About("points of the finished parts without a result")]
+    damaged: Annotated[list[str], About("files whose contents do not match the part in their name")]
+    merged: Annotated[bool, About("True where the merged table exists")]
+    warnings: Annotated[list[str], About("gaps of the table, one sentence each")]
 
     @classmethod
     def read(cls, folder: str | PathLike[str]) -> Self:
@@ -82,11 +83,11 @@ class StudyResult:
             warn_not_settled(f"{table._transient()} of {len(table)} points of the study have not settled")
         return table
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each point."""
         return self.table().to_pandas()
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``point``."""
         return self.table().to_xarray()
 
@@ -108,9 +109,8 @@ class StudyResult:
 class StudyTable(Result):
     """Columns by name: ``point``, the varied keys in SI units, the numbers of the quantity, ``failure``; ``table["mean_power_w"]``."""
 
-    columns: dict[str, Any]
-    #: Unit and meaning of each column.
-    notes: dict[str, tuple[str, str]]
+    columns: Annotated[dict[str, Any], About("arrays by name, each of shape ``(point,)``")]
+    notes: Annotated[dict[str, tuple[str, str]], About("unit and meaning of each column")]
 
     def __len__(self) -> int:
         return len(self.columns["point"])
@@ -139,7 +139,7 @@ class StudyTable(Result):
         rows = [[f"{self.columns[name][k]:.6g}" for name in columns] for k in range(min(len(self), 20))]
         return html_table(f"The first of {len(self)} points", columns, rows)
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``point``, the varied keys as further coordinates."""
         variables = {
             name: Variable(("point",), values, self.notes[name][0] or "1", self.notes[name][1] if name not in self.keys else name)
@@ -148,7 +148,7 @@ class StudyTable(Result):
         coords = {name: variables.pop(name) for name in ["point", *self.keys]}
         return self._dataset(variables, coords)
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each point."""
         return self._frame(self.columns)
 

@@ -5,25 +5,28 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable
 from functools import partial
-from typing import Annotated, Any, Self
+from typing import TYPE_CHECKING, Annotated, Any, Self
 
 import numpy as np
 
+from ._fields import About, Along, Variable, dataset_fields
 from ._format import counted, html_table
-from ._result import Along, Floats, Integers, Result, Truths, Variable, dataset_fields
+from ._result import Floats, Integers, Result, Truths
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class SweepResult(Result):
     """Runs at every value of a key, in the order of computation; arrays of shape ``(point,)``."""
 
-    #: Key and its SI unit.
-    key: str
-    unit: str
-    #: Value of the key, SI.
-    parameter: Floats
-    #: Direction of each point: ``"up"``, ``"down"``, ``"independent"``.
-    direction: list[str]
+    key: Annotated[str, About("key of the sweep")]
+    unit: Annotated[str, About("SI unit of the key")]
+    parameter: Annotated[Floats, About("value of the key", "SI", axes="visit")]
+    direction: Annotated[list[str], About('direction of each point: ``"up"``, ``"down"`` or ``"independent"``')]
     mean_power_w: Annotated[Floats, Along("visit", "W", "mean power of all loads")]
     voltage_rms_v: Annotated[Floats, Along("visit", "V", "rms voltage of the first load, else of the output of the first rectifier")]
     max_penetration_m: Annotated[Floats, Along("visit", "m", "largest penetration of the stop")]
@@ -32,8 +35,7 @@ class SweepResult(Result):
     period_cycles: Annotated[Integers, Along("visit", "1", "period in drive cycles")]
     energy_residual_relative: Annotated[Floats, Along("visit", "1", "energy residual of the run")]
     simulated_time_s: Annotated[Floats, Along("visit", "s", "simulated time")]
-    #: Warnings about exceeded limits of patches at points.
-    warnings: list[str]
+    warnings: Annotated[list[str], About("exceeded limits of patches at points")]
 
     @classmethod
     def _from_core(cls, fields: dict[str, Any]) -> Self:
@@ -67,7 +69,7 @@ class SweepResult(Result):
             f"Sweep over {self.key}", [f"[{self.unit}]", "direction", "mean power [W]", "voltage, rms [V]", "settled"], displayed_rows
         )
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``visit``, with ``parameter`` and ``direction`` as further coordinates."""
         coords = {
             "visit": Variable(("visit",), np.arange(len(self)), "1", "order of the points"),
@@ -76,7 +78,7 @@ class SweepResult(Result):
         }
         return self._dataset(self._variables(), coords)
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each point."""
         return self._frame({"parameter": self.parameter, "direction": self.direction, **self._columns("visit")})
 
@@ -95,7 +97,7 @@ class SweepResult(Result):
         fields = (field for field, along in dataset_fields(type(self)).items() if along.axes == "visit")
         return {field: partial(self.plot_sweep, quantity=field) for field in fields}
 
-    def plot_sweep(self, ax: Any = None, label: str | None = None, *, quantity: str = "mean_power_w") -> Any:
+    def plot_sweep(self, ax: Axes | None = None, label: str | None = None, *, quantity: str = "mean_power_w") -> Axes:
         """Draws a quantity over the key: up solid, down dashed, single points as dots; unsettled points have a ring."""
         from ._plot.sweep import plot_sweep
 

@@ -3,50 +3,9 @@
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
-from conftest import recordings
 from matplotlib.colors import to_rgba
 
 import jounce
-
-FREQUENCY = "drive.shaker.frequency"
-
-
-@pytest.fixture(scope="module")
-def results(tmp_path_factory):
-    harvester = jounce.examples()["impact-harvester-2019"]
-    short = harvester.changed({"run.duration": "1 s", "run.average_over": "0.5 s"})
-    noisy = jounce.examples()["random-base"].changed({"run.duration": "2 s", "run.average_over": "1 s"})
-    run = short.run(record="0.5 s")
-    hits, tones, pulses = recordings(harvester)
-    modes = jounce.measured_modes(hits, end_ratio=0.01, between="20 Hz:200 Hz")
-    features = {"frequency_deviation": 0.01, "free": {"beam.beam.thickness": 0.05}, "mode": [{"number": 1, "frequency": "9 Hz"}]}
-    study = jounce.Study(short, {"stop.tip.gap": "1 mm:2 mm:2x"})
-    plane = jounce.Study(short, {"stop.tip.gap": "1 mm:2 mm:2x", FREQUENCY: "10 Hz:11 Hz:2x"})
-    return [
-        harvester.modes(),
-        harvester.frf("1 Hz:100 Hz:50log"),
-        run,
-        short.run(),
-        run.history,
-        run.history.spectrum(),
-        short.sweep(FREQUENCY, "10 Hz:12 Hz:3x", direction="both", fixed_duration=True),
-        harvester.branch(FREQUENCY, "12 Hz:13 Hz", seeds=0),
-        harvester.bifurcations(FREQUENCY, "12 Hz:13 Hz", "stop.tip.gap", "0.99 mm:1.01 mm", seeds=0),
-        harvester.basins(starts=3),
-        harvester.diagram(FREQUENCY, "12 Hz:13 Hz:3x", branches=False),
-        noisy.ensemble(members=4, spectrum=True),
-        noisy.noise(points=20),
-        study.run(tmp_path_factory.mktemp("study")).table(),
-        plane.run(tmp_path_factory.mktemp("plane")).table(),
-        jounce.power([tones, tones], ["1 kohm", "2 kohm"]),
-        jounce.spectra(tones, drive="10 Hz", segment="0.5 s"),
-        tones,
-        tones.segments("10 Hz"),
-        jounce.contact(pulses, sample_rate_hz=1e4),
-        modes,
-        modes.frf,
-        harvester.fit({"hold": ["table"], **features}),
-    ]
 
 
 def has_unit(axis):

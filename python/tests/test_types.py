@@ -1,4 +1,4 @@
-"""The package is typed: mypy accepts it and a program that uses it, and its stubs are those of the compiled module and of its sources."""
+"""The package is typed: mypy and pyright accept it and a program that uses it; its stubs and tables are those of their sources."""
 
 import subprocess
 import sys
@@ -18,3 +18,16 @@ def test_the_stubs_equal_the_sources():
     generated = subprocess.run([sys.executable, "-P", ROOT / "python/stubs.py"], capture_output=True, text=True, check=True).stdout
     stored = (ROOT / "python/jounce/_core.pyi").read_text(encoding="utf-8")
     assert stored == generated, "make them again: python -P python/stubs.py > python/jounce/_core.pyi"
+
+
+def test_pyright_accepts_the_package_and_a_program():
+    pytest.importorskip("pyright")
+    command = [sys.executable, "-m", "pyright", "--pythonpath", sys.executable]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_the_types_of_the_tables_are_those_of_the_schema():
+    generated = subprocess.run([sys.executable, "-P", ROOT / "python/tables.py"], capture_output=True, text=True, check=True).stdout
+    stored = (ROOT / "python/jounce/_tables.py").read_text(encoding="utf-8")
+    assert stored == generated, "make them again: python -P python/tables.py > python/jounce/_tables.py"

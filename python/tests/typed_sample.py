@@ -1,9 +1,13 @@
-"""A program as a user would write it, for the type checker alone."""
+"""A program as a user would write it, for the type checkers alone; an ignored line must be an error."""
+
+# pyright: strict, reportUnnecessaryTypeIgnoreComment=true, reportUnknownMemberType=false
 
 from typing import assert_type
 
 import numpy as np
+from matplotlib.axes import Axes
 from numpy.typing import NDArray
+from xarray import Dataset
 
 import jounce
 
@@ -37,3 +41,27 @@ def measured(path: str, harvester: jounce.Spec) -> tuple[float, jounce.Spec]:
     assert_type(modes, jounce.MeasuredModes)
     fit = harvester.fit({"free": {"beam.beam.thickness": 0.05}, "mode": [{"number": 1, "frequency": f"{modes.frequency_hz[0]} Hz"}]})
     return float(jounce.power(path, "1 kohm").mean_power_w[0]), fit.spec
+
+
+def rigid(harvester: jounce.Spec) -> jounce.Spec:
+    stop = jounce.Stop(at="beam.tip", law="rigid", restitution=0.8, gap="1 mm")
+    jounce.Stop(at="beam.tip", law="rigid", gapp="1 mm")  # type: ignore[call-arg]
+    jounce.Stop(at="beam.tip", law="hertzz", gap="1 mm")  # type: ignore[arg-type]
+    jounce.Stop(at="beam.tip", law="rigid", gap=0.001)  # type: ignore[arg-type]
+    jounce.Stop(law="rigid", gap="1 mm")  # type: ignore[call-arg]
+    return jounce.Spec(harvester, stop={"tip": stop})
+
+
+def tables() -> jounce.Spec:
+    return jounce.Spec(
+        beam={"arm": {"length": "0.1 m", "width": "10 mm", "thickness": "1 mm", "material": "steel"}},
+        run={"duration": "1 s", "average_over": "0.5 s"},
+    )
+
+
+def pictures(result: jounce.FrfResult) -> tuple[str, list[str]]:
+    axes = result.plot_frf(response="mfc.voltage")
+    assert_type(axes, Axes)
+    dataset = result.to_xarray()
+    assert_type(dataset, Dataset)
+    return axes.get_title(), [str(name) for name in dataset.data_vars]

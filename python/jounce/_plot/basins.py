@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from .style import axes, label
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
     from .._basins import BasinsResult
 
 
-def plot_basins(result: BasinsResult, ax: Any = None) -> Any:
+def plot_basins(result: BasinsResult, ax: Axes | None = None) -> Axes:
     """Draws the starts by displacement and velocity towards the stop, coloured by attractor."""
     with axes(ax) as ax:
         for number, name in enumerate(result.attractor):

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from .style import COLOURS, axes, label
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
     from .._bifurcations import BifurcationsResult
 
 
-def plot_bifurcations(result: BifurcationsResult, ax: Any = None) -> Any:
+def plot_bifurcations(result: BifurcationsResult, ax: Axes | None = None) -> Axes:
     """Draws the curves over the plane of the two keys, a colour for each kind."""
     kinds = sorted({(one.kind, one.period_cycles) for one in result})
     labelled_kinds: set[tuple[str, int]] = set()

@@ -7,17 +7,19 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .._branch import Branch
-from .._result import dataset_fields
+from .._fields import dataset_fields
 from .style import COLOURS, axes, label, label_field
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
     from .._branch import BranchResult
 
 #: Marker of each kind of bifurcation.
 MARKS = {"fold": "s", "period-doubling": "^", "neimark-sacker": "D", "branch-point": "P", "grazing": "o"}
 
 
-def plot_branch(result: BranchResult, ax: Any, quantity: str) -> Any:
+def plot_branch(result: BranchResult, ax: Axes | None, quantity: str) -> Axes:
     """Draws a quantity over the key: stable solid, unstable dashed, a colour for each period, bifurcations marked where it is known."""
     periods = sorted({one.period_cycles for one in result})
     used_labels: set[str] = set()

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from .style import COLOURS, axes, label
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
     from .._contact import ContactResult
 
 
-def plot_contact(result: ContactResult, ax: Any = None, hits: int = 6) -> Any:
+def plot_contact(result: ContactResult, ax: Axes | None = None, hits: int = 6) -> Axes:
     """Draws pulses over the time from their largest force: rings for samples, lines for laws."""
     with axes(ax) as ax:
         for k, pulse in enumerate(result.pulses[:hits]):

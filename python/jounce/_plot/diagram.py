@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from .style import COLOURS, axes, label
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
     from .._diagram import DiagramResult
 
 
-def plot_diagram(result: DiagramResult, ax: Any = None, quantity: str = "displacement") -> Any:
+def plot_diagram(result: DiagramResult, ax: Axes | None = None, quantity: str = "displacement") -> Axes:
     """Draws the section over the key, with a colour for each attractor, or for each direction of a stepped diagram."""
     values, unit, description = result.section(quantity)
     groups = [attractor or direction for attractor, direction in zip(result.attractor, result.direction)]

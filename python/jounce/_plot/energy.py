@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from .._errors import ArgumentError
 from .style import COLOURS, axes, label
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
     from .._run import RunResult
 
 _NAMES = {
@@ -21,7 +23,7 @@ _NAMES = {
 }
 
 
-def plot_energy(result: RunResult, ax: Any = None) -> Any:
+def plot_energy(result: RunResult, ax: Axes | None = None) -> Axes:
     """Draws a bar for each energy output, in percent of the input."""
     input_j = result.energies_j["input_j"]
     if input_j <= 0.0:

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from .style import COLOURS, axes, label
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
     from .._ensemble import EnsembleResult
 
 
-def plot_ensemble(result: EnsembleResult, ax: Any = None) -> Any:
+def plot_ensemble(result: EnsembleResult, ax: Axes | None = None) -> Axes:
     """Draws the mean power of each member, and the mean of all with its 95 % interval as a band."""
     mean, half = result.mean_power_w, result.mean_power_half_width_w
     with axes(ax) as ax:

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from .style import axes, label
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
     from .._fit import FitCurve, FitResult
 
 
-def plot_fit(result: FitResult, ax: Any = None) -> Any:
+def plot_fit(result: FitResult, ax: Axes | None = None) -> Axes:
     """Draws the relative error of every feature in percent, before and after; bars are the 95 % intervals of the measurement."""
     position = np.arange(len(result.feature))
     with axes(ax) as ax:
@@ -28,7 +30,7 @@ def plot_fit(result: FitResult, ax: Any = None) -> Any:
     return ax
 
 
-def plot_curve(curve: FitCurve, ax: Any = None) -> Any:
+def plot_curve(curve: FitCurve, ax: Axes | None = None) -> Axes:
     """Draws a measured curve with those of the model before and after, and the 95 % prediction interval as a band."""
     over_time = curve.over == "time_s"
     # Real and imaginary parts and time histories pass through 0; magnitudes do not.

@@ -9,11 +9,13 @@ import numpy as np
 from .style import axes, label
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
     from .._frf import FrfResult
     from .._measured_frf import MeasuredFrf
 
 
-def plot_frf(result: FrfResult, ax: Any, response: str) -> Any:
+def plot_frf(result: FrfResult, ax: Axes | None, response: str) -> Axes:
     """Draws the magnitude of a response over frequency, both axes logarithmic."""
     values = result[response]
     with axes(ax) as ax:
@@ -26,7 +28,7 @@ def plot_frf(result: FrfResult, ax: Any, response: str) -> Any:
 def plot_bode(result: FrfResult | MeasuredFrf, ax: Any, response: str) -> Any:
     """Draws magnitude and phase of a response into two axes, which are returned; into a single one the magnitude."""
     if ax is None:
-        with axes(None, nrows=2, sharex=True, figsize=(4.8, 4.8)) as ax:
+        with axes(None, nrows=2, sharex=True, figsize=(4.8, 5.8)) as ax:
             pass
     pair = list(np.ravel(ax))
     result.plot_frf(pair[0], response)

@@ -10,12 +10,14 @@ from .._errors import ArgumentError
 from .style import axes, label
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
     from .._history import History
     from .._result import Floats
     from .._signal import Spectrum
 
 
-def plot_time_history(history: History, ax: Any, channel: str | None) -> Any:
+def plot_time_history(history: History, ax: Axes | None, channel: str | None) -> Axes:
     """Draws a channel over time."""
     name, values, unit = history.channel(channel)
     with axes(ax) as ax:
@@ -25,7 +27,7 @@ def plot_time_history(history: History, ax: Any, channel: str | None) -> Any:
     return ax
 
 
-def plot_spectrum(spectrum: Spectrum, ax: Any) -> Any:
+def plot_spectrum(spectrum: Spectrum, ax: Axes | None) -> Axes:
     """Draws a spectrum without its line at 0 Hz."""
     with axes(ax) as ax:
         ax.plot(spectrum.frequency_hz[1:], spectrum.amplitude_peak[1:], label=spectrum.name)
@@ -34,7 +36,7 @@ def plot_spectrum(spectrum: Spectrum, ax: Any) -> Any:
     return ax
 
 
-def plot_poincare(history: History, ax: Any, point: str | None) -> Any:
+def plot_poincare(history: History, ax: Axes | None, point: str | None) -> Axes:
     """Draws velocity over displacement once per drive cycle."""
     if len(history.poincare_time_s) == 0:
         raise ArgumentError("this harvester has no drive, so there is no drive cycle for a Poincaré section")

@@ -9,11 +9,13 @@ import numpy as np
 from .style import COLOURS, axes, label
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
     from .._measured_frf import MeasuredFrf
     from .._measured_modes import MeasuredModes
 
 
-def plot_measured_frf(result: MeasuredFrf, ax: Any, response: str) -> Any:
+def plot_measured_frf(result: MeasuredFrf, ax: Axes | None, response: str) -> Axes:
     """Draws the magnitude of a response over frequency, without the offset of the sensor at 0 Hz."""
     values = result[response]
     with axes(ax) as ax:
@@ -23,7 +25,7 @@ def plot_measured_frf(result: MeasuredFrf, ax: Any, response: str) -> Any:
     return ax
 
 
-def plot_coherence(result: MeasuredFrf, ax: Any = None) -> Any:
+def plot_coherence(result: MeasuredFrf, ax: Axes | None = None) -> Axes:
     """Draws the coherence of every response."""
     with axes(ax) as ax:
         for name, values in result.coherence.items():
@@ -42,7 +44,7 @@ _POLES = {
 }
 
 
-def plot_stabilisation(result: MeasuredModes, ax: Any = None) -> Any:
+def plot_stabilisation(result: MeasuredModes, ax: Axes | None = None) -> Axes:
     """Draws the poles by order; vertical lines mark the selected modes."""
     inside = (result.pole_frequency_hz >= result.line_hz[0]) & (result.pole_frequency_hz <= result.line_hz[-1])
     kinds = np.array(result.pole_stable)
@@ -51,7 +53,7 @@ def plot_stabilisation(result: MeasuredModes, ax: Any = None) -> Any:
             ax.axvline(hz, color="#888888", linewidth=0.6, gid="guide")
         for kind, (marker, colour, fill, text) in _POLES.items():
             selected = inside & (kinds == kind)
-            style = {"linestyle": "none", "marker": marker, "fillstyle": fill, "markersize": 3 if kind != "new" else 1.5}
+            style: dict[str, Any] = {"linestyle": "none", "marker": marker, "fillstyle": fill, "markersize": 3 if kind != "new" else 1.5}
             ax.plot(result.pole_frequency_hz[selected], result.pole_order[selected], color=colour, label=text, **style)
         label(ax.xaxis, "Frequency", "Hz")
         label(ax.yaxis, "Order", "-")
@@ -59,7 +61,7 @@ def plot_stabilisation(result: MeasuredModes, ax: Any = None) -> Any:
     return ax
 
 
-def plot_modal_fit(result: MeasuredModes, ax: Any, row: int) -> Any:
+def plot_modal_fit(result: MeasuredModes, ax: Axes | None, row: int) -> Axes:
     """Draws a function of the band, measured and reconstructed from the modes: motion as displacement, voltage unchanged."""
     unit = "" if result.frf is None else result.frf.units[result.function[row]]
     is_motion = unit.startswith("m/s") or unit == "m/N"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -10,10 +10,12 @@ from .._errors import ArgumentError
 from .style import axes, label
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
     from .._modes import ModesResult
 
 
-def plot_modes(result: ModesResult, ax: Any = None, modes: int = 4) -> Any:
+def plot_modes(result: ModesResult, ax: Axes | None = None, modes: int = 4) -> Axes:
     """Draws the shapes of the first modes along the beams, each scaled to 1."""
     if not result.beams:
         raise ArgumentError("this harvester is given by its modes: there is no beam to draw them along")

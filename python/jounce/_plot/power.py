@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from .style import axes, label
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
     from .._power import PowerResult
 
 
-def plot_power(result: PowerResult, ax: Any = None) -> Any:
+def plot_power(result: PowerResult, ax: Axes | None = None) -> Axes:
     """Draws mean power over the load with its 95 % intervals."""
     order = np.argsort(result.resistance_ohm, kind="stable")
     square = result.mean_square_base_acceleration_m2_s4
@@ -27,7 +29,7 @@ def plot_power(result: PowerResult, ax: Any = None) -> Any:
     return ax
 
 
-def plot_spectra(result: PowerResult, ax: Any = None) -> Any:
+def plot_spectra(result: PowerResult, ax: Axes | None = None) -> Axes:
     """Draws the spectra of the voltages without their lines at 0 Hz."""
     with axes(ax) as ax:
         for spectrum, ohm in zip(result.spectra, result.resistance_ohm):

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from .style import axes, label
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
     from .._recording import Channel, Recording
 
 
-def plot_recording(recording: Recording, ax: Any, channel: Channel) -> Any:
+def plot_recording(recording: Recording, ax: Axes | None, channel: Channel) -> Axes:
     """Draws a channel over time, or its magnitude over frequency."""
     over_time = recording.over == "time"
     values = channel.values if over_time else np.abs(channel.values)

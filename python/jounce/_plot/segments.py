@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from .style import COLOURS, axes, label
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
     from .._segments import SegmentsResult
 
 
-def plot_segments(result: SegmentsResult, ax: Any = None) -> Any:
+def plot_segments(result: SegmentsResult, ax: Axes | None = None) -> Axes:
     """Draws the record, with a colour and a label for each segment."""
     with axes(ax) as ax:
         for k, name in enumerate(result.names()):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -11,11 +11,13 @@ from .._optional import require
 from .style import axes, label
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
     from .._ensemble import EnsembleResult
     from .._spectra import SpectraResult
 
 
-def plot_spectra(result: EnsembleResult, ax: Any = None) -> Any:
+def plot_spectra(result: EnsembleResult, ax: Axes | None = None) -> Axes:
     """Draws the density of each voltage over frequency with its 95 % interval as a band."""
     densities = result.voltage_psd_v2_hz
     # A logarithmic axis has no 0: an interval that includes it extends to the lower limit of the picture.
@@ -32,7 +34,7 @@ def plot_spectra(result: EnsembleResult, ax: Any = None) -> Any:
     return ax
 
 
-def plot_density(result: SpectraResult, ax: Any = None) -> Any:
+def plot_density(result: SpectraResult, ax: Axes | None = None) -> Axes:
     """Draws the density of a channel without its line at 0 Hz; vertical lines mark multiples of the drive."""
     with axes(ax) as ax:
         for hz in result.order_frequency_hz:
@@ -47,7 +49,7 @@ def plot_density(result: SpectraResult, ax: Any = None) -> Any:
 _DECADES = 4.0
 
 
-def plot_spectrogram(result: SpectraResult, ax: Any = None) -> Any:
+def plot_spectrogram(result: SpectraResult, ax: Axes | None = None) -> Axes:
     """Draws the amplitudes of each segment over time and frequency without their line at 0 Hz, with a colour bar."""
     colours = require("matplotlib.colors", "plot")
     highest_hz = 2.0 * result.order_frequency_hz.max() if len(result.order) else result.frequency_hz[-1]

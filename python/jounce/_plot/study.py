@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from .style import axes, label
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
     from .._study_result import StudyTable
 
 
-def plot_study(table: StudyTable, ax: Any, quantity: str) -> Any:
+def plot_study(table: StudyTable, ax: Axes | None, quantity: str) -> Axes:
     """Draws a column over the varied key; over the first two of several keys as the colour of points."""
     key, *others = table.keys
     values, unit = table[quantity], table.notes[quantity][0]

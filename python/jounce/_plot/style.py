@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
@@ -11,7 +12,9 @@ import numpy as np
 from .._optional import require
 
 if TYPE_CHECKING:
-    from .._result import Along
+    from matplotlib.axes import Axes
+
+    from .._fields import Along
 
 #: Colours that colour-blind readers can distinguish (Okabe and Ito, 2008); black, their first, is omitted.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"]
@@ -44,7 +47,7 @@ _STYLE: dict[str, Any] = {
 
 
 @contextmanager
-def axes(ax: Any, **figure: Any) -> Iterator[Any]:
+def axes(ax: Axes | None, **figure: Any) -> Iterator[Axes]:
     """Yields the axes to draw into, with the style of jounce."""
     matplotlib = require("matplotlib", "plot")
     with matplotlib.rc_context({**_STYLE, "axes.prop_cycle": matplotlib.cycler(color=COLOURS)}):
@@ -66,7 +69,7 @@ def label(axis: Any, what: str, unit: str, log: bool = False) -> None:
 def label_field(axis: Any, along: Along, is_power: bool) -> None:
     """Labels an axis with the description of a field of a result; a power has a logarithmic axis."""
     text = "Mean power" if is_power else along.about[0].upper() + along.about[1:]
-    label(axis, text, "-" if along.unit == "1" else along.unit, log=is_power)
+    label(axis, textwrap.fill(text, 40), "-" if along.unit == "1" else along.unit, log=is_power)
 
 
 def draw_with(draw: Callable[[Any], Any], ax: Any, style: Mapping[str, Any]) -> Any:

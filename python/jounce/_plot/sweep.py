@@ -4,20 +4,22 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from .._result import dataset_fields
+from .._fields import dataset_fields
 from .style import axes, label, label_field
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
     from .._sweep import SweepResult
 
-_DIRECTION_STYLES = {
+_DIRECTION_STYLES: dict[str, dict[str, Any]] = {
     "up": {"linestyle": "-", "marker": ">"},
     "down": {"linestyle": "--", "marker": "<", "markerfacecolor": "none"},
     "independent": {"linestyle": "none", "marker": "o"},
 }
 
 
-def plot_sweep(result: SweepResult, ax: Any, text: str | None, quantity: str) -> Any:
+def plot_sweep(result: SweepResult, ax: Axes | None, text: str | None, quantity: str) -> Axes:
     """Draws a quantity over the key, with separate directions; unsettled points have a ring."""
     with axes(ax) as ax:
         colour = None
