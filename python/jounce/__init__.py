@@ -15,10 +15,10 @@ from ._bifurcations import BifurcationCurve, BifurcationsResult
 from ._branch import Branch, BranchResult
 from ._contact import ContactResult, Pulse, contact
 from ._core import VERSION as __version__
+from ._design import DesignResult
 from ._diagram import DiagramResult
 from ._docstrings import apply as _apply_docstrings
 from ._elements import Beam, Circuit, Damping, Drive, Gravity, Layer, Mass, Modal, Patch, Reduction, Run, Stop
-from ._design import DesignResult
 from ._ensemble import EnsembleResult
 from ._errors import (
     ArgumentError,

@@ -6,16 +6,21 @@ import dataclasses
 from collections.abc import Callable, Mapping
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 
 from ._errors import ArgumentError, FileError
+from ._fields import About, Along
 from ._format import html_table
 from ._quantity import toml
-from ._result import Floats, Result, Variable, column
+from ._result import Floats, Result, column
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
+
     from ._spec import Spec
 else:
     # The module of Spec imports this one, so the name is looked up when a dataset is made.
@@ -26,50 +31,41 @@ else:
 class DesignResult(Result):
     """Best design with its limits, its robustness and, for several goals, the front."""
 
-    #: Free keys, their best values and those in the spec, with units; the end of its range that a value has, ``"lower"``, ``"upper"`` or ``""``.
-    key: list[str]
-    value: list[str]
-    before: list[str]
-    at_end: list[str]
-    #: Value of each goal by its name, in W or Hz, of the best design and of the spec as given.
-    goals: dict[str, float]
-    goals_before: dict[str, float]
-    #: Mean power of the main orbit, W.
-    mean_power_w: float
-    #: Expected power of a start, W, with the ends of its 95 % interval.
-    expected_power_w: float
-    expected_power_low_w: float
-    expected_power_high_w: float
-    #: Share of the starts that reach the main orbit, with the ends of its 95 % interval.
-    basin_fraction: float
-    basin_fraction_low: float
-    basin_fraction_high: float
-    #: True where the main orbit is stable; its period in drive cycles, 0 without an orbit.
-    stable: bool
-    period_cycles: int
-    #: Nearest fold of the main orbit over the frequency of the drive: ``key``, ``frequency_hz``, ``distance_hz``; ``None`` without one.
-    nearest_fold: dict[str, Any] | None
-    #: Limits: ``name``, ``value`` and ``limit`` in SI, ``active``, and the ``price``, W per SI unit, of one that binds.
-    limits: list[dict[str, Any]]
-    #: Quantiles and Sobol indices of the power under the tolerances; ``None`` without tolerances.
-    robust: dict[str, Any] | None
-    #: Designs that no other beats in all goals: ``set`` and ``goals``; empty for one goal.
-    front: list[dict[str, Any]]
-    #: True within all limits; else the sum of the relative violations.
-    feasible: bool
-    violation: float
-    #: Reason of the end: ``"converged"``, ``"evaluations"``, ``"seconds"`` or ``"stopped"``.
-    ended_by: str
-    #: Better and better designs: number of evaluated designs, first goal, and violation; arrays of shape ``(step,)``.
-    trace_evaluation: Floats
-    trace_goal: Floats
-    trace_violation: Floats
-    #: Number of evaluated designs, and the seed.
-    evaluations: int
-    seed: int
-    wall_time_s: float = dataclasses.field(compare=False)
-    #: Harvester of the best design.
-    spec: Spec
+    key: Annotated[list[str], About("free keys", axes="key")]
+    value: Annotated[list[str], About("best values, with units", axes="key")]
+    before: Annotated[list[str], About("values in the spec, with units", axes="key")]
+    at_end: Annotated[list[str], About('end of its range that a value has, ``"lower"`` or ``"upper"``; empty inside', axes="key")]
+    goals: Annotated[dict[str, float], About("value of each goal by its name, W or Hz")]
+    goals_before: Annotated[dict[str, float], About("value of each goal of the spec as given, W or Hz")]
+    mean_power_w: Annotated[float, About("mean power of the main orbit", "W")]
+    expected_power_w: Annotated[float, About("expected power of a start", "W")]
+    expected_power_low_w: Annotated[float, About("lower end of its 95 % interval", "W")]
+    expected_power_high_w: Annotated[float, About("upper end of its 95 % interval", "W")]
+    basin_fraction: Annotated[float, About("share of the starts that reach the main orbit")]
+    basin_fraction_low: Annotated[float, About("lower end of its 95 % interval")]
+    basin_fraction_high: Annotated[float, About("upper end of its 95 % interval")]
+    stable: Annotated[bool, About("True where the main orbit is stable; False without an orbit")]
+    period_cycles: Annotated[int, About("period of the main orbit in drive cycles; 0 without an orbit")]
+    nearest_fold: Annotated[
+        dict[str, Any] | None,
+        About("nearest fold over the frequency of the drive: ``key``, ``frequency_hz``, ``distance_hz``"),
+    ]
+    limits: Annotated[
+        list[dict[str, Any]],
+        About("limits: ``name``, ``value``, ``limit``, ``active``, and the ``price`` of one that binds; SI"),
+    ]
+    robust: Annotated[dict[str, Any] | None, About("quantiles and Sobol indices of the power; ``None`` without tolerances")]
+    front: Annotated[list[dict[str, Any]], About("designs that no other beats in all goals: ``set`` and ``goals``; empty for one goal")]
+    feasible: Annotated[bool, About("True within all limits")]
+    violation: Annotated[float, About("sum of the relative violations of the limits; 0 within them")]
+    ended_by: Annotated[str, About('reason of the end: ``"converged"``, ``"evaluations"``, ``"seconds"`` or ``"stopped"``')]
+    trace_evaluation: Annotated[Floats, Along("step", "", "number of evaluated designs", "evaluation")]
+    trace_goal: Annotated[Floats, Along("step", "", "first goal of the best design", "goal")]
+    trace_violation: Annotated[Floats, Along("step", "", "sum of its relative violations", "violation")]
+    evaluations: Annotated[int, About("number of evaluated designs")]
+    seed: Annotated[int, About("seed")]
+    spec: Annotated[Spec, About("harvester of the best design")]
+    wall_time_s: Annotated[float, About("wall time", "s")] = dataclasses.field(compare=False)
 
     def __len__(self) -> int:
         return len(self.key)
@@ -94,20 +90,15 @@ class DesignResult(Result):
         rows = [list(row) for row in zip(self.key, self.value, self.before, self.at_end)]
         return html_table("Design", ["", ""], self._summary()) + html_table("Keys", ["key", "value", "before", "at end"], rows)
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` of the better and better designs over ``step``."""
-        variables = {
-            "evaluation": Variable(("step",), self.trace_evaluation, "", "number of evaluated designs"),
-            "goal": Variable(("step",), self.trace_goal, "", "first goal"),
-            "violation": Variable(("step",), self.trace_violation, "", "sum of the relative violations"),
-        }
-        return self._dataset(variables, {})
+        return self._dataset(self._variables(), {})
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each free key."""
         return self._frame({"key": self.key, "value": self.value, "before": self.before, "at_end": self.at_end})
 
-    def front_to_pandas(self) -> Any:
+    def front_to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each design of the front: its goals and its keys."""
         rows = [{**one["goals"], **one["set"]} for one in self.front]
         names = list(rows[0]) if rows else []
@@ -117,13 +108,13 @@ class DesignResult(Result):
         pictures: dict[str, Callable[[Any], Any]] = {"trace": self.plot_trace}
         return {"front": self.plot_front, **pictures} if self.front else pictures
 
-    def plot_trace(self, ax: Any = None) -> Any:
+    def plot_trace(self, ax: Axes | None = None) -> Axes:
         """Draws the first goal of the best design within the limits over the number of evaluated designs."""
         from ._plot.design import plot_trace
 
         return plot_trace(self, ax)
 
-    def plot_front(self, ax: Any = None) -> Any:
+    def plot_front(self, ax: Axes | None = None) -> Axes:
         """Draws the front over its first two goals."""
         from ._plot.design import plot_front
 

@@ -5,45 +5,50 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable
 from functools import partial
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
 
+from ._fields import About, Along, Variable
 from ._named import look_up
-from ._result import Along, Floats, Result, Variable
+from ._result import Floats, Result
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from pandas import DataFrame
+    from xarray import Dataset
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class SensitivityResult(Result):
     """Derivatives of the results of an orbit; arrays of shape ``(key, quantity)``, the largest relative one of the mean power first."""
 
-    #: Id of the orbit, as in ``basins``; its period in drive cycles, and its mean power, W.
-    at: str
-    period_cycles: int
-    mean_power_w: float
-    #: Keys, their SI units and values.
-    key: list[str]
-    key_unit: list[str]
-    value: Floats
-    #: Results of the orbit, ``"mean_power"`` first, their SI units and values.
-    quantity: list[str]
-    quantity_unit: list[str]
-    quantity_value: Floats
-    #: Derivatives in SI units; relative change of the result per relative change of the key, and its estimated error.
-    derivative: Annotated[Floats, Along("key quantity", "", "derivative, SI")]
+    at: Annotated[str, About("id of the orbit, as in :meth:`Spec.basins`")]
+    period_cycles: Annotated[int, About("period in drive cycles")]
+    mean_power_w: Annotated[float, About("mean power of the orbit", "W")]
+    key: Annotated[list[str], About("keys", axes="key")]
+    key_unit: Annotated[list[str], About("SI units of the keys", axes="key")]
+    value: Annotated[Floats, About("values of the keys, SI", axes="key")]
+    quantity: Annotated[list[str], About('results of the orbit, ``"mean_power"`` first', axes="quantity")]
+    quantity_unit: Annotated[list[str], About("SI units of the results", axes="quantity")]
+    quantity_value: Annotated[Floats, About("values of the results, SI", axes="quantity")]
+    derivative: Annotated[Floats, Along("key quantity", "", "derivative of the result by the key, SI")]
     relative: Annotated[Floats, Along("key quantity", "1", "relative change of the result per relative change of the key")]
     relative_error: Annotated[Floats, Along("key quantity", "1", "estimated error of the relative change")]
-    #: Keys without derivatives, with the reason.
-    failed: dict[str, str]
+    failed: Annotated[dict[str, str], About("keys without derivatives, with the reason")]
 
     def __len__(self) -> int:
         return len(self.key)
 
     def _summary(self) -> list[tuple[str, str]]:
-        rows = [(key, f"{self.relative[k, 0]:+.4f} % of power for 1 % more of {self.value[k]:.6g} {self.key_unit[k]}") for k, key in enumerate(self.key)]
-        return [("orbit", f"{self.at}, {self.mean_power_w:.6g} W"), *rows, *((key, f"no derivative: {reason}") for key, reason in self.failed.items())]
+        def text(k: int) -> str:
+            return f"{self.relative[k, 0]:+.4f} % of power for 1 % more of {self.value[k]:.6g} {self.key_unit[k]}"
 
-    def to_xarray(self) -> Any:
+        rows = [(key, text(k)) for k, key in enumerate(self.key)]
+        failed = [(key, f"no derivative: {reason}") for key, reason in self.failed.items()]
+        return [("orbit", f"{self.at}, {self.mean_power_w:.6g} W"), *rows, *failed]
+
+    def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``key`` and ``quantity``."""
         coords = {
             "key": Variable(("key",), self.key, "", "key"),
@@ -55,7 +60,7 @@ class SensitivityResult(Result):
         }
         return self._dataset(self._variables(), coords)
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each key: its value, and the relative derivative of each result."""
         relative = {name: self.relative[:, k] for k, name in enumerate(self.quantity)}
         return self._frame({"key": self.key, "unit": self.key_unit, "value": self.value, **relative})
@@ -63,7 +68,7 @@ class SensitivityResult(Result):
     def _pictures(self) -> dict[str, Callable[[Any], Any]]:
         return {name: partial(self.plot_sensitivity, quantity=name) for name in self.quantity}
 
-    def plot_sensitivity(self, ax: Any = None, quantity: str = "mean_power") -> Any:
+    def plot_sensitivity(self, ax: Axes | None = None, quantity: str = "mean_power") -> Axes:
         """Draws the relative derivatives of a result as bars, the largest first."""
         from ._plot.sensitivity import plot_sensitivity
 

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from .style import axes, label
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
     from .._design import DesignResult
 
 #: Name and unit of each goal on an axis.
@@ -18,7 +20,7 @@ GOALS = {
 }
 
 
-def plot_trace(result: DesignResult, ax: Any = None) -> Any:
+def plot_trace(result: DesignResult, ax: Axes | None = None) -> Axes:
     """Draws the first goal of the best design within the limits over the number of evaluated designs."""
     within = result.trace_violation == 0.0
     with axes(ax) as ax:
@@ -28,7 +30,7 @@ def plot_trace(result: DesignResult, ax: Any = None) -> Any:
     return ax
 
 
-def plot_front(result: DesignResult, ax: Any = None) -> Any:
+def plot_front(result: DesignResult, ax: Axes | None = None) -> Axes:
     """Draws the front over its first two goals."""
     first, second = list(result.goals)[:2]
     with axes(ax) as ax:

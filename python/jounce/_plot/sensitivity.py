@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from .style import axes
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
     from .._sensitivity import SensitivityResult
 
 #: Largest number of keys in the picture.
 SHOWN = 20
 
 
-def plot_sensitivity(result: SensitivityResult, quantity: int, ax: Any = None) -> Any:
+def plot_sensitivity(result: SensitivityResult, quantity: int, ax: Axes | None = None) -> Axes:
     """Draws the relative derivatives of a result as bars, the largest at the top."""
     order = np.argsort(-np.abs(result.relative[:, quantity]), kind="stable")[:SHOWN]
     places = np.arange(len(order))
