@@ -58,7 +58,7 @@ impl StepEnd<'_> {
     /// Returns the index of the conjugate.
     pub fn conjugate(&self, i: usize) -> usize {
         let conjugate = self.value(i).conj();
-        let distance = |j: &usize| (self.value(*j) - conjugate).norm();
+        let distance = |j: &usize| (self.value(*j) - conjugate).norm_sqr();
         if conjugate.im == 0.0 {
             i
         } else {
