@@ -76,7 +76,10 @@ export class Controls {
         this.faults.set(source, faults);
         const beside = new Map<string, string>();
         const rest: string[] = [];
-        for (const { key, message } of [...this.faults.values()].flat()) {
+        const all = [...this.faults.values()].flat();
+        // Two requests of one design have the same fault.
+        const different = all.filter((fault, k) => all.findIndex(({ key, message }) => key === fault.key && message === fault.message) === k);
+        for (const { key, message } of different) {
             if (this.rows.has(key)) beside.set(key, beside.has(key) ? `${beside.get(key)} ${message}` : message);
             else rest.push(message);
         }

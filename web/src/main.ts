@@ -110,7 +110,7 @@ point.onChange = () => {
 const showOperating = () => {
     if (!response.following || !response.result) return;
     if (response.chosen) requests.showOrbit();
-    else orbit.clear("No computed branch has the attractor of the operating point; select another point for its orbit");
+    else orbit.clear(`No branch ${response.result.draft ? "found so far" : "found"} has the attractor of the operating point; select another point for its orbit`);
 };
 find("operating-show").onclick = () => {
     find("operating-show").hidden = true;
@@ -164,9 +164,10 @@ const kindOfDrive = (aperiodic: boolean) => {
     if (shaken === "") find("tab-shake").click();
     shaken = design.signature;
     find("readout").textContent = "The drives have no common period, so there are no periodic orbits; Sweep integrates over a key.";
+    orbit.clear("No periodic orbit");
     shake.ofSpec();
 };
-shake.onSpec = (words) => point.runTaken(words);
+shake.onSpec = (words) => point.runTaken(`Under ${words}`);
 wire.on("response", (frame) => {
     if (frame.head.stage === "progress") return requests.progress(frame.head);
     if (frame.head.stage === "widths") return response.takeWidths(frame.head);

@@ -12,7 +12,7 @@ export class Readout {
     /** Shows the text, the note of the search, and the bifurcations; `choose` is called with the one that is clicked. */
     show(text: string, note: string, found: Bifurcation[], unit: string, choose: (found: Bifurcation) => void): void {
         if (this.words.textContent !== text) this.words.textContent = text;
-        this.note.textContent = note;
+        this.note.textContent = note.replaceAll("`", "");
         this.note.hidden = note === "";
         this.title.parentElement!.hidden = found.length === 0;
         const own = JSON.stringify(found);

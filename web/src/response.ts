@@ -228,9 +228,10 @@ export class Response {
     }
 
     private key(event: KeyboardEvent): void {
-        const { result, chosen } = this;
+        const { result } = this;
+        const chosen = this.chosen ?? { branch: 0, point: 0 };
         const step = { ArrowRight: 1, ArrowLeft: -1, PageUp: 10, PageDown: -10 }[event.key];
-        if (!result || !chosen) return;
+        if (!result || result.branches.length === 0) return;
         let { branch, point } = chosen;
         if (step !== undefined) point = Math.min(Math.max(point + step, 0), result.branches[branch].x.length - 1);
         else if (event.key === "ArrowUp" || event.key === "ArrowDown") {

@@ -140,11 +140,11 @@ export class Shake {
         this.voltage.show(time, { words: "Voltage", unit: "V" }, [{ x: last.array("voltage.time"), y: last.array("voltage.value"), colour: colour("blue"), width: 1 }]);
         if (last.has("displacement.time")) {
             const curve = { x: last.array("displacement.time"), y: last.array("displacement.value"), colour: colour("green"), width: 1 };
-            this.displacement.show(time, { words: "Towards the stop", unit: "m" }, [curve], [], [{ at: last.head.gap_m, along: "y", words: "stop" }]);
+            this.displacement.show(time, { words: "Position", unit: "m" }, [curve], [], [{ at: last.head.gap_m, along: "y", words: "stop" }]);
         }
         if (last.has("density.value")) {
             const curve = { x: last.array("density.frequency"), y: last.array("density.value"), colour: colour("blue"), width: 1 };
-            this.density.show({ words: "Frequency", unit: "Hz" }, { words: "Voltage density", unit: "V²/Hz", log: true }, [curve]);
+            this.density.show({ words: "Frequency", unit: "Hz" }, { words: "Density", unit: "V²/Hz", log: true }, [curve]);
         }
     }
 }

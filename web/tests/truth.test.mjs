@@ -121,7 +121,8 @@ test("a pin over another key is not drawn and says so", async () => {
 test("a draft is faded, has no marks, and says that it is one", async () => {
     const slider = page.getByRole("slider", { name: "stop.tip.gap", exact: true });
     const seen = await slider.evaluate(async (element) => {
-        let [drafts, marked] = [0, 0];
+        let [drafts, marked, faded] = [0, 0, 0];
+        const canvas = document.querySelector("#chart-response canvas");
         const words = [];
         for (let move = 0; move < 30; move++) {
             element.value = String(330 + 4 * move);
@@ -130,13 +131,16 @@ test("a draft is faded, has no marks, and says that it is one", async () => {
             if (!/Draft/.test(document.getElementById("readout").textContent)) continue;
             drafts++;
             marked += document.querySelectorAll("#bifurcations tr").length > 0 && !document.querySelector(".readout details").hidden ? 1 : 0;
+            const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+            for (let k = 3; k < data.length; k += 4) faded += data[k] > 95 && data[k] < 110 ? 1 : 0;
             words.push(document.getElementById("busy").textContent);
         }
         element.dispatchEvent(new Event("change"));
-        return { drafts, marked, words };
+        return { drafts, marked, faded, words };
     });
     assert.ok(seen.drafts > 5, JSON.stringify(seen));
     assert.equal(seen.marked, 0);
+    assert.ok(seen.faded / seen.drafts > 200, String(seen.faded));
     await ready(page);
     assert.doesNotMatch(await text("readout"), /Draft/);
     await reset();

@@ -132,6 +132,34 @@ test("without a stop there are no charts of contact", async () => {
     await linear.close();
 });
 
+test("a stop on a moving beam moves in the animation", async () => {
+    const beams = await serve({ example: "two-beams-vijayan-2015/harvester.toml" });
+    const own = await browser.context.newPage();
+    await own.goto(beams.address);
+    await until("readout", /Draft|Peak|Largest/, own);
+    await own.locator("#chart-response").focus();
+    await own.keyboard.press("ArrowRight");
+    await until("orbit-title", /Orbit at/, own);
+    /** First row with the grey of the bar of the stop, right of the clamp. */
+    const row = () => own.locator("#motion").evaluate((canvas) => {
+        const [width, height] = [canvas.width, Math.round(canvas.height / 2)];
+        const { data } = canvas.getContext("2d").getImageData(width - 60, 0, 60, height);
+        for (let k = 0; k < data.length; k += 4) {
+            if (data[k] === 138 && data[k + 1] === 138 && data[k + 2] === 138 && data[k + 3] === 255) return Math.floor(k / 240);
+        }
+        return undefined;
+    });
+    const rows = new Set();
+    for (let look = 0; look < 30; look++) {
+        rows.add(await row());
+        await own.waitForTimeout(50);
+    }
+    rows.delete(undefined);
+    assert.ok(rows.size > 2, [...rows].join());
+    await own.close();
+    await beams.close();
+});
+
 test("free motion opens on its time history", async () => {
     const shock = await serve({ example: "shock-cavallier-2005/harvester.toml" });
     const own = await browser.context.newPage();
