@@ -1,6 +1,7 @@
 // What the page shows is so: attractors, drafts, older results, faults, warnings, the operating point.
 import assert from "node:assert/strict";
 import { execFile } from "node:child_process";
+import { readFile, writeFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
 import { promisify } from "node:util";
 import { browse, open, program, ready, serve } from "./browser.mjs";
@@ -225,6 +226,18 @@ test("excitation: the drives of the spec give the power of `jounce run`", async 
     assert.equal(await own.getAttribute("#tab-shake", "aria-selected"), "true");
     await own.close();
     await random.close();
+});
+
+test("the operating point gives the strain with its limit, and a limit that is exceeded", async () => {
+    const spec = await readFile(server.spec, "utf8");
+    const limited = (ppm) => writeFile(server.spec, spec.replace("[patch.mfc] ", `[patch.mfc]\nstrain_limit = ${ppm}e-6\n#`));
+    await limited(600);
+    await until("operating-words", /At 13 Hz: .*, strain [\d.]+ ppm of 600$/);
+    const reached = Number((await text("operating-words")).match(/strain ([\d.]+) ppm/)[1]);
+    await limited(Math.floor(reached / 2));
+    await until("operating-warnings", /patch mfc: its strain reaches \d+ ppm/);
+    await writeFile(server.spec, spec);
+    await page.waitForFunction(() => document.getElementById("operating-warnings").hidden);
 });
 
 test("no error was printed in the browser", () => assert.deepEqual(page.faults, []));
