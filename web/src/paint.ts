@@ -11,6 +11,8 @@ export interface Curve {
     alpha?: number;
     /** Segments between points that are dashed. */
     dashed?: (from: number) => boolean;
+    /** Segments between points that are not drawn. */
+    gap?: (from: number) => boolean;
     /** Points instead of a line. */
     dots?: number;
     /** Points as cells of this width and height, in the units of the axes. */
@@ -120,7 +122,8 @@ function line(ctx: CanvasRenderingContext2D, curve: Curve, at: (k: number) => [n
             ctx.moveTo(...at(k));
             before = dashed;
         }
-        ctx.lineTo(...at(k + 1));
+        if (curve.gap?.(k)) ctx.moveTo(...at(k + 1));
+        else ctx.lineTo(...at(k + 1));
     }
     if (before !== undefined) ctx.stroke();
     ctx.setLineDash([]);

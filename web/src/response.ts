@@ -16,6 +16,8 @@ const SHAPES: Record<string, Mark["shape"]> = {
 const REACH = 40;
 /** Opacity of a draft. */
 const DRAFT = 0.4;
+/** Change of the logarithm of the power over which a draft is not drawn: such a chord joins two branches. */
+const DRAFT_STEP = 1.5;
 /** Longest period, in drive cycles, that is always shown. */
 const SHORT_PERIOD = 2;
 
@@ -168,6 +170,7 @@ export class Response {
             colour: own(branch),
             width: 2,
             alpha,
+            gap: (from) => result.draft && Math.abs(Math.log(branch.values.power[from + 1] / branch.values.power[from])) > DRAFT_STEP,
             dashed: (from) => !(isStable(branch, from) && isStable(branch, from + 1)),
         }));
     }
