@@ -22,12 +22,6 @@ use jounce_dynamics::Kernel;
 use jounce_orbits::{OrbitMethod, Shooting};
 use rayon::prelude::*;
 
-/// Shortest chord, in the metric, at which a branch may be cut because two neighbours have moved
-/// apart.
-const MIN_BROKEN_CHORD: f64 = 1.0;
-/// Largest ratio of a longer chord to the chord between the known points.
-const MAX_CHORD_RATIO: f64 = 3.0;
-
 /// Definition of an update of branches.
 #[derive(Debug)]
 pub struct BranchUpdate<'s> {
@@ -128,7 +122,14 @@ impl BranchUpdate<'_> {
             .iter()
             .filter(|corrected| corrected.is_none())
             .count();
-        for orbit_points in self.connected(tracer, &branch.points, &updated_points) {
+        let is_inside = |value: f64| (self.range.0..=self.range.1).contains(&value);
+        let ends = |corrected: &Option<_>| {
+            !corrected.as_ref().is_some_and(|corrected: &OrbitPoint<_>| {
+                is_inside(corrected.step.position.parameter)
+            })
+        };
+        for run in updated_points.split(ends).filter(|run| run.len() > 1) {
+            let orbit_points: Vec<_> = run.iter().flatten().collect();
             let between = orbit_points.par_windows(2).map(|pair| {
                 tracer
                     .between(&shooting, pair[0], pair[1])
@@ -147,44 +148,6 @@ impl BranchUpdate<'_> {
                 not_followed: 0,
             });
         }
-    }
-
-    /// Returns the runs of at least two neighbouring points inside the range. A run ends where a
-    /// point is lost, and where two neighbours have moved apart: one of them is on another branch.
-    fn connected<'r, M: OrbitMethod>(
-        &self,
-        tracer: &BranchTracer,
-        points: &[BranchPoint],
-        updated_points: &'r [Option<OrbitPoint<M>>],
-    ) -> Vec<Vec<&'r OrbitPoint<M>>> {
-        let position = |point: &'r OrbitPoint<M>| &point.step.position;
-        let is_inside = |point: &OrbitPoint<M>| {
-            (self.range.0..=self.range.1).contains(&point.step.position.parameter)
-        };
-        let are_apart = |index: usize, last: &'r OrbitPoint<M>, point: &'r OrbitPoint<M>| {
-            let [from, to] = [index - 1, index].map(|index| at(&points[index]));
-            let metric = Metric::at(&from, tracer.parameter_scale());
-            let before = metric.length(&from.to(&to));
-            let now = metric.length(&position(last).to(position(point)));
-            now > MIN_BROKEN_CHORD && now > MAX_CHORD_RATIO * before
-        };
-        let mut runs: Vec<Vec<&OrbitPoint<M>>> = vec![Vec::new()];
-        for (index, point) in updated_points.iter().enumerate() {
-            let point = point.as_ref().filter(|point| is_inside(point));
-            let last = runs.last().and_then(|run| run.last()).copied();
-            let is_broken = match (last, point) {
-                (Some(last), Some(point)) => are_apart(index, last, point),
-                (_, point) => point.is_none(),
-            };
-            if is_broken {
-                runs.push(Vec::new());
-            }
-            if let Some(run) = runs.last_mut() {
-                run.extend(point);
-            }
-        }
-        runs.retain(|run| run.len() > 1);
-        runs
     }
 
     /// Corrects all points of a branch: from their predicted positions, then from their old ones,
