@@ -2,7 +2,7 @@
 
 import type { Control, Controls } from "./controls";
 import type { View } from "./design";
-import { digits } from "./units";
+import { digits, sign } from "./units";
 
 const find = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;
 
@@ -13,7 +13,7 @@ export class Axes {
     private readonly unit = find("over-unit");
     view: View | undefined;
     onChange: () => void = () => {};
-    /** Called with the error of a range. */
+    /** Called with the error of a range, or with nothing for a valid one. */
     onWrong: (words: string) => void = () => {};
 
     constructor(private readonly controls: Controls) {
@@ -47,6 +47,7 @@ export class Axes {
 
     private pick(key: string): void {
         this.view = this.around(this.controls.find(key)!);
+        this.onWrong("");
         this.show(this.view);
         this.onChange();
     }
@@ -56,7 +57,8 @@ export class Axes {
         this.over.value = view.over;
         this.from.value = digits(view.from / control.factor, 5);
         this.to.value = digits(view.to / control.factor, 5);
-        this.unit.textContent = control.unit;
+        this.unit.textContent = sign(control.unit);
+        for (const field of [this.from, this.to]) field.setAttribute("aria-invalid", "false");
     }
 
     private read(): void {
@@ -66,6 +68,7 @@ export class Axes {
         const right = from < to;
         for (const field of [this.from, this.to]) field.setAttribute("aria-invalid", String(!right));
         if (!right) return this.onWrong(`${control.key}: the range must go from a smaller to a larger number`);
+        this.onWrong("");
         this.view = { over: control.key, from, to };
         this.onChange();
     }

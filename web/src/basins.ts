@@ -3,8 +3,9 @@
 import { Chart } from "./chart";
 import type { Design } from "./design";
 import type { Frame } from "./frame";
-import { colour, nth } from "./theme";
+import { colour, shade } from "./theme";
 import { digits, quantity } from "./units";
+import { Stale } from "./stale";
 import type { Wire } from "./wire";
 
 interface Attractor {
@@ -25,14 +26,17 @@ export class Basins {
     private readonly bar = find<HTMLProgressElement>("basins-progress");
     private frame: Frame | undefined;
     private running = false;
+    private readonly stale: Stale;
 
     constructor(private readonly wire: Wire, private readonly design: Design) {
+        this.stale = new Stale(find("panel-basins"), find("basins-stale"), design);
         wire.on("basins", (frame) => this.take(frame));
         find("basins-run").onclick = () => (this.running ? this.stop() : this.run());
     }
 
     run(): void {
         const starts = Number(find<HTMLSelectElement>("basins-starts").value);
+        this.stale.begin();
         this.set(this.wire.ask("basins", { set: this.design.pairs, starts, tolerance: TOLERANCE }) !== 0);
         this.bar.value = 0;
         this.words.textContent = "integrating";
@@ -42,6 +46,18 @@ export class Basins {
         this.wire.ask("stop", { what: "basins" });
         this.set(false);
         this.words.textContent = "stopped";
+    }
+
+    /** Shows whether the result belongs to the present design. */
+    designChanged(): void {
+        this.stale.mark();
+    }
+
+    /** The lost connection has taken the computation with it. */
+    forget(): void {
+        if (!this.running) return;
+        this.set(false);
+        this.words.textContent = "stopped: the connection was lost";
     }
 
     private set(running: boolean): void {
@@ -62,8 +78,8 @@ export class Basins {
         } else {
             this.set(false);
             this.frame = frame;
-            const expected = quantity(head.expected_power_w, "W");
-            this.words.textContent = `at ${quantity(head.frequency_hz, "Hz")}: expected power ${expected}${head.failed.length > 0 ? `, ${head.failed.length} runs failed` : ""}`;
+            const [expected, low, high] = [head.expected_power_w, head.expected_power_low_w, head.expected_power_high_w].map((watt) => quantity(watt, "W"));
+            this.words.textContent = `at ${quantity(head.frequency_hz, "Hz")}: expected power ${expected} (95 %: ${low} to ${high})${head.failed.length > 0 ? `, ${head.failed.length} runs failed` : ""}`;
             this.redraw();
         }
     }
@@ -73,20 +89,27 @@ export class Basins {
         const { head } = this.frame;
         const attractors = head.attractors as Attractor[];
         const [x, y, attractor] = ["displacement_m", "velocity_m_s", "attractor"].map((name) => this.frame!.array(name));
-        const size = Math.max(1.5, (0.46 * Math.min(this.chart.host.clientWidth - 70, this.chart.host.clientHeight - 46)) / Math.sqrt(head.starts));
+        const cell = [step(x), step(y)] as [number, number];
+        const ends = (values: Float64Array, size: number): [number, number] => [Math.min(...values) - size / 2, Math.max(...values) + size / 2];
         const curves = [...attractors.keys(), -1].map((k) => {
             const own = [...attractor.keys()].filter((index) => attractor[index] === k);
-            return { x: own.map((index) => x[index]), y: own.map((index) => y[index]), colour: k < 0 ? colour("grey") : nth(k), dots: size };
+            return { x: own.map((index) => x[index]), y: own.map((index) => y[index]), colour: k < 0 ? colour("grey") : shade(k), cell };
         });
-        this.chart.show({ words: "Displacement", unit: "m" }, { words: "Velocity", unit: "m/s" }, curves);
+        this.chart.show({ words: "Displacement", unit: "m", ends: ends(x, cell[0]) }, { words: "Velocity", unit: "m/s", ends: ends(y, cell[1]) }, curves);
         const share = (value: number) => `${digits(100 * value, 3)} %`;
         const legend = attractors.map((a, k) => {
             const item = document.createElement("li");
-            item.dataset.colour = String(k % 6);
+            item.style.setProperty("--own", shade(k));
             item.textContent = `${a.id}: ${share(a.fraction)} of the starts (${share(a.fraction_low)} to ${share(a.fraction_high)}), ${quantity(a.mean_power_w, "W")}`;
             return item;
         });
         find("attractors").replaceChildren(...legend);
         this.chart.host.setAttribute("aria-label", `Attractors of ${x.length} starts. ${legend.map((item) => item.textContent).join("; ")}`);
     }
+}
+
+/** Distance between neighbouring values of a grid. */
+function step(values: Float64Array): number {
+    const sorted = [...new Set(values)].sort((a, b) => a - b);
+    return sorted.length > 1 ? (sorted[sorted.length - 1] - sorted[0]) / (sorted.length - 1) : 1;
 }

@@ -12,6 +12,8 @@ export const QUANTITIES: Record<Quantity, { words: string; unit: string }> = {
 };
 
 export interface Branch {
+    /** Number that the branch retains in the next response. */
+    identity: number;
     period: number;
     x: Float64Array;
     values: Record<Quantity, Float64Array>;
@@ -36,6 +38,10 @@ export interface ResponseResult {
     branches: Branch[];
     bifurcations: Bifurcation[];
     linear: { x: Float64Array; power: Float64Array };
+    /** True for branches carried over from the previous design, until the search has ended. */
+    draft: boolean;
+    /** Branches that the search may miss. */
+    note: string;
 }
 
 export interface Place {
@@ -48,25 +54,45 @@ export function resultOf(frame: Frame): ResponseResult {
     const { head } = frame;
     const branches = (head.branches as { period: number }[]).map((branch, k): Branch => {
         const values = Object.fromEntries(Object.keys(QUANTITIES).map((name) => [name, frame.array(`${k}.${name}`)]));
-        return { period: branch.period, x: frame.array(`${k}.x`), values: values as Branch["values"], contacts: frame.array(`${k}.contacts`) };
+        return { identity: k, period: branch.period, x: frame.array(`${k}.x`), values: values as Branch["values"], contacts: frame.array(`${k}.contacts`) };
     });
     const linear = { x: frame.array("linear.x"), power: frame.array("linear.power") };
-    return { id: head.id, over: head.over, unit: head.unit, branches, bifurcations: head.bifurcations, linear };
+    return { id: head.id, over: head.over, unit: head.unit, branches, bifurcations: head.bifurcations, linear, draft: head.stage === "coarse", note: head.note ?? "" };
 }
 
 export const isStable = (branch: Branch, point: number): boolean => branch.values.floquet[point] < 1;
 
-/** The stable point of the largest power, or any point. */
-export function best(result: ResponseResult): Place | undefined {
-    let found: Place | undefined;
-    let most = -1;
-    result.branches.forEach((branch, k) => {
-        for (let point = 0; point < branch.x.length; point++) {
-            const power = branch.values.power[point] + (isStable(branch, point) ? 1e9 : 0);
-            if (power > most) [most, found] = [power, { branch: k, point }];
-        }
-    });
-    return found;
+/** Gives each branch the number of the nearest branch of the previous response, or a new one. */
+export function identify(before: ResponseResult, result: ResponseResult, span: number): void {
+    const free = new Set(before.branches.keys());
+    let next = Math.max(-1, ...before.branches.map((branch) => branch.identity)) + 1;
+    const pairs = result.branches.flatMap((branch, k) =>
+        before.branches.map((old, index) => ({ k, index, away: branch.period === old.period ? distance(branch, old, span) : Infinity })),
+    );
+    const found = new Map<number, number>();
+    for (const { k, index, away } of pairs.sort((a, b) => a.away - b.away)) {
+        if (away > 1 || found.has(k) || !free.has(index)) continue;
+        free.delete(index);
+        found.set(k, before.branches[index].identity);
+    }
+    result.branches.forEach((branch, k) => (branch.identity = found.get(k) ?? next++));
+}
+
+/** Mean distance of some points of a branch from another one. */
+function distance(branch: Branch, other: Branch, span: number): number {
+    const step = Math.max(1, Math.floor(branch.x.length / 8));
+    let [sum, count] = [0, 0];
+    for (let point = 0; point < branch.x.length; point += step, count++) {
+        let least = Infinity;
+        for (let k = 0; k < other.x.length; k++) least = Math.min(least, away(other, k, branch.x[point], branch.values.power[point], span));
+        sum += least;
+    }
+    return sum / count;
+}
+
+/** Distance of a point of a branch from a value of the key and a power. */
+function away(branch: Branch, point: number, x: number, power: number, span: number): number {
+    return Math.hypot((branch.x[point] - x) / span, 0.2 * Math.log(branch.values.power[point] / power));
 }
 
 /** The point of a new response nearest to a point of an old one. */
@@ -75,9 +101,39 @@ export function nearest(result: ResponseResult, x: number, power: number, span: 
     let least = Infinity;
     result.branches.forEach((branch, k) => {
         for (let point = 0; point < branch.x.length; point++) {
-            const away = Math.hypot((branch.x[point] - x) / span, 0.2 * Math.log(branch.values.power[point] / power));
-            if (away < least) [least, found] = [away, { branch: k, point }];
+            const own = away(branch, point, x, power, span);
+            if (own < least) [least, found] = [own, { branch: k, point }];
         }
     });
     return found;
+}
+
+/** Largest difference of the powers of an attractor and of its branch, on the scale of `away`. */
+const SAME_POWER = 0.05;
+
+/** A point of a stable branch next to a value of the key: of the given attractor, or of the largest power. */
+export function operating(result: ResponseResult, x: number, attractor: { power: number; period: number } | undefined): Place | undefined {
+    let found: Place | undefined;
+    let least = attractor ? SAME_POWER : Infinity;
+    result.branches.forEach((branch, k) => {
+        if (attractor && branch.period !== attractor.period) return;
+        const { power } = branch.values;
+        for (let point = 0; point + 1 < branch.x.length; point++) {
+            const share = (x - branch.x[point]) / (branch.x[point + 1] - branch.x[point]);
+            if (!(share >= 0 && share <= 1)) continue;
+            const near = share < 0.5 ? point : point + 1;
+            const logarithm = (1 - share) * Math.log(power[point]) + share * Math.log(power[point + 1]);
+            const own = attractor ? 0.2 * Math.abs(logarithm - Math.log(attractor.power)) : -logarithm;
+            if (isStable(branch, near) && own < least) [least, found] = [own, { branch: k, point: near }];
+        }
+    });
+    return found;
+}
+
+/** Value of the key and of a quantity between a point of a branch and one of its neighbours. */
+export function pointAt({ x, values }: Branch, point: number, at: number, name: Quantity): [number, number] {
+    const share = (other: number) => (at - x[point]) / (x[other] - x[point]);
+    const other = [point - 1, point + 1].find((own) => share(own) >= 0 && share(own) <= 1);
+    const y = values[name];
+    return other === undefined ? [x[point], y[point]] : [at, y[point] + share(other) * (y[other] - y[point])];
 }

@@ -60,6 +60,11 @@ export class Chart {
         return [this.plot.valToPos(x, "x"), this.plot.valToPos(y, "y")];
     }
 
+    /** Value on the horizontal axis at a position in CSS pixels of the plotting area. */
+    valueAt(x: number): number {
+        return this.plot?.posToVal(x, "x") ?? Number.NaN;
+    }
+
     /** The area over the curves, for the mouse. */
     get over(): HTMLElement | undefined {
         return this.plot?.over;

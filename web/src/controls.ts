@@ -2,7 +2,7 @@
 
 import type { Design } from "./design";
 import type { Fault } from "./frame";
-import { digits } from "./units";
+import { digits, sign } from "./units";
 
 export interface Control {
     key: string;
@@ -34,6 +34,7 @@ export class Controls {
     private readonly rows = new Map<string, Row>();
     private readonly opened = new Map<string, boolean>();
     private list: Control[] = [];
+    private readonly faults = new Map<string, Fault[]>();
 
     constructor(private readonly host: HTMLElement, private readonly general: HTMLElement, private readonly design: Design) {}
 
@@ -47,10 +48,19 @@ export class Controls {
 
     /** Shows the controls of a design; rows with equal keys are reused, so that a held slider remains held. */
     take(list: Control[]): void {
-        const same = list.length === this.list.length && list.every((control, k) => control.key === this.list[k].key);
+        // A key that is set for the first time moves to another place of the list; its row remains.
+        const same = list.length === this.rows.size && list.every((control) => this.rows.has(control.key));
         this.list = list;
         if (!same) this.build();
         for (const control of list) this.put(control);
+    }
+
+    /** Axis title of a key, "Drive frequency" for that of the only drive. */
+    title(key: string): string {
+        const [table, name, ...rest] = key.split(".");
+        const alone = new Set(this.list.map((control) => control.key.split(".")).filter((parts) => parts[0] === table && parts.length > 2).map((parts) => parts[1])).size === 1;
+        const words = (rest.length === 0 ? [table, name] : alone ? [table, ...rest] : [table, name, ...rest]).filter(Boolean).join(" ").replaceAll("_", " ");
+        return words[0].toUpperCase() + words.slice(1);
     }
 
     /** Formats a value in SI as in the spec. */
@@ -61,11 +71,15 @@ export class Controls {
         return control.count ? String(Math.round(si)) : control.unit ? `${number} ${control.unit}` : number;
     }
 
-    /** Shows faults next to their controls; those without a control above all. */
-    tell(faults: Fault[]): void {
+    /** Shows the faults of one source, with those of the others: next to their controls, or above all. */
+    tell(source: string, faults: Fault[]): void {
+        this.faults.set(source, faults);
         const beside = new Map<string, string>();
         const rest: string[] = [];
-        for (const { key, message } of faults) {
+        const all = [...this.faults.values()].flat();
+        // Two requests of one design have the same fault.
+        const different = all.filter((fault, k) => all.findIndex(({ key, message }) => key === fault.key && message === fault.message) === k);
+        for (const { key, message } of different) {
             if (this.rows.has(key)) beside.set(key, beside.has(key) ? `${beside.get(key)} ${message}` : message);
             else rest.push(message);
         }
@@ -74,7 +88,8 @@ export class Controls {
             if (fault.textContent !== message) fault.textContent = message;
             fault.hidden = message === "";
             field.setAttribute("aria-invalid", String(message !== ""));
-            if (message) (row.closest("details") as HTMLDetailsElement).open = true;
+            if (!message) continue;
+            for (let group = row.closest("details"); group; group = group.parentElement!.closest("details")) group.open = true;
         }
         const text = rest.join("\n");
         if (this.general.textContent !== text) this.general.textContent = text;
@@ -120,7 +135,7 @@ export class Controls {
         const label = document.createElement("label");
         label.htmlFor = id;
         label.textContent = control.key.slice(group.length + 1).replaceAll(".", " ").replaceAll("_", " ") || control.key;
-        label.title = control.about;
+        label.title = `${label.textContent}: ${control.about}`;
         const slider = document.createElement("input");
         slider.type = "range";
         slider.min = "0";
@@ -135,7 +150,7 @@ export class Controls {
         field.setAttribute("aria-describedby", `${id}-fault`);
         const unit = document.createElement("span");
         unit.className = "unit";
-        unit.textContent = control.unit;
+        unit.textContent = unit.title = sign(control.unit);
         const fault = document.createElement("p");
         fault.className = "fault";
         fault.id = `${id}-fault`;
@@ -154,7 +169,7 @@ export class Controls {
         const { from, to, scale, unit, factor } = row.control;
         const inside = control.value >= from && control.value <= to;
         row.control = inside ? { ...control, from, to, scale, unit, factor } : control;
-        if (!inside || control.value === 0) row.row.querySelector(".unit")!.textContent = row.control.unit;
+        if (!inside || control.value === 0) row.row.querySelector(".unit")!.textContent = sign(row.control.unit);
         const text = this.number(row.control);
         if (document.activeElement !== row.field || row.field.getAttribute("aria-invalid") !== "true") row.field.value = text;
         row.slider.value = String(this.toStep(row.control, control.value));

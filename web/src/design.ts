@@ -11,6 +11,7 @@ export interface View {
 export class Design {
     private present: Map<string, string> = new Map();
     private settled: Map<string, string> = new Map();
+    private version = 0;
     private readonly past: Map<string, string>[] = [];
     private readonly future: Map<string, string>[] = [];
     /** Called after every change; `moving` while a slider or handle is held. */
@@ -22,6 +23,21 @@ export class Design {
 
     get pairs(): [string, string][] {
         return [...this.present];
+    }
+
+    /** Text that is equal for equal designs; a change of the file makes a new one. */
+    get signature(): string {
+        return JSON.stringify([this.version, [...this.present].sort()]);
+    }
+
+    /** The signature without one key. */
+    signatureWithout(key: string): string {
+        return JSON.stringify([this.version, [...this.present].filter(([own]) => own !== key).sort()]);
+    }
+
+    /** Registers a change of the file. */
+    fileChanged(): void {
+        this.version++;
     }
 
     get canUndo(): boolean {
@@ -54,7 +70,12 @@ export class Design {
     }
 
     reset(): void {
-        this.present = new Map();
+        this.replace([]);
+    }
+
+    /** Replaces the whole design; undo restores the previous one. */
+    replace(pairs: [string, string][]): void {
+        this.present = new Map(pairs);
         this.settle();
         this.onChange(false);
     }

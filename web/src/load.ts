@@ -6,6 +6,7 @@ import type { Design } from "./design";
 import type { Frame } from "./frame";
 import { colour } from "./theme";
 import { quantity } from "./units";
+import { Stale } from "./stale";
 import type { Wire } from "./wire";
 
 const POINTS = 25;
@@ -18,8 +19,10 @@ export class Load {
     private linear: [Float64Array, Float64Array] = [new Float64Array(0), new Float64Array(0)];
     private points: [number, number][] = [];
     private running = false;
+    private readonly stale: Stale;
 
     constructor(private readonly wire: Wire, private readonly controls: Controls, private readonly design: Design) {
+        this.stale = new Stale(find("panel-load"), find("load-stale"), design);
         wire.on("load", (frame) => this.take(frame));
         find("load-run").onclick = () => (this.running ? this.stop() : this.run());
     }
@@ -37,6 +40,7 @@ export class Load {
             return;
         }
         this.points = [];
+        this.stale.begin();
         this.set(this.wire.ask("load", { set: this.design.pairs, over: this.over.value, points: POINTS }) !== 0);
         this.words.textContent = "integrating";
     }
@@ -45,6 +49,18 @@ export class Load {
         this.wire.ask("stop", { what: "load" });
         this.set(false);
         this.words.textContent = "stopped";
+    }
+
+    /** Shows whether the result belongs to the present design. */
+    designChanged(): void {
+        this.stale.mark();
+    }
+
+    /** The lost connection has taken the computation with it. */
+    forget(): void {
+        if (!this.running) return;
+        this.set(false);
+        this.words.textContent = "stopped: the connection was lost";
     }
 
     private set(running: boolean): void {

@@ -7,13 +7,16 @@ import { Controls } from "./controls";
 import { Design, fromFragment, toFragment } from "./design";
 import { Drawing } from "./drawing";
 import { Exports } from "./exports";
-import type { Frame } from "./frame";
+import type { Fault, Frame, Head } from "./frame";
 import { Load } from "./load";
 import { Orbit } from "./orbit";
 import { Pins } from "./pins";
+import { OperatingPoint } from "./operating";
+import { Readout } from "./readout";
 import { Requests } from "./requests";
 import { Response } from "./response";
 import { Shake } from "./shake";
+import { shortcuts } from "./shortcuts";
 import { Tabs } from "./tabs";
 import { Theme } from "./theme";
 import { Wire } from "./wire";
@@ -26,30 +29,35 @@ const ADDRESS_RESTS_MS = 250;
 const wire = new Wire();
 const design = new Design();
 const controls = new Controls(find("groups"), find("faults"), design);
+const fault = (source: string, faults: Fault[]) => {
+    controls.tell(source, faults);
+    if (source === "design") document.body.classList.toggle("faulty", faults.length > 0);
+};
 const drawing = new Drawing(find("side"), find("close"), controls, design);
-const response = new Response(find("chart-response"), find("readout"));
+const response = new Response(find("chart-response"), new Readout(find("readout"), find("note"), find("bifurcations-title"), find("bifurcations")));
 const orbit = new Orbit();
 const axes = new Axes(controls);
 const load = new Load(wire, controls, design);
 const basins = new Basins(wire, design);
 const shake = new Shake(wire, controls, design, () => find("tab-shake").click());
 const exports = new Exports(response, drawing);
-const pins = new Pins(find("pins"), response, design);
 const status = find("status");
 let file = "";
 let begun = false;
 
 const say = (words: string) => {
-    if (status.textContent !== words) status.textContent = words;
+    if (status.textContent !== words) status.textContent = status.title = words;
 };
+const pins = new Pins(find("pins"), response, design, say);
+const point = new OperatingPoint(wire, design, find("operating-words"), find("operating-warnings"));
 
 const requests = new Requests(wire, design, axes, response, {
     say,
-    orbit: (frame: Frame) => orbit.take(frame),
-    fault: (faults) => {
-        controls.tell(faults);
-        document.body.classList.toggle("faulty", faults.length > 0);
+    orbit: (frame: Frame, operating: boolean) => {
+        orbit.take(frame);
+        point.orbitTaken(operating ? frame.head : undefined);
     },
+    fault,
 });
 
 // A browser is slow to set an address, and limits their rate: one when the design rests.
@@ -69,16 +77,46 @@ const remember = () => {
 };
 
 design.onChange = (moving) => {
+    fault("link", []);
     requests.change(performance.now());
     if (!moving) remember();
 };
 axes.onChange = () => {
     response.swept = [];
+    place();
     requests.change(performance.now());
     remember();
 };
-axes.onWrong = (message) => controls.tell([{ key: "", line: 0, message }]);
-response.onChoose = (place) => requests.orbit(place);
+axes.onWrong = (message) => fault("axes", message ? [{ key: "", line: 0, message }] : []);
+response.sweepIsOld = () => requests.sweepIsOld;
+response.onChoose = (chosen) => {
+    find("operating-show").hidden = false;
+    requests.orbit(chosen);
+};
+response.onMove = (value, moving) => axes.view && design.set(axes.view.over, controls.words(axes.view.over, value), moving);
+response.words = (key) => controls.title(key);
+
+/** Shows the present value of the key of the axis on the response, and the orbit there. */
+const place = () => {
+    response.at = axes.view && controls.find(axes.view.over)?.value;
+    response.follow();
+};
+point.onChange = () => {
+    const { attractor } = point;
+    if (attractor) response.attractor = { power: attractor.mean_power_w, period: attractor.period_cycles };
+    response.follow();
+    showOperating();
+};
+const showOperating = () => {
+    if (!response.following || !response.result) return;
+    if (response.chosen) requests.showOrbit();
+    else orbit.clear(`No branch ${response.result.draft ? "found so far" : "found"} has the attractor of the operating point; select another point for its orbit`);
+};
+find("operating-show").onclick = () => {
+    find("operating-show").hidden = true;
+    response.follow(true);
+    showOperating();
+};
 
 wire.on("hello", ({ head }) => {
     file = head.file;
@@ -94,24 +132,55 @@ wire.on("hello", ({ head }) => {
 });
 wire.on("design", (frame) => {
     const { head } = frame;
-    if (head.stage === "fault") return requests.designFault(head);
+    if (head.stage === "fault") return designFault(head);
     controls.take(head.controls);
     drawing.take(head.drawing);
     axes.offer();
     load.offer();
     shake.offer();
-    requests.designTaken();
+    place();
+    for (const view of [load, basins, shake]) view.designChanged();
+    requests.designTaken(head.drive_frequency_hz !== null);
+    kindOfDrive(head.drive_frequency_hz === null);
+    point.designTaken(head.drive_frequency_hz);
+    showOperating();
     remember();
 });
+/** A link with keys that this spec does not have: the other keys are shown, with a message. */
+const designFault = (head: Head) => {
+    const unknown = new Set((head.faults as Fault[]).map(({ key }) => key));
+    const known = design.pairs.filter(([key]) => !unknown.has(key));
+    if (controls.all.length > 0 || known.length === design.pairs.length) return requests.designFault(head);
+    fault("link", head.faults);
+    design.begin(known);
+    requests.designFault({ ...head, faults: [] });
+    requests.change(performance.now());
+};
+/** Noise, shocks and free motion have no periodic orbits: the page shows the time history under the drives of the spec. */
+let shaken = "";
+const kindOfDrive = (aperiodic: boolean) => {
+    document.body.classList.toggle("aperiodic", aperiodic);
+    if (!aperiodic || shaken === design.signature) return;
+    if (shaken === "") find("tab-shake").click();
+    shaken = design.signature;
+    find("readout").textContent = "The drives have no common period, so there are no periodic orbits; Sweep integrates over a key.";
+    orbit.clear("No periodic orbit");
+    shake.ofSpec();
+};
+shake.onSpec = (words) => point.runTaken(`Under ${words}`);
 wire.on("response", (frame) => {
+    if (frame.head.stage === "progress") return requests.progress(frame.head);
     if (frame.head.stage === "widths") return response.takeWidths(frame.head);
     if (frame.head.stage === "fault") return requests.responseFault(frame.head);
     const { view } = axes;
     if (view) response.range = [view.from, view.to];
     requests.responseTaken(frame.head, resultOf(frame));
+    if (!response.chosen) showOperating();
+    pins.mark();
 });
 wire.on("file", () => {
     say("the file has changed");
+    design.fileChanged();
     requests.change(performance.now());
 });
 wire.on("export", ({ head }) => {
@@ -121,10 +190,13 @@ wire.onOpen = () => {
     find("lost").hidden = true;
     say("connected");
 };
-wire.onLost = () => {
+wire.onLost = (full) => {
     find("lost").hidden = false;
-    say("the server has stopped");
-    requests.forget();
+    find("lost-words").textContent = full
+        ? "The server has too many open pages. Close one; this page then connects."
+        : "The server has stopped. Start jounce explore again; this page then reconnects.";
+    say(full ? "too many pages are open" : "the server has stopped");
+    for (const view of [requests, point, load, basins, shake]) view.forget();
 };
 
 const act: Record<string, () => void> = {
@@ -155,6 +227,12 @@ find<HTMLInputElement>("log").onchange = (event) => {
     response.log = (event.target as HTMLInputElement).checked;
     response.draw();
 };
+for (const [id, name] of [["grazings", "grazings"], ["long-periods", "longPeriods"]] as const) {
+    find<HTMLInputElement>(id).onchange = (event) => {
+        response[name] = (event.target as HTMLInputElement).checked;
+        response.draw();
+    };
+}
 find("sweep").onclick = () => requests.sweep(find("sweep"));
 new Tabs(document.querySelector<HTMLElement>("[role=tablist]")!, (id) => {
     if (id === "tab-response") response.chart.redraw();
@@ -163,14 +241,11 @@ new Tabs(document.querySelector<HTMLElement>("[role=tablist]")!, (id) => {
     if (id === "tab-shake") shake.redraw();
 });
 
-addEventListener("keydown", (event) => {
-    const typing = event.target instanceof HTMLInputElement && event.target.type !== "range";
-    if ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "z" && !typing) {
-        event.preventDefault();
-        (event.shiftKey ? act.redo : act.undo)();
-    } else if (!event.ctrlKey && !event.metaKey && !event.altKey && !typing && !(event.target instanceof HTMLSelectElement)) {
-        const run = { p: act.pin, l: act.share, e: act.export, t: () => theme.toggle() }[event.key];
-        run?.();
-    }
+shortcuts({ ...act, theme: () => theme.toggle() });
+// A link that is pasted into the address of the open page.
+addEventListener("hashchange", () => {
+    const linked = fromFragment(location.hash);
+    if (linked?.view) axes.set(linked.view);
+    if (linked) design.replace(linked.pairs);
 });
 wire.connect();

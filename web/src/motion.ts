@@ -16,6 +16,11 @@ interface Stop {
     gap: number;
     at: { beam: string; place: number } | null;
     above: boolean;
+    /** Element that carries the stop. */
+    frame: string | null;
+    force: Float64Array;
+    /** Displacement towards the stop; contact begins at the gap. */
+    displacement: Float64Array;
 }
 
 export class Motion {
@@ -51,7 +56,7 @@ export class Motion {
         const { head } = frame;
         this.pictures = head.pictures;
         this.periodS = head.period_s;
-        this.stops = head.stops;
+        this.stops = (head.stops as Stop[]).map((stop, k) => ({ ...stop, force: frame.array(`force.${k}`), displacement: frame.array(`displacement.${k}`) }));
         this.beams = (head.beams as { name: string }[]).map(({ name }) => {
             const motion = frame.array(`motion.${name}`);
             let [lowest, highest] = [0, 0];
@@ -112,9 +117,11 @@ export class Motion {
         for (const stop of own) {
             const place = stop.at!.place;
             const k = Math.min(count - 1, Math.round((place / length) * (count - 1)));
-            const pressed = stop.above ? bend(k) - stop.gap : -bend(k) - stop.gap;
-            struck ||= pressed > -0.004 * this.largest;
-            this.stop(ctx, x(place), zero - scale * (stop.above ? stop.gap : -stop.gap), stop, pressed > -0.004 * this.largest, ratio);
+            const isHit = this.now(stop.force) > 0;
+            struck ||= isHit;
+            // A stop on the ground is fixed; one on a moving element is as far away as the motion towards it says.
+            const from = stop.frame === null || stop.frame === "ground" ? 0 : (stop.above ? bend(k) : -bend(k)) - this.now(stop.displacement);
+            this.stop(ctx, x(place), zero - (stop.above ? scale : -scale) * (stop.gap + from), stop, isHit, ratio);
         }
         ctx.strokeStyle = colour(struck ? "vermilion" : "beam");
         ctx.lineWidth = 4 * ratio;
@@ -122,6 +129,11 @@ export class Motion {
         this.bent(ctx, (k) => [x(beam.places[k]), zero - scale * bend(k)], count);
         ctx.fillStyle = colour("grey");
         ctx.fillRect(left - 9 * ratio, zero - scale * bend(0) - 13 * ratio, 8 * ratio, 26 * ratio);
+    }
+
+    /** Value of a history at the phase that is shown. */
+    private now(history: Float64Array): number {
+        return history[Math.floor(this.phase * history.length) % history.length] ?? 0;
     }
 
     private bent(ctx: CanvasRenderingContext2D, at: (k: number) => [number, number], count: number): void {

@@ -17,6 +17,7 @@ export class Orbit {
     private readonly spectrum = new Chart(find("chart-spectrum"), true);
     private readonly multipliers = new Chart(find("chart-multipliers"), true);
     private readonly title = find("orbit-title");
+    private readonly warnings = find("orbit-warnings");
     private frame: Frame | undefined;
 
     constructor() {
@@ -32,6 +33,8 @@ export class Orbit {
             play.textContent = playing ? "Pause" : "Play";
             play.setAttribute("aria-pressed", String(playing));
         };
+        // The circle remains round.
+        new ResizeObserver(() => this.frame && this.circle(this.frame)).observe(this.multipliers.host);
         play.onclick = () => show(this.motion.toggle());
         show(this.motion.playing);
     }
@@ -40,6 +43,13 @@ export class Orbit {
         this.frame = frame;
         this.motion.take(frame);
         this.draw();
+    }
+
+    /** Shows words in place of the orbit. */
+    clear(words: string): void {
+        this.title.textContent = words;
+        this.warnings.textContent = "";
+        document.getElementById("orbit")!.classList.add("stale");
     }
 
     redraw(): void {
@@ -51,10 +61,47 @@ export class Orbit {
         const { head } = frame;
         const [time, stops] = [frame.array("time"), head.stops as { name: string; gap: number }[]];
         const seconds = { words: "Time", unit: "s", ends: [0, head.period_s] as [number, number] };
+        this.title.textContent = `Orbit at ${quantity(head.parameter, head.unit, 5)}: ${quantity(head.mean_power_w, "W")}, period ${head.period_cycles}, ${head.stable ? "stable" : "unstable"}`;
+        this.warnings.textContent = (head.warnings as string[]).join(". ");
+        document.getElementById("orbit")!.classList.remove("stale");
+        this.free(stops.length === 0);
+        if (stops.length > 0) this.contact(frame, stops);
+        else this.end(frame);
+        this.voltage.show(seconds, { words: "Voltage", unit: "V" }, [{ x: time, y: frame.array("voltage"), colour: colour("green") }]);
+        this.amplitudes(frame);
+        this.circle(frame);
+        this.label(this.voltage, `Voltage over one period: ${quantity(head.voltage_rms_v, "V")} rms`);
+        this.label(this.multipliers, `Floquet multipliers and the unit circle: largest modulus ${digits(head.floquet_max_abs)}, ${head.stable ? "stable" : "unstable"}`);
+    }
+
+    /** Without a stop there is no contact force, and no motion towards it. */
+    private free(isFree: boolean): void {
+        for (const chart of [this.phase, this.force]) chart.host.hidden = isFree;
+    }
+
+    /** Displacement of the end of the first beam. */
+    private end(frame: Frame): void {
+        const { head } = frame;
+        const beam = (head.beams as { name: string; places: number }[])[0];
+        this.displacement.host.hidden = !beam;
+        if (!beam) return;
+        const motion = frame.array(`motion.${beam.name}`);
+        const index = Array.from({ length: head.pictures as number }, (_, k) => k);
+        const [x, y] = [index.map((k) => (k / head.pictures) * head.period_s), index.map((k) => motion[(k + 1) * beam.places - 1])];
+        const words = `End of ${beam.name}`;
+        this.displacement.show({ words: "Time", unit: "s", ends: [0, head.period_s] }, { words, unit: "m" }, [{ x, y, colour: colour("blue") }]);
+        this.label(this.displacement, `${words}: displacement over one period`);
+    }
+
+    /** Motion towards each stop, and the contact force. */
+    private contact(frame: Frame, stops: { name: string; gap: number }[]): void {
+        const { head } = frame;
+        const time = frame.array("time");
+        const seconds = { words: "Time", unit: "s", ends: [0, head.period_s] as [number, number] };
         const own = (name: string) => stops.map((_, k) => ({ y: frame.array(`${name}.${k}`), colour: nth(k) }));
         const gaps = stops.map((stop) => stop.gap);
-        this.title.textContent = `Orbit at ${quantity(head.parameter, head.unit, 5)}: ${quantity(head.mean_power_w, "W")}, period ${head.period_cycles}, ${head.stable ? "stable" : "unstable"}`;
         const contacts = `${head.contacts} ${head.contacts === 1 ? "contact" : "contacts"} per period`;
+        this.displacement.host.hidden = false;
         this.displacement.show(seconds, { words: "Position", unit: "m" }, own("displacement").map((curve) => ({ x: time, ...curve })), [], gaps.map((at) => ({ at, along: "y", words: "stop" })));
         this.phase.show(
             { words: "Displacement", unit: "m" },
@@ -63,18 +110,17 @@ export class Orbit {
             [],
             gaps.map((at) => ({ at, along: "x", words: "stop" })),
         );
-        this.voltage.show(seconds, { words: "Voltage", unit: "V" }, [{ x: time, y: frame.array("voltage"), colour: colour("green") }]);
         this.force.show(seconds, { words: "Force", unit: "N" }, own("force").map((curve) => ({ x: time, ...curve, colour: colour("vermilion") })));
-        const lines = frame.array("spectrum.amplitude");
-        const most = lines.reduce((high, value) => Math.max(high, value), 1e-12);
-        this.spectrum.show({ words: "Frequency", unit: "Hz" }, { words: "Voltage, peak", unit: "V", log: true, ends: [1e-5 * most, 2 * most] }, [{ x: frame.array("spectrum.frequency"), y: lines.map((value) => Math.max(value, 1e-6 * most)), colour: colour("purple"), stems: true }]);
-        this.circle(frame);
         this.label(this.displacement, `Displacement towards the stop over one period: ${contacts}, largest penetration ${quantity(head.max_penetration_m, "m")}`);
         this.label(this.phase, "Phase portrait: velocity over displacement, with the stop as a line");
-        this.label(this.voltage, `Voltage over one period: ${quantity(head.voltage_rms_v, "V")} rms`);
         this.label(this.force, `Contact force over one period: ${contacts}`);
+    }
+
+    private amplitudes(frame: Frame): void {
+        const lines = frame.array("spectrum.amplitude");
+        const most = lines.reduce((high, value) => Math.max(high, value), 1e-12);
+        this.spectrum.show({ words: "Frequency", unit: "Hz" }, { words: "Peak", unit: "V", log: true, ends: [1e-5 * most, 2 * most] }, [{ x: frame.array("spectrum.frequency"), y: lines.map((value) => Math.max(value, 1e-6 * most)), colour: colour("purple"), stems: true }]);
         this.label(this.spectrum, "Spectrum of the voltage, up to twelve times the drive frequency");
-        this.label(this.multipliers, `Floquet multipliers and the unit circle: largest modulus ${digits(head.floquet_max_abs)}, ${head.stable ? "stable" : "unstable"}`);
     }
 
     private circle(frame: Frame): void {
@@ -84,7 +130,7 @@ export class Orbit {
         // Equal scales make the circle round.
         const wide = (reach * Math.max(20, host.clientWidth - AROUND[0])) / Math.max(20, host.clientHeight - AROUND[1]);
         const marks = Array.from(re, (x, k) => ({ x, y: im[k], colour: colour(Math.hypot(x, im[k]) < 1 ? "blue" : "vermilion"), shape: "circle" as const, size: 3 }));
-        this.multipliers.show({ words: "Multipliers, real", unit: "", ends: [-wide, wide] }, { words: "imaginary", unit: "", ends: [-reach, reach] }, [], marks, [], true);
+        this.multipliers.show({ words: "Multiplier, real", unit: "", ends: [-wide, wide] }, { words: "imaginary", unit: "", ends: [-reach, reach] }, [], marks, [], true);
     }
 
     private label(chart: Chart, words: string): void {

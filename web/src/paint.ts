@@ -11,8 +11,12 @@ export interface Curve {
     alpha?: number;
     /** Segments between points that are dashed. */
     dashed?: (from: number) => boolean;
+    /** Segments between points that are not drawn. */
+    gap?: (from: number) => boolean;
     /** Points instead of a line. */
     dots?: number;
+    /** Points as cells of this width and height, in the units of the axes. */
+    cell?: [number, number];
     /** Stems down to the lowest value. */
     stems?: boolean;
 }
@@ -29,6 +33,8 @@ export interface Rule {
     at: number;
     along: "x" | "y";
     words?: string;
+    /** Solid and in the colour of controls: the line can be dragged. */
+    strong?: boolean;
 }
 
 const DASH = [6, 5];
@@ -49,9 +55,9 @@ export function unitCircle(plot: uPlot, ratio: number): void {
 export function drawRule(plot: uPlot, rule: Rule, ratio: number): void {
     const { ctx, bbox } = plot;
     const at = plot.valToPos(rule.at, rule.along === "x" ? "x" : "y", true);
-    ctx.strokeStyle = colour("grey");
-    ctx.lineWidth = ratio;
-    ctx.setLineDash([3 * ratio, 3 * ratio]);
+    ctx.strokeStyle = colour(rule.strong ? "accent" : "grey");
+    ctx.lineWidth = (rule.strong ? 1.6 : 1) * ratio;
+    ctx.setLineDash(rule.strong ? [] : [3 * ratio, 3 * ratio]);
     ctx.beginPath();
     if (rule.along === "x") {
         ctx.moveTo(at, bbox.top);
@@ -63,9 +69,14 @@ export function drawRule(plot: uPlot, rule: Rule, ratio: number): void {
     ctx.stroke();
     ctx.setLineDash([]);
     if (rule.words) {
-        ctx.fillStyle = colour("quiet");
+        ctx.fillStyle = colour(rule.strong ? "accent" : "quiet");
         ctx.font = `${10 * ratio}px system-ui, sans-serif`;
-        ctx.fillText(rule.words, rule.along === "x" ? at + 3 * ratio : bbox.left + 4 * ratio, rule.along === "x" ? bbox.top + 11 * ratio : at - 3 * ratio);
+        [ctx.textAlign, ctx.textBaseline] = ["left", "alphabetic"];
+        const size = ctx.measureText(rule.words).width;
+        // Inside the chart: left of a line at the right edge, below a line at the upper edge.
+        const isRight = at + 3 * ratio + size > bbox.left + bbox.width;
+        const isHigh = at - 13 * ratio < bbox.top;
+        ctx.fillText(rule.words, rule.along === "x" ? (isRight ? at - 3 * ratio - size : at + 3 * ratio) : bbox.left + 4 * ratio, rule.along === "x" ? bbox.top + 11 * ratio : isHigh ? at + 11 * ratio : at - 3 * ratio);
     }
 }
 
@@ -76,7 +87,9 @@ export function drawCurve(plot: uPlot, curve: Curve, ratio: number): void {
     ctx.lineWidth = (curve.width ?? 1.6) * ratio;
     ctx.lineJoin = "round";
     const at = (k: number): [number, number] => [plot.valToPos(curve.x[k], "x", true), plot.valToPos(curve.y[k], "y", true)];
-    if (curve.dots || curve.stems) {
+    if (curve.cell) {
+        cells(plot, curve, curve.cell);
+    } else if (curve.dots || curve.stems) {
         for (let k = 0; k < curve.x.length; k++) {
             const [x, y] = at(k);
             if (curve.stems) ctx.fillRect(x - ratio, y, 2 * ratio, bbox.top + bbox.height - y);
@@ -86,6 +99,15 @@ export function drawCurve(plot: uPlot, curve: Curve, ratio: number): void {
         line(ctx, curve, at, ratio);
     }
     ctx.globalAlpha = 1;
+}
+
+/** Cells without gaps: each ends at the device pixel where the next begins. */
+function cells({ ctx, valToPos }: uPlot, curve: Curve, [width, height]: [number, number]): void {
+    for (let k = 0; k < curve.x.length; k++) {
+        const [left, right] = [-0.5, 0.5].map((side) => Math.round(valToPos(curve.x[k] + side * width, "x", true)));
+        const [top, bottom] = [0.5, -0.5].map((side) => Math.round(valToPos(curve.y[k] + side * height, "y", true)));
+        ctx.fillRect(left, top, right - left, bottom - top);
+    }
 }
 
 /** One path for each run of segments of one kind. */
@@ -100,7 +122,8 @@ function line(ctx: CanvasRenderingContext2D, curve: Curve, at: (k: number) => [n
             ctx.moveTo(...at(k));
             before = dashed;
         }
-        ctx.lineTo(...at(k + 1));
+        if (curve.gap?.(k)) ctx.moveTo(...at(k + 1));
+        else ctx.lineTo(...at(k + 1));
     }
     if (before !== undefined) ctx.stroke();
     ctx.setLineDash([]);

@@ -9,8 +9,9 @@ import type { Wire } from "./wire";
 
 interface Hears {
     say: (words: string) => void;
-    orbit: (frame: Frame) => void;
-    fault: (faults: Fault[]) => void;
+    /** An orbit; `operating` for that of the operating point. */
+    orbit: (frame: Frame, operating: boolean) => void;
+    fault: (source: string, faults: Fault[]) => void;
 }
 
 /** Time without a response after which the page shows that it computes. */
@@ -28,9 +29,15 @@ export class Requests {
     private asked = 0;
     private since = 0;
     private orbitAsked = false;
+    /** Design, without the key of the axis, and view of the last response. */
+    private requested = "";
+    private atOperating = false;
     private clicked = 0;
     private orbitWaiting: Place | undefined;
     private sweeping = false;
+    private sweptDesign = "";
+    /** True where the drives have a common period, so that there are periodic orbits. */
+    private periodic: boolean | undefined;
     /** True while a fine response is expected. */
     private refining = false;
     private readonly busy = document.getElementById("busy")!;
@@ -38,6 +45,7 @@ export class Requests {
     constructor(private readonly wire: Wire, private readonly design: Design, private readonly axes: Axes, private readonly response: Response, private readonly hears: Hears) {
         wire.on("orbit", (frame) => this.takeOrbit(frame));
         wire.on("sweep", (frame) => this.takeSwept(frame.head));
+        document.getElementById("response-stop")!.onclick = () => this.stop();
         setInterval(() => this.patience(), 100);
     }
 
@@ -50,7 +58,10 @@ export class Requests {
     /** Clears all requests after the connection is lost. */
     forget(): void {
         this.designAsked = this.coarseAsked = this.refining = this.orbitAsked = this.sweeping = false;
-        this.busy.textContent = "";
+        this.orbitWaiting = undefined;
+        this.requested = "";
+        document.getElementById("sweep")!.textContent = "Sweep";
+        this.sayBusy("");
         this.mark();
     }
 
@@ -62,16 +73,23 @@ export class Requests {
         }
         // A long computation is cancelled; a short one is completed, so that the curve follows a moving slider.
         const late = performance.now() - this.asked > STALE_MS;
-        if (this.waiting !== undefined && this.axes.view && (!this.coarseAsked || late)) {
+        if (this.waiting !== undefined && this.periodic !== undefined && this.axes.view && (!this.coarseAsked || late)) {
             this.since = this.waiting;
             this.waiting = undefined;
-            this.askResponse();
+            if (this.periodic && this.requested !== this.asks()) this.askResponse();
         }
         this.mark();
     }
 
+    /** A response over a key does not depend on the value of the key itself. */
+    private asks(): string {
+        const { view } = this.axes;
+        return JSON.stringify([view, view && this.design.signatureWithout(view.over)]);
+    }
+
     private askResponse(): void {
         this.asked = performance.now();
+        this.requested = this.asks();
         this.refining = this.coarseAsked = this.wire.ask("response", { set: this.design.pairs, ...this.axes.view }) !== 0;
     }
 
@@ -85,43 +103,70 @@ export class Requests {
         for (const [id, isDue] of Object.entries(due)) document.getElementById(id)!.ariaBusy = String(isDue);
     }
 
-    designTaken(): void {
+    designTaken(periodic: boolean): void {
         this.designAsked = false;
-        this.hears.fault([]);
+        this.periodic = periodic;
+        this.hears.fault("design", []);
         // The first design specifies the range of the response.
         this.pump();
     }
 
     designFault(head: Head): void {
         this.designAsked = false;
-        this.hears.fault(head.faults);
+        this.hears.fault("design", head.faults);
         this.pump();
     }
 
     responseFault(head: Head): void {
         this.coarseAsked = this.refining = false;
-        this.busy.textContent = "";
-        this.hears.fault(head.faults);
+        this.sayBusy("");
+        this.requested = "";
+        this.hears.fault("response", head.faults);
         this.pump();
     }
 
     responseTaken(head: Head, result: ResponseResult): void {
+        this.hears.fault("response", []);
         this.response.take(result);
-        const { chosen } = this.response;
-        if (chosen) this.orbit(chosen);
+        this.showOrbit();
         if (head.stage === "coarse") {
             const since = this.since;
             // Measured to the frame that shows the branch, with the server's own time.
             requestAnimationFrame(() => performance.measure("slider-to-branch", { start: since, detail: head.ms }));
             this.coarseAsked = false;
-            this.busy.textContent = this.waiting === undefined ? "refining" : "";
+            this.sayBusy(this.waiting === undefined ? "draft, searching" : "");
             this.pump();
         } else {
-            this.busy.textContent = "";
+            this.sayBusy("");
             this.refining = false;
             this.mark();
             this.hears.say(found(result.branches.length, head.ms));
         }
+    }
+
+    /** Takes the progress of the search. */
+    progress({ done, of }: Head): void {
+        if (this.refining && !this.coarseAsked) this.sayBusy(`draft, searching: ${done} of ${of} parts`);
+    }
+
+    /** Ends the search; the draft remains. */
+    private stop(): void {
+        this.wire.ask("stop", { what: "response" });
+        this.coarseAsked = this.refining = false;
+        this.sayBusy("draft, search stopped", false);
+        this.hears.say("search of branches stopped");
+        this.mark();
+    }
+
+    private sayBusy(words: string, canStop = words !== ""): void {
+        this.busy.textContent = words;
+        document.getElementById("response-stop")!.hidden = !canStop;
+    }
+
+    /** Requests the orbit of the selected point, or at the operating point. */
+    showOrbit(): void {
+        const { chosen } = this.response;
+        if (chosen) this.orbit(chosen);
     }
 
     /** Requests the orbit of a point; the newest request waits for the running one. */
@@ -132,7 +177,9 @@ export class Requests {
         }
         const { result } = this.response;
         if (!result) return;
-        this.orbitAsked = this.wire.ask("orbit", { response: result.id, branch: place.branch, point: place.point }) !== 0;
+        const parameter = this.response.following ? this.response.at : undefined;
+        this.atOperating = parameter !== undefined;
+        this.orbitAsked = this.wire.ask("orbit", { response: result.id, branch: place.branch, point: place.point, parameter }) !== 0;
         this.clicked = performance.now();
         this.mark();
     }
@@ -140,9 +187,11 @@ export class Requests {
     private takeOrbit(frame: Frame): void {
         this.orbitAsked = false;
         if (frame.head.stage === "done") {
-            this.hears.orbit(frame);
+            this.hears.orbit(frame, this.atOperating);
             const since = this.clicked;
             requestAnimationFrame(() => performance.measure("click-to-orbit", { start: since }));
+        } else if (frame.head.stage === "fault") {
+            document.getElementById("orbit-title")!.textContent = `Orbit: ${frame.head.faults[0]?.message}`;
         }
         const next = this.orbitWaiting;
         this.orbitWaiting = undefined;
@@ -156,6 +205,7 @@ export class Requests {
         if (this.sweeping) this.wire.ask("stop", { what: "sweep" });
         else if (view) {
             this.response.swept = [];
+            this.sweptDesign = this.asks();
             this.wire.ask("sweep", { set: this.design.pairs, ...view, points: SWEEP_POINTS });
         }
         this.sweeping = !this.sweeping;
@@ -174,10 +224,15 @@ export class Requests {
         this.hears.say(head.stage === "fault" ? head.faults[0]?.message : "sweep finished");
     }
 
+    /** True where the design has changed since the sweep. */
+    get sweepIsOld(): boolean {
+        return this.sweptDesign !== this.asks();
+    }
+
     private patience(): void {
         this.pump();
         if (this.coarseAsked && performance.now() - this.asked > PATIENCE_MS) {
-            this.busy.textContent = `computing, ${((performance.now() - this.asked) / 1000).toFixed(1)} s`;
+            this.sayBusy(`computing, ${((performance.now() - this.asked) / 1000).toFixed(1)} s`);
         }
     }
 }

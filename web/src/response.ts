@@ -1,8 +1,10 @@
 // Response over a key: branches, bifurcations, swept points, pins; a click or the arrow keys select a point.
 
-import { type ResponseResult, type Place, QUANTITIES, type Quantity, best, isStable, nearest } from "./branches";
+import { type Bifurcation, type Branch, type ResponseResult, type Place, QUANTITIES, type Quantity, identify, isStable, nearest, operating, pointAt } from "./branches";
 import { Chart } from "./chart";
-import type { Curve, Mark } from "./paint";
+import { LineHandle } from "./line";
+import type { Curve, Mark, Rule } from "./paint";
+import { type Readout, peakWords } from "./readout";
 import type { Head } from "./frame";
 import { colour, nth } from "./theme";
 import { digits, quantity } from "./units";
@@ -12,6 +14,12 @@ const SHAPES: Record<string, Mark["shape"]> = {
 };
 /** Largest distance of a click from a point, CSS pixels. */
 const REACH = 40;
+/** Opacity of a draft. */
+const DRAFT = 0.4;
+/** Change of the logarithm of the power over which a draft is not drawn: such a chord joins two branches. */
+const DRAFT_STEP = 1.5;
+/** Longest period, in drive cycles, that is always shown. */
+const SHORT_PERIOD = 2;
 
 export interface Swept {
     x: number;
@@ -22,6 +30,7 @@ export interface Swept {
 export interface Pinned {
     result: ResponseResult;
     words: string;
+    colour: number;
 }
 
 export class Response {
@@ -33,33 +42,67 @@ export class Response {
     quantity: Quantity = "power";
     log = true;
     range: [number, number] = [0, 1];
+    grazings = false;
+    longPeriods = false;
+    /** Value of the key in the present design, and the attractor there that most starts reach. */
+    at: number | undefined;
+    attractor: { power: number; period: number } | undefined;
+    /** True while the selected point is the operating point. */
+    following = true;
+    /** True where the design has changed since the sweep. */
+    sweepIsOld: () => boolean = () => false;
+    /** Axis title of a key. */
+    words: (key: string) => string = (key) => key;
     private widths: Head | undefined;
     private hovered: Place | undefined;
     onChoose: (place: Place) => void = () => {};
 
-    constructor(host: HTMLElement, private readonly readout: HTMLElement) {
+    /** Called when the line of the operating point is dragged. */
+    onMove: (value: number, moving: boolean) => void = () => {};
+
+    constructor(host: HTMLElement, private readonly readout: Readout) {
         this.chart = new Chart(host);
+        const line = new LineHandle(this.chart, () => this.at, (value, moving) => this.onMove(Math.min(Math.max(value, this.range[0]), this.range[1]), moving));
         host.tabIndex = 0;
-        host.addEventListener("click", (event) => this.click(event));
+        host.addEventListener("click", (event) => !line.dragged && this.click(event));
         host.addEventListener("mousemove", (event) => this.hover(event));
         host.addEventListener("mouseleave", () => this.hover(undefined));
         host.addEventListener("keydown", (event) => this.key(event));
     }
 
-    /** Shows a new response and retains the selected point. */
+    /** Shows a new response. A point that the user has selected is retained; else the operating point is selected. */
     take(result: ResponseResult): void {
-        const before = this.chosen && this.result?.branches[this.chosen.branch];
+        const { result: last, chosen } = this;
+        const before = chosen && last?.branches[chosen.branch];
+        const same = last?.over === result.over;
+        if (same) identify(last, result, this.span);
         this.hovered = undefined;
-        if (before && this.result!.over === result.over) {
-            const { point } = this.chosen!;
-            this.chosen = nearest(result, before.x[point], before.values.power[point], this.range[1] - this.range[0]);
-        } else {
-            this.chosen = undefined;
-        }
-        this.chosen ??= best(result);
         this.result = result;
+        this.chosen = undefined;
+        if (before && same && !this.following) {
+            this.chosen = nearest(result, before.x[chosen.point], before.values.power[chosen.point], this.span);
+        } else {
+            this.following = true;
+            this.chooseOperating();
+        }
         this.widths = undefined;
         this.draw();
+    }
+
+    /** Selects the point at the present value of the key; after a selection by the user only if `anew`. */
+    follow(anew = false): void {
+        if (anew) this.following = true;
+        if (this.following) this.chooseOperating();
+        this.draw();
+    }
+
+    private chooseOperating(): void {
+        const { result, at } = this;
+        if (result && at !== undefined) this.chosen = operating(result, at, this.attractor);
+    }
+
+    private get span(): number {
+        return this.range[1] - this.range[0];
     }
 
     takeWidths(head: Head): void {
@@ -69,6 +112,7 @@ export class Response {
 
     choose(place: Place): void {
         this.chosen = place;
+        this.following = false;
         this.draw();
         this.onChoose(place);
     }
@@ -79,51 +123,78 @@ export class Response {
         const { words, unit } = QUANTITIES[this.quantity];
         const curves: Curve[] = [];
         if (this.quantity === "power") curves.push({ x: result.linear.x, y: result.linear.power, colour: colour("grey"), width: 1.4 });
-        this.pins.forEach((pin, k) => curves.push(...this.lines(pin.result, () => nth(k + 2), 0.55)));
-        curves.push(...this.lines(result, (k) => nth(k), 1));
-        for (const up of [true, false]) {
-            const points = this.swept.filter((point) => point.up === up && point.values[this.quantity] !== undefined);
-            curves.push({ x: points.map((p) => p.x), y: points.map((p) => p.values[this.quantity]!), colour: colour(up ? "ink" : "orange"), dots: up ? 2 : 1.5 });
-        }
-        const marks: Mark[] = result.bifurcations.map((found) => ({ x: found.x, y: found[this.quantity], colour: colour("ink"), shape: SHAPES[found.kind] ?? "cross", size: 3.6 }));
-        for (const [place, size] of [[this.hovered, 5], [this.chosen, 7]] as const) {
-            const branch = place && result.branches[place.branch];
-            if (branch) marks.push({ x: branch.x[place.point], y: branch.values[this.quantity][place.point], colour: colour("vermilion"), shape: "ring", size });
-        }
-        const rules = this.quantity === "floquet" ? [{ at: 1, along: "y" as const, words: "stable below" }] : [];
-        this.chart.show({ words: result.over, unit: result.unit, ends: this.range }, { words, unit, log: this.log }, curves, marks, rules);
+        const pins = this.pins.filter((pin) => pin.result.over === result.over);
+        pins.forEach((pin) => curves.push(...this.lines(pin.result, () => nth(pin.colour), 0.55)));
+        curves.push(...this.lines(result, (branch) => nth(branch.identity), result.draft ? DRAFT : 1));
+        curves.push(...this.sweepPoints());
+        const rules: Rule[] = this.quantity === "floquet" ? [{ at: 1, along: "y" as const, words: "stable below" }] : [];
+        if (this.at !== undefined) rules.push({ at: this.at, along: "x", words: quantity(this.at, result.unit, 5), strong: true });
+        this.chart.show({ words: this.words(result.over), unit: result.unit, ends: this.range }, { words, unit, log: this.log }, curves, this.marks(result), rules);
         this.tell();
     }
 
-    private lines(result: ResponseResult, own: (k: number) => string, alpha: number): Curve[] {
-        return result.branches.map((branch, k) => ({
+    private sweepPoints(): Curve[] {
+        const old = this.sweepIsOld();
+        return [true, false].map((up) => {
+            const points = this.swept.filter((point) => point.up === up && point.values[this.quantity] !== undefined);
+            return { x: points.map((p) => p.x), y: points.map((p) => p.values[this.quantity]!), colour: colour(up ? "ink" : "orange"), dots: up ? 2 : 1.5, alpha: old ? 0.25 : 1 };
+        });
+    }
+
+    /** Bifurcations, none on a draft, and the rings of the hovered and of the selected point. */
+    private marks(result: ResponseResult): Mark[] {
+        const shown = result.draft ? [] : this.listed(result);
+        const marks: Mark[] = shown.map((found) => ({ x: found.x, y: found[this.quantity], colour: colour("ink"), shape: SHAPES[found.kind] ?? "cross", size: 2.8 }));
+        for (const [place, size] of [[this.hovered, 5], [this.chosen, 7]] as const) {
+            const branch = place && result.branches[place.branch];
+            if (!branch) continue;
+            const [x, y] = place === this.chosen && this.following ? pointAt(branch, place.point, this.at!, this.quantity) : [branch.x[place.point], branch.values[this.quantity][place.point]];
+            marks.push({ x, y, colour: colour("vermilion"), shape: "ring", size });
+        }
+        return marks;
+    }
+
+    /** Bifurcations that are shown: grazings, and those of long periods, only on request. */
+    private listed(result: ResponseResult): Bifurcation[] {
+        return result.bifurcations.filter((found) => (this.grazings || found.kind !== "grazing") && this.shows(result.branches[found.branch]));
+    }
+
+    private shows(branch: Branch): boolean {
+        return this.longPeriods || branch.period <= SHORT_PERIOD;
+    }
+
+    private lines(result: ResponseResult, own: (branch: Branch) => string, alpha: number): Curve[] {
+        return result.branches.filter((branch) => this.shows(branch)).map((branch) => ({
             x: branch.x,
             y: branch.values[this.quantity],
-            colour: own(k),
+            colour: own(branch),
             width: 2,
             alpha,
+            gap: (from) => result.draft && Math.abs(Math.log(branch.values.power[from + 1] / branch.values.power[from])) > DRAFT_STEP,
             dashed: (from) => !(isStable(branch, from) && isStable(branch, from + 1)),
         }));
     }
 
-    /** Text below the chart: bifurcations, peak and bandwidth. */
+    /** Text below the chart. */
     private tell(): void {
         const { result } = this;
         if (!result) return;
-        const at = (x: number) => quantity(x, result.unit, 5);
-        const parts: string[] = [];
-        if (this.widths?.peak) {
-            parts.push(`Peak ${quantity(this.widths.peak.mean_power_w, "W")} at ${at(this.widths.peak.parameter)}.`);
-            parts.push(`Half-power bandwidth ${at(this.widths.width)}.`);
-        }
-        const jumps = result.bifurcations.map((found) => `${found.kind} ${at(found.x)}`);
-        const shown = [...new Set(jumps)].slice(0, 8);
-        if (shown.length > 0) parts.push(`${shown.join(", ")}${jumps.length > shown.length ? ", …" : ""}.`);
-        if (result.branches.length === 0) parts.push("No periodic orbit was found in this range.");
-        const text = parts.join(" ");
-        if (this.readout.textContent !== text) this.readout.textContent = text;
+        const hidden = result.branches.filter((branch) => !this.shows(branch)).length;
+        const text = [
+            ...(result.draft ? ["Draft: parts of the curves may be missing or old until the search ends."] : peakWords(this.widths, result.unit)),
+            ...(this.swept.length > 0 && this.sweepIsOld() ? ["The swept points are of an earlier design."] : []),
+            ...(hidden > 0 ? [`${hidden} ${hidden === 1 ? "branch" : "branches"} of a period above ${SHORT_PERIOD} not shown.`] : []),
+            ...(result.branches.length === 0 && !result.draft ? ["No periodic orbit was found in this range."] : []),
+        ].join(" ");
+        this.readout.show(text, result.note, result.draft ? [] : this.listed(result), result.unit, (found) => this.chooseNear(found));
         const count = result.branches.length;
         this.chart.host.setAttribute("aria-label", `${QUANTITIES[this.quantity].words} over ${result.over}: ${count} ${count === 1 ? "branch" : "branches"}. Arrow keys move along the branch. ${text}`);
+    }
+
+    private chooseNear(found: Bifurcation): void {
+        const branch = this.result!.branches[found.branch];
+        const away = Array.from(branch.x, (x, k) => Math.hypot((x - found.x) / this.span, 0.2 * Math.log(branch.values.power[k] / found.power)));
+        this.choose({ branch: found.branch, point: away.indexOf(Math.min(...away)) });
     }
 
     private closest(event: MouseEvent): Place | undefined {
@@ -133,6 +204,7 @@ export class Response {
         let found: Place | undefined;
         let least = REACH;
         this.result.branches.forEach((branch, k) => {
+            if (!this.shows(branch)) return;
             for (let point = 0; point < branch.x.length; point++) {
                 const [x, y] = this.chart.place(branch.x[point], branch.values[this.quantity][point]);
                 const away = Math.hypot(x + box.left - event.clientX, y + box.top - event.clientY);
@@ -159,13 +231,16 @@ export class Response {
     }
 
     private key(event: KeyboardEvent): void {
-        const { result, chosen } = this;
+        const { result } = this;
+        const chosen = this.chosen ?? { branch: 0, point: 0 };
         const step = { ArrowRight: 1, ArrowLeft: -1, PageUp: 10, PageDown: -10 }[event.key];
-        if (!result || !chosen) return;
+        if (!result || result.branches.length === 0) return;
         let { branch, point } = chosen;
         if (step !== undefined) point = Math.min(Math.max(point + step, 0), result.branches[branch].x.length - 1);
         else if (event.key === "ArrowUp" || event.key === "ArrowDown") {
-            branch = (branch + (event.key === "ArrowUp" ? 1 : result.branches.length - 1)) % result.branches.length;
+            const step = event.key === "ArrowUp" ? 1 : result.branches.length - 1;
+            do branch = (branch + step) % result.branches.length;
+            while (!this.shows(result.branches[branch]) && branch !== chosen.branch);
             point = Math.min(point, result.branches[branch].x.length - 1);
         } else return;
         event.preventDefault();

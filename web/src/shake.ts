@@ -6,6 +6,7 @@ import type { Design } from "./design";
 import type { Frame } from "./frame";
 import { colour } from "./theme";
 import { quantity } from "./units";
+import { Stale } from "./stale";
 import type { Wire } from "./wire";
 
 /** Largest file that is sent. */
@@ -21,11 +22,16 @@ export class Shake {
     private readonly words = find("shake-words");
     private last: Frame | undefined;
     private running = false;
+    private readonly stale: Stale;
     private name = "";
     private offered = false;
+    /** Called with the result under the drives of the spec. */
+    onSpec: (words: string) => void = () => {};
 
     constructor(private readonly wire: Wire, private readonly controls: Controls, private readonly design: Design, private readonly show: () => void) {
+        this.stale = new Stale(find("panel-shake"), find("shake-stale"), design);
         wire.on("shake", (frame) => this.take(frame));
+        find("shake-spec").onclick = () => (this.running ? this.stop() : this.ofSpec());
         find("shake-run").onclick = () => (this.running ? this.stop() : this.noise());
         const chosen = find<HTMLInputElement>("shake-file");
         chosen.onchange = () => chosen.files?.[0] && void this.recording(chosen.files[0]);
@@ -56,6 +62,12 @@ export class Shake {
         put("shake-high", 1.5 * hertz);
     }
 
+    /** Integrates under the drives of the spec. */
+    ofSpec(): void {
+        this.name = "the drives of the spec";
+        this.ask("spec");
+    }
+
     private noise(): void {
         const [density, low_hz, high_hz] = ["shake-density", "shake-low", "shake-high"].map(number);
         if (![density, low_hz, high_hz].every(Number.isFinite)) return this.say("noise needs three numbers: its density and the ends of its band");
@@ -72,7 +84,8 @@ export class Shake {
         this.ask({ recording: { name: file.name, bytes: await base64(file), channel: channel === "" ? null : channel, scale } });
     }
 
-    private ask(by: object): void {
+    private ask(by: object | "spec"): void {
+        this.stale.begin();
         this.set(this.wire.ask("shake", { set: this.design.pairs, by }) !== 0);
         this.say(`integrating under ${this.name}`);
     }
@@ -83,9 +96,22 @@ export class Shake {
         this.say("stopped");
     }
 
+    /** Shows whether the result belongs to the present design. */
+    designChanged(): void {
+        this.stale.mark();
+    }
+
+    /** The lost connection has taken the computation with it. */
+    forget(): void {
+        if (!this.running) return;
+        this.set(false);
+        this.say("stopped: the connection was lost");
+    }
+
     private set(running: boolean): void {
         this.running = running;
-        find("shake-run").textContent = running ? "Stop" : "Run";
+        find("shake-run").textContent = running ? "Stop" : "Run noise";
+        find("shake-spec").textContent = running ? "Stop" : "Run the drives of the spec";
     }
 
     private say(words: string): void {
@@ -102,6 +128,7 @@ export class Shake {
         const noticed = head.issues?.length > 0 ? `. Issues: ${head.issues.join("; ")}` : "";
         this.say(`${name}: ${quantity(head.mean_power_w, "W")} on average over ${quantity(head.average_over_s, "s")}${linear}; ${rate.toFixed(1)} contacts per second${noticed}`);
         this.last = frame;
+        if (this.name === "the drives of the spec") this.onSpec(this.words.textContent!);
         this.redraw();
     }
 
@@ -113,11 +140,11 @@ export class Shake {
         this.voltage.show(time, { words: "Voltage", unit: "V" }, [{ x: last.array("voltage.time"), y: last.array("voltage.value"), colour: colour("blue"), width: 1 }]);
         if (last.has("displacement.time")) {
             const curve = { x: last.array("displacement.time"), y: last.array("displacement.value"), colour: colour("green"), width: 1 };
-            this.displacement.show(time, { words: "Towards the stop", unit: "m" }, [curve], [], [{ at: last.head.gap_m, along: "y", words: "stop" }]);
+            this.displacement.show(time, { words: "Position", unit: "m" }, [curve], [], [{ at: last.head.gap_m, along: "y", words: "stop" }]);
         }
         if (last.has("density.value")) {
             const curve = { x: last.array("density.frequency"), y: last.array("density.value"), colour: colour("blue"), width: 1 };
-            this.density.show({ words: "Frequency", unit: "Hz" }, { words: "Voltage density", unit: "V²/Hz", log: true }, [curve]);
+            this.density.show({ words: "Frequency", unit: "Hz" }, { words: "Density", unit: "V²/Hz", log: true }, [curve]);
         }
     }
 }

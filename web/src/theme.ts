@@ -1,5 +1,6 @@
 // Colours of the library's plots (Okabe and Ito), distinguishable by colour-blind readers.
 
+const THEME = "jounce-theme";
 const SERIES = ["blue", "vermilion", "green", "purple", "orange", "sky"];
 
 /** A colour of the page's style by its name. */
@@ -12,19 +13,26 @@ export function nth(index: number): string {
     return colour(SERIES[index % SERIES.length]);
 }
 
+/** Colour of area number `index`: after six, mixtures with the background, so that none repeats. */
+export function shade(index: number): string {
+    const round = Math.floor(index / SERIES.length);
+    return round === 0 ? nth(index) : `color-mix(in srgb, ${nth(index)} ${Math.round(100 * 0.6 ** round)}%, ${colour("ink")})`;
+}
+
 /** Light or dark: as the system specifies, until the user selects one. */
 export class Theme {
     private readonly system = matchMedia("(prefers-color-scheme: dark)");
 
     constructor(private readonly button: HTMLButtonElement, private readonly changed: () => void) {
-        const kept = new URLSearchParams(location.hash.slice(1)).get("theme");
-        this.put(kept ?? (this.system.matches ? "dark" : "light"));
+        this.put(localStorage.getItem(THEME) ?? (this.system.matches ? "dark" : "light"));
         button.onclick = () => this.toggle();
         this.system.addEventListener("change", () => this.set(this.system.matches ? "dark" : "light"));
     }
 
     toggle(): void {
-        this.set(document.documentElement.dataset.theme === "dark" ? "light" : "dark");
+        const name = document.documentElement.dataset.theme === "dark" ? "light" : "dark";
+        localStorage.setItem(THEME, name);
+        this.set(name);
     }
 
     private set(name: string): void {

@@ -14,6 +14,12 @@ export function prefix(value: number): [number, string] {
 /** Units that take a prefix: a single name without powers or quotients. */
 const takesPrefix = (unit: string) => /^[A-Za-z]+$/.test(unit) && unit !== "kg" && unit !== "rad";
 
+/** A unit as it is set in print: "MΩ", "N/m¹·⁵". */
+export function sign(unit: string): string {
+    const raised: Record<string, string> = { "-": "⁻", ".": "·", "0": "⁰", "1": "¹", "2": "²", "3": "³", "4": "⁴", "5": "⁵", "6": "⁶", "7": "⁷", "8": "⁸", "9": "⁹" };
+    return unit.replace("ohm", "Ω").replace(/\^(-?[\d.]+)/g, (_, power: string) => [...power].map((own) => raised[own]).join(""));
+}
+
 /** A number with at most `digits` significant digits, without trailing zeros. */
 export function digits(value: number, count = 4): string {
     if (!Number.isFinite(value)) return "–";
@@ -23,14 +29,14 @@ export function digits(value: number, count = 4): string {
 
 /** A value with its unit, `"1.23 mW"`. */
 export function quantity(value: number, unit: string, count = 4): string {
-    if (!takesPrefix(unit)) return `${digits(value, count)} ${unit}`.trim();
+    if (!takesPrefix(unit) || (unit === "Hz" && Math.abs(value) < 1)) return `${digits(value, count)} ${sign(unit)}`.trim();
     const [step, name] = prefix(value);
-    return `${digits(value / step, count)} ${name}${unit}`;
+    return `${digits(value / step, count)} ${name}${sign(unit)}`;
 }
 
 /** Divisor and unit of an axis up to a value. */
 export function axisUnit(most: number, unit: string): [number, string] {
-    if (!takesPrefix(unit)) return [1, unit];
+    if (!takesPrefix(unit)) return [1, sign(unit)];
     const [step, name] = prefix(most);
-    return [step, name + unit];
+    return [step, name + sign(unit)];
 }

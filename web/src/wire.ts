@@ -13,7 +13,8 @@ export class Wire {
     /** Number of the last request of each kind: older responses are ignored. */
     private readonly last = new Map<string, number>();
     onOpen: () => void = () => {};
-    onLost: () => void = () => {};
+    /** Called with true where the server runs but accepts no further page. */
+    onLost: (full: boolean) => void = () => {};
 
     connect(): void {
         const address = new URL("socket", location.href);
@@ -27,8 +28,11 @@ export class Wire {
         };
         socket.onmessage = (event) => this.take(new Frame(event.data as ArrayBuffer));
         socket.onclose = () => {
+            const wasOpen = this.socket !== undefined;
             this.socket = undefined;
-            this.onLost();
+            // The browser does not say why a socket is refused; a server that still serves files has too many pages.
+            if (wasOpen) this.onLost(false);
+            else void fetch("icon.svg", { cache: "no-store" }).then((reply) => this.onLost(reply.ok), () => this.onLost(false));
             setTimeout(() => this.connect(), RETRY_MS);
         };
     }

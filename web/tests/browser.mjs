@@ -1,5 +1,5 @@
 // A server on a copy of a spec, and a real browser on its page.
-import { spawn } from "node:child_process";
+import { spawn, spawnSync } from "node:child_process";
 import { cp, mkdtemp, rm } from "node:fs/promises";
 import { existsSync } from "node:fs";
 import { createInterface } from "node:readline";
@@ -17,11 +17,12 @@ const LONGEST_MS = 120_000;
 
 const FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"];
 
-/** Starts a server on a copy of the paper's spec. */
+/** Starts a server on a copy of the paper's spec, of another example, or of the template of a kind. */
 export async function serve(options = {}) {
     const folder = await mkdtemp(join(tmpdir(), "explore-"));
     const spec = join(folder, "harvester.toml");
-    await cp(`${root}examples/impact-harvester-2019/harvester.toml`, spec);
+    if (options.kind) spawnSync(program, ["new", options.kind, "--out", spec], { stdio: "inherit" });
+    else await cp(`${root}examples/${options.example ?? "impact-harvester-2019/harvester.toml"}`, spec);
     const begin = async (listen) => {
         const child = spawn(program, ["explore", spec, "--no-browser", "--json", ...(listen ? ["--listen", listen] : [])], {
             stdio: ["ignore", "pipe", "inherit"], env: { ...process.env, XDG_STATE_HOME: join(folder, "state") },

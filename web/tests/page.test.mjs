@@ -32,7 +32,7 @@ test("the page shows the harvester, its response and an orbit", async () => {
     assert.ok((await inked(page, "#chart-response canvas")) > 0.005);
     assert.ok((await inked(page, "#motion")) > 0.01);
     assert.equal(await page.locator("#close svg .jounce-beam").count(), 1);
-    assert.match(await page.locator("#readout").textContent(), /fold|period|grazing/);
+    assert.match(await page.locator("#bifurcations").textContent(), /fold/);
     assert.deepEqual(page.faults, []);
     // The picture of the book: `PICTURE=book/src/pictures/explore.png node web/tests/all.mjs`.
     if (process.env.PICTURE) await page.screenshot({ path: process.env.PICTURE });

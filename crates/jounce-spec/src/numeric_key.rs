@@ -86,6 +86,17 @@ impl NumericKey {
         }
     }
 
+    /// Returns the size of a unit in which the number may be written, SI; `None` for a unit of
+    /// another quantity.
+    pub fn size_of(&self, unit: &str) -> Option<f64> {
+        match self.kind {
+            Kind::Quantity(quantity) | Kind::NamedQuantities(quantity) => {
+                quantity.read(&format!("1 {unit}")).ok()
+            }
+            _ => None,
+        }
+    }
+
     /// Returns the smallest and largest value that the key itself allows, SI; infinite if there is
     /// no limit.
     pub fn limits(&self) -> (f64, f64) {

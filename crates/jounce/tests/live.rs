@@ -57,6 +57,7 @@ fn the_fine_response_is_the_search_of_branch_and_its_orbits_are_found_again() {
         response,
         branch: 0,
         point,
+        parameter: None,
     };
     let orbit = analysis.orbit(&place(5, 0), &control).unwrap();
     let ratio = orbit.mean_power_w / fine.branches[0].mean_power_w[0];

@@ -1,6 +1,7 @@
 //! Options of a search for branches.
 
 use super::events::QuantityLevel;
+use super::warm_start::KnownOrbit;
 use jounce_continuation::StepControl;
 
 /// Default budget, drive cycles: about thirteen times the need of the harvester of the paper over
@@ -18,6 +19,8 @@ pub struct BranchOptions {
     pub budget: usize,
     /// Levels of quantities that are labelled where a branch crosses them.
     pub levels: Vec<QuantityLevel>,
+    /// Orbits of a neighbouring model, in addition to those on which integrations settle.
+    pub known_orbits: Vec<KnownOrbit>,
 }
 
 impl Default for BranchOptions {
@@ -26,6 +29,7 @@ impl Default for BranchOptions {
             largest_step: StepControl::default().longest,
             budget: DEFAULT_BUDGET_CYCLES,
             levels: Vec::new(),
+            known_orbits: Vec::new(),
         }
     }
 }

@@ -9,7 +9,7 @@ use super::branch_tracer::tracer::{BranchTracer, newton_tolerance};
 use crate::{AnalysisError, Parameter};
 use jounce_continuation::{Corrector, Metric, Position, StepControl, correct_at};
 use jounce_dynamics::Kernel;
-use jounce_orbits::{OrbitError, OrbitMethod, Shooting};
+use jounce_orbits::{Orbit, OrbitError, OrbitMethod, ParametricModel, Shooting};
 
 /// Orbit of a neighbouring model.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,6 +20,29 @@ pub struct KnownOrbit {
     pub state: Vec<f64>,
     /// Value of the key, SI.
     pub parameter: f64,
+}
+
+impl KnownOrbit {
+    /// Returns the orbit of another model next to this one; `None` where Newton's method fails or
+    /// finds an orbit of a shorter period.
+    pub(super) fn corrected<H: ParametricModel>(
+        &self,
+        tracer: &BranchTracer,
+        shooting: &Shooting<'_, H>,
+        parameter: f64,
+    ) -> Option<Orbit> {
+        if self.state.len() != shooting.scale.len() {
+            return None;
+        }
+        let position = Position {
+            unknown: self.state.clone(),
+            parameter,
+        };
+        let metric = Metric::at(&position, tracer.parameter_scale());
+        let corrected = correct_at(shooting, &tracer.corrector, &metric, position).ok()?;
+        let orbit = shooting.orbit(&corrected.local, corrected.error).ok()?;
+        (!orbit.repeats_early()).then_some(orbit)
+    }
 }
 
 /// Definition of a continuation from known orbits.
@@ -68,30 +91,16 @@ impl WarmStart<'_> {
                 orbit.period_cycles,
                 self.tolerance,
             );
-            if orbit.state.len() != shooting.scale.len() {
-                continue;
-            }
-            let position = Position {
-                unknown: orbit.state.clone(),
-                parameter,
-            };
-            let Ok(corrected) = correct_at(
-                &shooting,
-                &tracer.corrector,
-                &Metric::at(&position, tracer.parameter_scale()),
-                position,
-            ) else {
+            let Some(corrected) = orbit.corrected(&tracer, &shooting, parameter) else {
                 continue;
             };
-            let corrected_orbit = shooting.orbit(&corrected.local, corrected.error)?;
-            if corrected_orbit.repeats_early()
-                || branches
-                    .iter()
-                    .any(|branch| branch.holds(&tracer, &shooting, (&corrected_orbit, parameter)))
+            if branches
+                .iter()
+                .any(|branch| branch.holds(&tracer, &shooting, (&corrected, parameter)))
             {
                 continue;
             }
-            branches.extend(tracer.both_ways(&shooting, corrected_orbit.start(), parameter)?);
+            branches.extend(tracer.both_ways(&shooting, corrected.start(), parameter)?);
         }
         Ok(branches)
     }

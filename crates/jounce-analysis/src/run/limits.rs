@@ -23,14 +23,14 @@ pub enum LimitedQuantity {
     Voltage,
 }
 
-/// Limit of a patch that a run exceeds.
+/// Limit of a patch that a run exceeds or, from [`Limits::reached`], approaches.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ExceededLimit {
     /// Name of the patch.
     pub patch: String,
     /// Quantity that exceeds its limits.
     pub quantity: LimitedQuantity,
-    /// Value with the largest excess.
+    /// Value with the largest excess, or nearest to the limits.
     pub reached: f64,
     /// Lowest and highest allowed value.
     pub limits: [f64; 2],
@@ -61,8 +61,13 @@ impl fmt::Display for ExceededLimit {
 }
 
 impl ExceededLimit {
+    /// True where the value is beyond the limits.
+    pub fn is_beyond(&self) -> bool {
+        self.excess() > 0.0
+    }
+
     /// Returns the excess over the limits, in the unit of the quantity.
-    fn excess(&self) -> f64 {
+    pub fn excess(&self) -> f64 {
         excess(self.reached, self.limits)
     }
 }
@@ -156,6 +161,13 @@ impl Limits {
 
     /// Returns the limits that a record exceeds.
     pub fn exceeded(&self, kernel: &Kernel, trajectory: &Trajectory) -> Vec<ExceededLimit> {
+        let mut limits = self.reached(kernel, trajectory);
+        limits.retain(ExceededLimit::is_beyond);
+        limits
+    }
+
+    /// Returns each limit with the value of a record that exceeds it most or is nearest to it.
+    pub fn reached(&self, kernel: &Kernel, trajectory: &Trajectory) -> Vec<ExceededLimit> {
         let (Some(first), Some(last)) =
             (trajectory.segments().first(), trajectory.segments().last())
         else {
@@ -176,7 +188,7 @@ impl Limits {
             .collect();
         self.patches
             .iter()
-            .flat_map(|patch| patch.exceeded(plant, &states))
+            .flat_map(|patch| patch.reached(plant, &states))
             .collect()
     }
 }
@@ -211,8 +223,8 @@ impl PatchLimits {
         })
     }
 
-    /// Returns the limits of the patch that the states exceed.
-    fn exceeded(&self, plant: &Plant, states: &[Vec<f64>]) -> Vec<ExceededLimit> {
+    /// Returns the limits of the patch with the values of the states that exceed them most.
+    fn reached(&self, plant: &Plant, states: &[Vec<f64>]) -> Vec<ExceededLimit> {
         let strained = self.strain.and_then(|limit| {
             let strain = |x: &Vec<f64>, shape: &Vec<f64>| {
                 shape.iter().zip(x).map(|(s, q)| s * q).sum::<f64>()
@@ -221,7 +233,7 @@ impl PatchLimits {
             let strains = states
                 .iter()
                 .flat_map(|x| shapes.iter().map(move |shape| strain(x, shape)));
-            beyond(
+            extreme(
                 &self.name,
                 LimitedQuantity::Strain,
                 strains,
@@ -231,12 +243,12 @@ impl PatchLimits {
         let voltages = || states.iter().map(|x| plant.patch_voltages_v(x)[self.index]);
         let charged = self
             .voltages_v
-            .and_then(|limits| beyond(&self.name, LimitedQuantity::Voltage, voltages(), limits));
+            .and_then(|limits| extreme(&self.name, LimitedQuantity::Voltage, voltages(), limits));
         strained.into_iter().chain(charged).collect()
     }
 }
 
-fn beyond(
+fn extreme(
     patch: &str,
     quantity: LimitedQuantity,
     values: impl Iterator<Item = f64>,
@@ -244,7 +256,7 @@ fn beyond(
 ) -> Option<ExceededLimit> {
     let reached =
         values.max_by(|one, other| excess(*one, limits).total_cmp(&excess(*other, limits)))?;
-    (excess(reached, limits) > 0.0).then(|| ExceededLimit {
+    Some(ExceededLimit {
         patch: patch.to_owned(),
         quantity,
         reached,

@@ -1,5 +1,6 @@
 //! Basins of attraction over a plane of initial displacements and velocities.
 
+use super::progress::with_progress;
 use crate::session::Session;
 use crate::session::cancellation::Cancellation;
 use crate::session::fault::RequestFault;
@@ -8,11 +9,7 @@ use jounce::BasinsOptions;
 use jounce::live::Design;
 use jounce::parts::StartPoint;
 use serde_json::json;
-use std::sync::mpsc::{self, RecvTimeoutError};
-use std::time::{Duration, Instant};
 
-/// Time between two frames of progress.
-const PROGRESS_INTERVAL: Duration = Duration::from_millis(100);
 /// Number of the attractor of a start without one.
 const NO_ATTRACTOR: f64 = -1.0;
 
@@ -33,7 +30,9 @@ pub fn respond(
         ..design.in_plane(options)?
     };
     let harvester = design.harvester().with_control(cancellation.control());
-    let outcome = with_progress(session, id, cancellation, || harvester.basins(&options));
+    let outcome = with_progress(session, (id, "basins"), cancellation, || {
+        harvester.basins(&options)
+    });
     let result = outcome?;
     let points = &result.points;
     let attractor = |point: &StartPoint| point.attractor.map_or(NO_ATTRACTOR, |k| k as f64);
@@ -50,33 +49,4 @@ pub fn respond(
         .array("attractor", points.iter().map(attractor));
     session.send(cancellation, frame);
     Ok(())
-}
-
-/// Runs work, and sends the numbers of its finished and expected parts at regular times.
-fn with_progress<T>(
-    session: &Session,
-    id: u64,
-    cancellation: &Cancellation,
-    work: impl FnOnce() -> T,
-) -> T {
-    let start_time = Instant::now();
-    // The channel closes when the work ends, also by a panic.
-    let (working, is_working) = mpsc::channel::<()>();
-    std::thread::scope(|scope| {
-        scope.spawn(move || {
-            while is_working.recv_timeout(PROGRESS_INTERVAL) == Err(RecvTimeoutError::Timeout) {
-                let (done, expected) = cancellation.control().progress();
-                if done > 0 {
-                    let mut frame = Frame::new(id, "basins", "progress");
-                    frame
-                        .put("done", done)
-                        .put("of", expected)
-                        .put("seconds", start_time.elapsed().as_secs_f64());
-                    session.try_send(cancellation, frame);
-                }
-            }
-        });
-        let _working = working;
-        work()
-    })
 }

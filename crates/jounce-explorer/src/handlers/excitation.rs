@@ -1,4 +1,4 @@
-//! Response under noise, or under a recording dropped onto the page, in place of the first drive.
+//! Response under the drives of the spec, or under noise or a recording in place of the first one.
 
 use super::upload::write_channel;
 use crate::session::Session;
@@ -34,14 +34,12 @@ pub fn respond(
         .put("contacts", result.contacts)
         .put("average_over_s", result.average_over_s)
         .put("max_penetration_m", result.max_penetration_m)
-        .put("duration_s", result.duration_s);
+        .put("duration_s", result.duration_s)
+        .put("linear_power_w", result.linear_power_w);
     if let Some(channel) = channel {
         frame
             .put("channel", channel.channel)
             .put("issues", channel.issues);
-    }
-    if matches!(excitation, Excitation::Noise { .. }) {
-        frame.put("linear_power_w", result.linear_power_w);
     }
     put_histories(&mut frame, &result);
     session.send(cancellation, frame);
@@ -54,6 +52,7 @@ fn excitation(
     folder: &Path,
 ) -> Result<(Excitation, Option<ChannelFile>), RequestFault> {
     match request {
+        ExcitationRequest::Spec => Ok((Excitation::OfSpec, None)),
         &ExcitationRequest::Noise {
             density,
             low_hz,

@@ -50,6 +50,8 @@ fn put_head(frame: &mut Frame, orbit: &OrbitResult) {
         .put("floquet_max_abs", orbit.floquet_max_abs)
         .put("error_estimate", orbit.error_estimate)
         .put("beams", orbit.beams.iter().map(beam).collect::<Vec<_>>())
+        .put("limits", json!(orbit.limits))
+        .put("warnings", json!(orbit.warnings))
         .put("pictures", orbit.frames)
         .put("stops", orbit.stops.iter().map(stop).collect::<Vec<_>>());
 }

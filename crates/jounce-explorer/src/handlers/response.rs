@@ -1,6 +1,7 @@
 //! Response over a key: first the branches near those of the previous design, then all branches
 //! that `jounce branch` finds.
 
+use super::progress::with_progress;
 use crate::session::Session;
 use crate::session::cancellation::Cancellation;
 use crate::session::fault::RequestFault;
@@ -40,7 +41,9 @@ pub fn respond(
         return Ok(());
     }
     let start_time = Instant::now();
-    let fine = analysis.fine_response(id, design, span, options, control)?;
+    let fine = with_progress(session, (id, "response"), cancellation, || {
+        analysis.fine_response(id, design, span, options, control)
+    })?;
     session.send(cancellation, frame(id, "fine", &fine, start_time));
     if cancellation.is_stopped() || fine.branches.is_empty() {
         return Ok(());
@@ -62,6 +65,7 @@ fn frame(id: u64, stage: &str, response: &ResponseResult, start_time: Instant) -
     frame
         .put("over", response.over.as_str())
         .put("unit", response.unit.as_str())
+        .put("note", json!(response.note))
         .put("ms", 1e3 * start_time.elapsed().as_secs_f64());
     frame.curve("linear", &response.linear);
     for (index, branch) in response.branches.iter().enumerate() {

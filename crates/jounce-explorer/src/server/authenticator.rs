@@ -73,10 +73,11 @@ impl Authenticator {
         headers: &HeaderMap,
         needs_origin: bool,
     ) -> Result<(), RequestRefusal> {
-        let host = headers
-            .get(HOST)
-            .and_then(|host| host.to_str().ok())
-            .unwrap_or_default();
+        let mut hosts = headers.get_all(HOST).iter();
+        let (Some(host), None) = (hosts.next(), hosts.next()) else {
+            return Err(RequestRefusal::Host);
+        };
+        let host = host.to_str().unwrap_or_default();
         // An attack by rebinding needs a host name; a request by address is safe.
         let by_address = self.any_address
             && host

@@ -18,7 +18,7 @@ use axum::extract::State;
 use axum::extract::ws::WebSocketUpgrade;
 use axum::extract::ws::rejection::WebSocketUpgradeRejection;
 use axum::http::{HeaderMap, Method, StatusCode, Uri};
-use axum::response::Response;
+use axum::response::{IntoResponse as _, Redirect, Response};
 use axum::serve::ListenerExt as _;
 use saved_address::SavedAddress;
 use std::net::{Ipv4Addr, SocketAddr};
@@ -259,7 +259,7 @@ async fn handle_request(
     upgrade: Result<WebSocketUpgrade, WebSocketUpgradeRejection>,
 ) -> Response {
     let path = uri.path().strip_prefix('/').unwrap_or_default();
-    let (token, name) = path.split_once('/').unwrap_or((path, "socket"));
+    let (token, name) = path.split_once('/').unwrap_or((path, ""));
     match host.authenticator.check(token, &headers, name == "socket") {
         Err(RequestRefusal::Host) => {
             return refusal(
@@ -283,6 +283,9 @@ async fn handle_request(
     }
     if method != Method::GET {
         return refusal(StatusCode::METHOD_NOT_ALLOWED, "only GET is allowed");
+    }
+    if !path.contains('/') {
+        return Redirect::permanent(&format!("/{token}/")).into_response();
     }
     if name != "socket" {
         return serve(name);

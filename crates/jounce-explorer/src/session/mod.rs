@@ -7,7 +7,7 @@ mod latest_requests;
 pub(super) mod request;
 
 use crate::handlers::export::export;
-use crate::handlers::{basins, excitation, load, orbit, response, sweep};
+use crate::handlers::{basins, excitation, load, operating_point, orbit, response, sweep};
 use crate::server::Host;
 use cancellation::Cancellation;
 use fault::RequestFault;
@@ -145,7 +145,8 @@ impl Session {
                 let mut frame = Frame::new(id, "design", "done");
                 frame
                     .put("drawing", json!(design.drawing(&title.to_string_lossy())))
-                    .put("controls", json!(design.controls()));
+                    .put("controls", json!(design.controls()))
+                    .put("drive_frequency_hz", design.drive_frequency_hz().ok());
                 self.send(cancellation, frame);
                 Ok(())
             }
@@ -159,6 +160,9 @@ impl Session {
             RequestKind::Load(options) => load::respond(self, id, design, options, cancellation),
             RequestKind::Basins(options) => {
                 basins::respond(self, id, design, options, cancellation)
+            }
+            RequestKind::OperatingPoint(options) => {
+                operating_point::respond(self, id, design, options, cancellation)
             }
             RequestKind::Shake { by } => excitation::respond(self, id, design, by, cancellation),
             RequestKind::Export(span) => {

@@ -28,10 +28,12 @@ impl Request {
     }
 }
 
-/// Excitation that replaces the first drive.
+/// Drives of the spec, or an excitation that replaces the first one.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ExcitationRequest {
+    /// Drives of the spec.
+    Spec,
     /// Noise of a flat one-sided spectral density.
     Noise {
         /// Spectral density, in the square of the unit of the drive per Hz.
@@ -83,7 +85,9 @@ pub enum RequestKind {
     Load(LoadOptions),
     /// Basins of attraction over a plane of starts.
     Basins(BasinsOptions),
-    /// Response under noise or a recording.
+    /// Attractors at the present design from a cloud of starts.
+    OperatingPoint(BasinsOptions),
+    /// Response under the drives of the spec, noise or a recording.
     Shake {
         /// Excitation.
         by: ExcitationRequest,
@@ -107,6 +111,7 @@ impl RequestKind {
             RequestKind::Sweep { .. } => "sweep",
             RequestKind::Load(_) => "load",
             RequestKind::Basins(_) => "basins",
+            RequestKind::OperatingPoint(_) => "operating-point",
             RequestKind::Shake { .. } => "shake",
             RequestKind::Export(_) => "export",
             RequestKind::Stop { .. } => "stop",

@@ -49,6 +49,14 @@ fn only_the_right_token_and_host_receive_the_page() {
             200,
         ),
         (
+            format!("/{token}/"),
+            format!("Host: localhost:{port}\r\nHost: evil.example\r\n"),
+            421,
+        ),
+        // An address that lost its last slash.
+        (format!("/{token}"), String::new(), 308),
+        (format!("/{}", "0".repeat(32)), String::new(), 403),
+        (
             format!("/{token}/app.js"),
             "Origin: http://evil.example\r\n".to_owned(),
             403,

@@ -14,6 +14,7 @@ pub use result::{
     Bifurcation, Branch, BranchPoint, BranchResult, HalfPowerBandwidth, NotProved, OrbitQuantity,
     Termination, TerminationReason,
 };
+pub(crate) use warnings::search_note;
 
 use crate::continuation_options;
 use crate::error::Error;
@@ -97,7 +98,7 @@ impl Harvester {
                 .collect(),
             peak: all.map(|bandwidth| bandwidth.peak),
             half_power_bandwidth: all.map(HalfPowerBandwidth::new),
-            note: options.note(),
+            note: search_note(options.seeds, options.longest_period),
             quantity,
             options: options.clone(),
         })

@@ -99,6 +99,7 @@ impl BranchOptions {
             largest_step,
             budget: self.budget,
             levels: continuation_options::levels(&self.levels, plant)?,
+            ..TracerOptions::default()
         })
     }
 }

@@ -1,19 +1,16 @@
 //! Texts about what a continuation of branches did not find or prove.
 
-use super::{BranchOptions, BranchResult, OrbitMethod, Termination, TerminationReason};
+use super::{BranchResult, OrbitMethod, Termination, TerminationReason};
 use jounce_analysis::run::WorstExcess;
 
 /// Error estimates above this have a warning.
 const MAX_ERROR_ESTIMATE: f64 = 1e-3;
 
-impl BranchOptions {
-    /// Returns the note on the branches that the search may miss.
-    pub(super) fn note(&self) -> String {
-        format!(
-            "the search misses branches that none of {} seeds converges to, and branches of a period above {} cycles; more `seeds` and a larger `longest_period` find more",
-            self.seeds, self.longest_period
-        )
-    }
+/// Returns the note on the branches that a search may miss.
+pub(crate) fn search_note(seeds: usize, longest_period: u32) -> String {
+    format!(
+        "the search misses branches that none of {seeds} seeds converges to, and branches of a period above {longest_period} cycles; more `seeds` and a larger `longest_period` find more"
+    )
 }
 
 impl BranchResult {

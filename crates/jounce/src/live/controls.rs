@@ -9,6 +9,8 @@ use serde::Serialize;
 const LOG_RATIO: f64 = 10.0;
 /// Ratio of the upper end of a linear slider to the value.
 const LINEAR_RATIO: f64 = 3.0;
+/// Upper end of a linear slider at zero, in units of the file.
+const ZERO_SPAN: f64 = 10.0;
 /// Ratio of the lower end of a linear slider to the value.
 const LINEAR_LOW_RATIO: f64 = 0.02;
 
@@ -88,11 +90,16 @@ impl Design {
             .find_map(split);
         let (unit, factor) = match number_and_unit {
             Some((number, unit)) if number != 0.0 => (unit, value / number),
+            Some((_, unit)) if !unit.is_empty() => {
+                let factor = key.size_of(&unit).unwrap_or(1.0);
+                (unit, factor)
+            }
             _ => (key.unit(), 1.0),
         };
-        let limits = key.limits();
+        let (low, high) = key.limits();
+        let limits = (low, high.min(self.length_of_beam(key).unwrap_or(high)));
         let scale = slider_scale(key, value, limits.0);
-        let (from, to) = slider_ends(scale, value, limits);
+        let (from, to) = slider_ends(scale, value, factor, limits);
         Some(DesignControl {
             key: key.path().to_owned(),
             value,
@@ -106,6 +113,12 @@ impl Design {
             count: key.is_count(),
             written: file_text.is_some(),
         })
+    }
+
+    /// Returns the length of the beam on which a key specifies a point, m.
+    fn length_of_beam(&self, key: &NumericKey) -> Option<f64> {
+        let (beam, _) = key.path().strip_prefix("beam.")?.split_once(".point.")?;
+        Some(self.spec().beam.get(beam)?.length_m)
     }
 }
 
@@ -126,10 +139,12 @@ fn slider_scale(key: &NumericKey, value: f64, low: f64) -> SliderScale {
     }
 }
 
-fn slider_ends(scale: SliderScale, value: f64, (low, high): (f64, f64)) -> (f64, f64) {
+/// Returns the ends of a slider. `factor` is the size of the unit in which the value is shown.
+fn slider_ends(scale: SliderScale, value: f64, factor: f64, (low, high): (f64, f64)) -> (f64, f64) {
+    let at_zero = ZERO_SPAN * factor;
     let (from, to) = match scale {
         SliderScale::Log => (value / LOG_RATIO, value * LOG_RATIO),
-        SliderScale::Linear if value == 0.0 => (if low < 0.0 { -1.0 } else { 0.0 }, 1.0),
+        SliderScale::Linear if value == 0.0 => (if low < 0.0 { -at_zero } else { 0.0 }, at_zero),
         SliderScale::Linear if value < 0.0 => (LINEAR_RATIO * value, 0.0),
         SliderScale::Linear => (LINEAR_LOW_RATIO * value, LINEAR_RATIO * value),
     };
@@ -162,6 +177,23 @@ mod tests {
         assert!(find("beam.beam.point.tip").unwrap().written);
         assert!(find("drive.shaker.phase").is_none_or(|phase| !phase.written));
         assert!(find("run.start").is_none() && find("drive.shaker.at").is_none());
+    }
+
+    #[test]
+    fn a_value_of_zero_retains_its_unit_and_a_point_stays_on_its_beam() {
+        let path = concat!(
+            env!("CARGO_MANIFEST_DIR"),
+            "/../../examples/impact-harvester-2019/harvester.toml"
+        );
+        let set = [("stop.tip.gap".to_owned(), "0 mm".to_owned())];
+        let design = Design::new(&Harvester::read(path).unwrap(), &set).unwrap();
+        let keys = design.controls();
+        let find = |key: &str| keys.iter().find(|control| control.key == key).unwrap();
+        let gap = find("stop.tip.gap");
+        assert_eq!((gap.unit.as_str(), gap.factor), ("mm", 1e-3));
+        assert!(gap.to <= 0.011, "{}", gap.to);
+        let length = find("beam.beam.length").value;
+        assert_eq!(find("beam.beam.point.tip").to, length);
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! Response to noise or to a recording in place of the first drive.
+//! Response to the drives of a design, or to noise or a recording in place of the first one.
 
 use super::time_history::{self, Extremes, SpectralDensity};
 use super::{Design, LiveAnalysis};
@@ -19,9 +19,11 @@ const MAX_DURATION_S: f64 = 3600.0;
 /// Relative tolerance of the integration.
 const TOLERANCE: f64 = 1e-6;
 
-/// Excitation in place of the first drive.
+/// Drives of a design, or an excitation in place of the first one.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Excitation {
+    /// Drives of the design, over the run of its spec.
+    OfSpec,
     /// Noise of a flat one-sided spectral density.
     Noise {
         /// Spectral density, in the square of the unit of the drive per Hz.
@@ -45,8 +47,8 @@ pub enum Excitation {
 pub struct ExcitationResult {
     /// Mean power of all loads, W.
     pub mean_power_w: f64,
-    /// Mean power without contact under noise, W; `None` under a recording, and for a harvester
-    /// without a linear response.
+    /// Mean power without contact under noise, W; `None` without noise, and for a harvester without
+    /// a linear response.
     pub linear_power_w: Option<f64>,
     /// Contacts that began in the averaging window.
     pub contacts: u64,
@@ -67,7 +69,8 @@ pub struct ExcitationResult {
 }
 
 impl LiveAnalysis {
-    /// Integrates over a recording, or over a minute of noise, from the start of the spec.
+    /// Integrates from the start of the spec: over the run of the spec, over a recording, or over a
+    /// minute of noise.
     ///
     /// # Errors
     /// [`Error::NoDrive`] without a drive to replace, [`Error::Spec`] for noise or a recording that
@@ -80,14 +83,12 @@ impl LiveAnalysis {
         control: &Control,
     ) -> Result<ExcitationResult, Error> {
         let mut spec = excitation.in_place_of_drive(design)?;
-        let recorded_s = recorded_s(&spec);
-        let duration_s = recorded_s.unwrap_or(NOISE_S);
+        let (duration_s, average_over_s, tolerance) = excitation.times(&spec);
         if duration_s > MAX_DURATION_S {
             let expected = format!("give one of at most {MAX_DURATION_S:.0} s");
             let value = format!("{duration_s:.0} s long");
             return Err(Error::option("recording", value, expected));
         }
-        let average_over_s = recorded_s.unwrap_or(AVERAGED_SHARE * duration_s);
         // The realisation of noise has the length of the run.
         (spec.run.duration_s, spec.run.average_over_s) = (duration_s, average_over_s);
         let base = self.model(&spec, control)?;
@@ -96,14 +97,16 @@ impl LiveAnalysis {
         let plan = RunPlan {
             duration_s,
             average_over_s,
-            tolerance: TOLERANCE,
+            tolerance,
             record_s: duration_s,
         };
         let result = simulate(&kernel, &start, &plan)?;
         let linear = || Random::new(&spec).and_then(|random| random.response());
         let linear_power_w = match excitation {
-            Excitation::Noise { .. } => linear().ok().map(|response| response.mean_power_w),
             Excitation::Recording { .. } => None,
+            Excitation::Noise { .. } | Excitation::OfSpec => {
+                linear().ok().map(|response| response.mean_power_w)
+            }
         };
         let histories = time_history::of_run(&kernel, &result, duration_s)?;
         Ok(ExcitationResult {
@@ -126,15 +129,32 @@ impl Excitation {
     /// same checks as any spec.
     fn in_place_of_drive(&self, design: &Design) -> Result<Spec, Error> {
         let mut spec = design.spec().clone();
+        let Some(signal) = self.signal() else {
+            return Ok(spec);
+        };
         let drive = spec.drive.values_mut().next();
         let what = "noise or a recording";
-        drive.ok_or(Error::NoDrive { what })?.signal = self.signal();
+        drive.ok_or(Error::NoDrive { what })?.signal = signal;
         let file = SpecFile::from_text(spec.to_toml());
         Ok(file.in_folder(design.harvester().folder()).spec()?)
     }
 
-    fn signal(&self) -> DriveSignal {
-        match self {
+    /// Returns duration, averaging window, s, and tolerance of a run.
+    fn times(&self, spec: &Spec) -> (f64, f64, f64) {
+        match (self, recorded_s(spec)) {
+            (Self::OfSpec, _) => {
+                let run = &spec.run;
+                (run.duration_s, run.average_over_s, run.tolerance)
+            }
+            (_, Some(recorded_s)) => (recorded_s, recorded_s, TOLERANCE),
+            (_, None) => (NOISE_S, AVERAGED_SHARE * NOISE_S, TOLERANCE),
+        }
+    }
+
+    /// Returns the signal in place of the first drive; `None` for the drives of the spec.
+    fn signal(&self) -> Option<DriveSignal> {
+        Some(match self {
+            Self::OfSpec => return None,
             &Self::Noise {
                 density,
                 low_hz,
@@ -158,7 +178,7 @@ impl Excitation {
                 }
                 signal
             }
-        }
+        })
     }
 }
 

@@ -111,29 +111,35 @@ impl BranchSearch<'_> {
     pub fn run_with(&self, options: &BranchOptions) -> Result<Vec<Branch>, Failure> {
         let tracer = self.following(options);
         match self.method {
-            OrbitMethodKind::Shooting => self.run_by(&tracer, |cycles| Ok(self.shooting(cycles))),
-            OrbitMethodKind::HarmonicBalance { harmonics } => self.run_by(&tracer, |cycles| {
-                let accuracy = POWER_ERROR_FACTOR * self.tolerance;
-                HarmonicBalance::new(
-                    self.shooting(cycles),
-                    &self.base.kernel,
-                    harmonics * cycles as usize,
-                    accuracy,
-                )
-            }),
+            OrbitMethodKind::Shooting => {
+                self.run_by(&tracer, options, |cycles| Ok(self.shooting(cycles)))
+            }
+            OrbitMethodKind::HarmonicBalance { harmonics } => {
+                self.run_by(&tracer, options, |cycles| {
+                    let accuracy = POWER_ERROR_FACTOR * self.tolerance;
+                    HarmonicBalance::new(
+                        self.shooting(cycles),
+                        &self.base.kernel,
+                        harmonics * cycles as usize,
+                        accuracy,
+                    )
+                })
+            }
         }
     }
 
     fn run_by<M: OrbitMethod<Fault = AnalysisError>>(
         &self,
         tracer: &BranchTracer,
+        options: &BranchOptions,
         make: impl Fn(u32) -> Result<M, Failure>,
     ) -> Result<Vec<Branch>, Failure> {
         self.check_ends()?;
         make(1)?;
         let control = &self.base.kernel.control;
         let mut branches: Vec<Branch> = Vec::new();
-        let starts = self.starts();
+        let mut starts = self.starts();
+        starts.extend(self.corrected(tracer, &options.known_orbits));
         control.expect(starts.len());
         for (orbit, parameter) in starts {
             if orbit.period_cycles <= self.longest_period

@@ -2,6 +2,8 @@
 
 use super::BranchSearch;
 use super::ramp_down::ramped_down_start;
+use crate::branches::branch_tracer::tracer::BranchTracer;
+use crate::branches::warm_start::KnownOrbit;
 use crate::settled_orbits;
 use jounce_orbits::{Orbit, ParametricModel};
 use rayon::prelude::*;
@@ -64,6 +66,22 @@ impl BranchSearch<'_> {
         with_starts
             .sort_by_key(|(kind, (orbit, _))| (orbit.period_cycles, *kind == SearchStart::Eased));
         with_starts.into_iter().map(|(_, orbit)| orbit).collect()
+    }
+
+    /// Returns the orbits of this model next to those of a neighbouring one, each at its own value
+    /// of the key. Those at which Newton's method fails are omitted.
+    pub(super) fn corrected(
+        &self,
+        tracer: &BranchTracer,
+        known: &[KnownOrbit],
+    ) -> Vec<(Orbit, f64)> {
+        let corrected = |orbit: &KnownOrbit| {
+            let shooting = self.shooting(orbit.period_cycles);
+            let parameter = orbit.parameter.clamp(self.range.0, self.range.1);
+            let corrected = orbit.corrected(tracer, &shooting, parameter)?;
+            Some((corrected, parameter))
+        };
+        known.par_iter().filter_map(corrected).collect()
     }
 
     /// Returns the physical state of a start.

@@ -1,5 +1,6 @@
 //! Orbit of one point of a response, with the motion of stops and beams.
 
+mod limits;
 mod motion;
 mod orbit;
 mod orbit_stop;

@@ -21,6 +21,15 @@ pub struct BeamMotion {
     pub displacement_m: Vec<f64>,
 }
 
+impl BeamMotion {
+    /// Returns the largest displacement relative to the root, m.
+    pub(super) fn max_deflection_m(&self) -> f64 {
+        let frames = self.displacement_m.chunks_exact(self.position_m.len());
+        let deflections = frames.flat_map(|frame| frame.iter().map(|own| (own - frame[0]).abs()));
+        deflections.fold(0.0, f64::max)
+    }
+}
+
 /// Returns the number of frames and the motion of each beam.
 pub(super) fn of_beams(
     evaluation: &ShootingEvaluation,

@@ -1,12 +1,14 @@
 //! Orbit of a point of a response, sampled over its period.
 
+use super::limits;
 use super::motion::{self, BeamMotion};
 use super::orbit_stop::OrbitStop;
 use crate::error::Error;
 use crate::live::LiveAnalysis;
 use crate::live::responses::StoredResponse;
 use jounce_analysis::BranchPoint;
-use jounce_continuation::{Corrector, Metric, Position, correct_at};
+use jounce_analysis::run::ExceededLimit;
+use jounce_continuation::{CorrectedPoint, Corrector, Metric, Position, correct_at};
 use jounce_control::Control;
 use jounce_dynamics::TrajectoryState;
 use jounce_model::plant::Stop;
@@ -31,7 +33,7 @@ const CORRECTOR: Corrector = Corrector {
 };
 
 /// Point of a stored response.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct BranchPlace {
     /// Number of the response.
     pub response: u64,
@@ -39,6 +41,10 @@ pub struct BranchPlace {
     pub branch: usize,
     /// Number of the point on the branch, from 0.
     pub point: usize,
+    /// Value of the key near the point at which the orbit is computed, SI; by default the value at
+    /// the point.
+    #[serde(default)]
+    pub parameter: Option<f64>,
 }
 
 /// A periodic orbit, sampled over its period.
@@ -84,6 +90,10 @@ pub struct OrbitResult {
     pub frames: usize,
     /// Each beam.
     pub beams: Vec<BeamMotion>,
+    /// Each limit of a patch with the value that exceeds it most or is nearest to it.
+    pub limits: Vec<ExceededLimit>,
+    /// Exceeded limits of patches, and deflections too large for a linear beam.
+    pub warnings: Vec<String>,
 }
 
 impl LiveAnalysis {
@@ -100,14 +110,21 @@ impl LiveAnalysis {
         let shooting = Shooting::new(&parameter, &base.kernel, cycles, TOLERANCE);
         let position = Position {
             unknown: point.orbit.start().to_vec(),
-            parameter: point.parameter,
+            parameter: place.parameter.unwrap_or(point.parameter),
         };
         let metric = Metric::at(&position, 1.0);
         let solution = correct_at(&shooting, &CORRECTOR, &metric, position)?;
         let orbit = shooting.orbit(&solution.local, solution.error)?;
         let shapes = self.shapes(&response.spec)?;
         let beams = motion::of_beams(&solution.local, &shapes);
-        sampled(&response, point.parameter, &orbit, &solution.local, beams)
+        let limits = limits::reached(&response.spec, &solution.local);
+        let sampled = sampled(&response, &orbit, &solution, beams)?;
+        let warnings = limits::warnings(&limits, &sampled.beams);
+        Ok(OrbitResult {
+            limits,
+            warnings,
+            ..sampled
+        })
     }
 }
 
@@ -146,11 +163,11 @@ pub(super) fn sample_states(
 
 fn sampled(
     response: &StoredResponse,
-    parameter: f64,
     orbit: &Orbit,
-    evaluation: &ShootingEvaluation,
+    solution: &CorrectedPoint<ShootingEvaluation>,
     (frames, beams): (usize, Vec<BeamMotion>),
 ) -> Result<OrbitResult, Error> {
+    let (evaluation, parameter) = (&solution.local, solution.position.parameter);
     let plant = &evaluation.kernel.plant;
     let cycles = evaluation.trajectories.len();
     let samples_per_cycle = SAMPLES_PER_CYCLE
@@ -199,6 +216,8 @@ fn sampled(
         stops: plant.system.stops.iter().enumerate().map(stop).collect(),
         frames,
         beams,
+        limits: Vec::new(),
+        warnings: Vec::new(),
     })
 }
 

@@ -2,11 +2,12 @@
 
 use super::ResponseResult;
 use super::stored_response::{Origin, StoredResponse};
+use crate::branch::search_note;
 use crate::error::Error;
 use crate::live::{Design, KeySpan, LiveAnalysis};
 use crate::options::check_tolerance;
 use jounce_analysis::{
-    Bandwidth, BandwidthSearch, Branch, BranchSearch, OrbitMethodKind, Parameter,
+    Bandwidth, BandwidthSearch, Branch, BranchOptions, BranchSearch, OrbitMethodKind, Parameter,
 };
 use jounce_control::Control;
 use jounce_spec::NumericKey;
@@ -96,7 +97,8 @@ impl LiveAnalysis {
         Ok(result)
     }
 
-    /// Finds all branches over a key by the search of `jounce branch`. The response is stored under
+    /// Finds the branches over a key by the search of `jounce branch`, which also starts from the
+    /// orbits of the last response over this key. The response is stored under
     /// its number, in place of the coarse one.
     ///
     /// # Errors
@@ -123,9 +125,14 @@ impl LiveAnalysis {
             seeds: options.seeds,
             longest_period: options.longest_period,
         };
-        let branches = search.run()?;
+        let stored = self.responses.last(key.path());
+        let branches = search.run_with(&BranchOptions {
+            known_orbits: stored.map(|stored| stored.orbits()).unwrap_or_default(),
+            ..Default::default()
+        })?;
         let linear = self.linear.curve(design.spec(), &parameter, range);
-        let result = ResponseResult::new(&key, linear, &branches);
+        let mut result = ResponseResult::new(&key, linear, &branches);
+        result.note = Some(search_note(options.seeds, options.longest_period));
         self.store(id, design, (key, range), branches, None, control);
         Ok(result)
     }

@@ -18,6 +18,8 @@ pub struct ResponseResult {
     pub branches: Vec<ResponseBranch>,
     /// Bifurcations of all branches.
     pub bifurcations: Vec<ResponseBifurcation>,
+    /// Branches that the search may miss; `None` for a coarse response.
+    pub note: Option<String>,
 }
 
 /// A branch: one value of each list per point.
@@ -74,6 +76,7 @@ impl ResponseResult {
             linear,
             branches: branches.iter().map(ResponseBranch::new).collect(),
             bifurcations: branches.iter().enumerate().flat_map(bifurcations).collect(),
+            note: None,
         }
     }
 }

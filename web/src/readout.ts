@@ -1,0 +1,50 @@
+// Text and table below the response: peak and bandwidth, what the search may miss, bifurcations.
+
+import type { Bifurcation } from "./branches";
+import type { Head } from "./frame";
+import { quantity } from "./units";
+
+export class Readout {
+    private shown = "";
+
+    constructor(private readonly words: HTMLElement, private readonly note: HTMLElement, private readonly title: HTMLElement, private readonly rows: HTMLElement) {}
+
+    /** Shows the text, the note of the search, and the bifurcations; `choose` is called with the one that is clicked. */
+    show(text: string, note: string, found: Bifurcation[], unit: string, choose: (found: Bifurcation) => void): void {
+        if (this.words.textContent !== text) this.words.textContent = text;
+        this.note.textContent = note.replaceAll("`", "");
+        this.note.hidden = note === "";
+        this.title.parentElement!.hidden = found.length === 0;
+        const own = JSON.stringify(found);
+        if (own === this.shown) return;
+        this.shown = own;
+        this.title.textContent = `${found.length} ${found.length === 1 ? "bifurcation" : "bifurcations"}`;
+        this.rows.replaceChildren(...[...found].sort((a, b) => a.x - b.x).map((one) => row(one, unit, choose)));
+    }
+}
+
+function row(found: Bifurcation, unit: string, choose: (found: Bifurcation) => void): HTMLElement {
+    const line = document.createElement("tr");
+    const button = document.createElement("button");
+    button.textContent = found.kind;
+    button.title = "Show the orbit";
+    button.onclick = () => choose(found);
+    const cells = [button, quantity(found.x, unit, 5), quantity(found.power, "W")].map((content) => {
+        const cell = document.createElement("td");
+        cell.append(content);
+        return cell;
+    });
+    line.replaceChildren(...cells);
+    return line;
+}
+
+/** Sentences about the peak of the stable orbits and the half-power bandwidth. Where the peak or the band ends only with the range, they say so. */
+export function peakWords(widths: Head | undefined, unit: string): string[] {
+    if (!widths?.peak) return [];
+    const at = (x: number) => quantity(x, unit, 5);
+    const { peak, intervals, width } = widths;
+    const power = quantity(peak.mean_power_w, "W");
+    if (peak.at === "end") return [`Largest stable power in the range: ${power} at ${at(peak.parameter)}, where the branch or the range ends; no peak.`];
+    const cut = (intervals as { from: { at: string }; to: { at: string } }[]).some(({ from, to }) => from.at === "end" || to.at === "end");
+    return [`Peak ${power} at ${at(peak.parameter)}.`, `Half-power bandwidth ${cut ? "at least " : ""}${at(width)}${cut ? "; the range cuts it" : ""}.`];
+}

@@ -1,0 +1,18 @@
+// Keys of the page: undo, redo, pin, link, export, theme.
+
+const SINGLE: Record<string, string> = { p: "pin", l: "share", e: "export", t: "theme" };
+
+/** Runs the named actions on their keys, except while a text is typed. */
+export function shortcuts(act: Record<string, () => void>): void {
+    addEventListener("keydown", (event) => {
+        const typing = event.target instanceof HTMLInputElement && !["range", "checkbox"].includes(event.target.type);
+        if (typing || event.altKey) return;
+        const key = event.key.toLowerCase();
+        const control = event.ctrlKey || event.metaKey;
+        const redo = key === "y" || (key === "z" && event.shiftKey);
+        const name = control ? (redo ? "redo" : key === "z" ? "undo" : "") : event.target instanceof HTMLSelectElement ? "" : SINGLE[key];
+        if (!name) return;
+        if (control) event.preventDefault();
+        act[name]();
+    });
+}

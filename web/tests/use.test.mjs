@@ -1,0 +1,210 @@
+// Use of the page: fields and sliders, links, pins, narrow windows, specs of other kinds, a lost server.
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { browse, open, ready, serve } from "./browser.mjs";
+
+let server;
+let browser;
+let page;
+
+before(async () => {
+    server = await serve();
+    browser = await browse();
+    page = await open(browser.context, server.address);
+});
+after(async () => {
+    await browser?.close();
+    await server?.close();
+});
+
+const field = (key) => page.getByLabel(`${key}, value`, { exact: true });
+const type = async (key, value) => {
+    await field(key).fill(value);
+    await field(key).press("Enter");
+};
+const until = (id, pattern, own = page) => own.waitForFunction(([name, source]) => new RegExp(source).test(document.getElementById(name).textContent), [id, pattern.source]);
+const reset = async () => {
+    if (await page.locator("#reset").isEnabled()) await page.locator("#reset").click();
+    await ready(page);
+};
+
+test("zero keeps the unit of the file", async () => {
+    await type("stop.tip.gap", "0");
+    await page.waitForFunction(() => location.hash.includes("0+mm"));
+    await ready(page);
+    const row = page.locator(".control:has(#control-stop-tip-gap)");
+    assert.equal(await row.locator(".unit").textContent(), "mm");
+    await type("stop.tip.gap", "2");
+    await page.waitForFunction(() => /gap 2 mm/.test(document.getElementById("close").textContent));
+    await reset();
+});
+
+test("a slider with a default keeps its drag", async () => {
+    const phase = page.locator("#groups input[type=range][aria-label='drive.shaker.phase']");
+    await page.locator("#groups details.more:has(input[aria-label='drive.shaker.phase']) > summary").click();
+    await phase.evaluate((element) => (window.heldSlider = element));
+    await phase.focus();
+    for (let k = 0; k < 5; k++) {
+        await page.keyboard.press("ArrowRight");
+        await page.waitForTimeout(100);
+    }
+    await ready(page);
+    assert.ok(await phase.evaluate((element) => element === window.heldSlider && document.activeElement === element));
+    await reset();
+});
+
+test("a point stays on its beam", async () => {
+    const slider = page.locator("input[type=range][aria-label='beam.beam.point.tip']");
+    await page.locator("#groups > details:has(input[aria-label='beam.beam.point.tip']) > summary").click();
+    await slider.focus();
+    await page.keyboard.press("End");
+    await ready(page);
+    assert.equal(Number(await field("beam.beam.point.tip").inputValue()), 315);
+    assert.equal(await page.locator(".fault:visible").count(), 0);
+    await reset();
+});
+
+test("a link with an unknown key shows the rest of it, and one in an open tab is followed", async () => {
+    const other = await browser.context.newPage();
+    await other.goto(`${server.address}#set=stop.tip.gap%3D0.7+mm&set=stop.tip.nonsense%3D3`);
+    await ready(other);
+    assert.equal(await other.getByLabel("stop.tip.gap, value", { exact: true }).inputValue(), "0.7");
+    assert.match(await other.locator("#faults").textContent(), /nonsense/);
+    await other.evaluate(() => (location.hash = "set=stop.tip.gap%3D0.6+mm"));
+    await other.waitForFunction(() => document.querySelector("[aria-label='stop.tip.gap, value']").value === "0.6");
+    await other.locator("#undo").click();
+    await other.waitForFunction(() => document.querySelector("[aria-label='stop.tip.gap, value']").value === "0.7");
+    await other.goto("about:blank");
+    await other.goto(server.address.replace(/\/$/, ""));
+    await ready(other);
+    await other.close();
+});
+
+test("pins: undo goes back over a restored one, the fifth is refused, and they outlive a reload with the theme", async () => {
+    await page.locator("#pin").click();
+    await type("stop.tip.gap", "0.9");
+    await ready(page);
+    await page.locator("#pins button").first().click();
+    await page.waitForFunction(() => document.querySelector("[aria-label='stop.tip.gap, value']").value === "1");
+    await page.locator("#undo").click();
+    await page.waitForFunction(() => document.querySelector("[aria-label='stop.tip.gap, value']").value === "0.9");
+    await page.locator("h1").click();
+    await page.keyboard.press("Control+z");
+    await page.waitForFunction(() => document.querySelector("[aria-label='stop.tip.gap, value']").value === "1");
+    await page.keyboard.press("Control+y");
+    await page.waitForFunction(() => document.querySelector("[aria-label='stop.tip.gap, value']").value === "0.9");
+    for (let k = 0; k < 4; k++) await page.locator("#pin").click();
+    assert.equal(await page.locator("#pins li").count(), 4);
+    await until("status", /at most 4 pins/);
+    const theme = await page.evaluate(() => document.documentElement.dataset.theme);
+    await page.locator("#theme").click();
+    await page.reload();
+    await ready(page);
+    assert.equal(await page.locator("#pins li").count(), 4);
+    assert.notEqual(await page.evaluate(() => document.documentElement.dataset.theme), theme);
+    await page.locator("#theme").click();
+    for (let k = 0; k < 4; k++) await page.getByLabel(/^Unpin/).first().click();
+    await reset();
+});
+
+test("nothing overflows at 390 px, and the drawing can be read", async () => {
+    await page.setViewportSize({ width: 390, height: 844 });
+    await ready(page);
+    assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 390);
+    const smallest = await page.locator("#drawing svg text").evaluateAll((texts) => Math.min(...texts.map((own) => own.getBoundingClientRect().height)));
+    assert.ok(smallest >= 8, String(smallest));
+    await page.setViewportSize({ width: 1280, height: 800 });
+});
+
+test("a long status stays on one line", async () => {
+    const height = () => page.locator("header").evaluate((own) => own.getBoundingClientRect().height);
+    const before = await height();
+    await page.locator("#status").evaluate((own) => (own.textContent = "a long status ".repeat(30)));
+    assert.equal(await height(), before);
+});
+
+test("without a stop there are no charts of contact", async () => {
+    const linear = await serve({ example: "bimorph-erturk-2009/harvester.toml" });
+    const own = await open(browser.context, linear.address);
+    for (const id of ["chart-force", "chart-phase"]) assert.ok(await own.locator(`#${id}`).isHidden());
+    assert.match(await own.locator("#chart-displacement").getAttribute("aria-label"), /End of shim/);
+    await own.close();
+    await linear.close();
+});
+
+test("a stop on a moving beam moves in the animation", async () => {
+    const beams = await serve({ example: "two-beams-vijayan-2015/harvester.toml" });
+    const own = await browser.context.newPage();
+    await own.goto(beams.address);
+    await until("readout", /Draft|Peak|Largest/, own);
+    await own.locator("#chart-response").focus();
+    await own.keyboard.press("ArrowRight");
+    await until("orbit-title", /Orbit at/, own);
+    /** First row with the grey of the bar of the stop, right of the clamp. */
+    const row = () => own.locator("#motion").evaluate((canvas) => {
+        const [width, height] = [canvas.width, Math.round(canvas.height / 2)];
+        const { data } = canvas.getContext("2d").getImageData(width - 60, 0, 60, height);
+        for (let k = 0; k < data.length; k += 4) {
+            if (data[k] === 138 && data[k + 1] === 138 && data[k + 2] === 138 && data[k + 3] === 255) return Math.floor(k / 240);
+        }
+        return undefined;
+    });
+    const rows = new Set();
+    for (let look = 0; look < 30; look++) {
+        rows.add(await row());
+        await own.waitForTimeout(50);
+    }
+    rows.delete(undefined);
+    assert.ok(rows.size > 2, [...rows].join());
+    await own.close();
+    await beams.close();
+});
+
+test("free motion opens on its time history", async () => {
+    const shock = await serve({ example: "shock-cavallier-2005/harvester.toml" });
+    const own = await browser.context.newPage();
+    await own.goto(shock.address);
+    await until("operating-words", /the drives of the spec: [\d.]+ .?W on average/, own);
+    assert.equal(await own.locator("#faults").textContent(), "");
+    await own.close();
+    await shock.close();
+});
+
+test("a search can be stopped and says how far it is", async () => {
+    const heavy = await serve({ kind: "cantilever-with-stop" });
+    const own = await browser.context.newPage();
+    await own.goto(heavy.address);
+    await until("busy", /draft, searching: \d+ of \d+/, own);
+    await own.locator("#response-stop").click();
+    await until("busy", /search stopped/, own);
+    assert.match(await own.locator("#readout").textContent(), /^Draft/);
+    await own.close();
+    await heavy.close();
+});
+
+test("a page beyond the limit of the server says that, and not that the server has stopped", async () => {
+    const refused = await browser.context.newPage();
+    await refused.addInitScript(() => {
+        window.WebSocket = class extends EventTarget {
+            constructor() {
+                super();
+                setTimeout(() => this.onclose?.(), 10);
+            }
+        };
+    });
+    await refused.goto(server.address);
+    await until("lost-words", /too many open pages/, refused);
+    await refused.close();
+});
+
+test("work that a stopped server has lost does not seem to run", async () => {
+    await page.locator("#tab-basins").click();
+    await page.locator("#basins-starts").selectOption("3721");
+    await page.locator("#basins-run").click();
+    await until("basins-words", /s left/);
+    await server.stop();
+    await until("basins-words", /the connection was lost/);
+    assert.ok(await page.locator("#basins-progress").isHidden());
+    await server.start();
+    await page.locator("#lost").waitFor({ state: "hidden" });
+});
