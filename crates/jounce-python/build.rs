@@ -32,7 +32,7 @@ fn main() {
 }
 
 /// `expected.toml` holds the numbers that a system is published with, `measured.toml` what was measured on it,
-/// `study.toml` what is varied of it. A spec that reads a recording
+/// `study.toml` what is varied of it, `design.toml` what is searched. A spec that reads a recording
 /// needs its file beside it, which the module does not carry.
 fn is_spec(path: &Path) -> bool {
     let reads_none = || {
@@ -42,9 +42,14 @@ fn is_spec(path: &Path) -> bool {
     path.extension()
         .is_some_and(|extension| extension == "toml")
         && path.file_name().is_some_and(|name| {
-            !["expected.toml", "measured.toml", "study.toml"]
-                .iter()
-                .any(|other| name == *other)
+            ![
+                "expected.toml",
+                "measured.toml",
+                "study.toml",
+                "design.toml",
+            ]
+            .iter()
+            .any(|other| name == *other)
         })
         && reads_none()
 }

@@ -155,20 +155,16 @@ impl NumericKey {
     /// # Errors
     /// As [`NumericKey::set`].
     pub fn set_all(spec: &mut Spec, values: &[(&Self, f64)]) -> Result<(), Fault> {
+        let mut changed = spec.clone();
         for (key, value_si) in values {
             key.check(*value_si)?;
+            key.get(spec)?;
+            key.store(&mut changed, *value_si);
         }
-        let mut before = Vec::with_capacity(values.len());
-        for (key, value_si) in values {
-            before.push((key, key.get(spec)?));
-            key.store(spec, *value_si);
-        }
-        let Some((_, message)) = validation::first(spec) else {
+        let Some((_, message)) = validation::first(&changed) else {
+            *spec = changed;
             return Ok(());
         };
-        for (key, value_si) in before.iter().rev() {
-            key.store(spec, *value_si);
-        }
         let assignment =
             |(key, value): &(&Self, f64)| format!("{} = {}", key.path, key.kind.show(*value));
         let assignments: Vec<String> = values.iter().map(assignment).collect();

@@ -1,8 +1,7 @@
 //! Results of the library for a cloud: the part of its basin analysis that the comparison uses.
 
 use jounce_analysis::{
-    Attractor, AttractorKind, BasinFraction, Basins, InitialStates, Model, Parameter, Recognition,
-    wilson,
+    Attractor, AttractorKind, BasinFraction, Basins, InitialStates, Model, Recognition, wilson,
 };
 use jounce_spec::SpecFile;
 

@@ -5,7 +5,12 @@ use crate::rows::folder;
 use jounce_spec::SpecFile;
 
 /// Files that are not specs of a harvester.
-const BESIDE: [&str; 3] = ["expected.toml", "measured.toml", "study.toml"];
+const BESIDE: [&str; 4] = [
+    "expected.toml",
+    "measured.toml",
+    "study.toml",
+    "design.toml",
+];
 
 #[test]
 fn every_example_is_complete() {

@@ -14,9 +14,10 @@ pub struct Block {
 }
 
 /// What a block may say that it is.
-const KNOWN: [&str; 10] = [
+const KNOWN: [&str; 11] = [
     "console",
     "python",
+    "pycon",
     "sh",
     "rust",
     "rust,no_run",

@@ -8,6 +8,7 @@
 //! | `toml study`, `toml design` | it must be a study, or a design, of the paper's spec |
 //! | `rust`, `rust,no_run` | the document must be among the doctests of the library |
 //! | `python` | `python/tests/test_documents.py` runs it |
+//! | `pycon` | `python/tests/test_docstrings.py` runs it: the reference of the package shows the examples of its docstrings |
 //! | `text` | nothing |
 
 mod block;

@@ -62,7 +62,7 @@ mod tests {
 
     #[test]
     fn limits_come_before_goals() {
-        let mut all = vec![
+        let mut all = [
             candidate(9.0, 0.5),
             candidate(1.0, 0.0),
             candidate(8.0, 0.1),

@@ -44,14 +44,17 @@ impl SensitivityResult {
     /// Returns the figure of the relative derivatives of the mean power, the largest first.
     pub fn figure(&self) -> Figure {
         let shown = &self.keys[..SHOWN.min(self.keys.len())];
-        let x = Axis::linear(
-            "Change of mean power per change of the key, both relative",
-            "",
-        );
-        let y = Axis::linear("Number of the key in the table", "");
-        let mut panel = Panel::new(x, y).high(60.0 + 18.0 * shown.len() as f64);
+        let top = shown.len() as f64 + 1.0;
+        let x = Axis::linear("Change of mean power for 1 % more of the key", "%");
+        let y = Axis {
+            range: Some((0.0, top)),
+            // The names stand beside the bars.
+            step: Some(2.0 * top),
+            ..Axis::linear("Keys, the largest change at the top", "")
+        };
+        let mut panel = Panel::new(x, y).high(60.0 + 18.0 * top);
         for (number, one) in shown.iter().enumerate() {
-            let (relative, row) = (one.derivatives[0].relative, -(number as f64 + 1.0));
+            let (relative, row) = (one.derivatives[0].relative, top - number as f64 - 1.0);
             let bar = Series::line(vec![0.0, relative], vec![row, row]);
             panel = panel
                 .with(bar)

@@ -61,9 +61,14 @@ fn specs(folder: &Path) -> Vec<PathBuf> {
             true => spec_paths.extend(specs(&path)),
             false
                 if path.extension().is_some_and(|ending| ending == "toml")
-                    && !["expected.toml", "measured.toml", "study.toml"]
-                        .iter()
-                        .any(|name| path.ends_with(name)) =>
+                    && ![
+                        "expected.toml",
+                        "measured.toml",
+                        "study.toml",
+                        "design.toml",
+                    ]
+                    .iter()
+                    .any(|name| path.ends_with(name)) =>
             {
                 spec_paths.push(path)
             }
