@@ -151,6 +151,8 @@ LIMITED = {
     "Spec.diagram.longest_period": {"key": FREQUENCY, "range": "11 Hz"},
     "Spec.ensemble.members": {},
     "Spec.rig.bits": {},
+    "Spec.sensitivity.starts": {"key": GAP},
+    "Spec.design.evaluations": {"problem": {"free": {GAP: "1mm:2mm"}, "goal": {"maximise": "stable-power"}}},
     "measured_modes.order": {"records": jounce.Recording.of({"force": np.eye(1, 999)[0]}, 1e3, units="N")},
 }
 

@@ -103,7 +103,7 @@ impl Design {
     /// so far is the result.
     ///
     /// # Errors
-    /// [`Error::Design`] where no design can be evaluated.
+    /// [`Error::Option`] for no evaluations, [`Error::Design`] where no design can be evaluated.
     pub fn run(&self, options: &DesignOptions) -> Result<DesignResult, Error> {
         self.with_optional_journal(options, None)
     }
@@ -130,7 +130,7 @@ impl Design {
         options: &DesignOptions,
         folder: impl AsRef<Path>,
     ) -> Result<DesignJournal, Error> {
-        let problem = self.problem_with(options);
+        let problem = self.problem_with(options)?;
         let key = format!("{}-{}", problem.hash_hex(), problem.seed);
         Ok(Journal::open(folder.as_ref(), &key)?)
     }
@@ -140,7 +140,7 @@ impl Design {
         options: &DesignOptions,
         journal: Option<&DesignJournal>,
     ) -> Result<DesignResult, Error> {
-        let problem = self.problem_with(options);
+        let problem = self.problem_with(options)?;
         let work = || Ok(design(&problem, &self.control, journal)?);
         let outcome = on_threads(options.threads, work)?;
         let given = Harvester::of(problem.file().clone(), problem.folder.clone())?;
@@ -150,12 +150,16 @@ impl Design {
     }
 
     /// Returns the problem with the seed and the budget of the options.
-    fn problem_with(&self, options: &DesignOptions) -> Problem {
+    fn problem_with(&self, options: &DesignOptions) -> Result<Problem, Error> {
         let mut problem = (*self.problem).clone();
         problem.seed = options.seed.unwrap_or(problem.seed);
         if let Some(evaluations) = options.evaluations {
+            if evaluations == 0 {
+                let expected = format!("it must be from 1 to {}", u32::MAX);
+                return Err(Error::option("evaluations", evaluations, expected));
+            }
             problem.evaluations = evaluations as usize;
         }
-        problem
+        Ok(problem)
     }
 }
