@@ -63,7 +63,7 @@ def optional_range_si(kind: str, value: Any, what: str) -> tuple[float, float] |
 
 
 #: Arguments that must be at least 1.
-POSITIVE_ARGUMENTS = frozenset({"longest_period"})
+POSITIVE_ARGUMENTS = frozenset({"evaluations", "longest_period"})
 
 
 def check_integers(**numbers: int | None) -> None:
