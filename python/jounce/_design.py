@@ -52,7 +52,7 @@ class DesignResult(Result):
     ]
     limits: Annotated[
         list[dict[str, Any]],
-        About("limits: ``name``, ``value``, ``limit``, ``active``, and the ``price`` of one that binds; SI"),
+        About("limits: ``name``, ``value``, ``limit``, ``violation``, ``active``, ``price``; SI"),
     ]
     robust: Annotated[dict[str, Any] | None, About("quantiles and Sobol indices of the power; ``None`` without tolerances")]
     front: Annotated[list[dict[str, Any]], About("designs that no other beats in all goals: ``set`` and ``goals``; empty for one goal")]

@@ -2,28 +2,14 @@
 import assert from "node:assert/strict";
 import { execFile } from "node:child_process";
 import { readFile, writeFile } from "node:fs/promises";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { promisify } from "node:util";
 import { createRequire } from "node:module";
-import { browse, inked, open, program, ready, serve } from "./browser.mjs";
+import { inked, open, program, ready } from "./browser.mjs";
+import { browser, field, page, server, type } from "./suite.mjs";
 
 const run = promisify(execFile);
 const axeSource = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
-let server;
-let browser;
-let page;
-
-before(async () => {
-    server = await serve();
-    browser = await browse();
-    page = await open(browser.context, server.address);
-});
-after(async () => {
-    await browser?.close();
-    await server?.close();
-});
-
-const field = (key) => page.getByLabel(`${key}, value`, { exact: true });
 const gap = () => field("stop.tip.gap");
 
 test("the page shows the harvester, its response and an orbit", async () => {

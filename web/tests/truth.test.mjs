@@ -2,32 +2,13 @@
 import assert from "node:assert/strict";
 import { execFile } from "node:child_process";
 import { readFile, writeFile } from "node:fs/promises";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { promisify } from "node:util";
-import { browse, open, program, ready, serve } from "./browser.mjs";
+import { program, ready, serve } from "./browser.mjs";
+import { browser, page, server, type, until } from "./suite.mjs";
 
 const run = promisify(execFile);
-let server;
-let browser;
-let page;
-
-before(async () => {
-    server = await serve();
-    browser = await browse();
-    page = await open(browser.context, server.address);
-});
-after(async () => {
-    await browser?.close();
-    await server?.close();
-});
-
 const text = (id) => page.locator(`#${id}`).textContent();
-const until = (id, pattern, own = page) => own.waitForFunction(([name, source]) => new RegExp(source).test(document.getElementById(name).textContent), [id, pattern.source]);
-const type = async (key, value) => {
-    const field = page.getByLabel(`${key}, value`, { exact: true });
-    await field.fill(value);
-    await field.press("Enter");
-};
 const reset = async () => {
     if (await page.locator("#reset").isEnabled()) await page.locator("#reset").click();
     await ready(page);

@@ -1,28 +1,9 @@
 // Use of the page: fields and sliders, links, pins, narrow windows, specs of other kinds, a lost server.
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
-import { browse, open, ready, serve } from "./browser.mjs";
+import { test } from "node:test";
+import { open, ready, serve } from "./browser.mjs";
+import { browser, field, page, server, type, until } from "./suite.mjs";
 
-let server;
-let browser;
-let page;
-
-before(async () => {
-    server = await serve();
-    browser = await browse();
-    page = await open(browser.context, server.address);
-});
-after(async () => {
-    await browser?.close();
-    await server?.close();
-});
-
-const field = (key) => page.getByLabel(`${key}, value`, { exact: true });
-const type = async (key, value) => {
-    await field(key).fill(value);
-    await field(key).press("Enter");
-};
-const until = (id, pattern, own = page) => own.waitForFunction(([name, source]) => new RegExp(source).test(document.getElementById(name).textContent), [id, pattern.source]);
 const reset = async () => {
     if (await page.locator("#reset").isEnabled()) await page.locator("#reset").click();
     await ready(page);

@@ -62,8 +62,8 @@ pub enum DerivativeAccuracy {
 pub struct OrbitDerivatives {
     /// Results, SI.
     pub values: Vec<f64>,
-    /// Derivatives of the results, per key; an error where a model beside the orbit cannot be built
-    /// or integrated.
+    /// Derivatives of the results, per key; an error where a model with a changed key cannot be
+    /// built or integrated.
     pub by_key: Vec<Result<Vec<Derivative>, OrbitError<AnalysisError>>>,
 }
 
@@ -87,23 +87,23 @@ pub fn orbit_derivatives(
     };
     let shooting = Shooting::new(&line, &base.kernel, orbit.period_cycles, tolerance);
     let (evaluation, _) = shooting.shoot(orbit.start(), 0.0)?;
-    let beside = Beside {
+    let differences = Differences {
         base,
         shooting: &shooting,
         evaluation: &evaluation,
         quantities,
         accuracy,
     };
-    let derivatives = |key: &DerivativeKey<'_>| beside.derivatives(*key);
+    let derivatives = |key: &DerivativeKey<'_>| differences.derivatives(*key);
     Ok(OrbitDerivatives {
-        values: beside.values(&evaluation),
+        values: differences.values(&evaluation),
         by_key: keys.par_iter().map(derivatives).collect(),
     })
 }
 
-/// Integrations beside an orbit.
+/// Differences of integrations near an orbit.
 #[derive(Clone, Copy)]
-struct Beside<'b, 's> {
+struct Differences<'b, 's> {
     base: &'b Model,
     shooting: &'b Shooting<'s, KeyLine<'s>>,
     evaluation: &'b ShootingEvaluation,
@@ -111,7 +111,7 @@ struct Beside<'b, 's> {
     accuracy: DerivativeAccuracy,
 }
 
-impl Beside<'_, '_> {
+impl Differences<'_, '_> {
     fn values(&self, evaluation: &ShootingEvaluation) -> Vec<f64> {
         self.quantities
             .iter()

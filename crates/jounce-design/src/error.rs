@@ -36,13 +36,16 @@ pub enum DesignError {
     #[error(transparent)]
     Journal(#[from] JournalError),
     /// No design could be evaluated.
-    #[error("none of {evaluations} designs could be evaluated; the first: {reason}")]
+    #[error("none of {evaluations} designs could be evaluated; one of the reasons: {reason}")]
     NothingEvaluated {
         /// Number of evaluations.
         evaluations: usize,
-        /// Reason of the first failure.
+        /// One of the reasons.
         reason: String,
     },
+    /// The user stopped the search before the first design.
+    #[error("the search was stopped before the first design")]
+    Stopped,
 }
 
 fn listed(file: &str, faults: &[Fault]) -> String {

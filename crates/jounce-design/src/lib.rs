@@ -26,7 +26,7 @@ mod search;
 pub use error::DesignError;
 pub use evaluation::{Evaluation, Journaled, MainOrbit};
 pub use problem::{
-    Condition, FreeKey, FreeValues, Goal, Limit, LimitedQuantity, Problem, Tolerance,
+    Condition, FreeKey, FreeRange, FreeValues, Goal, Limit, LimitedQuantity, Problem, Tolerance,
 };
 pub use result::{
     BestDesign, DesignBefore, DesignOutcome, FreeValue, FrontPoint, LimitResult, NearestFold,

@@ -57,7 +57,7 @@ pub struct BestDesign {
     pub basin_fraction_low: f64,
     /// Upper end of its 95 % interval.
     pub basin_fraction_high: f64,
-    /// True where the main orbit is stable; false without an orbit.
+    /// True where the main orbit is proved to attract; false without an orbit.
     pub stable: bool,
     /// Period of the main orbit, drive cycles; 0 without an orbit.
     pub period_cycles: u32,
@@ -98,6 +98,8 @@ pub struct LimitResult {
     pub value: f64,
     /// Limit, SI.
     pub limit: f64,
+    /// Relative violation; 0 within the limit.
+    pub violation: f64,
     /// True where the limit binds.
     pub active: bool,
     /// Gain of mean power per unit of the limit, W per SI unit, where the limit binds and the main

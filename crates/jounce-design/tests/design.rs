@@ -4,6 +4,8 @@
 use jounce_analysis::Journal;
 use jounce_control::Control;
 use jounce_design::{DesignError, DesignOutcome, Problem, SearchEnd, design};
+use jounce_linalg::c64;
+use jounce_model::reference::PiezoResistor;
 use jounce_spec::SpecFile;
 use std::f64::consts::TAU;
 use std::path::Path;
@@ -38,27 +40,39 @@ fn outcome(text: &str) -> DesignOutcome {
     design(&problem(text).unwrap(), &Control::default(), None).unwrap()
 }
 
-/// Voltage amplitude and mean power of the linear harvester with a resistance.
-fn linear(r: f64) -> (f64, f64) {
-    let (w, w0, c, theta, zeta) = (TAU * 9.7, TAU * 10.0, 150e-9, 0.004, 0.02);
-    let (g, b) = (1.0 / r, w * c);
-    let shunt = w * theta * theta / (g * g + b * b);
-    let real = w0 * w0 - w * w + shunt * b;
-    let imaginary = 2.0 * zeta * w0 * w + shunt * g;
-    let q = 1.3 * 0.7 / real.hypot(imaginary);
-    let v = w * theta * q / g.hypot(b);
-    (v, 0.5 * v * v / r)
+/// Amplitude of the force, N, and frequency of the drive, Hz.
+const FORCE_N: f64 = 0.7;
+const DRIVE_HZ: f64 = 9.7;
+
+/// The linear harvester: its mode shape is `1 / sqrt(m)`.
+fn harvester(resistance_ohm: f64) -> PiezoResistor {
+    let mass_kg = 1.3_f64.powi(-2);
+    PiezoResistor {
+        mass_kg,
+        frequency_rad_s: TAU * 10.0,
+        damping_ratio: 0.02,
+        coupling_n_per_v: 0.004 * mass_kg.sqrt(),
+        capacitance_f: 150e-9,
+        resistance_ohm,
+    }
+}
+
+/// Voltage amplitude and mean power with a resistance.
+fn linear(resistance_ohm: f64) -> (f64, f64) {
+    let per_newton = harvester(resistance_ohm).voltage_per_newton(DRIVE_HZ);
+    let voltage_v = FORCE_N * per_newton.norm();
+    (voltage_v, 0.5 * voltage_v.powi(2) / resistance_ohm)
 }
 
 /// The electric port is linear, so the largest power is at `R = 1 / |Y|`, with the admittance `Y` of
 /// the port without the load.
 fn optimal_resistance() -> f64 {
-    let (w, w0, c, theta, zeta) = (TAU * 9.7, TAU * 10.0, 150e-9, 0.004, 0.02);
-    // Y = i w C + i w theta^2 / (w0^2 - w^2 + 2 i zeta w0 w)
-    let (real, imaginary) = (w0 * w0 - w * w, 2.0 * zeta * w0 * w);
-    let square: f64 = real * real + imaginary * imaginary;
-    let motion = w * theta * theta / square;
-    1.0 / (motion * imaginary).hypot(w * c + motion * real)
+    let one = harvester(1.0);
+    let (w, w0) = (TAU * DRIVE_HZ, one.frequency_rad_s);
+    // Y = i w C + i w theta^2 / (m (w0^2 - w^2 + 2 i zeta w0 w))
+    let mechanical = c64::new(w0 * w0 - w * w, 2.0 * one.damping_ratio * w0 * w) * one.mass_kg;
+    let motion = one.coupling_n_per_v.powi(2) / mechanical;
+    1.0 / ((motion + one.capacitance_f) * w).norm()
 }
 
 const LOAD: &str = "[free]\n\"circuit.load.resistance\" = \"1kohm:10Mohm:log\"\n\
@@ -201,4 +215,37 @@ fn an_interrupted_search_continues_from_its_journal() {
     let expected = design(&complete, &control, None).unwrap();
     assert_eq!(continued.best, expected.best);
     assert_eq!(continued.trace, expected.trace);
+}
+
+/// Far below its resonance a beam of the softer material bends more, and its patch has more power.
+#[test]
+fn a_choice_is_searched_and_compared_with_the_spec_as_given() {
+    let spec = "[beam.b]\nmaterial = \"steel\"\nlength = \"100 mm\"\nwidth = \"20 mm\"\nthickness = \"1 mm\"\n\
+        [patch.p]\non = \"b\"\nmaterial = \"MFC-P2\"\nstart = \"0 mm\"\nlength = \"50 mm\"\nwidth = \"20 mm\"\nthickness = \"0.3 mm\"\n\
+        [circuit.load]\npatch = \"p\"\nresistance = \"100 kohm\"\n\
+        [drive.d]\nat = \"b.end\"\namplitude = \"0.1 N\"\nfrequency = \"20 Hz\"\n[damping]\nbeyond = 0.01\n\
+        [reduction]\nmodes = 4\n[run]\nduration = \"1 s\"\naverage_over = \"1 s\"\n";
+    let text = "evaluations = 60\n[free]\n\"beam.b.material\" = [\"aluminium\", \"steel\"]\n\
+        [goal]\nmaximise = \"expected-power\"\nstarts = 2\n";
+    let problem = Problem::with_spec(SpecFile::from_text(spec), Path::new(""), text).unwrap();
+    let found = design(&problem, &Control::default(), None).unwrap();
+    let [material] = &found.best.keys[..] else {
+        panic!("{found:?}")
+    };
+    assert_eq!(
+        (material.value.as_str(), material.before.as_str()),
+        ("aluminium", "steel")
+    );
+    assert!(
+        found.best.expected_power_w > 1.5 * found.before.expected_power_w,
+        "{found:?}"
+    );
+}
+
+#[test]
+fn a_stopped_search_without_a_design_says_so() {
+    let control = Control::default();
+    control.stop();
+    let stopped = design(&problem(LOAD).unwrap(), &control, None);
+    assert!(matches!(stopped, Err(DesignError::Stopped)), "{stopped:?}");
 }

@@ -25,3 +25,4 @@ pub use parametric_study::Study;
 pub use quantity::Quantity;
 pub use sampling::{CubePoints, Sampling};
 pub use shard::Shard;
+pub use sobol::MAX_DIMENSIONS as MAX_SOBOL_DIMENSIONS;

@@ -21,7 +21,7 @@ const DIRECTION_NUMBERS: [(usize, u32, [u32; 5]); 9] = [
 ];
 
 /// Largest number of dimensions.
-pub(super) const MAX_DIMENSIONS: usize = DIRECTION_NUMBERS.len() + 1;
+pub const MAX_DIMENSIONS: usize = DIRECTION_NUMBERS.len() + 1;
 
 const BITS: usize = 32;
 

@@ -22,7 +22,7 @@ const SCREENING_STARTS: usize = 8;
 pub enum Effort {
     /// A few starts for a few hundred drive cycles.
     Screening,
-    /// All starts, until their attractors are proved.
+    /// All starts, for more drive cycles.
     Full,
 }
 
@@ -66,6 +66,7 @@ pub struct Journaled {
 }
 
 impl Evaluation {
+    /// Returns the evaluation of a design that cannot be computed.
     fn failed(problem: &Problem, reason: String) -> Self {
         Self {
             goals: vec![0.0; problem.goals.len()],
@@ -180,7 +181,8 @@ impl<'p> Evaluator<'p> {
 
     /// Evaluates the spec as given, with all starts.
     pub fn given(&self) -> Evaluation {
-        self.at(&self.models[0], &[], Effort::Full)
+        Model::watched(self.problem.spec.clone(), &self.control.apart())
+            .and_then(|model| self.at(&model, &[], Effort::Full))
             .unwrap_or_else(|error| Evaluation::failed(self.problem, error.to_string()))
     }
 

@@ -46,6 +46,7 @@ pub fn examine(
         name: limit.name.clone(),
         value: *value,
         limit: limit.value,
+        violation: limit.violation(*value),
         active: *active,
         price,
     });
@@ -79,8 +80,11 @@ pub fn examine(
             basin_fraction: evaluation.basin_fraction[0],
             basin_fraction_low: evaluation.basin_fraction[1],
             basin_fraction_high: evaluation.basin_fraction[2],
-            stable: followed.is_some(),
-            period_cycles: followed.map_or(0, |followed| followed.orbit.period_cycles),
+            stable: evaluation.orbit.is_some(),
+            period_cycles: evaluation
+                .orbit
+                .as_ref()
+                .map_or(0, |orbit| orbit.period_cycles),
             nearest_fold,
         },
     })
@@ -101,17 +105,11 @@ fn goals(problem: &Problem, evaluation: &Evaluation) -> BTreeMap<String, f64> {
 
 fn keys(problem: &Problem, place: &[f64]) -> Vec<FreeValue> {
     let value = |(free, place): (&FreeKey, &f64)| {
-        let before = match &free.values {
-            FreeValues::Range { key, .. } => key
-                .get(&problem.spec)
-                .map(|value| format!("{value:?} {}", key.unit()).trim_end().to_owned()),
-            FreeValues::Choice(texts) => Ok(texts[0].clone()),
-        };
-        let is_range = matches!(free.values, FreeValues::Range { .. });
+        let is_range = matches!(free.values, FreeValues::Range(_));
         FreeValue {
             key: free.path.clone(),
             value: free.text(*place),
-            before: before.unwrap_or_default(),
+            before: free.given(&problem.spec),
             at_end: match *place {
                 _ if !is_range => None,
                 place if place < AT_END => Some("lower"),

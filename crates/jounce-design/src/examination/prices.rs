@@ -10,9 +10,9 @@
 //! over the keys that are not at an end of their range. The prices solve it in the least squares;
 //! a limit with a negative price does not bind, and is left out.
 
-use crate::problem::{LimitedQuantity, Problem};
+use crate::problem::Problem;
 use crate::search::Followed;
-use jounce_analysis::{Derivative, DerivativeAccuracy, DerivativeKey, orbit_derivatives};
+use jounce_analysis::{Derivative, DerivativeAccuracy, orbit_derivatives};
 use jounce_linalg::Mat;
 use jounce_orbits::OrbitQuantity;
 
@@ -24,27 +24,12 @@ pub fn prices(
     active: &[bool],
 ) -> Vec<Option<f64>> {
     let mut prices = vec![None; active.len()];
-    let mut binding: Vec<(usize, OrbitQuantity)> = Vec::new();
-    for (index, limit) in problem.limits.iter().enumerate() {
-        if let (true, LimitedQuantity::Peak(quantity)) = (active[index], limit.quantity) {
-            binding.push((index, quantity));
-        }
-    }
+    let mut binding = problem.peaks();
+    binding.retain(|(index, _)| active[*index]);
     let inner: Vec<usize> = (0..place.len())
         .filter(|k| (super::AT_END..=1.0 - super::AT_END).contains(&place[*k]))
         .collect();
-    let slopes: Vec<f64> = inner
-        .iter()
-        .map(|k| problem.free[*k].slope(place[*k]))
-        .collect();
-    let keys: Vec<DerivativeKey<'_>> = inner
-        .iter()
-        .zip(&slopes)
-        .filter_map(|(k, slope)| {
-            let key = problem.free[*k].smooth()?;
-            Some(DerivativeKey { key, scale: *slope })
-        })
-        .collect();
+    let keys = problem.derivative_keys(&inner, place);
     let quantities: Vec<OrbitQuantity> = std::iter::once(OrbitQuantity::MeanPower)
         .chain(binding.iter().map(|(_, quantity)| *quantity))
         .collect();
@@ -82,7 +67,7 @@ pub fn prices(
     prices
 }
 
-/// Solves for the prices of some limits, by the normal equations in relative units.
+/// Solves for the prices of some limits in the least squares, in relative units.
 fn least_squares(
     (values, by_key): (&[f64], &[Vec<Derivative>]),
     scales: &[f64],

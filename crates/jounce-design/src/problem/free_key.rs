@@ -1,6 +1,7 @@
 //! Free keys: ranges of numbers, and choices.
 
 use jounce_spec::{Faults, KeyRange, NumericKey, Spec, SpecFile};
+use toml_edit::DocumentMut;
 
 /// A key that the search may set.
 #[derive(Debug, Clone)]
@@ -15,18 +16,64 @@ pub struct FreeKey {
 #[derive(Debug, Clone)]
 pub enum FreeValues {
     /// All numbers between two ends.
-    Range {
-        /// The key.
-        key: Box<NumericKey>,
-        /// Smallest value, SI.
-        low: f64,
-        /// Largest value, SI.
-        high: f64,
-        /// True where the logarithm of the value is searched evenly.
-        logarithmic: bool,
-    },
+    Range(Box<FreeRange>),
     /// Some texts, such as names of materials.
     Choice(Vec<String>),
+}
+
+/// Numbers between two ends.
+#[derive(Debug, Clone)]
+pub struct FreeRange {
+    /// The key.
+    pub key: NumericKey,
+    /// Smallest value, SI.
+    pub low: f64,
+    /// Largest value, SI.
+    pub high: f64,
+    /// True where the logarithm of the value is searched evenly.
+    pub logarithmic: bool,
+}
+
+impl FreeRange {
+    /// Returns the number at a place in [0, 1], SI.
+    pub fn value(&self, place: f64) -> f64 {
+        let value = match self.logarithmic {
+            true => self.low * (self.high / self.low).powf(place),
+            false => self.low + (self.high - self.low) * place,
+        };
+        let value = if self.key.is_count() {
+            value.round()
+        } else {
+            value
+        };
+        value.clamp(self.low, self.high)
+    }
+
+    /// Returns the place of a number, SI.
+    fn place(&self, value: f64) -> f64 {
+        match self.logarithmic {
+            true => (value / self.low).ln() / (self.high / self.low).ln(),
+            false => (value - self.low) / (self.high - self.low),
+        }
+    }
+
+    /// Returns the derivative of the number by the place.
+    pub(crate) fn slope(&self, place: f64) -> f64 {
+        match self.logarithmic {
+            true => self.value(place) * (self.high / self.low).ln(),
+            false => self.high - self.low,
+        }
+    }
+
+    /// Returns a number, SI, as text with its unit.
+    fn text(&self, value: f64) -> String {
+        match self.key.is_count() {
+            true => value.to_string(),
+            false => format!("{value:?} {}", self.key.unit())
+                .trim_end()
+                .to_owned(),
+        }
+    }
 }
 
 impl FreeKey {
@@ -57,87 +104,46 @@ impl FreeKey {
         if low >= high || (logarithmic && low <= 0.0) {
             return Err(wrong());
         }
-        let key = Box::new(range.key().clone());
-        let values = FreeValues::Range {
-            key,
+        let range = FreeRange {
+            key: range.key().clone(),
             low,
             high,
             logarithmic,
         };
         Ok(Self {
             path: path.to_owned(),
-            values,
+            values: FreeValues::Range(Box::new(range)),
         })
     }
 
-    /// Returns the number at a place in [0, 1], SI; NaN for a choice.
-    pub fn value(&self, place: f64) -> f64 {
-        let FreeValues::Range {
-            key,
-            low,
-            high,
-            logarithmic,
-        } = &self.values
-        else {
-            return f64::NAN;
-        };
-        let value = match logarithmic {
-            true => low * (high / low).powf(place),
-            false => low + (high - low) * place,
-        };
-        let value = if key.is_count() { value.round() } else { value };
-        value.clamp(*low, *high)
-    }
-
-    /// Returns the place of the value in a spec; `None` outside the range. The first choice stands
-    /// for the given text.
+    /// Returns the place of the value in a spec; `None` where the spec has another one than allowed.
     pub(crate) fn place(&self, spec: &Spec) -> Option<f64> {
-        let FreeValues::Range {
-            key,
-            low,
-            high,
-            logarithmic,
-        } = &self.values
-        else {
-            return Some(0.0);
-        };
-        let value = key.get(spec).ok()?;
-        let place = match logarithmic {
-            true => (value / low).ln() / (high / low).ln(),
-            false => (value - low) / (high - low),
+        let place = match &self.values {
+            FreeValues::Range(range) => range.place(range.key.get(spec).ok()?),
+            FreeValues::Choice(texts) => {
+                let given = text_at(spec, &self.path);
+                let index = texts.iter().position(|text| *text == given)?;
+                (index as f64 + 0.5) / texts.len() as f64
+            }
         };
         (0.0..=1.0).contains(&place).then_some(place)
     }
 
-    /// Returns the derivative of the number by the place.
-    pub(crate) fn slope(&self, place: f64) -> f64 {
-        match &self.values {
-            FreeValues::Range {
-                low,
-                high,
-                logarithmic: true,
-                ..
-            } => self.value(place) * (high / low).ln(),
-            FreeValues::Range { low, high, .. } => high - low,
-            FreeValues::Choice(_) => 0.0,
-        }
-    }
-
-    /// Returns the index of the choice at a place.
+    /// Returns the index of the choice at a place; 0 for a range.
     pub(crate) fn choice(&self, place: f64) -> usize {
         match &self.values {
             FreeValues::Choice(texts) => {
                 ((place * texts.len() as f64) as usize).min(texts.len() - 1)
             }
-            FreeValues::Range { .. } => 0,
+            FreeValues::Range(_) => 0,
         }
     }
 
-    /// Returns the numeric key if results have a derivative by it.
-    pub(crate) fn smooth(&self) -> Option<&NumericKey> {
+    /// Returns the range if results have a derivative by the key.
+    pub(crate) fn smooth(&self) -> Option<&FreeRange> {
         match &self.values {
-            FreeValues::Range { key, .. } if !key.is_count() => Some(key),
-            FreeValues::Range { .. } | FreeValues::Choice(_) => None,
+            FreeValues::Range(range) if !range.key.is_count() => Some(range),
+            FreeValues::Range(_) | FreeValues::Choice(_) => None,
         }
     }
 
@@ -145,13 +151,35 @@ impl FreeKey {
     pub fn text(&self, place: f64) -> String {
         match &self.values {
             FreeValues::Choice(texts) => texts[self.choice(place)].clone(),
-            FreeValues::Range { key, .. } if key.is_count() => format!("{}", self.value(place)),
-            FreeValues::Range { key, .. } => {
-                let text = format!("{:?} {}", self.value(place), key.unit());
-                text.trim_end().to_owned()
-            }
+            FreeValues::Range(range) => range.text(range.value(place)),
         }
     }
+
+    /// Returns the value in a spec as text with its unit; empty where the spec has none.
+    pub fn given(&self, spec: &Spec) -> String {
+        match &self.values {
+            FreeValues::Choice(_) => text_at(spec, &self.path),
+            FreeValues::Range(range) => range
+                .key
+                .get(spec)
+                .map_or_else(|_| String::new(), |value| range.text(value)),
+        }
+    }
+}
+
+/// Returns the text at a dotted path of a spec; empty without one.
+fn text_at(spec: &Spec, path: &str) -> String {
+    let Ok(document) = spec.to_toml().parse::<DocumentMut>() else {
+        return String::new();
+    };
+    let mut item = document.as_item();
+    for name in path.split('.') {
+        match item.get(name) {
+            Some(inner) => item = inner,
+            None => return String::new(),
+        }
+    }
+    item.as_str().unwrap_or_default().to_owned()
 }
 
 /// Returns the messages of faults.
@@ -183,17 +211,18 @@ mod tests {
     fn a_range_has_units_at_its_ends_or_one_for_both() {
         let file = SpecFile::from_text(SPEC);
         let range = |path: &str, text: &str| FreeKey::range(&file, path, text).unwrap();
-        let gap = range("stop.s.gap", "0.2mm:3mm");
-        assert_eq!((gap.value(0.0), gap.value(1.0)), (0.2e-3, 3e-3));
-        let spaced = range("stop.s.gap", "0.2 mm:3 mm");
-        assert_eq!((spaced.value(0.0), spaced.value(1.0)), (0.2e-3, 3e-3));
+        let value = |free: &FreeKey, place: f64| free.smooth().unwrap().value(place);
+        for text in ["0.2mm:3mm", "0.2 mm:3 mm"] {
+            let gap = range("stop.s.gap", text);
+            assert_eq!((value(&gap, 0.0), value(&gap, 1.0)), (0.2e-3, 3e-3));
+            assert_eq!(gap.text(1.0), "0.003 m");
+        }
         for text in ["100:1e5:log N/m^1.5", "100 N/m^1.5:1e5 N/m^1.5:log"] {
             let stiffness = range("stop.s.stiffness", text);
-            assert!((stiffness.value(0.5) / 1e3_f64.powf(0.5) / 100.0 - 1.0).abs() < 1e-12);
+            assert!((value(&stiffness, 0.5) / 1e3_f64.powf(0.5) / 100.0 - 1.0).abs() < 1e-12);
             let place = stiffness.place(&file.spec().unwrap()).unwrap();
-            assert!((stiffness.value(place) / 1000.0 - 1.0).abs() < 1e-12);
+            assert!((value(&stiffness, place) / 1000.0 - 1.0).abs() < 1e-12);
         }
-        assert_eq!(gap.text(1.0), "0.003 m");
     }
 
     #[test]

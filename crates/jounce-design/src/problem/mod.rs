@@ -8,14 +8,15 @@ mod read;
 mod tolerance;
 
 pub use condition::Condition;
-pub use free_key::{FreeKey, FreeValues};
+pub use free_key::{FreeKey, FreeRange, FreeValues};
 pub use goal::Goal;
 pub use limit::{Limit, LimitedQuantity};
 pub use tolerance::Tolerance;
 
 use crate::DesignError;
-use jounce_analysis::Model;
+use jounce_analysis::{DerivativeKey, Model};
 use jounce_control::Control;
+use jounce_orbits::OrbitQuantity;
 use jounce_spec::{Fault, NumericKey, Spec, SpecFile};
 use sha2::{Digest, Sha256};
 use std::path::{Path, PathBuf};
@@ -23,11 +24,12 @@ use std::path::{Path, PathBuf};
 /// A design problem.
 #[derive(Debug, Clone)]
 pub struct Problem {
-    /// Specs of all combinations of choices, the one of the file first; the first choice varies
-    /// fastest.
-    variants: Vec<SpecFile>,
-    /// The spec of the file.
+    /// File of the spec as given.
+    pub file: SpecFile,
+    /// Spec as given.
     pub spec: Spec,
+    /// Specs of all combinations of choices; the first choice varies fastest.
+    variants: Vec<SpecFile>,
     /// Folder of the files that the spec names.
     pub folder: PathBuf,
     /// Free keys.
@@ -61,7 +63,7 @@ impl Problem {
     pub fn read(path: &Path) -> Result<Self, DesignError> {
         let unreadable = |reason: std::io::Error| DesignError::Unreadable {
             path: path.to_owned(),
-            reason: format!("\"{}\" cannot be read: {reason}", path.display()),
+            reason: jounce_io::store::unreadable(path, &reason),
         };
         let text = std::fs::read_to_string(path).map_err(unreadable)?;
         let parent = path.parent().unwrap_or(Path::new(""));
@@ -92,11 +94,6 @@ impl Problem {
         })?;
         let folder = folder.to_path_buf();
         Ok(Self { folder, ..parsed })
-    }
-
-    /// Returns the spec file.
-    pub fn file(&self) -> &SpecFile {
-        &self.variants[0]
     }
 
     /// Returns the SHA-256 of the text and of the spec: everything that determines the result.
@@ -133,11 +130,45 @@ impl Problem {
     pub(crate) fn numbers(&self, place: &[f64]) -> Vec<(&NumericKey, f64)> {
         let mut all = Vec::with_capacity(self.free.len());
         for (free, place) in self.free.iter().zip(place) {
-            if let FreeValues::Range { key, .. } = &free.values {
-                all.push((&**key, free.value(*place)));
+            if let FreeValues::Range(range) = &free.values {
+                all.push((&range.key, range.value(*place)));
             }
         }
         all
+    }
+
+    /// True where the goal is the power of an orbit in one condition, so that a search can follow
+    /// the orbit.
+    pub(crate) fn follows_orbit(&self) -> bool {
+        self.goals[0].needs_starts() && self.conditions.len() == 1
+    }
+
+    /// Returns the limits of peaks with their indices.
+    pub(crate) fn peaks(&self) -> Vec<(usize, OrbitQuantity)> {
+        let mut peaks = Vec::new();
+        for (index, limit) in self.limits.iter().enumerate() {
+            if let LimitedQuantity::Peak(quantity) = limit.quantity {
+                peaks.push((index, quantity));
+            }
+        }
+        peaks
+    }
+
+    /// Returns the keys, among those of some indices, by which results have a derivative. The scale
+    /// of each is its derivative by the place.
+    pub(crate) fn derivative_keys(
+        &self,
+        indices: &[usize],
+        place: &[f64],
+    ) -> Vec<DerivativeKey<'_>> {
+        let key = |k: &usize| {
+            let range = self.free[*k].smooth()?;
+            Some(DerivativeKey {
+                key: &range.key,
+                scale: range.slope(place[*k]),
+            })
+        };
+        indices.iter().filter_map(key).collect()
     }
 }
 

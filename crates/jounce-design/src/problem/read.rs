@@ -74,6 +74,7 @@ pub(super) fn read(
     }
     Ok(Problem {
         hash_hex: digest(text, &spec),
+        file,
         variants,
         spec,
         folder: PathBuf::new(),
@@ -251,7 +252,7 @@ fn check_together(reader: &mut FaultCollector, root: &Table, goals: &[Goal], lim
         if !is_allowed {
             let span = root.get("limits").and_then(Item::span);
             let message = format!(
-                "limits.{} does not go with the goal \"{}\"; list \"expected-power\" or \"stable-power\" beside it",
+                "limits.{} does not go with the goal \"{}\"; list \"expected-power\" or \"stable-power\" too",
                 limit.name,
                 goal.name()
             );

@@ -25,12 +25,7 @@ const LAST_GENERATIONS: usize = 3;
 pub fn search(evaluator: &Evaluator<'_>, budget: &Budget<'_>) -> Result<Found, DesignError> {
     let problem = evaluator.problem;
     let mut places = Places::new(problem.free.len(), problem.seed);
-    let mut found = Found {
-        best: None,
-        full: Vec::new(),
-        trace: Vec::new(),
-        end: SearchEnd::Converged,
-    };
+    let mut found = Found::nothing();
     let mut members = screened(evaluator, places.take(MEMBERS.min(problem.evaluations)))?;
     let (mut generation, mut without_change) = (0, 0);
     while without_change < LAST_GENERATIONS {

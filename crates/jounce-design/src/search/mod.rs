@@ -12,7 +12,7 @@ pub use candidate::Candidate;
 pub use follow::Followed;
 pub use sampling::Places;
 
-use crate::evaluation::{Effort, Evaluator};
+use crate::evaluation::Evaluator;
 use crate::examination::examine;
 use crate::front::front;
 use crate::problem::Problem;
@@ -30,8 +30,23 @@ pub struct Found {
     pub full: Vec<Candidate>,
     /// Best value of the first goal so far, by evaluations.
     pub trace: Vec<TracePoint>,
+    /// Reason of a design that could not be evaluated.
+    pub failure: Option<String>,
     /// Reason of the end.
     pub end: SearchEnd,
+}
+
+impl Found {
+    /// Returns the start of a search.
+    fn nothing() -> Self {
+        Self {
+            best: None,
+            full: Vec::new(),
+            trace: Vec::new(),
+            failure: None,
+            end: SearchEnd::Converged,
+        }
+    }
 }
 
 /// Budget of a search.
@@ -61,7 +76,8 @@ impl Budget<'_> {
 /// search resumes.
 ///
 /// # Errors
-/// No model can be built, no design can be evaluated, or the journal cannot be written.
+/// No model can be built, no design can be evaluated, the journal cannot be written, or the search is
+/// stopped before the first design.
 pub fn design(
     problem: &Problem,
     control: &Control,
@@ -78,15 +94,13 @@ pub fn design(
         1 => rounds::search(&evaluator, &budget)?,
         _ => front_search::search(&evaluator, &budget)?,
     };
-    let Some(best) = found.best.clone() else {
-        let evaluations = evaluator.count();
-        let reason = evaluator.evaluate(&vec![0.5; problem.free.len()], Effort::Screening)?;
-        let reason = reason
-            .failure
-            .unwrap_or_else(|| "the search was stopped".to_owned());
-        return Err(DesignError::NothingEvaluated {
-            evaluations,
-            reason,
+    let Some(best) = found.best else {
+        return Err(match found.end {
+            SearchEnd::Stopped => DesignError::Stopped,
+            _ => DesignError::NothingEvaluated {
+                evaluations: evaluator.count(),
+                reason: found.failure.unwrap_or_default(),
+            },
         });
     };
     let mut result = examine(&evaluator, &best, found.end)?;

@@ -7,8 +7,8 @@
 
 use super::{Candidate, Followed};
 use crate::evaluation::Evaluator;
-use crate::problem::{LimitedQuantity, Problem};
-use jounce_analysis::{DerivativeAccuracy, DerivativeKey, orbit_derivatives};
+use crate::problem::Problem;
+use jounce_analysis::{Derivative, DerivativeAccuracy, DerivativeKey, orbit_derivatives};
 use jounce_orbits::OrbitQuantity;
 use jounce_spec::NumericKey;
 use slsqp::{Func, StopTols, minimize};
@@ -67,21 +67,13 @@ pub fn refine(evaluator: &Evaluator<'_>, start: &Candidate) -> Option<Refined> {
     let smooth: Vec<usize> = (0..problem.free.len())
         .filter(|index| problem.free[*index].smooth().is_some())
         .collect();
-    let follows = problem.goals[0].needs_starts() && problem.conditions.len() == 1;
-    if !follows || smooth.is_empty() {
+    if !problem.follows_orbit() || smooth.is_empty() {
         return None;
     }
-    let peaks = problem
-        .limits
-        .iter()
-        .filter_map(|limit| match limit.quantity {
-            LimitedQuantity::Peak(quantity) => Some((quantity, limit.value)),
-            LimitedQuantity::BasinFraction => None,
-        });
     let (mut quantities, mut limits) = (vec![OrbitQuantity::MeanPower], Vec::new());
-    for (quantity, limit) in peaks {
+    for (index, quantity) in problem.peaks() {
         quantities.push(quantity);
-        limits.push(limit * (1.0 - MARGIN));
+        limits.push(problem.limits[index].value * (1.0 - MARGIN));
     }
     let first = Followed::start(evaluator, &start.place, start.evaluation.orbit.as_ref()?)?;
     let refinement = Refinement {
@@ -203,22 +195,7 @@ impl Refinement<'_> {
     }
 
     fn evaluated(&self, place: &[f64], followed: &Followed) -> Option<(Vec<f64>, Vec<Vec<f64>>)> {
-        let free = |k: &usize| (&self.problem.free[*k], place[*k]);
-        let slopes: Vec<f64> = self
-            .smooth
-            .iter()
-            .map(free)
-            .map(|(free, place)| free.slope(place))
-            .collect();
-        let keys: Vec<DerivativeKey<'_>> = self
-            .smooth
-            .iter()
-            .zip(&slopes)
-            .filter_map(|(k, slope)| {
-                let key = self.problem.free[*k].smooth()?;
-                Some(DerivativeKey { key, scale: *slope })
-            })
-            .collect();
+        let keys = self.problem.derivative_keys(&self.smooth, place);
         let found = orbit_derivatives(
             &followed.model,
             &followed.orbit,
@@ -239,8 +216,10 @@ impl Refinement<'_> {
             values.push(value / limit - 1.0);
         }
         let by_place = |index: usize| {
-            let slope = |(k, slope): (usize, &f64)| factor(index) * by_key[k][index].value * slope;
-            slopes.iter().enumerate().map(slope).collect::<Vec<f64>>()
+            let slope = |(row, key): (&Vec<Derivative>, &DerivativeKey<'_>)| {
+                factor(index) * row[index].value * key.scale
+            };
+            by_key.iter().zip(&keys).map(slope).collect::<Vec<f64>>()
         };
         let by_place: Vec<Vec<f64>> = (0..values.len()).map(by_place).collect();
         let is_finite = values

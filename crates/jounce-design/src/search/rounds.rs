@@ -33,12 +33,7 @@ const PARTS: [f64; 4] = [0.25, 0.5, 0.75, 0.9];
 pub fn search(evaluator: &Evaluator<'_>, budget: &Budget<'_>) -> Result<Found, DesignError> {
     let problem = evaluator.problem;
     let mut places = Places::new(problem.free.len(), problem.seed);
-    let mut found = Found {
-        best: None,
-        full: Vec::new(),
-        trace: Vec::new(),
-        end: SearchEnd::Converged,
-    };
+    let mut found = Found::nothing();
     let (mut without_gain, mut population) = (0, Vec::new());
     while without_gain < LAST_ROUNDS {
         if let Some(end) = budget.end(evaluator.count()) {
@@ -53,8 +48,7 @@ pub fn search(evaluator: &Evaluator<'_>, budget: &Budget<'_>) -> Result<Found, D
         let mut screened = screened(evaluator, round)?;
         screened.sort_by(Candidate::rank);
         let before = found.best.clone();
-        let follows = problem.goals[0].needs_starts() && problem.conditions.len() == 1;
-        if follows {
+        if problem.follows_orbit() {
             refined(evaluator, &screened, &mut found)?;
         } else {
             population.append(&mut screened);
@@ -173,7 +167,11 @@ pub fn keep(
     let evaluation = evaluator.evaluate(&place, Effort::Full)?;
     let candidate = Candidate { place, evaluation };
     let stopped = evaluator.control.is_stopped();
-    if candidate.evaluation.failure.is_none() && !stopped {
+    if stopped {
+        found.end = SearchEnd::Stopped;
+    } else if let Some(reason) = &candidate.evaluation.failure {
+        found.failure.get_or_insert_with(|| reason.clone());
+    } else {
         if candidate.is_better(found.best.as_ref()) {
             found.trace.push(TracePoint {
                 evaluation: evaluator.count(),

@@ -1,9 +1,6 @@
 //! Places that fill the unit cube.
 
-use jounce_analysis::study::{CubePoints, Sampling};
-
-/// Largest number of dimensions of the Sobol sequence.
-const SOBOL_DIMENSIONS: usize = 10;
+use jounce_analysis::study::{CubePoints, MAX_SOBOL_DIMENSIONS, Sampling};
 
 /// Sequence of places in a unit cube, drawn from a seed.
 pub struct Places {
@@ -15,7 +12,7 @@ pub struct Places {
 impl Places {
     /// Starts the Sobol sequence; in many dimensions the places are independent.
     pub fn new(dimensions: usize, seed: u64) -> Self {
-        let sampling = match dimensions <= SOBOL_DIMENSIONS {
+        let sampling = match dimensions <= MAX_SOBOL_DIMENSIONS {
             true => Sampling::Sobol,
             false => Sampling::Random,
         };

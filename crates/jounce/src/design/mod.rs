@@ -143,7 +143,7 @@ impl Design {
         let problem = self.problem_with(options)?;
         let work = || Ok(design(&problem, &self.control, journal)?);
         let outcome = on_threads(options.threads, work)?;
-        let given = Harvester::of(problem.file().clone(), problem.folder.clone())?;
+        let given = Harvester::of(problem.file.clone(), problem.folder.clone())?;
         let pairs = outcome.best.set.iter();
         let harvester = given.changed(pairs.map(|(key, value)| (key.as_str(), value.as_str())))?;
         Ok(DesignResult { outcome, harvester })

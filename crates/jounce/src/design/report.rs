@@ -2,7 +2,7 @@
 
 use super::DesignResult;
 use crate::error::Error;
-use jounce_design::{FreeValue, FrontPoint, LimitResult, SobolIndex};
+use jounce_design::{FreeValue, FrontPoint, Goal, LimitResult, SobolIndex};
 use jounce_io::table::{Column, Table};
 use jounce_plot::{Axis, Figure, Marker, Panel, Series};
 
@@ -123,7 +123,7 @@ impl DesignResult {
                 .get(name)
                 .copied()
                 .unwrap_or(f64::NAN);
-            let unit = if name == "bandwidth" { "Hz" } else { "W" };
+            let unit = unit(name);
             lines.push(format!(
                 "{name:<16} {value:.6e} {unit}, before {before:.6e} {unit}"
             ));
@@ -171,11 +171,8 @@ impl DesignResult {
 
     /// Returns the message for a design beyond its limits.
     pub fn violation_text(&self) -> String {
-        let of = |one: &&LimitResult| match one.name.as_str() {
-            "basin_fraction" => one.value < one.limit,
-            _ => one.value > one.limit,
-        };
-        let broken = self.outcome.limits.iter().filter(of);
+        let limits = self.outcome.limits.iter();
+        let broken = limits.filter(|one| one.violation > 0.0);
         let names: Vec<String> = broken.map(limit_text).collect();
         format!(
             "no design found keeps all limits; the least violation is {:.3e}: {}",
@@ -188,13 +185,21 @@ impl DesignResult {
     }
 }
 
+/// Returns the unit of a goal.
+fn unit(goal: &str) -> &'static str {
+    let goals = Goal::ALL.into_iter();
+    let found = goals.filter(|one| one.name() == goal).map(Goal::unit);
+    found.last().unwrap_or_default()
+}
+
 fn axis(goal: &str) -> Axis {
-    match goal {
-        "bandwidth" => Axis::linear("Half-power bandwidth", "Hz"),
-        "expected-power" => Axis::linear("Expected power", "W"),
-        "stable-power" => Axis::linear("Power of the best stable orbit", "W"),
-        _ => Axis::linear("Mean power", "W"),
-    }
+    let quantity = match goal {
+        "bandwidth" => "Half-power bandwidth",
+        "expected-power" => "Expected power",
+        "stable-power" => "Power of the best stable orbit",
+        _ => "Mean power",
+    };
+    Axis::linear(quantity, unit(goal))
 }
 
 fn limit_text(limit: &LimitResult) -> String {
@@ -281,9 +286,8 @@ fn front_table(front: &[FrontPoint]) -> Result<Table, Error> {
         return Ok(Table::new(columns)?);
     };
     for name in first.goals.keys() {
-        let unit = if name == "bandwidth" { "Hz" } else { "W" };
         let values: Vec<f64> = front.iter().map(|one| one.goals[name]).collect();
-        columns.push(Column::new(name, unit, "goal", values));
+        columns.push(Column::new(name, unit(name), "goal", values));
     }
     for key in first.set.keys() {
         let values: Vec<String> = front.iter().map(|one| one.set[key].clone()).collect();

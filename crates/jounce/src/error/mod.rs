@@ -264,7 +264,10 @@ impl From<ContinuationError<OrbitError<AnalysisError>>> for Error {
 
 impl From<DesignError> for Error {
     fn from(error: DesignError) -> Self {
-        Self::Design(Box::new(error))
+        match error {
+            DesignError::Stopped => Self::Stopped,
+            error => Self::Design(Box::new(error)),
+        }
     }
 }
 

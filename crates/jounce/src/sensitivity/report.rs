@@ -48,7 +48,7 @@ impl SensitivityResult {
         let x = Axis::linear("Change of mean power for 1 % more of the key", "%");
         let y = Axis {
             range: Some((0.0, top)),
-            // The names stand beside the bars.
+            // Each bar has the name of its key.
             step: Some(2.0 * top),
             ..Axis::linear("Keys, the largest change at the top", "")
         };

@@ -5,6 +5,7 @@ use super::super::harvesters::bench_with_keys;
 use jounce_analysis::{
     DerivativeAccuracy, DerivativeKey, KeyLine, Model, Recognition, Recognizer, orbit_derivatives,
 };
+use jounce_model::reference::PiezoResistor;
 use jounce_orbits::{Orbit, OrbitQuantity, ParametricModel};
 use jounce_spec::{NumericKey, SpecFile};
 use std::f64::consts::TAU;
@@ -81,15 +82,18 @@ average_over = "1 s"
 "#;
 
 /// Mean power of the linear harvester by resistance, frequency, amplitude and damping ratio.
-fn power_w([r, f, force, zeta]: [f64; 4]) -> f64 {
-    let (w, w0, c, theta) = (TAU * f, TAU * 10.0, 150e-9, 0.004);
-    // V = -i w theta q / (1/R + i w C), and theta V acts on the mode.
-    let (g, b) = (1.0 / r, w * c);
-    let shunt = w * theta * theta / (g * g + b * b);
-    let real = w0 * w0 - w * w + shunt * b;
-    let imaginary = 2.0 * zeta * w0 * w + shunt * g;
-    let q = 1.3 * force / real.hypot(imaginary);
-    0.5 * g * (w * theta * q).powi(2) / (g * g + b * b)
+fn power_w([resistance_ohm, drive_hz, force_n, damping_ratio]: [f64; 4]) -> f64 {
+    let mass_kg = 1.3_f64.powi(-2);
+    let harvester = PiezoResistor {
+        mass_kg,
+        frequency_rad_s: TAU * 10.0,
+        damping_ratio,
+        coupling_n_per_v: 0.004 * mass_kg.sqrt(),
+        capacitance_f: 150e-9,
+        resistance_ohm,
+    };
+    let voltage_v = force_n * harvester.voltage_per_newton(drive_hz).norm();
+    0.5 * voltage_v.powi(2) / resistance_ohm
 }
 
 #[test]
@@ -125,7 +129,7 @@ fn derivatives_of_a_linear_harvester_have_their_closed_form() {
 }
 
 #[test]
-fn derivatives_with_contact_are_those_of_the_orbits_beside() {
+fn derivatives_with_contact_are_differences_of_orbits() {
     let file = bench_with_keys(&[("drive.shaker.frequency", "11 Hz")]);
     let paths = [
         "stop.tip.gap",

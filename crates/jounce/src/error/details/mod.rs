@@ -222,6 +222,7 @@ impl From<&DesignError> for ErrorDetails {
             DesignError::Spec { faults, .. } => faults.into(),
             DesignError::Analysis(error) => error.into(),
             DesignError::Journal(error) => Self::of("FileError", error),
+            DesignError::Stopped => Self::new("JounceError"),
             DesignError::NothingEvaluated { evaluations, .. } => {
                 Self::new("DesignError").with(json!({ "evaluations": evaluations }))
             }
