@@ -6,7 +6,7 @@ import { test } from "node:test";
 import { promisify } from "node:util";
 import { createRequire } from "node:module";
 import { inked, open, program, ready } from "./browser.mjs";
-import { browser, field, page, server, type } from "./suite.mjs";
+import { browser, field, page, server } from "./suite.mjs";
 
 const run = promisify(execFile);
 const axeSource = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
