@@ -7,7 +7,9 @@ mod prices;
 use crate::DesignError;
 use crate::evaluation::{Evaluation, Evaluator};
 use crate::problem::{FreeKey, FreeValues, Problem};
-use crate::result::{BestDesign, DesignBefore, DesignOutcome, FreeValue, LimitResult, SearchEnd};
+use crate::result::{
+    BestDesign, DesignBefore, DesignOutcome, FreeValue, LimitResult, NearestFold, SearchEnd,
+};
 use crate::robustness::robustness;
 use crate::search::{Candidate, Followed};
 use std::collections::BTreeMap;
@@ -30,29 +32,9 @@ pub fn examine(
         .orbit
         .as_ref()
         .and_then(|orbit| Followed::start(evaluator, &best.place, orbit));
-    let pairs = || problem.limits.iter().zip(&evaluation.limits);
-    let active: Vec<bool> = pairs()
-        .map(|(limit, value)| match limit.is_lower() {
-            true => value * ACTIVE_SHARE <= limit.value,
-            false => *value >= ACTIVE_SHARE * limit.value,
-        })
-        .collect();
-    let prices = match &followed {
-        Some(followed) => prices::prices(problem, &best.place, followed, &active),
-        None => vec![None; active.len()],
-    };
-    let limits = pairs().zip(&active).zip(prices);
-    let limits = limits.map(|(((limit, value), active), price)| LimitResult {
-        name: limit.name.clone(),
-        value: *value,
-        limit: limit.value,
-        violation: limit.violation(*value),
-        active: *active,
-        price,
-    });
     let nearest_fold = followed.as_ref().and_then(nearest_fold::nearest_fold);
     Ok(DesignOutcome {
-        limits: limits.collect(),
+        limits: limits(problem, best, followed.as_ref()),
         robust: match &followed {
             Some(followed) => robustness(evaluator, followed)?,
             None => None,
@@ -66,28 +48,59 @@ pub fn examine(
         evaluations: 0,
         seed: problem.seed,
         wall_time_s: 0.0,
-        best: BestDesign {
-            set: settings(problem, &best.place),
-            keys: keys(problem, &best.place),
-            goals: goals(problem, evaluation),
-            mean_power_w: evaluation
-                .orbit
-                .as_ref()
-                .map_or(evaluation.goals[0], |orbit| orbit.mean_power_w),
-            expected_power_w: evaluation.expected_power_w[0],
-            expected_power_low_w: evaluation.expected_power_w[1],
-            expected_power_high_w: evaluation.expected_power_w[2],
-            basin_fraction: evaluation.basin_fraction[0],
-            basin_fraction_low: evaluation.basin_fraction[1],
-            basin_fraction_high: evaluation.basin_fraction[2],
-            stable: evaluation.orbit.is_some(),
-            period_cycles: evaluation
-                .orbit
-                .as_ref()
-                .map_or(0, |orbit| orbit.period_cycles),
-            nearest_fold,
-        },
+        best: best_design(problem, best, nearest_fold),
     })
+}
+
+/// Returns the value of each limit, with its price where it binds.
+fn limits(problem: &Problem, best: &Candidate, followed: Option<&Followed>) -> Vec<LimitResult> {
+    let pairs = || problem.limits.iter().zip(&best.evaluation.limits);
+    let active: Vec<bool> = pairs()
+        .map(|(limit, value)| match limit.is_lower() {
+            true => value * ACTIVE_SHARE <= limit.value,
+            false => *value >= ACTIVE_SHARE * limit.value,
+        })
+        .collect();
+    let prices = match followed {
+        Some(followed) => prices::prices(problem, &best.place, followed, &active),
+        None => vec![None; active.len()],
+    };
+    let limits = pairs().zip(active).zip(prices);
+    let limits = limits.map(|(((limit, value), active), price)| LimitResult {
+        name: limit.name.clone(),
+        value: *value,
+        limit: limit.value,
+        violation: limit.violation(*value),
+        active,
+        price,
+    });
+    limits.collect()
+}
+
+fn best_design(
+    problem: &Problem,
+    best: &Candidate,
+    nearest_fold: Option<NearestFold>,
+) -> BestDesign {
+    let evaluation = &best.evaluation;
+    let orbit = evaluation.orbit.as_ref();
+    let [expected, expected_low, expected_high] = evaluation.expected_power_w;
+    let [fraction, fraction_low, fraction_high] = evaluation.basin_fraction;
+    BestDesign {
+        set: settings(problem, &best.place),
+        keys: keys(problem, &best.place),
+        goals: goals(problem, evaluation),
+        mean_power_w: orbit.map_or(evaluation.goals[0], |orbit| orbit.mean_power_w),
+        expected_power_w: expected,
+        expected_power_low_w: expected_low,
+        expected_power_high_w: expected_high,
+        basin_fraction: fraction,
+        basin_fraction_low: fraction_low,
+        basin_fraction_high: fraction_high,
+        stable: orbit.is_some(),
+        period_cycles: orbit.map_or(0, |orbit| orbit.period_cycles),
+        nearest_fold,
+    }
 }
 
 /// Returns the values of the free keys at a place, as text.

@@ -187,9 +187,9 @@ impl DesignResult {
 
 /// Returns the unit of a goal.
 fn unit(goal: &str) -> &'static str {
-    let goals = Goal::ALL.into_iter();
-    let found = goals.filter(|one| one.name() == goal).map(Goal::unit);
-    found.last().unwrap_or_default()
+    let mut goals = Goal::ALL.into_iter();
+    let found = goals.find(|one| one.name() == goal);
+    found.map_or("", Goal::unit)
 }
 
 fn axis(goal: &str) -> Axis {
