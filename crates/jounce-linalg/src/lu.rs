@@ -93,8 +93,15 @@ impl Task for Factoring<'_> {
             }
             let (before, after) = columns.split_at_mut(panel.end * count);
             let factors = &before[panel.start * count..];
-            for j in 0..rows - panel.end {
-                update(w, &mut after[j * count..(j + 1) * count], factors, first);
+            if panel.end < rows {
+                let mut lower = [F64x8::ZERO; LANES];
+                for k in 0..LANES {
+                    lower[k] = below(&factors[k * count + first], k);
+                }
+                for j in 0..rows - panel.end {
+                    let column = &mut after[j * count + first..(j + 1) * count];
+                    update(w, column, (&lower, &factors[first..]), count);
+                }
             }
         }
     }
@@ -103,19 +110,20 @@ impl Task for Factoring<'_> {
 /// Exchanges row `k` with the one that has the largest pivot, and returns that row.
 #[inline(always)]
 fn exchange(columns: &mut [F64x8], (rows, count): (usize, usize), k: usize) -> usize {
-    let mut pivot = k;
+    let column = &columns[k * count..(k + 1) * count];
+    let (mut pivot, mut largest) = (k, column[k / LANES].0[k % LANES].abs());
     for i in k + 1..rows {
-        let size = |i: usize| columns[k * count + i / LANES].0[i % LANES].abs();
-        if size(i) > size(pivot) {
-            pivot = i;
+        let size = column[i / LANES].0[i % LANES].abs();
+        if size > largest {
+            (pivot, largest) = (i, size);
         }
     }
     if pivot != k {
         for j in 0..rows {
-            let [a, b] = [k, pivot].map(|i| (j * count + i / LANES, i % LANES));
-            let exchanged = columns[a.0].0[a.1];
-            columns[a.0].0[a.1] = columns[b.0].0[b.1];
-            columns[b.0].0[b.1] = exchanged;
+            let column = &mut columns[j * count..(j + 1) * count];
+            let entry = column[k / LANES].0[k % LANES];
+            column[k / LANES].0[k % LANES] = column[pivot / LANES].0[pivot % LANES];
+            column[pivot / LANES].0[pivot % LANES] = entry;
         }
     }
     pivot
@@ -136,8 +144,10 @@ fn divide<W: Simd>(w: W, column: &mut [F64x8], lane: usize) {
 /// Adds a multiple of a column to another.
 #[inline(always)]
 fn add_multiple<W: Simd>(w: W, column: &mut [F64x8], factor: f64, other: &[F64x8]) {
-    for (sum, term) in column.iter_mut().zip(other) {
-        *sum = w.store(w.fma(w.splat(factor), w.load(term), w.load(sum)));
+    // A zip would be called, not inlined.
+    let other = &other[..column.len()];
+    for i in 0..column.len() {
+        column[i] = w.store(w.fma(w.splat(factor), w.load(&other[i]), w.load(&column[i])));
     }
 }
 
@@ -151,20 +161,24 @@ fn below(vector: &F64x8, lane: usize) -> F64x8 {
     rest
 }
 
-/// Updates a column by the factored columns of a whole vector of rows, number `first`.
+/// Updates a column, from the first row of a whole vector of factored columns, by these. `lower` are
+/// their entries below the diagonal in the first vector.
 #[inline(always)]
-fn update<W: Simd>(w: W, column: &mut [F64x8], factors: &[F64x8], first: usize) {
-    let count = column.len();
+fn update<W: Simd>(
+    w: W,
+    column: &mut [F64x8],
+    (lower, factors): (&[F64x8; LANES], &[F64x8]),
+    stride: usize,
+) {
     let mut shares = [w.zero(); LANES];
     for k in 0..LANES {
-        shares[k] = w.splat(-column[first].0[k]);
-        let lower = below(&factors[k * count + first], k);
-        column[first] = w.store(w.fma(shares[k], w.load(&lower), w.load(&column[first])));
+        shares[k] = w.splat(-column[0].0[k]);
+        column[0] = w.store(w.fma(shares[k], w.load(&lower[k]), w.load(&column[0])));
     }
-    for v in first + 1..count {
+    for v in 1..column.len() {
         let mut sum = w.load(&column[v]);
         for k in 0..LANES {
-            sum = w.fma(shares[k], w.load(&factors[k * count + v]), sum);
+            sum = w.fma(shares[k], w.load(&factors[k * stride + v]), sum);
         }
         column[v] = w.store(sum);
     }
