@@ -18,21 +18,26 @@
 use super::decoupled_blocks::{balanced, blocks};
 use jounce_linalg::{Eigen, Mat, c64, eigen};
 
+/// Largest ratio of the couplings of two eigenvalues to their distance at which a change of the map
+/// moves each separately. The terms of third order are at most this squared, relative to the
+/// change.
+const SEPARATE_COUPLING: f64 = 0.03;
+
 /// Returns the eigenvalues of a period map, largest modulus first; `None` where they do not
 /// converge.
 pub fn multipliers(map: &Mat<f64>) -> Option<Vec<c64>> {
     let (balanced, _) = balanced(map);
     let (blocks, rest) = blocks(&balanced);
     let values = jounce_linalg::eigenvalues(&part(&balanced, &rest))?;
-    Some(with_blocks(&balanced, blocks, values))
+    Some(with_blocks(&balanced, &blocks, values))
 }
 
 /// Returns eigenvalues together with those of decoupled blocks, largest modulus first.
-fn with_blocks(map: &Mat<f64>, blocks: Vec<[usize; 2]>, mut values: Vec<c64>) -> Vec<c64> {
+fn with_blocks(map: &Mat<f64>, blocks: &[[usize; 2]], mut values: Vec<c64>) -> Vec<c64> {
     values.extend(
         blocks
-            .into_iter()
-            .flat_map(|block| block_eigenvalues(map, block)),
+            .iter()
+            .flat_map(|block| block_eigenvalues(map, *block)),
     );
     values.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
     values
@@ -92,6 +97,8 @@ pub struct Eigenbasis {
     scales: Vec<f64>,
     /// Indices of the states that the basis spans.
     states: Vec<usize>,
+    /// Decoupled blocks of the other states.
+    blocks: Vec<[usize; 2]>,
     /// Eigenvalues and eigenvectors of the basis.
     eigen: Eigen,
 }
@@ -103,26 +110,60 @@ impl Eigenbasis {
         let (blocks, states) = blocks(&balanced);
         let eigen = eigen(&part(&balanced, &states))?;
         Some(Self {
-            multipliers: with_blocks(&balanced, blocks, eigen.values.clone()),
+            multipliers: with_blocks(&balanced, &blocks, eigen.values.clone()),
             scales,
             states,
+            blocks,
             eigen,
         })
+    }
+
+    /// Returns the eigenvalues of a map that differs slightly, largest modulus first, by
+    /// perturbation to second order. Eigenvalues that the difference does not move separately, and
+    /// so all of its eigenvalues, are computed anew; `None` where they do not converge.
+    ///
+    /// ```text
+    /// m_i = C_ii + sum_j C_ij C_ji / (C_ii - C_jj),   C = V^-1 B V
+    /// ```
+    ///
+    /// Source: G. W. Stewart and J. Sun, *Matrix Perturbation Theory* (1990), ch. IV.
+    pub fn multipliers_of(&self, nearby: &Mat<f64>) -> Option<Vec<c64>> {
+        let transformed = self.eigen.transformed(&self.part(nearby, &self.states));
+        let second_order = |i: usize| {
+            let others = (0..self.states.len()).filter(|j| *j != i);
+            let mut sum = c64::new(0.0, 0.0);
+            for j in others {
+                let distance = transformed[(i, i)] - transformed[(j, j)];
+                let product = transformed[(i, j)] * transformed[(j, i)];
+                let is_separate = product.norm() < SEPARATE_COUPLING.powi(2) * distance.norm_sqr();
+                if !is_separate {
+                    return None;
+                }
+                sum += product / distance;
+            }
+            Some(transformed[(i, i)] + sum)
+        };
+        let values: Option<Vec<c64>> = (0..self.states.len()).map(second_order).collect();
+        let all: Vec<usize> = (0..nearby.nrows()).collect();
+        match values {
+            Some(values) => Some(with_blocks(&self.part(nearby, &all), &self.blocks, values)),
+            None => multipliers(nearby),
+        }
     }
 
     /// Returns the basis of the same map over more states.
     fn extended(&self, map: &Mat<f64>, more: &[usize]) -> Option<Self> {
         let mut basis = self.clone();
         basis.states.extend(more);
-        basis.eigen = eigen(&basis.part(map))?;
+        basis.eigen = eigen(&basis.part(map, &basis.states))?;
         Some(basis)
     }
 
-    /// Returns the rows and columns of another map for the states of the basis, in its scales.
-    fn part(&self, map: &Mat<f64>) -> Mat<f64> {
-        let mut part = part(map, &self.states);
-        for (j, to) in self.states.iter().enumerate() {
-            for (i, from) in self.states.iter().enumerate() {
+    /// Returns the rows and columns of another map for some states, in the scales of the basis.
+    fn part(&self, map: &Mat<f64>, states: &[usize]) -> Mat<f64> {
+        let mut part = part(map, states);
+        for (j, to) in states.iter().enumerate() {
+            for (i, from) in states.iter().enumerate() {
                 part[(i, j)] *= self.scales[*to] / self.scales[*from];
             }
         }
@@ -151,7 +192,7 @@ impl Eigenbasis {
             return self.extended(map, &more)?.couplings(map, (other, beyond));
         }
         let n = self.states.len();
-        let transformed = self.eigen.transformed(&self.part(beyond));
+        let transformed = self.eigen.transformed(&self.part(beyond, &self.states));
         Some((
             self.eigen.values.clone(),
             Mat::from_fn(n, n, |i, j| {
@@ -216,6 +257,33 @@ mod tests {
                 .map(|value| (value - exact).norm())
                 .fold(f64::INFINITY, f64::min);
             assert!(difference < 1e-13, "{exact}: {difference:e} {values:?}");
+        }
+    }
+
+    /// The multipliers of a nearby map by perturbation against those computed anew: a difference of
+    /// 1e-3 leaves terms of third order; where two multipliers are equal, both are computed anew.
+    #[test]
+    fn multipliers_of_a_nearby_map_follow_from_the_eigenvectors() {
+        let rows = [
+            [0.6, -0.7, 0.02, 0.0, 0.1],
+            [0.7, 0.6, 0.0, 0.03, 0.0],
+            [0.02, 0.01, 0.3, -0.4, 0.0],
+            [0.0, 0.03, 0.4, 0.3, 0.0],
+            [0.0, 0.1, 0.0, 0.0, 0.5],
+        ];
+        let map = Mat::from_fn(5, 5, |i, j| rows[i][j]);
+        let double = Mat::from_fn(2, 2, |i, j| [[0.5, 1.0], [0.0, 0.5]][i][j]);
+        for (map, limit) in [(map, 1e-8), (double, 1e-14)] {
+            let n = map.nrows();
+            let change = |i: usize, j: usize| 1e-3 * ((3 * i + 5 * j) as f64).sin();
+            let nearby = Mat::from_fn(n, n, |i, j| map[(i, j)] + change(i, j));
+            let basis = Eigenbasis::of(&map).unwrap();
+            let values = basis.multipliers_of(&nearby).unwrap_or_default();
+            for exact in multipliers(&nearby).unwrap_or_default() {
+                let distances = values.iter().map(|value| (value - exact).norm());
+                let difference = distances.fold(f64::INFINITY, f64::min);
+                assert!(difference < limit, "{exact}: {difference:e} {values:?}");
+            }
         }
     }
 

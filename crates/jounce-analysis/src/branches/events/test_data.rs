@@ -5,9 +5,7 @@ use super::level::QuantityLevel;
 use super::pairing::paired;
 use jounce_continuation::{CurvePoint, Metric};
 use jounce_linalg::c64;
-use jounce_orbits::{
-    Orbit, OrbitMethod, ShootingEvaluation, TurningPoint, discs, multipliers, turns,
-};
+use jounce_orbits::{Orbit, OrbitMethod, ShootingEvaluation, TurningPoint, discs, turns};
 
 /// Distance ahead, in the metric, relative to the square root of the tolerance of the integrations.
 /// There the integration error in the difference and the neglected curvature are about equal.
@@ -108,7 +106,8 @@ impl TestDataPair {
             let neighbour = step.position.offset_along(&unit, length);
             let local = method.at(&neighbour.unknown, neighbour.parameter).ok()?;
             let near = method.shot(&local).ok()?;
-            let reading = TestData::of(near, multipliers(&near.block_map)?, levels);
+            let multipliers = evaluation.eigenbasis()?.multipliers_of(&near.block_map)?;
+            let reading = TestData::of(near, multipliers, levels);
             Some((
                 near.contacts == evaluation.contacts,
                 Self::joined(data.clone(), &reading, length),
