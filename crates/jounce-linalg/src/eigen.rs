@@ -8,6 +8,7 @@
 
 use crate::{LuFactors, Mat, SWEEPS_PER_ROW, c64, column_mut};
 use nalgebra::{ComplexField, DVector, Schur};
+use std::sync::OnceLock;
 
 /// Eigenvalues of a matrix and the columns of their eigenvectors.
 #[derive(Debug, Clone)]
@@ -17,6 +18,8 @@ pub struct Eigen {
     /// Eigenvectors of length 1 whose largest entry is real, one per column; those of a pair are
     /// conjugate.
     pub vectors: Mat<c64>,
+    /// Result of [`Self::basis`], computed at the first call.
+    basis: OnceLock<[Mat<f64>; 2]>,
 }
 
 /// The factor of magnitude 1 that makes the largest entry real.
@@ -50,7 +53,11 @@ pub fn eigen(matrix: &Mat<f64>) -> Option<Eigen> {
         }
         k += rows;
     }
-    Some(Eigen { values, vectors })
+    Some(Eigen {
+        values,
+        vectors,
+        basis: OnceLock::new(),
+    })
 }
 
 /// Place of an eigenvalue in a pair.
@@ -70,13 +77,8 @@ impl Eigen {
     pub fn transformed(&self, matrix: &Mat<f64>) -> Mat<c64> {
         let n = self.values.len();
         let places = self.places();
-        let basis = Mat::from_fn(n, n, |i, j| match places[j] {
-            Place::Second => self.vectors[(i, j - 1)].im,
-            Place::Real | Place::First => self.vectors[(i, j)].re,
-        });
-        let mut real = matrix * &basis;
-        let factors = LuFactors::of(&basis);
-        (0..n).for_each(|j| factors.solve(column_mut(&mut real, j)));
+        let [basis, inverse] = self.basis(&places);
+        let real = inverse * (matrix * basis);
         let columns = Mat::from_fn(n, n, |i, j| match places[j] {
             Place::Real => c64::new(real[(i, j)], 0.0),
             Place::First => c64::new(real[(i, j)], real[(i, j + 1)]),
@@ -86,6 +88,21 @@ impl Eigen {
             Place::Real => columns[(i, j)],
             Place::First => 0.5 * (columns[(i, j)] - c64::i() * columns[(i + 1, j)]),
             Place::Second => 0.5 * (columns[(i - 1, j)] + c64::i() * columns[(i, j)]),
+        })
+    }
+
+    /// Returns `W` and its inverse.
+    fn basis(&self, places: &[Place]) -> &[Mat<f64>; 2] {
+        self.basis.get_or_init(|| {
+            let n = places.len();
+            let basis = Mat::from_fn(n, n, |i, j| match places[j] {
+                Place::Second => self.vectors[(i, j - 1)].im,
+                Place::Real | Place::First => self.vectors[(i, j)].re,
+            });
+            let factors = LuFactors::of(&basis);
+            let mut inverse = Mat::identity(n, n);
+            (0..n).for_each(|j| factors.solve(column_mut(&mut inverse, j)));
+            [basis, inverse]
         })
     }
 

@@ -25,6 +25,13 @@ pub trait OrbitMethod: Problem<Error = OrbitError<Self::Fault>> {
     /// The integration fails.
     fn shot<'l>(&self, local: &'l Self::Evaluation) -> Result<&'l ShootingEvaluation, Self::Error>;
 
+    /// Integrates the period with the exact flow from a state in energy coordinates, at a tenth of
+    /// the tolerance.
+    ///
+    /// # Errors
+    /// The integration fails.
+    fn finer_shot(&self, state: &[f64], parameter: f64) -> Result<ShootingEvaluation, Self::Error>;
+
     /// Returns the unknown that represents a state in energy coordinates.
     ///
     /// # Errors

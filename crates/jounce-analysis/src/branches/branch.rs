@@ -63,6 +63,8 @@ pub struct Bifurcation {
     pub stop: Option<String>,
     /// Point of the branch.
     pub at: BranchPoint,
+    /// Estimated error of the key there, SI; `None` where the event ended the branch.
+    pub parameter_error: Option<f64>,
 }
 
 /// Termination of a branch.
@@ -122,6 +124,7 @@ impl Bifurcation {
             level: None,
             stop,
             at,
+            parameter_error: None,
         }
     }
 }

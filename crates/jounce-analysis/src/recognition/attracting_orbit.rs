@@ -212,7 +212,10 @@ impl AttractingOrbit {
 /// real and the imaginary part of the leading eigenvector.
 fn directions(norm: &AdaptedNorm, map: &Mat<f64>, displacement: &[f64]) -> Vec<Vec<f64>> {
     let mut directions = vec![displacement.to_vec()];
-    if let Some(Eigen { values, vectors }) = eigen(map) {
+    if let Some(Eigen {
+        values, vectors, ..
+    }) = eigen(map)
+    {
         let leading =
             (0..values.len()).max_by(|a, b| values[*a].norm().total_cmp(&values[*b].norm()));
         for part in leading.into_iter().flat_map(|k| {

@@ -100,22 +100,8 @@ impl<'h, H: ParametricModel> HarmonicBalance<'h, H> {
 
     /// Returns this method with another number of harmonics.
     fn with(&self, harmonics: usize) -> Self {
-        let Shooting {
-            harvester,
-            cycles,
-            tolerance,
-            ref scale,
-            ref charged,
-        } = self.shooting;
-        let shooting = Shooting {
-            harvester,
-            cycles,
-            tolerance,
-            scale: scale.clone(),
-            charged: charged.clone(),
-        };
         Self {
-            shooting,
+            shooting: self.shooting.with(self.shooting.tolerance),
             harmonics,
             accuracy: self.accuracy,
             stops: self.stops,
@@ -250,6 +236,10 @@ impl<H: ParametricModel> OrbitMethod for HarmonicBalance<'_, H> {
             .shooting
             .at(&self.shooting.unknown(&state), local.parameter)?;
         Ok(local.shot.get_or_init(|| evaluation))
+    }
+
+    fn finer_shot(&self, state: &[f64], parameter: f64) -> Result<ShootingEvaluation, Self::Error> {
+        self.shooting.finer_shot(state, parameter)
     }
 
     fn unknown_of(&self, state: &[f64], parameter: f64) -> Result<Vec<f64>, Self::Error> {

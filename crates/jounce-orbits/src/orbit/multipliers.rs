@@ -39,7 +39,7 @@ fn with_blocks(map: &Mat<f64>, blocks: &[[usize; 2]], mut values: Vec<c64>) -> V
             .iter()
             .flat_map(|block| block_eigenvalues(map, *block)),
     );
-    values.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
+    values.sort_by(|a, b| b.norm_sqr().total_cmp(&a.norm_sqr()));
     values
 }
 
@@ -135,7 +135,8 @@ impl Eigenbasis {
             for j in others {
                 let distance = transformed[(i, i)] - transformed[(j, j)];
                 let product = transformed[(i, j)] * transformed[(j, i)];
-                let is_separate = product.norm() < SEPARATE_COUPLING.powi(2) * distance.norm_sqr();
+                let is_separate =
+                    product.norm_sqr() < (SEPARATE_COUPLING.powi(2) * distance.norm_sqr()).powi(2);
                 if !is_separate {
                     return None;
                 }
@@ -196,7 +197,8 @@ impl Eigenbasis {
         Some((
             self.eigen.values.clone(),
             Mat::from_fn(n, n, |i, j| {
-                (transformed[(i, j)] * transformed[(j, i)]).norm().sqrt()
+                let product = transformed[(i, j)] * transformed[(j, i)];
+                product.norm_sqr().sqrt().sqrt()
             }),
         ))
     }

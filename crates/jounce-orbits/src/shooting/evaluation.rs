@@ -67,7 +67,7 @@ impl ShootingEvaluation {
 
     /// Returns the Newton correction to the curve of orbits, normal to it, and its length relative
     /// to the state; finite at a fold too.
-    pub(crate) fn across(&self, parameter: f64, parameter_scale: f64) -> Option<(Direction, f64)> {
+    pub fn across(&self, parameter: f64, parameter_scale: f64) -> Option<(Direction, f64)> {
         let metric = Metric::at(
             &Position {
                 unknown: self.strobe_states[0].clone(),

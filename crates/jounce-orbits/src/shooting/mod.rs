@@ -28,6 +28,9 @@ use jounce_model::plant::{Plant, product};
 use period_record::PeriodRecord;
 use std::sync::OnceLock;
 
+/// Tolerance of an integration that shows the error of another, relative to that one's.
+const FINER: f64 = 0.1;
+
 /// Shooting method for the orbits of a harvester.
 #[derive(Debug)]
 pub struct Shooting<'h, H> {
@@ -66,6 +69,18 @@ impl<'h, H: ParametricModel> Shooting<'h, H> {
             tolerance,
             scale: scale.collect(),
             charged: Vec::new(),
+        }
+    }
+
+    /// Returns this problem with another tolerance of the integration.
+    #[must_use]
+    pub fn with(&self, tolerance: f64) -> Self {
+        Self {
+            harvester: self.harvester,
+            cycles: self.cycles,
+            tolerance,
+            scale: self.scale.clone(),
+            charged: self.charged.clone(),
         }
     }
 
@@ -260,6 +275,10 @@ impl<H: ParametricModel> OrbitMethod for Shooting<'_, H> {
         evaluation: &'l ShootingEvaluation,
     ) -> Result<&'l ShootingEvaluation, Self::Error> {
         Ok(evaluation)
+    }
+
+    fn finer_shot(&self, state: &[f64], parameter: f64) -> Result<ShootingEvaluation, Self::Error> {
+        self.with(FINER * self.tolerance).at(state, parameter)
     }
 
     fn unknown_of(&self, state: &[f64], _parameter: f64) -> Result<Vec<f64>, Self::Error> {

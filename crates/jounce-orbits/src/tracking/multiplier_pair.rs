@@ -68,7 +68,9 @@ impl MultiplierPair {
 /// and these eigenvalues.
 fn plane(map: &Mat<f64>, measure: impl Fn([c64; 2]) -> f64) -> Option<(Mat<f64>, [c64; 2])> {
     let n = map.nrows();
-    let Eigen { values, vectors } = eigen(map)?;
+    let Eigen {
+        values, vectors, ..
+    } = eigen(map)?;
     let is_pair = |&(i, j): &(usize, usize)| {
         let (a, b) = (values[i], values[j]);
         let has_converged = a.im == 0.0

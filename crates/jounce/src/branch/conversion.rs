@@ -56,6 +56,7 @@ impl Bifurcation {
         Self {
             kind: bifurcation.kind,
             parameter: bifurcation.at.parameter,
+            parameter_error: bifurcation.parameter_error,
             mean_power_w: orbit.mean_power_w,
             displacement_peak_m: orbit.displacement_peak_m,
             contacts_per_period: orbit.contacts,

@@ -84,6 +84,9 @@ pub struct Bifurcation {
     pub kind: BranchKind,
     /// Value of the key, SI.
     pub parameter: f64,
+    /// Estimated error of the value of the key, SI, by integrations with a tenth of the tolerance;
+    /// `None` where the event ends the branch.
+    pub parameter_error: Option<f64>,
     /// Mean power of all loads, W.
     pub mean_power_w: f64,
     /// Half the peak-to-peak displacement at the first stop, m.

@@ -88,6 +88,12 @@ impl BranchResult {
             Column::new("branch", "", "number of the branch, from 0", branch),
             Column::new("kind", "", "kind of the bifurcation", kind),
             number("parameter", &self.unit, &self.key, |one| one.parameter),
+            number(
+                "parameter_error",
+                &self.unit,
+                "estimated error of the value of the key",
+                |one| one.parameter_error.unwrap_or(f64::NAN),
+            ),
             number("mean_power_w", "W", "mean power of all loads", |one| {
                 one.mean_power_w
             }),

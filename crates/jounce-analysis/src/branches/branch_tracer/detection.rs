@@ -12,7 +12,7 @@ use jounce_orbits::{
 
 /// Event between two neighbouring orbits.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum DetectedEvent {
+pub(super) enum DetectedEvent {
     Fold,
     BranchPoint,
     PeriodDoubling,
@@ -73,7 +73,12 @@ impl BranchTracer {
     }
 
     /// Returns the distance of a position along the chord of a step, in the metric.
-    fn along<L>(&self, from: &CurvePoint<L>, to: &CurvePoint<L>, position: &Position) -> f64 {
+    pub(super) fn along<L>(
+        &self,
+        from: &CurvePoint<L>,
+        to: &CurvePoint<L>,
+        position: &Position,
+    ) -> f64 {
         let metric = Metric::at(&from.position, self.parameter_scale());
         metric.inner(
             &metric.unit(from.position.to(&to.position)),
@@ -124,6 +129,7 @@ impl BranchTracer {
                     level,
                     stop,
                     at,
+                    parameter_error: self.parameter_error(method, event, (a, b), &located),
                 },
             ));
         }
@@ -140,18 +146,11 @@ impl BranchTracer {
         event: DetectedEvent,
         (a, b): (&OrbitPoint<M>, &OrbitPoint<M>),
     ) -> Option<CurvePoint<M::Evaluation>> {
-        let length = self.along(&a.step, &b.step, &b.step.position);
-        let share = |step: &CurvePoint<M::Evaluation>| {
-            self.along(&a.step, &b.step, &step.position) / length
-        };
-        let value = |step: &CurvePoint<M::Evaluation>| match (event, method.shot(&step.local)) {
-            (DetectedEvent::Fold, _) => step.tangent.parameter,
-            (_, Err(_)) => 0.0,
-            (DetectedEvent::Grazing(turn), Ok(evaluation)) => turn.past_m(evaluation, share(step)),
-            (DetectedEvent::Level(number), Ok(evaluation)) => {
-                self.levels[number].relative_difference(evaluation)
-            }
-            (_, Ok(evaluation)) => of_multipliers(event, step, (evaluation, &a.point.orbit)),
+        let value = |step: &CurvePoint<M::Evaluation>| {
+            let evaluation = method.shot(&step.local);
+            evaluation.map_or(0.0, |evaluation| {
+                self.value(event, (a, b), step, evaluation)
+            })
         };
         locate(
             method,
@@ -161,6 +160,27 @@ impl BranchTracer {
             self.resolution,
             value,
         )
+    }
+
+    /// Returns the test function of an event between two points, of an orbit at a point of the
+    /// curve.
+    pub(super) fn value<M: OrbitMethod>(
+        &self,
+        event: DetectedEvent,
+        (a, b): (&OrbitPoint<M>, &OrbitPoint<M>),
+        step: &CurvePoint<M::Evaluation>,
+        evaluation: &ShootingEvaluation,
+    ) -> f64 {
+        match event {
+            DetectedEvent::Fold => step.tangent.parameter,
+            DetectedEvent::Grazing(turn) => {
+                let length = self.along(&a.step, &b.step, &b.step.position);
+                let share = self.along(&a.step, &b.step, &step.position) / length;
+                turn.past_m(evaluation, share)
+            }
+            DetectedEvent::Level(number) => self.levels[number].relative_difference(evaluation),
+            _ => of_multipliers(event, step, (evaluation, &a.point.orbit)),
+        }
     }
 
     /// Returns grazings and level crossings between two points, by the signs of their test
@@ -203,6 +223,7 @@ pub(super) fn add_crossings(turns: bool, at: &BranchPoint, branch: &mut Branch) 
         level: None,
         stop: None,
         at: at.clone(),
+        parameter_error: None,
     }));
 }
 

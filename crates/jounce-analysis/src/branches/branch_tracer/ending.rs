@@ -80,6 +80,7 @@ impl BranchTracer {
                 level: None,
                 stop: Some(stop),
                 at: last.point,
+                parameter_error: None,
             });
             branch.endings.push(Termination::Sticking {
                 why: reason,

@@ -6,6 +6,7 @@ mod ending;
 pub(super) mod halves;
 mod noncontact;
 pub(super) mod orbit_point;
+mod parameter_error;
 mod range_end;
 mod sheet_guard;
 pub(super) mod tracer;

@@ -13,8 +13,8 @@ use jounce_spec::SpecFile;
 /// Seed of the harvesters.
 const SEED: u64 = 7;
 
-/// Distance in the key, relative to the range, and in the power of their orbits, within which two
-/// labels of one kind are equal.
+/// Distance in the key, relative to the range and beyond the stated errors, and in the power of
+/// their orbits, within which two labels of one kind are equal.
 const SAME: f64 = 1e-4;
 const SAME_POWER: f64 = 1e-2;
 
@@ -152,8 +152,10 @@ impl Case {
             .any(|candidate| {
                 let (power_w, other_w) =
                     (label.at.orbit.mean_power_w, candidate.at.orbit.mean_power_w);
+                let errors = [candidate, label].map(|one| one.parameter_error.unwrap_or(0.0));
+                let within = SAME * self.width() + errors.iter().sum::<f64>();
                 candidate.kind == label.kind
-                    && (candidate.at.parameter - label.at.parameter).abs() < SAME * self.width()
+                    && (candidate.at.parameter - label.at.parameter).abs() < within
                     && (other_w - power_w).abs() <= SAME_POWER * power_w
             })
     }

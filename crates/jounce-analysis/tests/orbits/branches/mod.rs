@@ -6,6 +6,7 @@ mod events;
 mod hard_cases;
 mod isolated;
 mod label_comparison;
+mod label_errors;
 mod labels;
 mod limits_of_stops;
 mod paper;

@@ -104,11 +104,13 @@ fn print_branch(result: &BranchResult, branch: &Curve) {
 
 fn print_bifurcation(result: &BranchResult, bifurcation: &Bifurcation) {
     let name = bifurcation.level.as_ref().or(bifurcation.stop.as_ref());
+    let error = bifurcation.parameter_error;
     line(format!(
-        "  {:<16} {:>12} {}  {:.6e} {}{}",
+        "  {:<16} {:>12} {}{}  {:.6e} {}{}",
         bifurcation.kind.name(),
         key_value(bifurcation.parameter),
         result.unit,
+        error.map_or_else(String::new, |error| format!(" +- {error:.1e}")),
         result.quantity.at(bifurcation),
         result.quantity.unit(),
         name.map_or_else(String::new, |name| format!("  {name}"))

@@ -278,7 +278,9 @@ pub(super) fn coupled(
 /// Returns all eigenvalues and the columns of their eigenvectors, refined where one state may be
 /// far faster than the others.
 fn eigenvectors(matrix: &Mat<f64>, refine: bool) -> Option<(Vec<c64>, Mat<c64>)> {
-    let Eigen { values, vectors } = eigen(matrix)?;
+    let Eigen {
+        values, vectors, ..
+    } = eigen(matrix)?;
     Some(if refine {
         refined(matrix, values, vectors)
     } else {

@@ -1,0 +1,48 @@
+//! The stated errors of located events against a search a thousand times as accurate.
+
+use crate::harvesters::bench;
+use jounce_analysis::{Bifurcation, BranchKind, BranchSearch, Model, OrbitMethodKind, Parameter};
+
+/// Factor on the stated errors. A tenth of the tolerance leaves a tenth of the error, and the
+/// estimate is of first order.
+const MARGIN: f64 = 3.0;
+
+fn labels(method: OrbitMethodKind, tolerance: f64) -> Vec<Bifurcation> {
+    let file = bench();
+    let base = Model::new(file.spec().unwrap()).unwrap();
+    let key = file.numeric_key("drive.shaker.frequency").unwrap();
+    let range = (11.0, 14.0);
+    let parameter = Parameter::new(&base, &key, range.1 - range.0);
+    let search = BranchSearch {
+        base: &base,
+        parameter: &parameter,
+        range,
+        method,
+        tolerance,
+        seeds: 0,
+        longest_period: 1,
+    };
+    let branches = search.run().unwrap();
+    let labels = branches.into_iter().flat_map(|branch| branch.bifurcations);
+    labels.collect()
+}
+
+#[test]
+fn labels_lie_within_their_stated_errors() {
+    let balance = OrbitMethodKind::HarmonicBalance { harmonics: 64 };
+    for method in [OrbitMethodKind::Shooting, balance] {
+        let (coarse, fine) = (labels(method, 1e-7), labels(method, 1e-10));
+        let kinds = |labels: &[Bifurcation]| -> Vec<BranchKind> {
+            labels.iter().map(|label| label.kind).collect()
+        };
+        assert_eq!(kinds(&coarse), kinds(&fine), "{method:?}");
+        assert!(coarse.len() > 4, "{method:?}: {:?}", kinds(&coarse));
+        for (coarse, fine) in coarse.iter().zip(&fine) {
+            let [error, finer] = [coarse, fine].map(|label| label.parameter_error.unwrap());
+            let difference = (coarse.at.parameter - fine.at.parameter).abs();
+            let text = format!("{method:?} {:?}: {error:e}, {difference:e}", fine.kind);
+            eprintln!("{text}, {finer:e}");
+            assert!(difference <= MARGIN * (error + finer), "{text}");
+        }
+    }
+}
