@@ -258,13 +258,14 @@ impl Case {
                 for label in missing {
                     missing_count += 1;
                     let (at, orbit) = (label.at.parameter, &label.at.orbit);
+                    let at_error = label.parameter_error.unwrap_or(0.0);
                     let (cycles, power_w, error) = (
                         orbit.period_cycles,
                         orbit.mean_power_w,
                         orbit.error_estimate,
                     );
                     report += &format!(
-                        "\n  {settings:?}: {which_set} {:?} of period {cycles} at {at}, {power_w:e} W +- {error:e}",
+                        "\n  {settings:?}: {which_set} {:?} of period {cycles} at {at} +- {at_error:e}, {power_w:e} W +- {error:e}",
                         label.kind
                     );
                 }
