@@ -30,7 +30,7 @@ _KINDS = {"hz": "frequency", "s": "time", "kg": "mass", "f": "capacitance", "ohm
 #: Calls that have the options of another question too.
 _SHARED = {"measured_modes": ("measured_frf",)}
 #: Name of the value that a method without arguments returns, in its example.
-_RESULTS = {"to_xarray": "dataset", "to_pandas": "frame", "plot": "axes"}
+_RESULTS = {"to_xarray": "dataset", "to_datatree": "tree", "to_pandas": "frame", "plot": "axes"}
 
 #: Words of the help of the command line, and of a docstring.
 _WORDS = (

@@ -95,6 +95,8 @@ def _encoded(value: Any, arrays: list[np.ndarray[Any, Any]]) -> Any:
         return value
     if isinstance(value, complex):
         return {"complex": [_encoded(value.real, arrays), _encoded(value.imag, arrays)]}
+    if isinstance(value, Path):
+        return {"path": str(value)}
     if isinstance(value, dict):
         return {"dict": [[_encoded(key, arrays), _encoded(one, arrays)] for key, one in value.items()]}
     if isinstance(value, SpecText):
@@ -119,6 +121,8 @@ def _decoded(value: Any, archive: zipfile.ZipFile) -> Any:
             return np.load(io.BytesIO(archive.read(f"{int(number)}.npy")), allow_pickle=False)
         case {"float": text}:
             return float(text)
+        case {"path": text}:
+            return Path(text)
         case {"complex": [real, imaginary]}:
             return complex(_decoded(real, archive), _decoded(imaginary, archive))
         case {"dict": pairs}:
