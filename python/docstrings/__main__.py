@@ -181,7 +181,9 @@ def document_class(name: str, kind: type, options: Options, public: Mapping[str,
         fields = {field: str(hint) for field, hint in hints.items() if field in kind.__dataclass_fields__}
         completed["Attributes"] = [line for field, hint in fields.items() for line in field_entry(field, hint)]
     if issubclass(kind, Element):
-        completed["Parameters"] = table_entries(name.lower())
+        others = {call.partition(".")[2]: one for call, one in PARAMETERS.items() if call.startswith(f"{name}.")}
+        own = (line for other, (kind_text, text) in others.items() for line in entry(other, f"{kind_text}, optional", text))
+        completed["Parameters"] = [*table_entries(name.lower()), *own]
     elif "Parameters" in sections:
         completed["Parameters"] = list(parameters(name, kind.__init__, options, entries(sections["Parameters"])))
     completed["Notes"] = [*sections.get("Notes", []), *notes(name)]

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import json
 import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from difflib import get_close_matches
 from os import PathLike, fspath
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self, Unpack
 
 from . import _core
@@ -14,6 +16,7 @@ from ._errors import ArgumentError, SpecError, UnknownKeyError
 from ._format import html_table
 from ._issue import Issue, parse_issues
 from ._quantity import settings
+from ._recorded_drive import copy_beside
 from ._spec_table import MISSING, SpecTable, SpecTables, dotted
 
 if TYPE_CHECKING:
@@ -52,8 +55,17 @@ class SpecText(SpecTables):
         return cls._from_core(_core.Spec.read(fspath(path)))
 
     def write(self, path: str | PathLike[str]) -> None:
-        """Writes the text to a file, with comments and layout; the file is written completely or not at all."""
-        self._spec.write(fspath(path))
+        """Writes the text to a file, with comments and layout; the file is written completely or not at all.
+
+        Samples that were given as the ``recording`` of a :class:`Drive` are copied next to it, and the text names the copies.
+        """
+        text = self._spec.text
+        for file, name in copy_beside(Path(path), self.to_dict()).items():
+            text = text.replace(json.dumps(file, ensure_ascii=False), json.dumps(name))
+        if text == self._spec.text:
+            self._spec.write(fspath(path))
+        else:
+            _core.Spec(text, fspath(Path(path).parent)).write(fspath(path))
 
     def to_toml(self, canonical: bool = False) -> str:
         """Returns the text with comments and layout; or in canonical form: every key that applies, with its default."""
