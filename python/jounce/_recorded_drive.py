@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import os
-import shutil
-import tempfile
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
@@ -19,9 +17,7 @@ _KEYS_OF_SAMPLES = ("sample_rate", "unit")
 def folder() -> Path:
     """Returns the folder of stored samples, in that of ``JOUNCE_CACHE`` or in the user's cache folder."""
     given, cache = os.environ.get("JOUNCE_CACHE"), os.environ.get("XDG_CACHE_HOME")
-    home = os.environ.get("HOME") or os.environ.get("USERPROFILE")
-    base = Path(cache) if cache else Path(home) / ".cache" if home else Path(tempfile.gettempdir())
-    return (Path(given) if given else base / "jounce") / "recordings"
+    return (Path(given) if given else (Path(cache) if cache else Path.home() / ".cache") / "jounce") / "recordings"
 
 
 def recorded(samples: Any, keys: Mapping[str, Any]) -> dict[str, Any]:
@@ -57,6 +53,8 @@ def stored_files(tables: Mapping[str, Any]) -> Iterator[tuple[str, Path]]:
 
 def copy_beside(spec_path: Path, tables: Mapping[str, Any]) -> dict[str, str]:
     """Copies stored samples next to a spec; returns the new names by file."""
+    import shutil
+
     names = {}
     for name, file in stored_files(tables):
         copy = spec_path.with_name(f"{spec_path.stem}.{name}.csv")

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import json
-import tomllib
 from collections.abc import Iterator, Mapping, Sequence
-from difflib import get_close_matches
 from os import PathLike, fspath
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self, Unpack
@@ -15,6 +13,7 @@ from ._arguments import names, spec_from_tables
 from ._errors import ArgumentError, SpecError, UnknownKeyError
 from ._format import html_table
 from ._issue import Issue, parse_issues
+from ._named import nearest_name
 from ._quantity import settings
 from ._recorded_drive import copy_beside
 from ._spec_table import MISSING, SpecTable, SpecTables, dotted
@@ -78,6 +77,8 @@ class SpecText(SpecTables):
 
     def to_dict(self, canonical: bool = False) -> dict[str, Any]:
         """Returns the tables; ``Spec(spec.to_dict()) == spec``."""
+        import tomllib
+
         return tomllib.loads(self.to_toml(canonical))
 
     def set(self, key: str | Mapping[str, Any], value: Any = MISSING, /) -> None:
@@ -146,7 +147,7 @@ class SpecText(SpecTables):
         return None
 
     def _unknown(self, key: str) -> UnknownKeyError:
-        nearest = next(iter(get_close_matches(key, list(dotted(self.to_dict(canonical=True))), 1)), None)
+        nearest = nearest_name(key, list(dotted(self.to_dict(canonical=True))))
         hint = f"did you mean {nearest}?" if nearest else "spec.to_dict(canonical=True) contains all keys"
         return UnknownKeyError(f"{key}: this spec has no such key; {hint}", {"wanted": key, "nearest": nearest})
 
