@@ -197,7 +197,7 @@ def document_class(name: str, kind: type, options: Options, public: Mapping[str,
         if isinstance(function, FunctionType) and id(function) not in seen:
             seen.add(id(function))
             call = f"{name}.{method_name}"
-            documented[call] = document_call(call, function, options, public, first_lines)
+            documented[function.__qualname__] = document_call(call, function, options, public, first_lines)
 
 
 def table_entries(table: str) -> list[str]:
@@ -233,6 +233,7 @@ def complete(public: Mapping[str, Any]) -> str:
 
 
 if __name__ == "__main__":
+    public_objects = {name: getattr(jounce, name) for name in jounce.__all__}
     for documented_object, docstring in IN_SOURCE.values():
         documented_object.__doc__ = docstring
-    sys.stdout.write(complete({name: getattr(jounce, name) for name in jounce.__all__}))
+    sys.stdout.write(complete(public_objects))

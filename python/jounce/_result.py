@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
+from ._docstrings import document
 from ._errors import Interrupted
 from ._fields import About, Variable, dataset_fields
 from ._format import html_table
@@ -35,6 +36,10 @@ ResultT = TypeVar("ResultT")
 
 class Data:
     """Plain data that is compared by value, arrays included; its arrays are read-only."""
+
+    def __init_subclass__(cls) -> None:
+        # A result comes from a call, not from the package, which documents the names that are used.
+        document(cls)
 
     def __post_init__(self) -> None:
         self._freeze()

@@ -15,7 +15,6 @@ from ._format import html_table
 from ._issue import Issue, parse_issues
 from ._named import nearest_name
 from ._quantity import settings
-from ._recorded_drive import copy_beside
 from ._spec_table import MISSING, SpecTable, SpecTables, dotted
 
 if TYPE_CHECKING:
@@ -58,6 +57,8 @@ class SpecText(SpecTables):
 
         Samples that were given as the ``recording`` of a :class:`Drive` are copied next to it, and the text names the copies.
         """
+        from ._recorded_drive import copy_beside
+
         text = self._spec.text
         for file, name in copy_beside(Path(path), self.to_dict()).items():
             text = text.replace(json.dumps(file, ensure_ascii=False), json.dumps(name))

@@ -52,8 +52,13 @@ class StudyStatus:
 class StudyResult:
     """Table of a study in a folder, ``jounce.StudyResult("out")``; it is read on access.
 
-    ``wall_time_s`` is the wall time of the integration of runs in the call that returned it, s, summed over all threads and workers; 0
-    where no part was missing.
+    Parameters
+    ----------
+    folder
+        Folder of the study.
+    wall_time_s
+        Wall time of the integration of runs in the call that returned it, s, summed over all threads and workers; 0 where no part was
+        missing.
     """
 
     def __init__(self, folder: str | PathLike[str], wall_time_s: float = 0.0) -> None:
