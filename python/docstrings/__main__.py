@@ -30,7 +30,7 @@ _KINDS = {"hz": "frequency", "s": "time", "kg": "mass", "f": "capacitance", "ohm
 #: Calls that have the options of another question too.
 _SHARED = {"measured_modes": ("measured_frf",)}
 #: Name of the value that a method without arguments returns, in its example.
-_RESULTS = {"to_xarray": "dataset", "to_pandas": "frame", "plot": "axes"}
+_RESULTS = {"to_xarray": "dataset", "to_datatree": "tree", "to_pandas": "frame", "plot": "axes"}
 
 #: Words of the help of the command line, and of a docstring.
 _WORDS = (
@@ -181,7 +181,9 @@ def document_class(name: str, kind: type, options: Options, public: Mapping[str,
         fields = {field: str(hint) for field, hint in hints.items() if field in kind.__dataclass_fields__}
         completed["Attributes"] = [line for field, hint in fields.items() for line in field_entry(field, hint)]
     if issubclass(kind, Element):
-        completed["Parameters"] = table_entries(name.lower())
+        others = {call.partition(".")[2]: one for call, one in PARAMETERS.items() if call.startswith(f"{name}.")}
+        own = (line for other, (kind_text, text) in others.items() for line in entry(other, f"{kind_text}, optional", text))
+        completed["Parameters"] = [*table_entries(name.lower()), *own]
     elif "Parameters" in sections:
         completed["Parameters"] = list(parameters(name, kind.__init__, options, entries(sections["Parameters"])))
     completed["Notes"] = [*sections.get("Notes", []), *notes(name)]
@@ -195,7 +197,7 @@ def document_class(name: str, kind: type, options: Options, public: Mapping[str,
         if isinstance(function, FunctionType) and id(function) not in seen:
             seen.add(id(function))
             call = f"{name}.{method_name}"
-            documented[call] = document_call(call, function, options, public, first_lines)
+            documented[function.__qualname__] = document_call(call, function, options, public, first_lines)
 
 
 def table_entries(table: str) -> list[str]:
@@ -231,6 +233,7 @@ def complete(public: Mapping[str, Any]) -> str:
 
 
 if __name__ == "__main__":
+    public_objects = {name: getattr(jounce, name) for name in jounce.__all__}
     for documented_object, docstring in IN_SOURCE.values():
         documented_object.__doc__ = docstring
-    sys.stdout.write(complete({name: getattr(jounce, name) for name in jounce.__all__}))
+    sys.stdout.write(complete(public_objects))

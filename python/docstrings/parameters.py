@@ -71,6 +71,7 @@ PARAMETERS: Final[dict[str, tuple[str, str]]] = {
     "units": ("dict", "Unit of each key or side whose values are numbers without one."),
     "value": ("object", "Text with a unit, quantity, number, or a table; ``None`` removes the key."),
     "values": ("array", "Samples at even steps, or a time series in the form of SEP005."),
+    "Drive.recording": ("recording", "Samples in memory, with their times and unit, or with ``sample_rate`` and ``unit``."),
     "Recording.segments.drive": ("str or quantity (frequency)", 'Frequency of the drive, ``"13 Hz"``.'),
     "Recording.channel.name": ("str or int", "Name of the channel, or its number from 1."),
     "Recording.of.name": ("str", "Name of the recording."),

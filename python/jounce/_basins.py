@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import json
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Annotated, Any, Self
 
@@ -10,6 +11,7 @@ import numpy as np
 
 from ._fields import About, Along, Variable
 from ._format import counted, html_table
+from ._grid import on_grid
 from ._result import Floats, Integers, Result, Truths
 
 if TYPE_CHECKING:
@@ -90,15 +92,26 @@ class BasinsResult(Result):
         return html_table("Basins", ["attractor", "period", "mean power [W]", "share", "95 %"], rows)
 
     def to_xarray(self) -> Dataset:
-        """An ``xarray.Dataset`` over ``attractor`` and ``start``."""
-        coords = {
-            "attractor": Variable(("attractor",), self.attractor, "", "attractor"),
-            "start": Variable(("start",), np.arange(len(self.attractor_index)), "1", "number of the start"),
-        }
-        return self._dataset(self._variables(), coords)
+        """Returns an ``xarray.Dataset`` over ``attractor`` and the starts, which are over ``start``, or over the sides of their grid.
+
+        The sides are ``start_displacement``, ``start_velocity`` and ``start_voltage``. ``failure`` is empty where a run did not fail.
+        """
+        dims, numbers = ("start",), np.arange(len(self.attractor_index))
+        reasons = dict(zip(self.failed_start.tolist(), self.failed_reason))
+        own = {name: one for name, one in self._variables().items() if one.dims != ("failed",)}
+        starts = {name: own.pop(name) for name, one in list(own.items()) if one.dims == dims}
+        starts["failure"] = Variable(dims, [reasons.get(number, "") for number in numbers], "", "reason of a failed run")
+        start = Variable(dims, numbers, "1", "number of the start")
+        coords = {f"start_{text.partition('=')[0]}": text for text in json.loads(self.manifest["options"].get("grid", "[]"))}
+        if coords:
+            coords, starts = on_grid({name: starts.pop(name) for name in coords}, {**starts, "start": start})
+        else:
+            coords = {"start": start}
+        attractors = {"attractor": Variable(("attractor",), self.attractor, "", "attractor")}
+        return self._dataset({**own, **starts}, {**attractors, **coords})
 
     def to_pandas(self) -> DataFrame:
-        """A ``pandas.DataFrame`` with a row for each attractor."""
+        """Returns a ``pandas.DataFrame`` with a row for each attractor."""
         return self._frame({"attractor": self.attractor, **self._columns("attractor")})
 
     def _pictures(self) -> dict[str, Callable[[Any], Any]]:

@@ -99,14 +99,23 @@ class BifurcationsResult(Result):
             "curve": ("curve", "1", "number of the curve"),
             "kind": ("kind", "", "kind of the bifurcation, or the level"),
             "period_cycles": ("period_cycles", "1", "period in drive cycles"),
-            "parameter": ("parameter", self.unit, self.key),
-            "parameter_2": ("parameter_2", self.unit_2, self.key_2),
             "mean_power_w": ("mean_power", "W", "mean power of all loads"),
             "stable": ("stable", "1", "1 for a stable peak; -1 on other curves"),
         }
-        return self._dataset(
-            {name: Variable(("point",), columns[column], units, text) for column, (name, units, text) in descriptions.items()}, {}
-        )
+        dims = ("point",)
+        variables = {name: Variable(dims, columns[column], units, text) for column, (name, units, text) in descriptions.items()}
+        coords = {
+            self.key: Variable(dims, columns["parameter"], self.unit, self.key),
+            self.key_2: Variable(dims, columns["parameter_2"], self.unit_2, self.key_2),
+        }
+        return self._dataset(variables, coords)
+
+    def _root(self) -> Dataset:
+        return self._dataset({}, {})
+
+    def _parts(self) -> dict[str, Dataset]:
+        alone = (dataclasses.replace(self, curves=[one]).to_xarray() for one in self.curves)
+        return {f"curve_{number}": one for number, one in enumerate(alone)}
 
     def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each point of each curve."""

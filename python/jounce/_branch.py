@@ -141,22 +141,31 @@ class BranchResult(Result):
 
     def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``point`` (all branches in sequence, numbered by ``branch``) and ``bifurcation``."""
-        variables = {"parameter": Variable(("point",), self._concatenated("parameter"), self.unit, self.key)}
-        variables |= {along.name(field): along.of(self._concatenated(field)) for field, along in dataset_fields(Branch).items()}
+        variables = {along.name(field): along.of(self._concatenated(field)) for field, along in dataset_fields(Branch).items()}
         periods = np.repeat(np.array([one.period_cycles for one in self.branches], dtype=np.int64), [len(one) for one in self.branches])
         branch_numbers = [number for number, one in enumerate(self.branches) for _ in one.bifurcation_kind]
         variables |= {
             "branch": Variable(("point",), self._branch_numbers(), "1", "number of the branch"),
             "period_cycles": Variable(("point",), periods, "1", "period in drive cycles"),
-            "bifurcation_parameter": Variable(("bifurcation",), self._concatenated("bifurcation_parameter"), self.unit, self.key),
             "bifurcation_mean_power": Variable(
                 ("bifurcation",), self._concatenated("bifurcation_mean_power_w"), "W", "mean power of all loads"
             ),
             "bifurcation_branch": Variable(("bifurcation",), np.array(branch_numbers, dtype=np.int64), "1", "number of the branch"),
         }
         kinds = [kind for one in self.branches for kind in one.bifurcation_kind]
-        coords = {"bifurcation": Variable(("bifurcation",), kinds, "", "kind of the bifurcation")}
+        coords = {
+            self.key: Variable(("point",), self._concatenated("parameter"), self.unit, self.key),
+            "bifurcation": Variable(("bifurcation",), kinds, "", "kind of the bifurcation"),
+            "bifurcation_parameter": Variable(("bifurcation",), self._concatenated("bifurcation_parameter"), self.unit, self.key),
+        }
         return self._dataset(variables, coords)
+
+    def _root(self) -> Dataset:
+        return self._dataset({}, {})
+
+    def _parts(self) -> dict[str, Dataset]:
+        alone = (dataclasses.replace(self, branches=[one]).to_xarray() for one in self.branches)
+        return {f"branch_{number}": one for number, one in enumerate(alone)}
 
     def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each point of each branch."""

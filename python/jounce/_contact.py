@@ -151,6 +151,18 @@ class ContactResult(Result):
         variables = {**self._variables(), "allowed_laws": Variable(("hit",), allowed_laws, "", "laws that the pulse allows")}
         return self._dataset(variables, {"hit": Variable(("hit",), np.arange(len(self)), "1", "number of the hit")})
 
+    def _parts(self) -> dict[str, Dataset]:
+        def dataset(pulse: Pulse) -> Dataset:
+            force = Variable(("time",), pulse.force_n, "N", "force")
+            law = Variable(("law_time",), pulse.law_force_n, "N", "force of the fitted law")
+            times = {
+                "time": Variable(("time",), pulse.time_s, "s", "time from the largest force"),
+                "law_time": Variable(("law_time",), pulse.law_time_s, "s", "time from the largest force"),
+            }
+            return self._dataset({"force": force, "law_force": law}, times)
+
+        return {f"pulse_{number}": dataset(one) for number, one in enumerate(self.pulses)}
+
     def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each hit."""
         return self._frame({**self._columns("hit"), "allowed_laws": self.allowed_laws, "reason": self.reason})

@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING, Annotated, Any, Self
 
 import numpy as np
 
-from ._branch import Branch
+from ._branch import Branch, BranchResult
 from ._errors import ArgumentError
 from ._fields import About, Variable
 from ._format import counted, html_table
+from ._grid import on_grid
 from ._result import Floats, Integers, Result
 
 if TYPE_CHECKING:
@@ -78,25 +79,36 @@ class DiagramResult(Result):
         return html_table(f"Diagram over {self.key}", ["motion", "runs"], rows)
 
     def to_xarray(self) -> Dataset:
-        """Returns an ``xarray.Dataset`` over ``point`` and ``section``; ``section_point`` is the run of each point."""
+        """Returns an ``xarray.Dataset`` of the runs over ``direction`` and the key, or ``start`` and the key, and of the ``section``.
+
+        ``section_point`` is the number of the run of each point of the section, the value of ``point`` at the run. A run that was not
+        computed is NaN.
+        """
         dims = ("point",)
         variables = {
+            "point": Variable(dims, np.arange(len(self)), "1", "number of the run"),
             "motion": Variable(dims, self.motion, "", "kind of the motion"),
             "period_cycles": Variable(dims, self.period_cycles, "1", "period in drive cycles, 0 without a period"),
             "contacts_per_period": Variable(dims, self.contacts_per_period, "1", "contacts per period"),
             "mean_power": Variable(dims, self.mean_power_w, "W", "mean power of all loads"),
             "attractor": Variable(dims, [one or "" for one in self.attractor], "", "id of the attractor, empty without one"),
-            "start": Variable(dims, self.start, "1", "number of the start in its cloud"),
-            "section_point": Variable(("section",), self.section_point, "1", "run of the point"),
         }
-        for name, (field, units, description) in SECTION.items():
-            variables[f"section_{name}"] = Variable(("section",), getattr(self, field), units, description)
         coords = {
-            "point": Variable(dims, np.arange(len(self)), "1", "order of the runs"),
-            "parameter": Variable(dims, self.parameter, self.unit, self.key),
             "direction": Variable(dims, self.direction, "", "direction of the sweep"),
+            "start": Variable(dims, self.start, "1", "number of the start in its cloud"),
+            self.key: Variable(dims, self.parameter, self.unit, self.key),
         }
-        return self._dataset(variables, coords)
+        del coords["direction" if set(self.direction) == {"independent"} else "start"]
+        grid_coords, variables = on_grid(coords, variables)
+        along = ("section",)
+        for name, (field, units, description) in SECTION.items():
+            variables[f"section_{name}"] = Variable(along, getattr(self, field), units, description)
+        variables["section_point"] = Variable(along, self.section_point, "1", "number of the run of the point")
+        grid_coords["section_parameter"] = Variable(along, self.parameter[self.section_point], self.unit, self.key)
+        return self._dataset(variables, grid_coords)
+
+    def _parts(self) -> dict[str, Dataset]:
+        return BranchResult(self.manifest, self.key, self.unit, self.branches, None, None, "", [])._parts()
 
     def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each point of the section."""

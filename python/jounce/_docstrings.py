@@ -2,24 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from functools import cache
 from pathlib import Path
+from types import FunctionType
 from typing import Any
 
 #: Public objects by name, with their docstrings in the source.
 IN_SOURCE: dict[str, tuple[Any, str | None]] = {}
 
 
-def apply(public: Mapping[str, Any]) -> None:
-    """Sets the docstrings of the public objects."""
+@cache
+def _docstrings() -> dict[str, str]:
+    """Returns the docstrings by name; a method has the name of the class that defines it."""
+    text = Path(__file__).with_name("docstrings.txt").read_text(encoding="utf-8")
+    blocks = (block.partition("\n") for block in f"\n{text.rstrip()}\n".split("\n==== ")[1:])
+    return {name: docstring for name, _, docstring in blocks}
+
+
+def document(public: Any) -> None:
+    """Sets the docstring of a public function, or of a class and its methods."""
     if __doc__ is None:  # Python runs without docstrings.
         return
-    text = Path(__file__).with_name("docstrings.txt").read_text(encoding="utf-8")
-    for block in f"\n{text}".split("\n==== ")[1:]:
-        name, _, docstring = block.partition("\n")
-        owner, _, method = name.partition(".")
-        member = getattr(public.get(owner), method, None) if method else public.get(owner)
-        if member is not None:
-            member = getattr(member, "__func__", member)
-            IN_SOURCE[name] = (member, member.__doc__)
-            member.__doc__ = docstring
+    bases = [base for base in getattr(public, "__mro__", ()) if base.__module__.startswith("jounce")]
+    functions = (getattr(member, "__func__", member) for base in bases for member in vars(base).values())
+    for one in (public, *(function for function in functions if isinstance(function, FunctionType))):
+        name = getattr(one, "__qualname__", "")
+        if name in _docstrings() and name not in IN_SOURCE:
+            IN_SOURCE[name] = (one, one.__doc__)
+            one.__doc__ = _docstrings()[name]

@@ -88,11 +88,23 @@ class Circuit(Element):
 
 
 class Drive(Element):
-    """Excitation: a force, or a motion of the ground or of another base."""
+    """Excitation: a force, or a motion of the ground or of another base.
+
+    ``recording`` holds samples in memory: a :class:`Recording`, a history, an array of xarray or pandas with its times and unit, or one of
+    numpy with ``sample_rate`` and ``unit``. They are written to ``file``, by default to one in the folder of ``JOUNCE_CACHE`` that their
+    digest names; :meth:`Spec.write` copies it next to the spec.
+    """
 
     if TYPE_CHECKING:
 
-        def __init__(self, **keys: Unpack[_tables.DriveKeys]) -> None: ...
+        def __init__(self, *, recording: Any = None, **keys: Unpack[_tables.DriveKeys]) -> None: ...
+
+    else:
+
+        def __init__(self, *, recording: Any = None, **keys: Any) -> None:
+            from ._recorded_drive import recorded
+
+            super().__init__(**(keys if recording is None else recorded(recording, keys)))
 
 
 class Gravity(Element):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import atexit
-import html
 import warnings
 from os import PathLike, fspath
 from types import TracebackType
@@ -56,6 +55,8 @@ class Explorer:
         return f"<jounce.Explorer at {self.address}{'' if self.running else ', ended'}>"
 
     def _repr_html_(self) -> str:
+        import html
+
         address = html.escape(self.address, quote=True)
         state = "" if self.running else " (ended)"
         return f'<a href="{address}" target="_blank" rel="noopener">The live page of this harvester</a>{state}'

@@ -173,6 +173,15 @@ class FitResult(Result):
         }
         return self._dataset(variables, coords)
 
+    def _parts(self) -> dict[str, Dataset]:
+        def dataset(curve: FitCurve) -> Dataset:
+            axis, _, unit = curve.over.rpartition("_")
+            names = ("measured", "before", "after", "low", "high")
+            variables = {name: Variable((axis,), getattr(curve, name), curve.unit, f"{curve.name}, {name}") for name in names}
+            return self._dataset(variables, {axis: Variable((axis,), curve.at, {"hz": "Hz"}.get(unit, unit), axis)})
+
+        return {f"curve_{number}": dataset(one) for number, one in enumerate(self.curves)}
+
     def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each key."""
         values = {name: getattr(self, name) for name in ("before", "after", "low", "high")}

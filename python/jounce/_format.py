@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import html
 import math
 from collections.abc import Sequence
 
@@ -31,6 +30,8 @@ def counted(number: int, noun: str, plural: str = "") -> str:
 
 def html_table(title: str, header: Sequence[str], rows: Sequence[Sequence[object]]) -> str:
     """Returns a table in HTML."""
+    import html
+
     head = "".join(f"<th>{html.escape(cell)}</th>" for cell in header)
     body = "".join("<tr>" + "".join(f"<td>{html.escape(str(cell))}</td>" for cell in row) + "</tr>" for row in rows)
     heading = f"<thead><tr>{head}</tr></thead>" if any(header) else ""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Annotated, Any, Self
 
@@ -52,9 +52,8 @@ class FrfResult(Result, Named[Complexes]):
         return [*span, ("input", self.input), *peaks]
 
     def to_xarray(self) -> Dataset:
-        """Returns an ``xarray.Dataset`` over ``frequency``; each response as real (``_re``) and imaginary (``_im``) part."""
-        variables = {name: Variable(("frequency",), values, self.units[name], name) for name, values in self.responses.items()}
-        return self._dataset(variables, {"frequency": Variable(("frequency",), self.frequency_hz, "Hz", "frequency")})
+        """Returns an ``xarray.Dataset`` over ``output`` and ``frequency``: the complex ``response``, and its ``phase`` in degrees."""
+        return self._dataset(*response_variables(self.frequency_hz, self.responses, self.units))
 
     def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each frequency."""
@@ -75,3 +74,25 @@ class FrfResult(Result, Named[Complexes]):
         from ._plot.frf import plot_frf
 
         return plot_frf(self, ax, self._first() if response is None else response)
+
+
+def response_variables(
+    frequency_hz: Floats, responses: Mapping[str, Complexes], units: Mapping[str, str], several: Mapping[str, Sequence[str]] | None = None
+) -> tuple[dict[str, Variable], dict[str, Variable]]:
+    """Returns the variables and the coordinates of a dataset of responses; a unit that all have is that of the variable.
+
+    With ``several`` outputs and excitation points, by the name of their axis, the responses are those of each output at each point.
+    """
+    axes = several or {"output": list(responses)}
+    dims, shape = (*axes, "frequency"), (*map(len, axes.values()), len(frequency_hz))
+    response_units = [units[name] for name in responses]
+    values = np.array(list(responses.values()), np.complex128).reshape(shape)
+    common = response_units[0] if len(set(response_units)) == 1 else ""
+    variables = {
+        "response": Variable(dims, values, common, "frequency response"),
+        "phase": Variable(dims, np.degrees(np.angle(values)), "deg", "phase of the response"),
+    }
+    coords = {name: Variable((name,), names, "", name) for name, names in axes.items()}
+    coords["unit"] = Variable(tuple(axes), np.array(response_units, object).reshape(shape[:-1]), "", "unit of the response")
+    coords["frequency"] = Variable(("frequency",), frequency_hz, "Hz", "frequency")
+    return variables, coords

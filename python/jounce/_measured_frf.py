@@ -14,6 +14,7 @@ from ._arguments import names, optional_si, options
 from ._contact import kind_of
 from ._fields import About, Variable
 from ._format import html_table
+from ._frf import response_variables
 from ._inputs import Measured, responses
 from ._issue import Issue, issue_lines, parse_issues
 from ._named import Named
@@ -89,11 +90,16 @@ class MeasuredFrf(Result, Named[Complexes]):
         return html_table("Measured responses", ["response", ""], list(zip(self.responses, self._peaks())))
 
     def to_xarray(self) -> Dataset:
-        """Returns an ``xarray.Dataset`` over ``frequency``: each response as ``_re`` and ``_im``, its coherence as ``NAME_coherence``."""
-        dims = ("frequency",)
-        variables = {name: Variable(dims, values, self.units[name], name) for name, values in self.responses.items()}
-        variables |= {f"{name}_coherence": Variable(dims, values, "1", f"{name}, coherence") for name, values in self.coherence.items()}
-        return self._dataset(variables, {"frequency": Variable(dims, self.frequency_hz, "Hz", "frequency")})
+        """Returns an ``xarray.Dataset`` over ``output`` and ``frequency``: complex ``response``, its ``phase`` in degrees, ``coherence``.
+
+        With several excitation points there is a third axis, ``reference``.
+        """
+        several = {"output": self.output, "reference": self.reference} if len(self.reference) > 1 else None
+        variables, coords = response_variables(self.frequency_hz, self.responses, self.units, several)
+        response = variables["response"]
+        coherence = np.reshape(list(self.coherence.values()), response.values.shape)
+        variables["coherence"] = Variable(response.dims, coherence, "1", "coherence")
+        return self._dataset(variables, coords)
 
     def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each frequency."""

@@ -36,7 +36,7 @@ class MeasuredModes(Result):
     damping_deviation: Annotated[Floats, Along("mode", "1", "standard deviation of the damping ratio")]
     doubtful: Annotated[list[bool], About("True where the interval of the damping ratio includes 0: the mode may be noise")]
     response: Annotated[list[str], About("names of the responses")]
-    shape: Annotated[Complexes, Along("response mode", "1", "shape, normalised to 1 at the largest response")]
+    shape: Annotated[Complexes, Along("output mode", "1", "shape, normalised to 1 at the largest response")]
     reference: Annotated[list[str], About("excitation points, where there are several")]
     participation: Annotated[
         Complexes,
@@ -50,7 +50,7 @@ class MeasuredModes(Result):
     base_participation: Annotated[
         Complexes,
         Along(
-            "response mode",
+            "output mode",
             "",
             "shape times participation of the base",
             detail="values of voltages are in V/m; the sum over all modes is 1 at each point of the structure; NaN where the input is not "
@@ -107,18 +107,21 @@ class MeasuredModes(Result):
         return html_table("Measured modes", ["mode", "frequency [Hz]", "deviation [Hz]", "damping ratio", "deviation"], rows)
 
     def to_xarray(self) -> Dataset:
-        """Returns an ``xarray.Dataset`` over ``mode``, ``response``, ``pole``, ``function``, ``line``; complex as ``_re``, ``_im``."""
+        """Returns an ``xarray.Dataset`` over ``mode``, ``output``, ``pole``, ``function`` and ``line``."""
         numbers = range(1, len(self) + 1)
         coords = {
             "mode": Variable(("mode",), numbers, "1", "number of the mode"),
             "other_mode": Variable(("other_mode",), numbers, "1", "number of another mode"),
-            "response": Variable(("response",), self.response, "", "response"),
+            "output": Variable(("output",), self.response, "", "output"),
             "reference": Variable(("reference",), self.reference, "", "excitation point"),
             "function": Variable(("function",), self.function, "", "function that the modes were identified from"),
             "line": Variable(("line",), self.line_hz, "Hz", "frequency"),
         }
         stable = Variable(("pole",), self.pole_stable, "", "agreement with the order below")
         return self._dataset({**self._variables(), "pole_stable": stable}, coords)
+
+    def _parts(self) -> dict[str, Dataset]:
+        return {} if self.frf is None else {"frf": self.frf.to_xarray()}
 
     def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each mode."""

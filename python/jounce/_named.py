@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from difflib import get_close_matches
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TypeVar
 
 from ._errors import UnknownKeyError
@@ -38,6 +37,13 @@ def look_up(named: Mapping[str, Value], name: str, noun: str) -> Value:
     if name in named:
         return named[name]
     known = list(named)
-    nearest = next(iter(get_close_matches(str(name), known, 1)), None)
+    nearest = nearest_name(str(name), known)
     message = f"{name}: no such {noun}; use one of {', '.join(known)}" if known else f"{name}: there is no {noun}"
     raise UnknownKeyError(message, {"wanted": name, "nearest": nearest, "known": known})
+
+
+def nearest_name(name: str, known: Sequence[str]) -> str | None:
+    """Returns the known name that is most similar, if one is."""
+    from difflib import get_close_matches
+
+    return next(iter(get_close_matches(name, known, 1)), None)

@@ -7,6 +7,8 @@ from collections.abc import Callable, Mapping
 from functools import partial
 from typing import TYPE_CHECKING, Annotated, Any, Self
 
+import numpy as np
+
 from ._fields import About, Along, Variable
 from ._named import Named
 from ._result import Floats, Result
@@ -111,12 +113,16 @@ class NoiseResult(Result, Named[Floats]):
         ]
 
     def to_xarray(self) -> Dataset:
-        """Returns an ``xarray.Dataset``: densities over ``frequency``, others over ``load``, ``drive``, ``patch``, ``point``, ``stop``."""
+        """Returns an ``xarray.Dataset``: ``density`` over ``output`` and ``frequency``, others over the elements.
+
+        Elements are ``load``, ``drive``, ``patch``, ``point`` and ``stop``.
+        """
+        density = np.reshape(list(self.densities.values()), (len(self.densities), len(self.frequency_hz)))
         variables = self._variables()
-        for name, values in self.densities.items():
-            description = f"{name}, one-sided power spectral density"
-            variables[f"{name}_psd"] = Variable(("frequency",), values, self.units[name], description)
+        variables["density"] = Variable(("output", "frequency"), density, "", "one-sided power spectral density, in unit")
         coords = {name: Variable((name,), getattr(self, name), "", name) for name in ("load", "drive", "patch", "point", "stop")}
+        coords["output"] = Variable(("output",), list(self.densities), "", "output")
+        coords["unit"] = Variable(("output",), [self.units[name] for name in self.densities], "", "unit of the density")
         return self._dataset(variables, {**coords, "frequency": Variable(("frequency",), self.frequency_hz, "Hz", "frequency")})
 
     def to_pandas(self) -> DataFrame:

@@ -75,6 +75,9 @@ class PowerResult(Result):
         }
         return self._dataset(self._variables(), coords)
 
+    def _parts(self) -> dict[str, Dataset]:
+        return {f"spectrum_{number}": one.to_xarray() for number, one in enumerate(self.spectra)}
+
     def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each record."""
         return self._frame({"record": self.record, "channel": self.channel, **self._columns("record")})

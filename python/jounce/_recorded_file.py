@@ -94,6 +94,9 @@ class RecordedFile(Result):
         variables = {name: Variable(dims, values, "", name) for name, values in self._table().items() if name != "channel"}
         return self._dataset(variables, {"channel": Variable(dims, self._table()["channel"], "", "channel")})
 
+    def _parts(self) -> dict[str, Dataset]:
+        return {f"recording_{number}": one.to_xarray() for number, one in enumerate(self.recordings)}
+
     def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each channel; each recording has a frame of its samples."""
         return self._frame(self._table())

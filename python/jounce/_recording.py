@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import hashlib
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from os import PathLike, fspath
@@ -132,6 +131,8 @@ class Recording(Result, Named[Floats | Complexes]):
         return {"name": self.name, "over": self.over, "places": self.places, "step": self.step, "channels": channels}
 
     def _sha256(self) -> str:
+        import hashlib
+
         digest = hashlib.sha256(np.ascontiguousarray(self.places).data)
         for one in self.channels:
             digest.update(f"{one.name}\0{one.unit}\0".encode())
@@ -222,6 +223,8 @@ def _channel(fields: Mapping[str, Any]) -> Channel:
 
 def digest_of(path: str | PathLike[str]) -> str:
     """Computes the SHA-256 of a file, read in blocks."""
+    import hashlib
+
     with open(path, "rb") as file:
         return hashlib.file_digest(file, "sha256").hexdigest()
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 from . import _core
 from ._arguments import check_integers, options
-from ._fields import About
+from ._fields import About, Variable
 from ._format import html_table
 from ._progress import Progress, progress_callback
 from ._result import Result, make_manifest, result_or_raise
@@ -19,6 +19,7 @@ from ._result import Result, make_manifest, result_or_raise
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from pandas import DataFrame
+    from xarray import Dataset
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -42,6 +43,12 @@ class ReproduceResult(Result):
     def _repr_html_(self) -> str:
         rows = [[claim, "yes" if holds else "no", evidence] for claim, holds, evidence in zip(self.claim, self.holds, self.evidence)]
         return html_table("Claims of the paper", ["claim", "holds", "evidence"], rows)
+
+    def to_xarray(self) -> Dataset:
+        """Returns an ``xarray.Dataset`` over ``claim``."""
+        holds = Variable(("claim",), self.holds, "1", "the claim holds")
+        evidence = Variable(("claim",), self.evidence, "", "numbers of the evidence")
+        return self._dataset({"holds": holds, "evidence": evidence}, {"claim": Variable(("claim",), self.claim, "", "claim of the paper")})
 
     def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each claim."""

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
+from ._docstrings import document
 from ._errors import Interrupted
 from ._fields import About, Variable, dataset_fields
 from ._format import html_table
@@ -20,7 +21,7 @@ from ._optional import require
 
 if TYPE_CHECKING:
     from pandas import DataFrame
-    from xarray import Dataset
+    from xarray import Dataset, DataTree
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -35,6 +36,10 @@ ResultT = TypeVar("ResultT")
 
 class Data:
     """Plain data that is compared by value, arrays included; its arrays are read-only."""
+
+    def __init_subclass__(cls) -> None:
+        # A result comes from a call, not from the package, which documents the names that are used.
+        document(cls)
 
     def __post_init__(self) -> None:
         self._freeze()
@@ -153,16 +158,33 @@ class Result(Data):
                 # A copy, which can be changed: the arrays of a result are read-only.
                 values: Any = np.array(variable.values)
                 attrs = {"units": variable.units, "long_name": variable.long_name}
-                if np.iscomplexobj(values):
-                    entries[f"{name}_re"] = (variable.dims, values.real, {**attrs, "long_name": f"{variable.long_name}, real part"})
-                    entries[f"{name}_im"] = (variable.dims, values.imag, {**attrs, "long_name": f"{variable.long_name}, imaginary part"})
-                else:
-                    entries[name] = (variable.dims, values.astype(object) if values.dtype.kind == "U" else values, attrs)
+                entries[name] = (variable.dims, values.astype(object) if values.dtype.kind == "U" else values, attrs)
             return entries
 
         attrs = {"manifest": json.dumps(self.manifest, sort_keys=True), "created_by": "jounce", "version": self.manifest["version"]}
         dataset: Dataset = xarray.Dataset(with_attrs(variables), with_attrs(coords), attrs)
         return dataset
+
+    def to_datatree(self) -> DataTree:
+        """Returns an ``xarray.DataTree``: the dataset of :meth:`to_xarray`, and a node for each part of the result.
+
+        Parts are the record of a run, branches, curves, pulses, and the recordings of a file.
+        """
+        nodes = {"/": self._root(), **self._parts()}
+        tree: DataTree = require("xarray", "xarray").DataTree.from_dict(nodes)
+        return tree
+
+    def to_xarray(self) -> Dataset:
+        """Returns an ``xarray.Dataset``."""
+        raise NotImplementedError
+
+    def _root(self) -> Dataset:
+        """Returns the dataset at the root of the tree."""
+        return self.to_xarray()
+
+    def _parts(self) -> dict[str, Dataset]:
+        """Returns the datasets below the root of the tree, by path."""
+        return {}
 
     def _frame(self, columns: Mapping[str, Any], units: Mapping[str, str] | None = None) -> DataFrame:
         """Returns a pandas.DataFrame with the manifest in its attributes, and the units of its columns where given."""

@@ -11,18 +11,17 @@ from typing import TYPE_CHECKING, Any, cast
 
 from . import _core
 from ._arguments import check_integers, names, options, to_si
-from ._design import DesignResult, make_design, problem_text
 from ._errors import ArgumentError
-from ._fit import FitResult, make_fit
-from ._inputs import Measured, recording
 from ._progress import Progress, progress_callback
 from ._quantity import toml
-from ._recording import Recording
-from ._result import make_manifest, result_or_raise
-from ._sensitivity import SensitivityResult, make_sensitivity
 from ._spec_text import SpecText
 
 if TYPE_CHECKING:
+    from ._design import DesignResult
+    from ._fit import FitResult
+    from ._inputs import Measured
+    from ._recording import Recording
+    from ._sensitivity import SensitivityResult
     from ._spec import Spec
 
 
@@ -70,6 +69,10 @@ class SpecOnRig(SpecText):
         ----------
         D. Gillespie, Phys. Rev. E 54 (1996) 2084, equation 1.9 (fluctuation of the drive).
         """
+        from ._inputs import recording
+        from ._recording import Recording
+        from ._result import make_manifest, result_or_raise
+
         check_integers(bits=bits, seed=seed, hits=hits, starts=starts, starts_seed=starts_seed)
         quantities = {
             "rate_hz": ("frequency", rate),
@@ -103,6 +106,9 @@ class SpecOnRig(SpecText):
         Hz"}]}`` frees a key with a relative standard deviation of 1 % and fits the first mode to 9.01 Hz with one of 0.2 %. ``progress``
         reports the number of computed models; their total is not known and reported as 0.
         """
+        from ._fit import make_fit
+        from ._result import make_manifest, result_or_raise
+
         if isinstance(to, Mapping):
             source, source_name = {"text": features(to)}, "features"
         elif isinstance(to, (str, PathLike)):
@@ -131,6 +137,9 @@ class SpecOnRig(SpecText):
 
         Raises :class:`ArgumentError` for an unknown orbit, :class:`SpecError` for an unknown key.
         """
+        from ._result import make_manifest, result_or_raise
+        from ._sensitivity import make_sensitivity
+
         check_integers(starts=starts, seed=seed, threads=threads)
         given = {"key": names(key), "at": at, "starts": starts, "seed": seed}
         with progress_callback(progress) as callback:
@@ -155,6 +164,9 @@ class SpecOnRig(SpecText):
 
         Raises :class:`SpecError` with all faults of the problem, :class:`DesignError` where no design can be evaluated.
         """
+        from ._design import make_design, problem_text
+        from ._result import make_manifest, result_or_raise
+
         check_integers(seed=seed, evaluations=evaluations, threads=threads)
         text, name = problem_text(problem)
         given = {"seed": seed, "evaluations": evaluations, "threads": threads}

@@ -176,6 +176,9 @@ class RunResult(Result):
         }
         return self._dataset({**self._variables(), **settling}, coords)
 
+    def _parts(self) -> dict[str, Dataset]:
+        return {} if self.history is None else {"history": self.history.to_xarray()}
+
     def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with one row."""
         flat = {key: [value] for key, value in self.to_dict().items() if isinstance(value, (bool, int, float))}

@@ -8,11 +8,9 @@ import io
 import json
 import math
 import os
-import tempfile
-import zipfile
 from os import PathLike, fspath
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -20,12 +18,18 @@ from ._errors import FileError, JounceError
 from ._result import Result
 from ._spec_text import SpecText, _rebuild
 
+if TYPE_CHECKING:
+    from zipfile import ZipFile
+
 #: Name of the structure in the archive, and its version: that of the format, not of jounce.
 _STRUCTURE, _FORMAT = "result.json", 1
 
 
 def save(result: Result, path: str | PathLike[str]) -> None:
     """Writes a result completely or not at all."""
+    import tempfile
+    import zipfile
+
     arrays: list[np.ndarray[Any, Any]] = []
     structure = {"format": _FORMAT, "result": _encoded(result, arrays)}
     target = Path(path)
@@ -67,6 +71,8 @@ def load(path: str | PathLike[str]) -> Any:
     >>> jounce.load("modes.jounce") == modes
     True
     """
+    import zipfile
+
     try:
         with zipfile.ZipFile(path) as archive:
             structure = json.loads(archive.read(_STRUCTURE))
@@ -95,6 +101,8 @@ def _encoded(value: Any, arrays: list[np.ndarray[Any, Any]]) -> Any:
         return value
     if isinstance(value, complex):
         return {"complex": [_encoded(value.real, arrays), _encoded(value.imag, arrays)]}
+    if isinstance(value, Path):
+        return {"path": str(value)}
     if isinstance(value, dict):
         return {"dict": [[_encoded(key, arrays), _encoded(one, arrays)] for key, one in value.items()]}
     if isinstance(value, SpecText):
@@ -108,7 +116,7 @@ def _encoded(value: Any, arrays: list[np.ndarray[Any, Any]]) -> Any:
     raise TypeError(f"a result holds a {type(value).__name__}, which has no form in a file")
 
 
-def _decoded(value: Any, archive: zipfile.ZipFile) -> Any:
+def _decoded(value: Any, archive: ZipFile) -> Any:
     """Returns the value of its JSON."""
     if isinstance(value, list):
         return [_decoded(one, archive) for one in value]
@@ -119,6 +127,8 @@ def _decoded(value: Any, archive: zipfile.ZipFile) -> Any:
             return np.load(io.BytesIO(archive.read(f"{int(number)}.npy")), allow_pickle=False)
         case {"float": text}:
             return float(text)
+        case {"path": text}:
+            return Path(text)
         case {"complex": [real, imaginary]}:
             return complex(_decoded(real, archive), _decoded(imaginary, archive))
         case {"dict": pairs}:

@@ -43,7 +43,7 @@ class Spectrum(Result):
     def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` over ``frequency``."""
         amplitude = Variable(("frequency",), self.amplitude_peak, self.unit, f"{self.name}, amplitude zero to peak")
-        return self._dataset({"amplitude": amplitude}, {"frequency": Variable(("frequency",), self.frequency_hz, "Hz", "frequency")})
+        return self._dataset({"amplitude_peak": amplitude}, {"frequency": Variable(("frequency",), self.frequency_hz, "Hz", "frequency")})
 
     def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each line."""

@@ -3,25 +3,28 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any, Literal
+from os import PathLike
+from typing import TYPE_CHECKING, Any, Literal
 
 from . import _core
 from ._arguments import check_integers, frequencies, names, optional_hz, options, to_si
-from ._basins import BasinsResult
-from ._bifurcations import BifurcationsResult
-from ._branch import BranchResult
-from ._diagram import DiagramResult
-from ._ensemble import EnsembleResult
 from ._errors import ArgumentError, warn_not_settled
-from ._frf import FrfResult
-from ._modes import ModesResult
-from ._noise import NoiseResult
 from ._progress import Progress, progress_callback
 from ._ranges import sides, span, values
 from ._rig import SpecOnRig
-from ._run import RunResult
-from ._state import State
-from ._sweep import SweepResult
+
+if TYPE_CHECKING:
+    from ._basins import BasinsResult
+    from ._bifurcations import BifurcationsResult
+    from ._branch import BranchResult
+    from ._diagram import DiagramResult
+    from ._ensemble import EnsembleResult
+    from ._frf import FrfResult
+    from ._modes import ModesResult
+    from ._noise import NoiseResult
+    from ._run import RunResult
+    from ._state import State
+    from ._sweep import SweepResult
 
 
 class Spec(SpecOnRig):
@@ -41,6 +44,8 @@ class Spec(SpecOnRig):
 
     def modes(self, hold: str | Sequence[str] = (), *, fixed_table: bool = False) -> ModesResult:
         """Computes natural frequencies, damping ratios, couplings and shapes without contact."""
+        from . import ModesResult
+
         given = options(hold=names(hold), fixed_table=fixed_table)
         return ModesResult._from_core(_core.modes(self._spec, given))
 
@@ -59,6 +64,8 @@ class Spec(SpecOnRig):
         open_circuit: bool = False,
     ) -> FrfResult:
         """Computes frequency responses without contact, per newton on ``input``, or per m/s^2 of the ``base``."""
+        from . import FrfResult
+
         check_integers(points=points)
         given = options(
             frequency_hz=frequencies(frequency, unit),
@@ -75,6 +82,8 @@ class Spec(SpecOnRig):
 
     def noise(self, *, low: Any = None, high: Any = None, points: int = 1000) -> NoiseResult:
         """Computes the exact response to the noises of the spec without contact: means, mean squares, bandwidths, gap crossing rates."""
+        from . import NoiseResult
+
         check_integers(points=points)
         given = options(low_hz=optional_hz(low, "low"), high_hz=optional_hz(high, "high"), points=points)
         return NoiseResult._from_core_call(_core.noise(self._spec, given))
@@ -97,6 +106,8 @@ class Spec(SpecOnRig):
         NotSettled
             The run has not reached steady state.
         """
+        from . import RunResult, State
+
         given = options(
             tolerance=tolerance,
             record_s=0.0 if record is None else to_si("time", record, "record"),
@@ -131,6 +142,8 @@ class Spec(SpecOnRig):
         NotSettled
             Some points have not reached steady state.
         """
+        from . import SweepResult
+
         check_integers(threads=threads)
         over = f"{key}={values(range, unit, key)}"
         given = options(over=over, direction=direction, fixed_duration=fixed_duration, tolerance=tolerance, threads=threads)
@@ -162,6 +175,8 @@ class Spec(SpecOnRig):
         Branches that none of the ``seeds`` converges to, and branches of a period above ``longest_period`` cycles, are not found; larger
         values of both find more. ``not_followed`` of a branch counts those beyond the ``budget``.
         """
+        from . import BranchResult
+
         check_integers(harmonics=harmonics, seeds=seeds, longest_period=longest_period, budget=budget, threads=threads)
         given = options(
             over=f"{key}={span(range, unit, key)}",
@@ -200,6 +215,8 @@ class Spec(SpecOnRig):
         The search misses curves that pass neither an edge of the two ranges nor the value of ``key_2`` in the spec. It also misses curves
         of branches that none of the ``seeds`` converges to, and of periods above ``longest_period`` cycles.
         """
+        from . import BifurcationsResult
+
         check_integers(seeds=seeds, longest_period=longest_period, threads=threads)
         given = options(
             over=f"{key}={span(range, unit, key)}",
@@ -232,6 +249,8 @@ class Spec(SpecOnRig):
 
         A start belongs to the orbit that its motion is proven to reach.
         """
+        from . import BasinsResult
+
         check_integers(starts=starts, seed=seed, longest_period=longest_period, max_cycles=max_cycles, threads=threads)
         given = options(
             starts=starts,
@@ -268,6 +287,8 @@ class Spec(SpecOnRig):
         ``"starts"`` integrates at each value from a cloud of starts and matches the attractors between values. The other directions start
         from the state of the value before and have no cloud.
         """
+        from . import DiagramResult
+
         check_integers(starts=starts, seed=seed, cycles=cycles, longest_period=longest_period, threads=threads)
         given = options(
             over=f"{key}={values(range, unit, key)}",
@@ -296,7 +317,14 @@ class Spec(SpecOnRig):
         progress: bool | Progress | None = None,
     ) -> EnsembleResult:
         """Integrates realisations of the noise and estimates means with 95 % intervals."""
+        from . import EnsembleResult
+
         check_integers(members=members, seed=seed, threads=threads)
         given = options(members=members, seed=seed, relative_width=relative_width, spectrum=spectrum, tolerance=tolerance, threads=threads)
         with progress_callback(progress) as callback:
             return EnsembleResult._from_core_call(_core.ensemble(self._spec, given, callback))
+
+
+def read(path: str | PathLike[str]) -> Spec:
+    """Reads the spec of a harvester from a TOML file."""
+    return Spec.read(path)

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import tomllib
+import json
 from collections.abc import Iterator, Mapping, Sequence
-from difflib import get_close_matches
 from os import PathLike, fspath
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self, Unpack
 
 from . import _core
@@ -13,6 +13,7 @@ from ._arguments import names, spec_from_tables
 from ._errors import ArgumentError, SpecError, UnknownKeyError
 from ._format import html_table
 from ._issue import Issue, parse_issues
+from ._named import nearest_name
 from ._quantity import settings
 from ._spec_table import MISSING, SpecTable, SpecTables, dotted
 
@@ -52,8 +53,19 @@ class SpecText(SpecTables):
         return cls._from_core(_core.Spec.read(fspath(path)))
 
     def write(self, path: str | PathLike[str]) -> None:
-        """Writes the text to a file, with comments and layout; the file is written completely or not at all."""
-        self._spec.write(fspath(path))
+        """Writes the text to a file, with comments and layout; the file is written completely or not at all.
+
+        Samples that were given as the ``recording`` of a :class:`Drive` are copied next to it, and the text names the copies.
+        """
+        from ._recorded_drive import copy_beside
+
+        text = self._spec.text
+        for file, name in copy_beside(Path(path), self.to_dict()).items():
+            text = text.replace(json.dumps(file, ensure_ascii=False), json.dumps(name))
+        if text == self._spec.text:
+            self._spec.write(fspath(path))
+        else:
+            _core.Spec(text, fspath(Path(path).parent)).write(fspath(path))
 
     def to_toml(self, canonical: bool = False) -> str:
         """Returns the text with comments and layout; or in canonical form: every key that applies, with its default."""
@@ -66,6 +78,8 @@ class SpecText(SpecTables):
 
     def to_dict(self, canonical: bool = False) -> dict[str, Any]:
         """Returns the tables; ``Spec(spec.to_dict()) == spec``."""
+        import tomllib
+
         return tomllib.loads(self.to_toml(canonical))
 
     def set(self, key: str | Mapping[str, Any], value: Any = MISSING, /) -> None:
@@ -134,7 +148,7 @@ class SpecText(SpecTables):
         return None
 
     def _unknown(self, key: str) -> UnknownKeyError:
-        nearest = next(iter(get_close_matches(key, list(dotted(self.to_dict(canonical=True))), 1)), None)
+        nearest = nearest_name(key, list(dotted(self.to_dict(canonical=True))))
         hint = f"did you mean {nearest}?" if nearest else "spec.to_dict(canonical=True) contains all keys"
         return UnknownKeyError(f"{key}: this spec has no such key; {hint}", {"wanted": key, "nearest": nearest})
 

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import concurrent.futures
 import json
 import math
 import time
-import tomllib
 import warnings
 from collections.abc import Mapping, Sequence
 from os import PathLike, fspath
 from pathlib import Path
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 from . import _core
 from ._arguments import check_integers, options
@@ -22,6 +20,9 @@ from ._quantity import plain, toml
 from ._ranges import values as range_text
 from ._spec import Spec
 from ._study_result import StudyResult, StudyStatus
+
+if TYPE_CHECKING:
+    from concurrent.futures import Executor
 
 #: Target duration of a task for an executor, s: long relative to its overhead.
 TASK_S = 1.0
@@ -79,6 +80,8 @@ class Study:
     @classmethod
     def read(cls, path: str | PathLike[str]) -> Study:
         """Reads the file of a study, as used by ``jounce study run``; the path of its spec is relative to its folder."""
+        import tomllib
+
         file = Path(path)
         try:
             tables = tomllib.loads(file.read_text(encoding="utf-8"))
@@ -141,7 +144,7 @@ class Study:
         self,
         out: str | PathLike[str],
         *,
-        executor: concurrent.futures.Executor | None = None,
+        executor: Executor | None = None,
         shard: str = "1/1",
         threads: int | None = None,
         progress: bool | Progress | None = None,
@@ -172,11 +175,13 @@ class Study:
             warnings.warn(warning, PointsWithoutResult, stacklevel=2)
         return StudyResult(Path(folder), wall_time_s)
 
-    def _run_on_executor(self, folder: str, executor: concurrent.futures.Executor, given: str, callback: Progress | None) -> float:
+    def _run_on_executor(self, folder: str, executor: Executor, given: str, callback: Progress | None) -> float:
         """Submits parts to an executor, a few at a time so that a study larger than memory works, and writes the results.
 
         Returns the integration time of the workers, s.
         """
+        from concurrent.futures import FIRST_COMPLETED, wait
+
         pending = self._study.missing(folder, given)
         total = sum(self._study.points_of(part) for part in pending)
         done_points, wall_time_s, part_time_s, start_time = 0, 0.0, None, time.monotonic()
@@ -189,7 +194,7 @@ class Study:
                 while pending and len(tasks) < max_tasks:
                     batch, pending = pending[:size], pending[size:]
                     tasks[executor.submit(_compute_parts, self, batch)] = batch
-                for task in concurrent.futures.wait(tasks, return_when=concurrent.futures.FIRST_COMPLETED).done:
+                for task in wait(tasks, return_when=FIRST_COMPLETED).done:
                     batch = tasks.pop(task)
                     elapsed_s, results = task.result()
                     part_time_s = elapsed_s / len(batch)

@@ -14,8 +14,9 @@ import numpy as np
 
 from . import _core
 from ._errors import ArgumentError, warn_not_settled
-from ._fields import About, Variable
+from ._fields import About, Along, Variable
 from ._format import counted, html_table
+from ._grid import on_grid
 from ._named import look_up
 from ._result import Result
 
@@ -51,8 +52,13 @@ class StudyStatus:
 class StudyResult:
     """Table of a study in a folder, ``jounce.StudyResult("out")``; it is read on access.
 
-    ``wall_time_s`` is the wall time of the integration of runs in the call that returned it, s, summed over all threads and workers; 0
-    where no part was missing.
+    Parameters
+    ----------
+    folder
+        Folder of the study.
+    wall_time_s
+        Wall time of the integration of runs in the call that returned it, s, summed over all threads and workers; 0 where no part was
+        missing.
     """
 
     def __init__(self, folder: str | PathLike[str], wall_time_s: float = 0.0) -> None:
@@ -88,7 +94,7 @@ class StudyResult:
         return self.table().to_pandas()
 
     def to_xarray(self) -> Dataset:
-        """Returns an ``xarray.Dataset`` over ``point``."""
+        """Returns an ``xarray.Dataset``, see :meth:`StudyTable.to_xarray`."""
         return self.table().to_xarray()
 
     def plot(self, ax: Any = None, *, quantity: str | None = None, **style: Any) -> Any:
@@ -140,13 +146,16 @@ class StudyTable(Result):
         return html_table(f"The first of {len(self)} points", columns, rows)
 
     def to_xarray(self) -> Dataset:
-        """Returns an ``xarray.Dataset`` over ``point``, the varied keys as further coordinates."""
-        variables = {
-            name: Variable(("point",), values, self.notes[name][0] or "1", self.notes[name][1] if name not in self.keys else name)
-            for name, values in self.columns.items()
-        }
-        coords = {name: variables.pop(name) for name in ["point", *self.keys]}
-        return self._dataset(variables, coords)
+        """Returns an ``xarray.Dataset`` over the varied keys; over ``point`` where the points are not all combinations of their values."""
+        variables, coords = {}, {}
+        for name, values in self.columns.items():
+            unit, about = self.notes[name]
+            if name in self.keys:
+                coords[name] = Variable(("point",), values, unit or "1", name)
+            else:
+                variables[Along("", unit, "").name(name)] = Variable(("point",), values, unit or "1", about)
+        grid_coords, variables = on_grid(coords, variables, complete=True)
+        return self._dataset(variables, grid_coords)
 
     def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each point."""

@@ -11,6 +11,7 @@ import numpy as np
 
 from ._fields import About, Along, Variable, dataset_fields
 from ._format import counted, html_table
+from ._grid import on_grid
 from ._result import Floats, Integers, Result, Truths
 
 if TYPE_CHECKING:
@@ -25,16 +26,16 @@ class SweepResult(Result):
 
     key: Annotated[str, About("key of the sweep")]
     unit: Annotated[str, About("SI unit of the key")]
-    parameter: Annotated[Floats, About("value of the key", "SI", axes="visit")]
+    parameter: Annotated[Floats, About("value of the key", "SI", axes="point")]
     direction: Annotated[list[str], About('direction of each point: ``"up"``, ``"down"`` or ``"independent"``')]
-    mean_power_w: Annotated[Floats, Along("visit", "W", "mean power of all loads")]
-    voltage_rms_v: Annotated[Floats, Along("visit", "V", "rms voltage of the first load, else of the output of the first rectifier")]
-    max_penetration_m: Annotated[Floats, Along("visit", "m", "largest penetration of the stop")]
-    contact_rate_hz: Annotated[Floats, Along("visit", "1/s", "contacts per second")]
-    settled: Annotated[Truths, Along("visit", "1", "settled when averaged")]
-    period_cycles: Annotated[Integers, Along("visit", "1", "period in drive cycles")]
-    energy_residual_relative: Annotated[Floats, Along("visit", "1", "energy residual of the run")]
-    simulated_time_s: Annotated[Floats, Along("visit", "s", "simulated time")]
+    mean_power_w: Annotated[Floats, Along("point", "W", "mean power of all loads")]
+    voltage_rms_v: Annotated[Floats, Along("point", "V", "rms voltage of the first load, else of the output of the first rectifier")]
+    max_penetration_m: Annotated[Floats, Along("point", "m", "largest penetration of the stop")]
+    contact_rate_hz: Annotated[Floats, Along("point", "1/s", "contacts per second")]
+    settled: Annotated[Truths, Along("point", "1", "settled when averaged")]
+    period_cycles: Annotated[Integers, Along("point", "1", "period in drive cycles")]
+    energy_residual_relative: Annotated[Floats, Along("point", "1", "energy residual of the run")]
+    simulated_time_s: Annotated[Floats, Along("point", "s", "simulated time")]
     warnings: Annotated[list[str], About("exceeded limits of patches at points")]
 
     @classmethod
@@ -70,17 +71,21 @@ class SweepResult(Result):
         )
 
     def to_xarray(self) -> Dataset:
-        """Returns an ``xarray.Dataset`` over ``visit``, with ``parameter`` and ``direction`` as further coordinates."""
+        """Returns an ``xarray.Dataset`` over ``direction`` and the key, ``dataset.sel(direction="up")``.
+
+        A point that was not computed is NaN. Where a direction has a value twice, the dataset is over ``point``.
+        """
         coords = {
-            "visit": Variable(("visit",), np.arange(len(self)), "1", "order of the points"),
-            "parameter": Variable(("visit",), self.parameter, self.unit, self.key),
-            "direction": Variable(("visit",), self.direction, "", "direction of the sweep"),
+            "direction": Variable(("point",), self.direction, "", "direction of the sweep"),
+            self.key: Variable(("point",), self.parameter, self.unit, self.key),
         }
-        return self._dataset(self._variables(), coords)
+        order = {"point": Variable(("point",), np.arange(len(self)), "1", "order of the points")}
+        grid_coords, variables = on_grid(coords, {**self._variables(), **order})
+        return self._dataset(variables, grid_coords)
 
     def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each point."""
-        return self._frame({"parameter": self.parameter, "direction": self.direction, **self._columns("visit")})
+        return self._frame({"parameter": self.parameter, "direction": self.direction, **self._columns("point")})
 
     def going(self, direction: str) -> Self:
         """Returns the points of one direction, by ascending value of the key."""
@@ -94,7 +99,7 @@ class SweepResult(Result):
         return dataclasses.replace(self, direction=[direction] * len(order), **arrays)
 
     def _pictures(self) -> dict[str, Callable[[Any], Any]]:
-        fields = (field for field, along in dataset_fields(type(self)).items() if along.axes == "visit")
+        fields = (field for field, along in dataset_fields(type(self)).items() if along.axes == "point")
         return {field: partial(self.plot_sweep, quantity=field) for field in fields}
 
     def plot_sweep(self, ax: Axes | None = None, label: str | None = None, *, quantity: str = "mean_power_w") -> Axes:

@@ -12,9 +12,6 @@
 # loggers' readers give it.
 
 # %%
-import tempfile
-from pathlib import Path
-
 import numpy as np
 
 import jounce
@@ -27,13 +24,11 @@ assert abs(spectrum.frequency_hz[spectrum.amplitude_peak.argmax()] - 9.0) < 0.1
 spectrum.plot_spectrum()
 
 # %% [markdown]
-# A drive reads it from a file.
+# It drives the base.
 
 # %%
-folder = Path(tempfile.mkdtemp())
-jounce.write_recording(folder / "floor.csv", recording)
 tables = jounce.examples()["impact-harvester-2019"].to_dict()
-tables["drive"] = {"floor": jounce.Drive(kind="base-acceleration", signal="recording", file=str(folder / "floor.csv"))}
+tables["drive"] = {"floor": jounce.Drive(kind="base-acceleration", recording=recording)}
 tables["run"] = {"duration": "10 s", "average_over": "8 s"}
 harvester = jounce.Spec(tables)
 

@@ -25,6 +25,8 @@ import numpy as np
 
 # A process that a shell has started in the background ignores the signal, and so would what it starts.
 signal.signal(signal.SIGINT, signal.default_int_handler)
+# All modules are loaded, so that the signal interrupts the call and not an import.
+names = [getattr(jounce, name) for name in jounce.__all__]
 harvester = jounce.read({spec!r})
 sent = []
 

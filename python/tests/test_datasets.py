@@ -1,5 +1,6 @@
 """Datasets and data frames: units, names, origin, and the way through files and back."""
 
+import dataclasses
 import json
 import re
 import zipfile
@@ -96,19 +97,54 @@ def write_zarr_without_warnings(dataset, path):
         dataset.to_zarr(path, consolidated=False)
 
 
-def test_complex_values_are_stored_as_two_parts(results):
-    dataset, frf = results["frf"].to_xarray(), results["frf"]
-    for name, values in frf.responses.items():
-        np.testing.assert_array_equal(dataset[f"{name}_re"] + 1j * dataset[f"{name}_im"], values)
-        assert dataset[f"{name}_re"].attrs["units"] == frf.units[name]
+def test_responses_are_complex_over_output_and_frequency(results):
+    for name in ("frf", "measured frf"):
+        dataset, frf = results[name].to_xarray(), results[name]
+        assert dataset.response.dims == dataset.phase.dims == ("output", "frequency") and dataset.response.dtype == complex
+        for output, values in frf.items():
+            selected = dataset.sel(output=output)
+            np.testing.assert_array_equal(selected.response, values)
+            np.testing.assert_allclose(np.abs(values) * np.exp(1j * np.radians(selected.phase)), values, atol=1e-12 * np.abs(values).max())
+            assert str(selected.unit.values) == frf.units[output]
+    assert dataset.response.attrs["units"] == "m/s^2/N" and dataset.coherence.dims == ("output", "frequency")
 
 
-def test_a_sweep_is_one_dataset(results):
-    dataset = results["sweep"].to_xarray()
-    assert dict(dataset.sizes) == {"visit": 6} and list(dataset.direction.values) == ["up"] * 3 + ["down"] * 3
-    assert dataset.parameter.attrs == {"units": "Hz", "long_name": FREQUENCY}
-    down = results["sweep"].going("down")
-    assert down.parameter.tolist() == [10.0, 11.0, 12.0]
+def test_a_sweep_is_an_array_over_direction_and_key(results):
+    dataset, sweep = results["sweep"].to_xarray(), results["sweep"]
+    assert dict(dataset.sizes) == {"direction": 2, FREQUENCY: 3} and list(dataset.direction.values) == ["up", "down"]
+    assert dataset[FREQUENCY].attrs == {"units": "Hz", "long_name": FREQUENCY} and dataset[FREQUENCY].values.tolist() == [10.0, 11.0, 12.0]
+    for direction in ("up", "down"):
+        np.testing.assert_array_equal(dataset.mean_power.sel(direction=direction), sweep.going(direction).mean_power_w)
+    # A sweep that was stopped on its way down has no numbers there; its table is the same without the last two points.
+    part = {field: getattr(sweep, field)[:4] for field in vars(sweep) if isinstance(getattr(sweep, field), np.ndarray)}
+    stopped = dataclasses.replace(sweep, direction=sweep.direction[:4], **part).to_xarray()
+    assert np.isnan(stopped.mean_power.values[1]).tolist() == [True, True, False] and stopped.settled.dtype == float
+    # A direction that has a value twice has no array over the key.
+    again = dataclasses.replace(sweep, direction=["up"] * 6).to_xarray()
+    assert again.mean_power.dims == ("point",) and again[FREQUENCY].dims == ("point",)
+
+
+def test_a_grid_of_starts_is_a_plane():
+    harvester = jounce.examples()["impact-harvester-2019"]
+    basins = harvester.basins(grid={"displacement": "-1.3 mm:1.7 mm:4x", "velocity": "-0.1 m/s:0.3 m/s:3x"}, max_cycles=1000)
+    dataset = basins.to_xarray()
+    assert dataset.attractor_index.dims == ("start_displacement", "start_velocity") and dataset.attractor_index.shape == (4, 3)
+    place = dataset.sel(start_displacement=basins.start_displacement_m[5], start_velocity=basins.start_velocity_m_s[5])
+    assert place.start == 5 and place.attractor_index == basins.attractor_index[5] and dataset.start_displacement.attrs["units"] == "m"
+
+
+def test_a_tree_holds_a_dataset_for_each_part(results):
+    import xarray
+
+    history = results["run"].to_datatree()["history"].to_dataset().drop_vars(["load", "rectified", "charge", "leak"])
+    xarray.testing.assert_identical(history, results["history"].to_xarray())
+    branches = results["branch"].to_datatree()
+    assert [node.sizes["point"] for node in branches.children.values()] == [len(one) for one in results["branch"]]
+    curve = results["bifurcations"].to_datatree()["curve_1"]
+    np.testing.assert_array_equal(curve["stop.tip.gap"], results["bifurcations"][1].parameter_2)
+    assert results["measured modes"].to_datatree()["frf/response"].dtype == complex
+    assert len(results["power"].to_datatree().children) == 2 and len(results["contact"].to_datatree().children) == 2
+    assert not results["modes"].to_datatree().children
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -50,6 +50,7 @@ def call_parameters(documented):
 @pytest.mark.parametrize("name", OBJECTS)
 def test_every_object_has_a_sentence_and_its_sections(name):
     documented = OBJECTS[name]
+    assert "\n\n\n" not in documented.__doc__
     first = (inspect.getdoc(documented) or "").split("\n\n")[0]
     assert re.match(r"[A-Z`]", first) and re.search(r"[.:]``?$|\.$", first), first
     if isinstance(documented, property):

@@ -199,3 +199,10 @@ def test_results_pickle_compare_and_print(short):
     assert run == short.run(record="0.5 s"), "the wall time does not count"
     assert run != short.changed({"stop.tip.gap": "2 mm"}).run(record="0.5 s") and run != modes
     assert sweep.manifest["options"]["command"] == "sweep" and sweep.manifest["spec_sha256"] == short.sha256
+
+
+def test_every_class_of_results_is_saved_and_becomes_a_tree(results, tmp_path):
+    for result in results:
+        result.save(tmp_path / "result.jounce")
+        assert jounce.load(tmp_path / "result.jounce") == result
+        assert json.loads(result.to_datatree().attrs["manifest"]) == result.manifest

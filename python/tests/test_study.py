@@ -43,7 +43,9 @@ def test_a_study_is_a_table(study, tmp_path):
     single.set({"stop.tip.gap": f"{gap!r} m", "drive.shaker.frequency": f"{frequency!r} Hz", "circuit.load.resistance": f"{load!r} ohm"})
     assert single.run().mean_power_w == study_table["mean_power_w"][13]
     frame, dataset = result.to_pandas(), result.to_xarray()
-    assert len(frame) == 32 and dataset.mean_power_w.attrs["units"] == "W" and dataset["stop.tip.gap"].attrs["units"] == "m"
+    assert len(frame) == 32 and dataset.mean_power.attrs["units"] == "W" and dataset["stop.tip.gap"].attrs["units"] == "m"
+    place = dict(zip(VARY, (gap, frequency, load)))
+    assert dataset.mean_power.dims == tuple(VARY) and dataset.mean_power.sel(place) == study_table["mean_power_w"][13]
     assert (
         result.status.finished == 8 and result.status.failed_points == 0 and study_table.manifest["options"]["study_sha256"] == study.sha256
     )
