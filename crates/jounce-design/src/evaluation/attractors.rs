@@ -1,6 +1,7 @@
 //! Attractors of a cloud of starts, and the peaks of quantities on them.
 
-use super::{Effort, InCondition, MainOrbit, SCREENING_STARTS};
+use super::nearest_fold::{farthest_hz, fold_distance_hz};
+use super::{Effort, InCondition, MainOrbit, PROBE_STARTS, SCREENING_STARTS};
 use crate::problem::{Goal, LimitedQuantity, Problem};
 use jounce_analysis::{
     AnalysisError, Attractor, Basins, BasinsResult, Cloud, InitialStates, KeyLine, Model,
@@ -40,6 +41,7 @@ pub(super) fn evaluate(
     };
     let result = study.run(&|| ())?;
     let main = main_attractor(problem, &result);
+    let orbit = main.and_then(|main| Some(main_orbit(main, main.orbit.as_ref()?)));
     let peaks = Peaks {
         line: &line,
         model,
@@ -48,6 +50,13 @@ pub(super) fn evaluate(
     let limit = |quantity| match quantity {
         LimitedQuantity::BasinFraction => main.map_or(0.0, |main| main.share.fraction),
         LimitedQuantity::Peak(quantity) => peaks.largest(&result, quantity),
+        LimitedQuantity::FoldDistance => match (effort, &orbit) {
+            // A branch costs more than the starts of a first evaluation, which does not judge it.
+            (Effort::Probe | Effort::Screening, _) => farthest_hz(model).unwrap_or(f64::NAN),
+            (Effort::Full, Some(orbit)) => fold_distance_hz(model, orbit),
+            (Effort::Full, None) => f64::NAN,
+        },
+        LimitedQuantity::Size(_) => f64::NAN,
     };
     let aperiodic = result.attractors.iter().filter(|one| one.orbit.is_none());
     let lost = result.lost.len() as f64 / starts as f64;
@@ -72,30 +81,23 @@ pub(super) fn evaluate(
         basin_fraction: main.map_or([0.0; 3], |main| {
             [main.share.fraction, main.share.low, main.share.high]
         }),
-        orbit: main.and_then(|main| Some(main_orbit(main, main.orbit.as_ref()?))),
+        orbit,
     })
 }
 
 /// Returns the number of starts and the options of their integration.
 fn settings(problem: &Problem, effort: Effort) -> (usize, Recognition) {
-    match effort {
-        Effort::Screening => (
-            SCREENING_STARTS.min(problem.starts),
-            Recognition {
-                max_cycles: SCREENING_CYCLES,
-                examines_chaos: false,
-                ..Recognition::at(SCREENING_TOLERANCE)
-            },
-        ),
-        Effort::Full => (
-            problem.starts,
-            Recognition {
-                max_cycles: MAX_CYCLES,
-                examines_chaos: false,
-                ..Recognition::at(TOLERANCE)
-            },
-        ),
-    }
+    let (starts, max_cycles, tolerance) = match effort {
+        Effort::Probe => (PROBE_STARTS, SCREENING_CYCLES, SCREENING_TOLERANCE),
+        Effort::Screening => (SCREENING_STARTS, SCREENING_CYCLES, SCREENING_TOLERANCE),
+        Effort::Full => (problem.starts, MAX_CYCLES, TOLERANCE),
+    };
+    let recognition = Recognition {
+        max_cycles,
+        examines_chaos: false,
+        ..Recognition::at(tolerance)
+    };
+    (starts.min(problem.starts), recognition)
 }
 
 /// Returns the expected power, W. A start without a proved attractor has no power: its motion may be
