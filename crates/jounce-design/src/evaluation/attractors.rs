@@ -30,18 +30,9 @@ pub(super) fn evaluate(
 ) -> Result<InCondition, AnalysisError> {
     let (starts, recognition) = settings(problem, effort);
     let line = KeyLine::at(model);
-    let study = Basins {
-        base: model,
-        starts: InitialStates::Cloud(Cloud {
-            starts,
-            seed: problem.seed,
-            spread: SPREAD,
-        }),
-        recognition,
-    };
-    let result = study.run(&|| ())?;
+    let result = reached(problem, model, (starts, recognition))?;
     let main = main_attractor(problem, &result);
-    let orbit = main.and_then(|main| Some(main_orbit(main, main.orbit.as_ref()?)));
+    let orbits = reached_orbits(&result, main);
     let peaks = Peaks {
         line: &line,
         model,
@@ -50,7 +41,7 @@ pub(super) fn evaluate(
     let limit = |quantity| match quantity {
         LimitedQuantity::BasinFraction => main.map_or(0.0, |main| main.share.fraction),
         LimitedQuantity::Peak(quantity) => peaks.largest(&result, quantity),
-        LimitedQuantity::FoldDistance => match (effort, &orbit) {
+        LimitedQuantity::FoldDistance => match (effort, orbits.first()) {
             // A branch costs more than the starts of a first evaluation, which does not judge it.
             (Effort::Probe | Effort::Screening, _) => farthest_hz(model).unwrap_or(f64::NAN),
             (Effort::Full, Some(orbit)) => fold_distance_hz(model, orbit),
@@ -81,8 +72,26 @@ pub(super) fn evaluate(
         basin_fraction: main.map_or([0.0; 3], |main| {
             [main.share.fraction, main.share.low, main.share.high]
         }),
-        orbit,
+        orbits,
     })
+}
+
+/// Integrates the starts.
+fn reached(
+    problem: &Problem,
+    model: &Model,
+    (starts, recognition): (usize, Recognition),
+) -> Result<BasinsResult, AnalysisError> {
+    let study = Basins {
+        base: model,
+        starts: InitialStates::Cloud(Cloud {
+            starts,
+            seed: problem.seed,
+            spread: SPREAD,
+        }),
+        recognition,
+    };
+    study.run(&|| ())
 }
 
 /// Returns the number of starts and the options of their integration.
@@ -124,6 +133,15 @@ fn main_attractor<'r>(problem: &Problem, result: &'r BasinsResult) -> Option<&'r
         .iter()
         .filter(|one| one.orbit.is_some())
         .max_by(|a, b| contribution(a).total_cmp(&contribution(b)))
+}
+
+/// Returns the orbits that the starts reach, the main one first.
+fn reached_orbits(result: &BasinsResult, main: Option<&Attractor>) -> Vec<MainOrbit> {
+    let is_other = |one: &&Attractor| main.is_none_or(|main| main.id != one.id);
+    let others = result.attractors.iter().filter(is_other);
+    let all = main.into_iter().chain(others);
+    all.filter_map(|one| Some(main_orbit(one, one.orbit.as_ref()?)))
+        .collect()
 }
 
 fn main_orbit(attractor: &Attractor, orbit: &Orbit) -> MainOrbit {

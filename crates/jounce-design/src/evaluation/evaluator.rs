@@ -131,7 +131,7 @@ impl<'p> Evaluator<'p> {
                 unknown_share: 0.0,
                 expected_power_w: [0.0; 3],
                 basin_fraction: [0.0; 3],
-                orbit: None,
+                orbits: Vec::new(),
             },
         };
         for (index, size) in self.problem.sizes() {
@@ -139,7 +139,11 @@ impl<'p> Evaluator<'p> {
         }
         for (goal, value) in goals.iter().zip(&mut found.goals) {
             match goal {
-                Goal::Bandwidth => *value = bandwidth::half_power_hz(model)?,
+                Goal::Bandwidth => {
+                    let has_starts = goals.iter().any(|goal| goal.needs_starts());
+                    let known = has_starts.then_some(&found.orbits[..]);
+                    *value = bandwidth::half_power_hz(model, known)?;
+                }
                 Goal::MeanPower => {
                     let limits = &mut found.limits;
                     *value = mean_power::evaluate(self.problem, model, limits)?;
@@ -187,7 +191,7 @@ impl<'p> Evaluator<'p> {
             unknown_share: unknown,
             expected_power_w: [0, 1, 2].map(|end| mean(&|one| one.expected_power_w[end])),
             basin_fraction: least.map_or([0.0; 3], |one| one.basin_fraction),
-            orbit: all.first().and_then(|one| one.orbit.clone()),
+            orbit: all.first().and_then(|one| one.orbits.first().cloned()),
             failure: None,
         }
     }

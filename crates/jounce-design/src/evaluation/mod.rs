@@ -99,7 +99,8 @@ struct InCondition {
     unknown_share: f64,
     expected_power_w: [f64; 3],
     basin_fraction: [f64; 3],
-    orbit: Option<MainOrbit>,
+    /// Orbits that the starts reach, the main one first.
+    orbits: Vec<MainOrbit>,
 }
 
 /// Returns the smaller of two numbers; NaN if one is NaN.

@@ -15,7 +15,7 @@ const TOLERANCE: f64 = 1e-8;
 const RESOLUTION: f64 = 1e-6;
 
 /// Returns the key of the frequency of the first drive that has one, and its value, Hz.
-fn drive_frequency(model: &Model) -> Option<(String, f64)> {
+pub(super) fn drive_frequency(model: &Model) -> Option<(String, f64)> {
     let mut drives = model.spec.drive.iter();
     let (name, frequency_hz) =
         drives.find_map(|(name, drive)| Some((name, drive.frequency_hz()?)))?;

@@ -99,7 +99,7 @@ pub fn design(
     };
     let found = match problem.goals.len() {
         1 if problem.follows_orbit() => multistart::search(&evaluator, &budget)?,
-        1 => rounds::search(&evaluator, &budget)?,
+        1 => rounds::search(&evaluator, &budget, Found::nothing())?,
         _ => front_search::search(&evaluator, &budget)?,
     };
     let Some(best) = found.best else {

@@ -3,12 +3,14 @@
 //! At each place a few starts lead to an orbit, which is refined. From the largest refined power on,
 //! more starts are integrated, and all of them where the result may be the best design so far. The
 //! search ends when several refinements have led to as much power as the best design has: if as many
-//! starts as those of this optimum lead to a better one, it is unlikely that none has been seen.
+//! starts as those of this optimum lead to a better one, it is unlikely that none has been seen. Where
+//! the expected power of the best design is far below the power of its orbit, a differential
+//! evolution of the expected power follows.
 //!
 //! Source of the method: A. H. G. Rinnooy Kan, G. T. Timmer, Math. Program. 39 (1987) 27, multistart.
 
 use super::refine::{Refined, refine};
-use super::rounds::{keep, next_round, screened};
+use super::rounds::{self, given, keep, next_round, screened};
 use super::sampling::Places;
 use super::{Budget, Candidate, Found, GAIN};
 use crate::evaluation::{Effort, Evaluator, SCREENING_STARTS};
@@ -26,6 +28,10 @@ const LAST_ROUNDS: usize = 2;
 
 /// Optima of a round that are evaluated with all starts.
 const MAX_EVALUATED: usize = 4;
+
+/// Expected power of the best design, relative to the power of its main orbit, below which an
+/// evolution of the expected power goes on.
+const MEASURE: f64 = 0.9;
 
 /// Relative difference of power below which two optima are the same.
 const SAME_POWER: f64 = 1e-2;
@@ -54,9 +60,24 @@ pub fn search(evaluator: &Evaluator<'_>, budget: &Budget<'_>) -> Result<Found, D
             .filter(|(start, _)| start.evaluation.orbit.is_some());
         powers.extend(of_orbits.map(|(_, refined)| value(refined)));
         evaluated(evaluator, &pairs, &mut found)?;
+        if let (0, Some(place)) = (rounds, given(evaluator)) {
+            keep(evaluator, place, &mut found)?;
+        }
         rounds += 1;
     }
-    Ok(found)
+    match measures_goal(evaluator.problem, found.best.as_ref()) {
+        true => Ok(found),
+        false => rounds::search(evaluator, budget, found),
+    }
+}
+
+/// True where the power of the main orbit is nearly the goal: it is not where other attractors have
+/// a large share of the starts.
+fn measures_goal(problem: &Problem, best: Option<&Candidate>) -> bool {
+    let evaluation = best.map(|best| &best.evaluation);
+    let pair = evaluation.and_then(|one| Some((one.goals[0], one.orbit.as_ref()?.mean_power_w)));
+    problem.goals[0] != Goal::ExpectedPower
+        || pair.is_none_or(|(goal_w, orbit_w)| goal_w >= MEASURE * orbit_w)
 }
 
 /// Returns the power of a refined design or, beyond its limits, the negative of the violation.

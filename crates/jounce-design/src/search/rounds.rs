@@ -13,11 +13,14 @@ use rayon::prelude::*;
 /// Rounds without a better design after which the search ends.
 const LAST_ROUNDS: usize = 2;
 
-/// Searches for the best design.
-pub fn search(evaluator: &Evaluator<'_>, budget: &Budget<'_>) -> Result<Found, DesignError> {
+/// Searches for a better design than what has been found.
+pub fn search(
+    evaluator: &Evaluator<'_>,
+    budget: &Budget<'_>,
+    mut found: Found,
+) -> Result<Found, DesignError> {
     let mut places = Places::new(evaluator.problem.free.len(), evaluator.problem.seed);
-    let mut found = Found::nothing();
-    let (mut without_gain, mut population) = (0, Vec::new());
+    let (mut without_gain, mut population) = (0, found.full.clone());
     while without_gain < LAST_ROUNDS {
         if let Some(end) = budget.end(evaluator.count()) {
             found.end = end;
@@ -49,7 +52,7 @@ pub fn next_round(evaluator: &Evaluator<'_>, places: &mut Places, is_first: bool
 }
 
 /// Returns the place of the spec as given, if it is within all ranges.
-fn given(evaluator: &Evaluator<'_>) -> Option<Vec<f64>> {
+pub fn given(evaluator: &Evaluator<'_>) -> Option<Vec<f64>> {
     let problem = evaluator.problem;
     let places = problem.free.iter().map(|free| free.place(&problem.spec));
     places.collect()

@@ -56,13 +56,13 @@ fn a_run_under_noise_keeps_a_limit_of_the_voltage() {
             "signal = \"noise\"\npsd = \"0.1 N^2/Hz\"\nlow = \"5 Hz\"",
         )
         .replace("frequency = \"9.7 Hz\"", "high = \"20 Hz\"")
-        .replace("duration = \"1 s\"", "duration = \"40 s\"")
-        .replace("average_over = \"1 s\"", "average_over = \"30 s\"");
+        .replace("duration = \"1 s\"", "duration = \"8 s\"")
+        .replace("average_over = \"1 s\"", "average_over = \"6 s\"");
     let design = |limits: &str| {
         outcome_of(
             &spec,
             &format!(
-                "evaluations = 150\n[free]\n\"circuit.load.resistance\" = \"10kohm:1Mohm:log\"\n\
+                "evaluations = 80\n[free]\n\"circuit.load.resistance\" = \"10kohm:1Mohm:log\"\n\
                  [goal]\nmaximise = \"mean-power\"\n{limits}"
             ),
         )
