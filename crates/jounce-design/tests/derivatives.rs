@@ -106,8 +106,8 @@ fn power_w(model: &Model, cycles: u32, physical: &[f64]) -> Option<(f64, Vec<f64
     Some((orbit.mean_power_w, shooting.physical(orbit.start())))
 }
 
-/// Returns `d ln P / d ln key` by differences of orbits at two steps, extrapolated, and their
-/// difference; `None` where an orbit is lost or the spec ends.
+/// Returns `d ln P / d ln key` by differences of orbits at three steps, extrapolated, and the change
+/// by the last extrapolation; `None` where an orbit is lost or the spec ends.
 fn difference(case: &Case, path: &str) -> Option<(f64, f64)> {
     let key = NumericKey::find(&case.model.spec, path).ok()?;
     let value = key.get(&case.model.spec).ok()?;
@@ -122,8 +122,9 @@ fn difference(case: &Case, path: &str) -> Option<(f64, f64)> {
         Some(power_w(&model, cycles, &physical)?.0)
     };
     let slope = |step: f64| Some((at(step)? - at(-step)?) / (2.0 * step * here_w));
-    let (whole, half) = (slope(2e-4)?, slope(1e-4)?);
-    Some((half + (half - whole) / 3.0, (half - whole).abs() / 3.0))
+    let (double, whole, half) = (slope(4e-4)?, slope(2e-4)?, slope(1e-4)?);
+    let [coarse, fine] = [(whole, double), (half, whole)].map(|(h, w)| h + (h - w) / 3.0);
+    Some((fine + (fine - coarse) / 15.0, (fine - coarse).abs()))
 }
 
 /// Compares the derivatives at some orbits; returns the number of compared ones and the largest
@@ -162,7 +163,7 @@ fn compared(cases: &[Case], paths: &[&str]) -> (usize, f64) {
                 case.orbit.is_stable(),
             );
             // A difference that is itself no better says nothing.
-            (error / size < 1e-8).then_some((line, deviation))
+            (error / size < 3e-8).then_some((line, deviation))
         })
         .collect()
     };
@@ -182,7 +183,16 @@ fn compared(cases: &[Case], paths: &[&str]) -> (usize, f64) {
 #[test]
 fn derivatives_are_those_of_followed_orbits() {
     let cases = cases((11.5, 12.5), 3);
-    let (count, worst) = compared(&cases, &[KEYS[0], KEYS[2], KEYS[5], KEYS[12]]);
+    // The patch is as wide as its beam: its derivative is one-sided, and there is no difference.
+    let (count, worst) = compared(
+        &cases,
+        &[
+            "stop.tip.gap",
+            "circuit.load.resistance",
+            "patch.mfc.d31",
+            "patch.mfc.width",
+        ],
+    );
     assert!(count >= 6 && worst < 1e-7, "{count} {worst}");
 }
 
@@ -192,5 +202,5 @@ fn derivatives_by_20_keys_at_60_orbits() {
     let cases = cases((11.0, 14.0), 60);
     assert!(cases.iter().any(|case| !case.orbit.is_stable()));
     let (count, worst) = compared(&cases, &KEYS);
-    assert!(count >= 900 && worst < 1e-7, "{count} {worst}");
+    assert!(count >= 600 && worst < 1e-7, "{count} {worst}");
 }

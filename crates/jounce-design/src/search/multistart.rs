@@ -9,7 +9,7 @@
 //!
 //! Source of the method: A. H. G. Rinnooy Kan, G. T. Timmer, Math. Program. 39 (1987) 27, multistart.
 
-use super::refine::{Refined, refine};
+use super::refine::{MAX_FOLLOWED, Refined, refine};
 use super::rounds::{self, given, keep, next_round, screened};
 use super::sampling::Places;
 use super::{Budget, Candidate, Found, GAIN};
@@ -55,10 +55,8 @@ pub fn search(evaluator: &Evaluator<'_>, budget: &Budget<'_>) -> Result<Found, D
         let round = next_round(evaluator, &mut places, found.full.is_empty());
         let few = screened(evaluator, round, Effort::Probe)?;
         let pairs = refined(evaluator, few);
-        let of_orbits = pairs
-            .iter()
-            .filter(|(start, _)| start.evaluation.orbit.is_some());
-        powers.extend(of_orbits.map(|(_, refined)| value(refined)));
+        let searches = pairs.iter().filter(|(_, refined)| refined.designs > 0);
+        powers.extend(searches.map(|(_, refined)| value(refined)));
         evaluated(evaluator, &pairs, &mut found)?;
         if let (0, Some(place)) = (rounds, given(evaluator)) {
             keep(evaluator, place, &mut found)?;
@@ -101,13 +99,27 @@ fn is_enough(values: &[f64], best: Option<&Candidate>, rounds: usize) -> bool {
     reached >= ENOUGH || (values.is_empty() && rounds >= LAST_ROUNDS)
 }
 
-/// Refines designs, and orders them from the largest power within the limits on.
-fn refined(evaluator: &Evaluator<'_>, few: Vec<Candidate>) -> Vec<Pair> {
-    let pair = |start: Candidate| {
-        let refined = refine(evaluator, &start).unwrap_or_else(|| Refined::at(&start));
+/// Refines designs, the best first, as far as the budget allows, and orders them from the largest
+/// power within the limits on.
+fn refined(evaluator: &Evaluator<'_>, mut few: Vec<Candidate>) -> Vec<Pair> {
+    few.sort_by(Candidate::rank);
+    let left = evaluator
+        .problem
+        .evaluations
+        .saturating_sub(evaluator.count());
+    let mut open = (left / MAX_FOLLOWED).max(1);
+    let chosen = few.into_iter().map(|start| {
+        let is_refined = open > 0 && start.evaluation.orbit.is_some();
+        open -= usize::from(is_refined);
+        (start, is_refined)
+    });
+    let chosen: Vec<(Candidate, bool)> = chosen.collect();
+    let pair = |(start, is_refined): (Candidate, bool)| {
+        let refined = is_refined.then(|| refine(evaluator, &start)).flatten();
+        let refined = refined.unwrap_or_else(|| Refined::at(&start));
         (start, refined)
     };
-    let mut pairs: Vec<Pair> = few.into_par_iter().map(pair).collect();
+    let mut pairs: Vec<Pair> = chosen.into_par_iter().map(pair).collect();
     for (_, refined) in &pairs {
         evaluator.add(refined.designs);
     }

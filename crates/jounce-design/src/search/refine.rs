@@ -16,7 +16,7 @@ use std::cell::RefCell;
 use std::rc::Rc;
 
 /// Largest number of followed designs.
-const MAX_EVALUATIONS: usize = 40;
+pub const MAX_FOLLOWED: usize = 40;
 
 /// Relative change of the power below which the refinement ends.
 const POWER_TOLERANCE: f64 = 1e-8;
@@ -153,7 +153,7 @@ impl Refinement<'_> {
             &bounds,
             &constraints,
             (),
-            MAX_EVALUATIONS,
+            MAX_FOLLOWED,
             Some(tolerances),
         );
     }
