@@ -152,7 +152,8 @@ fn compared(cases: &[Case], paths: &[&str]) -> (usize, f64) {
         .unwrap();
         let rows = paths.iter().zip(&wanted).zip(found.by_key);
         rows.filter_map(|((path, key), row)| {
-            let relative = row.unwrap()[0].value * key.scale / found.values[0];
+            let value = key.key.get(&case.model.spec).unwrap();
+            let relative = row.unwrap()[0].value * value / found.values[0];
             let (expected, error) = difference(case, path)?;
             let size = expected.abs().max(1.0);
             let deviation = (relative - expected).abs() / size;
