@@ -141,7 +141,7 @@ impl Differences<'_, '_> {
     }
 
     /// Returns the central differences of some values for a step of a key, while the state changes
-    /// at a rate.
+    /// at a rate. Where the spec allows no value on one side, they are one-sided, of the same order.
     fn slope(
         &self,
         key: &NumericKey,
@@ -149,7 +149,7 @@ impl Differences<'_, '_> {
         states: &[f64],
         values: &dyn Fn(&ShootingEvaluation) -> Vec<f64>,
     ) -> Result<Vec<f64>, Failure> {
-        let side = |step: f64| -> Result<Vec<f64>, Failure> {
+        let at = |step: f64| -> Result<Vec<f64>, Failure> {
             let unknown: Vec<f64> = self.evaluation.strobe_states[0]
                 .iter()
                 .zip(states)
@@ -158,7 +158,17 @@ impl Differences<'_, '_> {
             let kernel = self.kernel(key, step).map_err(OrbitError::Harvester)?;
             Ok(values(&self.shooting.integrated(kernel, &unknown)?))
         };
-        let (above, below) = (side(step)?, side(-step)?);
+        let inward = |step: f64| {
+            // f' = (-3 f(0) + 4 f(h) - f(2 h)) / (2 h) + O(h^2)
+            let [here, near, far] = [at(0.0)?, at(step)?, at(2.0 * step)?];
+            let slope = |k: usize| (4.0 * near[k] - 3.0 * here[k] - far[k]) / (2.0 * step);
+            Ok((0..here.len()).map(slope).collect())
+        };
+        let (above, below) = match (at(step), at(-step)) {
+            (Err(OrbitError::Harvester(_)), Ok(_)) => return inward(-step),
+            (Ok(_), Err(OrbitError::Harvester(_))) => return inward(step),
+            (above, below) => (above?, below?),
+        };
         let difference = |(a, b): (&f64, &f64)| (a - b) / (2.0 * step);
         Ok(above.iter().zip(&below).map(difference).collect())
     }

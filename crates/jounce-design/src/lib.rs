@@ -4,12 +4,12 @@
 //! conditions and the tolerances of the workshop. [`design`] searches for the best design and
 //! examines it:
 //!
-//! 1. The starts of a cloud are integrated until their attractors are proved, at points that fill
-//!    the space of the keys (a Sobol sequence). A start without a proved attractor has no power, so
-//!    that no transient is rewarded.
-//! 2. From the best of them, the orbit is followed to larger power within its limits, by
-//!    sequential quadratic programming with the derivatives of the orbit. Goals that are not the
-//!    power of an orbit are searched by differential evolution.
+//! 1. At points that fill the space of the keys (a Sobol sequence), few starts are integrated until
+//!    their attractors are proved. A start without a proved attractor has no power, so that no
+//!    transient is rewarded.
+//! 2. From each of them, the orbit is followed to larger power within its limits, by sequential
+//!    quadratic programming with the derivatives of the orbit. Goals that are not the power of an
+//!    orbit are searched by differential evolution.
 //! 3. What is found counts only after all starts have been integrated there.
 //!
 //! The order of the work does not depend on the number of threads, and neither does the result.
@@ -26,7 +26,8 @@ mod search;
 pub use error::DesignError;
 pub use evaluation::{Evaluation, Journaled, MainOrbit};
 pub use problem::{
-    Condition, FreeKey, FreeRange, FreeValues, Goal, Limit, LimitedQuantity, Problem, Tolerance,
+    Condition, FreeKey, FreeRange, FreeValues, Goal, Limit, LimitedQuantity, Problem, Size,
+    Tolerance,
 };
 pub use result::{
     BestDesign, DesignBefore, DesignOutcome, FreeValue, FrontPoint, LimitResult, NearestFold,

@@ -183,7 +183,7 @@ pub struct TracePoint {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum SearchEnd {
-    /// Nothing better was found in two rounds.
+    /// Nothing better is expected.
     Converged,
     /// The number of evaluations was reached.
     Evaluations,

@@ -1,6 +1,7 @@
 //! Attractors of a cloud of starts, and the peaks of quantities on them.
 
-use super::{Effort, InCondition, MainOrbit, SCREENING_STARTS};
+use super::nearest_fold::{farthest_hz, fold_distance_hz};
+use super::{Effort, InCondition, MainOrbit, PROBE_STARTS, SCREENING_STARTS};
 use crate::problem::{Goal, LimitedQuantity, Problem};
 use jounce_analysis::{
     AnalysisError, Attractor, Basins, BasinsResult, Cloud, InitialStates, KeyLine, Model,
@@ -29,17 +30,9 @@ pub(super) fn evaluate(
 ) -> Result<InCondition, AnalysisError> {
     let (starts, recognition) = settings(problem, effort);
     let line = KeyLine::at(model);
-    let study = Basins {
-        base: model,
-        starts: InitialStates::Cloud(Cloud {
-            starts,
-            seed: problem.seed,
-            spread: SPREAD,
-        }),
-        recognition,
-    };
-    let result = study.run(&|| ())?;
+    let result = reached(problem, model, (starts, recognition))?;
     let main = main_attractor(problem, &result);
+    let orbits = reached_orbits(&result, main);
     let peaks = Peaks {
         line: &line,
         model,
@@ -48,6 +41,13 @@ pub(super) fn evaluate(
     let limit = |quantity| match quantity {
         LimitedQuantity::BasinFraction => main.map_or(0.0, |main| main.share.fraction),
         LimitedQuantity::Peak(quantity) => peaks.largest(&result, quantity),
+        LimitedQuantity::FoldDistance => match (effort, orbits.first()) {
+            // A branch costs more than the starts of a first evaluation, which does not judge it.
+            (Effort::Probe | Effort::Screening, _) => farthest_hz(model).unwrap_or(f64::NAN),
+            (Effort::Full, Some(orbit)) => fold_distance_hz(model, orbit),
+            (Effort::Full, None) => f64::NAN,
+        },
+        LimitedQuantity::Size(_) => f64::NAN,
     };
     let aperiodic = result.attractors.iter().filter(|one| one.orbit.is_none());
     let lost = result.lost.len() as f64 / starts as f64;
@@ -72,30 +72,41 @@ pub(super) fn evaluate(
         basin_fraction: main.map_or([0.0; 3], |main| {
             [main.share.fraction, main.share.low, main.share.high]
         }),
-        orbit: main.and_then(|main| Some(main_orbit(main, main.orbit.as_ref()?))),
+        orbits,
     })
+}
+
+/// Integrates the starts.
+fn reached(
+    problem: &Problem,
+    model: &Model,
+    (starts, recognition): (usize, Recognition),
+) -> Result<BasinsResult, AnalysisError> {
+    let study = Basins {
+        base: model,
+        starts: InitialStates::Cloud(Cloud {
+            starts,
+            seed: problem.seed,
+            spread: SPREAD,
+        }),
+        recognition,
+    };
+    study.run(&|| ())
 }
 
 /// Returns the number of starts and the options of their integration.
 fn settings(problem: &Problem, effort: Effort) -> (usize, Recognition) {
-    match effort {
-        Effort::Screening => (
-            SCREENING_STARTS.min(problem.starts),
-            Recognition {
-                max_cycles: SCREENING_CYCLES,
-                examines_chaos: false,
-                ..Recognition::at(SCREENING_TOLERANCE)
-            },
-        ),
-        Effort::Full => (
-            problem.starts,
-            Recognition {
-                max_cycles: MAX_CYCLES,
-                examines_chaos: false,
-                ..Recognition::at(TOLERANCE)
-            },
-        ),
-    }
+    let (starts, max_cycles, tolerance) = match effort {
+        Effort::Probe => (PROBE_STARTS, SCREENING_CYCLES, SCREENING_TOLERANCE),
+        Effort::Screening => (SCREENING_STARTS, SCREENING_CYCLES, SCREENING_TOLERANCE),
+        Effort::Full => (problem.starts, MAX_CYCLES, TOLERANCE),
+    };
+    let recognition = Recognition {
+        max_cycles,
+        examines_chaos: false,
+        ..Recognition::at(tolerance)
+    };
+    (starts.min(problem.starts), recognition)
 }
 
 /// Returns the expected power, W. A start without a proved attractor has no power: its motion may be
@@ -122,6 +133,15 @@ fn main_attractor<'r>(problem: &Problem, result: &'r BasinsResult) -> Option<&'r
         .iter()
         .filter(|one| one.orbit.is_some())
         .max_by(|a, b| contribution(a).total_cmp(&contribution(b)))
+}
+
+/// Returns the orbits that the starts reach, the main one first.
+fn reached_orbits(result: &BasinsResult, main: Option<&Attractor>) -> Vec<MainOrbit> {
+    let is_other = |one: &&Attractor| main.is_none_or(|main| main.id != one.id);
+    let others = result.attractors.iter().filter(is_other);
+    let all = main.into_iter().chain(others);
+    all.filter_map(|one| Some(main_orbit(one, one.orbit.as_ref()?)))
+        .collect()
 }
 
 fn main_orbit(attractor: &Attractor, orbit: &Orbit) -> MainOrbit {

@@ -1,8 +1,12 @@
 //! Half-power bandwidth over the frequency of the first drive.
 
+use super::MainOrbit;
+use super::nearest_fold::drive_frequency;
 use jounce_analysis::{
-    AnalysisError, BandwidthSearch, BranchSearch, Model, OrbitMethodKind, Parameter,
+    AnalysisError, BandwidthSearch, BranchSearch, KnownOrbit, Model, OrbitMethodKind, Parameter,
+    WarmStart,
 };
+use jounce_continuation::StepControl;
 use jounce_spec::NumericKey;
 
 /// Ends of the range of the frequency, relative to that of the drive.
@@ -14,32 +18,55 @@ const LONGEST_PERIOD: u32 = 2;
 
 const TOLERANCE: f64 = 1e-8;
 
+/// Length to which bifurcations are located, where a twentieth of the range counts as one.
+const RESOLUTION: f64 = 1e-5;
+
 /// Returns the sum of the intervals of the frequency, Hz, in which a stable orbit has at least half
-/// the largest power.
-pub(super) fn half_power_hz(model: &Model) -> Result<f64, AnalysisError> {
-    let drive = model
-        .spec
-        .drive
-        .iter()
-        .find_map(|(name, drive)| Some((name, drive.frequency_hz()?)));
-    let Some((name, frequency_hz)) = drive else {
+/// the largest power. The orbits at the frequency of the drive, where they are known, are followed;
+/// otherwise orbits are searched.
+pub(super) fn half_power_hz(
+    model: &Model,
+    known: Option<&[MainOrbit]>,
+) -> Result<f64, AnalysisError> {
+    let Some((path, frequency_hz)) = drive_frequency(model) else {
         let drive = model.spec.drive.keys().next().cloned().unwrap_or_default();
         return Err(AnalysisError::Aperiodic { drive });
     };
-    let key = NumericKey::find(&model.spec, &format!("drive.{name}.frequency"))?;
+    let key = NumericKey::find(&model.spec, &path)?;
     let range = (RANGE[0] * frequency_hz, RANGE[1] * frequency_hz);
     let parameter = Parameter::new(model, &key, range.1 - range.0);
-    let search = BranchSearch {
-        base: model,
-        parameter: &parameter,
-        range,
-        method: OrbitMethodKind::Shooting,
-        tolerance: TOLERANCE,
-        seeds: SEEDS,
-        longest_period: LONGEST_PERIOD,
-    };
     // A design whose branches cannot be followed has no bandwidth.
-    let branches = search.run().unwrap_or_default();
+    let branches = match known {
+        Some(orbits) => {
+            let known = |orbit: &MainOrbit| KnownOrbit {
+                period_cycles: orbit.period_cycles,
+                state: orbit.state.clone(),
+                parameter: frequency_hz,
+            };
+            let known: Vec<KnownOrbit> = orbits.iter().map(known).collect();
+            let warm_start = WarmStart {
+                harvester: &parameter,
+                kernel: &model.kernel,
+                range,
+                tolerance: TOLERANCE,
+                control: StepControl::default(),
+                resolution: RESOLUTION,
+            };
+            warm_start.run(&known).unwrap_or_default()
+        }
+        None => {
+            let search = BranchSearch {
+                base: model,
+                parameter: &parameter,
+                range,
+                method: OrbitMethodKind::Shooting,
+                tolerance: TOLERANCE,
+                seeds: SEEDS,
+                longest_period: LONGEST_PERIOD,
+            };
+            search.run().unwrap_or_default()
+        }
+    };
     let bandwidths = BandwidthSearch {
         base: model,
         parameter: &parameter,

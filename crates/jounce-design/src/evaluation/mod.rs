@@ -2,24 +2,26 @@
 
 mod attractors;
 mod bandwidth;
+mod evaluator;
 mod mean_power;
+mod nearest_fold;
 
-use crate::problem::{Goal, LimitedQuantity, Problem};
-use crate::{Condition, DesignError};
-use jounce_analysis::{AnalysisError, Journal, Model};
-use jounce_control::Control;
-use jounce_spec::NumericKey;
+pub use evaluator::Evaluator;
+pub use nearest_fold::nearest_fold;
+
+use crate::problem::Problem;
 use serde::{Deserialize, Serialize};
-use std::collections::HashMap;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Number of starts of a first evaluation.
-const SCREENING_STARTS: usize = 8;
+/// Number of starts of a first evaluation, and of one that only looks for an orbit.
+pub const SCREENING_STARTS: usize = 8;
+const PROBE_STARTS: usize = 2;
 
 /// Effort of an evaluation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Effort {
+    /// Two starts for a few hundred drive cycles, to find an orbit.
+    Probe,
     /// A few starts for a few hundred drive cycles.
     Screening,
     /// All starts, for more drive cycles.
@@ -36,6 +38,8 @@ pub struct Evaluation {
     /// Sum of the relative violations of the limits, and the share of the starts of which no limit
     /// is known.
     pub violation: f64,
+    /// Share of the starts without a proved attractor.
+    pub unknown_share: f64,
     /// Expected power with the ends of its 95 % interval, W; 0 where no goal needs it.
     pub expected_power_w: [f64; 3],
     /// Share of the starts that reach the main orbit with the ends of its 95 % interval.
@@ -72,6 +76,7 @@ impl Evaluation {
             goals: vec![0.0; problem.goals.len()],
             limits: vec![f64::NAN; problem.limits.len()],
             violation: f64::INFINITY,
+            unknown_share: 1.0,
             expected_power_w: [0.0; 3],
             basin_fraction: [0.0; 3],
             orbit: None,
@@ -94,185 +99,8 @@ struct InCondition {
     unknown_share: f64,
     expected_power_w: [f64; 3],
     basin_fraction: [f64; 3],
-    orbit: Option<MainOrbit>,
-}
-
-/// Evaluates designs, each once.
-pub(crate) struct Evaluator<'p> {
-    pub problem: &'p Problem,
-    pub models: Vec<Model>,
-    pub control: Control,
-    known: HashMap<(Vec<u64>, Effort), Evaluation>,
-    journal: Option<&'p Journal<Journaled>>,
-    count: AtomicUsize,
-}
-
-impl<'p> Evaluator<'p> {
-    pub fn new(
-        problem: &'p Problem,
-        control: &Control,
-        journal: Option<&'p Journal<Journaled>>,
-    ) -> Result<Self, DesignError> {
-        let entries = journal.map_or(&[][..], Journal::found);
-        let known = entries.iter().map(|entry| {
-            let key = (bits(&entry.place), entry.effort);
-            (key, entry.evaluation.clone())
-        });
-        Ok(Self {
-            problem,
-            models: problem.models(&control.apart())?,
-            control: control.clone(),
-            known: known.collect(),
-            journal,
-            count: AtomicUsize::new(0),
-        })
-    }
-
-    /// Returns the number of evaluated designs so far.
-    pub fn count(&self) -> usize {
-        self.count.load(Ordering::Relaxed)
-    }
-
-    /// Counts designs that a search evaluated by following their orbit.
-    pub fn add(&self, designs: usize) {
-        self.count.fetch_add(designs, Ordering::Relaxed);
-    }
-
-    /// Returns the model of a design in a condition.
-    pub fn model(&self, place: &[f64], condition: &Condition) -> Result<Model, AnalysisError> {
-        let base = &self.models[self.problem.variant(place)];
-        let mut values = self.problem.numbers(place);
-        values.extend(condition.values.iter().map(|(key, value)| (key, *value)));
-        let mut spec = base.spec.clone();
-        NumericKey::set_all(&mut spec, &values)?;
-        base.changed(spec)
-    }
-
-    /// Evaluates a design at a place of the unit cube.
-    ///
-    /// # Errors
-    /// The journal cannot be written. A design that cannot be computed is an evaluation with its
-    /// reason.
-    pub fn evaluate(&self, place: &[f64], effort: Effort) -> Result<Evaluation, DesignError> {
-        self.count.fetch_add(1, Ordering::Relaxed);
-        self.control.count();
-        if let Some(known) = self.known.get(&(bits(place), effort)) {
-            return Ok(known.clone());
-        }
-        let base = &self.models[self.problem.variant(place)];
-        let evaluation = self
-            .at(base, &self.problem.numbers(place), effort)
-            .unwrap_or_else(|error| Evaluation::failed(self.problem, error.to_string()));
-        // JSON has no infinity and no NaN; such a design is cheap to evaluate again.
-        let is_finite = evaluation.violation.is_finite()
-            && evaluation.limits.iter().all(|value| value.is_finite());
-        let journal = self
-            .journal
-            .filter(|_| is_finite && !self.control.is_stopped());
-        if let Some(journal) = journal {
-            journal.keep(&Journaled {
-                place: place.to_vec(),
-                effort,
-                evaluation: evaluation.clone(),
-            })?;
-        }
-        Ok(evaluation)
-    }
-
-    /// Evaluates the spec as given, with all starts.
-    pub fn given(&self) -> Evaluation {
-        Model::watched(self.problem.spec.clone(), &self.control.apart())
-            .and_then(|model| self.at(&model, &[], Effort::Full))
-            .unwrap_or_else(|error| Evaluation::failed(self.problem, error.to_string()))
-    }
-
-    /// Evaluates a model with other values of some keys, in all conditions.
-    ///
-    /// # Errors
-    /// A value that the spec does not allow, or a model that cannot be built.
-    pub fn at(
-        &self,
-        base: &Model,
-        values: &[(&NumericKey, f64)],
-        effort: Effort,
-    ) -> Result<Evaluation, AnalysisError> {
-        let mut all = Vec::with_capacity(self.problem.conditions.len());
-        for condition in &self.problem.conditions {
-            let own = condition.values.iter().map(|(key, value)| (key, *value));
-            let values: Vec<(&NumericKey, f64)> = values.iter().copied().chain(own).collect();
-            let mut spec = base.spec.clone();
-            NumericKey::set_all(&mut spec, &values)?;
-            all.push(self.in_condition(&base.changed(spec)?, effort)?);
-        }
-        Ok(self.together(&all))
-    }
-
-    fn in_condition(&self, model: &Model, effort: Effort) -> Result<InCondition, AnalysisError> {
-        let goals = &self.problem.goals;
-        let mut found = match goals.iter().any(|goal| goal.needs_starts()) {
-            true => attractors::evaluate(self.problem, model, effort)?,
-            false => InCondition {
-                goals: vec![f64::NAN; goals.len()],
-                limits: vec![f64::NAN; self.problem.limits.len()],
-                unknown_share: 0.0,
-                expected_power_w: [0.0; 3],
-                basin_fraction: [0.0; 3],
-                orbit: None,
-            },
-        };
-        for (goal, value) in goals.iter().zip(&mut found.goals) {
-            match goal {
-                Goal::Bandwidth => *value = bandwidth::half_power_hz(model)?,
-                Goal::MeanPower => {
-                    let limits = &mut found.limits;
-                    *value = mean_power::evaluate(self.problem, model, limits)?;
-                }
-                Goal::ExpectedPower | Goal::StablePower => {}
-            }
-        }
-        Ok(found)
-    }
-
-    /// Combines the conditions: weighted means of the goals, the worst of the limits.
-    fn together(&self, all: &[InCondition]) -> Evaluation {
-        let problem = self.problem;
-        let weights = || problem.conditions.iter().map(|condition| condition.weight);
-        let total: f64 = weights().sum();
-        let mean = |value: &dyn Fn(&InCondition) -> f64| {
-            let terms = all.iter().zip(weights());
-            terms.map(|(one, weight)| weight * value(one)).sum::<f64>() / total
-        };
-        let worst = |index: usize| {
-            let values = all.iter().map(|one| one.limits[index]);
-            match problem.limits[index].is_lower() {
-                true => values.fold(f64::INFINITY, smaller),
-                false => values.fold(0.0, larger),
-            }
-        };
-        let limits: Vec<f64> = (0..problem.limits.len()).map(worst).collect();
-        let pairs = problem.limits.iter().zip(&limits);
-        let violated: f64 = pairs.map(|(limit, value)| limit.violation(*value)).sum();
-        let has_peaks = problem
-            .limits
-            .iter()
-            .any(|limit| limit.quantity != LimitedQuantity::BasinFraction);
-        let unknown = all.iter().map(|one| one.unknown_share).fold(0.0, f64::max);
-        let least = all.iter().min_by(|a, b| {
-            let share = |one: &InCondition| one.basin_fraction[0];
-            share(a).total_cmp(&share(b))
-        });
-        Evaluation {
-            goals: (0..problem.goals.len())
-                .map(|goal| mean(&|one| one.goals[goal]))
-                .collect(),
-            limits,
-            violation: violated + if has_peaks { unknown } else { 0.0 },
-            expected_power_w: [0, 1, 2].map(|end| mean(&|one| one.expected_power_w[end])),
-            basin_fraction: least.map_or([0.0; 3], |one| one.basin_fraction),
-            orbit: all.first().and_then(|one| one.orbit.clone()),
-            failure: None,
-        }
-    }
+    /// Orbits that the starts reach, the main one first.
+    orbits: Vec<MainOrbit>,
 }
 
 /// Returns the smaller of two numbers; NaN if one is NaN.
@@ -283,8 +111,4 @@ fn smaller(a: f64, b: f64) -> f64 {
 /// Returns the larger of two numbers; NaN if one is NaN.
 fn larger(a: f64, b: f64) -> f64 {
     if a.is_nan() || a > b { a } else { b }
-}
-
-fn bits(place: &[f64]) -> Vec<u64> {
-    place.iter().map(|place| place.to_bits()).collect()
 }

@@ -1,11 +1,10 @@
 //! What is known of the best design: its values, the price of its limits, the nearest fold and its
 //! robustness.
 
-mod nearest_fold;
 mod prices;
 
 use crate::DesignError;
-use crate::evaluation::{Evaluation, Evaluator};
+use crate::evaluation::{Evaluation, Evaluator, nearest_fold};
 use crate::problem::{FreeKey, FreeValues, Problem};
 use crate::result::{
     BestDesign, DesignBefore, DesignOutcome, FreeValue, LimitResult, NearestFold, SearchEnd,
@@ -32,7 +31,11 @@ pub fn examine(
         .orbit
         .as_ref()
         .and_then(|orbit| Followed::start(evaluator, &best.place, orbit));
-    let nearest_fold = followed.as_ref().and_then(nearest_fold::nearest_fold);
+    let orbit = followed.as_ref().zip(evaluation.orbit.as_ref());
+    let nearest_fold = orbit.and_then(|(followed, orbit)| {
+        let found = nearest_fold(&followed.model, orbit);
+        found.unwrap_or_default()
+    });
     Ok(DesignOutcome {
         limits: limits(problem, best, followed.as_ref()),
         robust: match &followed {

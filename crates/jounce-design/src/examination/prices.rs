@@ -12,7 +12,7 @@
 
 use crate::problem::Problem;
 use crate::search::Followed;
-use jounce_analysis::{Derivative, DerivativeAccuracy, orbit_derivatives};
+use jounce_analysis::{Derivative, DerivativeAccuracy, DerivativeKey, orbit_derivatives};
 use jounce_linalg::Mat;
 use jounce_orbits::OrbitQuantity;
 
@@ -24,14 +24,21 @@ pub fn prices(
     active: &[bool],
 ) -> Vec<Option<f64>> {
     let mut prices = vec![None; active.len()];
-    let mut binding = problem.peaks();
-    binding.retain(|(index, _)| active[*index]);
+    let mut peaks = problem.peaks();
+    peaks.retain(|(index, _)| active[*index]);
+    let mut sizes = problem.sizes();
+    sizes.retain(|(index, _)| active[*index]);
     let inner: Vec<usize> = (0..place.len())
         .filter(|k| (super::AT_END..=1.0 - super::AT_END).contains(&place[*k]))
         .collect();
     let keys = problem.derivative_keys(&inner, place);
     let quantities: Vec<OrbitQuantity> = std::iter::once(OrbitQuantity::MeanPower)
-        .chain(binding.iter().map(|(_, quantity)| *quantity))
+        .chain(peaks.iter().map(|(_, quantity)| *quantity))
+        .collect();
+    let binding: Vec<usize> = peaks
+        .iter()
+        .map(|(index, _)| *index)
+        .chain(sizes.iter().map(|(index, _)| *index))
         .collect();
     if binding.is_empty() || keys.is_empty() {
         return prices;
@@ -45,12 +52,22 @@ pub fn prices(
         accuracy,
     );
     let Ok(found) = found else { return prices };
-    let by_key: Result<Vec<_>, _> = found.by_key.into_iter().collect();
-    let Ok(by_key) = by_key else { return prices };
-    let scales: Vec<f64> = keys.iter().map(|key| key.scale).collect();
-    let mut columns: Vec<usize> = (1..quantities.len()).collect();
+    let spec = &followed.model.spec;
+    let row = |(row, key): (Result<Vec<Derivative>, _>, &DerivativeKey<'_>)| {
+        let of_orbit = row.ok()?.into_iter().map(|slope| Some(slope.value));
+        let of_size = sizes.iter().map(|(_, size)| size.derivative(spec, key));
+        let scaled = of_orbit.chain(of_size);
+        scaled
+            .map(|slope| Some(slope? * key.scale))
+            .collect::<Option<Vec<f64>>>()
+    };
+    let by_key: Option<Vec<Vec<f64>>> = found.by_key.into_iter().zip(&keys).map(row).collect();
+    let Some(by_key) = by_key else { return prices };
+    let mut values = found.values;
+    values.extend(sizes.iter().map(|(_, size)| size.of(spec)));
+    let mut columns: Vec<usize> = (1..=binding.len()).collect();
     while !columns.is_empty() {
-        let Some(solved) = least_squares((&found.values, &by_key), &scales, &columns) else {
+        let Some(solved) = least_squares(&values, &by_key, &columns) else {
             return prices;
         };
         let Some(worst) = (0..solved.len())
@@ -58,7 +75,7 @@ pub fn prices(
             .min_by(|a, b| solved[*a].total_cmp(&solved[*b]))
         else {
             for (column, price) in columns.iter().zip(solved) {
-                prices[binding[column - 1].0] = Some(price);
+                prices[binding[column - 1]] = Some(price);
             }
             return prices;
         };
@@ -67,14 +84,10 @@ pub fn prices(
     prices
 }
 
-/// Solves for the prices of some limits in the least squares, in relative units.
-fn least_squares(
-    (values, by_key): (&[f64], &[Vec<Derivative>]),
-    scales: &[f64],
-    columns: &[usize],
-) -> Option<Vec<f64>> {
-    let entry =
-        |key: usize, quantity: usize| by_key[key][quantity].value * scales[key] / values[quantity];
+/// Solves for the prices of some limits in the least squares, in relative units. `by_key` has the
+/// derivatives of the values by the place of each key.
+fn least_squares(values: &[f64], by_key: &[Vec<f64>], columns: &[usize]) -> Option<Vec<f64>> {
+    let entry = |key: usize, quantity: usize| by_key[key][quantity] / values[quantity];
     let keys = by_key.len();
     let matrix = Mat::from_fn(keys, columns.len(), |key, j| entry(key, columns[j]));
     let right = Mat::from_fn(keys, 1, |key, _| entry(key, 0));

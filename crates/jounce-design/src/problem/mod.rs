@@ -4,13 +4,17 @@ mod condition;
 mod free_key;
 mod goal;
 mod limit;
+mod limited_quantity;
 mod read;
+mod size;
 mod tolerance;
 
 pub use condition::Condition;
 pub use free_key::{FreeKey, FreeRange, FreeValues};
 pub use goal::Goal;
-pub use limit::{Limit, LimitedQuantity};
+pub use limit::Limit;
+pub use limited_quantity::LimitedQuantity;
+pub use size::Size;
 pub use tolerance::Tolerance;
 
 use crate::DesignError;
@@ -152,6 +156,17 @@ impl Problem {
             }
         }
         peaks
+    }
+
+    /// Returns the limits of sizes with their indices.
+    pub(crate) fn sizes(&self) -> Vec<(usize, Size)> {
+        let mut sizes = Vec::new();
+        for (index, limit) in self.limits.iter().enumerate() {
+            if let LimitedQuantity::Size(size) = limit.quantity {
+                sizes.push((index, size));
+            }
+        }
+        sizes
     }
 
     /// Returns the keys, among those of some indices, by which results have a derivative. The scale

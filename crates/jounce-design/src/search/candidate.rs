@@ -49,6 +49,7 @@ mod tests {
             goals: vec![goal],
             limits: Vec::new(),
             violation,
+            unknown_share: 0.0,
             expected_power_w: [0.0; 3],
             basin_fraction: [0.0; 3],
             orbit: None,

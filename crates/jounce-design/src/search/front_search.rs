@@ -10,7 +10,7 @@ use super::rounds::{keep, screened};
 use super::sampling::Places;
 use super::{Budget, Candidate, Found};
 use crate::DesignError;
-use crate::evaluation::Evaluator;
+use crate::evaluation::{Effort, Evaluator};
 use crate::front::{crowding, ranks};
 use crate::result::SearchEnd;
 use jounce_signal::RandomStream;
@@ -26,7 +26,11 @@ pub fn search(evaluator: &Evaluator<'_>, budget: &Budget<'_>) -> Result<Found, D
     let problem = evaluator.problem;
     let mut places = Places::new(problem.free.len(), problem.seed);
     let mut found = Found::nothing();
-    let mut members = screened(evaluator, places.take(MEMBERS.min(problem.evaluations)))?;
+    let mut members = screened(
+        evaluator,
+        places.take(MEMBERS.min(problem.evaluations)),
+        Effort::Screening,
+    )?;
     let (mut generation, mut without_change) = (0, 0);
     while without_change < LAST_GENERATIONS {
         // The members of the front are evaluated with all starts in the end.
@@ -35,7 +39,11 @@ pub fn search(evaluator: &Evaluator<'_>, budget: &Budget<'_>) -> Result<Found, D
             break;
         }
         generation += 1;
-        let trials = screened(evaluator, trials(&members, problem.seed, generation))?;
+        let trials = screened(
+            evaluator,
+            trials(&members, problem.seed, generation),
+            Effort::Screening,
+        )?;
         let next = selected(members.iter().cloned().chain(trials).collect());
         match next == members {
             true => without_change += 1,

@@ -4,6 +4,7 @@ mod candidate;
 mod evolution;
 mod follow;
 mod front_search;
+mod multistart;
 mod refine;
 mod rounds;
 mod sampling;
@@ -21,6 +22,12 @@ use crate::{DesignError, Journaled};
 use jounce_analysis::Journal;
 use jounce_control::Control;
 use std::time::Instant;
+
+/// Places of a round.
+const ROUND: usize = 32;
+
+/// Relative gain of the goal below which a design is no better.
+const GAIN: f64 = 1e-3;
 
 /// What a search found.
 pub struct Found {
@@ -91,7 +98,8 @@ pub fn design(
         control,
     };
     let found = match problem.goals.len() {
-        1 => rounds::search(&evaluator, &budget)?,
+        1 if problem.follows_orbit() => multistart::search(&evaluator, &budget)?,
+        1 => rounds::search(&evaluator, &budget, Found::nothing())?,
         _ => front_search::search(&evaluator, &budget)?,
     };
     let Some(best) = found.best else {

@@ -7,7 +7,7 @@
 
 use super::{Candidate, Followed};
 use crate::evaluation::Evaluator;
-use crate::problem::Problem;
+use crate::problem::{Problem, Size};
 use jounce_analysis::{Derivative, DerivativeAccuracy, DerivativeKey, orbit_derivatives};
 use jounce_orbits::OrbitQuantity;
 use jounce_spec::NumericKey;
@@ -16,7 +16,7 @@ use std::cell::RefCell;
 use std::rc::Rc;
 
 /// Largest number of followed designs.
-const MAX_EVALUATIONS: usize = 40;
+pub const MAX_FOLLOWED: usize = 40;
 
 /// Relative change of the power below which the refinement ends.
 const POWER_TOLERANCE: f64 = 1e-8;
@@ -31,7 +31,7 @@ const MARGIN: f64 = 1e-3;
 struct Point {
     place: Vec<f64>,
     followed: Option<Followed>,
-    /// `-ln P`, then `value / limit - 1` of each limited peak.
+    /// `-ln P`, then `value / limit - 1` of each limited peak and size.
     values: Vec<f64>,
     /// Derivatives of the values by the place; per value.
     slopes: Vec<Vec<f64>>,
@@ -45,7 +45,9 @@ struct Refinement<'r> {
     /// Indices of the keys that have a derivative.
     smooth: Vec<usize>,
     quantities: Vec<OrbitQuantity>,
-    /// Limits of the quantities after the first, SI.
+    /// Sizes that have limits.
+    sizes: Vec<Size>,
+    /// Limits of the quantities after the first, then of the sizes, SI.
     limits: Vec<f64>,
     points: RefCell<Vec<Rc<Point>>>,
 }
@@ -56,8 +58,22 @@ pub struct Refined {
     pub place: Vec<f64>,
     /// Power there, W.
     pub mean_power_w: f64,
+    /// Largest relative violation of a limit there.
+    pub excess: f64,
     /// Number of followed designs.
     pub designs: usize,
+}
+
+impl Refined {
+    /// Returns a design that cannot be refined.
+    pub fn at(start: &Candidate) -> Self {
+        Self {
+            place: start.place.clone(),
+            mean_power_w: start.evaluation.goals[0],
+            excess: start.evaluation.violation,
+            designs: 0,
+        }
+    }
 }
 
 /// Follows the orbit of a design to its largest power within the limits; `None` where there is
@@ -70,18 +86,20 @@ pub fn refine(evaluator: &Evaluator<'_>, start: &Candidate) -> Option<Refined> {
     if !problem.follows_orbit() || smooth.is_empty() {
         return None;
     }
-    let (mut quantities, mut limits) = (vec![OrbitQuantity::MeanPower], Vec::new());
-    for (index, quantity) in problem.peaks() {
-        quantities.push(quantity);
-        limits.push(problem.limits[index].value * (1.0 - MARGIN));
-    }
+    let mut quantities = vec![OrbitQuantity::MeanPower];
+    let (peaks, sizes) = (problem.peaks(), problem.sizes());
+    quantities.extend(peaks.iter().map(|(_, quantity)| *quantity));
+    let indices = peaks.iter().map(|(index, _)| *index);
+    let indices = indices.chain(sizes.iter().map(|(index, _)| *index));
+    let limit = |index: usize| problem.limits[index].value * (1.0 - MARGIN);
     let first = Followed::start(evaluator, &start.place, start.evaluation.orbit.as_ref()?)?;
     let refinement = Refinement {
         problem,
         start: &start.place,
         smooth,
         quantities,
-        limits,
+        limits: indices.map(limit).collect(),
+        sizes: sizes.into_iter().map(|(_, size)| size).collect(),
         points: RefCell::new(Vec::new()),
     };
     refinement.keep(start.place.clone(), Some(first));
@@ -92,16 +110,18 @@ pub fn refine(evaluator: &Evaluator<'_>, start: &Candidate) -> Option<Refined> {
         .filter(|point| {
             point.values[1..]
                 .iter()
-                .all(|excess| *excess <= 2.0 * MARGIN)
+                .all(|excess| *excess <= 0.5 * MARGIN)
         })
         .min_by(|a, b| a.values[0].total_cmp(&b.values[0]));
     // Beyond the limits everywhere: the least violation.
     let worst = |point: &Point| point.values[1..].iter().copied().fold(0.0, f64::max);
     let least = || points.iter().min_by(|a, b| worst(a).total_cmp(&worst(b)));
     let best = best.filter(|best| best.values[0] < LOST).or_else(least)?;
+    let excess = worst(best);
     Some(Refined {
         place: best.place.clone(),
         mean_power_w: (-best.values[0]).exp(),
+        excess: if excess <= 0.5 * MARGIN { 0.0 } else { excess },
         designs: points.len(),
     })
 }
@@ -133,7 +153,7 @@ impl Refinement<'_> {
             &bounds,
             &constraints,
             (),
-            MAX_EVALUATIONS,
+            MAX_FOLLOWED,
             Some(tolerances),
         );
     }
@@ -179,13 +199,13 @@ impl Refinement<'_> {
                 slopes,
             },
             None => {
-                let mut values = vec![0.0; self.quantities.len()];
+                let mut values = vec![0.0; 1 + self.limits.len()];
                 values[0] = LOST;
                 Point {
                     place,
                     followed: None,
+                    slopes: vec![vec![0.0; self.smooth.len()]; values.len()],
                     values,
-                    slopes: vec![vec![0.0; self.smooth.len()]; self.quantities.len()],
                 }
             }
         };
@@ -204,24 +224,38 @@ impl Refinement<'_> {
             DerivativeAccuracy::Rough,
         )
         .ok()?;
+        let spec = &followed.model.spec;
         let by_key: Result<Vec<_>, _> = found.by_key.into_iter().collect();
         let by_key = by_key.ok()?;
         let power_w = found.values[0].max(f64::MIN_POSITIVE);
+        let sizes = self.sizes.iter().map(|size| size.of(spec));
+        let limited = found.values[1..].iter().copied().chain(sizes);
         let mut values = vec![-power_w.ln()];
-        let factor = |index: usize| match index {
-            0 => -1.0 / power_w,
-            _ => 1.0 / self.limits[index - 1],
-        };
-        for (value, limit) in found.values[1..].iter().zip(&self.limits) {
-            values.push(value / limit - 1.0);
-        }
-        let by_place = |index: usize| {
-            let slope = |(row, key): (&Vec<Derivative>, &DerivativeKey<'_>)| {
-                factor(index) * row[index].value * key.scale
+        values.extend(
+            limited
+                .zip(&self.limits)
+                .map(|(value, limit)| value / limit - 1.0),
+        );
+        let slope = |index: usize, (row, key): (&Vec<Derivative>, &DerivativeKey<'_>)| {
+            let by_key = match row.get(index) {
+                Some(derivative) => derivative.value,
+                None => self.sizes[index - row.len()].derivative(spec, key)?,
             };
-            by_key.iter().zip(&keys).map(slope).collect::<Vec<f64>>()
+            let factor = match index {
+                0 => -1.0 / power_w,
+                _ => 1.0 / self.limits[index - 1],
+            };
+            Some(factor * by_key * key.scale)
         };
-        let by_place: Vec<Vec<f64>> = (0..values.len()).map(by_place).collect();
+        let by_place = |index: usize| {
+            let pairs = by_key.iter().zip(&keys);
+            pairs
+                .map(|pair| slope(index, pair))
+                .collect::<Option<Vec<f64>>>()
+        };
+        let by_place = (0..values.len())
+            .map(by_place)
+            .collect::<Option<Vec<_>>>()?;
         let is_finite = values
             .iter()
             .chain(by_place.iter().flatten())

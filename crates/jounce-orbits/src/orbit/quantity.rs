@@ -2,6 +2,7 @@
 
 use crate::ShootingEvaluation;
 use jounce_dynamics::{Trajectory, TrajectoryState};
+use jounce_model::plant::Plant;
 
 /// Samples per drive cycle in the search for the largest value.
 const SAMPLES_PER_CYCLE: usize = 1024;
@@ -31,41 +32,32 @@ impl OrbitQuantity {
     pub fn of(self, evaluation: &ShootingEvaluation) -> f64 {
         let plant = &evaluation.kernel.plant;
         match self {
-            OrbitQuantity::MeanPower => evaluation.loads_w.iter().sum(),
-            OrbitQuantity::Voltage(patch) => largest(evaluation, |state, _| {
-                plant.patch_voltages_v(state)[patch].abs()
-            }),
-            OrbitQuantity::Strain(patch) => {
-                let shapes = plant
-                    .system
-                    .modes
-                    .patch
-                    .values()
-                    .nth(patch)
-                    .map_or(&[][..], |patch| &patch.strain);
-                largest(evaluation, |state, _| {
-                    let strain = |shape: &Vec<f64>| {
-                        shape
-                            .iter()
-                            .zip(state)
-                            .map(|(s, q)| s * q)
-                            .sum::<f64>()
-                            .abs()
-                    };
-                    shapes.iter().map(strain).fold(0.0, f64::max)
-                })
-            }
-            OrbitQuantity::ContactForce(stop) => largest(evaluation, |_, at| at.forces_n[stop]),
-            OrbitQuantity::Displacement(stop) => largest(evaluation, |_, at| {
-                let port = &plant.ports[stop];
-                let moving: f64 = port
-                    .displacement
+            Self::MeanPower => evaluation.loads_w.iter().sum(),
+            _ => largest(evaluation, |state, at| self.at(plant, state, at)),
+        }
+    }
+
+    /// Returns the magnitude at an instant with a physical state, SI; NaN for a mean.
+    pub fn at(self, plant: &Plant, state: &[f64], at: &TrajectoryState) -> f64 {
+        match self {
+            Self::MeanPower => f64::NAN,
+            Self::Voltage(patch) => plant.patch_voltages_v(state)[patch].abs(),
+            Self::Strain(patch) => {
+                let dot = |shape: &Vec<f64>| shape.iter().zip(state).map(|(s, q)| s * q).sum();
+                let patch = plant.system.modes.patch.values().nth(patch);
+                let shapes = patch.map_or(&[][..], |patch| &patch.strain);
+                shapes
                     .iter()
-                    .zip(&at.state)
-                    .map(|(c, y)| c * y)
-                    .sum();
+                    .map(|shape| f64::abs(dot(shape)))
+                    .fold(0.0, f64::max)
+            }
+            Self::ContactForce(stop) => at.forces_n[stop],
+            Self::Displacement(stop) => {
+                let port = &plant.ports[stop];
+                let pairs = port.displacement.iter().zip(&at.state);
+                let moving: f64 = pairs.map(|(c, y)| c * y).sum();
                 (moving + plant.driven(port, at.time_s)[0]).abs()
-            }),
+            }
         }
     }
 }

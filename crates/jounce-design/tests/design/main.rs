@@ -1,6 +1,12 @@
 //! Designs with known optima, limits, bad input and interruptions.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
+mod bistable;
+mod closed_forms;
+mod limits;
+mod measured;
+mod robustness;
+
 use jounce_analysis::Journal;
 use jounce_control::Control;
 use jounce_design::{DesignError, DesignOutcome, Problem, SearchEnd, design};
@@ -32,12 +38,20 @@ duration = "1 s"
 average_over = "1 s"
 "#;
 
+fn problem_of(spec: &str, text: &str) -> Result<Problem, DesignError> {
+    Problem::with_spec(SpecFile::from_text(spec), Path::new(""), text)
+}
+
+fn outcome_of(spec: &str, text: &str) -> DesignOutcome {
+    design(&problem_of(spec, text).unwrap(), &Control::default(), None).unwrap()
+}
+
 fn problem(text: &str) -> Result<Problem, DesignError> {
-    Problem::with_spec(SpecFile::from_text(LINEAR), Path::new(""), text)
+    problem_of(LINEAR, text)
 }
 
 fn outcome(text: &str) -> DesignOutcome {
-    design(&problem(text).unwrap(), &Control::default(), None).unwrap()
+    outcome_of(LINEAR, text)
 }
 
 /// Amplitude of the force, N, and frequency of the drive, Hz.
@@ -57,11 +71,15 @@ fn harvester(resistance_ohm: f64) -> PiezoResistor {
     }
 }
 
-/// Voltage amplitude and mean power with a resistance.
-fn linear(resistance_ohm: f64) -> (f64, f64) {
-    let per_newton = harvester(resistance_ohm).voltage_per_newton(DRIVE_HZ);
+/// Voltage amplitude and mean power with a resistance at a frequency of the drive.
+fn linear_at(resistance_ohm: f64, drive_hz: f64) -> (f64, f64) {
+    let per_newton = harvester(resistance_ohm).voltage_per_newton(drive_hz);
     let voltage_v = FORCE_N * per_newton.norm();
     (voltage_v, 0.5 * voltage_v.powi(2) / resistance_ohm)
+}
+
+fn linear(resistance_ohm: f64) -> (f64, f64) {
+    linear_at(resistance_ohm, DRIVE_HZ)
 }
 
 /// The electric port is linear, so the largest power is at `R = 1 / |Y|`, with the admittance `Y` of
@@ -142,31 +160,6 @@ fn conditions_have_weights() {
     assert!((power / expected - 1.0).abs() < 1e-5, "{power} {expected}");
 }
 
-/// Scatter of the force alone: its square is all of the variance, and the quantiles follow.
-#[test]
-fn tolerances_give_quantiles_and_indices() {
-    let found = outcome(&format!(
-        "draws = 256\n{LOAD}[tolerance]\n\"drive.d.amplitude\" = \"0.07 N\"\n\"modal.m.damping_ratio.1\" = \"1e-9\"\n"
-    ));
-    let robust = found.robust.unwrap();
-    let power = |force: f64| found.best.mean_power_w * (force / 0.7).powi(2);
-    for one in &robust.quantiles {
-        let expected = power(0.63 + 0.14 * one.share);
-        assert!(
-            (one.mean_power_w / expected - 1.0).abs() < 3e-3,
-            "{one:?} {expected}"
-        );
-    }
-    let [force, damping] = &robust.sobol[..] else {
-        panic!("{robust:?}")
-    };
-    assert!(
-        force.first > 0.9 && force.total > 0.95 && damping.total < 1e-3,
-        "{robust:?}"
-    );
-    assert_eq!(robust.lost_fraction, 0.0);
-}
-
 #[test]
 fn all_faults_of_a_file_are_listed_at_once() {
     let text = "sed = 1\nevaluations = 0\n[free]\n\"circuit.load.resistance\" = \"10kohm:1kohm\"\n\
@@ -205,12 +198,12 @@ fn an_interrupted_search_continues_from_its_journal() {
     let folder = tempfile::tempdir().unwrap();
     let complete = problem(LOAD).unwrap();
     let mut short = complete.clone();
-    short.evaluations = 20;
+    short.evaluations = 3;
     let open = || Journal::open(folder.path(), "key").unwrap();
     let control = Control::default();
     let begun = design(&short, &control, Some(&open())).unwrap();
     assert_eq!(begun.ended_by, SearchEnd::Evaluations);
-    assert!(open().found().len() >= 20);
+    assert!(open().found().len() >= 3);
     let continued = design(&complete, &control, Some(&open())).unwrap();
     let expected = design(&complete, &control, None).unwrap();
     assert_eq!(continued.best, expected.best);
@@ -227,8 +220,7 @@ fn a_choice_is_searched_and_compared_with_the_spec_as_given() {
         [reduction]\nmodes = 4\n[run]\nduration = \"1 s\"\naverage_over = \"1 s\"\n";
     let text = "evaluations = 60\n[free]\n\"beam.b.material\" = [\"aluminium\", \"steel\"]\n\
         [goal]\nmaximise = \"expected-power\"\nstarts = 2\n";
-    let problem = Problem::with_spec(SpecFile::from_text(spec), Path::new(""), text).unwrap();
-    let found = design(&problem, &Control::default(), None).unwrap();
+    let found = outcome_of(spec, text);
     let [material] = &found.best.keys[..] else {
         panic!("{found:?}")
     };

@@ -1,0 +1,107 @@
+//! Reads a design problem from its text.
+//!
+//! ```toml
+//! spec = "harvester.toml"
+//! [free]
+//! "stop.tip.gap" = "0.2mm:3mm"
+//! [goal]
+//! maximise = "expected-power"
+//! [limits]
+//! "patch.mfc.strain" = "600 ppm"
+//! ```
+
+mod conditions;
+mod free;
+mod goals;
+mod limits;
+
+use super::{Problem, Tolerance, digest};
+use crate::DesignError;
+use conditions::conditions;
+use free::{free, variants};
+use goals::goals;
+use jounce_analysis::Model;
+use jounce_analysis::study::FaultCollector;
+use jounce_spec::SpecFile;
+use limits::{check_together, limits};
+use std::path::PathBuf;
+use toml_edit::Item;
+
+/// Reads a text; `file` finds the spec and its name in messages by the path in the text, `None` if
+/// it names no path.
+pub(super) fn read(
+    text: &str,
+    file: impl FnOnce(Option<&str>) -> Result<(SpecFile, String), DesignError>,
+) -> Result<Problem, DesignError> {
+    let mut reader = FaultCollector::new(text);
+    let Some(document) = reader.document() else {
+        return Err(DesignError::Faults(reader.faults));
+    };
+    let root = document.as_table();
+    let known = [
+        "spec",
+        "seed",
+        "evaluations",
+        "seconds",
+        "draws",
+        "free",
+        "goal",
+        "limits",
+        "conditions",
+        "tolerance",
+    ];
+    reader.known("", root, &known);
+    let (file, name) = file(reader.text("spec", root.get("spec")))?;
+    let spec = file
+        .spec()
+        .map_err(|faults| DesignError::Spec { file: name, faults })?;
+    let model = Model::new(spec.clone())?;
+    let free = free(&mut reader, root.get("free"), &file);
+    let (goals, starts) = goals(&mut reader, root.get("goal"));
+    let limits = limits(&mut reader, root.get("limits"), &model);
+    check_together(&mut reader, root, &goals, &limits);
+    let conditions = conditions(&mut reader, root.get("conditions"), &file);
+    let tolerances = tolerances(&mut reader, root.get("tolerance"), &file);
+    let seed = reader.integer("seed", root.get("seed"), (0, 1 << 53), 1);
+    let evaluations = root.get("evaluations");
+    let evaluations = reader.integer("evaluations", evaluations, (1, 100_000_000), 1000) as usize;
+    let draws = reader.integer("draws", root.get("draws"), (8, 1 << 20), 128) as usize;
+    let seconds = root.get("seconds");
+    let seconds = seconds.map(|item| reader.positive("seconds", Some(item), 1.0));
+    let variants = variants(&mut reader, &free, &file);
+    if !reader.faults.is_empty() {
+        return Err(DesignError::Faults(reader.faults));
+    }
+    Ok(Problem {
+        hash_hex: digest(text, &spec),
+        file,
+        variants,
+        spec,
+        folder: PathBuf::new(),
+        free,
+        goals,
+        starts,
+        limits,
+        conditions,
+        tolerances,
+        draws,
+        seed,
+        evaluations,
+        seconds,
+    })
+}
+
+/// Reads the tolerances.
+fn tolerances(reader: &mut FaultCollector, item: Option<&Item>, file: &SpecFile) -> Vec<Tolerance> {
+    let mut all = Vec::new();
+    for (path, item) in reader.table("tolerance", item).into_iter().flatten() {
+        let text = item.as_str().unwrap_or(reader.bare(item));
+        match Tolerance::read(file, path, text) {
+            Ok(tolerance) => all.push(tolerance),
+            Err(messages) => messages
+                .into_iter()
+                .for_each(|message| reader.fault(path, item.span(), message)),
+        }
+    }
+    all
+}

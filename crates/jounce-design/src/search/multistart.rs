@@ -1,0 +1,205 @@
+//! Search for the largest power of an orbit, in rounds of places that fill the space.
+//!
+//! At each place a few starts lead to an orbit, which is refined. From the largest refined power on,
+//! more starts are integrated, and all of them where the result may be the best design so far. The
+//! search ends when several refinements have led to as much power as the best design has: if as many
+//! starts as those of this optimum lead to a better one, it is unlikely that none has been seen. Where
+//! the expected power of the best design is far below the power of its orbit, a differential
+//! evolution of the expected power follows.
+//!
+//! Source of the method: A. H. G. Rinnooy Kan, G. T. Timmer, Math. Program. 39 (1987) 27, multistart.
+
+use super::refine::{MAX_FOLLOWED, Refined, refine};
+use super::rounds::{self, given, keep, next_round, screened};
+use super::sampling::Places;
+use super::{Budget, Candidate, Found, GAIN};
+use crate::evaluation::{Effort, Evaluator, SCREENING_STARTS};
+use crate::problem::{Goal, Limit, LimitedQuantity, Problem};
+use crate::{DesignError, Evaluation};
+use jounce_analysis::wilson;
+use rayon::prelude::*;
+
+/// Refinements that lead to the power of the best design, after which the search ends: another
+/// optimum to which as many starts lead has been missed with a probability of 2^-5.
+const ENOUGH: usize = 5;
+
+/// Rounds without an orbit after which the search ends.
+const LAST_ROUNDS: usize = 2;
+
+/// Optima of a round that are evaluated with all starts.
+const MAX_EVALUATED: usize = 4;
+
+/// Expected power of the best design, relative to the power of its main orbit, below which an
+/// evolution of the expected power goes on.
+const MEASURE: f64 = 0.9;
+
+/// Relative difference of power below which two optima are the same.
+const SAME_POWER: f64 = 1e-2;
+
+/// Parts of the way from a design to its refined one at which more starts are integrated.
+const PARTS: [f64; 5] = [1.0, 0.9, 0.75, 0.5, 0.25];
+
+/// A design with its refinement.
+type Pair = (Candidate, Refined);
+
+/// Searches for the best design.
+pub fn search(evaluator: &Evaluator<'_>, budget: &Budget<'_>) -> Result<Found, DesignError> {
+    let mut places = Places::new(evaluator.problem.free.len(), evaluator.problem.seed);
+    let mut found = Found::nothing();
+    let (mut powers, mut rounds) = (Vec::new(), 0);
+    while !is_enough(&powers, found.best.as_ref(), rounds) {
+        if let Some(end) = budget.end(evaluator.count()) {
+            found.end = end;
+            break;
+        }
+        let round = next_round(evaluator, &mut places, found.full.is_empty());
+        let few = screened(evaluator, round, Effort::Probe)?;
+        let pairs = refined(evaluator, few);
+        let searches = pairs.iter().filter(|(_, refined)| refined.designs > 0);
+        powers.extend(searches.map(|(_, refined)| value(refined)));
+        evaluated(evaluator, &pairs, &mut found)?;
+        if let (0, Some(place)) = (rounds, given(evaluator)) {
+            keep(evaluator, place, &mut found)?;
+        }
+        rounds += 1;
+    }
+    match measures_goal(evaluator.problem, found.best.as_ref()) {
+        true => Ok(found),
+        false => rounds::search(evaluator, budget, found),
+    }
+}
+
+/// True where the power of the main orbit is nearly the goal: it is not where other attractors have
+/// a large share of the starts.
+fn measures_goal(problem: &Problem, best: Option<&Candidate>) -> bool {
+    let evaluation = best.map(|best| &best.evaluation);
+    let pair = evaluation.and_then(|one| Some((one.goals[0], one.orbit.as_ref()?.mean_power_w)));
+    problem.goals[0] != Goal::ExpectedPower
+        || pair.is_none_or(|(goal_w, orbit_w)| goal_w >= MEASURE * orbit_w)
+}
+
+/// Returns the power of a refined design or, beyond its limits, the negative of the violation.
+fn value(refined: &Refined) -> f64 {
+    match refined.excess > 0.0 {
+        true => -refined.excess,
+        false => refined.mean_power_w,
+    }
+}
+
+/// True where enough refinements have led to as much as the best design has.
+fn is_enough(values: &[f64], best: Option<&Candidate>, rounds: usize) -> bool {
+    let Some(best) = best.map(|best| &best.evaluation) else {
+        return false;
+    };
+    let level = match best.is_feasible() {
+        true => best.goals[0] * (1.0 - SAME_POWER),
+        false => -best.violation * (1.0 + SAME_POWER),
+    };
+    let reached = values.iter().filter(|value| **value >= level).count();
+    reached >= ENOUGH || (values.is_empty() && rounds >= LAST_ROUNDS)
+}
+
+/// Refines designs, the best first, as far as the budget allows, and orders them from the largest
+/// power within the limits on.
+fn refined(evaluator: &Evaluator<'_>, mut few: Vec<Candidate>) -> Vec<Pair> {
+    few.sort_by(Candidate::rank);
+    let left = evaluator
+        .problem
+        .evaluations
+        .saturating_sub(evaluator.count());
+    let mut open = (left / MAX_FOLLOWED).max(1);
+    let chosen = few.into_iter().map(|start| {
+        let is_refined = open > 0 && start.evaluation.orbit.is_some();
+        open -= usize::from(is_refined);
+        (start, is_refined)
+    });
+    let chosen: Vec<(Candidate, bool)> = chosen.collect();
+    let pair = |(start, is_refined): (Candidate, bool)| {
+        let refined = is_refined.then(|| refine(evaluator, &start)).flatten();
+        let refined = refined.unwrap_or_else(|| Refined::at(&start));
+        (start, refined)
+    };
+    let mut pairs: Vec<Pair> = chosen.into_par_iter().map(pair).collect();
+    for (_, refined) in &pairs {
+        evaluator.add(refined.designs);
+    }
+    pairs.sort_by(|(_, a), (_, b)| value(b).total_cmp(&value(a)));
+    pairs
+}
+
+/// Evaluates the best of the refined designs with all starts; of those with the same power, one.
+fn evaluated(
+    evaluator: &Evaluator<'_>,
+    pairs: &[Pair],
+    found: &mut Found,
+) -> Result<(), DesignError> {
+    let mut last = f64::INFINITY;
+    let mut count = 0;
+    for (start, refined) in pairs {
+        if count == MAX_EVALUATED || is_beaten(found, refined) || evaluator.control.is_stopped() {
+            break;
+        }
+        let value = value(refined);
+        if (last - value).abs() > SAME_POWER * value.abs() {
+            on_the_way(evaluator, start, refined, found)?;
+            (last, count) = (value, count + 1);
+        }
+    }
+    Ok(())
+}
+
+/// True where a refined design is no better than the best one.
+fn is_beaten(found: &Found, refined: &Refined) -> bool {
+    let best = found.best.as_ref().map(|best| &best.evaluation);
+    best.is_some_and(|best| {
+        let gains = refined.mean_power_w > best.goals[0] * (1.0 + GAIN);
+        best.is_feasible() && (refined.excess > 0.0 || !gains)
+    })
+}
+
+/// Evaluates a refined design with all starts or, where too few of them reach its orbit, designs on
+/// the way to it.
+fn on_the_way(
+    evaluator: &Evaluator<'_>,
+    start: &Candidate,
+    refined: &Refined,
+    found: &mut Found,
+) -> Result<(), DesignError> {
+    // Beyond the limits everywhere on the way, the refined design is the best of it.
+    let parts = if refined.excess > 0.0 { 1 } else { PARTS.len() };
+    for part in &PARTS[..parts] {
+        let pairs = start.place.iter().zip(&refined.place);
+        let place: Vec<f64> = pairs.map(|(a, b)| a + part * (b - a)).collect();
+        if found.full.iter().any(|one| one.place == place) {
+            continue;
+        }
+        let few = evaluator.evaluate(&place, Effort::Screening)?;
+        if can_be_better(evaluator.problem, &few, found.best.as_ref()) {
+            let all = keep(evaluator, place, found)?;
+            if all.evaluation.is_feasible() {
+                break;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// True where the evaluation of a few starts does not exclude, at 95 %, that a design within its
+/// limits is better than the best one.
+fn can_be_better(problem: &Problem, few: &Evaluation, best: Option<&Candidate>) -> bool {
+    let Some(best) = best.map(|best| &best.evaluation) else {
+        return true;
+    };
+    let starts = SCREENING_STARTS.min(problem.starts);
+    // A start that has not settled yet may still reach the main orbit.
+    let possible = (few.basin_fraction[0] + few.unknown_share) * starts as f64;
+    let possible = wilson((possible.round() as usize).min(starts), starts);
+    let is_kept = |(limit, value): (&Limit, &f64)| match limit.quantity {
+        LimitedQuantity::BasinFraction => limit.violation(possible.high) == 0.0,
+        // Without an orbit yet, nothing is known.
+        _ => value.is_nan() || limit.violation(*value) == 0.0,
+    };
+    let is_above =
+        problem.goals[0] != Goal::ExpectedPower || few.expected_power_w[2] > best.goals[0];
+    !best.is_feasible() || (is_above && problem.limits.iter().zip(&few.limits).all(is_kept))
+}
