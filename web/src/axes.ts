@@ -25,7 +25,7 @@ export class Axes {
     offer(): string | undefined {
         const keys = this.controls.all.filter((control) => !control.count).map((control) => control.key);
         if (keys.join() !== [...this.over.options].map((option) => option.value).join()) {
-            this.over.replaceChildren(...keys.map((key) => new Option(key, key)));
+            this.over.replaceChildren(...keys.map((key) => new Option(this.controls.title(key), key)));
         }
         const unknown = this.view && !keys.includes(this.view.over) ? this.view.over : undefined;
         if (this.view && !unknown) this.show(this.view);

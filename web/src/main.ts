@@ -270,8 +270,8 @@ new Tabs(document.querySelector<HTMLElement>("[role=tablist]")!, (id) => {
 
 shortcuts({ ...act, theme: () => theme.toggle() });
 // A link that is pasted into the address of the open page.
-addEventListener("hashchange", () => {
-    const linked = fromFragment(location.hash);
+addEventListener("hashchange", (event) => {
+    const linked = fromFragment(new URL(event.newURL).hash);
     if (linked?.view) axes.set(linked.view);
     // The design says whether it has the key of the axis.
     if (linked?.view && !controls.find(linked.view.over)) requests.forgetDesign();

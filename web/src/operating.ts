@@ -35,6 +35,7 @@ export class OperatingPoint {
     private run = "";
     private progress = "";
     private computing = false;
+    private slow = false;
     private periodic = false;
     private signature = "";
     private timers: number[] = [];
@@ -55,10 +56,17 @@ export class OperatingPoint {
         this.signature = this.design.signature;
         this.attractor = this.head = this.orbit = undefined;
         this.message = this.run = this.progress = "";
+        this.slow = false;
         for (const timer of this.timers) clearTimeout(timer);
         this.computing = this.periodic;
-        this.timers = this.periodic ? [setTimeout(() => this.ask(STARTS[0]), REST_MS), setTimeout(() => !this.head && this.computing && this.onSlow(), REST_MS + SLOW_MS)] : [];
+        this.timers = this.periodic ? [setTimeout(() => this.ask(STARTS[0]), REST_MS), setTimeout(() => this.late(), REST_MS + SLOW_MS)] : [];
         this.onChange();
+        this.show();
+    }
+
+    private late(): void {
+        this.slow = true;
+        if (!this.head && this.computing) this.onSlow();
         this.show();
     }
 
@@ -118,7 +126,7 @@ export class OperatingPoint {
         const text = this.text();
         if (words.textContent !== text) words.textContent = text;
         words.ariaBusy = String(this.computing);
-        stop.hidden = this.progress === "";
+        stop.hidden = !(this.computing && this.slow);
         const found = ((this.orbit?.warnings ?? []) as string[]).join(". ");
         if (warnings.textContent !== found) warnings.textContent = found;
         warnings.hidden = found === "";

@@ -41,8 +41,7 @@ async function connect(page, address) {
             const length = new DataView(data).getUint32(0, true);
             const head = JSON.parse(new TextDecoder().decode(new Uint8Array(data, 4, length)));
             const lists = Object.fromEntries(head.arrays.map(([name, first, size]) => [name, [...new Float64Array(data, 4 + length + 8 * first, size)]]));
-            const at = waits.findIndex((own) => own.id === head.id && (own.stage === head.stage || head.stage === "fault"));
-            if (at >= 0) waits.splice(at, 1)[0].resolve({ head, lists });
+            for (const own of waits) if (own.id === head.id && (own.stage === head.stage || head.stage === "fault")) own.resolve({ head, lists });
         };
         await new Promise((resolve) => (socket.onopen = resolve));
         let id = 0;

@@ -1,6 +1,7 @@
 //! Branches of a design from those of the previous one.
 
 use super::draft::{Draft, DraftOrigin};
+use super::shorter_period::without_shorter_periods;
 use super::stored_response::{Origin, StoredResponse};
 use crate::live::{Design, LiveAnalysis};
 use jounce_analysis::{
@@ -70,7 +71,9 @@ impl LiveAnalysis {
             control: LONG_STEPS,
             resolution: MAX_LAST_MOVE,
         };
-        let from = |orbits: &[KnownOrbit]| warm_start.run(orbits).unwrap_or_default();
+        let from = |orbits: &[KnownOrbit]| {
+            without_shorter_periods(warm_start.run(orbits).unwrap_or_default())
+        };
         let branches = last.map(|last| from(&last.orbits())).unwrap_or_default();
         if !branches.is_empty() || kernel.control.is_stopped() {
             return CarriedBranches::continued(branches, DraftOrigin::Continued);
@@ -124,7 +127,7 @@ fn updated(
     let points: usize = known.iter().map(|branch| branch.points.len()).sum();
     let lost_share = updated.lost as f64 / points as f64;
     (lost_share <= MAX_LOST_SHARE).then(|| CarriedBranches {
-        branches: updated.branches,
+        branches: without_shorter_periods(updated.branches),
         origin: Some((last.spec.clone(), known)),
         draft: Draft::updated(last.draft, lost_share),
     })

@@ -5,6 +5,7 @@ mod draft;
 mod linear;
 mod response;
 mod response_result;
+mod shorter_period;
 mod stored_response;
 
 pub use draft::{Draft, DraftOrigin};
