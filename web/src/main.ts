@@ -81,7 +81,7 @@ const remember = () => {
 };
 
 design.onChange = (moving) => {
-    fault("link", []);
+    for (const source of ["link", "link-axis"]) fault(source, []);
     requests.change(performance.now());
     if (!moving) remember();
 };
@@ -142,7 +142,7 @@ wire.on("design", (frame) => {
     controls.take(head.controls);
     drawing.take(head.drawing);
     const unknown = axes.offer();
-    if (unknown) fault("link", [{ key: "", line: 0, message: `this design has no number ${unknown}, which the link puts on the axis` }]);
+    if (unknown) fault("link-axis", [{ key: "", line: 0, message: `this design has no number ${unknown}, which the link puts on the axis` }]);
     load.offer();
     shake.offer();
     place();
