@@ -149,6 +149,8 @@ test("a long status stays on one line", async () => {
         await page.setViewportSize({ width, height: 800 });
         await page.waitForTimeout(200);
         assert.equal(await height("a long status ".repeat(30)), await height("short"), String(width));
+        await height("a long status ".repeat(30));
+        assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= width, String(width));
     }
     await page.setViewportSize({ width: 1280, height: 800 });
     // The page sets its own status again.
@@ -221,7 +223,7 @@ test("a stop on a moving beam moves in the animation", async () => {
     const beams = await serve({ example: "two-beams-vijayan-2015/harvester.toml" });
     const own = await browser.context.newPage();
     await own.goto(beams.address);
-    await until("readout", /Draft|Peak|Largest/, own);
+    await until("readout", /Draft from|Draft: what|Peak|Largest/, own);
     await own.locator("#chart-response").focus();
     await own.keyboard.press("ArrowRight");
     await until("orbit-title", /Orbit at/, own);
