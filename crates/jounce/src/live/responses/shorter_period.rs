@@ -35,5 +35,5 @@ fn has_shorter_period(orbit: &Orbit) -> bool {
             .map(|(a, b)| (a - b).powi(2));
         squares.sum::<f64>().sqrt() <= SAME_STATE * size
     };
-    (1..cycles).any(|part| cycles % part == 0 && returns_after(part))
+    (1..cycles).any(|part| cycles.is_multiple_of(part) && returns_after(part))
 }
