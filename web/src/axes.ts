@@ -21,23 +21,32 @@ export class Axes {
         this.from.onchange = this.to.onchange = () => this.read();
     }
 
-    /** Offers the keys of a design; initially the frequency of the first sinusoidal drive. */
-    offer(): void {
+    /** Offers the keys of a design; initially the frequency of the first sinusoidal drive. Returns the key of the axis if the design lacks it. */
+    offer(): string | undefined {
         const keys = this.controls.all.filter((control) => !control.count).map((control) => control.key);
         if (keys.join() !== [...this.over.options].map((option) => option.value).join()) {
-            this.over.replaceChildren(...keys.map((key) => new Option(key, key)));
+            this.over.replaceChildren(...keys.map((key) => new Option(this.controls.title(key), key)));
         }
-        const view = this.view && keys.includes(this.view.over) ? this.view : undefined;
-        if (view) this.show(view);
+        const unknown = this.view && !keys.includes(this.view.over) ? this.view.over : undefined;
+        if (this.view && !unknown) this.show(this.view);
         else {
             const first = keys.find((key) => /^drive\..*\.frequency$/.test(key)) ?? keys[0];
             if (first) this.view = this.around(this.controls.find(first)!);
             if (this.view) this.show(this.view);
         }
+        return unknown;
     }
 
     set(view: View): void {
         this.view = view;
+    }
+
+    /** Shows another range. */
+    change(view: View): void {
+        this.view = view;
+        this.onWrong("");
+        this.show(view);
+        this.onChange();
     }
 
     private around(control: Control): View {
@@ -46,10 +55,7 @@ export class Axes {
     }
 
     private pick(key: string): void {
-        this.view = this.around(this.controls.find(key)!);
-        this.onWrong("");
-        this.show(this.view);
-        this.onChange();
+        this.change(this.around(this.controls.find(key)!));
     }
 
     private show(view: View): void {
@@ -68,8 +74,6 @@ export class Axes {
         const right = from < to;
         for (const field of [this.from, this.to]) field.setAttribute("aria-invalid", String(!right));
         if (!right) return this.onWrong(`${control.key}: the range must go from a smaller to a larger number`);
-        this.onWrong("");
-        this.view = { over: control.key, from, to };
-        this.onChange();
+        this.change({ over: control.key, from, to });
     }
 }

@@ -10,6 +10,7 @@ import type { Wire } from "./wire";
 
 interface Attractor {
     id: string;
+    period_cycles: number;
     mean_power_w: number;
     fraction: number;
     fraction_low: number;
@@ -23,15 +24,19 @@ const find = <T extends HTMLElement>(id: string) => document.getElementById(id) 
 export class Basins {
     private readonly chart = new Chart(find("chart-basins"));
     private readonly words = find("basins-words");
+    private readonly note = find("basins-note");
     private readonly bar = find<HTMLProgressElement>("basins-progress");
     private frame: Frame | undefined;
     private running = false;
+    /** Called with the attractor that is clicked; returns false where its orbit cannot be shown. */
+    onPick: (attractor: Attractor) => boolean = () => false;
     private readonly stale: Stale;
 
     constructor(private readonly wire: Wire, private readonly design: Design) {
         this.stale = new Stale(find("panel-basins"), find("basins-stale"), design);
         wire.on("basins", (frame) => this.take(frame));
         find("basins-run").onclick = () => (this.running ? this.stop() : this.run());
+        this.chart.host.addEventListener("click", (event) => this.click(event));
     }
 
     run(): void {
@@ -84,6 +89,27 @@ export class Basins {
         }
     }
 
+    /** Shows the orbit of the attractor of the start that is nearest to a click. */
+    private click(event: MouseEvent): void {
+        const box = this.chart.over?.getBoundingClientRect();
+        if (!this.frame || !box) return;
+        const [x, y, attractor] = ["displacement_m", "velocity_m_s", "attractor"].map((name) => this.frame!.array(name));
+        const away = (k: number) => {
+            const [left, top] = this.chart.place(x[k], y[k]);
+            return Math.hypot(left + box.left - event.clientX, top + box.top - event.clientY);
+        };
+        let nearest = 0;
+        for (let k = 1; k < x.length; k++) if (away(k) < away(nearest)) nearest = k;
+        this.pick((this.frame.head.attractors as Attractor[])[attractor[nearest]]);
+    }
+
+    private pick(attractor: Attractor | undefined): void {
+        if (!attractor) this.note.textContent = "This start has no attractor.";
+        else if (this.stale.isOld) this.note.textContent = "These basins are of an earlier design; run them again.";
+        else if (attractor.period_cycles === 0 || !this.onPick(attractor)) this.note.textContent = `No branch of the response has the orbit of ${attractor.id}.`;
+        else this.note.textContent = `The orbit of ${attractor.id} is shown.`;
+    }
+
     redraw(): void {
         if (!this.frame) return;
         const { head } = this.frame;
@@ -100,7 +126,11 @@ export class Basins {
         const legend = attractors.map((a, k) => {
             const item = document.createElement("li");
             item.style.setProperty("--own", shade(k));
-            item.textContent = `${a.id}: ${share(a.fraction)} of the starts (${share(a.fraction_low)} to ${share(a.fraction_high)}), ${quantity(a.mean_power_w, "W")}`;
+            const button = document.createElement("button");
+            button.textContent = `${a.id}: ${share(a.fraction)} of the starts (${share(a.fraction_low)} to ${share(a.fraction_high)}), ${quantity(a.mean_power_w, "W")}`;
+            button.title = "Show the orbit";
+            button.onclick = () => this.pick(a);
+            item.append(button);
             return item;
         });
         find("attractors").replaceChildren(...legend);

@@ -38,10 +38,16 @@ export interface ResponseResult {
     branches: Branch[];
     bifurcations: Bifurcation[];
     linear: { x: Float64Array; power: Float64Array };
-    /** True for branches carried over from the previous design, until the search has ended. */
-    draft: boolean;
+    /** How the branches were found while the search goes on; undefined for its result. */
+    draft: Draft | undefined;
     /** Branches that the search may miss. */
     note: string;
+}
+
+/** Branches before the search has ended: `first` for the harvester without contact alone. */
+export interface Draft {
+    origin: "first" | "updated" | "continued" | "settled";
+    lost_share: number;
 }
 
 export interface Place {
@@ -57,7 +63,7 @@ export function resultOf(frame: Frame): ResponseResult {
         return { identity: k, period: branch.period, x: frame.array(`${k}.x`), values: values as Branch["values"], contacts: frame.array(`${k}.contacts`) };
     });
     const linear = { x: frame.array("linear.x"), power: frame.array("linear.power") };
-    return { id: head.id, over: head.over, unit: head.unit, branches, bifurcations: head.bifurcations, linear, draft: head.stage === "coarse", note: head.note ?? "" };
+    return { id: head.id, over: head.over, unit: head.unit, branches, bifurcations: head.bifurcations, linear, draft: head.stage === "first" ? { origin: "first", lost_share: 1 } : head.draft ?? undefined, note: head.note ?? "" };
 }
 
 export const isStable = (branch: Branch, point: number): boolean => branch.values.floquet[point] < 1;

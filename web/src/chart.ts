@@ -13,6 +13,13 @@ export interface Axis {
     ends?: [number, number];
 }
 
+export type Range = [number, number];
+
+/** Ratio of the ends of a logarithmic axis below which it has the steps of a linear one. */
+const NARROW = 4;
+/** Ratio above which only powers of ten have a label. */
+const MANY = 300;
+
 /** Pixels of axes and margins in a small chart, horizontally and vertically. */
 export const AROUND = [56, 38];
 
@@ -24,7 +31,13 @@ export class Chart {
     private rules: Rule[] = [];
     private x: Axis = { words: "", unit: "" };
     private y: Axis = { words: "", unit: "" };
-    private ends: [[number, number], [number, number]] = [[0, 1], [0, 1]];
+    private ends: [Range, Range] = [[0, 1], [0, 1]];
+    /** Ends of all that is shown, and of the part that is magnified. */
+    private full: [Range, Range] = [[0, 1], [0, 1]];
+    private part: [Range, Range] | undefined;
+    private readonly pointer = document.createElement("div");
+    /** Called when another part is magnified. */
+    onZoom: () => void = () => {};
     private round = false;
     /** Draws more, in device pixels. */
     extra: ((plot: uPlot) => void) | undefined;
@@ -35,9 +48,13 @@ export class Chart {
     }
 
     show(x: Axis, y: Axis, curves: Curve[], marks: Mark[] = [], rules: Rule[] = [], round = false): void {
+        const before = JSON.stringify([this.x, this.y.words, this.y.log]);
         [this.x, this.y, this.curves, this.marks, this.rules, this.round] = [x, y, curves, marks, rules, round];
-        this.ends = [drawable(x.ends ?? this.span("x", x.log), x.log), drawable(y.ends ?? this.span("y", y.log), y.log)];
-        const shape = JSON.stringify([x.words, x.log, y.words, y.log, document.documentElement.dataset.theme, axisUnit(this.ends[0][1], x.unit), axisUnit(this.ends[1][1], y.unit)]);
+        // Another range or quantity is shown complete.
+        if (this.part && before !== JSON.stringify([x, y.words, y.log])) this.magnify(undefined);
+        this.full = [drawable(x.ends ?? this.span("x", x.log), x.log), drawable(y.ends ?? this.span("y", y.log), y.log)];
+        this.ends = this.part ?? this.full;
+        const shape = JSON.stringify([x.words, x.log, y.words, y.log, document.documentElement.dataset.theme, axisUnit(this.ends[0][1], x.unit), axisUnit(this.ends[1][1], y.unit), this.ends.map(([low, high]) => [high / low < NARROW, high / low > MANY])]);
         if (!this.plot || shape !== this.shape) {
             this.shape = shape;
             this.build();
@@ -52,6 +69,65 @@ export class Chart {
 
     redraw(): void {
         if (this.curves.length + this.marks.length > 0) this.show(this.x, this.y, this.curves, this.marks, this.rules, this.round);
+    }
+
+    get isZoomed(): boolean {
+        return this.part !== undefined;
+    }
+
+    /** Ends of the visible part of the horizontal axis. */
+    get visible(): Range {
+        return this.ends[0];
+    }
+
+    /** Magnifies about a point, in shares of width and height from below left; a factor below 1 shows less. */
+    zoom(share: [number, number], factor: number): void {
+        this.look((low, high, k) => {
+            const centre = low + share[k] * (high - low);
+            return [centre - factor * (centre - low), centre + factor * (high - centre)];
+        });
+    }
+
+    /** Moves the visible part by shares of its width and height. */
+    pan(share: [number, number]): void {
+        if (this.part) this.look((low, high, k) => [low + share[k] * (high - low), high + share[k] * (high - low)]);
+    }
+
+    unzoom(): void {
+        this.magnify(undefined);
+        this.redraw();
+    }
+
+    private magnify(part: [Range, Range] | undefined): void {
+        this.part = part;
+        this.onZoom();
+    }
+
+    /** Changes the visible part, inside all that is shown. */
+    private look(change: (low: number, high: number, axis: 0 | 1) => Range): void {
+        const next = ([0, 1] as const).map((k): Range => {
+            const { log } = [this.x, this.y][k];
+            const on = (value: number) => (log ? Math.log(value) : value);
+            const off = (value: number) => (log ? Math.exp(value) : value);
+            const [first, last] = this.full[k].map(on);
+            const [low, high] = change(on(this.ends[k][0]), on(this.ends[k][1]), k);
+            const width = Math.min(high - low, last - first);
+            const start = Math.min(Math.max(low, first), last - width);
+            return drawable([off(start), off(start + width)], log);
+        }) as [Range, Range];
+        const isFull = next.every((range, k) => range.every((end, side) => Math.abs(end - this.full[k][side]) <= 1e-9 * Math.abs(this.full[k][1] - this.full[k][0])));
+        this.magnify(isFull ? undefined : next);
+        this.redraw();
+    }
+
+    /** Places the cursor: a vertical line, or a dot at a height. Without a value it is hidden. */
+    cursor(x?: number, y?: number): void {
+        const { plot, pointer } = this;
+        pointer.hidden = x === undefined || !plot;
+        if (!plot || x === undefined) return;
+        if (pointer.parentElement !== plot.over) plot.over.append(pointer);
+        pointer.className = y === undefined ? "cursor" : "cursor dot";
+        pointer.style.transform = `translate(${plot.valToPos(x, "x")}px, ${y === undefined ? 0 : plot.valToPos(y, "y")}px)`;
     }
 
     /** Position of a point in CSS pixels of the plotting area. */
@@ -165,6 +241,7 @@ export class Chart {
 
 /** Positions of the lines of a logarithmic grid: 1 to 9 in each decade, only 1 over many decades. */
 function decades(low: number, high: number): number[] {
+    if (high / low < NARROW) return steps(low, high);
     const factors = high / low > 1e4 ? [1] : [1, 2, 3, 4, 5, 6, 7, 8, 9];
     const found: number[] = [];
     for (let power = Math.floor(Math.log10(low)); power <= Math.ceil(Math.log10(high)); power++) {
@@ -176,8 +253,16 @@ function decades(low: number, high: number): number[] {
     return found;
 }
 
+/** Multiples of 1, 2 or 5 times a power of ten, about five of them. */
+function steps(low: number, high: number): number[] {
+    const wanted = (high - low) / 5;
+    const ten = 10 ** Math.floor(Math.log10(wanted));
+    const size = [1, 2, 5, 10].map((factor) => factor * ten).find((step) => step >= wanted)!;
+    return Array.from({ length: Math.floor(high / size) - Math.ceil(low / size) + 1 }, (_, k) => (Math.ceil(low / size) + k) * size);
+}
+
 /** Ends between which an axis can be divided: finite, further apart than roundoff, and not over too many decades. */
-function drawable([low, high]: [number, number], log = false): [number, number] {
+function drawable([low, high]: Range, log = false): Range {
     if (!Number.isFinite(low) || !Number.isFinite(high)) return log ? [0.1, 1] : [0, 1];
     if (log) {
         if (!(high > 0)) return [0.1, 1];
@@ -189,8 +274,8 @@ function drawable([low, high]: [number, number], log = false): [number, number] 
 
 /** On a logarithmic axis 1, 2 and 5 have a label, and only 1 over many decades. */
 function isLabelled(value: number, { log, ends }: Axis): boolean {
-    if (!log) return true;
+    if (!log || (ends && ends[1] / ends[0] < NARROW)) return true;
     const mantissa = Math.round((1e6 * value) / 10 ** Math.floor(Math.log10(value) + 1e-9)) / 1e6;
-    const many = (ends ? Math.log10(ends[1] / ends[0]) : 0) > 2.5;
+    const many = ends !== undefined && ends[1] / ends[0] > MANY;
     return mantissa === 1 || (!many && (mantissa === 2 || mantissa === 5));
 }

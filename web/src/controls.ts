@@ -148,6 +148,12 @@ export class Controls {
         field.className = "field";
         field.setAttribute("aria-label", `${control.key}, value`);
         field.setAttribute("aria-describedby", `${id}-fault`);
+        const restore = document.createElement("button");
+        restore.className = "restore";
+        restore.textContent = "↺";
+        restore.title = "Restore the value of the file";
+        restore.setAttribute("aria-label", `${control.key}: restore the value of the file`);
+        restore.onclick = () => this.design.restore(control.key);
         const unit = document.createElement("span");
         unit.className = "unit";
         unit.textContent = unit.title = sign(control.unit);
@@ -158,7 +164,7 @@ export class Controls {
         slider.oninput = () => this.slide(control.key, true);
         slider.onchange = () => this.slide(control.key, false);
         field.onchange = () => this.type(control.key);
-        row.append(label, field, unit, slider, fault);
+        row.append(label, field, unit, restore, slider, fault);
         this.rows.set(control.key, { control, slider, field, fault, row });
         return row;
     }
@@ -170,6 +176,7 @@ export class Controls {
         const inside = control.value >= from && control.value <= to;
         row.control = inside ? { ...control, from, to, scale, unit, factor } : control;
         if (!inside || control.value === 0) row.row.querySelector(".unit")!.textContent = sign(row.control.unit);
+        row.row.classList.toggle("changed", this.design.overrides.has(control.key));
         const text = this.number(row.control);
         if (document.activeElement !== row.field || row.field.getAttribute("aria-invalid") !== "true") row.field.value = text;
         row.slider.value = String(this.toStep(row.control, control.value));

@@ -69,6 +69,11 @@ export class Design {
         this.onChange(moving);
     }
 
+    /** Restores the value of the file for a key. */
+    restore(key: string): void {
+        this.replace(this.pairs.filter(([own]) => own !== key));
+    }
+
     reset(): void {
         this.replace([]);
     }

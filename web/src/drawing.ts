@@ -57,18 +57,21 @@ export class Drawing {
     /** Creates the handle of a grip, if its key has a control. */
     private offer(page: SVGSVGElement, grip: Grip, beside: boolean, before: Map<string, Handle>): void {
         const { kind, key } = grip;
-        const value = this.controls.find(key)?.value;
+        const control = this.controls.find(key);
+        const value = control?.value;
         const length = grip.length === undefined ? undefined : this.controls.find(grip.length)?.value;
         const words = (name: string, si: number): [string, string] => [name, this.controls.words(name, si)];
         const set = (si: number, moving: boolean) => this.design.setAll([words(key, si)], moving);
-        if (value === undefined) return;
+        if (!control || value === undefined) return;
+        // Points and patches end with their beam.
+        const inside = (si: number, low: number) => Math.min(Math.max(low, si), control.to);
         const moves: Record<Grip["kind"], Move | undefined> = {
             start: length === undefined ? undefined : (metres, moving) => {
                 const moved = Math.min(Math.max(metres, -value), 0.98 * length);
                 this.design.setAll([words(key, value + moved), words(grip.length!, length - moved)], moving);
             },
-            end: (metres, moving) => set(Math.max(0.02 * value, value + metres), moving),
-            place: (metres, moving) => set(Math.max(0, value + metres), moving),
+            end: (metres, moving) => set(inside(value + metres, 0.02 * value), moving),
+            place: (metres, moving) => set(inside(value + metres, 0), moving),
             gap: value > 0 ? (metres, moving) => set(Math.max(0.01 * value, value + metres), moving) : undefined,
         };
         const move = moves[kind];

@@ -10,6 +10,10 @@ export class LineHandle {
     dragged = false;
     private held = false;
 
+    get isHeld(): boolean {
+        return this.held;
+    }
+
     constructor(private readonly chart: Chart, private readonly at: () => number | undefined, private readonly move: (value: number, moving: boolean) => void) {
         const { host } = chart;
         host.addEventListener("pointerdown", (event) => {

@@ -15,6 +15,7 @@ import { OperatingPoint } from "./operating";
 import { Readout } from "./readout";
 import { Requests } from "./requests";
 import { Response } from "./response";
+import { Save } from "./save";
 import { Shake } from "./shake";
 import { shortcuts } from "./shortcuts";
 import { Tabs } from "./tabs";
@@ -41,6 +42,9 @@ const load = new Load(wire, controls, design);
 const basins = new Basins(wire, design);
 const shake = new Shake(wire, controls, design, () => find("tab-shake").click());
 const exports = new Exports(response, drawing);
+const save = new Save(wire, design);
+/** True while the export is requested to compare the design with its file. */
+let comparing = false;
 const status = find("status");
 let file = "";
 let begun = false;
@@ -49,7 +53,7 @@ const say = (words: string) => {
     if (status.textContent !== words) status.textContent = status.title = words;
 };
 const pins = new Pins(find("pins"), response, design, say);
-const point = new OperatingPoint(wire, design, find("operating-words"), find("operating-warnings"));
+const point = new OperatingPoint(wire, design, { words: find("operating-words"), warnings: find("operating-warnings"), stop: find<HTMLButtonElement>("operating-stop") });
 
 const requests = new Requests(wire, design, axes, response, {
     say,
@@ -77,7 +81,7 @@ const remember = () => {
 };
 
 design.onChange = (moving) => {
-    fault("link", []);
+    for (const source of ["link", "link-axis"]) fault(source, []);
     requests.change(performance.now());
     if (!moving) remember();
 };
@@ -89,10 +93,11 @@ axes.onChange = () => {
 };
 axes.onWrong = (message) => fault("axes", message ? [{ key: "", line: 0, message }] : []);
 response.sweepIsOld = () => requests.sweepIsOld;
-response.onChoose = (chosen) => {
+response.onChoose = (chosen, parameter) => {
     find("operating-show").hidden = false;
-    requests.orbit(chosen);
+    requests.orbit(chosen, parameter);
 };
+basins.onPick = ({ mean_power_w, period_cycles }) => response.chooseAttractor({ power: mean_power_w, period: period_cycles });
 response.onMove = (value, moving) => axes.view && design.set(axes.view.over, controls.words(axes.view.over, value), moving);
 response.words = (key) => controls.title(key);
 
@@ -104,6 +109,7 @@ const place = () => {
 point.onChange = () => {
     const { attractor } = point;
     if (attractor) response.attractor = { power: attractor.mean_power_w, period: attractor.period_cycles };
+    requests.searchAgain();
     response.follow();
     showOperating();
 };
@@ -135,7 +141,8 @@ wire.on("design", (frame) => {
     if (head.stage === "fault") return designFault(head);
     controls.take(head.controls);
     drawing.take(head.drawing);
-    axes.offer();
+    const unknown = axes.offer();
+    if (unknown) fault("link-axis", [{ key: "", line: 0, message: `this design has no number ${unknown}, which the link puts on the axis` }]);
     load.offer();
     shake.offer();
     place();
@@ -168,6 +175,8 @@ const kindOfDrive = (aperiodic: boolean) => {
     shake.ofSpec();
 };
 shake.onSpec = (words) => point.runTaken(`Under ${words}`);
+// A design that settles late: its run from the start of the spec is the first picture.
+point.onSlow = () => shake.idle && shake.ofSpec();
 wire.on("response", (frame) => {
     if (frame.head.stage === "progress") return requests.progress(frame.head);
     if (frame.head.stage === "widths") return response.takeWidths(frame.head);
@@ -184,7 +193,10 @@ wire.on("file", () => {
     requests.change(performance.now());
 });
 wire.on("export", ({ head }) => {
-    if (head.stage !== "fault") exports.open(head, file);
+    if (head.stage === "fault") return fault("export", head.faults);
+    fault("export", []);
+    if (comparing) save.open(head, file);
+    else exports.open(head, file);
 });
 wire.onOpen = () => {
     find("lost").hidden = true;
@@ -208,7 +220,12 @@ const act: Record<string, () => void> = {
         address();
         navigator.clipboard?.writeText(location.href).then(() => say("the link was copied"), () => say("copy the link from the address bar"));
     },
-    export: () => axes.view && wire.ask("export", { set: design.pairs, ...axes.view }),
+    export: () => exporting(false),
+    save: () => exporting(true),
+};
+const exporting = (compare: boolean) => {
+    comparing = compare;
+    if (axes.view) wire.ask("export", { set: design.pairs, ...axes.view });
 };
 for (const [id, run] of Object.entries(act)) find(id).onclick = run;
 const theme = new Theme(find("theme"), () => {
@@ -219,6 +236,15 @@ const theme = new Theme(find("theme"), () => {
     shake.redraw();
 });
 
+response.chart.onZoom = () => {
+    find("zoom-tools").hidden = !response.chart.isZoomed;
+};
+find("zoom-out").onclick = () => response.chart.unzoom();
+find("zoom-range").onclick = () => {
+    const [from, to] = response.chart.visible;
+    if (!axes.view) return;
+    axes.change({ over: axes.view.over, from, to });
+};
 find<HTMLSelectElement>("quantity").onchange = (event) => {
     response.quantity = (event.target as HTMLSelectElement).value as typeof response.quantity;
     response.draw();
@@ -231,6 +257,7 @@ for (const [id, name] of [["grazings", "grazings"], ["long-periods", "longPeriod
     find<HTMLInputElement>(id).onchange = (event) => {
         response[name] = (event.target as HTMLInputElement).checked;
         response.draw();
+        requests.searchAgain();
     };
 }
 find("sweep").onclick = () => requests.sweep(find("sweep"));
@@ -243,9 +270,11 @@ new Tabs(document.querySelector<HTMLElement>("[role=tablist]")!, (id) => {
 
 shortcuts({ ...act, theme: () => theme.toggle() });
 // A link that is pasted into the address of the open page.
-addEventListener("hashchange", () => {
-    const linked = fromFragment(location.hash);
+addEventListener("hashchange", (event) => {
+    const linked = fromFragment(new URL(event.newURL).hash);
     if (linked?.view) axes.set(linked.view);
+    // The design says whether it has the key of the axis.
+    if (linked?.view && !controls.find(linked.view.over)) requests.forgetDesign();
     if (linked) design.replace(linked.pairs);
 });
 wire.connect();

@@ -30,6 +30,8 @@ export class Motion {
     private periodS = 1;
     private phase = 0;
     private last = 0;
+    private paused = false;
+    /** True while the cursor holds the motion at its time. */
     private held = false;
     private largest = 1;
     /** Factor of the slow motion. */
@@ -39,17 +41,34 @@ export class Motion {
     readonly frames: number[] = [];
 
     constructor(private readonly canvas: HTMLCanvasElement) {
-        this.held = matchMedia("(prefers-reduced-motion: reduce)").matches;
+        this.paused = matchMedia("(prefers-reduced-motion: reduce)").matches;
         requestAnimationFrame((time) => this.tick(time));
     }
 
     get playing(): boolean {
-        return !this.held;
+        return !this.paused && !this.held;
+    }
+
+    /** Fraction of the period that is shown. */
+    get shown(): number {
+        return this.phase;
     }
 
     toggle(): boolean {
-        this.held = !this.held;
-        return this.playing;
+        this.paused = !this.paused;
+        return !this.paused;
+    }
+
+    /** Shows a fraction of the period until the motion is released. */
+    hold(phase: number): void {
+        this.held = true;
+        this.phase = phase;
+        this.draw();
+        this.onPhase(phase);
+    }
+
+    release(): void {
+        this.held = false;
     }
 
     take(frame: Frame): void {
@@ -71,7 +90,7 @@ export class Motion {
         requestAnimationFrame((next) => this.tick(next));
         const passed = Math.min(0.1, (time - this.last) / 1000);
         this.last = time;
-        if (this.held || this.pictures === 0 || document.hidden) return;
+        if (!this.playing || this.pictures === 0 || document.hidden) return;
         this.frames.push(time);
         if (this.frames.length > 240) this.frames.shift();
         this.phase = (this.phase + passed / this.slower / this.periodS) % 1;

@@ -12,10 +12,18 @@ export interface Attractor {
     fraction: number;
 }
 
-/** Number of starts of the cloud. */
-const STARTS = 100;
+interface Parts {
+    words: HTMLElement;
+    warnings: HTMLElement;
+    stop: HTMLButtonElement;
+}
+
+/** Numbers of starts of the clouds: a first result from a small one, then from a large one. */
+const STARTS = [10, 100];
 /** Time without changes after which the attractors are requested. */
 const REST_MS = 150;
+/** Time without a first result after which the page shows a run from the start of the spec. */
+const SLOW_MS = 800;
 
 export class OperatingPoint {
     /** The attractor that most starts reach; undefined until it is computed for the present design. */
@@ -23,14 +31,22 @@ export class OperatingPoint {
     private head: Head | undefined;
     private orbit: Head | undefined;
     private message = "";
+    /** Result of a run from the start of the spec, until the attractors are known. */
+    private run = "";
+    private progress = "";
+    private computing = false;
+    private slow = false;
     private periodic = false;
     private signature = "";
-    private resting = 0;
+    private timers: number[] = [];
     /** Called when the attractor of the present design is known, or no longer known. */
     onChange: () => void = () => {};
+    /** Called where no attractor is known after a while. */
+    onSlow: () => void = () => {};
 
-    constructor(private readonly wire: Wire, private readonly design: Design, private readonly words: HTMLElement, private readonly warnings: HTMLElement) {
+    constructor(private readonly wire: Wire, private readonly design: Design, private readonly parts: Parts) {
         wire.on("operating-point", (frame) => this.take(frame));
+        parts.stop.onclick = () => this.stop();
     }
 
     /** Requests the attractors of a design once it rests; `hertz` is null without a periodic drive. */
@@ -39,25 +55,55 @@ export class OperatingPoint {
         if (this.signature === this.design.signature) return;
         this.signature = this.design.signature;
         this.attractor = this.head = this.orbit = undefined;
-        this.message = "";
-        clearTimeout(this.resting);
-        if (this.periodic) this.resting = setTimeout(() => this.wire.ask("operating-point", { set: this.design.pairs, starts: STARTS }), REST_MS);
+        this.message = this.run = this.progress = "";
+        this.slow = false;
+        for (const timer of this.timers) clearTimeout(timer);
+        this.computing = this.periodic;
+        this.timers = this.periodic ? [setTimeout(() => this.ask(STARTS[0]), REST_MS), setTimeout(() => this.late(), REST_MS + SLOW_MS)] : [];
         this.onChange();
+        this.show();
+    }
+
+    private late(): void {
+        this.slow = true;
+        if (!this.head && this.computing) this.onSlow();
+        this.show();
+    }
+
+    private ask(starts: number): void {
+        this.wire.ask("operating-point", { set: this.design.pairs, starts });
+    }
+
+    private stop(): void {
+        this.wire.ask("stop", { what: "operating-point" });
+        this.computing = false;
+        this.progress = "";
+        if (!this.head) this.message = ["Operating point: stopped", this.run].filter(Boolean).join(". ");
         this.show();
     }
 
     /** The lost connection has taken the request with it. */
     forget(): void {
         this.signature = "";
+        this.computing = false;
+        this.show();
     }
 
     private take(frame: Frame): void {
         const { head } = frame;
+        if (head.stage === "progress") {
+            this.progress = `${head.done} of ${head.of} starts integrated`;
+            return this.show();
+        }
+        this.progress = "";
+        const more = head.stage === "fault" ? undefined : STARTS.find((starts) => starts > head.starts);
+        this.computing = more !== undefined;
         if (head.stage === "fault") this.message = head.faults[0]?.message ?? "";
         else {
             this.head = head;
             this.attractor = (head.attractors as Attractor[]).reduce<Attractor | undefined>((most, own) => (most && most.fraction >= own.fraction ? most : own), undefined);
         }
+        if (more !== undefined) this.ask(more);
         this.onChange();
         this.show();
     }
@@ -68,27 +114,29 @@ export class OperatingPoint {
         this.show();
     }
 
-    /** Takes the result of an integration under the drives of a spec without a period. */
+    /** Takes the result of a run from the start of the spec. */
     runTaken(words: string): void {
-        if (this.periodic) return;
-        this.message = words;
+        if (this.periodic) this.run = words;
+        else this.message = words;
         this.show();
     }
 
     private show(): void {
+        const { words, warnings, stop } = this.parts;
         const text = this.text();
-        if (this.words.textContent !== text) this.words.textContent = text;
-        this.words.ariaBusy = String(this.periodic && !this.head && !this.message);
-        const warnings = ((this.orbit?.warnings ?? []) as string[]).join(". ");
-        if (this.warnings.textContent !== warnings) this.warnings.textContent = warnings;
-        this.warnings.hidden = warnings === "";
+        if (words.textContent !== text) words.textContent = text;
+        words.ariaBusy = String(this.computing);
+        stop.hidden = !(this.computing && this.slow);
+        const found = ((this.orbit?.warnings ?? []) as string[]).join(". ");
+        if (warnings.textContent !== found) warnings.textContent = found;
+        warnings.hidden = found === "";
     }
 
     private text(): string {
         const { head, attractor } = this;
         if (this.message) return this.message;
         if (!this.periodic) return "The drives of this spec have no common period.";
-        if (!head || !attractor) return "Operating point: integrating 100 starts";
+        if (!head || !attractor) return [this.run || "Operating point", this.progress || `integrating ${STARTS[0]} starts`].join(": ");
         const share = (own: Attractor) => `${digits(100 * own.fraction, 3)} % of ${head.finished} starts`;
         const kind = (own: Attractor) => (own.period_cycles > 0 ? `period ${own.period_cycles}, stable` : own.id);
         const others = (head.attractors as Attractor[]).filter((own) => own !== attractor);

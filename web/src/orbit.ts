@@ -1,6 +1,7 @@
 // Orbit of the selected point: histories, phase portrait, spectrum, force, multipliers, and the motion of the beam.
 
 import { AROUND, Chart } from "./chart";
+import { Cursor } from "./cursor";
 import type { Frame } from "./frame";
 import { Motion } from "./motion";
 import { colour, nth } from "./theme";
@@ -16,6 +17,7 @@ export class Orbit {
     private readonly force = new Chart(find("chart-force"), true);
     private readonly spectrum = new Chart(find("chart-spectrum"), true);
     private readonly multipliers = new Chart(find("chart-multipliers"), true);
+    private readonly cursor = new Cursor({ histories: [this.displacement, this.voltage, this.force], phase: this.phase }, this.motion);
     private readonly title = find("orbit-title");
     private readonly warnings = find("orbit-warnings");
     private frame: Frame | undefined;
@@ -43,6 +45,7 @@ export class Orbit {
         this.frame = frame;
         this.motion.take(frame);
         this.draw();
+        this.cursor.take(frame);
     }
 
     /** Shows words in place of the orbit. */

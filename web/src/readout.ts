@@ -1,8 +1,8 @@
 // Text and table below the response: peak and bandwidth, what the search may miss, bifurcations.
 
-import type { Bifurcation } from "./branches";
+import type { Bifurcation, Draft } from "./branches";
 import type { Head } from "./frame";
-import { quantity } from "./units";
+import { digits, quantity } from "./units";
 
 export class Readout {
     private shown = "";
@@ -12,7 +12,9 @@ export class Readout {
     /** Shows the text, the note of the search, and the bifurcations; `choose` is called with the one that is clicked. */
     show(text: string, note: string, found: Bifurcation[], unit: string, choose: (found: Bifurcation) => void): void {
         if (this.words.textContent !== text) this.words.textContent = text;
-        this.note.textContent = note.replaceAll("`", "");
+        // The rest names options of the command line.
+        const first = note.replaceAll("`", "").split(";")[0];
+        this.note.textContent = first && `${first[0].toUpperCase()}${first.slice(1)}.`;
         this.note.hidden = note === "";
         this.title.parentElement!.hidden = found.length === 0;
         const own = JSON.stringify(found);
@@ -36,6 +38,14 @@ function row(found: Bifurcation, unit: string, choose: (found: Bifurcation) => v
     });
     line.replaceChildren(...cells);
     return line;
+}
+
+/** A sentence about how far a draft is to be trusted; the numbers are measured by tests/drafts.mjs. */
+export function draftWords({ origin, lost_share }: Draft): string {
+    if (origin === "first") return "Draft: without contact only, until the first orbits are found.";
+    if (origin !== "updated") return "Draft from a few orbits: what is drawn is within 5 % of its power; branches may be missing until the search ends.";
+    const lost = lost_share >= 0.005 ? `${digits(100 * lost_share, 2)} % of the last searched curves is lost, ` : "";
+    return `Draft: what is drawn is within 5 % of its power; ${lost}new branches are missing until the search ends.`;
 }
 
 /** Sentences about the peak of the stable orbits and the half-power bandwidth. Where the peak or the band ends only with the range, they say so. */

@@ -33,7 +33,7 @@ export class Requests {
     private requested = "";
     private atOperating = false;
     private clicked = 0;
-    private orbitWaiting: Place | undefined;
+    private orbitWaiting: [Place, number | undefined] | undefined;
     private sweeping = false;
     private sweptDesign = "";
     /** True where the drives have a common period, so that there are periodic orbits. */
@@ -53,6 +53,17 @@ export class Requests {
     change(time: number): void {
         this.waiting = this.designWaits = time;
         this.pump();
+    }
+
+    /** Requests the response again where its range or the periods to search for have changed. */
+    searchAgain(): void {
+        this.waiting ??= performance.now();
+        this.pump();
+    }
+
+    /** Waits with the response until the next design specifies the keys. */
+    forgetDesign(): void {
+        this.periodic = undefined;
     }
 
     /** Clears all requests after the connection is lost. */
@@ -84,13 +95,13 @@ export class Requests {
     /** A response over a key does not depend on the value of the key itself. */
     private asks(): string {
         const { view } = this.axes;
-        return JSON.stringify([view, view && this.design.signatureWithout(view.over)]);
+        return JSON.stringify([view, view && this.design.signatureWithout(view.over), this.response.longestPeriod]);
     }
 
     private askResponse(): void {
         this.asked = performance.now();
         this.requested = this.asks();
-        this.refining = this.coarseAsked = this.wire.ask("response", { set: this.design.pairs, ...this.axes.view }) !== 0;
+        this.refining = this.coarseAsked = this.wire.ask("response", { set: this.design.pairs, ...this.axes.view, longest_period: this.response.longestPeriod }) !== 0;
     }
 
     /** Marks the busy parts for screen readers. */
@@ -128,6 +139,7 @@ export class Requests {
     responseTaken(head: Head, result: ResponseResult): void {
         this.hears.fault("response", []);
         this.response.take(result);
+        if (head.stage === "first") return;
         this.showOrbit();
         if (head.stage === "coarse") {
             const since = this.since;
@@ -169,16 +181,15 @@ export class Requests {
         if (chosen) this.orbit(chosen);
     }
 
-    /** Requests the orbit of a point; the newest request waits for the running one. */
-    orbit(place: Place): void {
+    /** Requests the orbit of a point, or at a value of the key next to it; the newest request waits for the running one. */
+    orbit(place: Place, parameter = this.response.following ? this.response.at : undefined): void {
         if (this.orbitAsked) {
-            this.orbitWaiting = place;
+            this.orbitWaiting = [place, parameter];
             return;
         }
         const { result } = this.response;
         if (!result) return;
-        const parameter = this.response.following ? this.response.at : undefined;
-        this.atOperating = parameter !== undefined;
+        this.atOperating = this.response.following && parameter !== undefined;
         this.orbitAsked = this.wire.ask("orbit", { response: result.id, branch: place.branch, point: place.point, parameter }) !== 0;
         this.clicked = performance.now();
         this.mark();
@@ -195,7 +206,7 @@ export class Requests {
         }
         const next = this.orbitWaiting;
         this.orbitWaiting = undefined;
-        if (next) this.orbit(next);
+        if (next) this.orbit(...next);
         this.mark();
     }
 

@@ -3,8 +3,9 @@
 import { type Bifurcation, type Branch, type ResponseResult, type Place, QUANTITIES, type Quantity, identify, isStable, nearest, operating, pointAt } from "./branches";
 import { Chart } from "./chart";
 import { LineHandle } from "./line";
+import { Zoom } from "./zoom";
 import type { Curve, Mark, Rule } from "./paint";
-import { type Readout, peakWords } from "./readout";
+import { type Readout, draftWords, peakWords } from "./readout";
 import type { Head } from "./frame";
 import { colour, nth } from "./theme";
 import { digits, quantity } from "./units";
@@ -20,6 +21,8 @@ const DRAFT = 0.4;
 const DRAFT_STEP = 1.5;
 /** Longest period, in drive cycles, that is always shown. */
 const SHORT_PERIOD = 2;
+/** Longest period that is searched for on request. */
+const LONG_PERIOD = 8;
 
 export interface Swept {
     x: number;
@@ -55,7 +58,8 @@ export class Response {
     words: (key: string) => string = (key) => key;
     private widths: Head | undefined;
     private hovered: Place | undefined;
-    onChoose: (place: Place) => void = () => {};
+    private readonly cursor = document.getElementById("response-cursor")!;
+    onChoose: (place: Place, parameter?: number) => void = () => {};
 
     /** Called when the line of the operating point is dragged. */
     onMove: (value: number, moving: boolean) => void = () => {};
@@ -63,8 +67,9 @@ export class Response {
     constructor(host: HTMLElement, private readonly readout: Readout) {
         this.chart = new Chart(host);
         const line = new LineHandle(this.chart, () => this.at, (value, moving) => this.onMove(Math.min(Math.max(value, this.range[0]), this.range[1]), moving));
+        const zoom = new Zoom(this.chart, () => line.isHeld);
         host.tabIndex = 0;
-        host.addEventListener("click", (event) => !line.dragged && this.click(event));
+        host.addEventListener("click", (event) => !line.dragged && !zoom.dragged && this.click(event));
         host.addEventListener("mousemove", (event) => this.hover(event));
         host.addEventListener("mouseleave", () => this.hover(undefined));
         host.addEventListener("keydown", (event) => this.key(event));
@@ -110,11 +115,19 @@ export class Response {
         this.tell();
     }
 
-    choose(place: Place): void {
+    /** Selects a point, with the orbit at a value of the key next to it. */
+    choose(place: Place, parameter?: number): void {
         this.chosen = place;
         this.following = false;
         this.draw();
-        this.onChoose(place);
+        this.onChoose(place, parameter);
+    }
+
+    /** Selects the point at the present value of the key that has an attractor; returns false where no branch has it. */
+    chooseAttractor(attractor: { power: number; period: number }): boolean {
+        const place = this.result && this.at !== undefined ? operating(this.result, this.at, attractor) : undefined;
+        if (place) this.choose(place, this.at);
+        return place !== undefined;
     }
 
     draw(): void {
@@ -160,7 +173,12 @@ export class Response {
     }
 
     private shows(branch: Branch): boolean {
-        return this.longPeriods || branch.period <= SHORT_PERIOD;
+        return branch.period <= (this.longPeriods ? Infinity : SHORT_PERIOD) || branch.period === this.attractor?.period;
+    }
+
+    /** Longest period to search for: short, unless longer ones are shown or the attractor of the operating point has one. */
+    get longestPeriod(): number {
+        return Math.max(this.longPeriods ? LONG_PERIOD : SHORT_PERIOD, this.attractor?.period ?? 0);
     }
 
     private lines(result: ResponseResult, own: (branch: Branch) => string, alpha: number): Curve[] {
@@ -170,7 +188,7 @@ export class Response {
             colour: own(branch),
             width: 2,
             alpha,
-            gap: (from) => result.draft && Math.abs(Math.log(branch.values.power[from + 1] / branch.values.power[from])) > DRAFT_STEP,
+            gap: (from) => result.draft !== undefined && Math.abs(Math.log(branch.values.power[from + 1] / branch.values.power[from])) > DRAFT_STEP,
             dashed: (from) => !(isStable(branch, from) && isStable(branch, from + 1)),
         }));
     }
@@ -181,7 +199,7 @@ export class Response {
         if (!result) return;
         const hidden = result.branches.filter((branch) => !this.shows(branch)).length;
         const text = [
-            ...(result.draft ? ["Draft: parts of the curves may be missing or old until the search ends."] : peakWords(this.widths, result.unit)),
+            ...(result.draft ? [draftWords(result.draft)] : peakWords(this.widths, result.unit)),
             ...(this.swept.length > 0 && this.sweepIsOld() ? ["The swept points are of an earlier design."] : []),
             ...(hidden > 0 ? [`${hidden} ${hidden === 1 ? "branch" : "branches"} of a period above ${SHORT_PERIOD} not shown.`] : []),
             ...(result.branches.length === 0 && !result.draft ? ["No periodic orbit was found in this range."] : []),
@@ -224,7 +242,7 @@ export class Response {
         if (place?.branch === this.hovered?.branch && place?.point === this.hovered?.point) return;
         this.hovered = place;
         const branch = place && this.result!.branches[place.branch];
-        this.chart.host.title = branch
+        this.cursor.textContent = branch
             ? `${quantity(branch.x[place.point], this.result!.unit, 5)}, ${quantity(branch.values.power[place.point], "W")}, period ${branch.period}, ${isStable(branch, place.point) ? "stable" : "unstable"}, ${digits(branch.contacts[place.point])} contacts`
             : "";
         this.draw();
@@ -234,7 +252,7 @@ export class Response {
         const { result } = this;
         const chosen = this.chosen ?? { branch: 0, point: 0 };
         const step = { ArrowRight: 1, ArrowLeft: -1, PageUp: 10, PageDown: -10 }[event.key];
-        if (!result || result.branches.length === 0) return;
+        if (!result || result.branches.length === 0 || event.shiftKey) return;
         let { branch, point } = chosen;
         if (step !== undefined) point = Math.min(Math.max(point + step, 0), result.branches[branch].x.length - 1);
         else if (event.key === "ArrowUp" || event.key === "ArrowDown") {

@@ -62,6 +62,10 @@ export class Shake {
         put("shake-high", 1.5 * hertz);
     }
 
+    get idle(): boolean {
+        return !this.running;
+    }
+
     /** Integrates under the drives of the spec. */
     ofSpec(): void {
         this.name = "the drives of the spec";
@@ -120,6 +124,7 @@ export class Shake {
 
     private take(frame: Frame): void {
         const { head } = frame;
+        if (head.stage === "progress") return this.say(`integrating under ${this.name}: ${Math.round((100 * head.done) / head.of)} %`);
         this.set(false);
         if (head.stage === "fault") return this.say(head.faults[0]?.message ?? "");
         const linear = head.linear_power_w > 0 ? `, ${quantity(head.linear_power_w, "W")} without contact` : "";

@@ -1,6 +1,6 @@
 // Keys of the page: undo, redo, pin, link, export, theme.
 
-const SINGLE: Record<string, string> = { p: "pin", l: "share", e: "export", t: "theme" };
+const SINGLE: Record<string, string> = { p: "pin", l: "share", e: "export", s: "save", t: "theme" };
 
 /** Runs the named actions on their keys, except while a text is typed. */
 export function shortcuts(act: Record<string, () => void>): void {

@@ -8,6 +8,11 @@ export class Stale {
 
     constructor(private readonly panel: HTMLElement, private readonly words: HTMLElement, private readonly design: Design) {}
 
+    /** True where the result belongs to an earlier design. */
+    get isOld(): boolean {
+        return this.shown && this.of !== this.design.signature;
+    }
+
     /** Registers that a result of the present design is requested. */
     begin(): void {
         this.of = this.design.signature;
@@ -17,8 +22,7 @@ export class Stale {
 
     /** Shows whether the result belongs to the present design. */
     mark(): void {
-        const old = this.shown && this.of !== this.design.signature;
-        this.panel.classList.toggle("stale", old);
-        this.words.hidden = !old;
+        this.panel.classList.toggle("stale", this.isOld);
+        this.words.hidden = !this.isOld;
     }
 }

@@ -1,6 +1,6 @@
 // A server on a copy of a spec, and a real browser on its page.
 import { spawn, spawnSync } from "node:child_process";
-import { cp, mkdtemp, rm } from "node:fs/promises";
+import { cp, mkdtemp, rm, writeFile } from "node:fs/promises";
 import { existsSync } from "node:fs";
 import { createInterface } from "node:readline";
 import { tmpdir } from "node:os";
@@ -17,11 +17,15 @@ const LONGEST_MS = 120_000;
 
 const FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"];
 
-/** Starts a server on a copy of the paper's spec, of another example, or of the template of a kind. */
+/** Kinds of templates that `jounce new` writes. */
+export const templates = () => spawnSync(program, ["new"], { encoding: "utf8" }).stdout.trim().split("\n").map((line) => line.split(" ")[0]);
+
+/** Starts a server on a copy of the paper's spec, of another example, of the template of a kind, or on a text. */
 export async function serve(options = {}) {
     const folder = await mkdtemp(join(tmpdir(), "explore-"));
     const spec = join(folder, "harvester.toml");
-    if (options.kind) spawnSync(program, ["new", options.kind, "--out", spec], { stdio: "inherit" });
+    if (options.text) await writeFile(spec, options.text);
+    else if (options.kind) spawnSync(program, ["new", options.kind, "--out", spec], { stdio: "inherit" });
     else await cp(`${root}examples/${options.example ?? "impact-harvester-2019/harvester.toml"}`, spec);
     const begin = async (listen) => {
         const child = spawn(program, ["explore", spec, "--no-browser", "--json", ...(listen ? ["--listen", listen] : [])], {

@@ -128,6 +128,27 @@ test("a draft is faded, has no marks, and says that it is one", async () => {
     await reset();
 });
 
+test("a draft says how far it is off, what it has lost, and that new branches are missing", async () => {
+    const slider = page.getByRole("slider", { name: "stop.tip.gap", exact: true });
+    const words = await slider.evaluate(async (element) => {
+        const heard = new Set();
+        for (const value of [330, 500, 165, 800, 330]) {
+            element.value = String(value);
+            element.dispatchEvent(new Event("input"));
+            for (let look = 0; look < 20; look++) {
+                await new Promise((resolve) => setTimeout(resolve, 50));
+                heard.add(document.getElementById("readout").textContent);
+            }
+        }
+        element.dispatchEvent(new Event("change"));
+        return [...heard].filter((own) => own.startsWith("Draft"));
+    });
+    assert.ok(words.length > 0);
+    for (const own of words) assert.match(own, /within 5 % of its power; .*missing until the search ends/);
+    await ready(page);
+    await reset();
+});
+
 test("a branch keeps its colour when the design changes", async () => {
     const strongest = async () => (await colours("#chart-response")).filter(([own]) => new Set(own.split(",")).size === 3).slice(0, 1).map(([own]) => own);
     const before = await strongest();
@@ -140,7 +161,11 @@ test("a branch keeps its colour when the design changes", async () => {
 });
 
 test("the fine result says what its search may miss", async () => {
-    assert.match(await text("note"), /misses branches that none of 6 seeds converges to, and branches of a period above 8 cycles/);
+    assert.match(await text("note"), /^The search misses branches that none of 6 seeds converges to, and branches of a period above 2 cycles\.$/);
+    await page.locator("#long-periods").check();
+    await until("note", /branches of a period above 8 cycles/);
+    await page.locator("#long-periods").uncheck();
+    await ready(page);
 });
 
 test("a fault stays until its cause is gone", async () => {

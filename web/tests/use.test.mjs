@@ -1,7 +1,8 @@
 // Use of the page: fields and sliders, links, pins, narrow windows, specs of other kinds, a lost server.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { open, ready, serve } from "./browser.mjs";
+import { readFile } from "node:fs/promises";
+import { inked, open, ready, serve } from "./browser.mjs";
 import { browser, field, page, server, type, until } from "./suite.mjs";
 
 const reset = async () => {
@@ -34,13 +35,25 @@ test("a slider with a default keeps its drag", async () => {
     await reset();
 });
 
-test("a point stays on its beam", async () => {
+test("points and patches stay on their beam", async () => {
     const slider = page.locator("input[type=range][aria-label='beam.beam.point.tip']");
     await page.locator("#groups > details:has(input[aria-label='beam.beam.point.tip']) > summary").click();
     await slider.focus();
     await page.keyboard.press("End");
     await ready(page);
     assert.equal(Number(await field("beam.beam.point.tip").inputValue()), 315);
+    await ready(page);
+    // The end of the patch is dragged far beyond the beam, then the tip.
+    for (const [key, value, end] of [["patch.mfc.length", "patch.mfc.length", 306], ["beam.beam.point.tip", "beam.beam.point.tip", 315]]) {
+        const box = await page.locator(`[data-handle="${key}"]`).first().boundingBox();
+        const y = box.y + box.height / 2;
+        await page.mouse.move(box.x + box.width / 2, y);
+        await page.mouse.down();
+        await page.mouse.move(box.x + 900, y, { steps: 4 });
+        await page.mouse.up();
+        await ready(page);
+        assert.ok(Number(await field(value).inputValue()) <= end, `${key} ${await field(value).inputValue()}`);
+    }
     assert.equal(await page.locator(".fault:visible").count(), 0);
     await reset();
 });
@@ -58,6 +71,36 @@ test("a link with an unknown key shows the rest of it, and one in an open tab is
     await other.goto("about:blank");
     await other.goto(server.address.replace(/\/$/, ""));
     await ready(other);
+    await other.close();
+});
+
+test("a link of a view alone, of an unknown axis, of a refused value, and of a reversed range", async () => {
+    const other = await browser.context.newPage();
+    const shows = async (id, value) => assert.equal(await other.locator(id).inputValue(), value);
+    const follow = (hash) => other.evaluate((own) => (location.hash = own), hash);
+    await other.goto(`${server.address}#over=drive.shaker.frequency&from=12&to=14`);
+    await ready(other);
+    await shows("#from", "12");
+    // In the open page: the range of the link, and the values of the file.
+    await follow("set=stop.tip.gap%3D0.7+mm");
+    await other.waitForFunction(() => document.querySelector("[aria-label='stop.tip.gap, value']").value === "0.7");
+    await follow("over=stop.tip.gap&from=0.0005&to=0.0015");
+    await other.waitForFunction(() => document.querySelector("[aria-label='stop.tip.gap, value']").value === "1" && document.getElementById("over").value === "stop.tip.gap");
+    await ready(other);
+    await shows("#to", "1.5");
+    assert.equal(await other.locator("#faults").textContent(), "");
+    await follow("over=stop.nonsense.gap&from=1&to=2");
+    await until("faults", /no number stop\.nonsense\.gap/, other);
+    await ready(other);
+    await shows("#over", "drive.shaker.frequency");
+    await follow("over=drive.shaker.frequency&from=14&to=12&set=stop.tip.gap%3D0.8+mm");
+    await other.waitForFunction(() => document.querySelector("[aria-label='stop.tip.gap, value']").value === "0.8");
+    await ready(other);
+    await other.goto("about:blank");
+    await other.goto(`${server.address}#over=stop.nonsense.gap&from=1&to=2&set=stop.tip.gap%3D-3+kg`);
+    await ready(other);
+    await shows("#over", "drive.shaker.frequency");
+    assert.match(await other.locator("#groups .fault:visible, #faults").allTextContents().then((own) => own.join(" ")), /kg/);
     await other.close();
 });
 
@@ -98,10 +141,45 @@ test("nothing overflows at 390 px, and the drawing can be read", async () => {
 });
 
 test("a long status stays on one line", async () => {
-    const height = () => page.locator("header").evaluate((own) => own.getBoundingClientRect().height);
-    const before = await height();
-    await page.locator("#status").evaluate((own) => (own.textContent = "a long status ".repeat(30)));
-    assert.equal(await height(), before);
+    const height = (words) => page.locator("header").evaluate((own, status) => {
+        own.querySelector("#status").textContent = status;
+        return own.getBoundingClientRect().height;
+    }, words);
+    for (const width of [1280, 820, 390]) {
+        await page.setViewportSize({ width, height: 800 });
+        await page.waitForTimeout(200);
+        assert.equal(await height("a long status ".repeat(30)), await height("short"), String(width));
+        await height("a long status ".repeat(30));
+        assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= width, String(width));
+    }
+    await page.setViewportSize({ width: 1280, height: 800 });
+    // The page sets its own status again.
+    await type("stop.tip.gap", "1.01");
+    await page.locator("#reset").click();
+    await ready(page);
+});
+
+/** Labels of the drawing that cover each other or leave their part of it. */
+const badLabels = (own) => own.evaluate(() => [...document.querySelectorAll("#drawing > div > svg")].flatMap((view) => {
+    const box = view.getBoundingClientRect();
+    const labels = [...view.querySelectorAll("text")].map((text) => ({ words: text.textContent, ...text.getBoundingClientRect().toJSON() }));
+    const covers = (a, b) => Math.min(a.right, b.right) - Math.max(a.left, b.left) > 1 && Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 3;
+    const pairs = labels.flatMap((a, k) => labels.slice(k + 1).filter((b) => covers(a, b)).map((b) => `${a.words} / ${b.words}`));
+    const cut = labels.filter((own) => own.left < box.left - 1 || own.right > box.right + 1 || own.top < box.top - 1 || own.bottom > box.bottom + 1);
+    return [...pairs, ...cut.map((own) => `cut: ${own.words}`)];
+}));
+
+test("no label of the drawing covers another one or is cut", async () => {
+    await page.locator("#groups > details").evaluateAll((list) => list.forEach((group) => (group.open = true)));
+    const moves = [["patch.mfc.length", "300"], ["patch.mfc.start", "200"], ["beam.beam.point.tip", "20"], ["beam.beam.point.tip", "100"], ["stop.tip.gap", "40"], ["stop.tip.gap", "0.001"], ["beam.beam.thickness", "9"], ["beam.beam.length", "3000"]];
+    assert.ok((await page.locator("#drawing text").count()) > 5);
+    for (const [key, value] of moves) {
+        await type(key, value);
+        await page.waitForFunction(() => document.getElementById("drawing").ariaBusy === "false");
+        assert.deepEqual(await badLabels(page), [], `${key} ${value}`);
+        await page.locator("#undo").click();
+    }
+    await reset();
 });
 
 test("without a stop there are no charts of contact", async () => {
@@ -109,15 +187,43 @@ test("without a stop there are no charts of contact", async () => {
     const own = await open(browser.context, linear.address);
     for (const id of ["chart-force", "chart-phase"]) assert.ok(await own.locator(`#${id}`).isHidden());
     assert.match(await own.locator("#chart-displacement").getAttribute("aria-label"), /End of shim/);
+    const charts = await own.locator("#orbit-charts .chart:visible").evaluateAll((list) => list.map((chart) => chart.id));
+    assert.ok(charts.length >= 4, charts.join());
+    for (const id of charts) assert.ok((await inked(own, `#${id} canvas`)) > 0.03, id);
     await own.close();
     await linear.close();
+});
+
+test("a spec without a drive opens on its free motion", async () => {
+    const text = await readFile(server.spec, "utf8");
+    const free = await serve({ text: text.replace(/\[drive\.shaker\][^[]*/, "") });
+    const own = await browser.context.newPage();
+    await own.goto(free.address);
+    await until("operating-words", /the drives of the spec: [\d.]+ .?W on average/, own);
+    assert.equal(await own.locator("#faults").textContent(), "");
+    await own.close();
+    await free.close();
+});
+
+test("a design that settles late shows its run and the response without contact while it integrates", async () => {
+    const late = await serve({ example: "seismic-mass-jacquelin-2011/harvester.toml" });
+    const own = await browser.context.newPage();
+    await own.goto(late.address);
+    await until("operating-words", /the drives of the spec: [\d.]+ µW on average .*starts/, own);
+    await until("readout", /Draft: without contact only/, own);
+    assert.ok((await inked(own, "#chart-response canvas")) > 0.005);
+    assert.match(await own.locator("#chart-shake-voltage").getAttribute("aria-label"), /on average/);
+    await own.locator("#operating-stop").click();
+    await until("operating-words", /^Operating point: stopped/, own);
+    await own.close();
+    await late.close();
 });
 
 test("a stop on a moving beam moves in the animation", async () => {
     const beams = await serve({ example: "two-beams-vijayan-2015/harvester.toml" });
     const own = await browser.context.newPage();
     await own.goto(beams.address);
-    await until("readout", /Draft|Peak|Largest/, own);
+    await until("readout", /Draft from|Draft: what|Peak|Largest/, own);
     await own.locator("#chart-response").focus();
     await own.keyboard.press("ArrowRight");
     await until("orbit-title", /Orbit at/, own);

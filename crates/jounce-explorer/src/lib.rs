@@ -21,8 +21,9 @@
 //!
 //! *Order.* Each socket runs one request of each kind. A new request of a kind cancels the previous
 //! one: its computation ends within the integration of one period, and its response is never sent.
-//! A response is first sent as `coarse` (branches continued from the orbits of the previous
-//! design), then as `fine` (the search of `jounce branch`). Work that takes longer than
+//! The first response over a key is preceded by `first` (the harvester without contact). Each response
+//! is sent as `coarse` (branches continued from the orbits of the previous design), then as `fine`
+//! (the search of `jounce branch`). Work that takes longer than
 //! [`ServerLimits::max_computation_time`] is cancelled with a message.
 //!
 //! *Safety.* By default the server listens on the loopback interface. Every request and every
@@ -30,7 +31,8 @@
 //! Where the browser sends an `Origin`, it must be this server. The browser receives the token
 //! through a file that only its owner may read, never through the command line of a process. The
 //! page runs under a content-security policy that permits no foreign content. Overrides may set
-//! numbers only, never the path of a file. Bodies, frames, sockets and computation time are
+//! numbers only, never the path of a file. The page writes only these numbers, and only into the file of
+//! its spec. Bodies, frames, sockets and computation time are
 //! limited.
 //!
 //! *Return.* Port and token are saved in a file that only its owner may read. The next server of

@@ -1,5 +1,6 @@
 //! Response under the drives of the spec, or under noise or a recording in place of the first one.
 
+use super::progress::with_progress;
 use super::upload::write_channel;
 use crate::session::Session;
 use crate::session::cancellation::Cancellation;
@@ -24,9 +25,10 @@ pub fn respond(
 ) -> Result<(), RequestFault> {
     let temporary = tempfile::tempdir()?;
     let (excitation, channel) = excitation(request, temporary.path())?;
-    let outcome = session
-        .analysis
-        .excite(design, &excitation, cancellation.control());
+    let outcome = with_progress(session, (id, "shake"), cancellation, || {
+        let control = cancellation.control();
+        session.analysis.excite(design, &excitation, control)
+    });
     let result = outcome.map_err(|error| named(error, request, &excitation))?;
     let mut frame = Frame::new(id, "shake", "done");
     frame

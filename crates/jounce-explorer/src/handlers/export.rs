@@ -2,10 +2,10 @@
 
 use crate::session::fault::RequestFault;
 use crate::session::frame::Frame;
+use crate::source::Source;
 use jounce::live::{Design, KeySpan};
-use std::path::Path;
 
-/// Returns the spec as text, and the commands that give the response over a range.
+/// Returns the spec as text, the text of its file, and the commands that give the response over a range.
 ///
 /// # Errors
 /// [`RequestFault`]: faults of the range.
@@ -14,10 +14,10 @@ pub fn export(
     design: &Design,
     span: &KeySpan,
     set: &[(String, String)],
-    path: &Path,
+    source: &Source,
 ) -> Result<Frame, RequestFault> {
     let (range, over) = (span.text(design)?, &span.over);
-    let path = path.display().to_string();
+    let path = source.name().display().to_string();
     let set_options: String = set
         .iter()
         .map(|(key, value)| format!(" --set {}", shell_quoted(&format!("{key}={value}"))))
@@ -37,6 +37,8 @@ pub fn export(
     let mut frame = Frame::new(id, "export", "done");
     frame
         .put("spec", design.harvester().text())
+        .put("file", source.read()?.text())
+        .put("has_file", source.file().is_some())
         .put("shell", shell)
         .put("python", python);
     Ok(frame)

@@ -8,5 +8,6 @@ pub(super) mod operating_point;
 pub(super) mod orbit;
 mod progress;
 pub(super) mod response;
+pub(super) mod save;
 pub(super) mod sweep;
 mod upload;

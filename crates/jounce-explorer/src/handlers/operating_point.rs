@@ -1,5 +1,6 @@
 //! Attractors at the operating point of a design, from a cloud of starts.
 
+use super::progress::with_progress;
 use crate::session::Session;
 use crate::session::cancellation::Cancellation;
 use crate::session::fault::RequestFault;
@@ -8,7 +9,7 @@ use jounce::BasinsOptions;
 use jounce::live::Design;
 use serde_json::json;
 
-/// Sends the attractors with their basin fractions.
+/// Sends the progress, then the attractors with their basin fractions.
 ///
 /// # Errors
 /// [`RequestFault`].
@@ -20,7 +21,9 @@ pub fn respond(
     cancellation: &Cancellation,
 ) -> Result<(), RequestFault> {
     let harvester = design.harvester().with_control(cancellation.control());
-    let result = harvester.basins(options)?;
+    let result = with_progress(session, (id, "operating-point"), cancellation, || {
+        harvester.basins(options)
+    })?;
     let mut frame = Frame::new(id, "operating-point", "done");
     frame
         .put_all(&json!(result))

@@ -22,6 +22,7 @@ pub(super) fn with_progress<T>(
     std::thread::scope(|scope| {
         scope.spawn(move || {
             while is_working.recv_timeout(PROGRESS_INTERVAL) == Err(RecvTimeoutError::Timeout) {
+                cancellation.control().request_progress();
                 let (done, expected) = cancellation.control().progress();
                 if done > 0 {
                     let mut frame = Frame::new(id, kind, "progress");

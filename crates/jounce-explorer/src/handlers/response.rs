@@ -17,7 +17,7 @@ const SLIDER_REST: Duration = Duration::from_millis(120);
 /// Time between two checks for a newer position of the slider.
 const POLL_INTERVAL: Duration = Duration::from_millis(5);
 
-/// Sends the coarse and the fine response, then peak and bandwidth.
+/// Sends the harvester without contact, the coarse and the fine response, then peak and bandwidth.
 ///
 /// # Errors
 /// [`RequestFault`]: faults of the range or of the harvester.
@@ -30,6 +30,9 @@ pub fn respond(
 ) -> Result<(), RequestFault> {
     let (analysis, control) = (&session.analysis, cancellation.control());
     let start_time = Instant::now();
+    if let Some(first) = analysis.first_response(design, span, control)? {
+        session.send(cancellation, frame(id, "first", &first, start_time));
+    }
     let coarse = analysis.coarse_response(id, design, span, control)?;
     session.send(cancellation, frame(id, "coarse", &coarse, start_time));
 
@@ -66,6 +69,7 @@ fn frame(id: u64, stage: &str, response: &ResponseResult, start_time: Instant) -
         .put("over", response.over.as_str())
         .put("unit", response.unit.as_str())
         .put("note", json!(response.note))
+        .put("draft", json!(response.draft))
         .put("ms", 1e3 * start_time.elapsed().as_secs_f64());
     frame.curve("linear", &response.linear);
     for (index, branch) in response.branches.iter().enumerate() {

@@ -2,6 +2,7 @@
 
 mod assets;
 mod authenticator;
+mod connections;
 mod file_watch;
 mod launch;
 mod saved_address;
@@ -19,7 +20,6 @@ use axum::extract::ws::WebSocketUpgrade;
 use axum::extract::ws::rejection::WebSocketUpgradeRejection;
 use axum::http::{HeaderMap, Method, StatusCode, Uri};
 use axum::response::{IntoResponse as _, Redirect, Response};
-use axum::serve::ListenerExt as _;
 use saved_address::SavedAddress;
 use std::net::{Ipv4Addr, SocketAddr};
 use std::path::{Path, PathBuf};
@@ -55,6 +55,8 @@ pub struct ServerLimits {
     pub message_bytes: usize,
     /// Longest time of one computation.
     pub max_computation_time: Duration,
+    /// Longest time in which a connection must send the headers of a request.
+    pub max_header_time: Duration,
 }
 
 impl Default for ServerLimits {
@@ -63,6 +65,7 @@ impl Default for ServerLimits {
             sockets: 64,
             message_bytes: 16 << 20,
             max_computation_time: Duration::from_secs(120),
+            max_header_time: Duration::from_secs(5),
         }
     }
 }
@@ -202,6 +205,7 @@ impl Explorer {
     async fn serve(self) -> std::io::Result<()> {
         let cores = std::thread::available_parallelism().map_or(2, usize::from);
         let mut stop_signal = self.stop.subscribe();
+        let max_header_time = self.options.limits.max_header_time;
         let host = Host {
             authenticator: self.authenticator,
             sockets: Arc::new(Semaphore::new(self.options.limits.sockets)),
@@ -214,15 +218,10 @@ impl Explorer {
         let router = Router::new()
             .fallback(handle_request)
             .with_state(Arc::new(host));
-        // Without this option a response waits about 40 ms for the receipt of the previous one.
-        let disable_delay = |stream: &mut tokio::net::TcpStream| {
-            let _ = stream.set_nodelay(true);
-        };
-        let listener = tokio::net::TcpListener::from_std(self.listener)?.tap_io(disable_delay);
-        let server = axum::serve(listener, router);
+        let listener = tokio::net::TcpListener::from_std(self.listener)?;
         // Connections that a browser leaves open would delay a graceful shutdown.
         tokio::select! {
-            result = server.into_future() => result,
+            () = connections::serve(listener, router, max_header_time) => Ok(()),
             _ = stop_signal.wait_for(|stop_signal| *stop_signal) => {
                 tokio::time::sleep(Duration::from_millis(100)).await;
                 Ok(())

@@ -7,6 +7,7 @@ mod latest_requests;
 pub(super) mod request;
 
 use crate::handlers::export::export;
+use crate::handlers::save::save;
 use crate::handlers::{basins, excitation, load, operating_point, orbit, response, sweep};
 use crate::server::Host;
 use cancellation::Cancellation;
@@ -166,7 +167,12 @@ impl Session {
             }
             RequestKind::Shake { by } => excitation::respond(self, id, design, by, cancellation),
             RequestKind::Export(span) => {
-                let frame = export(id, design, span, &request.set, source.name())?;
+                let frame = export(id, design, span, &request.set, source)?;
+                self.send(cancellation, frame);
+                Ok(())
+            }
+            RequestKind::Save { before } => {
+                let frame = save(id, design, before, source)?;
                 self.send(cancellation, frame);
                 Ok(())
             }

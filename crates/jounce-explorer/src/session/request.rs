@@ -94,6 +94,11 @@ pub enum RequestKind {
     },
     /// Spec as text with the overrides, and the commands that give the same response.
     Export(KeySpan),
+    /// Writes the numbers into the file of the spec.
+    Save {
+        /// Text of the file with which the page has compared the design.
+        before: String,
+    },
     /// Cancels the work on one kind of request.
     Stop {
         /// Kind of the request.
@@ -114,6 +119,7 @@ impl RequestKind {
             RequestKind::OperatingPoint(_) => "operating-point",
             RequestKind::Shake { .. } => "shake",
             RequestKind::Export(_) => "export",
+            RequestKind::Save { .. } => "save",
             RequestKind::Stop { .. } => "stop",
         }
     }

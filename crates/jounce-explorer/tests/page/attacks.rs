@@ -4,6 +4,8 @@ use crate::client::{TestServer, paper};
 use futures_util::SinkExt;
 use jounce_explorer::ServerLimits;
 use serde_json::json;
+use std::io::{Read, Write};
+use std::net::TcpStream;
 use std::time::Duration;
 use tokio_tungstenite::tungstenite::Message;
 
@@ -116,6 +118,31 @@ fn bodies_and_other_methods_are_refused() {
     assert_eq!(server.get(&format!("/{token}/"), "").0, 200);
 }
 
+#[test]
+fn a_connection_without_a_complete_request_is_closed() {
+    let server = TestServer::new(
+        &paper(),
+        ServerLimits {
+            max_header_time: Duration::from_millis(300),
+            ..Default::default()
+        },
+    );
+    let (token, host) = (&server.token, &server.host);
+    for part in [
+        String::new(),
+        format!("GET /{token}/ HTTP/1.1\r\nHost: {host}\r\n"),
+    ] {
+        let mut stream = TcpStream::connect(host).unwrap();
+        let longest = Some(Duration::from_secs(60));
+        stream.set_read_timeout(longest).unwrap();
+        stream.write_all(part.as_bytes()).unwrap();
+        // Ends with the connection, or fails after the time of reading.
+        let mut bytes = Vec::new();
+        stream.read_to_end(&mut bytes).unwrap();
+    }
+    assert_eq!(server.get(&format!("/{token}/"), "").0, 200);
+}
+
 #[tokio::test]
 async fn sockets_need_token_and_origin() {
     let server = TestServer::new(&paper(), ServerLimits::default());
@@ -155,6 +182,7 @@ async fn sockets_messages_and_times_are_limited() {
             sockets: 2,
             message_bytes: 20_000,
             max_computation_time: Duration::from_millis(20),
+            ..Default::default()
         },
     );
     let expected_origin = format!("http://{}", server.host);

@@ -312,3 +312,28 @@ async fn a_page_reconnects_to_the_next_server() {
     assert_eq!((&next_server.host, &next_server.token), (&host, &token));
     next_server.page().await;
 }
+
+#[tokio::test]
+async fn numbers_are_saved_to_the_file_that_the_page_has_compared() {
+    let folder = tempfile::tempdir().unwrap();
+    let spec = folder.path().join("harvester.toml");
+    std::fs::copy(paper(), &spec).unwrap();
+    let server = TestServer::new(&spec, ServerLimits::default());
+    let mut page = server.page().await;
+    let set = json!([["stop.tip.gap", "0.7 mm"]]);
+    let range = json!({ "set": set, "over": "drive.shaker.frequency", "from": 12.0, "to": 14.0 });
+    page.send_request("export", range).await;
+    let response = page.receive_until("export", "done").await;
+    let before = response.head["file"].as_str().unwrap().to_owned();
+    page.send_request("save", json!({ "set": set, "before": "another text" }))
+        .await;
+    let fault = page.receive_until("save", "fault").await;
+    let message = fault.head["faults"][0]["message"].as_str().unwrap();
+    assert!(message.contains("has changed meanwhile"), "{message}");
+    assert_eq!(std::fs::read_to_string(&spec).unwrap(), before);
+    page.send_request("save", json!({ "set": set, "before": before }))
+        .await;
+    page.receive_until("save", "done").await;
+    let expected = before.replace(r#"gap = "1 mm""#, r#"gap = "0.7 mm""#);
+    assert_eq!(std::fs::read_to_string(&spec).unwrap(), expected);
+}

@@ -97,7 +97,7 @@ impl Design {
             _ => (key.unit(), 1.0),
         };
         let (low, high) = key.limits();
-        let limits = (low, high.min(self.length_of_beam(key).unwrap_or(high)));
+        let limits = (low, high.min(self.room_on_beam(key).unwrap_or(high)));
         let scale = slider_scale(key, value, limits.0);
         let (from, to) = slider_ends(scale, value, factor, limits);
         Some(DesignControl {
@@ -115,10 +115,23 @@ impl Design {
         })
     }
 
-    /// Returns the length of the beam on which a key specifies a point, m.
-    fn length_of_beam(&self, key: &NumericKey) -> Option<f64> {
-        let (beam, _) = key.path().strip_prefix("beam.")?.split_once(".point.")?;
-        Some(self.spec().beam.get(beam)?.length_m)
+    /// Returns the largest value of a key with which a point or a patch stays on its beam, m.
+    fn room_on_beam(&self, key: &NumericKey) -> Option<f64> {
+        let length_m = |beam: &str| Some(self.spec().beam.get(beam)?.length_m);
+        let parts: Vec<&str> = key.path().split('.').collect();
+        match parts[..] {
+            ["beam", beam, "point", _] => length_m(beam),
+            ["patch", name, which @ ("start" | "length")] => {
+                let patch = self.spec().patch.get(name)?;
+                let taken_m = if which == "start" {
+                    patch.length_m
+                } else {
+                    patch.start_m
+                };
+                Some(length_m(&patch.on)? - taken_m)
+            }
+            _ => None,
+        }
     }
 }
 
@@ -180,7 +193,7 @@ mod tests {
     }
 
     #[test]
-    fn a_value_of_zero_retains_its_unit_and_a_point_stays_on_its_beam() {
+    fn a_value_of_zero_retains_its_unit_and_points_and_patches_stay_on_their_beam() {
         let path = concat!(
             env!("CARGO_MANIFEST_DIR"),
             "/../../examples/impact-harvester-2019/harvester.toml"
@@ -194,6 +207,10 @@ mod tests {
         assert!(gap.to <= 0.011, "{}", gap.to);
         let length = find("beam.beam.length").value;
         assert_eq!(find("beam.beam.point.tip").to, length);
+        let [start, patch] = ["start", "length"].map(|end| find(&format!("patch.mfc.{end}")));
+        for end in [start.to + patch.value, start.value + patch.to] {
+            assert!(end <= length * (1.0 + 1e-12), "{end} {length}");
+        }
     }
 
     #[test]

@@ -100,6 +100,7 @@ impl LiveAnalysis {
             tolerance,
             record_s: duration_s,
         };
+        control.expect_run(duration_s);
         let result = simulate(&kernel, &start, &plan)?;
         let linear = || Random::new(&spec).and_then(|random| random.response());
         let linear_power_w = match excitation {

@@ -8,6 +8,7 @@
 //! |---|---|
 //! | every number with its unit and the range of its slider | [`Design::controls`] |
 //! | scale drawing with the keys that move its parts | [`Design::drawing`] |
+//! | the harvester without contact over a key | [`LiveAnalysis::first_response`] |
 //! | branches over a key, carried over from the previous design | [`LiveAnalysis::coarse_response`] |
 //! | all branches over a key; their peak and bandwidth | [`LiveAnalysis::fine_response`], [`LiveAnalysis::bandwidth`] |
 //! | orbit of one point with the motion of its beams | [`LiveAnalysis::orbit`] |
@@ -40,7 +41,8 @@ pub use key_span::KeySpan;
 pub use load::{LinearLoad, LoadOptions};
 pub use orbits::{BeamMotion, BranchPlace, OrbitResult, OrbitStop};
 pub use responses::{
-    LinearCurve, ResponseBifurcation, ResponseBranch, ResponseOptions, ResponseResult,
+    Draft, DraftOrigin, LinearCurve, ResponseBifurcation, ResponseBranch, ResponseOptions,
+    ResponseResult,
 };
 pub use sweep::LivePoint;
 pub use time_history::{Extremes, SpectralDensity};

@@ -1,5 +1,7 @@
 //! Branches of a design from those of the previous one.
 
+use super::draft::{Draft, DraftOrigin};
+use super::shorter_period::without_shorter_periods;
 use super::stored_response::{Origin, StoredResponse};
 use crate::live::{Design, LiveAnalysis};
 use jounce_analysis::{
@@ -33,6 +35,16 @@ const LONG_STEPS: StepControl = StepControl {
     most_evaluations: 6,
 };
 
+/// Branches of a design from those of the previous one.
+pub(super) struct CarriedBranches {
+    /// The branches.
+    pub branches: Vec<Branch>,
+    /// Design and branches from which these were updated, point by point.
+    pub origin: Option<Origin>,
+    /// How they were found.
+    pub draft: Draft,
+}
+
 impl LiveAnalysis {
     /// Returns the branches near those of the previous design. They are updated point by point, or
     /// continued again if that loses points or the range has changed. Without known branches,
@@ -43,13 +55,13 @@ impl LiveAnalysis {
         base: &Model,
         parameter: &Parameter,
         range: (f64, f64),
-    ) -> (Vec<Branch>, Option<Origin>) {
+    ) -> CarriedBranches {
         let kernel = &base.kernel;
         let last = self.responses.last(parameter.key().path());
         if let Some(last) = last.as_ref().filter(|last| last.range == range)
-            && let Some((branches, known)) = updated(last, design, base, parameter)
+            && let Some(carried) = updated(last, design, base, parameter)
         {
-            return (branches, Some((last.spec.clone(), known)));
+            return carried;
         }
         let warm_start = WarmStart {
             harvester: parameter,
@@ -59,23 +71,36 @@ impl LiveAnalysis {
             control: LONG_STEPS,
             resolution: MAX_LAST_MOVE,
         };
-        let from = |orbits: &[KnownOrbit]| warm_start.run(orbits).unwrap_or_default();
+        let from = |orbits: &[KnownOrbit]| {
+            without_shorter_periods(warm_start.run(orbits).unwrap_or_default())
+        };
         let branches = last.map(|last| from(&last.orbits())).unwrap_or_default();
         if !branches.is_empty() || kernel.control.is_stopped() {
-            return (branches, None);
+            return CarriedBranches::continued(branches, DraftOrigin::Continued);
         }
-        (from(&settled_orbits(parameter, base, range)), None)
+        let branches = from(&settled_orbits(parameter, base, range));
+        CarriedBranches::continued(branches, DraftOrigin::Settled)
     }
 }
 
-/// Returns the branches of the last response, updated point by point, and those before the update;
-/// `None` where too many points are lost.
+impl CarriedBranches {
+    fn continued(branches: Vec<Branch>, origin: DraftOrigin) -> Self {
+        Self {
+            branches,
+            origin: None,
+            draft: Draft::continued(origin),
+        }
+    }
+}
+
+/// Returns the branches of the last response, updated point by point; `None` where too many points
+/// are lost.
 fn updated(
     last: &StoredResponse,
     design: &Design,
     base: &Model,
     parameter: &Parameter,
-) -> Option<(Vec<Branch>, Arc<Vec<Branch>>)> {
+) -> Option<CarriedBranches> {
     // A fine response has more points than a curve needs; an updated one retains its points, so
     // that their changes can be extrapolated.
     let thinned = |branch: &Branch| branch.thinned(SIMPLIFY_SHARE);
@@ -100,8 +125,12 @@ fn updated(
     };
     let updated = update.run(&known);
     let points: usize = known.iter().map(|branch| branch.points.len()).sum();
-    let is_complete = (updated.lost as f64) <= MAX_LOST_SHARE * points as f64;
-    is_complete.then_some((updated.branches, known))
+    let lost_share = updated.lost as f64 / points as f64;
+    (lost_share <= MAX_LOST_SHARE).then(|| CarriedBranches {
+        branches: without_shorter_periods(updated.branches),
+        origin: Some((last.spec.clone(), known)),
+        draft: Draft::updated(last.draft, lost_share),
+    })
 }
 
 /// Returns the orbits on which an integration from rest and from the steady state settles at both

@@ -1,16 +1,16 @@
 //! Response over a key: first the branches near those of the previous design, then all branches.
 
 use super::ResponseResult;
-use super::stored_response::{Origin, StoredResponse};
+use super::carry::CarriedBranches;
+use super::stored_response::StoredResponse;
 use crate::branch::search_note;
 use crate::error::Error;
 use crate::live::{Design, KeySpan, LiveAnalysis};
 use crate::options::check_tolerance;
 use jounce_analysis::{
-    Bandwidth, BandwidthSearch, Branch, BranchOptions, BranchSearch, OrbitMethodKind, Parameter,
+    Bandwidth, BandwidthSearch, BranchOptions, BranchSearch, OrbitMethodKind, Parameter,
 };
 use jounce_control::Control;
-use jounce_spec::NumericKey;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -88,13 +88,49 @@ impl LiveAnalysis {
         let (key, range) = (span.key(design)?, span.ends());
         let base = self.model(design.spec(), control)?;
         let parameter = Parameter::new(&base, &key, range.1 - range.0);
-        let ((branches, origin), linear) = rayon::join(
+        let (carried, linear) = rayon::join(
             || self.carried_branches(design, &base, &parameter, range),
             || self.linear.curve(design.spec(), &parameter, range),
         );
-        let result = ResponseResult::new(&key, linear, &branches);
-        self.store(id, design, (key, range), branches, origin, control);
+        let mut result = ResponseResult::new(&key, linear, &carried.branches);
+        result.draft = Some(carried.draft);
+        let CarriedBranches {
+            branches,
+            origin,
+            draft,
+        } = carried;
+        let stored = StoredResponse {
+            id,
+            spec: design.spec().clone(),
+            key,
+            range,
+            branches: Arc::new(branches),
+            origin,
+            draft: Some(draft),
+        };
+        self.store(stored, control);
         Ok(result)
+    }
+
+    /// Returns the harvester without contact before the first response over a key: a first picture
+    /// within milliseconds. Returns `None` after a response over the key.
+    ///
+    /// # Errors
+    /// As [`Self::coarse_response`].
+    pub fn first_response(
+        &self,
+        design: &Design,
+        span: &KeySpan,
+        control: &Control,
+    ) -> Result<Option<ResponseResult>, Error> {
+        let (key, range) = (span.key(design)?, span.ends());
+        if self.responses.last(key.path()).is_some() {
+            return Ok(None);
+        }
+        let base = self.model(design.spec(), control)?;
+        let parameter = Parameter::new(&base, &key, range.1 - range.0);
+        let linear = self.linear.curve(design.spec(), &parameter, range);
+        Ok(Some(ResponseResult::new(&key, linear, &[])))
     }
 
     /// Finds the branches over a key by the search of `jounce branch`, which also starts from the
@@ -133,7 +169,16 @@ impl LiveAnalysis {
         let linear = self.linear.curve(design.spec(), &parameter, range);
         let mut result = ResponseResult::new(&key, linear, &branches);
         result.note = Some(search_note(options.seeds, options.longest_period));
-        self.store(id, design, (key, range), branches, None, control);
+        let stored = StoredResponse {
+            id,
+            spec: design.spec().clone(),
+            key,
+            range,
+            branches: Arc::new(branches),
+            origin: None,
+            draft: None,
+        };
+        self.store(stored, control);
         Ok(result)
     }
 
@@ -160,25 +205,9 @@ impl LiveAnalysis {
     }
 
     /// Stores a response, unless its computation was stopped.
-    fn store(
-        &self,
-        id: u64,
-        design: &Design,
-        (key, range): (NumericKey, (f64, f64)),
-        branches: Vec<Branch>,
-        origin: Option<Origin>,
-        control: &Control,
-    ) {
-        if control.is_stopped() {
-            return;
+    fn store(&self, response: StoredResponse, control: &Control) {
+        if !control.is_stopped() {
+            self.responses.store(response);
         }
-        self.responses.store(StoredResponse {
-            id,
-            spec: design.spec().clone(),
-            key,
-            range,
-            branches: Arc::new(branches),
-            origin,
-        });
     }
 }

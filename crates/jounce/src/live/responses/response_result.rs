@@ -1,6 +1,7 @@
 //! Result of a response over a key.
 
 use super::LinearCurve;
+use super::draft::Draft;
 use jounce_analysis::{Bifurcation, Branch, BranchPoint, Termination};
 use jounce_spec::NumericKey;
 use serde::Serialize;
@@ -20,6 +21,8 @@ pub struct ResponseResult {
     pub bifurcations: Vec<ResponseBifurcation>,
     /// Branches that the search may miss; `None` for a coarse response.
     pub note: Option<String>,
+    /// How a draft was found; `None` for a searched response.
+    pub draft: Option<Draft>,
 }
 
 /// A branch: one value of each list per point.
@@ -77,6 +80,7 @@ impl ResponseResult {
             branches: branches.iter().map(ResponseBranch::new).collect(),
             bifurcations: branches.iter().enumerate().flat_map(bifurcations).collect(),
             note: None,
+            draft: None,
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Responses computed so far, for the orbits of their points and for the next response.
 
+use super::draft::Draft;
 use jounce_analysis::{Branch, KnownOrbit, Model, Parameter};
 use jounce_spec::{NumericKey, Spec};
 use std::collections::VecDeque;
@@ -23,6 +24,8 @@ pub struct StoredResponse {
     pub branches: Arc<Vec<Branch>>,
     /// Design and branches from which these were updated, point by point.
     pub origin: Option<Origin>,
+    /// How a draft was found; `None` for a searched response.
+    pub draft: Option<Draft>,
 }
 
 /// Origin of updated branches.

@@ -1,0 +1,42 @@
+// Saves the changed values to the file, after a look at the difference.
+
+import type { Design } from "./design";
+import { difference } from "./difference";
+import type { Head } from "./frame";
+import type { Wire } from "./wire";
+
+const find = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;
+
+export class Save {
+    private readonly dialog = find<HTMLDialogElement>("save-dialog");
+    private readonly write = find<HTMLButtonElement>("save-write");
+    private readonly words = find("save-words");
+    private before = "";
+
+    constructor(private readonly wire: Wire, private readonly design: Design) {
+        wire.on("save", ({ head }) => this.saved(head));
+        this.write.onclick = () => this.wire.ask("save", { set: this.design.pairs, before: this.before });
+    }
+
+    /** Shows the difference between the file and the design. */
+    open({ spec, file, has_file }: Head, name: string): void {
+        this.before = file;
+        const lines = difference(file, spec);
+        find("save-difference").textContent = lines.join("\n") || "The values are those of the file.";
+        this.words.textContent = has_file ? "" : "This spec has no file; export it instead.";
+        this.write.textContent = `Save to ${name.split(/[\\/]/).pop()}`;
+        this.write.disabled = !has_file || lines.length === 0;
+        if (!this.dialog.open) this.dialog.showModal();
+    }
+
+    private saved(head: Head): void {
+        if (head.stage === "fault") {
+            this.words.textContent = head.faults[0]?.message ?? "";
+            return;
+        }
+        this.dialog.close();
+        // The file now has the values.
+        this.design.fileChanged();
+        this.design.reset();
+    }
+}

@@ -1,0 +1,61 @@
+// Comparison of the branches of two responses by their length.
+
+/** Samples along each segment of a branch. */
+const SAMPLES = 8;
+/** Distance at which two curves are the same: a hundredth of the range, or 5 % of the power. */
+const SAME = 0.01;
+/** Change of the logarithm of the power over which a draft is not drawn, as in src/response.ts. */
+const DRAFT_STEP = 1.5;
+
+/** Whether each segment of a draft is drawn. */
+export const draws = ({ power }) => power.slice(1).map((own, k) => Math.abs(Math.log(own / power[k])) <= DRAFT_STEP);
+
+/** Points of a branch on the scale of the comparison. */
+const scaled = ({ x, power }, span) => x.map((own, k) => [own / span, 0.2 * Math.log(power[k])]);
+
+function* samples(branch, span) {
+    const points = scaled(branch, span);
+    for (let k = 0; k + 1 < points.length; k++) {
+        if (branch.drawn?.[k] === false) continue;
+        const [[x, y], [toX, toY]] = [points[k], points[k + 1]];
+        for (let part = 0; part < SAMPLES; part++) {
+            const share = (part + 0.5) / SAMPLES;
+            yield { at: [x + share * (toX - x), y + share * (toY - y)], length: Math.hypot(toX - x, toY - y) / SAMPLES };
+        }
+    }
+}
+
+function distance([x, y], branch, span) {
+    const points = scaled(branch, span);
+    let least = Infinity;
+    for (let k = 0; k + 1 < points.length; k++) {
+        if (branch.drawn?.[k] === false) continue;
+        const [[a, b], [c, d]] = [points[k], points[k + 1]];
+        const size = (c - a) ** 2 + (d - b) ** 2;
+        const share = size > 0 ? Math.min(Math.max(((x - a) * (c - a) + (y - b) * (d - b)) / size, 0), 1) : 0;
+        least = Math.min(least, Math.hypot(a + share * (c - a) - x, b + share * (d - b) - y));
+    }
+    return least;
+}
+
+/** Share of the length of some branches that is not on others, and the largest distance. */
+function strays(branches, others, span) {
+    let [sum, off, farthest] = [0, 0, 0];
+    for (const branch of branches) {
+        const same = others.filter((own) => own.period === branch.period);
+        for (const { at, length } of samples(branch, span)) {
+            const away = same.reduce((least, own) => Math.min(least, distance(at, own, span)), Infinity);
+            sum += length;
+            if (away > SAME) off += length;
+            if (Number.isFinite(away)) farthest = Math.max(farthest, away);
+        }
+    }
+    return { share: sum > 0 ? off / sum : 0, farthest };
+}
+
+/** Compares a response with the due one: the share of its length that is off, and of the due length that is missing. */
+export function compare(shown, due, span) {
+    const known = (list) => list.filter(({ power }) => power.every((own) => own > 0));
+    const off = strays(known(shown), known(due), span);
+    return { off: off.share, farthest: off.farthest, missing: strays(known(due), known(shown), span).share };
+}
