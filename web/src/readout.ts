@@ -40,12 +40,12 @@ function row(found: Bifurcation, unit: string, choose: (found: Bifurcation) => v
     return line;
 }
 
-/** A sentence about how far a draft is to be trusted; the numbers are measured by tests/drafts.mjs. */
+/** A sentence about how far a draft is to be trusted. */
 export function draftWords({ origin, lost_share }: Draft): string {
     if (origin === "first") return "Draft: without contact only, until the first orbits are found.";
-    if (origin !== "updated") return "Draft from a few orbits: what is drawn is within 5 % of its power; branches may be missing until the search ends.";
-    const lost = lost_share >= 0.005 ? `${digits(100 * lost_share, 2)} % of the last searched curves is lost, ` : "";
-    return `Draft: what is drawn is within 5 % of its power; ${lost}new branches are missing until the search ends.`;
+    if (origin !== "updated") return "Draft from a few orbits: branches may be wrong or missing until the search ends.";
+    const lost = lost_share >= 0.005 ? `${digits(100 * lost_share, 2)} % of the last searched curves is lost; ` : "";
+    return `Draft: ${lost}branches may be wrong or missing until the search ends.`;
 }
 
 /** Sentences about the peak of the stable orbits and the half-power bandwidth. Where the peak or the band ends only with the range, they say so. */
