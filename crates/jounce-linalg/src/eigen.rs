@@ -247,7 +247,9 @@ mod tests {
     }
 
     fn assert_eigen(matrix: &Mat<f64>, tolerance: f64) {
-        let Eigen { values, vectors } = eigen(matrix).unwrap();
+        let Eigen {
+            values, vectors, ..
+        } = eigen(matrix).unwrap();
         let residual = matrix.map(|x| c64::new(x, 0.0)) * &vectors
             - &vectors * Mat::from_diagonal(&values.clone().into());
         let error = residual.norm() / matrix.norm();

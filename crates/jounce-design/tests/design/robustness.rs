@@ -3,7 +3,7 @@
 use super::{LOAD, linear, outcome};
 use jounce_analysis::{Basins, Cloud, InitialStates, Model, Recognition};
 use jounce_control::Control;
-use jounce_design::{Problem, design};
+use jounce_design::{Problem, Robustness, design};
 use jounce_signal::RandomStream;
 use jounce_spec::{NumericKey, SpecFile};
 use rayon::prelude::*;
@@ -35,6 +35,18 @@ fn tolerances_give_quantiles_and_indices() {
     assert_eq!(robust.lost_fraction, 0.0);
 }
 
+/// Compares quantiles with those of drawn powers. The quantiles of a skew distribution with 10,000
+/// draws scatter by some per mille of its width.
+fn check_quantiles(robust: Robustness, mut powers: Vec<f64>) {
+    powers.sort_by(f64::total_cmp);
+    let at = |share: f64| powers[(share * (powers.len() - 1) as f64) as usize];
+    let width = at(0.99) - at(0.01);
+    for one in robust.quantiles {
+        let deviation = (one.mean_power_w - at(one.share)).abs() / width;
+        assert!(deviation < 0.02, "{one:?} {deviation}");
+    }
+}
+
 /// Quantiles of the power from the closed form at 10,000 drawn resistances, and of the same
 /// tolerance by the design.
 #[test]
@@ -45,18 +57,10 @@ fn quantiles_are_those_of_designs_computed_one_by_one() {
     let text = &found.best.set["circuit.load.resistance"];
     let nominal: f64 = text.trim_end_matches(" ohm").parse().unwrap();
     let mut stream = RandomStream::new(7, 0);
-    let mut powers: Vec<f64> = (0..10_000)
+    let powers: Vec<f64> = (0..10_000)
         .map(|_| linear((nominal + 20e3 * stream.normal_pair()[0]).max(1.0)).1)
         .collect();
-    powers.sort_by(f64::total_cmp);
-    for one in found.robust.unwrap().quantiles {
-        let drawn = at(one.share);
-        // The quantiles of a skew distribution with 10,000 draws scatter by some per mille.
-        let at = |share: f64| powers[(share * (count - 1) as f64) as usize];
-        let width = at(0.99) - at(0.01);
-        let deviation = (one.mean_power_w - drawn).abs() / width;
-        assert!(deviation < 0.02, "{one:?} {drawn} {deviation}");
-    }
+    check_quantiles(found.robust.unwrap(), powers);
 }
 
 /// The first index of a tolerance is the variance of the mean over all others. Computed from a grid
@@ -154,12 +158,6 @@ fn quantiles_of_the_impact_harvester_are_those_of_drawn_designs() {
             .max_by(|a, b| a.share.fraction.total_cmp(&b.share.fraction));
         main.unwrap().mean_power_w
     };
-    let mut powers: Vec<f64> = (0..count).into_par_iter().map(power).collect();
-    powers.sort_by(f64::total_cmp);
-    let width = powers[9_900] - powers[100];
-    for one in found.robust.unwrap().quantiles {
-        let drawn = powers[(one.share * 9_999.0) as usize];
-        let deviation = (one.mean_power_w - drawn).abs() / width;
-        assert!(deviation < 0.02, "{one:?} {drawn} {deviation}");
-    }
+    let powers: Vec<f64> = (0..count).into_par_iter().map(power).collect();
+    check_quantiles(found.robust.unwrap(), powers);
 }
