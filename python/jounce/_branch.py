@@ -41,6 +41,9 @@ class Branch(Data):
     bifurcation_level: Annotated[list[str | None], About("level that is crossed, as given; ``None`` for other kinds")]
     bifurcation_stop: Annotated[list[str | None], About("stop of a grazing or of sticking; ``None`` for other kinds")]
     bifurcation_parameter: Annotated[Floats, About("value of the key", "SI", axes="bifurcation")]
+    bifurcation_parameter_error: Annotated[
+        Floats, About("estimated error of the value of the key; NaN where the event ends the branch", "SI", axes="bifurcation")
+    ]
     bifurcation_mean_power_w: Annotated[Floats, About("mean power of all loads", "W", axes="bifurcation")]
     bifurcation_displacement_peak_m: Annotated[Floats, About("largest displacement towards the first stop", "m", axes="bifurcation")]
     bifurcation_contacts_per_period: Annotated[Integers, About("contacts in a period", axes="bifurcation")]

@@ -14,9 +14,7 @@
 # %%
 import jounce
 
-harvester = jounce.examples()["impact-harvester-2019"].changed(
-    {"drive.shaker.frequency": "11 Hz", "drive.shaker.amplitude": "50 N"}
-)
+harvester = jounce.examples()["impact-harvester-2019"].changed({"drive.shaker.frequency": "11 Hz", "drive.shaker.amplitude": "50 N"})
 result = harvester.design(
     {
         "free": {

@@ -116,7 +116,7 @@ mod tests {
     use super::*;
     use jounce_spec::NumericKey;
 
-    const SPEC: &str = "[mass.table]\nmass = \"3 kg\"\nstiffness = \"100 N/m\"\n\
+    const SPEC: &str = "[mass.table]\nmass = \"3 kg\"\nstiffness = \"100 N/m\"\ndamping_ratio = 0.05\n\
         [beam.a]\nyoungs_modulus = \"70 GPa\"\ndensity = \"2000 kg/m^3\"\nlength = \"100 mm\"\nwidth = \"20 mm\"\nthickness = \"1 mm\"\nroot = \"table\"\n\
         [beam.a.point]\nmiddle = \"40 mm\"\n\
         [beam.b]\nyoungs_modulus = \"70 GPa\"\ndensity = \"1000 kg/m^3\"\nlength = \"90 mm\"\nwidth = \"10 mm\"\nthickness = \"2 mm\"\nroot = \"a.middle\"\n\
