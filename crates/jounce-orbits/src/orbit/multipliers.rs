@@ -97,8 +97,6 @@ pub struct Eigenbasis {
     scales: Vec<f64>,
     /// Indices of the states that the basis spans.
     states: Vec<usize>,
-    /// Decoupled blocks of the other states.
-    blocks: Vec<[usize; 2]>,
     /// Eigenvalues and eigenvectors of the basis.
     eigen: Eigen,
 }
@@ -113,7 +111,6 @@ impl Eigenbasis {
             multipliers: with_blocks(&balanced, &blocks, eigen.values.clone()),
             scales,
             states,
-            blocks,
             eigen,
         })
     }
@@ -128,7 +125,25 @@ impl Eigenbasis {
     ///
     /// Source: G. W. Stewart and J. Sun, *Matrix Perturbation Theory* (1990), ch. IV.
     pub fn multipliers_of(&self, nearby: &Mat<f64>) -> Option<Vec<c64>> {
-        let transformed = self.eigen.transformed(&self.part(nearby, &self.states));
+        let all: Vec<usize> = (0..nearby.nrows()).collect();
+        let scaled = self.part(nearby, &all);
+        // A block that is decoupled in one map need not be decoupled in the other.
+        let (blocks, states) = blocks(&scaled);
+        let values = if states == self.states {
+            self.perturbed(&part(&scaled, &states))
+        } else {
+            None
+        };
+        match values {
+            Some(values) => Some(with_blocks(&scaled, &blocks, values)),
+            None => multipliers(nearby),
+        }
+    }
+
+    /// Returns the eigenvalues of a map over the states of the basis, in its scales, by perturbation
+    /// to second order; `None` where they are not separate.
+    fn perturbed(&self, map: &Mat<f64>) -> Option<Vec<c64>> {
+        let transformed = self.eigen.transformed(map);
         let second_order = |i: usize| {
             let others = (0..self.states.len()).filter(|j| *j != i);
             let mut sum = c64::new(0.0, 0.0);
@@ -144,12 +159,7 @@ impl Eigenbasis {
             }
             Some(transformed[(i, i)] + sum)
         };
-        let values: Option<Vec<c64>> = (0..self.states.len()).map(second_order).collect();
-        let all: Vec<usize> = (0..nearby.nrows()).collect();
-        match values {
-            Some(values) => Some(with_blocks(&self.part(nearby, &all), &self.blocks, values)),
-            None => multipliers(nearby),
-        }
+        (0..self.states.len()).map(second_order).collect()
     }
 
     /// Returns the basis of the same map over more states.
