@@ -51,7 +51,7 @@ def stored_files(tables: Mapping[str, Any]) -> Iterator[tuple[str, Path]]:
             yield name, file
 
 
-def copy_beside(spec_path: Path, tables: Mapping[str, Any]) -> dict[str, str]:
+def copy_next_to(spec_path: Path, tables: Mapping[str, Any]) -> dict[str, str]:
     """Copies stored samples next to a spec; returns the new names by file."""
     import shutil
 

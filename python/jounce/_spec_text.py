@@ -57,10 +57,10 @@ class SpecText(SpecTables):
 
         Samples that were given as the ``recording`` of a :class:`Drive` are copied next to it, and the text names the copies.
         """
-        from ._recorded_drive import copy_beside
+        from ._recorded_drive import copy_next_to
 
         text = self._spec.text
-        for file, name in copy_beside(Path(path), self.to_dict()).items():
+        for file, name in copy_next_to(Path(path), self.to_dict()).items():
             text = text.replace(json.dumps(file, ensure_ascii=False), json.dumps(name))
         if text == self._spec.text:
             self._spec.write(fspath(path))

@@ -48,7 +48,7 @@ run = result.spec.changed({"run.duration": "60 s", "run.average_over": "10 s"}).
 assert abs(run.mean_power_w / result.mean_power_w - 1.0) < 0.01
 
 # %% [markdown]
-# The power over the frequency: the stable branch of the design, beside that of the spec as given.
+# The power over the frequency: the stable branches of the design and of the spec as given.
 
 # %%
 ax = harvester.branch("drive.shaker.frequency", "10 Hz:12 Hz", seeds=2).plot_branch()

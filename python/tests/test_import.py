@@ -1,4 +1,4 @@
-"""Import of the package: beside numpy it loads only what every call needs."""
+"""Import of the package: in addition to numpy it loads only what every call needs."""
 
 import subprocess
 import sys
@@ -10,7 +10,7 @@ STANDARD = {"__future__", "errno", "fnmatch", "glob", "ipaddress", "ntpath", "pa
 
 
 def loaded(program):
-    """Returns the modules that a program loads beside those of numpy."""
+    """Returns the modules that a program loads in addition to those of numpy."""
     program = f"import sys, numpy\nbefore = set(sys.modules)\n{program}\nprint(*(set(sys.modules) - before))"
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
     return set(done.stdout.split())

@@ -38,7 +38,7 @@ export interface ResponseResult {
     branches: Branch[];
     bifurcations: Bifurcation[];
     linear: { x: Float64Array; power: Float64Array };
-    /** How the branches were found while the search goes on; undefined for its result. */
+    /** How the branches of a running search were found; undefined for its result. */
     draft: Draft | undefined;
     /** Branches that the search may miss. */
     note: string;

@@ -1,4 +1,4 @@
-// Saves the changed values to the file, after a look at the difference.
+// Shows the lines of the file that the changed values change, and saves them.
 
 import type { Design } from "./design";
 import { difference } from "./difference";

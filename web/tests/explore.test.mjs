@@ -89,7 +89,7 @@ test("a changed value is marked and restored alone", async () => {
     assert.equal(await page.locator(".control.changed").count(), 0);
 });
 
-test("the changed values are saved to the file after a look at the difference", async () => {
+test("the page shows the lines of the file that change, and saves them", async () => {
     const before = await readFile(server.spec, "utf8");
     await type("stop.tip.gap", "0.8");
     await ready(page);

@@ -9,6 +9,7 @@ impl Quantity {
         match self {
             Self::Length => "a length",
             Self::Mass => "a mass",
+            Self::Volume => "a volume",
             Self::Time => "a time",
             Self::Frequency => "a frequency",
             Self::Force => "a force",
@@ -39,6 +40,7 @@ impl Quantity {
     pub fn units(self) -> Vec<String> {
         let units: &[&str] = match self {
             Self::Length => &["mm", "um", "cm", "m"],
+            Self::Volume => &["m^3", "cm^3", "mm^3"],
             Self::Mass => &["kg", "g", "mg"],
             Self::Time => &["s", "ms", "min", "h"],
             Self::Frequency => &["Hz", "kHz", "1/min"],
@@ -92,6 +94,7 @@ impl Quantity {
         let newton_per_metre = Dimension::new([1, 0, -2, 0, 0]);
         Dimension::new(match self {
             Self::Length => [0, 1, 0, 0, 0],
+            Self::Volume => [0, 3, 0, 0, 0],
             Self::Mass => [1, 0, 0, 0, 0],
             Self::Time => [0, 0, 1, 0, 0],
             Self::Frequency => [0, 0, -1, 0, 0],
@@ -125,6 +128,7 @@ impl Quantity {
     pub(super) fn scales(self) -> Vec<(String, i32)> {
         let scales: &[(&str, i32)] = match self {
             Self::Length => &[("nm", -9), ("um", -6), ("mm", -3), ("m", 0)],
+            Self::Volume => &[("mm^3", -9), ("cm^3", -6), ("m^3", 0)],
             Self::Mass => &[("mg", -6), ("g", -3), ("kg", 0)],
             Self::Time => &[("us", -6), ("ms", -3), ("s", 0)],
             Self::Frequency => &[("uHz", -6), ("mHz", -3), ("Hz", 0), ("kHz", 3), ("MHz", 6)],

@@ -14,6 +14,8 @@ const MAX_CHARS: usize = 200;
 pub enum Quantity {
     /// m
     Length,
+    /// m^3
+    Volume,
     /// kg
     Mass,
     /// s
@@ -225,6 +227,7 @@ mod tests {
             (Quantity::Time, "20 min", 1200.0),
             (Quantity::Angle, "180 deg", std::f64::consts::PI),
             (Quantity::Mass, "12 g", 0.012),
+            (Quantity::Volume, "20 cm^3", 2e-5),
             (Quantity::InverseSpeed, "0.3 s/m", 0.3),
             (Quantity::Speed, "250 mm/s", 0.25),
             (Quantity::Acceleration, "9.81 m/s^2", 9.81),

@@ -56,6 +56,17 @@ pub fn branches_of(
     seeds: usize,
     longest_period: u32,
 ) -> Vec<Branch> {
+    branches_to(1e-10, file, range, method, (seeds, longest_period))
+}
+
+/// Branches to a tolerance of the integrations, from a number of seeds up to a longest period.
+pub fn branches_to(
+    tolerance: f64,
+    file: &SpecFile,
+    range: (f64, f64),
+    method: OrbitMethodKind,
+    (seeds, longest_period): (usize, u32),
+) -> Vec<Branch> {
     let base = Model::new(file.spec().unwrap()).unwrap();
     let key = file.numeric_key("drive.shaker.frequency").unwrap();
     let parameter = Parameter::new(&base, &key, range.1 - range.0);
@@ -64,7 +75,7 @@ pub fn branches_of(
         parameter: &parameter,
         range,
         method,
-        tolerance: 1e-10,
+        tolerance,
         seeds,
         longest_period,
     }

@@ -28,12 +28,7 @@ pub enum LimitUnit {
     Number,
     /// Quantity of specs.
     Of(Quantity),
-    /// Volume.
-    Volume,
 }
-
-/// Units of volume, the longer names first, with their size, m^3.
-const VOLUMES: [(&str, f64); 3] = [("cm^3", 1e-6), ("mm^3", 1e-9), ("m^3", 1.0)];
 
 impl LimitUnit {
     /// Reads a value, SI.
@@ -41,21 +36,19 @@ impl LimitUnit {
     /// # Errors
     /// A message with what is expected.
     pub fn read(self, text: &str) -> Result<f64, String> {
-        let number = |text: &str| text.trim().parse::<f64>().ok();
-        let scaled = |(unit, size): &(&str, f64)| {
-            let value = text.trim().strip_suffix(unit)?;
-            number(value).map(|value| size * value)
-        };
-        let expected = |what: &str| format!("\"{text}\" is no value; write {what}");
         match self {
             Self::Of(quantity) => quantity.read(text).map_err(|error| error.to_string()),
-            Self::Volume => VOLUMES
-                .iter()
-                .find_map(scaled)
-                .ok_or_else(|| expected("a volume, such as \"20 cm^3\"")),
-            Self::Number => number(text)
-                .or_else(|| scaled(&("ppm", 1e-6)))
-                .ok_or_else(|| expected("a number, such as 6e-4 or 0.9, or \"600 ppm\"")),
+            Self::Number => {
+                let (number, scale) = match text.trim().strip_suffix("ppm") {
+                    Some(number) => (number, 1e-6),
+                    None => (text, 1.0),
+                };
+                let value = number.trim().parse::<f64>();
+                value.map(|value| scale * value).map_err(|_| {
+                    let expected = "a number, such as 6e-4 or 0.9, or \"600 ppm\"";
+                    format!("\"{text}\" is no value; write {expected}")
+                })
+            }
         }
     }
 }
@@ -92,7 +85,12 @@ pub fn allowed(model: &Model) -> Vec<(String, LimitedQuantity, LimitUnit, &'stat
                 LimitUnit::Of(Quantity::Length),
                 "\"300 mm\"",
             ),
-            ("volume", Size::Volume, LimitUnit::Volume, "\"20 cm^3\""),
+            (
+                "volume",
+                Size::Volume,
+                LimitUnit::Of(Quantity::Volume),
+                "\"20 cm^3\"",
+            ),
         ];
         for (name, size, unit, example) in sizes {
             all.push((name.to_owned(), LimitedQuantity::Size(size), unit, example));

@@ -30,7 +30,7 @@ const LAST_ROUNDS: usize = 2;
 const MAX_EVALUATED: usize = 4;
 
 /// Expected power of the best design, relative to the power of its main orbit, below which an
-/// evolution of the expected power goes on.
+/// evolution of the expected power follows.
 const MEASURE: f64 = 0.9;
 
 /// Relative difference of power below which two optima are the same.

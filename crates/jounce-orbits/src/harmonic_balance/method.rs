@@ -101,7 +101,7 @@ impl<'h, H: ParametricModel> HarmonicBalance<'h, H> {
     /// Returns this method with another number of harmonics.
     fn with(&self, harmonics: usize) -> Self {
         Self {
-            shooting: self.shooting.with(self.shooting.tolerance),
+            shooting: self.shooting.with_tolerance(self.shooting.tolerance),
             harmonics,
             accuracy: self.accuracy,
             stops: self.stops,

@@ -116,8 +116,8 @@ impl Eigenbasis {
     }
 
     /// Returns the eigenvalues of a map that differs slightly, largest modulus first, by
-    /// perturbation to second order. Eigenvalues that the difference does not move separately, and
-    /// so all of its eigenvalues, are computed anew; `None` where they do not converge.
+    /// perturbation to second order. Where the difference does not move each eigenvalue separately,
+    /// all are computed anew; `None` where they do not converge.
     ///
     /// ```text
     /// m_i = C_ii + sum_j C_ij C_ji / (C_ii - C_jj),   C = V^-1 B V
@@ -272,10 +272,8 @@ mod tests {
         }
     }
 
-    /// The multipliers of a nearby map by perturbation against those computed anew: a difference of
-    /// 1e-3 leaves terms of third order; where two multipliers are equal, both are computed anew.
-    #[test]
-    fn multipliers_of_a_nearby_map_follow_from_the_eigenvectors() {
+    /// Map of a slow and a fast pair and a real multiplier, coupled.
+    fn two_pairs_and_a_real_one() -> Mat<f64> {
         let rows = [
             [0.6, -0.7, 0.02, 0.0, 0.1],
             [0.7, 0.6, 0.0, 0.03, 0.0],
@@ -283,7 +281,14 @@ mod tests {
             [0.0, 0.03, 0.4, 0.3, 0.0],
             [0.0, 0.1, 0.0, 0.0, 0.5],
         ];
-        let map = Mat::from_fn(5, 5, |i, j| rows[i][j]);
+        Mat::from_fn(5, 5, |i, j| rows[i][j])
+    }
+
+    /// The multipliers of a nearby map by perturbation against those computed anew: a difference of
+    /// 1e-3 leaves terms of third order; where two multipliers are equal, both are computed anew.
+    #[test]
+    fn multipliers_of_a_nearby_map_follow_from_the_eigenvectors() {
+        let map = two_pairs_and_a_real_one();
         let double = Mat::from_fn(2, 2, |i, j| [[0.5, 1.0], [0.0, 0.5]][i][j]);
         for (map, limit) in [(map, 1e-8), (double, 1e-14)] {
             let n = map.nrows();
@@ -303,14 +308,7 @@ mod tests {
     /// Every multiplier lies in the union of the discs, and the fast pair in its own disc.
     #[test]
     fn discs_hold_the_multipliers() {
-        let rows = [
-            [0.6, -0.7, 0.02, 0.0, 0.1],
-            [0.7, 0.6, 0.0, 0.03, 0.0],
-            [0.02, 0.01, 0.3, -0.4, 0.0],
-            [0.0, 0.03, 0.4, 0.3, 0.0],
-            [0.0, 0.1, 0.0, 0.0, 0.5],
-        ];
-        let map = Mat::from_fn(5, 5, |i, j| rows[i][j]);
+        let map = two_pairs_and_a_real_one();
         let discs = discs(&map, 2);
         assert_eq!(discs.len(), 5);
         let (fast, widest) = (

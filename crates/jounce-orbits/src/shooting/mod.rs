@@ -74,7 +74,7 @@ impl<'h, H: ParametricModel> Shooting<'h, H> {
 
     /// Returns this problem with another tolerance of the integration.
     #[must_use]
-    pub fn with(&self, tolerance: f64) -> Self {
+    pub fn with_tolerance(&self, tolerance: f64) -> Self {
         Self {
             harvester: self.harvester,
             cycles: self.cycles,
@@ -278,7 +278,8 @@ impl<H: ParametricModel> OrbitMethod for Shooting<'_, H> {
     }
 
     fn finer_shot(&self, state: &[f64], parameter: f64) -> Result<ShootingEvaluation, Self::Error> {
-        self.with(FINER * self.tolerance).at(state, parameter)
+        self.with_tolerance(FINER * self.tolerance)
+            .at(state, parameter)
     }
 
     fn unknown_of(&self, state: &[f64], _parameter: f64) -> Result<Vec<f64>, Self::Error> {

@@ -1,28 +1,14 @@
 //! The stated errors of located events against a search a thousand times as accurate.
 
-use crate::harvesters::bench;
-use jounce_analysis::{Bifurcation, BranchKind, BranchSearch, Model, OrbitMethodKind, Parameter};
+use crate::harvesters::{bench, branches_to};
+use jounce_analysis::{Bifurcation, BranchKind, OrbitMethodKind};
 
 /// Factor on the stated errors. A tenth of the tolerance leaves a tenth of the error, and the
 /// estimate is of first order.
 const MARGIN: f64 = 3.0;
 
 fn labels(method: OrbitMethodKind, tolerance: f64) -> Vec<Bifurcation> {
-    let file = bench();
-    let base = Model::new(file.spec().unwrap()).unwrap();
-    let key = file.numeric_key("drive.shaker.frequency").unwrap();
-    let range = (11.0, 14.0);
-    let parameter = Parameter::new(&base, &key, range.1 - range.0);
-    let search = BranchSearch {
-        base: &base,
-        parameter: &parameter,
-        range,
-        method,
-        tolerance,
-        seeds: 0,
-        longest_period: 1,
-    };
-    let branches = search.run().unwrap();
+    let branches = branches_to(tolerance, &bench(), (11.0, 14.0), method, (0, 1));
     let labels = branches.into_iter().flat_map(|branch| branch.bifurcations);
     labels.collect()
 }
