@@ -97,9 +97,17 @@ impl Orbit {
 
     /// Returns the smallest number of cycles, fewer than the period, after which the orbit repeats.
     pub fn shorter_period(&self) -> Option<u32> {
-        let distance = |state: &[f64]| jounce_linalg::distance(state, self.start());
+        self.shorter_period_within(SAME_STATE_DISTANCE)
+    }
+
+    /// Returns the smallest number of cycles, fewer than the period, after which the state is nearer
+    /// to the start than a distance relative to the size of the orbit.
+    pub fn shorter_period_within(&self, distance: f64) -> Option<u32> {
         let repeats = |shorter: &u32| {
-            distance(&self.strobe_states[*shorter as usize]) < SAME_STATE_DISTANCE * self.size()
+            let state = self.strobe_states.get(*shorter as usize);
+            state.is_some_and(|state| {
+                jounce_linalg::distance(state, self.start()) < distance * self.size()
+            })
         };
         (1..self.period_cycles)
             .filter(|shorter| self.period_cycles.is_multiple_of(*shorter))
