@@ -77,7 +77,13 @@ def command_line(tmp_path_factory):
 
 
 @pytest.fixture(scope="session")
-def results(tmp_path_factory):
+def report(tmp_path_factory):
+    """The paper, reproduced once: it takes ten seconds."""
+    return jounce.reproduce(tmp_path_factory.mktemp("reproduced") / "report")
+
+
+@pytest.fixture(scope="session")
+def results(tmp_path_factory, report):
     """One result of every class, computed in short."""
     frequency, harvester = "drive.shaker.frequency", jounce.examples()["impact-harvester-2019"]
     short = harvester.changed({"run.duration": "1 s", "run.average_over": "0.5 s"})
@@ -112,5 +118,5 @@ def results(tmp_path_factory):
         modes,
         modes.frf,
         harvester.fit({"hold": ["table"], **features}),
-        jounce.reproduce(tmp_path_factory.mktemp("report")),
+        report,
     ]
