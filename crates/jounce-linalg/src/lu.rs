@@ -7,6 +7,7 @@
 
 use crate::{Mat, column};
 use jounce_simd::{F64x8, LANES, Simd, Task, widest};
+use std::array;
 
 /// `L U` of a square matrix with its rows exchanged.
 #[derive(Debug)]
@@ -55,9 +56,11 @@ impl LuFactors {
 
 /// Appends numbers in whole vectors, filled up with zeros.
 fn push_vectors(to: &mut Vec<F64x8>, numbers: &[f64]) {
-    for chunk in numbers.chunks(LANES) {
+    let (whole, rest) = numbers.as_chunks::<LANES>();
+    to.extend(whole.iter().map(|chunk| F64x8(*chunk)));
+    if !rest.is_empty() {
         let mut vector = F64x8::ZERO;
-        vector.0[..chunk.len()].copy_from_slice(chunk);
+        vector.0[..rest.len()].copy_from_slice(rest);
         to.push(vector);
     }
 }
@@ -75,7 +78,7 @@ impl Task for Factoring<'_> {
         for first in 0..count {
             let panel = first * LANES..rows.min((first + 1) * LANES);
             for k in panel.clone() {
-                exchanged.push(exchange(columns, (rows, count), k));
+                exchanged.push(exchange(columns, count, k));
                 divide(
                     w,
                     &mut columns[k * count + first..(k + 1) * count],
@@ -109,21 +112,24 @@ impl Task for Factoring<'_> {
 
 /// Exchanges row `k` with the one that has the largest pivot, and returns that row.
 #[inline(always)]
-fn exchange(columns: &mut [F64x8], (rows, count): (usize, usize), k: usize) -> usize {
-    let column = &columns[k * count..(k + 1) * count];
-    let (mut pivot, mut largest) = (k, column[k / LANES].0[k % LANES].abs());
-    for i in k + 1..rows {
-        let size = column[i / LANES].0[i % LANES].abs();
-        if size > largest {
-            (pivot, largest) = (i, size);
+fn exchange(columns: &mut [F64x8], count: usize, k: usize) -> usize {
+    let first = k / LANES;
+    let column = &columns[k * count + first..(k + 1) * count];
+    let (mut pivot, mut largest) = (k, column[0].0[k % LANES].abs());
+    for (v, vector) in column.iter().enumerate() {
+        for (lane, entry) in vector.0.iter().enumerate() {
+            let row = (first + v) * LANES + lane;
+            if entry.abs() > largest && row > k {
+                (pivot, largest) = (row, entry.abs());
+            }
         }
     }
     if pivot != k {
-        for j in 0..rows {
-            let column = &mut columns[j * count..(j + 1) * count];
-            let entry = column[k / LANES].0[k % LANES];
-            column[k / LANES].0[k % LANES] = column[pivot / LANES].0[pivot % LANES];
-            column[pivot / LANES].0[pivot % LANES] = entry;
+        let [(own, lane), (other, other_lane)] = [k, pivot].map(|row| (row / LANES, row % LANES));
+        for column in columns.chunks_exact_mut(count) {
+            let entry = column[own].0[lane];
+            column[own].0[lane] = column[other].0[other_lane];
+            column[other].0[other_lane] = entry;
         }
     }
     pivot
@@ -175,10 +181,12 @@ fn update<W: Simd>(
         shares[k] = w.splat(-column[0].0[k]);
         column[0] = w.store(w.fma(shares[k], w.load(&lower[k]), w.load(&column[0])));
     }
+    let parts: [&[F64x8]; LANES] =
+        array::from_fn(|k| &factors[k * stride..k * stride + column.len()]);
     for v in 1..column.len() {
         let mut sum = w.load(&column[v]);
         for k in 0..LANES {
-            sum = w.fma(shares[k], w.load(&factors[k * stride + v]), sum);
+            sum = w.fma(shares[k], w.load(&parts[k][v]), sum);
         }
         column[v] = w.store(sum);
     }

@@ -11,6 +11,7 @@
 use super::fourier_grid::FourierGrid;
 use jounce_linalg::c64;
 use jounce_simd::{Simd, Task, widest};
+use std::array;
 use std::f64::consts::TAU;
 
 /// Terms of the series.
@@ -32,20 +33,19 @@ impl ComplianceTable {
         let width = TAU / grid.samples as f64;
         let mut spectrum = compliance.to_vec();
         spectrum.resize(grid.samples / 2 + 1, c64::new(0.0, 0.0));
-        let mut points = vec![[0.0; SERIES_TERMS]; grid.samples + 1];
-        for term in 0..SERIES_TERMS {
+        let series: [Vec<f64>; SERIES_TERMS] = array::from_fn(|term| {
             let values = grid.values(&spectrum);
-            points
-                .iter_mut()
-                .zip(values)
-                .for_each(|(point, value)| point[term] = value);
             let share = width / (term + 1) as f64;
             spectrum
                 .iter_mut()
                 .enumerate()
                 .for_each(|(n, g)| *g *= c64::new(0.0, n as f64 * share));
-        }
-        points[grid.samples] = points[0];
+            values
+        });
+        let terms = series.each_ref().map(|values| &values[..grid.samples]);
+        let mut points = Vec::with_capacity(grid.samples + 1);
+        points.extend((0..grid.samples).map(|j| terms.map(|values| values[j])));
+        points.push(points[0]);
         Self {
             points,
             per_radian: 1.0 / width,
