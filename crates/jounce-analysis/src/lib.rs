@@ -33,7 +33,9 @@ pub use branches::{
     Bifurcation, Branch, BranchKind, BranchOptions, BranchPoint, BranchSearch, BranchUpdate,
     Termination, UpdatedBranches, WarmStart,
 };
-pub use branches::{Extrapolation, KnownOrbit, NotProved, OrbitMethodKind, QuantityLevel};
+pub use branches::{
+    Extrapolation, KnownOrbit, NotProved, OrbitMethodKind, ProofGap, QuantityLevel,
+};
 pub use diagram::{
     AttractorTrack, AttractorTracks, Diagram, DiagramOrder, DiagramPoint, SectionPoint, TrackPoint,
     Transition,

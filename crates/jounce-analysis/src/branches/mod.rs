@@ -12,7 +12,7 @@ mod warm_start;
 pub use branch::{Bifurcation, Branch, BranchKind, BranchPoint, Termination};
 pub(super) use branch_tracer::tracer::RESOLUTION;
 pub use branch_update::{BranchUpdate, Extrapolation, UpdatedBranches};
-pub use events::{NotProved, QuantityLevel};
+pub use events::{NotProved, ProofGap, QuantityLevel};
 pub use options::BranchOptions;
 pub use search::{BranchSearch, OrbitMethodKind};
 pub use warm_start::{KnownOrbit, WarmStart};

@@ -72,7 +72,7 @@ impl NotProved {
             event: interval.event,
             from: interval.from,
             to: interval.to,
-            message: interval.why.clone(),
+            message: interval.why.to_string(),
         }
     }
 }

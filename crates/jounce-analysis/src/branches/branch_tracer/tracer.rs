@@ -243,7 +243,10 @@ impl BranchTracer {
         // Newton's method may have reached an orbit of fewer cycles; if a short step gets there
         // too, the branch ends on it.
         let merges = points.iter().any(|point| point.point.orbit.repeats_early());
-        if (merges || turns_round(before, &points)) && retreats() {
+        let is_torn = points
+            .last()
+            .is_some_and(|after| self.may_be_torn(before, after, &not_proved));
+        if (merges || is_torn || turns_round(before, &points)) && retreats() {
             return Ok(None);
         }
         Ok(Some(StepPoints {

@@ -18,6 +18,6 @@ mod test_data;
 mod turning_points;
 
 pub use level::QuantityLevel;
-pub use rule::NotProved;
+pub use rule::{NotProved, ProofGap};
 pub(super) use test_data::TestDataPair;
 pub(super) use turning_points::{Extremum, extrema};

@@ -15,6 +15,7 @@ use jounce_continuation::{CurvePoint, HermiteSegment, Metric, correct, tangent};
 use jounce_orbits::OrbitMethod;
 use serde::Serialize;
 use std::cell::OnceCell;
+use std::fmt::{self, Display, Formatter};
 
 /// Largest number of halvings of one step; an interval not proved at a thousandth of it is listed.
 const MAX_STEP_HALVINGS: u32 = 10;
@@ -33,24 +34,43 @@ pub struct NotProved {
     /// Value of the key at the end of the interval, SI.
     pub to: f64,
     /// Reason why the proof failed.
-    pub why: String,
+    pub why: ProofGap,
+}
+
+/// Reason why the events of an interval are not proved.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub enum ProofGap {
+    /// No orbit half-way between two orbits was found: they may lie on different parts of the
+    /// curve.
+    NoMidpoint,
+    /// The proof fails on the smallest steps too.
+    SmallestSteps,
+}
+
+impl Display for ProofGap {
+    fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        out.write_str(match self {
+            ProofGap::NoMidpoint => "no orbit was found at the midpoint of a step",
+            ProofGap::SmallestSteps => "not proved on the smallest steps",
+        })
+    }
 }
 
 impl NotProved {
     /// Adds an interval to a list, or extends the previous one of the same kind.
-    fn add(list: &mut Vec<Self>, event: BranchKind, [from, to]: [f64; 2], reason: &str) {
+    fn add(list: &mut Vec<Self>, event: BranchKind, [from, to]: [f64; 2], why: ProofGap) {
         match list
             .iter_mut()
             .rev()
             .find(|known| known.event == event)
-            .filter(|known| known.to == from && known.why == reason)
+            .filter(|known| known.to == from && known.why == why)
         {
             Some(known) => known.to = to,
             None => list.push(Self {
                 event,
                 from,
                 to,
-                why: reason.to_owned(),
+                why,
             }),
         }
     }
@@ -97,17 +117,17 @@ impl BranchTracer {
             None
         };
         let Some(middle) = middle else {
-            let reason = if may_halve {
-                "no orbit was found at the midpoint of a step"
+            let why = if may_halve {
+                ProofGap::NoMidpoint
             } else {
-                "not proved on the smallest steps"
+                ProofGap::SmallestSteps
             };
             unproved.into_iter().for_each(|event| {
                 NotProved::add(
                     not_proved,
                     event,
                     [before, &after].map(|at| at.point.parameter),
-                    reason,
+                    why,
                 )
             });
             return Ok(vec![after]);
