@@ -43,8 +43,10 @@ impl BranchTracer {
         Some((across.parameter + along).abs() + resolution)
     }
 
-    /// Returns the derivative of the test function of an event along the chord, from its values at
-    /// both ends: the secants weighted so that a parabola gives its tangent.
+    /// Returns the derivative of the test function of an event along the chord. A grazing has
+    /// derivatives at both ends; they are needed, since coarse integrations miss a short separation
+    /// and then find it all at once, so that a secant over this jump is too steep. Of other events
+    /// there are values at both ends: the secants are weighted so that a parabola gives its tangent.
     fn slope<M: OrbitMethod>(
         &self,
         method: &M,
@@ -59,7 +61,13 @@ impl BranchTracer {
         let length = self.along(&a.step, &b.step, &b.step.position);
         let before = self.along(&a.step, &b.step, &located.position);
         let after = length - before;
-        let [from, to] = [-value(a)? / before, value(b)? / after];
+        let [from, to] = match event {
+            DetectedEvent::Grazing(turn) => {
+                let [from, to] = turn.past_m.slopes;
+                [from / length, to / length]
+            }
+            _ => [-value(a)? / before, value(b)? / after],
+        };
         Some((from * after + to * before) / length)
     }
 
