@@ -49,7 +49,7 @@ class Branch(Data):
     bifurcation_contacts_per_period: Annotated[Integers, About("contacts in a period", axes="bifurcation")]
     not_proved: Annotated[
         list[dict[str, Any]],
-        About("intervals that may contain two more events of a kind than are listed: ``event``, ``from``, ``to``, ``message``"),
+        About("intervals on which the listed events of a kind are not proved: ``event``, ``from``, ``to``, ``message``"),
     ]
     not_followed: Annotated[
         int, About("period doublings whose branch was not continued: the budget was used up, or Newton iteration found no first orbit")

@@ -156,6 +156,15 @@ impl Branch {
         }
     }
 
+    /// Adds the events of a step between two values of the key.
+    pub(super) fn add_events(&mut self, events: Vec<Bifurcation>, ends: [f64; 2]) {
+        let doubts = events
+            .iter()
+            .filter_map(|event| NotProved::of_event(event, ends));
+        self.not_proved.extend(doubts);
+        self.bifurcations.extend(events);
+    }
+
     /// Returns the number of drive cycles of all orbits, a measure of the cost of the continuation.
     pub(super) fn work(&self) -> usize {
         self.points.len() * self.period_cycles as usize

@@ -37,7 +37,7 @@ pub struct Branch {
     pub points: Vec<BranchPoint>,
     /// Bifurcations in the order of the branch.
     pub bifurcations: Vec<Bifurcation>,
-    /// Intervals that may contain two more events of a kind than are listed.
+    /// Intervals on which the listed events of a kind are not proved.
     pub not_proved: Vec<NotProved>,
     /// Terminations: at the first point, then at the last point.
     pub termination: Vec<Termination>,
@@ -99,7 +99,8 @@ pub struct Bifurcation {
     pub stop: Option<String>,
 }
 
-/// Interval of a branch that may contain two more events of a kind than are listed.
+/// Interval of a branch on which the listed events of a kind are not proved: there may be more, or
+/// fewer.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct NotProved {
     /// Kind of the event.

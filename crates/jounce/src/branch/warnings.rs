@@ -76,9 +76,9 @@ impl BranchResult {
         for branch in &self.branches {
             for interval in &branch.not_proved {
                 texts.push(format!(
-                    "a branch of period {} may hold two more events `{}` from {} to {} {}: {}",
-                    branch.period_cycles,
+                    "the events `{}` of a branch of period {} are not proved from {} to {} {}: {}",
                     interval.event.name(),
+                    branch.period_cycles,
                     interval.from,
                     interval.to,
                     self.unit,

@@ -31,14 +31,13 @@ impl BranchTracer {
         } else {
             None
         };
-        branch
-            .bifurcations
-            .extend(match return_point.or(merge.as_ref()) {
-                // Events beyond the start were listed at the beginning; beyond a merge the other half
-                // repeats earlier events.
-                Some(end) => self.until(method, (before, after), end)?,
-                None => self.between(method, before, after)?,
-            });
+        let events = match return_point.or(merge.as_ref()) {
+            // Events beyond the start were listed at the beginning; beyond a merge the other half
+            // repeats earlier events.
+            Some(end) => self.until(method, (before, after), end)?,
+            None => self.between(method, before, after)?,
+        };
+        branch.add_events(events, [before, after].map(|at| at.point.parameter));
         branch.points.push(after.point.clone());
         if let Some((noncontact, back_at)) = beginning
             .noncontact

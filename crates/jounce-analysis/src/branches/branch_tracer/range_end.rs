@@ -57,15 +57,12 @@ impl BranchTracer {
                 &mut branch.not_proved,
             )?;
             for (index, after) in points.iter().enumerate() {
-                branch.bifurcations.extend(self.between(
-                    method,
-                    if index == 0 {
-                        before
-                    } else {
-                        &points[index - 1]
-                    },
-                    after,
-                )?);
+                let before = match index {
+                    0 => before,
+                    _ => &points[index - 1],
+                };
+                let events = self.between(method, before, after)?;
+                branch.add_events(events, [before, after].map(|at| at.point.parameter));
                 branch.points.push(after.point.clone());
             }
         } else if self.is_at_edge(&step.position, step.tangent.parameter) {

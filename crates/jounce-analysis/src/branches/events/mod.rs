@@ -11,6 +11,7 @@
 mod coupling;
 mod interpolant;
 mod level;
+mod not_proved;
 mod pairing;
 mod rule;
 mod spectrum;
@@ -18,6 +19,6 @@ mod test_data;
 mod turning_points;
 
 pub use level::QuantityLevel;
-pub use rule::{NotProved, ProofGap};
+pub use not_proved::{NotProved, ProofGap};
 pub(super) use test_data::TestDataPair;
 pub(super) use turning_points::{Extremum, extrema};

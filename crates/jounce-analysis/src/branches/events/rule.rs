@@ -2,6 +2,7 @@
 
 use super::coupling::{Couplings, Meeting, coupling_error};
 use super::interpolant::Interpolant;
+use super::not_proved::{NotProved, ProofGap};
 use super::spectrum::{
     MultiplierGroup, StepEnd, TestFunction, between, doubling, fold, groups, is_enclosed,
     is_torus_crossing, linked_pairs, torus,
@@ -13,9 +14,7 @@ use crate::branches::branch_tracer::orbit_point::OrbitPoint;
 use crate::branches::branch_tracer::tracer::BranchTracer;
 use jounce_continuation::{CurvePoint, HermiteSegment, Metric, correct, tangent};
 use jounce_orbits::OrbitMethod;
-use serde::Serialize;
 use std::cell::OnceCell;
-use std::fmt::{self, Display, Formatter};
 
 /// Largest number of halvings of one step; an interval not proved at a thousandth of it is listed.
 const MAX_STEP_HALVINGS: u32 = 10;
@@ -23,58 +22,6 @@ const MAX_STEP_HALVINGS: u32 = 10;
 /// Largest number of points added on one step: five for each halving, which limits the cost where
 /// every proof fails.
 const MAX_STEP_POINTS: u32 = 50;
-
-/// Interval of a branch that may contain two more events of a kind than are listed.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct NotProved {
-    /// Kind of the event.
-    pub event: BranchKind,
-    /// Value of the key at the begin of the interval, SI.
-    pub from: f64,
-    /// Value of the key at the end of the interval, SI.
-    pub to: f64,
-    /// Reason why the proof failed.
-    pub why: ProofGap,
-}
-
-/// Reason why the events of an interval are not proved.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-pub enum ProofGap {
-    /// No orbit half-way between two orbits was found: they may lie on different parts of the
-    /// curve.
-    NoMidpoint,
-    /// The proof fails on the smallest steps too.
-    SmallestSteps,
-}
-
-impl Display for ProofGap {
-    fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
-        out.write_str(match self {
-            ProofGap::NoMidpoint => "no orbit was found at the midpoint of a step",
-            ProofGap::SmallestSteps => "not proved on the smallest steps",
-        })
-    }
-}
-
-impl NotProved {
-    /// Adds an interval to a list, or extends the previous one of the same kind.
-    fn add(list: &mut Vec<Self>, event: BranchKind, [from, to]: [f64; 2], why: ProofGap) {
-        match list
-            .iter_mut()
-            .rev()
-            .find(|known| known.event == event)
-            .filter(|known| known.to == from && known.why == why)
-        {
-            Some(known) => known.to = to,
-            None => list.push(Self {
-                event,
-                from,
-                to,
-                why,
-            }),
-        }
-    }
-}
 
 impl BranchTracer {
     /// Returns the points that prove the events of a step, and its last point; intervals that are
