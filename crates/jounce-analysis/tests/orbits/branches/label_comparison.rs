@@ -35,12 +35,14 @@ struct Settings {
     tolerance: f64,
     largest_step: f64,
     pieces: usize,
+    longest_period: u32,
 }
 
 const USUAL: Settings = Settings {
     tolerance: 1e-9,
     largest_step: 0.4,
     pieces: 1,
+    longest_period: 2,
 };
 
 const OTHERS: [Settings; 4] = [
@@ -85,6 +87,25 @@ impl Case {
         }
     }
 
+    /// The same harvester over another range.
+    pub fn over(self, range: (f64, f64)) -> Self {
+        Self { range, ..self }
+    }
+
+    /// Labels of the branches of period 1 at a tolerance.
+    pub fn labels(&self, tolerance: f64) -> Vec<Bifurcation> {
+        let settings = Settings {
+            tolerance,
+            longest_period: 1,
+            ..USUAL
+        };
+        let branches = self.search(settings);
+        branches
+            .into_iter()
+            .flat_map(|branch| branch.bifurcations)
+            .collect()
+    }
+
     fn width(&self) -> f64 {
         self.range.1 - self.range.0
     }
@@ -107,7 +128,7 @@ impl Case {
                 method,
                 tolerance,
                 seeds: 0,
-                longest_period: 2,
+                longest_period: settings.longest_period,
             };
             let options = BranchOptions {
                 largest_step: settings.largest_step,

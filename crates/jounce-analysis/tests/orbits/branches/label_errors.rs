@@ -1,5 +1,6 @@
 //! The stated errors of located events against a search a thousand times as accurate.
 
+use super::label_comparison::Case;
 use crate::harvesters::{bench, branches_to};
 use jounce_analysis::{Bifurcation, BranchKind, OrbitMethodKind};
 
@@ -31,4 +32,20 @@ fn labels_lie_within_their_stated_errors() {
             assert!(difference <= MARGIN * (error + finer), "{text}");
         }
     }
+}
+
+/// A contact of a stop of 1.6e9 N/m^2 divides. Integrations at a tolerance of 1e-7 do not separate it
+/// before the separation is so deep that the key is 7e-5 Hz further.
+#[test]
+fn the_error_covers_a_contact_that_divides_late() {
+    let case = Case::random(5).over((1.18, 1.19));
+    let [coarse, fine] = [1e-7, 1e-9].map(|tolerance| match &case.labels(tolerance)[..] {
+        [label] => (label.kind, label.at.parameter, label.parameter_error),
+        labels => panic!("{tolerance:e}: {} labels", labels.len()),
+    });
+    assert_eq!([coarse.0, fine.0], [BranchKind::Grazing; 2]);
+    let (difference, error) = ((coarse.1 - fine.1).abs(), coarse.2.unwrap());
+    let is_late = difference > 1e-5;
+    let is_covered = difference < 1.5 * error && error < 1.5 * difference;
+    assert!(is_late && is_covered, "{difference:e}, {error:e}");
 }

@@ -7,6 +7,7 @@
 //! ```
 
 use super::label_comparison::Case;
+use jounce_analysis::{Bifurcation, BranchKind};
 
 fn number(name: &str) -> Option<u64> {
     std::env::var(name).ok().map(|text| {
@@ -83,4 +84,20 @@ fn labels_of_random_harvesters_are_the_same_for_all_settings() {
         missing_count, 0,
         "labels that one search has and another lacks"
     );
+}
+
+/// Between 2.2222 and 2.2241 Hz the branch turns five times. At a tolerance of 1e-9 a step leads past
+/// these turns, and Newton's method finds no orbit half-way; a shorter step decides.
+#[test]
+fn turns_between_the_ends_of_a_step_are_followed() {
+    let case = Case::random(31);
+    let [coarse, fine] = [1e-9, 1e-10].map(|tolerance| {
+        let labels = case.labels(tolerance);
+        let is_turn = |label: &&Bifurcation| {
+            label.kind == BranchKind::Fold && (2.222..2.225).contains(&label.at.parameter)
+        };
+        (labels.iter().filter(is_turn).count(), labels.len())
+    });
+    assert_eq!(coarse, fine);
+    assert!(fine.0 >= 4, "{} turns", fine.0);
 }
