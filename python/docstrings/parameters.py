@@ -74,6 +74,7 @@ PARAMETERS: Final[dict[str, tuple[str, str]]] = {
     "Drive.recording": ("recording", "Samples in memory, with their times and unit, or with ``sample_rate`` and ``unit``."),
     "Recording.segments.drive": ("str or quantity (frequency)", 'Frequency of the drive, ``"13 Hz"``.'),
     "Recording.channel.name": ("str or int", "Name of the channel, or its number from 1."),
+    "Recording.of.allow_missing": ("bool", "``True`` accepts NaN and masked samples as missing; by default they are refused."),
     "Recording.of.name": ("str", "Name of the recording."),
     "Recording.of.units": (
         "str or dict",
