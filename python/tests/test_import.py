@@ -5,6 +5,7 @@ import sys
 
 import jounce
 
+
 def loaded(program):
     """Returns the modules that a program loads in addition to those of numpy."""
     program = f"import sys, numpy\nbefore = set(sys.modules)\n{program}\nprint(*(set(sys.modules) - before))"
