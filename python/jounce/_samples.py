@@ -16,7 +16,7 @@ from ._result import Complexes, Floats
 #: Largest magnitude whose square is a number.
 MAX_SAMPLE = math.sqrt(sys.float_info.max)
 
-#: Largest number of samples that a message lists.
+#: Largest number of samples that an error lists.
 MAX_LISTED_SAMPLES = 5
 
 #: Advice of a message on missing samples.
@@ -41,8 +41,9 @@ def _faults(name: str, values: Floats | Complexes, allow_missing: bool) -> Itera
         ("missing", "missing (NaN or masked)", missing & (not allow_missing)),
         ("too-large", "infinite, or too large to be squared; is the unit right?", too_large),
     ):
-        places = np.flatnonzero(faulty)
-        if len(places):
-            listed = ", ".join(map(str, places[:MAX_LISTED_SAMPLES])) + (", ..." if len(places) > MAX_LISTED_SAMPLES else "")
-            text = f"{counted(len(places), 'sample')} of {name}, at index {listed}: {words}"
-            yield text, {"channel": name, "reason": reason, "samples": places.tolist()}
+        indices = np.flatnonzero(faulty)
+        first, count = indices[:MAX_LISTED_SAMPLES].tolist(), len(indices)
+        if count > 0:
+            listed = ", ".join(map(str, first)) + (", ..." if count > len(first) else "")
+            text = f"{counted(count, 'sample')} of {name}, at index {listed}: {words}"
+            yield text, {"channel": name, "reason": reason, "count": count, "first": first}
