@@ -163,8 +163,10 @@ def test_counts_of_one_are_singular(harvester):
 
 def test_an_option_of_a_wrong_type_is_named(harvester):
     for call in (harvester.run, harvester.basins, harvester.ensemble, lambda **options: harvester.sweep(FREQUENCY, "12 Hz", **options)):
-        with pytest.raises(TypeError, match="tolerance: "):
+        with pytest.raises(TypeError, match="tolerance: .*, expected a number"):
             call(tolerance="x")
+    with pytest.raises(TypeError, match="starts: .*, expected a whole number"):
+        harvester.basins(starts=2.5)
 
 
 def test_the_package_has_only_public_names():
