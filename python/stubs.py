@@ -133,6 +133,7 @@ class Source:
         parameters = []
         for one in names:
             key, _, default = one.partition(" = ")
+            default = {"true": "True", "false": "False"}.get(default, default)
             parameters.append(
                 one if one == "*" else f"{key}: {self.python(types[key], False, class_name)}" + (f" = {default}" if default else "")
             )

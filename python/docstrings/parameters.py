@@ -9,7 +9,7 @@ from typing import Final
 PARAMETERS: Final[dict[str, tuple[str, str]]] = {
     "ax": ("matplotlib Axes", "Axes to draw into; by default new ones."),
     "base": ("recording", "Recorded motion that moves the base for its duration, instead of the drives."),
-    "browser": ("bool", "``True`` opens the page in the browser."),
+    "browser": ("bool", "``True`` opens the page in the browser, the default outside notebooks and without ``proxy``."),
     "canonical": ("bool", "``True`` includes every key that applies, with its default."),
     "channel": ("str", "Name of a channel; by default the first one."),
     "curve": ("str", "Name of a curve, ``FitCurve.name``; by default the first one."),
@@ -74,6 +74,7 @@ PARAMETERS: Final[dict[str, tuple[str, str]]] = {
     "Drive.recording": ("recording", "Samples in memory, with their times and unit, or with ``sample_rate`` and ``unit``."),
     "Recording.segments.drive": ("str or quantity (frequency)", 'Frequency of the drive, ``"13 Hz"``.'),
     "Recording.channel.name": ("str or int", "Name of the channel, or its number from 1."),
+    "Recording.of.allow_missing": ("bool", "``True`` accepts NaN and masked samples as missing; by default they are refused."),
     "Recording.of.name": ("str", "Name of the recording."),
     "Recording.of.units": (
         "str or dict",
@@ -104,6 +105,12 @@ PARAMETERS: Final[dict[str, tuple[str, str]]] = {
     "Spec.set.key": ("str or dict", "Key or table, or several with their values."),
     "Spec.update.keys": ("keywords", "Further values by name of a table."),
     "Spec.tables": ("tables", 'Tables by keyword, ``stop={"tip": jounce.Stop(at="beam.tip", ...)}``; they replace those of a dict.'),
+    "explore.height": ("int", "Height of the frame of a notebook, pixels."),
+    "explore.proxy": (
+        "str",
+        "Address of a proxy in the browser, with ``{port}`` for the port of the server, "
+        '``"https://hub.example.org/user/me/proxy/{port}/"``; by default none.',
+    ),
     "explore.harvester": ("Spec or path", "Harvester, or the file of its spec, which the page can then save."),
     "problem": ("path or dict", "Design file without the key ``spec``, or a dict with the same contents."),
     "Spec.design.progress": ("bool or callable", "Reports the number of evaluated designs; their total is not known and reported as 0."),

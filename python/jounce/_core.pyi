@@ -61,7 +61,15 @@ _Progress = Callable[[int, int, float | None], object] | None
 
 @final
 class Explorer:
-    def __new__(cls, *, spec: Spec | None = None, path: str | PathLike[str] | None = None, listen: str | None = None) -> Explorer: ...
+    def __new__(
+        cls,
+        *,
+        spec: Spec | None = None,
+        path: str | PathLike[str] | None = None,
+        listen: str | None = None,
+        proxy: str | None = None,
+        frames: bool = False,
+    ) -> Explorer: ...
     @property
     def address(self) -> str: ...
     @property

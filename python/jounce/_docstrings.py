@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+import os
 from functools import cache
-from pathlib import Path
 from types import FunctionType
 from typing import Any
 
@@ -14,7 +14,8 @@ IN_SOURCE: dict[str, tuple[Any, str | None]] = {}
 @cache
 def _docstrings() -> dict[str, str]:
     """Returns the docstrings by name; a method has the name of the class that defines it."""
-    text = Path(__file__).with_name("docstrings.txt").read_text(encoding="utf-8")
+    with open(os.path.join(os.path.dirname(__file__), "docstrings.txt"), encoding="utf-8") as file:
+        text = file.read()
     blocks = (block.partition("\n") for block in f"\n{text.rstrip()}\n".split("\n==== ")[1:])
     return {name: docstring for name, _, docstring in blocks}
 

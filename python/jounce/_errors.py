@@ -108,7 +108,7 @@ class StudyError(JounceError):
 
 
 class RecordingError(JounceError, ValueError):
-    """A recording without the requested quantity: too short, without a signal, without a hit, or with unusable sample times."""
+    """A recording without the requested quantity: too short, without a signal or a hit, with unusable sample times or samples."""
 
 
 class DesignError(JounceError):

@@ -17,6 +17,7 @@ from ._format import counted, html_table
 from ._issue import Issue, issue_lines, parse_issues
 from ._named import Named, look_up
 from ._result import Complexes, Data, Floats, Result, make_manifest
+from ._samples import check_samples
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -44,8 +45,9 @@ class Channel(Data):
     @property
     def rms(self) -> float:
         """Rms of the valid samples."""
-        finite = self.values[np.isfinite(self.values)]
-        return float(np.sqrt(np.mean(np.abs(finite) ** 2))) if len(finite) else 0.0
+        finite, peak = self.values[np.isfinite(self.values)], self.peak
+        # Scaled by the peak, so that no square overflows.
+        return peak * float(np.sqrt(np.mean(np.abs(finite / peak) ** 2))) if peak > 0.0 else 0.0
 
     @property
     def peak(self) -> float:
@@ -88,21 +90,25 @@ class Recording(Result, Named[Floats | Complexes]):
         frequency_hz: Any = None,
         units: str | Mapping[str, str] | None = None,
         name: str = "recording",
+        allow_missing: bool = False,
     ) -> Self:
         """Returns a recording of arrays: one, a dict of them by channel, a SEP005 time series, or a list of these; or of a history.
 
         Arrays of xarray and pandas bring their names, their times or frequencies, and the units in their ``attrs``; arrays of pint bring
         their units. Arguments must not contradict them. ``units`` is the unit of one array, or of each channel, as an instrument writes it
         (``"g"``, ``"m/s2"``, ``"lbf"``); values are converted to SI. The sampling is given by ``sample_rate_hz``, or by ``time_s``, which
-        is checked for jitter and gaps; NaN are missing samples. With ``frequency_hz`` the values are accelerations per force, complex and
-        for ``e^{+i w t}``.
+        is checked for jitter and gaps. With ``frequency_hz`` the values are accelerations per force, complex and for ``e^{+i w t}``.
+
+        Samples that are NaN, masked, infinite or too large to be squared are refused. With ``allow_missing`` NaN and masked samples are
+        missing samples: analyses interpolate them linearly and report it in ``issues``, as for a file.
         """
         from ._inputs import recording_from_arrays
 
         grid = {"sample_rate_hz": sample_rate_hz, "time_s": time_s, "frequency_hz": frequency_hz}
-        return cls._from_core_recording(
-            _core.recording_from_arrays(recording_from_arrays(values, grid, units, name)), make_manifest("read")
-        )
+        fields = _core.recording_from_arrays(recording_from_arrays(values, grid, units, name))
+        recording = cls._from_core_recording(fields, make_manifest("read"))
+        check_samples(recording.items(), allow_missing=allow_missing)
+        return recording
 
     @property
     def samples(self) -> int:

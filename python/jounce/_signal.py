@@ -15,6 +15,7 @@ from ._errors import ArgumentError, FileError
 from ._fields import About, Variable
 from ._quantity import is_quantity, unit_of
 from ._result import Floats, Result, make_manifest
+from ._samples import check_samples
 from ._sep005 import check_series, even_rate_hz, numbers
 
 if TYPE_CHECKING:
@@ -78,8 +79,8 @@ def write_recording(path: str | PathLike[str], values: Any, sample_rate_hz: floa
     """
     row, row_rate_hz = _samples(values, sample_rate_hz)
     unit = values["unit_str"] if isinstance(values, Mapping) else unit_of(values) if is_quantity(values) else ""
-    if not np.isfinite(row).all() or len(row) < 2:
-        raise ArgumentError("a recording needs at least two samples, all finite")
+    if len(row) < 2:
+        raise ArgumentError("a recording needs at least two samples")
     times = np.arange(len(row)) / row_rate_hz
     try:
         with open(path, "w", encoding="utf-8", newline="\n") as file:
@@ -93,4 +94,6 @@ def _samples(values: Any, sample_rate_hz: float | None) -> tuple[Floats, float]:
     """Returns samples and their rate, Hz."""
     if isinstance(values, Mapping):
         values, sample_rate_hz = check_series(values)["data"], even_rate_hz(values)
-    return numbers(values, "the samples"), rate_hz(sample_rate_hz)
+    row = numbers(values, "the samples")
+    check_samples([("the signal", row)])
+    return row, rate_hz(sample_rate_hz)

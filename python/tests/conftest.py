@@ -92,10 +92,15 @@ def results(tmp_path_factory, report):
     hits, tones, pulses = recordings(harvester)
     modes = jounce.measured_modes(hits, end_ratio=0.01, between="20 Hz:200 Hz")
     features = {"frequency_deviation": 0.01, "free": {"beam.beam.thickness": 0.05}, "mode": [{"number": 1, "frequency": "9 Hz"}]}
+    design = {"free": {"circuit.load.resistance": "10kohm:3Mohm:log"}, "goal": {"maximise": "expected-power", "starts": 2}}
     study = jounce.Study(short, {"stop.tip.gap": "1 mm:2 mm:2x"})
     plane = jounce.Study(short, {"stop.tip.gap": "1 mm:2 mm:2x", frequency: "10 Hz:11 Hz:2x"})
+    file = tmp_path_factory.mktemp("recorded") / "hits.csv"
+    hits.write(file)
     return [
         harvester.modes(),
+        harvester.sensitivity("circuit.load.resistance", starts=2),
+        harvester.design(design, evaluations=40),
         harvester.frf("1 Hz:100 Hz:50log"),
         run,
         short.run(),
@@ -113,6 +118,7 @@ def results(tmp_path_factory, report):
         jounce.power([tones, tones], ["1 kohm", "2 kohm"]),
         jounce.spectra(tones, drive="10 Hz", segment="0.5 s"),
         tones,
+        jounce.read_recordings(file),
         tones.segments("10 Hz"),
         jounce.contact(pulses, sample_rate_hz=1e4),
         modes,

@@ -28,6 +28,7 @@ signal.signal(signal.SIGINT, signal.default_int_handler)
 # All modules are loaded, so that the signal interrupts the call and not an import.
 names = [getattr(jounce, name) for name in jounce.__all__]
 harvester = jounce.read({spec!r})
+{setup}
 sent = []
 
 def interrupt():
@@ -88,8 +89,8 @@ CALLS = {
     "noise": ('jounce.examples()["random-base"].noise(points=1000000)', 0.5, "0"),
     "noise of a long run": ('jounce.examples()["random-base"].changed({"run.duration": "100000 s"}).run()', 0.5, "0"),
     "power": (
-        'jounce.power(np.tile(np.sin(0.05 * np.arange(1000.0)), 20000), "1 Mohm", sample_rate_hz=1536.0, drive="13.5 Hz")',
-        5.0,
+        'jounce.power(recording, "1 Mohm", drive="13.5 Hz")',
+        1.0,
         "0",
     ),
     "basins": ("basins(starts=100000, threads=2)", 3.0, "(stopped.result.attractor_index >= 0).sum()"),
@@ -98,12 +99,16 @@ CALLS = {
     "reproduce": ('jounce.reproduce("out", threads=2)', 2.0, "0"),
 }
 
+#: What is made before the time until the signal is counted.
+SETUP = {"power": 'recording = jounce.Recording.of(np.tile(np.sin(0.05 * np.arange(1000.0)), 20000), 1536.0, units="V")'}
+
 
 @pytest.mark.parametrize("name", CALLS)
 def test_ctrl_c_ends_a_call_at_once_and_returns_the_finished_part(name, tmp_path):
     call, after, result_size = CALLS[name]
     call = call if call.startswith("jounce.") else f"harvester.{call}"
-    code = textwrap.dedent(CHILD.format(spec=str(SPEC), call=call, after=after, result_size=result_size))
+    setup = SETUP.get(name, "")
+    code = textwrap.dedent(CHILD.format(spec=str(SPEC), setup=setup, call=call, after=after, result_size=result_size))
     done = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, timeout=120, check=False)
     assert done.returncode == 0, done.stderr
     cpu_time_s, wall_time_s, kind, count = done.stdout.split()

@@ -21,7 +21,9 @@ SERIES = {"data": VOLTS, "name": "u", "unit_str": "V", "fs": 1000.0}
         (lambda: jounce.power(object(), "1 ohm", sample_rate_hz=1e3), jounce.ArgumentError, "not numbers"),
         (lambda: jounce.power([], "1 ohm"), jounce.ArgumentError, "no recording"),
         (lambda: jounce.power(VOLTS[:10], "1 ohm", sample_rate_hz=1e3), jounce.RecordingError, "too few"),
-        (lambda: jounce.power(np.full(100, np.nan), "1 ohm", sample_rate_hz=1e3), jounce.RecordingError, "finite"),
+        (lambda: jounce.power(np.full(100, np.nan), "1 ohm", sample_rate_hz=1e3), jounce.RecordingError, "missing"),
+        (lambda: jounce.spectrum([1.0, np.nan], 1.0), jounce.RecordingError, "at index 1: missing"),
+        (lambda: jounce.write_recording("a.csv", [1.0, np.nan], 1.0), jounce.RecordingError, "at index 1: missing"),
         (lambda: jounce.power(SERIES, ["1 ohm", "2 ohm"]), jounce.ArgumentError, "2 values; there are 1 recordings"),
         (lambda: jounce.power(SERIES, "1 ohm", voltage="w"), jounce.ArgumentError, "its channels are u"),
         (lambda: jounce.power({**SERIES, "unit_str": "N"}, "1 ohm", voltage="u"), jounce.ArgumentError, "is in N"),
@@ -99,7 +101,7 @@ def test_impossible_rigs_and_fits_raise_errors(harvester, tmp_path):
 
 
 def test_files_of_recordings_that_cannot_be_read_or_written(tmp_path):
-    recording = jounce.Recording.of(np.array([1.0, np.nan] * 5), 10.0)
+    recording = jounce.Recording.of(np.array([1.0, np.nan] * 5), 10.0, allow_missing=True)
     (tmp_path / "cut.uff").write_text("    -1\n    58\nabc")
     (tmp_path / "empty.csv").write_text("")
     invalid_calls = [

@@ -63,14 +63,14 @@ def test_data_quality_issues_are_reported():
     samples[[40, 41, 900]] = np.nan
     stamps = np.arange(1000) / 1000.0
     stamps[500:] += 0.0123
-    result = jounce.Recording.of({"a": samples}, time_s=stamps, units={"a": "g"}, name="floor")
+    options = {"time_s": stamps, "units": {"a": "g"}, "name": "floor", "allow_missing": True}
+    result = jounce.Recording.of({"a": samples}, **options)
     assert {one.kind for one in result.issues} == {"jitter", "gap", "not-a-number", "converted"}
     (missing,) = [one for one in result.issues if one.kind == "not-a-number"]
     assert (missing.channel, missing.count, missing.first) == ("a", 3, "sample 40") and str(missing) in repr(result)
     assert result.channel("a").unit == "m/s^2" and result.channel("a").peak == pytest.approx(0.8 * 9.80665)
     # What is masked is missing as well.
-    masked = jounce.Recording.of({"a": np.ma.masked_invalid(samples)}, time_s=stamps, units={"a": "g"}, name="floor")
-    assert masked == result
+    assert jounce.Recording.of({"a": np.ma.masked_invalid(samples)}, **options) == result
     even = result.even()
     assert even.step is not None and np.isfinite(even["a"]).all() and result.step is None
     assert {"bridged", "resampled"} < {one.kind for one in even.issues}
@@ -252,7 +252,7 @@ def test_functions_of_plain_columns_and_their_gaps():
     h = 1.0 / ((2 * np.pi * 20.0) ** 2 - (2 * np.pi * hz) ** 2 + 2j * 0.02 * 2 * np.pi * 20.0 * 2 * np.pi * hz)
     h[100] = np.nan
     recording = jounce.Recording.of(
-        {"size": np.abs(h), "phase": np.angle(h, deg=True)}, frequency_hz=hz, units={"size": "m/N", "phase": ""}
+        {"size": np.abs(h), "phase": np.angle(h, deg=True)}, frequency_hz=hz, units={"size": "m/N", "phase": ""}, allow_missing=True
     )
     options = {"functions": "size-degrees", "between": "6 Hz:50 Hz", "order": 8}
     with pytest.raises(jounce.RecordingError, match="bridge"):

@@ -12,6 +12,7 @@ import pytest
 from conftest import ROOT, SHORT, assert_identical
 
 import jounce
+from jounce._result import Result
 
 FREQUENCY = "drive.shaker.frequency"
 
@@ -202,6 +203,8 @@ def test_results_pickle_compare_and_print(short):
 
 
 def test_every_class_of_results_is_saved_and_becomes_a_tree(results, tmp_path):
+    public = [getattr(jounce, name) for name in jounce.__all__]
+    assert {type(result) for result in results} == {one for one in public if isinstance(one, type) and issubclass(one, Result)}
     for result in results:
         result.save(tmp_path / "result.jounce")
         assert jounce.load(tmp_path / "result.jounce") == result

@@ -9,7 +9,9 @@ import warnings
 from importlib.metadata import requires
 
 import numpy as np
+import pandas as pd
 import pytest
+import xarray as xr
 from conftest import sine
 
 import jounce
@@ -50,28 +52,87 @@ def test_a_study_counts_what_failed_and_what_has_not_settled(harvester, tmp_path
     assert failed.status.failed_points == 1 and repr(failed).endswith("2 points, 1 without a result>")
 
 
-@pytest.mark.parametrize(
-    ("values", "words"),
-    [
-        (np.where(np.arange(4000) == 7, 1e200, sine(1.0, 10.0, 1000.0, 4.0)), "sample 7 of signal is 1e200"),
-        (1e200 * sine(1.0, 10.0, 1000.0, 4.0), "sample 1 of signal is"),
-    ],
-)
-def test_samples_too_large_are_named(values, words):
-    for call in (lambda: jounce.power(values, "1 kohm", sample_rate_hz=1e3), lambda: jounce.spectra(values, sample_rate_hz=1e3)):
-        with pytest.raises(jounce.JounceError, match=words):
+SINE = sine(1.0, 10.0, 1000.0, 4.0)
+
+
+def with_sample(value, values=SINE):
+    """The sine as a masked array, whose sample 7 has another value."""
+    changed = np.ma.masked_array(values, copy=True)
+    changed[7] = value
+    return changed
+
+
+@pytest.mark.parametrize("form", [lambda values: values, lambda values: {"u": values}, lambda values: [*values.filled(np.nan)]])
+@pytest.mark.parametrize(("value", "words"), [(np.nan, "missing"), (np.ma.masked, "missing"), (np.inf, "infinite"), (1e200, "too large")])
+def test_samples_that_are_not_usable_numbers_are_named(form, value, words):
+    values = form(with_sample(value))
+    for call in (
+        lambda: jounce.power(values, "1 kohm", sample_rate_hz=1e3),
+        lambda: jounce.spectra(values, sample_rate_hz=1e3),
+        lambda: jounce.Recording.of(values, 1e3),
+        lambda: jounce.Drive(kind="base-acceleration", recording=values, sample_rate="1 kHz"),
+        lambda: jounce.spectrum(values if not isinstance(values, dict) else values["u"], 1e3),
+    ):
+        with pytest.raises(jounce.RecordingError, match=f"1 sample of .+, at index 7: .*{words}") as caught:
             call()
+        (fault,) = caught.value.details["faults"]
+        assert (fault["count"], fault["first"]) == (1, [7])
 
 
-@pytest.mark.parametrize("missing", [np.nan, np.inf, np.ma.masked])
-def test_missing_samples_are_named(missing):
-    values = np.ma.masked_array(sine(1.0, 10.0, 1000.0, 4.0))
-    values[7] = missing
-    for result in (jounce.power(values, "1 kohm", sample_rate_hz=1e3), jounce.spectra(values, sample_rate_hz=1e3)):
+@pytest.mark.parametrize("units", ["V", "GV"])
+def test_overflow_is_refused_in_si(units):
+    # 1e150 V can be squared, 1e150 GV cannot.
+    values = with_sample(1e150)
+    if units == "V":
+        assert jounce.Recording.of(values, 1e3, units=units).channels[0].rms == pytest.approx(1e150 / np.sqrt(4000.0))
+    else:
+        with pytest.raises(jounce.RecordingError, match="1 sample of signal, at index 7: infinite, or too large to be squared"):
+            jounce.Recording.of(values, 1e3, units=units)
+
+
+def test_faulty_samples_of_every_channel_are_counted():
+    faulty = np.where(np.arange(4000) % 400 == 0, np.nan, SINE)
+    with pytest.raises(jounce.RecordingError, match="10 samples of a, at index 0, 400, 800, 1200, 1600, ...: missing") as caught:
+        jounce.Recording.of({"a": faulty, "b": SINE, "c": with_sample(np.inf)}, 1e3)
+    assert caught.value.details["faults"] == [
+        {"channel": "a", "reason": "missing", "count": 10, "first": [0, 400, 800, 1200, 1600]},
+        {"channel": "c", "reason": "too-large", "count": 1, "first": [7]},
+    ]
+    assert "1 sample of c, at index 7" in str(caught.value) and "allow_missing=True" in str(caught.value)
+    response = np.exp(1j * SINE)
+    response[3] = complex(0.0, np.nan)
+    with pytest.raises(jounce.RecordingError, match="at index 3: missing"):
+        jounce.Recording.of(response, frequency_hz=1.0 + np.arange(4000.0), units="m/s^2/N")
+
+
+@pytest.mark.parametrize("frame_type", ["xarray", "pandas", "nullable"])
+def test_missing_samples_of_labelled_arrays_are_named(frame_type):
+    values, time_s = with_sample(np.nan).filled(), np.arange(4000) / 1e3
+    labelled = {
+        "xarray": lambda: xr.DataArray(values, {"time": time_s}, name="u"),
+        "pandas": lambda: pd.Series(values, pd.Index(time_s, name="time"), name="u"),
+        "nullable": lambda: pd.Series(values, pd.Index(time_s, name="time"), name="u").convert_dtypes(),
+    }[frame_type]()
+    with pytest.raises(jounce.RecordingError, match="1 sample of u, at index 7: missing"):
+        jounce.power(labelled, "1 kohm")
+
+
+@pytest.mark.parametrize("missing", [np.nan, np.ma.masked])
+def test_missing_samples_that_are_allowed_are_interpolated_and_reported(missing):
+    recording = jounce.Recording.of(with_sample(missing), 1e3, units="V", allow_missing=True)
+    for result in (recording.power("1 kohm"), recording.spectra()):
         (issue,) = (one for one in result.issues if one.kind == "not-a-number")
         assert (issue.count, issue.first) == (1, "sample 7") and issue.text in repr(result)
-    with pytest.raises(jounce.ArgumentError, match="sample 7 of the signal is"):
-        jounce.spectrum(values, 1e3)
+    with pytest.raises(jounce.RecordingError, match="at index 7: infinite"):
+        jounce.Recording.of(with_sample(np.inf), 1e3, allow_missing=True)
+
+
+def test_a_file_has_the_same_rms_as_an_array_whatever_its_size(tmp_path):
+    (tmp_path / "large.csv").write_text("time (s),u (V)\n" + "".join(f"{k / 1e3},{1e200 * SINE[k]:e}\n" for k in range(4000)))
+    (recording,) = jounce.read_recordings(tmp_path / "large.csv")
+    assert recording.channels[0].rms == pytest.approx(1e200 / np.sqrt(2.0))
+    with pytest.raises(jounce.RecordingError, match="sample 1 of u is"):
+        recording.power("1 kohm")
 
 
 def test_the_arrays_of_a_result_are_read_only(short):
@@ -102,8 +163,10 @@ def test_counts_of_one_are_singular(harvester):
 
 def test_an_option_of_a_wrong_type_is_named(harvester):
     for call in (harvester.run, harvester.basins, harvester.ensemble, lambda **options: harvester.sweep(FREQUENCY, "12 Hz", **options)):
-        with pytest.raises(TypeError, match="tolerance: "):
+        with pytest.raises(TypeError, match="tolerance: .*, expected a number"):
             call(tolerance="x")
+    with pytest.raises(TypeError, match="starts: .*, expected a whole number"):
+        harvester.basins(starts=2.5)
 
 
 def test_the_package_has_only_public_names():

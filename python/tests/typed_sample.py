@@ -49,6 +49,8 @@ def rigid(harvester: jounce.Spec) -> jounce.Spec:
     jounce.Stop(at="beam.tip", law="hertzz", gap="1 mm")  # type: ignore[arg-type]
     jounce.Stop(at="beam.tip", law="rigid", gap=0.001)  # type: ignore[arg-type]
     jounce.Stop(law="rigid", gap="1 mm")  # type: ignore[call-arg]
+    jounce.Spec(run={"durationn": "1 s"})  # type: ignore[arg-type]
+    jounce.Spec(stop={"tip": {"at": "beam.tip", "law": "hertzz", "gap": "1 mm"}})  # type: ignore[dict-item]
     return jounce.Spec(harvester, stop={"tip": stop})
 
 

@@ -3,6 +3,7 @@
 import type { Branch, ResponseResult } from "./branches";
 import type { Design } from "./design";
 import type { Response } from "./response";
+import { tabStorage } from "./storage";
 import { nth } from "./theme";
 
 const MOST = 4;
@@ -34,7 +35,7 @@ export class Pins {
     }
 
     private show(): void {
-        sessionStorage.setItem(STORE, JSON.stringify(this.kept, (_, value) => (value instanceof Float64Array ? [...value] : value)));
+        tabStorage?.setItem(STORE, JSON.stringify(this.kept, (_, value) => (value instanceof Float64Array ? [...value] : value)));
         this.response.pins = this.kept;
         this.host.replaceChildren(...this.kept.map((pin) => this.item(pin)));
         this.mark();
@@ -72,7 +73,7 @@ export class Pins {
 
 /** The pins before the page was loaded again. */
 function stored(): Pin[] {
-    const pins = JSON.parse(sessionStorage.getItem(STORE) ?? "[]") as Pin[];
+    const pins = JSON.parse(tabStorage?.getItem(STORE) ?? "[]") as Pin[];
     const numbers = (list: ArrayLike<number>) => Float64Array.from(list);
     for (const { result } of pins) {
         result.linear = { x: numbers(result.linear.x), power: numbers(result.linear.power) };

@@ -1,5 +1,7 @@
 // Colours of the library's plots (Okabe and Ito), distinguishable by colour-blind readers.
 
+import { userStorage } from "./storage";
+
 const THEME = "jounce-theme";
 const SERIES = ["blue", "vermilion", "green", "purple", "orange", "sky"];
 
@@ -24,14 +26,14 @@ export class Theme {
     private readonly system = matchMedia("(prefers-color-scheme: dark)");
 
     constructor(private readonly button: HTMLButtonElement, private readonly changed: () => void) {
-        this.put(localStorage.getItem(THEME) ?? (this.system.matches ? "dark" : "light"));
+        this.put(userStorage?.getItem(THEME) ?? (this.system.matches ? "dark" : "light"));
         button.onclick = () => this.toggle();
         this.system.addEventListener("change", () => this.set(this.system.matches ? "dark" : "light"));
     }
 
     toggle(): void {
         const name = document.documentElement.dataset.theme === "dark" ? "light" : "dark";
-        localStorage.setItem(THEME, name);
+        userStorage?.setItem(THEME, name);
         this.set(name);
     }
 

@@ -18,7 +18,7 @@ export class Wire {
 
     connect(): void {
         const address = new URL("socket", location.href);
-        address.protocol = "ws:";
+        address.protocol = location.protocol.replace("http", "ws");
         address.hash = "";
         const socket = new WebSocket(address);
         socket.binaryType = "arraybuffer";

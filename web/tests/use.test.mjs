@@ -104,6 +104,20 @@ test("a link of a view alone, of an unknown axis, of a refused value, and of a r
     await other.close();
 });
 
+test("a page whose storage the browser refuses, as in a frame of another site, works and pins", async () => {
+    const other = await browser.context.newPage();
+    await other.addInitScript(() => {
+        const refuse = () => { throw new DOMException("refused", "SecurityError"); };
+        for (const name of ["localStorage", "sessionStorage"]) Object.defineProperty(window, name, { get: refuse });
+    });
+    await other.goto(server.address);
+    await ready(other);
+    await other.locator("#theme").click();
+    await other.locator("#pin").click();
+    await other.locator("#pins li").waitFor();
+    await other.close();
+});
+
 test("pins: undo goes back over a restored one, the fifth is refused, and they outlive a reload with the theme", async () => {
     await page.locator("#pin").click();
     await type("stop.tip.gap", "0.9");

@@ -47,6 +47,7 @@ mod session;
 mod source;
 
 pub use server::{
-    ExploreError, Explorer, ServerLimits, ServerOptions, Stopper, open_in_browser, state_folder,
+    ExploreError, Explorer, ProxyOrigin, ServerLimits, ServerOptions, Stopper, open_in_browser,
+    state_folder,
 };
 pub use source::Source;

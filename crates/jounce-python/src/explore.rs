@@ -3,7 +3,7 @@
 use crate::conversion::failure::Failure;
 use crate::input::spec::Spec;
 use jounce_explorer::{
-    ExploreError, Explorer as Server, ServerLimits, ServerOptions, Source, Stopper,
+    ExploreError, Explorer as Server, ProxyOrigin, ServerLimits, ServerOptions, Source, Stopper,
     open_in_browser, state_folder,
 };
 use pyo3::prelude::*;
@@ -29,13 +29,15 @@ pub struct Explorer {
 
 #[pymethods]
 impl Explorer {
-    /// Serves a spec as it is, or a file with its later changes.
+    /// Serves a spec as it is, or a file with its later changes; `proxy` is the origin of a proxy.
     #[new]
-    #[pyo3(signature = (*, spec = None, path = None, listen = None))]
+    #[pyo3(signature = (*, spec = None, path = None, listen = None, proxy = None, frames = false))]
     fn new(
         spec: Option<&Spec>,
         path: Option<PathBuf>,
         listen: Option<&str>,
+        proxy: Option<&str>,
+        frames: bool,
     ) -> Result<Self, Failure> {
         let source = match (spec, path) {
             (Some(spec), None) => Source::Text {
@@ -57,10 +59,20 @@ impl Explorer {
                 .map_err(|_| Failure::new("ArgumentError", message(text)))
         };
         let listen = listen.map(parse).transpose()?;
+        let parse_proxy = |text: &str| {
+            let message = format!(
+                "proxy is at \"{text}\"; give the address that the browser shows, as in \
+                https://hub.example.org/user/me/proxy/{{port}}/"
+            );
+            ProxyOrigin::parse(text).ok_or_else(|| Failure::new("ArgumentError", message))
+        };
+        let proxy = proxy.map(parse_proxy).transpose()?;
         let server = Server::bind(ServerOptions {
             spec: source,
             set: Vec::new(),
             listen,
+            proxy,
+            frames,
             state_folder: state_folder(),
             limits: ServerLimits::default(),
         })?;

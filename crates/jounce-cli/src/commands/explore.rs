@@ -45,6 +45,8 @@ impl Explore {
             spec: Source::File(self.spec.spec.clone()),
             set,
             listen: self.listen,
+            proxy: None,
+            frames: false,
             state_folder: state_folder(),
             limits: ServerLimits::default(),
         };

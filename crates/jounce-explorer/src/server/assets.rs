@@ -6,7 +6,13 @@ use axum::response::{IntoResponse, Response};
 
 /// Content-security policy of the page: everything comes from this server.
 const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: blob:; connect-src 'self'; \
-                      base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+                      base-uri 'none'; form-action 'none'";
+
+/// Policy of a page that no other page may embed in a frame.
+const NO_FRAMES: &str = "frame-ancestors 'none'";
+
+/// Policy of a page that notebooks may embed: pages of the same proxy, and of this machine.
+const FRAMES_OF_THIS_MACHINE: &str = "frame-ancestors 'self' http://127.0.0.1:* http://localhost:*";
 
 /// Files: name, content type, content.
 const FILES: [(&str, &str, &[u8]); 4] = [
@@ -32,8 +38,9 @@ const FILES: [(&str, &str, &[u8]); 4] = [
     ),
 ];
 
-/// Returns the file with a name; only files of the list above are served.
-pub fn serve(name: &str) -> Response {
+/// Returns the file with a name; only files of the list above are served. With `frames` notebooks
+/// may embed the page.
+pub fn serve(name: &str, frames: bool) -> Response {
     match FILES.iter().find(|(file_name, ..)| *file_name == name) {
         Some((_, kind, content)) => with_security_headers(
             (
@@ -41,6 +48,7 @@ pub fn serve(name: &str) -> Response {
                 *content,
             )
                 .into_response(),
+            frames,
         ),
         None => refusal(StatusCode::NOT_FOUND, "this server has no such file"),
     }
@@ -48,15 +56,20 @@ pub fn serve(name: &str) -> Response {
 
 /// Returns a refusal with a message of one line.
 pub fn refusal(status: StatusCode, message: &'static str) -> Response {
-    with_security_headers((status, message).into_response())
+    with_security_headers((status, message).into_response(), false)
 }
 
 /// Adds the headers of every response.
-fn with_security_headers(mut response: Response) -> Response {
+fn with_security_headers(mut response: Response, frames: bool) -> Response {
+    let frame_policy = if frames {
+        FRAMES_OF_THIS_MACHINE
+    } else {
+        NO_FRAMES
+    };
     let headers: [(HeaderName, &'static str); 7] = [
         (header::CONTENT_SECURITY_POLICY, POLICY),
+        (header::CONTENT_SECURITY_POLICY, frame_policy),
         (header::X_CONTENT_TYPE_OPTIONS, "nosniff"),
-        (header::X_FRAME_OPTIONS, "DENY"),
         (header::REFERRER_POLICY, "no-referrer"),
         (header::CACHE_CONTROL, "no-store"),
         (
@@ -68,8 +81,15 @@ fn with_security_headers(mut response: Response) -> Response {
             "same-origin",
         ),
     ];
-    response
-        .headers_mut()
-        .extend(headers.map(|(name, value)| (name, HeaderValue::from_static(value))));
+    for (name, value) in headers {
+        response
+            .headers_mut()
+            .append(name, HeaderValue::from_static(value));
+    }
+    if !frames {
+        response
+            .headers_mut()
+            .insert(header::X_FRAME_OPTIONS, HeaderValue::from_static("DENY"));
+    }
     response
 }

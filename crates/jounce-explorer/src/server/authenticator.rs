@@ -1,5 +1,6 @@
 //! Authentication of requests by token, host and origin.
 
+use super::ProxyOrigin;
 use axum::http::HeaderMap;
 use axum::http::header::{HOST, ORIGIN};
 use sha2::{Digest, Sha256};
@@ -15,6 +16,7 @@ pub struct Authenticator {
     token: String,
     digest: [u8; 32],
     hosts: Vec<String>,
+    proxy: Option<ProxyOrigin>,
     /// True where the server listens on all addresses of this machine, so that any of them is
     /// accepted.
     any_address: bool,
@@ -33,13 +35,14 @@ pub enum RequestRefusal {
 }
 
 impl Authenticator {
-    /// Creates the authenticator of a server at an address, with the token of the previous server
-    /// or a new one.
+    /// Creates the authenticator of a server at an address, and behind a proxy, with the token of
+    /// the previous server or a new one.
     ///
     /// # Errors
     /// The system provides no random numbers.
     pub fn new(
         address: SocketAddr,
+        proxy: Option<ProxyOrigin>,
         previous_token: Option<String>,
     ) -> Result<Self, getrandom::Error> {
         let token = previous_token.map_or_else(random_token, Ok)?;
@@ -52,6 +55,7 @@ impl Authenticator {
             digest: Sha256::digest(token.as_bytes()).into(),
             token,
             hosts,
+            proxy,
             any_address: address.ip().is_unspecified(),
             port,
         })
@@ -83,7 +87,9 @@ impl Authenticator {
             && host
                 .parse::<SocketAddr>()
                 .is_ok_and(|address| address.port() == self.port);
+        let by_proxy = self.proxy.as_ref().is_some_and(|proxy| proxy.is_host(host));
         if !by_address
+            && !by_proxy
             && !self
                 .hosts
                 .iter()
@@ -92,12 +98,20 @@ impl Authenticator {
             return Err(RequestRefusal::Host);
         }
         let origins: Vec<_> = headers.get_all(ORIGIN).iter().collect();
-        let expected_origin = format!("http://{host}");
-        if origins.iter().any(|origin| {
-            !origin
-                .as_bytes()
-                .eq_ignore_ascii_case(expected_origin.as_bytes())
-        }) || (needs_origin && origins.is_empty())
+        let own_origin = (!by_proxy).then(|| format!("http://{host}"));
+        let is_own = |origin: &[u8]| {
+            let own_origin = own_origin.as_ref().map(String::as_bytes);
+            own_origin.is_some_and(|own_origin| own_origin.eq_ignore_ascii_case(origin))
+        };
+        let is_proxy = |origin: &[u8]| {
+            let proxy = self.proxy.as_ref();
+            proxy.is_some_and(|proxy| proxy.is_origin(origin))
+        };
+        if origins
+            .iter()
+            .map(|origin| origin.as_bytes())
+            .any(|origin| !is_own(origin) && !is_proxy(origin))
+            || (needs_origin && origins.is_empty())
         {
             return Err(RequestRefusal::Origin);
         }
@@ -138,14 +152,13 @@ mod tests {
 
     #[test]
     fn only_requests_of_the_page_with_the_token_are_accepted() {
-        let authenticator = Authenticator::new("127.0.0.1:4321".parse().unwrap(), None).unwrap();
+        let address = "127.0.0.1:4321".parse().unwrap();
+        let authenticator = Authenticator::new(address, None, None).unwrap();
         let token = authenticator.token().to_owned();
         assert_eq!(token.len(), 32);
         assert_ne!(
             token,
-            Authenticator::new("127.0.0.1:4321".parse().unwrap(), None)
-                .unwrap()
-                .token()
+            Authenticator::new(address, None, None).unwrap().token()
         );
         let own = "127.0.0.1:4321";
         let [host, origin, refused_token] = [
@@ -185,8 +198,35 @@ mod tests {
     }
 
     #[test]
+    fn behind_a_proxy_its_host_and_origin_are_accepted_and_no_others() {
+        let address = "127.0.0.1:4321".parse().unwrap();
+        let proxy = ProxyOrigin::parse("https://hub.example").unwrap();
+        let authenticator = Authenticator::new(address, Some(proxy), None).unwrap();
+        let [host, origin] = [RequestRefusal::Host, RequestRefusal::Origin].map(Err);
+        for (request_host, request_origin, expected) in [
+            ("hub.example", "https://hub.example", Ok(())),
+            ("127.0.0.1:4321", "https://hub.example", Ok(())),
+            ("127.0.0.1:4321", "http://127.0.0.1:4321", Ok(())),
+            ("hub.example", "http://hub.example", origin),
+            ("hub.example", "https://evil.example", origin),
+            ("127.0.0.1:4321", "https://evil.example", origin),
+            ("hub.example:4321", "https://hub.example", host),
+            ("evil.example", "https://hub.example", host),
+        ] {
+            let headers = request_headers(request_host, Some(request_origin));
+            let result = authenticator.check(authenticator.token(), &headers, true);
+            assert_eq!(result, expected, "{request_host} {request_origin}");
+        }
+        let headers = request_headers("hub.example", Some("https://hub.example"));
+        assert_eq!(
+            authenticator.check("0", &headers, true),
+            Err(RequestRefusal::Token)
+        );
+    }
+
+    #[test]
     fn a_server_on_all_addresses_accepts_addresses_and_no_names() {
-        let unspecified = Authenticator::new("0.0.0.0:4321".parse().unwrap(), None).unwrap();
+        let unspecified = Authenticator::new("0.0.0.0:4321".parse().unwrap(), None, None).unwrap();
         let check = |host: &str| {
             unspecified.check(unspecified.token(), &request_headers(host, None), false)
         };

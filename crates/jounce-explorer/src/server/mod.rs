@@ -5,10 +5,12 @@ mod authenticator;
 mod connections;
 mod file_watch;
 mod launch;
+mod proxy_origin;
 mod saved_address;
 mod socket;
 
 pub use launch::open_in_browser;
+pub use proxy_origin::ProxyOrigin;
 pub use saved_address::state_folder;
 
 use crate::source::Source;
@@ -39,6 +41,10 @@ pub struct ServerOptions {
     pub set: Vec<(String, String)>,
     /// Address to listen on; by default a free port of the loopback interface.
     pub listen: Option<SocketAddr>,
+    /// Proxy through which browsers reach the server: requests to it, by its pages, are accepted too.
+    pub proxy: Option<ProxyOrigin>,
+    /// Allows pages of this machine, and of the proxy, to embed the page in a frame.
+    pub frames: bool,
     /// Folder in which the address is saved for the next server of this file. Without it, or for a
     /// spec without a file, nothing is saved.
     pub state_folder: Option<PathBuf>,
@@ -153,7 +159,7 @@ impl Explorer {
         let previous_token = last_address
             .filter(|last_address| last_address.port == address.port())
             .map(|last_address| last_address.token);
-        let authenticator = Authenticator::new(address, previous_token)
+        let authenticator = Authenticator::new(address, options.proxy.clone(), previous_token)
             .map_err(|error| ExploreError::System(error.to_string()))?;
         if let Some((folder, spec)) = location {
             // If this fails the page still works until the server stops.
@@ -284,10 +290,11 @@ async fn handle_request(
         return refusal(StatusCode::METHOD_NOT_ALLOWED, "only GET is allowed");
     }
     if !path.contains('/') {
-        return Redirect::permanent(&format!("/{token}/")).into_response();
+        // Relative, since a proxy may have put a prefix before the path.
+        return Redirect::permanent(&format!("{token}/")).into_response();
     }
     if name != "socket" {
-        return serve(name);
+        return serve(name, host.options.frames);
     }
     let Ok(upgrade) = upgrade else {
         return refusal(StatusCode::BAD_REQUEST, "this path needs a websocket");

@@ -2,7 +2,7 @@
 
 use crate::client::{TestServer, paper};
 use futures_util::SinkExt;
-use jounce_explorer::ServerLimits;
+use jounce_explorer::{ProxyOrigin, ServerLimits, ServerOptions, Source};
 use serde_json::json;
 use std::io::{Read, Write};
 use std::net::TcpStream;
@@ -21,6 +21,11 @@ fn only_the_right_token_and_host_receive_the_page() {
     assert!(
         page.contains("content-security-policy: default-src 'none'")
             && page.contains("<!doctype html>"),
+        "{page}"
+    );
+    assert!(
+        page.contains("content-security-policy: frame-ancestors 'none'")
+            && page.contains("x-frame-options: DENY"),
         "{page}"
     );
     let has_letter = token.chars().any(char::is_alphabetic);
@@ -285,4 +290,40 @@ async fn invalid_requests_are_reported_and_change_nothing() {
     }
     page.send_request("design", json!({})).await;
     page.receive_until("design", "done").await;
+}
+
+#[tokio::test]
+async fn behind_a_proxy_only_its_pages_are_accepted_and_notebooks_may_embed_the_page() {
+    let origin = "https://hub.example";
+    let server = TestServer::with_options(ServerOptions {
+        spec: Source::File(paper()),
+        set: Vec::new(),
+        listen: None,
+        proxy: ProxyOrigin::parse(origin),
+        frames: true,
+        state_folder: None,
+        limits: ServerLimits::default(),
+    });
+    let token = &server.token;
+    let get = |host: &str| server.get(&format!("/{token}/"), &format!("Host: {host}\r\n"));
+    let (status, page) = get("hub.example");
+    assert_eq!(status, 200);
+    assert!(
+        page.contains("content-security-policy: frame-ancestors 'self' http://127.0.0.1:*")
+            && !page.contains("x-frame-options"),
+        "{page}"
+    );
+    assert_eq!(get("evil.example").0, 421);
+    assert!(server.open(token, Some(origin)).await.is_ok());
+    assert_eq!(
+        server.open(token, Some("https://evil.example")).await.err(),
+        Some(403)
+    );
+    // Without the last slash, the redirect keeps the prefix of a proxy.
+    let (status, response) = server.get(&format!("/{token}"), "");
+    assert_eq!(status, 308);
+    assert!(
+        response.contains(&format!("location: {token}/\r\n")),
+        "{response}"
+    );
 }

@@ -39,14 +39,20 @@ impl TestServer {
 
     /// Serves a spec from any source.
     pub fn from_source(spec: Source, limits: ServerLimits, state_folder: Option<PathBuf>) -> Self {
-        let explorer = Explorer::bind(ServerOptions {
+        Self::with_options(ServerOptions {
             spec,
             set: Vec::new(),
             listen: None,
+            proxy: None,
+            frames: false,
             state_folder,
             limits,
         })
-        .unwrap();
+    }
+
+    /// Serves with any options.
+    pub fn with_options(options: ServerOptions) -> Self {
+        let explorer = Explorer::bind(options).unwrap();
         let page = explorer.page();
         let (host, token) = page
             .strip_prefix("http://")

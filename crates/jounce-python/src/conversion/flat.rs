@@ -24,6 +24,14 @@ const TEXTS: [&str; 7] = [
 /// Lists that remain lists of dictionaries, unless they are the main list.
 const DICTIONARIES: [&str; 3] = ["attractors", "not_proved", "termination"];
 
+/// Types in messages on options, and their names in Python.
+const TYPES: [(&str, &str); 4] = [
+    ("expected f64", "expected a number"),
+    ("expected u32", "expected a whole number"),
+    ("expected u64", "expected a whole number"),
+    ("expected usize", "expected a whole number"),
+];
+
 /// Reads options from JSON.
 ///
 /// # Errors
@@ -42,6 +50,9 @@ pub fn options<O: serde::de::DeserializeOwned>(json: &str) -> PyResult<O> {
         .into_iter()
         .find_map(message)
         .unwrap_or_else(|| error.to_string());
+    let message = TYPES
+        .iter()
+        .fold(message, |text, (rust, python)| text.replace(rust, python));
     Err(match message.contains("invalid type") {
         true => pyo3::exceptions::PyTypeError::new_err(message),
         false => Failure::new("ArgumentError", message).into(),
