@@ -57,7 +57,7 @@ class DesignResult(Result):
     robust: Annotated[dict[str, Any] | None, About("quantiles and Sobol indices of the power; ``None`` without tolerances")]
     front: Annotated[list[dict[str, Any]], About("designs that no other beats in all goals: ``set`` and ``goals``; empty for one goal")]
     feasible: Annotated[bool, About("True within all limits")]
-    violation: Annotated[float, About("sum of the relative violations of the limits; 0 within them")]
+    violation: Annotated[float, About("sum of the violations of the limits, each from 0 within the limit to 1 for an unknown value")]
     ended_by: Annotated[str, About('reason of the end: ``"converged"``, ``"evaluations"``, ``"seconds"`` or ``"stopped"``')]
     trace_evaluation: Annotated[Floats, Along("step", "", "number of evaluated designs", "evaluation")]
     trace_goal: Annotated[Floats, Along("step", "", "first goal of the best design", "goal")]

@@ -135,7 +135,8 @@ class Interrupted(KeyboardInterrupt):
     """Interruption by Ctrl-C. ``result`` holds the finished part, of the type that the call returns; ``None`` without one."""
 
     def __init__(self, result: Any = None) -> None:
-        super().__init__("interrupted; the finished part is in `result`" if result is not None else "interrupted")
+        finished = "; the attribute `result` of this exception is the finished part"
+        super().__init__("interrupted" + (finished if result is not None else ""))
         self.result = result
 
 
@@ -149,4 +150,5 @@ class PointsWithoutResult(UserWarning):
 
 def warn_not_settled(message: str) -> None:
     """Warns at the place from which a method of the package was called."""
-    warnings.warn(f"{message}; the means are those of a transient: give a longer run.duration", NotSettled, stacklevel=3)
+    advice = "give a longer run.duration, or find with basins() whether the motion is a torus or chaos, which has no period"
+    warnings.warn(f"{message}: {advice}", NotSettled, stacklevel=3)

@@ -98,7 +98,8 @@ pub struct LimitResult {
     pub value: f64,
     /// Limit, SI.
     pub limit: f64,
-    /// Relative violation; 0 within the limit.
+    /// Share of the value beyond the limit or, of a limit from below, missing share of the limit; 0
+    /// within it, 1 where the value is not known.
     pub violation: f64,
     /// True where the limit binds.
     pub active: bool,

@@ -57,15 +57,52 @@ impl Limit {
         )
     }
 
-    /// Returns by how much a value violates the limit, relative to it; 0 within it.
+    /// Returns the share of a value that lies beyond the limit or, of a limit from below, the missing
+    /// share of the limit: 0 within it, 1 where the value is not known. So an unknown value never
+    /// ranks before a known one.
     pub fn violation(&self, value: f64) -> f64 {
-        let excess = value / self.value - 1.0;
-        let excess = if self.is_lower() { -excess } else { excess };
-        // NaN: the quantity could not be computed.
-        if excess.is_nan() {
+        let share = if self.is_lower() {
+            value / self.value
+        } else {
+            self.value / value
+        };
+        if share.is_nan() {
             1.0
         } else {
-            excess.max(0.0)
+            (1.0 - share).max(0.0)
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::problem::Size;
+
+    fn limit(quantity: LimitedQuantity) -> Limit {
+        Limit {
+            name: String::new(),
+            quantity,
+            value: 0.5,
+        }
+    }
+
+    #[test]
+    fn an_unknown_value_is_the_largest_violation() {
+        let (upper, lower) = (
+            limit(LimitedQuantity::Size(Size::Mass)),
+            limit(LimitedQuantity::BasinFraction),
+        );
+        assert_eq!(
+            [0.0, 0.4, 0.5].map(|value| upper.violation(value)),
+            [0.0; 3]
+        );
+        assert_eq!([1.0, 5.0].map(|value| upper.violation(value)), [0.5, 0.9]);
+        assert_eq!([1.0, 0.5].map(|value| lower.violation(value)), [0.0; 2]);
+        assert_eq!([0.25, 0.0].map(|value| lower.violation(value)), [0.5, 1.0]);
+        assert_eq!(
+            [&upper, &lower].map(|one| one.violation(f64::NAN)),
+            [1.0; 2]
+        );
     }
 }
