@@ -80,8 +80,8 @@ fn measures_goal(problem: &Problem, best: Option<&Candidate>) -> bool {
 
 /// Returns the power of a refined design or, beyond its limits, the negative of the violation.
 fn value(refined: &Refined) -> f64 {
-    match refined.excess > 0.0 {
-        true => -refined.excess,
+    match refined.violation > 0.0 {
+        true => -refined.violation,
         false => refined.mean_power_w,
     }
 }
@@ -153,7 +153,7 @@ fn is_beaten(found: &Found, refined: &Refined) -> bool {
     let best = found.best.as_ref().map(|best| &best.evaluation);
     best.is_some_and(|best| {
         let gains = refined.mean_power_w > best.goals[0] * (1.0 + GAIN);
-        best.is_feasible() && (refined.excess > 0.0 || !gains)
+        best.is_feasible() && (refined.violation > 0.0 || !gains)
     })
 }
 
@@ -166,7 +166,11 @@ fn on_the_way(
     found: &mut Found,
 ) -> Result<(), DesignError> {
     // Beyond the limits everywhere on the way, the refined design is the best of it.
-    let parts = if refined.excess > 0.0 { 1 } else { PARTS.len() };
+    let parts = if refined.violation > 0.0 {
+        1
+    } else {
+        PARTS.len()
+    };
     for part in &PARTS[..parts] {
         let pairs = start.place.iter().zip(&refined.place);
         let place: Vec<f64> = pairs.map(|(a, b)| a + part * (b - a)).collect();

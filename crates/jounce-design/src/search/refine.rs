@@ -58,8 +58,8 @@ pub struct Refined {
     pub place: Vec<f64>,
     /// Power there, W.
     pub mean_power_w: f64,
-    /// Largest relative violation of a limit there.
-    pub excess: f64,
+    /// Largest violation of a limit there, as [`crate::problem::Limit::violation`] measures it.
+    pub violation: f64,
     /// Number of followed designs.
     pub designs: usize,
 }
@@ -70,7 +70,7 @@ impl Refined {
         Self {
             place: start.place.clone(),
             mean_power_w: start.evaluation.goals[0],
-            excess: start.evaluation.violation,
+            violation: start.evaluation.violation,
             designs: 0,
         }
     }
@@ -121,7 +121,11 @@ pub fn refine(evaluator: &Evaluator<'_>, start: &Candidate) -> Option<Refined> {
     Some(Refined {
         place: best.place.clone(),
         mean_power_w: (-best.values[0]).exp(),
-        excess: if excess <= 0.5 * MARGIN { 0.0 } else { excess },
+        violation: if excess <= 0.5 * MARGIN {
+            0.0
+        } else {
+            excess / (1.0 + excess)
+        },
         designs: points.len(),
     })
 }
