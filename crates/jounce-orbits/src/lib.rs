@@ -19,7 +19,7 @@ pub use error::OrbitError;
 pub use harmonic_balance::{BalanceEvaluation, HarmonicBalance};
 pub use method::OrbitMethod;
 pub use orbit::multipliers::{Eigenbasis, EigenvalueDisc, discs, multipliers};
-pub use orbit::periodic::{Orbit, determinant_at, nearest_pair_to_circle, pairs_outside};
+pub use orbit::periodic::{Orbit, determinant_at, nearest_pair_to_circle, outside_count};
 pub use orbit::quantity::OrbitQuantity;
 pub use orbit::turning_points::{
     TurningPoint, displacement_peak_m, nearest_extremum_m, nearest_turn, turns,

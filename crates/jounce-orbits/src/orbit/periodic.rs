@@ -123,9 +123,23 @@ impl Orbit {
             .re
     }
 
-    /// Returns the number of multipliers outside the unit circle that belong to complex pairs.
-    pub fn pairs_outside(&self) -> usize {
-        pairs_outside(&self.multipliers)
+    /// Returns the number of multipliers outside the unit circle.
+    pub fn outside_count(&self) -> usize {
+        outside_count(&self.multipliers)
+    }
+
+    /// True where an odd number of multipliers passes `s` (+1 or -1) on the way to another orbit.
+    pub fn passes(&self, s: f64, to: &Orbit) -> bool {
+        self.determinant_at(s) * to.determinant_at(s) < 0.0
+    }
+
+    /// True where a complex pair of multipliers crosses the unit circle on the way to another orbit.
+    ///
+    /// Multipliers cross it in pairs at a Neimark-Sacker point, and singly at +1 and -1. Where two
+    /// real ones meet, their number outside stays the same.
+    pub fn pair_crosses_circle(&self, to: &Orbit) -> bool {
+        let single = [1.0, -1.0].map(|s| usize::from(self.passes(s, to)));
+        self.outside_count().abs_diff(to.outside_count()) >= 2 + single[0] + single[1]
     }
 }
 
@@ -137,11 +151,11 @@ pub fn nearest_pair_to_circle(multipliers: &[c64]) -> f64 {
         .fold(1.0, f64::min)
 }
 
-/// Returns the number of multipliers outside the unit circle that belong to complex pairs.
-pub fn pairs_outside(multipliers: &[c64]) -> usize {
+/// Returns the number of multipliers outside the unit circle.
+pub fn outside_count(multipliers: &[c64]) -> usize {
     multipliers
         .iter()
-        .filter(|value| value.norm() > 1.0 && value.im > 1e-9)
+        .filter(|value| value.norm_sqr() > 1.0)
         .count()
 }
 
@@ -155,6 +169,25 @@ pub fn determinant_at(map: &Mat<f64>, s: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Two real multipliers meet outside the circle while a complex pair enters it.
+    #[test]
+    fn a_pair_is_seen_to_cross_where_two_real_multipliers_meet_outside() {
+        let orbit = |values: &[(f64, f64)]| Orbit {
+            multipliers: values.iter().map(|(re, im)| c64::new(*re, *im)).collect(),
+            ..Orbit::of_cycles(1)
+        };
+        let before = orbit(&[(2.6, 0.0), (1.2, 0.0), (0.0, 1.01), (0.0, -1.01)]);
+        let after = orbit(&[(1.7, 0.1), (1.7, -0.1), (0.0, 0.99), (0.0, -0.99)]);
+        let only_met = orbit(&[(1.7, 0.1), (1.7, -0.1), (0.0, 1.01), (0.0, -1.01)]);
+        assert!(before.pair_crosses_circle(&after) && !before.pair_crosses_circle(&only_met));
+        // One that passes +1 and one that passes -1 are no pair.
+        let (inside, outside) = (
+            orbit(&[(0.9, 0.0), (-0.9, 0.0)]),
+            orbit(&[(1.1, 0.0), (-1.1, 0.0)]),
+        );
+        assert!(!inside.pair_crosses_circle(&outside) && inside.passes(1.0, &outside));
+    }
 
     #[test]
     fn a_multiplier_within_the_error_of_one_decides_nothing() {

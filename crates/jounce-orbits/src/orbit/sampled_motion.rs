@@ -32,15 +32,15 @@ pub fn sampled_motions(
 }
 
 /// Returns the second of two neighbouring samples before any impact on a rigid stop. The speed
-/// jumps only at the start of a step, which is a sample. The impact matters only where the speed
-/// changes sign.
+/// jumps only at the start of a step, which is a sample. The impact matters only where the motion
+/// turns.
 pub fn turn_without_impact(
     kernel: &Kernel,
     port: usize,
     trajectory: &Trajectory,
     (from, to): (SampledMotion, SampledMotion),
 ) -> SampledMotion {
-    if from.2 * to.2 >= 0.0 {
+    if turns_between(from, to)[0].is_none() {
         return to;
     }
     let just_before_s = to.0 - BEFORE_IMPACT * (to.0 - from.0);
@@ -60,25 +60,30 @@ pub fn beyond(from: SampledMotion, coming: SampledMotion) -> f64 {
     0.5 * speed_m_s * speed_m_s / slowing_m_s2
 }
 
-/// Returns where the cubic through two neighbouring samples turns, as a fraction of the interval,
-/// and the distance there; the first sample where it does not turn.
-pub fn turn_between(from: SampledMotion, to: SampledMotion) -> (f64, f64) {
+/// Returns where the cubic through two neighbouring samples turns: fractions of the interval in
+/// ascending order, each with the distance past the stop. There are two where the speed changes its
+/// sign and changes back.
+pub fn turns_between(from: SampledMotion, to: SampledMotion) -> [Option<(f64, f64)>; 2] {
     let (step_s, [u, v]) = (to.0 - from.0, [from.2, to.2]);
-    if u * v >= 0.0 {
-        return (0.0, from.1);
-    }
     // Slope of the cubic in x = t / step: u + 2 b x + c x^2, with b and c from both speeds and the
     // chord.
     let chord = (to.1 - from.1) / step_s;
     let (b, c) = (3.0 * chord - 2.0 * u - v, 3.0 * (u + v - 2.0 * chord));
-    let root = (b * b - u * c).max(0.0).sqrt();
-    // The slope changes sign once: take the root inside the interval.
-    let q = -(b + root.copysign(b));
-    let x = [u / q, q / c]
-        .into_iter()
-        .find(|x| (0.0..=1.0).contains(x))
-        .unwrap_or(0.5);
-    (x, from.1 + step_s * x * (u + x * (b + x * c / 3.0)))
+    let at = |x: f64| (x, from.1 + step_s * x * (u + x * (b + x * c / 3.0)));
+    let is_inside = |x: &f64| *x > 0.0 && *x < 1.0;
+    let discriminant = b * b - u * c;
+    let q = -(b + discriminant.max(0.0).sqrt().copysign(b));
+    let roots = [u / q, q / c];
+    if u * v < 0.0 {
+        // The slope changes sign once: take the root inside the interval.
+        let x = roots.into_iter().find(is_inside).unwrap_or(0.5);
+        return [Some(at(x)), None];
+    }
+    if discriminant <= 0.0 || !roots.iter().all(is_inside) {
+        return [None; 2];
+    }
+    let [one, two] = roots;
+    [Some(at(one.min(two))), Some(at(one.max(two)))]
 }
 
 /// Returns time and distance of the turning point between two times. The speed is taken as linear
@@ -144,10 +149,26 @@ mod tests {
     fn a_cubic_finds_the_top_of_a_sine() {
         let sample = |t: f64| (t, t.sin(), t.cos());
         for from in [1.53, 1.55, 1.569] {
-            let error = turn_between(sample(from), sample(from + 0.049)).1 - 1.0;
-            assert!(error.abs() < 2e-8, "{error:e}");
+            let [top, none] = turns_between(sample(from), sample(from + 0.049));
+            let is_top = |(_, past_m): (f64, f64)| (past_m - 1.0).abs() < 2e-8;
+            assert!(top.is_some_and(is_top) && none.is_none(), "{top:?}");
         }
-        let (_, line) = turn_between((0.0, 1.0, -2.0), (2.0, 1.0, 2.0));
-        assert!((line + 1.0 - 1.0).abs() < 1e-15, "{line}");
+        let [line, _] = turns_between((0.0, 1.0, -2.0), (2.0, 1.0, 2.0));
+        assert!(line.is_some_and(|at| at.1.abs() < 1e-15), "{line:?}");
+    }
+
+    /// `t^3 - 0.03 t` turns at -0.1 and 0.1.
+    #[test]
+    fn two_turns_between_two_samples_are_found() {
+        let sample = |t: f64| (t, t * t * t - 0.03 * t, 3.0 * t * t - 0.03);
+        let found = turns_between(sample(-0.2), sample(0.3));
+        for (turn, (time_s, height_m)) in found.into_iter().zip([(-0.1, 0.002), (0.1, -0.002)]) {
+            let is_there = |(share, past_m): (f64, f64)| {
+                (0.5 * share - 0.2 - time_s).abs() < 1e-12 && (past_m - height_m).abs() < 1e-15
+            };
+            assert!(turn.is_some_and(is_there), "{turn:?}");
+        }
+        assert_eq!(turns_between(sample(0.11), sample(0.3)), [None; 2]);
+        assert_eq!(turns_between(sample(-0.3), sample(-0.11)), [None; 2]);
     }
 }

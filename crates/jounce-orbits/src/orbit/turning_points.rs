@@ -2,7 +2,7 @@
 //! amplitude.
 
 use super::sampled_motion::{
-    SampledMotion, beyond, refine_samples, sampled_motions, turn_between, turn_without_impact,
+    SampledMotion, beyond, refine_samples, sampled_motions, turn_without_impact, turns_between,
 };
 use crate::ShootingEvaluation;
 use jounce_dynamics::{Kernel, Trajectory};
@@ -133,19 +133,23 @@ fn turns_of(evaluation: &ShootingEvaluation, port: usize, cycle_s: f64) -> Vec<T
             } else {
                 to
             };
-            let turn = |time_s: f64, past_m: f64, is_impact: bool| TurningPoint {
+            let turn = |time_s: f64, past_m: f64, is_maximum: bool, is_impact: bool| TurningPoint {
                 port,
                 cycle,
                 time_s,
                 past_m,
-                is_maximum: from.2 > 0.0,
+                is_maximum,
                 is_impact,
             };
-            if from.2 * coming.2 < 0.0 {
-                let (share, past_m) = turn_between(from, coming);
-                turns.push(turn(from.0 + share * (coming.0 - from.0), past_m, false));
-            } else if from.2 > 0.0 && to.2 < 0.0 {
-                turns.push(turn(to.0, beyond(from, coming), true));
+            // Maxima and minima alternate.
+            let mut is_maximum = from.2 > 0.0;
+            for (share, past_m) in turns_between(from, coming).into_iter().flatten() {
+                let time_s = from.0 + share * (coming.0 - from.0);
+                turns.push(turn(time_s, past_m, is_maximum, false));
+                is_maximum = !is_maximum;
+            }
+            if coming.2 >= 0.0 && to.2 < 0.0 {
+                turns.push(turn(to.0, beyond(from, coming), true, true));
             }
         }
     }
@@ -190,7 +194,9 @@ pub fn displacement_peak_m(evaluation: &ShootingEvaluation) -> f64 {
                 } else {
                     pair[1]
                 };
-                [pair[0].1, turn_between(pair[0], to).1]
+                let turns_m =
+                    turns_between(pair[0], to).map(|turn| turn.map_or(pair[0].1, |at| at.1));
+                [pair[0].1, turns_m[0], turns_m[1]]
             });
             cycle_samples
                 .chain(samples.last().map(|last| last.1))

@@ -7,7 +7,7 @@ use crate::branches::events::{Extremum, extrema};
 use jounce_continuation::{CurvePoint, Metric, Position, locate};
 use jounce_orbits::{
     Orbit, OrbitMethod, ShootingEvaluation, determinant_at, multipliers, nearest_pair_to_circle,
-    pairs_outside,
+    outside_count,
 };
 
 /// Event between two neighbouring orbits.
@@ -229,15 +229,11 @@ pub(super) fn add_crossings(turns: bool, at: &BranchPoint, branch: &mut Branch) 
 
 /// Returns the events implied by two orbits; `turns` is true where the branch turns between them.
 fn crossed_events(one: &Orbit, two: &Orbit, turns: bool) -> Vec<DetectedEvent> {
-    let passes = |s: f64| one.determinant_at(s) * two.determinant_at(s) < 0.0;
     let candidates = [
         (DetectedEvent::Fold, turns),
-        (DetectedEvent::BranchPoint, passes(1.0) != turns),
-        (DetectedEvent::PeriodDoubling, passes(-1.0)),
-        (
-            DetectedEvent::NeimarkSacker,
-            one.pairs_outside() != two.pairs_outside(),
-        ),
+        (DetectedEvent::BranchPoint, one.passes(1.0, two) != turns),
+        (DetectedEvent::PeriodDoubling, one.passes(-1.0, two)),
+        (DetectedEvent::NeimarkSacker, one.pair_crosses_circle(two)),
     ];
     candidates
         .into_iter()
@@ -256,13 +252,13 @@ fn of_multipliers<L>(
     match event {
         DetectedEvent::PeriodDoubling => determinant_at(map, -1.0),
         DetectedEvent::NeimarkSacker => {
-            // The number of pairs outside gives the sign: where real multipliers meet, the sign of
-            // a product means nothing.
+            // The number outside gives the sign: products also change theirs at real multipliers
+            // whose product is one.
             let Some(values) = multipliers(map) else {
                 return 0.0;
             };
             let distance = nearest_pair_to_circle(&values);
-            if pairs_outside(&values) == before.pairs_outside() {
+            if outside_count(&values).abs_diff(before.outside_count()) < 2 {
                 -distance
             } else {
                 distance

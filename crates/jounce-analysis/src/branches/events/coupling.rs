@@ -230,6 +230,7 @@ mod tests {
             turns: Vec::new(),
             levels: Vec::new(),
             length: 1e-6,
+            error: 1e-9,
         }
     }
 

@@ -11,6 +11,7 @@
 mod coupling;
 mod interpolant;
 mod level;
+mod linking;
 mod not_proved;
 mod pairing;
 mod rule;

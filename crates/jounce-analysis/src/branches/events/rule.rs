@@ -2,10 +2,11 @@
 
 use super::coupling::{Couplings, Meeting, coupling_error};
 use super::interpolant::Interpolant;
+use super::linking::linked_pairs;
 use super::not_proved::{NotProved, ProofGap};
 use super::spectrum::{
-    MultiplierGroup, StepEnd, TestFunction, between, doubling, fold, groups, is_enclosed,
-    is_torus_crossing, linked_pairs, torus,
+    MultiplierGroup, StepEnd, TestFunction, between, changes_sign, doubling, fold, groups,
+    is_enclosed, is_torus_crossing, torus,
 };
 use super::turning_points::{Extremum, extrema, may_touch_unseen};
 use crate::branches::branch::BranchKind;
@@ -262,26 +263,42 @@ fn doubtful_groups(
         (BranchKind::BranchPoint, fold),
         (BranchKind::NeimarkSacker, torus),
     ];
-    let is_doubtful = |kind: BranchKind, f: TestFunction| {
-        let mut count = 0;
-        for group in &groups {
-            let extra_error = coupling_error(ends, group, f, meetings);
-            let Some(readings) = between(ends, group, f).crossings_with(extra_error) else {
-                return true;
-            };
-            let crosses = if kind == BranchKind::NeimarkSacker && readings > 0 {
-                is_torus_crossing(ends, group)
-            } else {
-                Some(true)
-            };
-            let Some(crosses) = crosses else { return true };
-            count += if crosses { readings } else { 0 };
-        }
-        count > 1
+    if groups.iter().any(|group| changes_sign(ends, group)) {
+        return kinds.iter().map(|(kind, _)| *kind).collect();
+    }
+    let counts = kinds.map(|(kind, f)| crossings(ends, &groups, (kind, f), meetings));
+    // The number of multipliers outside the unit circle separates a Neimark-Sacker point from other
+    // events only if it is the single event of the step.
+    let is_mixed = |kind: BranchKind| {
+        kind == BranchKind::NeimarkSacker
+            && counts[2] == Some(1)
+            && counts[..2].iter().any(|count| *count != Some(0))
     };
     kinds
-        .into_iter()
-        .filter(|(kind, f)| is_doubtful(*kind, *f))
-        .map(|(kind, _)| kind)
+        .iter()
+        .zip(&counts)
+        .filter(|((kind, _), count)| count.is_none_or(|count| count > 1) || is_mixed(*kind))
+        .map(|((kind, _), _)| *kind)
         .collect()
+}
+
+/// Returns how often the multipliers of all groups pass the critical value of a kind on the step;
+/// `None` where it is not proved.
+fn crossings(
+    ends: [StepEnd; 2],
+    groups: &[MultiplierGroup],
+    (kind, f): (BranchKind, TestFunction),
+    meetings: &[Meeting],
+) -> Option<usize> {
+    groups
+        .iter()
+        .map(|group| {
+            let extra_error = coupling_error(ends, group, f, meetings);
+            let readings = between(ends, group, f).crossings_with(extra_error)?;
+            let is_event = kind != BranchKind::NeimarkSacker
+                || readings == 0
+                || is_torus_crossing(ends, group)?;
+            Some(if is_event { readings } else { 0 })
+        })
+        .sum()
 }

@@ -9,15 +9,10 @@
 //! it contains both. So the products are real and smooth, unlike single multipliers. Products over
 //! all multipliers would be smooth too. But pairs of fast modes rotate several times about the
 //! origin on a step, and would hide the slow ones.
-//!
-//! Multipliers are joined by extrapolation with their derivatives, in the logarithm, where the pair
-//! of a mode rotates uniformly.
 
 use super::interpolant::Interpolant;
-use super::pairing::paired;
 use super::test_data::TestDataPair;
 use jounce_linalg::c64;
-use std::f64::consts::TAU;
 
 /// Function of the multipliers of a group.
 pub(super) type TestFunction = fn(&[c64]) -> f64;
@@ -51,7 +46,7 @@ impl StepEnd<'_> {
         self.length / self.readings.length
     }
 
-    fn count(&self) -> usize {
+    pub fn count(&self) -> usize {
         self.readings.current.multipliers.len()
     }
 
@@ -105,6 +100,21 @@ pub(super) fn is_enclosed([a, b]: [StepEnd; 2], group: &MultiplierGroup) -> bool
     one.max(two) + (one - two).abs() < 1.0
 }
 
+/// True where the product of the group changes its sign although all members exceed their error. The
+/// period map has an inverse, so no multiplier passes zero: wrong multipliers were linked.
+pub(super) fn changes_sign([a, b]: [StepEnd; 2], group: &MultiplierGroup) -> bool {
+    let exceed = |end: StepEnd, members: &[usize]| {
+        members
+            .iter()
+            .all(|i| end.value(*i).norm() > end.readings.error)
+    };
+    let product =
+        |end: StepEnd, members: &[usize]| members.iter().map(|i| end.value(*i)).product::<c64>().re;
+    product(a, &group.from) * product(b, &group.to) < 0.0
+        && exceed(a, &group.from)
+        && exceed(b, &group.to)
+}
+
 /// Zero where a member of the group is -1.
 pub(super) fn doubling(values: &[c64]) -> f64 {
     values.iter().map(|mu| 1.0 + mu).product::<c64>().re
@@ -141,50 +151,6 @@ pub(super) fn is_torus_crossing(ends: [StepEnd; 2], group: &MultiplierGroup) -> 
         }
         _ => None,
     }
-}
-
-/// Multiplier with its extrapolation to the other end of the step.
-struct LinkedMultiplier {
-    value: c64,
-    log: c64,
-    /// Half of its relative change over the step.
-    half: c64,
-}
-
-impl LinkedMultiplier {
-    fn all(end: StepEnd) -> Vec<Self> {
-        let led = |i: usize| Self {
-            value: end.value(i),
-            log: end.value(i).ln(),
-            half: 0.5 * end.change(i) / end.value(i),
-        };
-        (0..end.count()).map(led).collect()
-    }
-
-    /// Returns the squared distance between two multipliers, each extrapolated towards the other
-    /// end of the step.
-    fn squared_distance(&self, to: &Self) -> f64 {
-        let size = self.value.norm_sqr().max(to.value.norm_sqr());
-        let distance = (to.value - self.value).norm_sqr();
-        if size == 0.0 {
-            return 0.0;
-        }
-        let log_error = to.log - self.log - (self.half + to.half);
-        let turns = log_error.im - TAU * (log_error.im / TAU).round();
-        let off = size * (log_error.re * log_error.re + turns * turns);
-        // Where two real multipliers meet, their derivatives are unbounded.
-        let is_real = self.value.im == 0.0 || to.value.im == 0.0;
-        let off = if is_real { off.min(distance) } else { off };
-        if off.is_finite() { off } else { distance }
-    }
-}
-
-/// Returns each multiplier by its indices at the two ends.
-pub(super) fn linked_pairs([a, b]: [StepEnd; 2]) -> Vec<(usize, usize)> {
-    let (from, to) = (LinkedMultiplier::all(a), LinkedMultiplier::all(b));
-    paired(from.len(), to.len(), |i, j| {
-        from[i].squared_distance(&to[j])
-    })
 }
 
 /// Returns the groups of linked multipliers between two ends. `is_tied` returns true for two complex
@@ -263,6 +229,7 @@ fn may_meet(ends: [StepEnd; 2], one: (usize, usize), two: (usize, usize)) -> boo
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::branches::events::linking::linked_pairs;
     use crate::branches::events::test_data::TestData;
 
     /// Data of multipliers at a point of a curve, and at 1e-6 ahead.
@@ -283,6 +250,7 @@ mod tests {
             turns: Vec::new(),
             levels: Vec::new(),
             length: 1e-6,
+            error: 1e-9,
         }
     }
 
@@ -345,5 +313,21 @@ mod tests {
             multiplier_groups.iter().all(|group| group.from == group.to),
             "{multiplier_groups:?}"
         );
+    }
+
+    /// A single multiplier from -0.9 to 0.8 is a wrong link, unless it is smaller than its error.
+    #[test]
+    fn a_multiplier_does_not_pass_zero() {
+        let (one, all) = (|s: f64| vec![c64::new(1.7 * s - 0.9, 0.0)], (0.0, 1.0));
+        let tiny = |s: f64| vec![c64::new(1e-11 * (s - 0.5), 0.0)];
+        let is_wrong = |(groups, readings): (Vec<MultiplierGroup>, [TestDataPair; 2])| {
+            let length = 1.0;
+            let ends = readings
+                .each_ref()
+                .map(|readings| StepEnd { readings, length });
+            groups.iter().any(|group| changes_sign(ends, group))
+        };
+        assert!(is_wrong(groups_of(one, all)) && !is_wrong(groups_of(tiny, all)));
+        assert!(!is_wrong(groups_of(one, (0.6, 1.0))));
     }
 }

@@ -42,6 +42,8 @@ pub(in crate::branches) struct TestDataPair {
     pub levels: Vec<f64>,
     /// Distance from here to ahead, in the metric.
     pub length: f64,
+    /// Error of the orbit, relative to its size.
+    pub error: f64,
 }
 
 impl TestData {
@@ -110,7 +112,7 @@ impl TestDataPair {
             let reading = TestData::of(near, multipliers, levels);
             Some((
                 near.contacts == evaluation.contacts,
-                Self::joined(data.clone(), &reading, length),
+                Self::joined(data.clone(), &reading, length, orbit.error_estimate),
             ))
         };
         // The flow has no derivative across a grazing on a rigid stop: the difference is taken on
@@ -125,7 +127,7 @@ impl TestDataPair {
         other
     }
 
-    fn joined(data: TestData, other: &TestData, length: f64) -> Self {
+    fn joined(data: TestData, other: &TestData, length: f64, error: f64) -> Self {
         let distance = |i: usize, j: usize| (data.multipliers[i] - other.multipliers[j]).norm_sqr();
         let same = paired(data.multipliers.len(), other.multipliers.len(), distance);
         let multipliers = same
@@ -144,6 +146,7 @@ impl TestDataPair {
             turns,
             levels: other.levels.clone(),
             length,
+            error,
         }
     }
 }
