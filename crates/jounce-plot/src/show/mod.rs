@@ -21,7 +21,7 @@ pub fn drawing(title: &str, spec: &Spec) -> Drawing {
             on: index.position_of(spec, &stop.frame),
             above: stop.side == Side::Positive,
             gap_m: stop.gap_m,
-            law: words::law(&stop.law),
+            law: words::law(stop),
         })
     };
     let contacts: Vec<(&str, DrawnContact)> = spec
