@@ -107,80 +107,83 @@ fn an_override_of_the_radius_replaces_the_stiffness() {
     assert_close(stiffness(&file.spec().unwrap()), of(ON_BRASS));
 }
 
+/// Keys of the stop, and a part of each line of the faults.
+const INVALID: &[(&str, &[&str])] = &[
+    ("", &["one of `stiffness` or `radius` is missing"]),
+    (
+        "radius = \"5 mm\"\nstiffness = \"1e9 N/m^1.5\"",
+        &[
+            "`radius` is given too",
+            "stop.s.material is missing",
+            "stop.s.stop_material is missing",
+        ],
+    ),
+    (
+        "stiffness = \"1e9 N/m^1.5\"\nmaterial = \"steel\"\nstop_radius = \"1 mm\"",
+        &[
+            "stop.s.material is given without `radius`",
+            "stop.s.stop_radius is given without `radius`",
+        ],
+    ),
+    (
+        "radius = \"5 mm\"\nmaterial = \"steel\"",
+        &["stop.s.stop_material is missing"],
+    ),
+    (
+        "radius = \"5 mm\"\nyoungs_modulus = \"1 GPa\"\nstop_poisson_ratio = 0.3",
+        &[
+            "stop.s.poisson_ratio is missing",
+            "stop.s.stop_youngs_modulus is missing",
+        ],
+    ),
+    (
+        "radius = \"5 mm\"\nmaterial = \"PZT-5A\"\nstop_material = \"silicon\"",
+        &["\"PZT-5A\" is not known", "\"silicon\" is not known"],
+    ),
+    (
+        "radius = \"-5 mm\"\nmaterial = \"steel\"\nstop_material = \"steel\"",
+        &["must be greater than 0"],
+    ),
+    (
+        "radius = \"5 mm\"\nmaterial = \"steel\"\nstop_material = \"steel\"\npoisson_ratio = 0.6",
+        &["at most 0.5"],
+    ),
+    (
+        "radius = \"5 mm\"\nmaterial = \"steel\"\nstop_material = \"steel\"\nexponent = 2",
+        &["stop.s.exponent is 2, but two smooth bodies have 1.5"],
+    ),
+    (
+        "radius = \"5 mm\"\nmaterial = \"steel\"\nstop_material = \"steel\"\nstop_radius = \"-4 mm\"",
+        &["stop.s.stop_radius is -4 mm: a concave seat must have a larger radius"],
+    ),
+    (
+        "radius = \"5 mm\"\nmaterial = \"steel\"\nstop_material = \"steel\"\nstop_radius = \"-5 mm\"",
+        &["a concave seat must have a larger radius"],
+    ),
+    (
+        "radius = \"5 mm\"\nmaterial = \"steel\"\nstop_material = \"steel\"\nshape = \"cylinder\"",
+        &["stop.s.shape is that of a contact along a line"],
+    ),
+    (
+        "radius = \"5 mm\"\nmaterial = \"steel\"\nstop_material = \"steel\"\nshape = \"ellipsoid\"",
+        &["`cross_radius` is missing"],
+    ),
+    (
+        "radius = \"5 mm\"\nmaterial = \"steel\"\nstop_material = \"steel\"\nshape = \"ellipsoid\"\ncross_radius = \"-50 mm\"",
+        &["stop.s.radius is too large for the other radii"],
+    ),
+    (
+        "radius = \"5 mm\"\nmaterial = \"steel\"\nstop_material = \"steel\"\nstop_shape = \"cylinder\"\ncrossing_angle = \"90 deg\"",
+        &[
+            "stop.s.stop_shape has no effect on a flat body",
+            "stop.s.crossing_angle has no effect",
+        ],
+    ),
+];
+
 #[test]
 fn invalid_bodies_are_reported() {
-    for (keys, messages) in [
-        ("", &["one of `stiffness` or `radius` is missing"][..]),
-        (
-            "radius = \"5 mm\"\nstiffness = \"1e9 N/m^1.5\"",
-            &[
-                "`radius` is given too",
-                "stop.s.material is missing",
-                "stop.s.stop_material is missing",
-            ],
-        ),
-        (
-            "stiffness = \"1e9 N/m^1.5\"\nmaterial = \"steel\"\nstop_radius = \"1 mm\"",
-            &[
-                "stop.s.material is given without `radius`",
-                "stop.s.stop_radius is given without `radius`",
-            ],
-        ),
-        (
-            "radius = \"5 mm\"\nmaterial = \"steel\"",
-            &["stop.s.stop_material is missing"],
-        ),
-        (
-            "radius = \"5 mm\"\nyoungs_modulus = \"1 GPa\"\nstop_poisson_ratio = 0.3",
-            &[
-                "stop.s.poisson_ratio is missing",
-                "stop.s.stop_youngs_modulus is missing",
-            ],
-        ),
-        (
-            "radius = \"5 mm\"\nmaterial = \"PZT-5A\"\nstop_material = \"silicon\"",
-            &["\"PZT-5A\" is not known", "\"silicon\" is not known"],
-        ),
-        (
-            "radius = \"-5 mm\"\nmaterial = \"steel\"\nstop_material = \"steel\"",
-            &["must be greater than 0"],
-        ),
-        (
-            "radius = \"5 mm\"\nmaterial = \"steel\"\nstop_material = \"steel\"\npoisson_ratio = 0.6",
-            &["at most 0.5"],
-        ),
-        (
-            "radius = \"5 mm\"\nmaterial = \"steel\"\nstop_material = \"steel\"\nexponent = 2",
-            &["stop.s.exponent is 2, but two smooth bodies have 1.5"],
-        ),
-        (
-            "radius = \"5 mm\"\nmaterial = \"steel\"\nstop_material = \"steel\"\nstop_radius = \"-4 mm\"",
-            &["stop.s.stop_radius is -4 mm: a concave seat must have a larger radius"],
-        ),
-        (
-            "radius = \"5 mm\"\nmaterial = \"steel\"\nstop_material = \"steel\"\nstop_radius = \"-5 mm\"",
-            &["a concave seat must have a larger radius"],
-        ),
-        (
-            "radius = \"5 mm\"\nmaterial = \"steel\"\nstop_material = \"steel\"\nshape = \"cylinder\"",
-            &["stop.s.shape is that of a contact along a line"],
-        ),
-        (
-            "radius = \"5 mm\"\nmaterial = \"steel\"\nstop_material = \"steel\"\nshape = \"ellipsoid\"",
-            &["`cross_radius` is missing"],
-        ),
-        (
-            "radius = \"5 mm\"\nmaterial = \"steel\"\nstop_material = \"steel\"\nshape = \"ellipsoid\"\ncross_radius = \"-50 mm\"",
-            &["stop.s.radius is too large for the other radii"],
-        ),
-        (
-            "radius = \"5 mm\"\nmaterial = \"steel\"\nstop_material = \"steel\"\nstop_shape = \"cylinder\"\ncrossing_angle = \"90 deg\"",
-            &[
-                "stop.s.stop_shape has no effect on a flat body",
-                "stop.s.crossing_angle has no effect",
-            ],
-        ),
-    ] {
+    for (keys, messages) in INVALID {
         let found = faults(keys);
         for message in messages {
             assert!(found.contains(message), "{keys}\n{found}");
