@@ -126,12 +126,27 @@ class StopKeys(TypedDict, total=False):
     frame: str
     side: Literal["positive", "negative"]
     gap: Required[Quantity]
-    law: Required[Literal["hertz", "spring", "kelvin-voigt", "hunt-crossley", "cubic", "rigid"]]
+    law: Required[Literal["hertz", "spring", "kelvin-voigt", "hunt-crossley", "cubic", "table", "rigid"]]
     exponent: float
     stiffness: Quantity
     cubic_stiffness: Quantity
     damping: Quantity
+    penetration_m: Numbers
+    force_n: Numbers
     restitution: float
+    radius: Quantity
+    shape: Literal["sphere", "cylinder", "ellipsoid"]
+    cross_radius: Quantity
+    material: Literal["aluminium", "steel", "brass", "bronze"]
+    youngs_modulus: Quantity
+    poisson_ratio: float
+    stop_radius: Quantity
+    stop_shape: Literal["sphere", "cylinder", "ellipsoid"]
+    stop_cross_radius: Quantity
+    stop_material: Literal["aluminium", "steel", "brass", "bronze"]
+    stop_youngs_modulus: Quantity
+    stop_poisson_ratio: float
+    crossing_angle: Quantity
 
 
 class CircuitKeys(TypedDict, total=False):

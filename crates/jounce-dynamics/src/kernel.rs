@@ -276,7 +276,7 @@ fn onset_exponent(law: &Law) -> Option<f64> {
     match law {
         Law::Hertz(law) => Some(law.exponent),
         Law::HuntCrossley(law) => Some(law.elastic.exponent),
-        Law::KelvinVoigt(_) | Law::Cubic(_) | Law::Rigid(_) => None,
+        Law::KelvinVoigt(_) | Law::Cubic(_) | Law::Table(_) | Law::Rigid(_) => None,
     }
 }
 

@@ -6,6 +6,8 @@
 
 mod fault;
 mod file;
+mod force_curve;
+pub mod hertz;
 mod key;
 mod key_range;
 mod key_reference;
@@ -26,6 +28,7 @@ mod write;
 
 pub use fault::{Fault, Faults};
 pub use file::SpecFile;
+pub use force_curve::ForceCurve;
 pub use jounce_units::{Quantity, QuantityError, is_unit};
 pub use key_range::{KeyRange, quantity_range};
 pub use key_reference::reference_markdown;

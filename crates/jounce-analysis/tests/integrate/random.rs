@@ -2,9 +2,10 @@
 
 use crate::plants::{from_rest, kernel};
 use jounce_dynamics::{IntegrationError, Integrator, WorkCount};
-use jounce_model::contact::{Cubic, Hertz, HuntCrossley, KelvinVoigt, Law, Rigid};
+use jounce_model::contact::{Cubic, Hertz, HuntCrossley, KelvinVoigt, Law, Rigid, Table};
 use jounce_model::plant::{Drive, Load, Stop, System};
 use jounce_model::structure::{Modes, PatchModes};
+use jounce_spec::ForceCurve;
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{RngAlgorithm, TestRng, TestRunner};
@@ -37,7 +38,30 @@ fn law() -> impl Strategy<Value = Law> {
             stiffness_n_m,
             cubic_stiffness_n_m3: 10f64.powf(k)
         })),
+        table(),
     ]
+}
+
+/// Tables of two to six points that harden or soften.
+fn table() -> impl Strategy<Value = Law> {
+    let steps = prop::collection::vec((-5.0..-2.5f64, 1.0..5.0f64), 1..6);
+    let damping = prop_oneof![Just(0.0), 0.01..1.0f64];
+    (steps, damping).prop_map(|(steps, damping_s_m)| {
+        let mut point = (0.0, 0.0);
+        let points = steps.iter().map(|(length, stiffness)| {
+            let length_m = 10f64.powf(*length);
+            point = (
+                point.0 + length_m,
+                point.1 + length_m * 10f64.powf(*stiffness),
+            );
+            point
+        });
+        let (at, force): (Vec<f64>, Vec<f64>) = points.unzip();
+        Law::Table(Table::new(
+            ForceCurve::through(&at, &force).unwrap(),
+            damping_s_m,
+        ))
+    })
 }
 
 fn modes() -> impl Strategy<Value = Modes> {

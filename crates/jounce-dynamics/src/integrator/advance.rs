@@ -47,6 +47,7 @@ impl Integrator<'_> {
             Some(Law::KelvinVoigt(law)) => self.dispatch(law, end_s),
             Some(Law::HuntCrossley(law)) => self.dispatch(law, end_s),
             Some(Law::Cubic(law)) => self.dispatch(law, end_s),
+            Some(Law::Table(law)) => self.dispatch(law, end_s),
             Some(Law::Rigid(law)) => widest(AdvanceRigid {
                 integrator: self,
                 law,

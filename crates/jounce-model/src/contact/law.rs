@@ -1,8 +1,8 @@
 //! Trait of a contact law, and the enum of all laws.
 
-use super::{Cubic, Hertz, HuntCrossley, KelvinVoigt, Rigid};
+use super::{Cubic, Hertz, HuntCrossley, KelvinVoigt, Rigid, Table};
 use jounce_simd::{F64x8, Simd};
-use jounce_spec::StopLaw;
+use jounce_spec::{Stop, StopLaw};
 
 /// Derivatives of a contact force.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -76,6 +76,7 @@ impl ContactLaw for Law {
             Law::KelvinVoigt(law) => law.is_rate_dependent(),
             Law::HuntCrossley(law) => law.is_rate_dependent(),
             Law::Cubic(law) => law.is_rate_dependent(),
+            Law::Table(law) => law.is_rate_dependent(),
             Law::Rigid(_) => false,
         }
     }
@@ -102,6 +103,7 @@ impl ContactLaw for Law {
             Law::KelvinVoigt(law) => law.forces_n(simd, penetration_m, rate_m_s),
             Law::HuntCrossley(law) => law.forces_n(simd, penetration_m, rate_m_s),
             Law::Cubic(law) => law.forces_n(simd, penetration_m, rate_m_s),
+            Law::Table(law) => law.forces_n(simd, penetration_m, rate_m_s),
             Law::Rigid(_) => simd.zero(),
         }
     }
@@ -115,6 +117,7 @@ impl ContactLaw for Law {
     fn steepest(&self, reach_m: f64) -> Slopes {
         match self {
             Law::Cubic(law) => law.steepest(reach_m),
+            Law::Table(law) => law.steepest(reach_m),
             law => Law::slopes(law, reach_m, 0.0),
         }
     }
@@ -129,6 +132,7 @@ impl ContactLaw for Law {
             Law::KelvinVoigt(law) => law.elastic_force_n(penetration_m),
             Law::HuntCrossley(law) => law.elastic_force_n(penetration_m),
             Law::Cubic(law) => law.elastic_force_n(penetration_m),
+            Law::Table(law) => law.elastic_force_n(penetration_m),
             Law::Rigid(_) => 0.0,
         }
     }
@@ -145,13 +149,17 @@ pub enum Law {
     HuntCrossley(HuntCrossley),
     /// Linear and cubic spring on both sides.
     Cubic(Cubic),
+    /// Monotone curve through measured points.
+    Table(Table),
     /// Instantaneous rebound.
     Rigid(Rigid),
 }
 
-impl From<StopLaw> for Law {
-    fn from(law: StopLaw) -> Self {
-        match law {
+impl Law {
+    /// Returns the law of a stop of a spec; `None` for a table whose points are no force curve,
+    /// which a valid spec does not have.
+    pub fn of(stop: &Stop) -> Option<Self> {
+        Some(match stop.law {
             StopLaw::Hertz {
                 stiffness,
                 exponent,
@@ -188,12 +196,13 @@ impl From<StopLaw> for Law {
                 stiffness_n_m,
                 cubic_stiffness_n_m3,
             }),
+            StopLaw::Table { damping_s_m } => {
+                Law::Table(Table::new(stop.table.curve()?, damping_s_m))
+            }
             StopLaw::Rigid { restitution } => Law::Rigid(Rigid { restitution }),
-        }
+        })
     }
-}
 
-impl Law {
     /// True where the point never leaves the law: it acts on both sides of its surface.
     pub fn acts_on_both_sides(&self) -> bool {
         matches!(self, Law::Cubic(_))
@@ -207,6 +216,7 @@ impl Law {
             Law::KelvinVoigt(law) => law.force_n(penetration_m, rate_m_s),
             Law::HuntCrossley(law) => law.force_n(penetration_m, rate_m_s),
             Law::Cubic(law) => law.force_n(penetration_m, rate_m_s),
+            Law::Table(law) => law.force_n(penetration_m, rate_m_s),
             Law::Rigid(_) => 0.0,
         }
     }
@@ -219,6 +229,7 @@ impl Law {
             Law::KelvinVoigt(law) => law.slopes(penetration_m, rate_m_s),
             Law::HuntCrossley(law) => law.slopes(penetration_m, rate_m_s),
             Law::Cubic(law) => law.slopes(penetration_m, rate_m_s),
+            Law::Table(law) => law.slopes(penetration_m, rate_m_s),
             Law::Rigid(_) => Slopes {
                 stiffness_n_m: 0.0,
                 damping_n_s_m: 0.0,
@@ -233,6 +244,7 @@ impl Law {
             Law::KelvinVoigt(law) => law.energy_j(penetration_m),
             Law::HuntCrossley(law) => law.energy_j(penetration_m),
             Law::Cubic(law) => law.energy_j(penetration_m),
+            Law::Table(law) => law.energy_j(penetration_m),
             Law::Rigid(_) => 0.0,
         }
     }

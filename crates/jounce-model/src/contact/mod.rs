@@ -9,11 +9,15 @@ mod hertz;
 mod hunt_crossley;
 mod kelvin_voigt;
 mod law;
+mod restitution;
 mod rigid;
+mod table;
 
 pub use cubic::Cubic;
 pub use hertz::Hertz;
 pub use hunt_crossley::HuntCrossley;
 pub use kelvin_voigt::KelvinVoigt;
 pub use law::{ContactLaw, Law, Slopes};
+pub use restitution::PlasticCollision;
 pub use rigid::Rigid;
+pub use table::Table;

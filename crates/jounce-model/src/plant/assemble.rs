@@ -4,6 +4,7 @@ use super::{
     Bridge, BridgeState, Connection, Dashpot, Drive, Load, PlantError, RectifierScheme, Signal,
     Stop, Storage, System,
 };
+use crate::contact::Law;
 use crate::drive::{Wave, displaced, wave};
 use crate::structure::Modes;
 use jounce_spec::{Circuit, DriveKind, DriveSignal, Interface, Side, Spec};
@@ -14,7 +15,8 @@ impl System {
     /// Resolves the names of a spec against the modes of its structure.
     ///
     /// # Errors
-    /// [`PlantError::UnknownName`], [`PlantError::TwoCircuits`], [`PlantError::ImmobilePort`].
+    /// [`PlantError::UnknownName`], [`PlantError::TwoCircuits`], [`PlantError::ImmobilePort`],
+    /// [`PlantError::NoForceCurve`].
     pub fn assemble(spec: &Spec, modes: impl Into<Arc<Modes>>) -> Result<Self, PlantError> {
         Self::assemble_unless(spec, modes, &|| false)
     }
@@ -234,7 +236,7 @@ fn stops(spec: &Spec, modes: &Modes) -> Result<Vec<Stop>, PlantError> {
             name: name.clone(),
             shape,
             gap_m: stop.gap_m,
-            law: stop.law.into(),
+            law: Law::of(stop).ok_or_else(|| PlantError::NoForceCurve { stop: name.clone() })?,
             bases,
         });
     }

@@ -94,6 +94,14 @@ pub enum PlantError {
         /// Frequency of the mode, Hz.
         mode_hz: f64,
     },
+    /// The points of a force table are no force law.
+    #[error(
+        "stop.{stop}: the points of its table must ascend in penetration and force; correct penetration_m and force_n"
+    )]
+    NoForceCurve {
+        /// The stop.
+        stop: String,
+    },
     /// The port of a stop has no mobility.
     #[error(
         "stop `{stop}`: the striking point and the stop move together in every mode, so they never touch; choose another `at` or `frame`"

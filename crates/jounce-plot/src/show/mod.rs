@@ -21,7 +21,7 @@ pub fn drawing(title: &str, spec: &Spec) -> Drawing {
             on: index.position_of(spec, &stop.frame),
             above: stop.side == Side::Positive,
             gap_m: stop.gap_m,
-            law: words::law(&stop.law),
+            law: words::law(stop),
         })
     };
     let contacts: Vec<(&str, DrawnContact)> = spec
@@ -97,6 +97,30 @@ mod tests {
             "{:?}",
             drawing_of.circuits
         );
+    }
+
+    #[test]
+    fn the_label_of_a_stop_has_the_computed_stiffness_and_the_bodies() {
+        let mut file = example("impact-harvester-2019");
+        for (key, value) in [
+            ("radius", "5 mm"),
+            ("material", "steel"),
+            ("stop_youngs_modulus", "110 GPa"),
+            ("stop_poisson_ratio", "0.35"),
+        ] {
+            file.set(&format!("stop.tip.{key}"), value).unwrap();
+        }
+        let label = |file: &SpecFile| {
+            let drawing = drawing("", &file.spec().unwrap());
+            drawing.contacts[0].law.clone()
+        };
+        assert_eq!(
+            label(&file),
+            "hertz, 7.5084e6 kN/m^1.5: steel R 5 mm on 110 GPa"
+        );
+        let table = "{ at = \"beam.tip\", gap = \"1 mm\", law = \"table\", penetration_m = [1e-4, 3e-4], force_n = [1, 5], damping = \"0.2 s/m\" }";
+        file.set("stop.tip", table).unwrap();
+        assert_eq!(label(&file), "table, 2 points, 5 N at 0.3 mm, 0.2 s/m");
     }
 
     #[test]

@@ -1,7 +1,8 @@
 //! Labels of quantities and elements.
 
 use jounce_spec::{
-    Beam, Drive, DriveKind, DriveSignal, GROUND, Gravity, Mass, Modal, Quantity, Spec, StopLaw,
+    Beam, ContactBodies, ContactBody, Drive, DriveKind, DriveSignal, ForceTable, GROUND, Gravity,
+    Mass, Modal, Quantity, Spec, Stop, StopLaw,
 };
 use std::f64::consts::TAU;
 
@@ -63,11 +64,12 @@ pub fn gravity(gravity: &Gravity) -> Option<(String, bool)> {
     ))
 }
 
-/// Returns the label of a contact law with its numbers.
-pub fn law(law: &StopLaw) -> String {
+/// Returns the label of a contact law with its numbers; a stiffness that follows from two bodies
+/// has their radius and materials after it.
+pub fn law(stop: &Stop) -> String {
     let stiffness =
         |stiffness: f64, exponent: f64| value(Quantity::ContactStiffness { exponent }, stiffness);
-    match *law {
+    let text = match stop.law {
         StopLaw::Hertz {
             stiffness: k,
             exponent,
@@ -106,8 +108,42 @@ pub fn law(law: &StopLaw) -> String {
                 stiffness(cubic_stiffness_n_m3, 3.0)
             )
         }
+        StopLaw::Table { damping_s_m } => table(&stop.table, damping_s_m),
         StopLaw::Rigid { restitution } => format!("rigid, restitution {restitution}"),
+    };
+    stop.bodies.as_ref().map_or_else(
+        || text.clone(),
+        |bodies| format!("{text}: {}", pair(bodies)),
+    )
+}
+
+/// Returns the label of a measured contact: its points and the last one.
+fn table(table: &ForceTable, damping_s_m: f64) -> String {
+    let mut text = format!("table, {} points", table.force_n.len());
+    if let (Some(at_m), Some(force_n)) = (table.penetration_m.last(), table.force_n.last()) {
+        let force = value(Quantity::Force, *force_n);
+        text += &format!(", {force} at {}", value(Quantity::Length, *at_m));
     }
+    if damping_s_m > 0.0 {
+        text += &format!(", {}", value(Quantity::InverseSpeed, damping_s_m));
+    }
+    text
+}
+
+/// Returns the two bodies of a contact: `steel R 5 mm on brass`.
+fn pair(bodies: &ContactBodies) -> String {
+    let body = |body: &ContactBody| {
+        let material = match body.youngs_modulus_pa {
+            _ if !body.material.is_empty() => body.material.clone(),
+            Some(modulus_pa) => value(Quantity::Pressure, modulus_pa),
+            None => String::new(),
+        };
+        body.radius_m.map_or_else(
+            || material.clone(),
+            |radius_m| format!("{material} R {}", value(Quantity::Length, radius_m)),
+        )
+    };
+    format!("{} on {}", body(&bodies.striking), body(&bodies.stop))
 }
 
 /// Returns the label of a mass and its spring.

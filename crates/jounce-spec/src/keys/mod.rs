@@ -2,6 +2,7 @@
 
 mod beam;
 mod circuit;
+mod contact_bodies;
 mod drive;
 mod drive_signal;
 mod electrodes;
@@ -13,6 +14,7 @@ mod patch;
 mod pores;
 mod settings;
 mod stop;
+mod stop_law;
 
 use super::Spec;
 use super::key::{Key, Kind, Named, Single, Slot};

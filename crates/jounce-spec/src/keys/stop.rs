@@ -1,7 +1,13 @@
 //! `[stop.NAME]`
 
-use crate::key::{Key, Kind, Range};
-use crate::{Quantity, Side, Stop, StopLaw};
+use super::contact_bodies as bodies;
+use super::stop_law::{
+    HERTZ_EXPONENT, blank_law, damping, exponent, law_word, set_cubic_stiffness, set_damping,
+    set_exponent, set_stiffness, stiffness,
+};
+use crate::key::{Key, Kind, Range, Slot};
+use crate::material;
+use crate::{ForceTable, Quantity, Side, Stop, StopLaw};
 
 const LAWS: &[&str] = &[
     "hertz",
@@ -9,13 +15,13 @@ const LAWS: &[&str] = &[
     "kelvin-voigt",
     "hunt-crossley",
     "cubic",
+    "table",
     "rigid",
 ];
 const POWER_LAWS: &[&str] = &["hertz", "hunt-crossley"];
+/// Of a power law, the stiffness or the bodies from which it follows.
+const STIFFNESS: &[&str] = &["stiffness", "radius"];
 const LINEAR_LAWS: &[&str] = &["spring", "kelvin-voigt"];
-
-/// Exponent of Hertz's law for two smooth bodies.
-const HERTZ_EXPONENT: f64 = 1.5;
 
 pub(super) fn blank() -> Stop {
     Stop {
@@ -27,6 +33,8 @@ pub(super) fn blank() -> Stop {
             stiffness: f64::NAN,
             exponent: HERTZ_EXPONENT,
         },
+        bodies: None,
+        table: ForceTable::default(),
     }
 }
 
@@ -66,15 +74,15 @@ pub(super) static KEYS: &[Key<Stop>] = &[
         .within(Range::from(1.0, 10.0))
         .when("law", POWER_LAWS)
         .optional(),
-    Key::quantity(
+    Key::with_slot(
         "stiffness",
-        Quantity::ContactStiffness { exponent: HERTZ_EXPONENT },
+        Kind::Quantity(Quantity::ContactStiffness { exponent: HERTZ_EXPONENT }),
         "contact stiffness: force over penetration to the power of `exponent`",
-        |s: &Stop| stiffness(&s.law),
-        |s, x| set_stiffness(&mut s.law, x),
+        Slot::Optional { get: |s: &Stop| s.bodies.is_none().then(|| stiffness(&s.law)), set: |s, x| set_stiffness(&mut s.law, x) },
     )
     .within(Range::POSITIVE)
     .when("law", POWER_LAWS)
+    .one_of(STIFFNESS)
     .measured_by("exponent", |s: &Stop| Some(Quantity::ContactStiffness { exponent: exponent(&s.law) })),
     Key::quantity(
         "stiffness",
@@ -121,6 +129,33 @@ pub(super) static KEYS: &[Key<Stop>] = &[
     )
     .within(Range::NOT_NEGATIVE)
     .when("law", &["hunt-crossley"]),
+    Key::quantity(
+        "damping",
+        Quantity::InverseSpeed,
+        "damping factor c of `1 + c * rate of penetration`",
+        // A blank stop has another law, so this value is the default.
+        |s: &Stop| if let StopLaw::Table { damping_s_m } = s.law { damping_s_m } else { 0.0 },
+        |s, x| set_damping(&mut s.law, x),
+    )
+    .within(Range::NOT_NEGATIVE)
+    .when("law", &["table"])
+    .optional(),
+    Key::with_slot(
+        "penetration_m",
+        Kind::Numbers,
+        "penetrations of the measured points in m, ascending; the force is 0 at 0",
+        Slot::Numbers { get: |s: &Stop| &s.table.penetration_m, open: |s| &mut s.table.penetration_m },
+    )
+    .within(Range::NOT_NEGATIVE)
+    .when("law", &["table"]),
+    Key::with_slot(
+        "force_n",
+        Kind::Numbers,
+        "forces at the measured points in N, one for each penetration; between them a monotone cubic curve, past the last one its slope",
+        Slot::Numbers { get: |s: &Stop| &s.table.force_n, open: |s| &mut s.table.force_n },
+    )
+    .within(Range::NOT_NEGATIVE)
+    .when("law", &["table"]),
     Key::number(
         "restitution",
         "coefficient of restitution: speed after the impact over speed before it",
@@ -129,115 +164,115 @@ pub(super) static KEYS: &[Key<Stop>] = &[
     )
     .within(Range::from(0.0, 1.0))
     .when("law", &["rigid"]),
+    Key::with_slot(
+        "radius",
+        Kind::Quantity(Quantity::Length),
+        "radius of curvature of the convex body that strikes or is struck: the stiffness follows from both bodies by Hertz's theory",
+        Slot::Optional { get: |s: &Stop| bodies::striking(s)?.radius_m, set: |s, x| bodies::set(s, |b| b.striking.radius_m = Some(x)) },
+    )
+    .within(Range::POSITIVE)
+    .when("law", POWER_LAWS)
+    .one_of(STIFFNESS),
+    Key::text(
+        "shape",
+        Kind::Choice(bodies::SHAPES),
+        "shape of the body of `radius` at the contact: a cylinder is straight across the plane of its radius, an ellipsoid has a second radius there; a sphere if omitted",
+        |s: &Stop| bodies::shape_word(bodies::striking(s)),
+        |s, x| bodies::set(s, |b| b.striking.shape = bodies::shape_of(x)),
+    )
+    .when("law", POWER_LAWS)
+    .optional(),
+    Key::with_slot(
+        "cross_radius",
+        Kind::Quantity(Quantity::Length),
+        "radius of curvature of the body of `radius` in the plane perpendicular to that of `radius`; negative for a concave body",
+        Slot::Optional { get: |s: &Stop| bodies::striking(s)?.cross_radius_m, set: |s, x| bodies::set(s, |b| b.striking.cross_radius_m = Some(x)) },
+    )
+    .when("shape", &["ellipsoid"]),
+    Key::text(
+        "material",
+        Kind::Choice(material::CONTACT),
+        "library material of the body of `radius` (see `jounce materials`): default modulus and Poisson's ratio",
+        |s: &Stop| bodies::striking(s).map_or_else(String::new, |b| b.material.clone()),
+        |s, x| bodies::set(s, |b| bodies::fill(&mut b.striking, x)),
+    )
+    .when("law", POWER_LAWS)
+    .optional(),
+    Key::with_slot(
+        "youngs_modulus",
+        Kind::Quantity(Quantity::Pressure),
+        "Young's modulus of the body of `radius`",
+        Slot::Optional { get: |s: &Stop| bodies::striking(s)?.youngs_modulus_pa, set: |s, x| bodies::set(s, |b| b.striking.youngs_modulus_pa = Some(x)) },
+    )
+    .within(Range::POSITIVE)
+    .when("law", POWER_LAWS)
+    .optional(),
+    Key::with_slot(
+        "poisson_ratio",
+        Kind::Number,
+        "Poisson's ratio of the body of `radius`",
+        Slot::Optional { get: |s: &Stop| bodies::striking(s)?.poisson_ratio, set: |s, x| bodies::set(s, |b| b.striking.poisson_ratio = Some(x)) },
+    )
+    .within(Range::above(-1.0, 0.5))
+    .when("law", POWER_LAWS)
+    .optional(),
+    Key::with_slot(
+        "stop_radius",
+        Kind::Quantity(Quantity::Length),
+        "radius of curvature of the other body: negative for a concave seat; if omitted, the body is flat",
+        Slot::Optional { get: |s: &Stop| bodies::struck(s)?.radius_m, set: |s, x| bodies::set(s, |b| b.stop.radius_m = Some(x)) },
+    )
+    .when("law", POWER_LAWS)
+    .optional(),
+    Key::text(
+        "stop_shape",
+        Kind::Choice(bodies::SHAPES),
+        "shape of the other body at the contact: a cylinder is straight across the plane of its radius, an ellipsoid has a second radius there; a sphere if omitted",
+        |s: &Stop| bodies::shape_word(bodies::struck(s)),
+        |s, x| bodies::set(s, |b| b.stop.shape = bodies::shape_of(x)),
+    )
+    .when("law", POWER_LAWS)
+    .optional(),
+    Key::with_slot(
+        "stop_cross_radius",
+        Kind::Quantity(Quantity::Length),
+        "radius of curvature of the other body in the plane perpendicular to that of `stop_radius`; negative for a concave body",
+        Slot::Optional { get: |s: &Stop| bodies::struck(s)?.cross_radius_m, set: |s, x| bodies::set(s, |b| b.stop.cross_radius_m = Some(x)) },
+    )
+    .when("stop_shape", &["ellipsoid"]),
+    Key::text(
+        "stop_material",
+        Kind::Choice(material::CONTACT),
+        "library material of the other body (see `jounce materials`): default modulus and Poisson's ratio",
+        |s: &Stop| bodies::struck(s).map_or_else(String::new, |b| b.material.clone()),
+        |s, x| bodies::set(s, |b| bodies::fill(&mut b.stop, x)),
+    )
+    .when("law", POWER_LAWS)
+    .optional(),
+    Key::with_slot(
+        "stop_youngs_modulus",
+        Kind::Quantity(Quantity::Pressure),
+        "Young's modulus of the other body",
+        Slot::Optional { get: |s: &Stop| bodies::struck(s)?.youngs_modulus_pa, set: |s, x| bodies::set(s, |b| b.stop.youngs_modulus_pa = Some(x)) },
+    )
+    .within(Range::POSITIVE)
+    .when("law", POWER_LAWS)
+    .optional(),
+    Key::with_slot(
+        "stop_poisson_ratio",
+        Kind::Number,
+        "Poisson's ratio of the other body",
+        Slot::Optional { get: |s: &Stop| bodies::struck(s)?.poisson_ratio, set: |s, x| bodies::set(s, |b| b.stop.poisson_ratio = Some(x)) },
+    )
+    .within(Range::above(-1.0, 0.5))
+    .when("law", POWER_LAWS)
+    .optional(),
+    Key::with_slot(
+        "crossing_angle",
+        Kind::Quantity(Quantity::Angle),
+        "angle between the plane of `radius` and that of `stop_radius`; 0 if omitted",
+        Slot::Optional { get: |s: &Stop| s.bodies.as_ref()?.crossing_angle_rad, set: |s, x| bodies::set(s, |b| b.crossing_angle_rad = Some(x)) },
+    )
+    .when("law", POWER_LAWS)
+    .optional(),
 ];
-
-fn law_word(law: &StopLaw) -> &'static str {
-    match law {
-        StopLaw::Hertz { .. } => "hertz",
-        StopLaw::Spring { .. } => "spring",
-        StopLaw::KelvinVoigt { .. } => "kelvin-voigt",
-        StopLaw::HuntCrossley { .. } => "hunt-crossley",
-        StopLaw::Cubic { .. } => "cubic",
-        StopLaw::Rigid { .. } => "rigid",
-    }
-}
-
-fn blank_law(word: &str) -> StopLaw {
-    let (hole, exponent) = (f64::NAN, HERTZ_EXPONENT);
-    match word {
-        "spring" => StopLaw::Spring {
-            stiffness_n_m: hole,
-        },
-        "kelvin-voigt" => StopLaw::KelvinVoigt {
-            stiffness_n_m: hole,
-            damping_n_s_m: hole,
-        },
-        "hunt-crossley" => StopLaw::HuntCrossley {
-            stiffness: hole,
-            exponent,
-            damping_s_m: hole,
-        },
-        "cubic" => StopLaw::Cubic {
-            stiffness_n_m: 0.0,
-            cubic_stiffness_n_m3: hole,
-        },
-        "rigid" => StopLaw::Rigid { restitution: hole },
-        _ => StopLaw::Hertz {
-            stiffness: hole,
-            exponent,
-        },
-    }
-}
-
-fn exponent(law: &StopLaw) -> f64 {
-    match law {
-        StopLaw::Hertz { exponent, .. } | StopLaw::HuntCrossley { exponent, .. } => *exponent,
-        _ => 1.0,
-    }
-}
-
-fn set_exponent(law: &mut StopLaw, value: f64) {
-    if let StopLaw::Hertz { exponent, .. } | StopLaw::HuntCrossley { exponent, .. } = law {
-        *exponent = value;
-    }
-}
-
-fn stiffness(law: &StopLaw) -> f64 {
-    match law {
-        StopLaw::Hertz { stiffness: k, .. } | StopLaw::HuntCrossley { stiffness: k, .. } => *k,
-        StopLaw::Spring { stiffness_n_m: k }
-        | StopLaw::KelvinVoigt {
-            stiffness_n_m: k, ..
-        }
-        | StopLaw::Cubic {
-            stiffness_n_m: k, ..
-        } => *k,
-        StopLaw::Rigid { .. } => f64::NAN,
-    }
-}
-
-fn set_stiffness(law: &mut StopLaw, value: f64) {
-    match law {
-        StopLaw::Hertz { stiffness: k, .. } | StopLaw::HuntCrossley { stiffness: k, .. } => {
-            *k = value
-        }
-        StopLaw::Spring { stiffness_n_m: k }
-        | StopLaw::KelvinVoigt {
-            stiffness_n_m: k, ..
-        }
-        | StopLaw::Cubic {
-            stiffness_n_m: k, ..
-        } => *k = value,
-        StopLaw::Rigid { .. } => {}
-    }
-}
-
-fn set_cubic_stiffness(law: &mut StopLaw, value: f64) {
-    if let StopLaw::Cubic {
-        cubic_stiffness_n_m3: k,
-        ..
-    } = law
-    {
-        *k = value;
-    }
-}
-
-fn damping(law: &StopLaw) -> f64 {
-    match law {
-        StopLaw::KelvinVoigt {
-            damping_n_s_m: c, ..
-        }
-        | StopLaw::HuntCrossley { damping_s_m: c, .. } => *c,
-        _ => f64::NAN,
-    }
-}
-
-fn set_damping(law: &mut StopLaw, value: f64) {
-    if let StopLaw::KelvinVoigt {
-        damping_n_s_m: c, ..
-    }
-    | StopLaw::HuntCrossley { damping_s_m: c, .. } = law
-    {
-        *c = value;
-    }
-}

@@ -8,6 +8,9 @@ pub const PIEZOELECTRIC: &[&str] = &["PZT-5A", "PZT-5H", "PSI-5A4E", "PVDF", "MF
 /// Names of the beam materials in a spec.
 pub const STRUCTURAL: &[&str] = &["aluminium", "steel", "brass", "bronze", "silicon"];
 
+/// Names of the materials of contacts in a spec: isotropic, with Poisson's ratio.
+pub const CONTACT: &[&str] = &["aluminium", "steel", "brass", "bronze"];
+
 /// Thickness of a Macro Fiber Composite with its foils, m; the effective constants refer to this
 /// thickness.
 const MFC_THICKNESS_M: f64 = 0.3e-3;
@@ -40,6 +43,7 @@ pub const LIBRARY: &[Material] = &[
     Material {
         name: "PSI-5A4E",
         youngs_modulus_pa: 66e9,
+        poisson_ratio: None,
         density_kg_m3: 7800.0,
         strain_limit: None,
         voltage_limits_v: None,
@@ -63,6 +67,7 @@ pub const LIBRARY: &[Material] = &[
     Material {
         name: "MFC-P1",
         youngs_modulus_pa: 30.336e9,
+        poisson_ratio: None,
         density_kg_m3: 5440.0,
         strain_limit: Some(600e-6),
         voltage_limits_v: Some([-500.0, 1500.0]),
@@ -76,6 +81,7 @@ pub const LIBRARY: &[Material] = &[
     Material {
         name: "MFC-P2",
         youngs_modulus_pa: 30.336e9,
+        poisson_ratio: None,
         density_kg_m3: 5440.0,
         strain_limit: Some(600e-6),
         voltage_limits_v: Some([-60.0, 360.0]),
@@ -89,30 +95,35 @@ pub const LIBRARY: &[Material] = &[
     structural(
         "aluminium",
         70e9,
+        Some(0.33),
         2700.0,
-        "nominal; ASM Handbook vol. 2 (6061: 69 GPa, 2700 kg/m^3)",
+        "nominal; ASM Handbook vol. 2 (6061: 69 GPa, 0.33, 2700 kg/m^3)",
     ),
     structural(
         "steel",
         200e9,
+        Some(0.29),
         7850.0,
-        "nominal; ASM Handbook vol. 1 (carbon steel)",
+        "nominal; ASM Handbook vol. 1 (carbon steel); Poisson's ratio: Kaye and Laby, Tables of Physical and Chemical Constants, 2.2.2",
     ),
     structural(
         "brass",
         110e9,
+        Some(0.35),
         8530.0,
-        "nominal; ASM Handbook vol. 2 (C26000)",
+        "nominal; ASM Handbook vol. 2 (C26000); Poisson's ratio (70 Cu, 30 Zn): Kaye and Laby, Tables of Physical and Chemical Constants, 2.2.2",
     ),
     structural(
         "bronze",
         110e9,
+        Some(0.34),
         8860.0,
-        "nominal; ASM Handbook vol. 2 (phosphor bronze C51000)",
+        "nominal; ASM Handbook vol. 2 (phosphor bronze C51000; 0.34)",
     ),
     structural(
         "silicon",
         169e9,
+        None,
         2329.0,
         "beam along <110>; Hopcroft, Nix and Kenny, J. Microelectromech. Syst. 19 (2010) 229",
     ),
@@ -127,6 +138,7 @@ const fn ceramic(
     Material {
         name,
         youngs_modulus_pa: ceramic.youngs_modulus_pa(),
+        poisson_ratio: None,
         density_kg_m3,
         strain_limit: None,
         voltage_limits_v: None,
@@ -142,12 +154,14 @@ const fn ceramic(
 const fn structural(
     name: &'static str,
     youngs_modulus_pa: f64,
+    poisson_ratio: Option<f64>,
     density_kg_m3: f64,
     source: &'static str,
 ) -> Material {
     Material {
         name,
         youngs_modulus_pa,
+        poisson_ratio,
         density_kg_m3,
         strain_limit: None,
         voltage_limits_v: None,

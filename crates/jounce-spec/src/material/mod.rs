@@ -16,7 +16,7 @@ mod hill;
 mod library;
 pub mod porous;
 
-pub use library::{LIBRARY, PIEZOELECTRIC, STRUCTURAL};
+pub use library::{CONTACT, LIBRARY, PIEZOELECTRIC, STRUCTURAL};
 
 /// Permittivity of vacuum, F/m (CODATA 2018).
 pub const VACUUM_PERMITTIVITY_F_M: f64 = 8.854_187_812_8e-12;
@@ -28,6 +28,8 @@ pub struct Material {
     pub name: &'static str,
     /// Young's modulus along the beam, at short circuit, Pa.
     pub youngs_modulus_pa: f64,
+    /// Poisson's ratio of an isotropic material, for contacts.
+    pub poisson_ratio: Option<f64>,
     /// Density, kg/m^3.
     pub density_kg_m3: f64,
     /// Largest recommended strain along the beam, dimensionless.
@@ -107,6 +109,14 @@ mod tests {
         };
         assert!(active(true).eq(PIEZOELECTRIC.iter().copied()));
         assert!(active(false).eq(STRUCTURAL.iter().copied()));
+        let isotropic = LIBRARY
+            .iter()
+            .filter(|material| material.poisson_ratio.is_some());
+        assert!(
+            isotropic
+                .map(|material| material.name)
+                .eq(CONTACT.iter().copied())
+        );
     }
 
     /// Erturk and Inman (2011), table E.2, thin beams: 61.0 and 60.6 GPa, -10.4 and -16.6 C/m^2,

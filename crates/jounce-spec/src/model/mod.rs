@@ -2,6 +2,7 @@
 
 mod beam;
 mod circuit;
+mod contact_bodies;
 mod damping;
 mod drive;
 mod gravity;
@@ -15,6 +16,7 @@ mod stop;
 
 pub use beam::Beam;
 pub use circuit::{Circuit, Interface, Wiring};
+pub use contact_bodies::{BodyShape, ContactBodies, ContactBody};
 pub use damping::Damping;
 pub use drive::{Drive, DriveKind, DriveSignal, FrequencySweep, GROUND};
 pub use gravity::Gravity;
@@ -24,7 +26,7 @@ pub use modal::{Modal, ModalPatch};
 pub use patch::{Composite, Electrodes, Face, Patch, PatchFoils, PatchPores, PoreShape, Section};
 pub use reduction::Reduction;
 pub use run::{Run, Start};
-pub use stop::{Side, Stop, StopLaw};
+pub use stop::{ForceTable, Side, Stop, StopLaw};
 
 use std::collections::BTreeMap;
 

@@ -1,5 +1,8 @@
 //! `[stop.NAME]`
 
+use super::ContactBodies;
+use crate::ForceCurve;
+
 /// A stop that a point strikes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stop {
@@ -15,6 +18,31 @@ pub struct Stop {
     pub gap_m: f64,
     /// `law` and its numbers.
     pub law: StopLaw,
+    /// `radius` and the other keys of the two bodies, from which the stiffness of the law follows;
+    /// `None` where `stiffness` is given.
+    pub bodies: Option<ContactBodies>,
+    /// `penetration_m` and `force_n`: the points of the law `table`; empty for other laws.
+    pub table: ForceTable,
+}
+
+/// Measured force over penetration.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ForceTable {
+    /// `penetration_m`, m, ascending; a first point at 0 may be omitted.
+    pub penetration_m: Vec<f64>,
+    /// `force_n`, N, one for each penetration.
+    pub force_n: Vec<f64>,
+}
+
+impl ForceTable {
+    /// Returns the monotone curve through the points; `None` if they are no force law, see
+    /// [`ForceCurve::through`].
+    pub fn curve(&self) -> Option<ForceCurve> {
+        let begins_at_origin =
+            self.penetration_m.first() == Some(&0.0) && self.force_n.first() == Some(&0.0);
+        let first = usize::from(begins_at_origin);
+        ForceCurve::through(&self.penetration_m[first..], &self.force_n[first..])
+    }
 }
 
 /// Side of the stop relative to the point at rest.
@@ -70,6 +98,13 @@ pub enum StopLaw {
         /// N/m^3
         cubic_stiffness_n_m3: f64,
     },
+    /// `law = "table"`: `F = f(delta) * max(0, 1 + damping * delta')` with a monotone curve `f`
+    /// through the points of [`Stop::table`]; keys `penetration_m`, `force_n`, `damping` (s/m,
+    /// default 0).
+    Table {
+        /// s/m
+        damping_s_m: f64,
+    },
     /// `law = "rigid"`: instantaneous rebound with a coefficient of restitution; key `restitution`
     /// (0 to 1).
     Rigid {
@@ -78,11 +113,11 @@ pub enum StopLaw {
     },
 }
 
-impl StopLaw {
+impl Stop {
     /// Returns the static penetration of a one-sided stop under a force, m: `(F / stiffness)^(1 /
-    /// exponent)`, 0 for a rigid stop; `None` for a two-sided stop.
+    /// exponent)`, 0 for a rigid stop; `None` for a two-sided stop, and for a faulty table.
     pub fn static_penetration_m(&self, force_n: f64) -> Option<f64> {
-        match *self {
+        match self.law {
             StopLaw::Hertz {
                 stiffness,
                 exponent,
@@ -96,6 +131,7 @@ impl StopLaw {
                 Some(force_n / stiffness_n_m)
             }
             StopLaw::Cubic { .. } => None,
+            StopLaw::Table { .. } => self.table.curve().map(|curve| curve.penetration_m(force_n)),
             StopLaw::Rigid { .. } => Some(0.0),
         }
     }

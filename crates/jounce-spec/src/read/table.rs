@@ -63,7 +63,7 @@ pub(crate) fn read_keys<T>(
             check_known(keys, path, entry, element, &doubtful, reading);
         }
     }
-    check_alternatives(keys, path, entries, reading);
+    check_alternatives(keys, path, entries, element, reading);
 }
 
 fn first_of_its_name<T>(keys: &[Key<T>], key: &Key<T>) -> bool {
@@ -153,8 +153,14 @@ fn check_known<T>(
     });
 }
 
-fn check_alternatives<T>(keys: &[Key<T>], path: &str, entries: &[Entry], reading: &mut ReadState) {
-    for key in keys {
+fn check_alternatives<T>(
+    keys: &[Key<T>],
+    path: &str,
+    entries: &[Entry],
+    element: &T,
+    reading: &mut ReadState,
+) {
+    for key in keys.iter().filter(|key| applies(keys, element, &key.info)) {
         let names = key.info.need.alternatives();
         let mut standing = entries
             .iter()

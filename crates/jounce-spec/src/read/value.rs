@@ -187,7 +187,7 @@ fn numbers(info: &KeyInfo, path: &str, node: &Node, reading: &mut ReadState) -> 
     let may_be_empty = info.kind == Kind::Numbers && info.need == Need::Default;
     if items.is_empty() && !may_be_empty {
         reading.fault(node.position, path, || {
-            "the list is empty; give one number per mode".to_owned()
+            "the list is empty; give at least one number".to_owned()
         });
         return None;
     }

@@ -4,8 +4,10 @@
 //! missing or wrong. A hole violates no rule, because its own fault is reported already.
 
 mod circuit;
+mod contact_bodies;
 mod drives;
 mod foils;
+mod force_table;
 mod geometry;
 mod layers;
 mod modes;
@@ -51,6 +53,8 @@ pub(super) fn broken(spec: &Spec) -> Vec<(String, String)> {
     foils::check(spec, &mut faults);
     modes::check(spec, &mut faults);
     drives::check(spec, &mut faults);
+    contact_bodies::check(spec, &mut faults);
+    force_table::check(spec, &mut faults);
     overlap::check(spec, &mut faults);
     faults.found
 }

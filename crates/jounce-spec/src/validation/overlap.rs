@@ -78,20 +78,16 @@ fn check_inside_at_rest(spec: &Spec, (name, stop): (&str, &Stop), faults: &mut V
 
 /// Two rigid stops on the two sides of one point must not overlap.
 fn check_facing(spec: &Spec, faults: &mut ValidationFaults) {
-    let rigid = |stop: &Stop| matches!(stop.law, StopLaw::Rigid { .. });
-    let upper = spec
-        .stop
-        .iter()
-        .filter(|(_, stop)| stop.side == Side::Positive);
-    for (name, stop) in upper {
-        let faces = |other: &&(&String, &Stop)| {
-            other.1.side == Side::Negative
-                && other.1.at == stop.at
-                && other.1.frame == stop.frame
-                && rigid(stop)
-                && rigid(other.1)
-        };
-        for (other, facing) in spec.stop.iter().collect::<Vec<_>>().iter().filter(faces) {
+    let rigid = |side: Side| {
+        spec.stop
+            .iter()
+            .filter(move |(_, stop)| stop.side == side && matches!(stop.law, StopLaw::Rigid { .. }))
+    };
+    let lower: Vec<(&String, &Stop)> = rigid(Side::Negative).collect();
+    for (name, stop) in rigid(Side::Positive) {
+        let faces =
+            |(_, other): &&(&String, &Stop)| other.at == stop.at && other.frame == stop.frame;
+        for (other, facing) in lower.iter().filter(faces) {
             let room_m = stop.gap_m + facing.gap_m;
             if room_m < 0.0 {
                 let [gap, overlap] = [stop.gap_m, -room_m].map(metres);
@@ -132,9 +128,7 @@ fn pressed_m(spec: &Spec, stop: &Stop, free: [Option<&str>; 2]) -> f64 {
     };
     let weight_n = acceleration_m_s2.abs() * free_mass_kg(spec);
     if presses {
-        stop.law
-            .static_penetration_m(weight_n)
-            .unwrap_or(f64::INFINITY)
+        stop.static_penetration_m(weight_n).unwrap_or(f64::INFINITY)
     } else {
         0.0
     }

@@ -1,9 +1,11 @@
 //! The spec reader: examples, faults, overrides, sweeps, schema, round trip, fuzzing.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
+mod contact_bodies;
 mod corpus;
 mod drives;
 mod examples;
+mod force_tables;
 mod fuzz;
 mod overlap;
 mod overrides;

@@ -6,10 +6,12 @@
 //! power      F = k d^n (1 + a d')   d > 0, 1 + a d' > 0       Hertz (1882), a = 0; Hunt and Crossley (1975)
 //! viscous    F = k d + c d'         d > 0, k d + c d' > 0     Kelvin-Voigt that does not pull
 //! cubic      F = k d + k3 d^3       everywhere                Duffing
+//! table      F = f(d) (1 + a d')    d > 0, 1 + a d' > 0       the curve f of the library, which its own tests check
 //! rigid      d'+ = -e d'-           d = 0                     Newton
 //! ```
 
 use jounce_model::contact as theirs;
+use jounce_spec::ForceCurve;
 
 /// Parameters of a law.
 #[derive(Debug, Clone, Copy)]
@@ -17,6 +19,7 @@ pub enum Law {
     Power { k: f64, n: f64, a: f64 },
     Viscous { k: f64, c: f64 },
     Cubic { k: f64, k3: f64 },
+    Table { f: &'static ForceCurve, a: f64 },
     Rigid { e: f64 },
 }
 
@@ -55,6 +58,10 @@ impl Law {
                 k: law.stiffness_n_m,
                 k3: law.cubic_stiffness_n_m3,
             },
+            theirs::Law::Table(law) => Law::Table {
+                f: law.curve(),
+                a: law.damping_s_m(),
+            },
             theirs::Law::Rigid(law) => Law::Rigid { e: law.restitution },
         }
     }
@@ -80,6 +87,7 @@ impl Law {
             Law::Power { k, n, a } => k * power(d.max(0.0), n) * (1.0 + a * rate),
             Law::Viscous { k, c } => k * d + c * rate,
             Law::Cubic { k, k3 } => d * (k + k3 * d * d),
+            Law::Table { f, a } => f.force_n(d) * (1.0 + a * rate),
             Law::Rigid { .. } => 0.0,
         }
     }
@@ -88,7 +96,7 @@ impl Law {
     #[inline(always)]
     pub fn push(&self, d: f64, rate: f64) -> f64 {
         match *self {
-            Law::Power { a, .. } => 1.0 + a * rate,
+            Law::Power { a, .. } | Law::Table { a, .. } => 1.0 + a * rate,
             Law::Viscous { k, c } => k * d + c * rate,
             Law::Cubic { .. } | Law::Rigid { .. } => 1.0,
         }
@@ -98,7 +106,7 @@ impl Law {
     #[inline(always)]
     pub fn push_rate(&self, rate: f64, acceleration: f64) -> f64 {
         match *self {
-            Law::Power { a, .. } => a * acceleration,
+            Law::Power { a, .. } | Law::Table { a, .. } => a * acceleration,
             Law::Viscous { k, c } => k * rate + c * acceleration,
             Law::Cubic { .. } | Law::Rigid { .. } => 0.0,
         }
@@ -106,7 +114,7 @@ impl Law {
 
     /// True where the force can vanish past the surface.
     pub fn is_damped(&self) -> bool {
-        matches!(*self, Law::Power { a, .. } if a > 0.0)
+        matches!(*self, Law::Power { a, .. } | Law::Table { a, .. } if a > 0.0)
             || matches!(*self, Law::Viscous { c, .. } if c > 0.0)
     }
 }

@@ -11,3 +11,4 @@ pub mod several_stops;
 mod statistics;
 mod sticking;
 mod swings;
+mod tables;

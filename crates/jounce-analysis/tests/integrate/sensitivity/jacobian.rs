@@ -4,8 +4,9 @@ use super::{START_S, jacobian_error, state_after_contacts, with_law};
 use crate::contacts::several_stops::{between_stops, coupled};
 use crate::plants::{bench, kernel};
 use jounce_dynamics::{FlowSensitivity, Integrator, ParameterSensitivity};
-use jounce_model::contact::{Cubic, Hertz, HuntCrossley, KelvinVoigt, Law, Rigid};
+use jounce_model::contact::{Cubic, Hertz, HuntCrossley, KelvinVoigt, Law, Rigid, Table};
 use jounce_model::reference::ImpactOscillator;
+use jounce_spec::ForceCurve;
 
 #[test]
 fn jacobian_is_the_difference_of_flows_for_every_law() {
@@ -42,6 +43,13 @@ fn jacobian_is_the_difference_of_flows_for_every_law() {
                 stiffness_n_m: 10.0,
                 cubic_stiffness_n_m3: 1e5,
             }),
+        ),
+        (
+            "table",
+            Law::Table(Table::new(
+                ForceCurve::through(&[1e-4, 3e-4, 2e-3], &[1e-3, 7e-3, 0.1]).unwrap(),
+                0.3,
+            )),
         ),
     ] {
         let kernel = kernel(with_law(bench(50.0, 11.0), law));
