@@ -39,6 +39,14 @@ pub enum SparseError {
         /// Value of the transposed entry.
         transposed: f64,
     },
+    /// The numbers of rows and columns differ.
+    #[error("the matrix has {rows} rows but {columns} columns; it must be square")]
+    NotSquare {
+        /// Number of rows.
+        rows: usize,
+        /// Number of columns.
+        columns: usize,
+    },
     /// Stiffness and mass have different sizes.
     #[error(
         "stiffness has {stiffness} rows, but mass has {mass}; both must have one per degree of freedom"

@@ -24,6 +24,8 @@
 //! # Ok::<(), jounce_sparse::SparseError>(())
 //! ```
 //!
+//! [`read_market`] reads the Matrix Market format.
+//!
 //! Sources: R. G. Grimes, J. G. Lewis, H. D. Simon, A shifted block Lanczos algorithm for solving
 //! sparse symmetric generalized eigenproblems, SIAM J. Matrix Anal. Appl. 15 (1994) 228; I. S. Duff,
 //! J. K. Reid, The multifrontal solution of indefinite sparse symmetric linear equations, ACM Trans.
@@ -31,14 +33,18 @@
 //! ordering algorithm, SIAM J. Matrix Anal. Appl. 17 (1996) 886.
 
 mod block;
+mod entries;
 mod error;
 mod factor;
 mod lanczos;
+mod market;
 mod matrix;
 mod modes;
 mod uncoupled;
 
+pub use entries::MatrixEntries;
 pub use error::SparseError;
 pub use factor::{Factor, Symbolic};
+pub use market::{MarketError, read_market, write_market_array, write_market_symmetric};
 pub use matrix::SymmetricMatrix;
 pub use modes::{LowestModes, lowest_modes};
