@@ -2,8 +2,8 @@
 
 use crate::commands::{
     basins, bifurcations, branch, check, completions, contact, design, diagram, ensemble, explore,
-    fit, frf, materials, modes, new, noise, power, read, reproduce, rig, run, segments,
-    sensitivity, show, spectra, study, sweep,
+    export, fit, frf, import, materials, modes, new, noise, power, read, reproduce, rig, run,
+    segments, sensitivity, show, spectra, study, sweep,
 };
 use clap::{Parser, Subcommand};
 
@@ -66,6 +66,10 @@ pub enum Command {
     Design(design::Design),
     /// Computes the tables, figures and claims of the 2019 impact-harvester paper.
     Reproduce(reproduce::Reproduce),
+    /// Writes the model for other programs: as matrices, or as an equivalent circuit for SPICE.
+    Export(export::Export),
+    /// Reduces mass and stiffness matrices of another program to a structure given by its modes.
+    Import(import::Import),
     /// Reads a recording of any supported format and reports its contents and its data-quality
     /// issues.
     Read(read::Read),
@@ -120,6 +124,8 @@ impl Command {
             Command::Study(command) => command.wants_json(),
             Command::Design(command) => command.output.json,
             Command::Reproduce(command) => command.json,
+            Command::Export(command) => command.json,
+            Command::Import(command) => command.json,
             Command::Read(command) => command.file.output.json,
             Command::Power(command) => command.output.json,
             Command::Contact(command) => command.file.output.json,

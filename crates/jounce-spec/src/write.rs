@@ -7,7 +7,7 @@ use sha2::{Digest, Sha256};
 
 use super::key::{Key, Kind, Slot, applies};
 use super::keys::SPEC;
-use super::{DriveSignal, Spec};
+use super::{DriveSignal, Modal, Spec};
 
 impl Spec {
     /// Prints the spec as TOML. [`Spec::from_toml`] reads an identical spec back, bit for bit.
@@ -51,6 +51,23 @@ impl Spec {
                 write!(hex, "{byte:02x}").expect("writing to a string cannot fail");
                 hex
             })
+    }
+}
+
+impl Modal {
+    /// Prints the structure as `[modal.NAME]` with its tables, as [`Spec::to_toml`] does.
+    pub fn to_toml(&self, name: &str) -> String {
+        let spec = Spec {
+            modal: [(name.to_owned(), self.clone())].into(),
+            ..Spec::default()
+        };
+        let mut out = String::new();
+        for key in SPEC.iter().filter(|key| key.info.name == "modal") {
+            if let Slot::Inner(inner) = &key.slot {
+                inner.write(&spec, key.info.name, &mut out);
+            }
+        }
+        out.trim_start().to_owned()
     }
 }
 

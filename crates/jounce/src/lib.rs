@@ -31,6 +31,8 @@
 //! | one quantity over several keys | [`Study::run`] | [`StudyOptions`] | [`parts::StudyStatus`] |
 //! | keys with the largest power within limits | [`Design::run`] | [`DesignOptions`] | [`DesignResult`] |
 //! | keys that fit measurements | [`Harvester::fit`] | [`Features`] | [`FitResult`] |
+//! | the model for other programs | [`Harvester::export`] | [`ExportOptions`] | [`ExportResult`] |
+//! | structures of other programs | [`import_matrices`] | [`ImportOptions`] | [`ImportResult`] |
 //! | simulated recordings of sensors | [`Harvester::rig`] | [`RigOptions`] | [`RigResult`] |
 //!
 //! A [`RecordedFile`] lists the recordings in a file of an instrument and converts them; it need
@@ -72,9 +74,11 @@ mod design;
 mod diagram;
 mod ensemble;
 mod error;
+mod export;
 mod fit;
 mod frf;
 mod harvester;
+mod import;
 mod journal;
 mod leaves;
 pub mod live;
@@ -108,9 +112,11 @@ pub use design::{Design, DesignOptions, DesignResult};
 pub use diagram::{DiagramOptions, DiagramResult};
 pub use ensemble::{EnsembleOptions, EnsembleResult};
 pub use error::{Error, ErrorDetails, ErrorKind};
+pub use export::{ExportOptions, ExportResult};
 pub use fit::FitResult;
 pub use frf::{FrfOptions, FrfResult};
 pub use harvester::{Harvester, KeyValue};
+pub use import::{ImportOptions, ImportResult, ImportedMode, import_matrices};
 pub use jounce_analysis::Model;
 pub use jounce_analysis::run::StartState;
 pub use jounce_control::Control;

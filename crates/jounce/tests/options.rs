@@ -3,9 +3,10 @@
 use clap::{Args, FromArgMatches};
 use jounce::{
     BasinsOptions, BifurcationsOptions, BranchOptions, ContactOptions, ConvertOptions,
-    DiagramOptions, EnsembleOptions, FrfOptions, MeasuredFrfOptions, MeasuredModesOptions,
-    ModesOptions, NoiseOptions, PowerOptions, ReadOptions, ReproduceOptions, RigOptions,
-    RunOptions, SegmentsOptions, SpectraOptions, StudyOptions, SweepOptions, definitions,
+    DiagramOptions, EnsembleOptions, ExportOptions, FrfOptions, ImportOptions, MeasuredFrfOptions,
+    MeasuredModesOptions, ModesOptions, NoiseOptions, PowerOptions, ReadOptions, ReproduceOptions,
+    RigOptions, RunOptions, SegmentsOptions, SpectraOptions, StudyOptions, SweepOptions,
+    definitions,
 };
 use serde::Serialize;
 use std::fmt::Debug;
@@ -56,6 +57,8 @@ fn options_have_help_and_valid_defaults() {
     check::<MeasuredFrfOptions>();
     check::<MeasuredModesOptions>();
     check::<ModesOptions>();
+    check::<ExportOptions>();
+    check::<ImportOptions>();
     check::<FrfOptions>();
     check::<NoiseOptions>();
     check::<ReproduceOptions>();

@@ -13,7 +13,7 @@ pub use linear::{frf, modes, noise};
 pub use orbits::{basins, bifurcations, branch, diagram, sensitivity};
 pub use recordings::{contact, fit, power, read, rig, segments, spectra};
 pub use runs::{design, ensemble, run, study, sweep};
-pub use specs::{check, materials, new, show};
+pub use specs::{check, export, import, materials, new, show};
 
 use crate::arguments::Command;
 use crate::failure::Failure;
@@ -42,6 +42,8 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Design(command) => command.run(),
         Command::Explore(command) => command.run(),
         Command::Reproduce(command) => command.run(),
+        Command::Export(command) => command.run(),
+        Command::Import(command) => command.run(),
         Command::Read(command) => command.run(),
         Command::Power(command) => command.run(),
         Command::Contact(command) => command.run(),

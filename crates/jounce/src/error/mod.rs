@@ -24,6 +24,7 @@ use jounce_identification::modal::ModalError;
 use jounce_identification::response::ResponseError;
 use jounce_io::store::StoreError;
 use jounce_io::table::TableError;
+use jounce_model::exchange::ExchangeFaults;
 use jounce_model::linear::RandomError;
 use jounce_model::plant::PlantError;
 use jounce_model::structure::StructureError;
@@ -131,6 +132,9 @@ pub enum Error {
     /// A signal is too short or holds a value that is not finite.
     #[error(transparent)]
     Signal(#[from] SignalError),
+    /// Matrices of another program have faults, or a model has no equivalent circuit.
+    #[error(transparent)]
+    Exchange(#[from] ExchangeFaults),
     /// A virtual test cannot be simulated.
     #[error(transparent)]
     Rig(#[from] RigError),

@@ -1,6 +1,8 @@
 //! Commands on the text of a spec.
 
 pub mod check;
+pub mod export;
+pub mod import;
 pub mod materials;
 pub mod new;
 pub mod show;

@@ -98,6 +98,7 @@ impl From<&Error> for ErrorDetails {
             | Error::Threads(_)
             | Error::Stopped
             | Error::Continuation(_)
+            | Error::Exchange(_)
             | Error::Recording(_) => Self::new("JounceError"),
             Error::ReadRecording(error) => error.into(),
             Error::Arrays(error) => error.into(),

@@ -1,0 +1,90 @@
+//! Import of structures of other programs.
+
+mod files;
+mod options;
+mod result;
+
+pub use options::ImportOptions;
+pub use result::{ImportResult, ImportedMode};
+
+use crate::error::Error;
+use jounce_model::exchange::{ImportSettings, ImportedModes, import_modes};
+use jounce_spec::Modal;
+use std::path::Path;
+
+/// Deviation from orthonormal shapes above which a warning is given.
+const MAX_ORTHOGONALITY: f64 = 1e-8;
+
+/// Damping between modes, relative to that of the modes, above which a warning is given.
+const MAX_DAMPING_COUPLING: f64 = 1e-3;
+
+/// Reduces the matrices in a folder to a structure given by its modes, `[modal.NAME]` of a spec.
+///
+/// The folder holds `mass.mtx` and `stiffness.mtx`; optionally `damping.mtx`, `coupling.mtx` with
+/// `capacitance.mtx`, `conductance.mtx`, `points.mtx`, `base.mtx`; and `names.csv`, which names points
+/// and electrodes. [`crate::Harvester::export`] writes such a folder.
+///
+/// # Errors
+/// [`Error::Exchange`] with all faults of the files; [`Error::Option`].
+///
+/// ```
+/// use jounce::ImportOptions;
+/// let folder = tempfile::tempdir().unwrap();
+/// let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
+/// let head = "%%MatrixMarket matrix coordinate real symmetric";
+/// write("mass.mtx", &format!("{head}\n2 2 2\n1 1 0.5\n2 2 0.5\n"));
+/// write("stiffness.mtx", &format!("{head}\n2 2 3\n1 1 200\n2 1 -100\n2 2 100\n"));
+/// write("names.csv", "kind,index,name\npoint,2,tip\n");
+/// let options = ImportOptions { name: "chain".into(), modes: 1, ..Default::default() };
+/// let result = jounce::import_matrices(folder.path(), &options)?;
+/// // w^2 = (3 - sqrt 5) / 2 k / m
+/// assert!((result.modes[0].frequency_hz - 1.391).abs() < 1e-3);
+/// assert!(result.spec.starts_with("[modal.chain]"));
+/// # Ok::<(), jounce::Error>(())
+/// ```
+pub fn import_matrices(
+    folder: impl AsRef<Path>,
+    options: &ImportOptions,
+) -> Result<ImportResult, Error> {
+    options.check()?;
+    let set = files::read(folder.as_ref())?;
+    let settings = ImportSettings {
+        modes: options.modes,
+        damping_ratio: options.damping_ratio.clone(),
+        mass_unit_kg: options.mass_unit_kg,
+        length_unit_m: options.length_unit_m,
+    };
+    let imported = import_modes(set, &settings)?;
+    Ok(result_of(&imported, &options.name))
+}
+
+fn result_of(imported: &ImportedModes, name: &str) -> ImportResult {
+    let modal: &Modal = &imported.modal;
+    let mode = |k: usize| ImportedMode {
+        frequency_hz: modal.frequency_hz[k],
+        damping_ratio: modal.damping_ratio[k],
+        frequency_error: imported.frequency_error[k],
+    };
+    let mut warnings = Vec::new();
+    if imported.orthogonality > MAX_ORTHOGONALITY {
+        warnings.push(format!(
+            "the shapes are orthonormal in the mass only to {:.1e}; check the units of the matrices",
+            imported.orthogonality
+        ));
+    }
+    if imported.damping_coupling > MAX_DAMPING_COUPLING {
+        warnings.push(format!(
+            "the damping matrix couples modes, by up to {:.2e} of their own damping; the coupling is left out",
+            imported.damping_coupling
+        ));
+    }
+    ImportResult {
+        modes: (0..modal.frequency_hz.len()).map(mode).collect(),
+        points: modal.point.keys().cloned().collect(),
+        electrodes: modal.patch.keys().cloned().collect(),
+        orthogonality: imported.orthogonality,
+        damping_coupling: imported.damping_coupling,
+        spec: modal.to_toml(name),
+        warnings,
+    }
+}
