@@ -98,10 +98,12 @@ class Server:
             [TOMBI, "lsp", "--offline"], cwd=folder, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL
         )
         self.ids = iter(range(1000))
-        self.call("initialize", {"processId": None, "rootUri": folder.as_uri(), "capabilities": {"textDocument": {"publishDiagnostics": {}}}})
+        capabilities = {"textDocument": {"publishDiagnostics": {}}}
+        self.call("initialize", {"processId": None, "rootUri": folder.as_uri(), "capabilities": capabilities})
         self.send({"method": "initialized", "params": {}})
 
     def send(self, message):
+        """Sends a message."""
         body = json.dumps({"jsonrpc": "2.0", **message}).encode()
         self.process.stdin.write(b"Content-Length: %d\r\n\r\n%s" % (len(body), body))
         self.process.stdin.flush()
@@ -119,6 +121,7 @@ class Server:
             self.send({"id": message["id"], "result": None})
 
     def call(self, method, params):
+        """Returns the result of a request."""
         number = next(self.ids)
         self.send({"id": number, "method": method, "params": params})
         while (message := self.receive()).get("id") != number:
@@ -126,6 +129,7 @@ class Server:
         return message["result"]
 
     def open(self, name, text):
+        """Opens a text in the editor and returns its address."""
         uri = (self.folder / name).as_uri()
         document = {"uri": uri, "languageId": "toml", "version": 1, "text": text}
         self.send({"method": "textDocument/didOpen", "params": {"textDocument": document}})
@@ -135,10 +139,12 @@ class Server:
         return uri
 
     def at(self, method, uri, line, character):
+        """Returns the result of a request at a place of a text, counted from 0."""
         position = {"line": line, "character": character}
         return self.call(f"textDocument/{method}", {"textDocument": {"uri": uri}, "position": position})
 
     def close(self):
+        """Ends the server."""
         self.call("shutdown", None)
         self.send({"method": "exit"})
         self.process.communicate(timeout=10)
