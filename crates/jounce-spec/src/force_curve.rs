@@ -87,6 +87,14 @@ impl ForceCurve {
         Some(Self { pieces })
     }
 
+    /// Returns each piece as its start, m, and the coefficients of `s`, `s^2` and `s^3` with which the
+    /// force rises over the distance `s` past the start; the last piece has no end.
+    pub fn pieces(&self) -> impl Iterator<Item = (f64, [f64; 3])> {
+        self.pieces
+            .iter()
+            .map(|piece| (piece.start_m, [piece.slope_n_m, piece.square, piece.cube]))
+    }
+
     /// Returns the force, N; 0 without penetration.
     #[inline]
     pub fn force_n(&self, penetration_m: f64) -> f64 {

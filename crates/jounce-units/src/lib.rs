@@ -24,8 +24,10 @@ mod facts;
 mod printed;
 mod quantity;
 mod symbol;
+mod unit_symbols;
 
 pub use clip::clip;
 pub use decimal::Decimal;
 pub use error::QuantityError;
 pub use quantity::{Quantity, is_unit};
+pub use unit_symbols::UnitSymbols;

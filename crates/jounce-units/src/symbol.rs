@@ -45,7 +45,7 @@ const PLAIN: &[(&[&str], [i8; 5], f64, f64)] = &[
 ];
 
 /// SI prefixes; micro is `u`, the micro sign or the Greek letter.
-const PREFIXES: &[(&str, i32)] = &[
+pub(super) const PREFIXES: &[(&str, i32)] = &[
     ("da", 1),
     ("y", -24),
     ("z", -21),
@@ -82,6 +82,21 @@ impl UnitSymbol {
                 })
             })
         })
+    }
+
+    /// Returns the symbols of a dimension: those that take prefixes, and those that take none.
+    pub(super) fn of_dimension(dimension: Dimension) -> (Vec<&'static str>, Vec<&'static str>) {
+        let fits = |exponents: &[i8; 5]| dimension.is(Dimension::new(*exponents));
+        let prefixed = PREFIXED.iter().filter(|(_, exponents, _)| fits(exponents));
+        let plain = PLAIN.iter().filter(|(_, exponents, ..)| fits(exponents));
+        (
+            prefixed
+                .flat_map(|(names, ..)| names.iter().copied())
+                .collect(),
+            plain
+                .flat_map(|(names, ..)| names.iter().copied())
+                .collect(),
+        )
     }
 
     fn bare(name: &str) -> Option<Self> {

@@ -13,6 +13,8 @@
 
 mod block;
 mod commands;
+mod gallery;
+mod links;
 mod specs;
 
 use block::{Block, blocks};
@@ -92,9 +94,29 @@ fn every_command_works() {
     let faults = by_document.into_par_iter().flat_map_iter(|blocks| {
         let folder = empty_folder(&blocks[0].document.replace('/', "-"));
         commands::copy(&root().join("examples"), &folder.join("examples"));
-        blocks
+        let mut faults: Vec<String> = blocks
             .iter()
-            .flat_map(move |block| commands::faults(block, &folder))
+            .flat_map(|block| commands::faults(block, &folder))
+            .collect();
+        if blocks[0].document == gallery::PAGE {
+            faults.extend(gallery::faults(&folder));
+        }
+        faults
+    });
+    assert_none(faults.collect());
+}
+
+#[test]
+fn every_link_leads_somewhere_and_every_picture_has_alternative_text() {
+    let read = |document: &String| {
+        std::fs::read_to_string(root().join(document)).expect("documents are UTF-8")
+    };
+    let faults = documents().into_iter().flat_map(|document| {
+        let links = links::links(&read(&document));
+        links
+            .iter()
+            .filter_map(|link| links::fault(&document, link))
+            .collect::<Vec<_>>()
     });
     assert_none(faults.collect());
 }

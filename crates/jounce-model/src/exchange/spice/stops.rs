@@ -3,6 +3,7 @@
 use super::resonators::{coordinate, sum};
 use crate::contact::Law;
 use crate::plant::{Stop, System};
+use jounce_spec::ForceCurve;
 
 /// Penetration, rate and force of each stop, each as the voltage of a node.
 pub(super) fn stops(system: &System) -> Vec<String> {
@@ -50,7 +51,26 @@ fn force(stop: &Stop, number: usize) -> String {
             "{depth}*({:e} + ({:e})*{depth}*{depth})",
             law.stiffness_n_m, law.cubic_stiffness_n_m3
         ),
+        Law::Table(law) => {
+            let elastic = rises(law.curve(), &depth);
+            format!("({elastic})*max(1 + {:e}*{rate},0)", law.damping_s_m())
+        }
         // Refused before.
         Law::Rigid(_) => "0".to_owned(),
     }
+}
+
+/// A force curve as the sum of its rises over the pieces, one piece on a line.
+fn rises(curve: &ForceCurve, depth: &str) -> String {
+    let pieces: Vec<(f64, [f64; 3])> = curve.pieces().collect();
+    let rise = |(index, (start_m, [c1, c2, c3])): (usize, &(f64, [f64; 3]))| {
+        let past = format!("max({depth} - {start_m:e},0)");
+        let past = match pieces.get(index + 1) {
+            Some((end_m, _)) => format!("min({past},{:e})", end_m - start_m),
+            None => past,
+        };
+        format!("{past}*({c1:e} + {past}*(({c2:e}) + {past}*({c3:e})))")
+    };
+    let terms: Vec<String> = pieces.iter().enumerate().map(rise).collect();
+    terms.join("\n+ + ")
 }
