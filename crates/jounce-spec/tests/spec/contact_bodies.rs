@@ -185,7 +185,7 @@ const INVALID: &[(&str, &[&str])] = &[
 fn invalid_bodies_are_reported() {
     for (keys, messages) in INVALID {
         let found = faults(keys);
-        for message in messages {
+        for message in *messages {
             assert!(found.contains(message), "{keys}\n{found}");
         }
         assert_eq!(found.lines().count(), messages.len(), "{keys}\n{found}");
