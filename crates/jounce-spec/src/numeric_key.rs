@@ -235,18 +235,8 @@ fn no_number(spec: &Spec, path: &str) -> String {
         .rsplit_once('.')
         .map(|(list, _)| (list, listed(spec, list)))
         .filter(|(_, count)| *count > 0);
-    let of_bodies = |stop: &str| {
-        spec.stop
-            .get(stop)
-            .is_some_and(|stop| stop.bodies.is_some())
-    };
-    if let ["stop", stop, "stiffness"] = segments(path)[..]
-        && of_bodies(stop)
-    {
-        return "this stiffness follows from the bodies; vary `radius`, `youngs_modulus` or another of their keys".to_owned();
-    }
     match (listed(spec, path), above) {
-        (0, None) => "this spec has no key with a number here".to_owned(),
+        (0, None) => super::keys::no_number(spec, path).to_owned(),
         (0, Some((list, count))) => beyond(list, count),
         (count, _) => format!("this is a list; {}", one_of(path, count)),
     }

@@ -2,7 +2,7 @@
 
 use super::stop_law::set_stiffness;
 use crate::material;
-use crate::{BodyShape, ContactBodies, ContactBody, Stop};
+use crate::{BodyShape, ContactBodies, ContactBody, Spec, Stop};
 
 pub(super) const SHAPES: &[&str] = &["sphere", "cylinder", "ellipsoid"];
 
@@ -20,6 +20,22 @@ pub(super) fn set(stop: &mut Stop, change: impl FnOnce(&mut ContactBodies)) {
     change(bodies);
     if let Some(stiffness) = bodies.stiffness() {
         set_stiffness(&mut stop.law, stiffness);
+    }
+}
+
+/// Returns why a spec has no number at a path: the stiffness of a stop may follow from its bodies.
+pub(crate) fn no_number(spec: &Spec, path: &str) -> &'static str {
+    let stop = path
+        .strip_prefix("stop.")
+        .and_then(|path| path.strip_suffix(".stiffness"));
+    if stop.is_some_and(|name| {
+        spec.stop
+            .get(name)
+            .is_some_and(|stop| stop.bodies.is_some())
+    }) {
+        "this stiffness follows from the bodies; vary `radius`, `youngs_modulus` or another of their keys"
+    } else {
+        "this spec has no key with a number here"
     }
 }
 

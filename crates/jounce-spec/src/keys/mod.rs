@@ -16,6 +16,8 @@ mod settings;
 mod stop;
 mod stop_law;
 
+pub(super) use contact_bodies::no_number;
+
 use super::Spec;
 use super::key::{Key, Kind, Named, Single, Slot};
 
