@@ -2,11 +2,12 @@
 
 use thiserror::Error;
 
-/// Why a matrix cannot be used, or why its modes were not found. Rows and columns count from 0.
+/// Why a matrix cannot be used, or why its modes were not found. Rows and columns of fields
+/// count from 0, those of messages from 1, as in files.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum SparseError {
     /// An index is not below the size.
-    #[error("entry ({row}, {column}) lies outside the {size} x {size} matrix")]
+    #[error("entry ({}, {}) lies outside the {size} x {size} matrix", .row + 1, .column + 1)]
     OutOfRange {
         /// Row of the entry.
         row: usize,
@@ -16,7 +17,7 @@ pub enum SparseError {
         size: usize,
     },
     /// An entry is infinite or not a number.
-    #[error("entry ({row}, {column}) is {value}; it must be finite")]
+    #[error("entry ({}, {}) is {value}; it must be finite", .row + 1, .column + 1)]
     NotFinite {
         /// Row of the entry.
         row: usize,
@@ -27,7 +28,9 @@ pub enum SparseError {
     },
     /// An entry differs from that of the transpose by more than roundoff.
     #[error(
-        "the matrix is not symmetric: entry ({row}, {column}) is {value}, but entry ({column}, {row}) is {transposed}"
+        "the matrix is not symmetric: entry ({0}, {1}) is {value}, but entry ({1}, {0}) is {transposed}",
+        .row + 1,
+        .column + 1
     )]
     NotSymmetric {
         /// Row of the entry.
@@ -83,7 +86,8 @@ pub enum SparseError {
     },
     /// A pivot is zero: neither matrix acts on a degree of freedom, or a shift is an eigenvalue.
     #[error(
-        "the matrix is singular at row {row}: neither stiffness nor mass acts on this degree of freedom alone or on a motion that includes it"
+        "the matrix is singular at row {}: neither stiffness nor mass acts on this degree of freedom, or on a motion that includes it",
+        .row + 1
     )]
     Singular {
         /// Row with the vanishing pivot.

@@ -275,11 +275,11 @@ mod tests {
                 .unwrap_err()
                 .to_string()
         };
-        assert!(fault(&[(0, 2, 1.0)]).contains("(0, 2) lies outside the 2 x 2"));
-        assert!(fault(&[(1, 0, f64::NAN)]).contains("(1, 0) is NaN"));
+        assert!(fault(&[(0, 2, 1.0)]).contains("(1, 3) lies outside the 2 x 2"));
+        assert!(fault(&[(1, 0, f64::NAN)]).contains("(2, 1) is NaN"));
         let text = fault(&[(0, 1, 1.0), (1, 0, 1.0001), (0, 0, 2.0)]);
         assert!(
-            text.contains("entry (0, 1) is 1, but entry (1, 0) is 1.0001"),
+            text.contains("entry (1, 2) is 1, but entry (2, 1) is 1.0001"),
             "{text}"
         );
         let rounded = [(0, 1, 1.0), (1, 0, 1.0 + 1e-13), (0, 0, 2.0)];

@@ -3,6 +3,7 @@
 use jounce::{
     BranchOptions, Error, ExportOptions, Harvester, ImportOptions, RunOptions, import_matrices,
 };
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -145,6 +146,23 @@ fn faults_name_the_files() -> Result<(), Error> {
     expected
         .iter()
         .for_each(|part| assert!(text.contains(part), "{part} in {text}"));
+    Ok(())
+}
+
+/// Options out of range, and files that are not the matrices of a structure.
+#[test]
+fn faults_of_options_and_contents() -> Result<(), Error> {
+    let folder = tempfile::tempdir().expect("a folder");
+    let message = |options: &ImportOptions| match import_matrices(folder.path(), options) {
+        Ok(_) => "no error".to_owned(),
+        Err(error) => error.to_string(),
+    };
+    let write =
+        |name: &str, text: &str| std::fs::write(folder.path().join(name), text).expect("a file");
+    let options = ImportOptions {
+        modes: 2,
+        ..Default::default()
+    };
     let none = ImportOptions {
         modes: 0,
         ..Default::default()
@@ -164,7 +182,7 @@ fn faults_name_the_files() -> Result<(), Error> {
     write("mass.mtx", &head.replace("0.4", "0.5"));
     let text = message(&options);
     assert!(
-        text.contains("stiffness: the matrix is not symmetric: entry (0, 1)"),
+        text.contains("stiffness: the matrix is not symmetric: entry (1, 2)"),
         "{text}"
     );
     Ok(())
@@ -174,7 +192,9 @@ fn faults_name_the_files() -> Result<(), Error> {
 #[test]
 fn circuit_has_the_same_power() -> Result<(), Error> {
     if Command::new("ngspice").arg("--version").output().is_err() {
-        println!("SKIPPED: ngspice is not installed (on Debian and Ubuntu: apt install ngspice)");
+        // Written past the capture of the output of tests.
+        let text = "SKIPPED: ngspice is not installed (on Debian and Ubuntu: apt install ngspice)";
+        let _ = writeln!(std::io::stderr(), "{text}");
         return Ok(());
     }
     let folder = tempfile::tempdir().expect("a folder");
