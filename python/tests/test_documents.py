@@ -57,3 +57,12 @@ def test_the_reference_equals_the_docstrings():
     generated = subprocess.run([sys.executable, "-P", ROOT / "python/reference.py"], capture_output=True, text=True, check=True).stdout
     stored = (ROOT / "book/src/python-reference.md").read_text(encoding="utf-8")
     assert stored == generated, "make it again: python -P python/reference.py > book/src/python-reference.md"
+
+
+def test_citation_changelog_and_sources_have_one_version():
+    def version(name, pattern):
+        return re.search(pattern, (ROOT / name).read_text(encoding="utf-8"), re.MULTILINE)[1]
+
+    cargo = version("Cargo.toml", r'^version = "(.*)"$')
+    assert version("CITATION.cff", r"^version: (.*)$") == cargo
+    assert version("CHANGELOG.md", r"^## \[(.*)\]") == cargo
