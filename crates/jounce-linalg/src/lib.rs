@@ -29,6 +29,7 @@ pub use factors::{
 pub use lu::LuFactors;
 pub use slices::{
     add_gram, add_transposed_product, column, column_mut, distance, norm, row_product,
+    subtract_lower_product,
 };
 pub use solve::{
     complex_inverse, complex_solve, determinant, inverse, inverse_fully_pivoted, positive_inverse,

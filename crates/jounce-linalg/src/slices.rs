@@ -59,6 +59,20 @@ pub fn add_transposed_product(
     }
 }
 
+/// Columns per product of [`subtract_lower_product`], so that little is computed above the diagonal.
+const STRIP: usize = 64;
+
+/// Subtracts `A B` from the lower triangle of the block of a square matrix that begins at row and
+/// column `start`; entries above the diagonal of the block lose their meaning.
+pub fn subtract_lower_product(matrix: &mut Mat<f64>, start: usize, a: &Mat<f64>, b: &Mat<f64>) {
+    let rows = a.nrows();
+    for j in (0..rows).step_by(STRIP) {
+        let columns = STRIP.min(rows - j);
+        let mut strip = matrix.view_mut((start + j, start + j), (rows - j, columns));
+        strip.gemm(-1.0, &a.rows(j, rows - j), &b.columns(j, columns), 1.0);
+    }
+}
+
 fn dot(a: &[f64], b: &[f64]) -> f64 {
     let [a, b] = [a, b].map(|slice| DVectorView::from_slice(slice, slice.len()));
     a.dot(&b)
@@ -67,6 +81,19 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Several strips, compared with the product of the complete matrices.
+    #[test]
+    fn lower_triangles_of_products() {
+        let a = Mat::from_fn(150, 7, |i, j| ((i * 7 + j * 3) % 11) as f64 - 5.0);
+        let b = a.transpose();
+        let mut matrix = Mat::from_element(152, 152, 1.0);
+        subtract_lower_product(&mut matrix, 2, &a, &b);
+        let product = &a * &b;
+        let differs = |i: usize, j: usize| matrix[(i + 2, j + 2)] != 1.0 - product[(i, j)];
+        assert!(!(0..150).any(|i| (0..=i).any(|j| differs(i, j))));
+        assert_eq!(matrix[(151, 1)], 1.0);
+    }
 
     /// Compares with products of whole matrices.
     #[test]
