@@ -248,44 +248,48 @@ impl<'a> Krylov<'a> {
 
 /// Column `column` of blocks of the diagonal matrix of `theta`, down to the diagonal.
 fn diagonal_column(ritz: &Ritz, column: usize) -> Vec<Small> {
-    let mut blocks = vec![[[0.0; LANES]; LANES]; column + 1];
-    for lane in 0..LANES {
-        blocks[column][lane][lane] = ritz
-            .theta
+    let theta = |lane: usize| {
+        ritz.theta
             .get(LANES * column + lane)
             .copied()
-            .unwrap_or(0.0);
-    }
-    blocks
+            .unwrap_or(0.0)
+    };
+    let entry = |i: usize, j: usize| if i == j { theta(i) } else { 0.0 };
+    let diagonal = std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)));
+    let zeros = std::iter::repeat_n([[0.0; LANES]; LANES], column);
+    zeros.chain([diagonal]).collect()
 }
 
 /// For the products `G = W^T M W`: the upper triangular `S` with `S^T G S = 1`, the square of the
 /// smallest sine between a vector and those before it, and the vectors that depend on those before
 /// them. Their columns of `S` are zero.
 fn inverse_factor(products: &Small, size: &[f64; LANES]) -> (Small, f64, [bool; LANES]) {
-    let mut inverse = [[0.0; LANES]; LANES];
+    let product = |a: &[f64; LANES], b: &[f64; LANES]| -> f64 {
+        let row = |i: usize| a[i] * (0..LANES).map(|j| products[i][j] * b[j]).sum::<f64>();
+        (0..LANES).map(row).sum()
+    };
+    let mut columns = [[0.0; LANES]; LANES];
     let mut dependent = [false; LANES];
     let mut smallest_sine: f64 = 1.0;
-    for column in 0..LANES {
-        // Gram-Schmidt on coefficients: `s` = unit vector minus its parts along the columns before.
-        let mut s = [0.0; LANES];
-        s[column] = 1.0;
-        for before in 0..column {
-            let along: f64 = (0..LANES)
-                .map(|i| inverse[i][before] * products[i][column])
-                .sum();
-            (0..LANES).for_each(|i| s[i] -= along * inverse[i][before]);
+    for lane in 0..LANES {
+        // Gram-Schmidt on coefficients: a unit vector minus its parts along the columns before.
+        let unit: [f64; LANES] = std::array::from_fn(|i| f64::from(u8::from(i == lane)));
+        let mut rest = unit;
+        for before in &columns[..lane] {
+            let along = product(before, &unit);
+            rest.iter_mut()
+                .zip(before)
+                .for_each(|(rest, entry)| *rest -= along * entry);
         }
-        let times = |i: usize| -> f64 { (0..LANES).map(|j| products[i][j] * s[j]).sum() };
-        let square: f64 = (0..LANES).map(|i| s[i] * times(i)).sum();
-        let whole = products[column][column];
-        dependent[column] = whole.partial_cmp(&(DEPENDENT * size[column]).powi(2))
-            != Some(std::cmp::Ordering::Greater)
-            || square <= DEPENDENT * whole;
-        if !dependent[column] {
-            smallest_sine = smallest_sine.min(square / whole);
-            (0..LANES).for_each(|i| inverse[i][column] = s[i] / square.sqrt());
+        let (complete, square) = (products[lane][lane], product(&rest, &rest));
+        let roundoff = (DEPENDENT * size[lane]).powi(2);
+        dependent[lane] =
+            complete.is_nan() || complete <= roundoff || square <= DEPENDENT * complete;
+        if !dependent[lane] {
+            smallest_sine = smallest_sine.min(square / complete);
+            columns[lane] = rest.map(|entry| entry / square.sqrt());
         }
     }
+    let inverse = std::array::from_fn(|i| columns.map(|column| column[i]));
     (inverse, smallest_sine, dependent)
 }

@@ -36,6 +36,7 @@ mod factor;
 mod lanczos;
 mod matrix;
 mod modes;
+mod uncoupled;
 
 pub use error::SparseError;
 pub use factor::{Factor, Symbolic};

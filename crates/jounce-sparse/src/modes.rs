@@ -3,6 +3,7 @@
 use crate::block::{Block, LANES, gram};
 use crate::factor::{Factor, Symbolic};
 use crate::lanczos::{Krylov, Ritz};
+use crate::uncoupled::uncoupled_modes;
 use crate::{SparseError, SymmetricMatrix};
 use jounce_linalg::Mat;
 
@@ -43,7 +44,7 @@ pub struct LowestModes {
     /// Bound of the error of each eigenvalue without that of roundoff in the solution: an eigenvalue
     /// lies within it.
     pub error_bound: Vec<f64>,
-    /// Shift of the iteration, negative.
+    /// Shift of the iteration, negative; 0 for diagonal matrices, which need none.
     pub shift: f64,
     /// Number of systems of equations solved.
     pub solves: usize,
@@ -69,6 +70,9 @@ pub fn lowest_modes(
     tolerance: f64,
 ) -> Result<LowestModes, SparseError> {
     let problem = Problem::new(stiffness, mass)?;
+    if let Some(modes) = uncoupled_modes(stiffness, mass, count) {
+        return modes;
+    }
     if count == 0 {
         return Ok(LowestModes {
             eigenvalue: Vec::new(),

@@ -49,14 +49,32 @@ fn sizes_must_agree() {
     );
 }
 
-/// A degree of freedom with neither mass nor stiffness.
+/// Diagonal matrices need no iteration, and have the same faults.
+#[test]
+fn uncoupled_degrees_of_freedom() {
+    let modes = |stiffness: &[f64], masses: &[f64], count| {
+        lowest_modes(&diagonal(stiffness), &diagonal(masses), count, 1e-9)
+    };
+    let found = modes(&[8.0, 0.0, 3.0], &[4.0, 1.0, 0.0], 2).unwrap();
+    assert_eq!(found.eigenvalue, [0.0, 2.0]);
+    assert_eq!(found.shape.column(1).as_slice(), [0.5, 0.0, 0.0]);
+    assert!(modes(&[8.0, 0.0, 3.0], &[4.0, 1.0, 0.0], 3).is_err());
+    let negative = modes(&[-1.0, 1.0], &[1.0, 1.0], 1);
+    assert_eq!(
+        negative,
+        Err(SparseError::IndefiniteStiffness { negative: 1 })
+    );
+    let negative = modes(&[1.0, 1.0], &[1.0, -1.0], 1);
+    assert_eq!(negative, Err(SparseError::IndefiniteMass { negative: 1 }));
+}
+
+/// A degree of freedom with neither mass nor stiffness, in uncoupled and in coupled matrices.
 #[test]
 fn empty_rows_are_singular() {
-    let stiffness = chain()
-        .row(0)
-        .next()
-        .map(|_| diagonal(&[1.0, 0.0, 2.0]))
-        .unwrap();
-    let error = lowest_modes(&stiffness, &diagonal(&[1.0, 0.0, 1.0]), 1, 1e-9).unwrap_err();
-    assert_eq!(error, SparseError::Singular { row: 1 });
+    let coupled = [(0, 0, 1.0), (2, 0, 0.1), (2, 2, 1.0)];
+    let coupled = SymmetricMatrix::from_lower(3, coupled).unwrap();
+    for stiffness in [diagonal(&[1.0, 0.0, 2.0]), coupled] {
+        let error = lowest_modes(&stiffness, &diagonal(&[1.0, 0.0, 1.0]), 1, 1e-9).unwrap_err();
+        assert_eq!(error, SparseError::Singular { row: 1 });
+    }
 }

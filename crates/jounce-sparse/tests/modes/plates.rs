@@ -8,7 +8,6 @@
 use super::check;
 use jounce_sparse::{SymmetricMatrix, lowest_modes};
 use std::f64::consts::PI;
-use std::time::Instant;
 
 type Dense = Vec<Vec<f64>>;
 
@@ -20,43 +19,14 @@ fn one_direction(elements: usize, is_supported: bool) -> [Dense; 3] {
         let place = |i: usize, j: usize| [0, 4, 7, 9][i.min(j)] + i.abs_diff(j);
         std::array::from_fn(|i| std::array::from_fn(|j| factor * e[place(i, j)]))
     };
-    let h2 = h * h;
-    let mass = [
-        156.0,
-        22.0 * h,
-        54.0,
-        -13.0 * h,
-        4.0 * h2,
-        13.0 * h,
-        -3.0 * h2,
-        156.0,
-        -22.0 * h,
-        4.0 * h2,
-    ];
-    let slope = [
-        36.0,
-        3.0 * h,
-        -36.0,
-        3.0 * h,
-        4.0 * h2,
-        -3.0 * h,
-        -h2,
-        36.0,
-        -3.0 * h,
-        4.0 * h2,
-    ];
-    let bending = [
-        12.0,
-        6.0 * h,
-        -12.0,
-        6.0 * h,
-        4.0 * h2,
-        -6.0 * h,
-        2.0 * h2,
-        12.0,
-        -6.0 * h,
-        4.0 * h2,
-    ];
+    // Upper triangles for a unit element, with a factor h for each slope.
+    let scaled = |e: [f64; 10]| {
+        let slopes = [0, 1, 0, 1, 2, 1, 2, 0, 1, 2];
+        std::array::from_fn(|k| e[k] * h.powi(slopes[k]))
+    };
+    let mass = scaled([156.0, 22.0, 54.0, -13.0, 4.0, 13.0, -3.0, 156.0, -22.0, 4.0]);
+    let slope = scaled([36.0, 3.0, -36.0, 3.0, 4.0, -3.0, -1.0, 36.0, -3.0, 4.0]);
+    let bending = scaled([12.0, 6.0, -12.0, 6.0, 4.0, -6.0, 2.0, 12.0, -6.0, 4.0]);
     let all = 2 * (elements + 1);
     let kept: Vec<usize> = (0..all)
         .filter(|i| !is_supported || ![0, all - 2].contains(i))
@@ -139,15 +109,14 @@ fn free_plate() {
     assert_eq!(bending.count(), 2, "{:?}", modes.eigenvalue);
 }
 
-/// 100,000 degrees of freedom: at most 10 s on one core.
+/// 100,000 degrees of freedom: 7 s and 0.7 GB on one core in November 2026. The work is bounded here.
 #[test]
+#[ignore = "takes ten seconds"]
 fn large_plate() {
     let (stiffness, mass) = plate(158, true);
     assert_eq!(stiffness.size(), 99_856);
-    let start = Instant::now();
     let modes = lowest_modes(&stiffness, &mass, 20, 1e-8).unwrap();
-    let wall_s = start.elapsed().as_secs_f64();
-    println!("{wall_s} s, {} solves, shift {}", modes.solves, modes.shift);
+    assert!(modes.solves <= 110, "{}", modes.solves);
     for (value, exact) in modes.eigenvalue.iter().zip(supported_eigenvalues(20)) {
         assert!((value / exact - 1.0).abs() < 1e-6, "{value} for {exact}");
     }
