@@ -28,6 +28,8 @@ pub struct Material {
     pub name: &'static str,
     /// Young's modulus along the beam, at short circuit, Pa.
     pub youngs_modulus_pa: f64,
+    /// Poisson's ratio of an isotropic material, for contacts.
+    pub poisson_ratio: Option<f64>,
     /// Density, kg/m^3.
     pub density_kg_m3: f64,
     /// Largest recommended strain along the beam, dimensionless.
@@ -50,6 +52,9 @@ pub struct Active {
     pub permittivity_f_m: f64,
     /// Distance between interdigitated electrodes, m; `None` for electrodes on the two faces.
     pub electrode_spacing_m: Option<f64>,
+    /// Poisson's ratio in the plane of the electrodes at short circuit, `-s12E / s11E`, for plates;
+    /// `None` where it is not known.
+    pub in_plane_poisson_ratio: Option<f64>,
 }
 
 /// Piezoelectric ceramic or film with electrodes on its two faces.

@@ -7,6 +7,7 @@ mod examples;
 mod fuzz;
 mod overlap;
 mod overrides;
+mod plates;
 mod pores;
 mod random;
 mod recordings;

@@ -20,8 +20,11 @@ impl Materials {
             return Ok(());
         }
         for material in jounce::materials() {
+            let ratio = material
+                .poisson_ratio
+                .map_or_else(String::new, |ratio| format!(", Poisson's ratio {ratio}"));
             line(format!(
-                "{}: {} GPa, {} kg/m^3",
+                "{}: {} GPa{ratio}, {} kg/m^3",
                 material.name,
                 decimals(material.youngs_modulus_pa / 1e9),
                 material.density_kg_m3
