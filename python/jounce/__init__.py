@@ -21,7 +21,7 @@ if _TYPE_CHECKING:
     from ._contact import ContactResult, Pulse, contact
     from ._design import DesignResult
     from ._diagram import DiagramResult
-    from ._elements import Beam, Circuit, Damping, Drive, Gravity, Layer, Mass, Modal, Patch, Reduction, Run, Stop
+    from ._elements import Beam, Circuit, Damping, Drive, Gravity, Layer, Mass, Modal, Patch, Plate, Reduction, Run, Stop
     from ._ensemble import EnsembleResult
     from ._errors import (
         ArgumentError,
@@ -121,6 +121,7 @@ __all__ = [
     "NotSettled",
     "OrbitError",
     "Patch",
+    "Plate",
     "PlantError",
     "PointsWithoutResult",
     "PowerResult",
@@ -179,7 +180,7 @@ _MODULES = {
     "_contact": "ContactResult Pulse contact",
     "_design": "DesignResult",
     "_diagram": "DiagramResult",
-    "_elements": "Beam Circuit Damping Drive Gravity Layer Mass Modal Patch Reduction Run Stop",
+    "_elements": "Beam Circuit Damping Drive Gravity Layer Mass Modal Patch Plate Reduction Run Stop",
     "_ensemble": "EnsembleResult",
     "_errors": (
         "ArgumentError ConvergenceError DesignError ExploreError Fault FileError FitError IntegrationError Interrupted "

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Unpack
 if TYPE_CHECKING:
     from . import _tables
 
-__all__ = ["Beam", "Circuit", "Damping", "Drive", "Gravity", "Layer", "Mass", "Modal", "Patch", "Reduction", "Run", "Stop"]
+__all__ = ["Beam", "Circuit", "Damping", "Drive", "Gravity", "Layer", "Mass", "Modal", "Patch", "Plate", "Reduction", "Run", "Stop"]
 
 
 class Element(dict[str, Any]):
@@ -39,8 +39,16 @@ class Beam(Element):
         def __init__(self, **keys: Unpack[_tables.BeamKeys]) -> None: ...
 
 
+class Plate(Element):
+    """Rectangular thin plate with clamped, simply supported or free edges."""
+
+    if TYPE_CHECKING:
+
+        def __init__(self, **keys: Unpack[_tables.PlateKeys]) -> None: ...
+
+
 class Patch(Element):
-    """Piezoelectric patch on a beam."""
+    """Piezoelectric patch on a beam or a plate."""
 
     if TYPE_CHECKING:
 
@@ -48,7 +56,7 @@ class Patch(Element):
 
 
 class Layer(Element):
-    """Passive layer on a face of a beam."""
+    """Passive layer on a face of a beam or a plate."""
 
     if TYPE_CHECKING:
 
@@ -56,7 +64,7 @@ class Layer(Element):
 
 
 class Mass(Element):
-    """Rigid mass: on a spring, fixed to a beam, or free."""
+    """Rigid mass: on a spring, fixed to a beam or a plate, or free."""
 
     if TYPE_CHECKING:
 

@@ -32,6 +32,9 @@ class Material:
     electrode_spacing_m: Annotated[
         float | None, About("distance between interdigitated electrodes; ``None`` for electrodes on the two faces", "m")
     ]
+    in_plane_poisson_ratio: Annotated[
+        float | None, About("Poisson's ratio in the plane of the electrodes at short circuit, for plates; ``None`` where unknown")
+    ]
     source: Annotated[str, About("source of the numbers")]
 
 
@@ -57,7 +60,9 @@ class Materials(Named[Material]):
 
 
 def _material(one: dict[str, Any]) -> Material:
-    active = one.pop("active") or dict.fromkeys(("charge_coefficient_m_per_v", "permittivity_f_m", "electrode_spacing_m"))
+    active = one.pop("active") or dict.fromkeys(
+        ("charge_coefficient_m_per_v", "permittivity_f_m", "electrode_spacing_m", "in_plane_poisson_ratio")
+    )
     limits = one.pop("voltage_limits_v")
     return Material(**one, **active, voltage_limits_v=None if limits is None else (limits[0], limits[1]))
 

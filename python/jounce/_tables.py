@@ -42,6 +42,31 @@ class BeamKeys(TypedDict, total=False):
     point: Mapping[str, Quantity]
 
 
+class PlatePointKeys(TypedDict, total=False):
+    """Keys of a table of a spec: platepoint."""
+
+    x: Required[Quantity]
+    y: Required[Quantity]
+
+
+class PlateKeys(TypedDict, total=False):
+    """Keys of a table of a spec: plate."""
+
+    material: Literal["aluminium", "steel", "brass", "bronze", "silicon"]
+    length: Required[Quantity]
+    width: Required[Quantity]
+    thickness: Required[Quantity]
+    youngs_modulus: Quantity
+    poisson_ratio: float
+    density: Quantity
+    on: str
+    left: Literal["clamped", "simply-supported", "free"]
+    right: Literal["clamped", "simply-supported", "free"]
+    front: Literal["clamped", "simply-supported", "free"]
+    back: Literal["clamped", "simply-supported", "free"]
+    point: Mapping[str, PlatePointKeys]
+
+
 class PatchKeys(TypedDict, total=False):
     """Keys of a table of a spec: patch."""
 
@@ -70,6 +95,8 @@ class PatchKeys(TypedDict, total=False):
     electrodes: Literal["circuit", "open"]
     leakage_resistance: Quantity
     strain_limit: float
+    across_start: Quantity
+    poisson_ratio: float
 
 
 class LayerKeys(TypedDict, total=False):
@@ -85,6 +112,8 @@ class LayerKeys(TypedDict, total=False):
     thickness: Required[Quantity]
     youngs_modulus: Quantity
     density: Quantity
+    across_start: Quantity
+    poisson_ratio: float
 
 
 class MassKeys(TypedDict, total=False):
@@ -231,6 +260,7 @@ class SpecKeys(TypedDict, total=False):
     """Tables of a spec."""
 
     beam: Mapping[str, BeamKeys | _elements.Beam]
+    plate: Mapping[str, PlateKeys | _elements.Plate]
     patch: Mapping[str, PatchKeys | _elements.Patch]
     layer: Mapping[str, LayerKeys | _elements.Layer]
     mass: Mapping[str, MassKeys | _elements.Mass]

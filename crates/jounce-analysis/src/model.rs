@@ -214,6 +214,7 @@ impl Model {
 
 fn same_bodies(a: &Spec, b: &Spec) -> bool {
     a.beam == b.beam
+        && a.plate == b.plate
         && a.patch == b.patch
         && a.layer == b.layer
         && a.mass == b.mass

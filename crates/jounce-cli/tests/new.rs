@@ -39,7 +39,7 @@ fn every_kind_is_listed_checked_integrated_and_drawn() {
     let folder = tempfile::tempdir().unwrap();
     let (_, listing, _) = jounce(folder.path(), &["new"]);
     let kinds = kinds(folder.path());
-    assert_eq!((kinds.len(), listing.lines().count()), (5, 5));
+    assert_eq!((kinds.len(), listing.lines().count()), (6, 6));
     for kind in &kinds {
         let file = format!("{kind}.toml");
         let (code, stdout, stderr) = jounce(folder.path(), &["new", kind, "--out", &file]);

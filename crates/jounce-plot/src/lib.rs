@@ -30,8 +30,9 @@ mod text;
 pub use axis::{Axis, Scale};
 pub use colour::Colour;
 pub use drawing::{
-    Drawing, DrawnBeam, DrawnBody, DrawnCircuit, DrawnContact, DrawnDrive, DrawnElement,
-    DrawnPatch, DrawnPlace, DrawnShape, Grip, GripPart, GripSheet, Rect, Seat,
+    Drawing, DrawnBeam, DrawnBody, DrawnCircuit, DrawnContact, DrawnDrive, DrawnEdge, DrawnElement,
+    DrawnPatch, DrawnPlace, DrawnPlan, DrawnPoint, DrawnRectangle, DrawnShape, Grip, GripPart,
+    GripSheet, Rect, Seat,
 };
 pub use error::PictureError;
 pub use figure::{

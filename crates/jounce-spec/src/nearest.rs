@@ -10,7 +10,7 @@ const MAX_WORD_LENGTH: usize = 64;
 const MAX_CANDIDATES: usize = 2000;
 
 /// Largest number of known words in a message.
-const MAX_LISTED_WORDS: usize = 12;
+const MAX_LISTED_WORDS: usize = 13;
 
 /// Returns the nearest candidate within one edit per three characters, and at least one edit.
 pub(crate) fn nearest<'c>(
@@ -84,7 +84,7 @@ mod tests {
         let names: Vec<String> = (0..20).map(|i| i.to_string()).collect();
         assert_eq!(
             join_words(names.iter().map(String::as_str)),
-            "0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11 and 8 more"
+            "0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12 and 7 more"
         );
     }
 }

@@ -71,7 +71,7 @@ pub fn allowed(model: &Model) -> Vec<(String, LimitedQuantity, LimitUnit, &'stat
             "\"0.2 Hz\"",
         ),
     ];
-    if !model.spec.beam.is_empty() {
+    if !model.spec.beam.is_empty() || !model.spec.plate.is_empty() {
         let sizes = [
             (
                 "mass",

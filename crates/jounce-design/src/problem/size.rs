@@ -1,4 +1,4 @@
-//! Size of a harvester: its beams with what is bonded to them and what they carry.
+//! Size of a harvester: its beams and plates with what is bonded to them and what they carry.
 
 use jounce_analysis::DerivativeKey;
 use jounce_spec::Spec;
@@ -10,11 +10,13 @@ const STEP: f64 = 1e-5;
 /// Size that a limit can name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Size {
-    /// Mass of the beams, patches and layers, and of the masses that beams carry, kg.
+    /// Mass of the beams, plates, patches and layers, and of the masses that beams and plates carry,
+    /// kg.
     Mass,
-    /// Largest distance of the end of a beam from the root of its chain, m.
+    /// Largest distance of the end of a beam from the root of its chain, or longest side of a
+    /// plate, m.
     Length,
-    /// Volume of the beams, patches and layers, m^3.
+    /// Volume of the beams, plates, patches and layers, m^3.
     Volume,
 }
 
@@ -30,11 +32,15 @@ impl Size {
                 let carried = carried.filter(|mass| is_carried(spec, &mass.on));
                 bonded + carried.map(|mass| mass.mass_kg).sum::<f64>()
             }
-            Self::Length => spec
-                .beam
-                .values()
-                .map(|beam| distance_m(spec, &beam.root, spec.beam.len()) + beam.length_m)
-                .fold(0.0, f64::max),
+            Self::Length => {
+                let ends = spec
+                    .beam
+                    .values()
+                    .map(|beam| distance_m(spec, &beam.root, spec.beam.len()) + beam.length_m);
+                let sides = spec.plate.values();
+                let sides = sides.map(|plate| plate.length_m.max(plate.width_m));
+                ends.chain(sides).fold(0.0, f64::max)
+            }
             Self::Volume => volumes(spec).map(|(volume, _)| volume).sum(),
         }
     }
@@ -61,6 +67,10 @@ fn volumes(spec: &Spec) -> impl Iterator<Item = (f64, f64)> + '_ {
         let volume = box_m3(beam.length_m, beam.width_m, beam.thickness_m);
         (volume, beam.density_kg_m3)
     });
+    let plates = spec.plate.values().map(move |plate| {
+        let volume = box_m3(plate.length_m, plate.width_m, plate.thickness_m);
+        (volume, plate.density_kg_m3)
+    });
     let patches = spec.patch.values().flat_map(move |patch| {
         let of = |thickness| box_m3(patch.length_m, patch.width_m, thickness);
         [
@@ -75,10 +85,10 @@ fn volumes(spec: &Spec) -> impl Iterator<Item = (f64, f64)> + '_ {
         let volume = box_m3(layer.length_m, layer.width_m, layer.thickness_m);
         (volume, layer.density_kg_m3)
     });
-    beams.chain(patches).chain(layers)
+    beams.chain(plates).chain(patches).chain(layers)
 }
 
-/// True where a support is a point of a beam, or a mass that a beam carries.
+/// True where a support is a point of a beam or a plate, or a mass that a beam carries.
 fn is_carried(spec: &Spec, support: &str) -> bool {
     let mut support = support;
     for _ in 0..=spec.mass.len() {
@@ -87,7 +97,7 @@ fn is_carried(spec: &Spec, support: &str) -> bool {
             None => break,
         }
     }
-    beam_of(spec, support).is_some()
+    beam_of(spec, support).is_some() || spec.plate_point(support).is_some()
 }
 
 /// Returns the beam of a point, and the distance of the point from its root, m.

@@ -15,7 +15,9 @@ pub enum StructureError {
         allowed: &'static str,
     },
     /// The support of a beam or a mass does not exist.
-    #[error("{place} is \"{found}\"; it must be the point of a beam or one of ({known})")]
+    #[error(
+        "{place} is \"{found}\"; it must be the point of a beam, for a mass also of a plate, or one of ({known})"
+    )]
     UnknownSupport {
         /// Key path, `"beam.arm.root"`.
         place: String,
@@ -46,14 +48,14 @@ pub enum StructureError {
         /// Name of the mass.
         mass: String,
     },
-    /// The beam of a patch does not exist.
-    #[error("{place}.on is \"{beam}\"; it must be the name of a beam ({beams})")]
+    /// The beam or plate of a patch does not exist.
+    #[error("{place}.on is \"{beam}\"; it must be the name of a beam or a plate ({beams})")]
     UnknownBeam {
         /// Key path of the patch or layer.
         place: String,
-        /// Beam in the spec.
+        /// Beam or plate in the spec.
         beam: String,
-        /// Existing beams.
+        /// Existing beams and plates.
         beams: String,
     },
     /// A patch does not lie within its beam.
@@ -168,6 +170,21 @@ pub enum StructureError {
         tolerance: f64,
         /// A tolerance that is attainable.
         suggestion: f64,
+    },
+    /// Refinement of a plate ended before its frequencies converged.
+    #[error(
+        "the frequencies of plate.{plate} still change by {change:e} (relative) with {unknowns} unknowns, more than {tolerance:e}; \
+         retain fewer modes, move patch edges that nearly coincide apart or together, or set reduction.mesh_tolerance to {:e}", 2.0 * change
+    )]
+    PlateNotConverged {
+        /// Name of the plate.
+        plate: String,
+        /// Largest relative change of a retained frequency in the last refinement.
+        change: f64,
+        /// Number of unknowns of the last refinement.
+        unknowns: usize,
+        /// Required relative change.
+        tolerance: f64,
     },
     /// The mesh has more unknowns than this solver allows.
     #[error(

@@ -1,11 +1,11 @@
-//! Mass-normalised modes of beams, masses and supports.
+//! Mass-normalised modes of beams, plates, masses and supports.
 //!
 //! The files in `beam`, `assembly` and `modes`, in the order of the computation: [`section`]
 //! (layers to `EI`, mass and neutral axis), `layout` (a beam cut into segments), `mesh` and
 //! `element` (segments divided into polynomials), `body`, `placement` and `assembly` (connected
 //! structures in strain coordinates), `reduction` (the eigenproblem), `solution` and `refinement`
 //! (all bodies, until converged), then `damping`, `assembled`, `user` and `merge` (one list of
-//! [`Modes`]) and `along` (figures).
+//! [`Modes`]) and `along` (figures). `plate` holds the finite elements of plates.
 //!
 //! ```text
 //! (EI w'')'' + m w_tt = 0    on each segment of constant EI (N m^2) and m (kg/m); w the displacement, m
@@ -24,6 +24,7 @@ mod assembly;
 mod beam;
 mod error;
 mod modes;
+mod plate;
 
 pub use beam::section;
 pub use error::StructureError;
@@ -31,8 +32,11 @@ pub use modes::along::BeamShape;
 pub use modes::{Modes, PatchModes};
 
 use assembly::refinement::{refined, relative_change};
-use assembly::solution::Structures;
+use assembly::solution::{StructureSolution, Structures};
 use jounce_spec::Spec;
+use modes::assembled::{assembled_modes, mass_modes};
+use modes::damping::damping_ratios;
+use modes::merge::{ModeOrder, merged};
 use std::collections::BTreeMap;
 
 /// Returns the modes of a harvester: `reduction.modes` of its assembled structures, and all modes
@@ -47,6 +51,7 @@ use std::collections::BTreeMap;
 /// [`StructureError`], with the place and the value in the spec.
 ///
 /// # Limits
+/// Thin plates (no shear), one mesh per plate; frequencies of plates have at most four digits.
 /// Slender beams (no shear, no rotary inertia except that of fixed masses), small deflections, at
 /// most 200 modes.
 pub fn modes(spec: &Spec) -> Result<Modes, StructureError> {
@@ -62,8 +67,7 @@ pub fn modes(spec: &Spec) -> Result<Modes, StructureError> {
 pub fn modes_holding(spec: &Spec, fixed_masses: &[String]) -> Result<Modes, StructureError> {
     let structures = Structures::new(spec, fixed_masses)?;
     let (solution, error) = refined(&structures, spec.reduction.mesh_tolerance)?;
-    let assembled = modes::assembled::assembled_modes(spec, fixed_masses, &solution, error)?;
-    with_user_modes(spec, assembled).map(|(_, modes)| modes)
+    SpecModes::new(spec, fixed_masses, &structures, &solution, error).map(|all| all.modes)
 }
 
 /// Returns the modes on a plain mesh of cubic elements of at most `longest_element_m`, as most
@@ -82,8 +86,7 @@ pub fn modes_on_cubic_mesh(
     let (converged, _) = refined(&structures, spec.reduction.mesh_tolerance)?;
     let solution = structures.solve(&structures.cubic_mesh(longest_element_m)?)?;
     let error = relative_change(&solution.frequency_rad_s(), &converged.frequency_rad_s());
-    let assembled = modes::assembled::assembled_modes(spec, fixed_masses, &solution, error)?;
-    with_user_modes(spec, assembled).map(|(_, modes)| modes)
+    SpecModes::new(spec, fixed_masses, &structures, &solution, error).map(|all| all.modes)
 }
 
 /// Returns the mode shapes along every beam at `samples` equidistant places, with the modes in the
@@ -99,26 +102,62 @@ pub fn shapes_along_beams(
     let structures = Structures::new(spec, fixed_masses)?;
     let (solution, error) = refined(&structures, spec.reduction.mesh_tolerance)?;
     let mut shapes = modes::along::beam_shapes(&solution, samples);
-    let assembled = modes::assembled::assembled_modes(spec, fixed_masses, &solution, error)?;
-    let (order, _) = with_user_modes(spec, assembled)?;
+    let all = SpecModes::new(spec, fixed_masses, &structures, &solution, error)?;
     for shape in shapes.values_mut() {
         shape.shape = shape
             .shape
             .iter()
-            .map(|values| order.spread(0, values))
+            .map(|values| all.spread(values))
             .collect();
     }
     Ok(shapes)
 }
 
-/// Merges the assembled modes (part 0) with the modes of every `[modal.NAME]`.
-fn with_user_modes(
-    spec: &Spec,
-    assembled: Modes,
-) -> Result<(modes::merge::ModeOrder, Modes), StructureError> {
-    let mut parts = vec![assembled];
-    for (name, modal) in &spec.modal {
-        parts.push(modes::user::user_modes(name, modal)?);
+/// Modes of a spec, and the origin of each.
+struct SpecModes {
+    modes: Modes,
+    /// Merges the modes of the bodies (part 0) with those of the plates.
+    with_plates: ModeOrder,
+    /// Merges these (part 0) with the modes of every `[modal.NAME]`.
+    with_user_modes: ModeOrder,
+}
+
+impl SpecModes {
+    /// Adds the plates to the solved bodies, retains the lowest modes, sets their damping ratios,
+    /// and adds the modes defined in the spec.
+    fn new(
+        spec: &Spec,
+        fixed_masses: &[String],
+        structures: &Structures,
+        solution: &StructureSolution,
+        error: Vec<f64>,
+    ) -> Result<Self, StructureError> {
+        let mut parts = vec![assembled_modes(spec, fixed_masses, solution, error)?];
+        parts.extend(plate::plate_modes(spec, structures.retained)?);
+        let (with_plates, assembled) = merged(&parts);
+        let with_plates = with_plates.first(structures.retained);
+        let mut assembled = assembled.first(structures.retained);
+        let of_masses: Vec<_> = mass_modes(solution)
+            .into_iter()
+            .filter_map(|(mode, ratio)| Some((with_plates.index_of(0, mode)?, ratio)))
+            .collect();
+        assembled.damping_ratio =
+            damping_ratios(&assembled.frequency_rad_s, &of_masses, &spec.damping)?;
+        let mut parts = vec![assembled];
+        for (name, modal) in &spec.modal {
+            parts.push(modes::user::user_modes(name, modal)?);
+        }
+        let (with_user_modes, modes) = merged(&parts);
+        Ok(Self {
+            modes,
+            with_plates,
+            with_user_modes,
+        })
     }
-    Ok(modes::merge::merged(&parts))
+
+    /// Distributes one value per mode of the bodies over all modes.
+    fn spread(&self, values: &[f64]) -> Vec<f64> {
+        let with_plates = self.with_plates.spread(0, values);
+        self.with_user_modes.spread(0, &with_plates)
+    }
 }

@@ -19,6 +19,7 @@ fn layer(face: Face, thickness_m: f64, youngs_modulus_pa: f64, density_kg_m3: f6
         youngs_modulus_pa,
         density_kg_m3,
         section: Section::Laminate,
+        on_plate: Default::default(),
     }
 }
 

@@ -6,6 +6,7 @@ mod faults;
 mod layers;
 mod paper;
 mod participation;
+mod plates;
 mod published;
 mod several;
 mod trees;

@@ -63,6 +63,7 @@ pub fn paper_patch(section: Section) -> Patch {
         section,
         pores: Default::default(),
         foils: Default::default(),
+        on_plate: Default::default(),
     }
 }
 

@@ -4,7 +4,8 @@
 //! Lengths and thicknesses of beams, patches and gaps have one scale in both directions in the side
 //! view; a line thinner than a pixel is drawn one pixel wide. Masses, springs and the ground are
 //! symbols. The bodies of a contact stand apart by its gap. A gap too small for the side view has a
-//! close-up with its own scale, printed next to it.
+//! close-up with its own scale, printed next to it. A plate is a symbol in the side view and has a
+//! plan view with its own scale.
 mod canvas;
 mod grips;
 mod layout;
@@ -16,8 +17,8 @@ mod symbols;
 pub use grips::{Grip, GripPart, GripSheet};
 pub use layout::rect::Rect;
 pub use model::{
-    Drawing, DrawnBeam, DrawnBody, DrawnCircuit, DrawnContact, DrawnDrive, DrawnElement,
-    DrawnPatch, DrawnPlace, DrawnShape, Seat,
+    Drawing, DrawnBeam, DrawnBody, DrawnCircuit, DrawnContact, DrawnDrive, DrawnEdge, DrawnElement,
+    DrawnPatch, DrawnPlace, DrawnPlan, DrawnPoint, DrawnRectangle, DrawnShape, Seat,
 };
 
 use super::{PictureError, file, raster};

@@ -15,6 +15,8 @@ pub struct Drawing {
     pub gravity: Option<(String, bool)>,
     /// Circuits.
     pub circuits: Vec<DrawnCircuit>,
+    /// Plates, each in a plan view.
+    pub plans: Vec<DrawnPlan>,
 }
 
 /// A body.
@@ -37,7 +39,7 @@ pub enum DrawnShape {
     Block,
     /// A free mass, a symbol.
     Ball,
-    /// A structure without a shape, given by its modes.
+    /// A symbol: a structure given by its modes, or a plate, which has a plan view.
     Given,
 }
 
@@ -151,4 +153,60 @@ pub enum DrawnElement {
     SeriesInductor(Vec<String>),
     /// A block between both wires, with text in it.
     Block(Vec<String>),
+}
+
+/// A plate in a plan view; `x` to the right, `y` up.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DrawnPlan {
+    /// Name and material.
+    pub label: String,
+    /// Length along x, m.
+    pub length_m: f64,
+    /// Width along y, m.
+    pub width_m: f64,
+    /// Thickness, m.
+    pub thickness_m: f64,
+    /// Supports of the left, right, front and back edge.
+    pub edges: [DrawnEdge; 4],
+    /// Passive layers.
+    pub layers: Vec<DrawnRectangle>,
+    /// Patches.
+    pub patches: Vec<DrawnRectangle>,
+    /// Named points, with what stands or acts there.
+    pub points: Vec<DrawnPoint>,
+}
+
+/// Support of an edge of a plate.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DrawnEdge {
+    /// Clamped.
+    Clamped,
+    /// Simply supported.
+    SimplySupported,
+    /// Free.
+    Free,
+}
+
+/// A patch or a layer on a plate.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DrawnRectangle {
+    /// Name.
+    pub label: String,
+    /// Start and end along x, m.
+    pub x_m: [f64; 2],
+    /// Start and end along y, m.
+    pub y_m: [f64; 2],
+    /// True on the upper face, false on the lower one.
+    pub top: bool,
+}
+
+/// A point of a plate.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DrawnPoint {
+    /// Name, and the masses, stops and drives there.
+    pub label: String,
+    /// Distance from the left edge, m.
+    pub x_m: f64,
+    /// Distance from the front edge, m.
+    pub y_m: f64,
 }

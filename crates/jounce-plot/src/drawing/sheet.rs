@@ -1,13 +1,13 @@
-//! The sheet: the groups one below the other, then circuits and close-ups.
+//! The sheet: the groups one below the other, then circuits, close-ups and plan views of plates.
 
 use super::canvas::Canvas;
 use super::grips::grips;
 use super::layout::DrawingLayout;
 use super::layout::rect::Rect;
 use super::layout::scale;
-use super::parts::{bodies, circuit, close_up, contacts, drives};
+use super::parts::{bodies, circuit, close_up, contacts, drives, plan};
 use super::symbols::dimension;
-use super::{Drawing, DrawnCircuit, DrawnContact, GripSheet};
+use super::{Drawing, DrawnCircuit, DrawnContact, DrawnPlan, GripSheet};
 use crate::svg::{Anchor, Svg};
 use crate::text::{SMALL, TITLE, wrap};
 
@@ -22,6 +22,7 @@ const SPACE: f64 = 26.0;
 enum Cell<'d> {
     Circuit(&'d DrawnCircuit),
     Look(&'d DrawnContact),
+    Plan(&'d DrawnPlan),
 }
 
 impl Cell<'_> {
@@ -29,6 +30,7 @@ impl Cell<'_> {
         match self {
             Cell::Circuit(circuit) => (circuit::wide(circuit), circuit::HIGH),
             Cell::Look(_) => close_up::SIZE,
+            Cell::Plan(plate) => plan::size(plate),
         }
     }
 }
@@ -41,7 +43,7 @@ struct Content {
     side: Rect,
     /// Shift from the layout to the sheet, for each group.
     shifts: Vec<(f64, f64)>,
-    /// Circuits, then close-ups.
+    /// Circuits, then close-ups, then plan views.
     cells: Vec<Rect>,
 }
 
@@ -50,7 +52,8 @@ pub fn draw_sheet(drawing: &Drawing) -> GripSheet {
     let layout = scale::fitted(drawing);
     let mut svg = Svg::new(WIDTH, &drawing.title);
     let sheet_content = content(&mut svg, drawing, &layout);
-    let (circuits, close_ups) = sheet_content.cells.split_at(drawing.circuits.len());
+    let plans = sheet_content.cells.len() - drawing.plans.len();
+    let (circuits, close_ups) = sheet_content.cells[..plans].split_at(drawing.circuits.len());
     let grips = grips(drawing, &layout, &sheet_content.shifts, close_ups);
     GripSheet {
         svg: svg.finish(sheet_content.height),
@@ -102,7 +105,12 @@ fn content(svg: &mut Svg, drawing: &Drawing, layout: &DrawingLayout) -> Content 
         svg,
         drawing,
         layout,
-        drawing.circuits.iter().map(Cell::Circuit).chain(close_ups),
+        drawing
+            .circuits
+            .iter()
+            .map(Cell::Circuit)
+            .chain(close_ups)
+            .chain(drawing.plans.iter().map(Cell::Plan)),
         y,
     );
     Content {
@@ -178,6 +186,7 @@ fn cells<'d>(
         match cell {
             Cell::Circuit(circuit) => circuit::draw(svg, circuit, (x, y)),
             Cell::Look(contact) => close_up::draw(svg, drawing, contact, (x, y), layout.px_per_m),
+            Cell::Plan(plate) => plan::draw(svg, plate, (x, y)),
         }
         covered.push(Rect::between((x, y), (x + width, y + height)));
         (x, high) = (x + width + SPACE, high.max(height));

@@ -1,14 +1,16 @@
 //! Bodies of a spec, and the body of a reference.
 
-use super::{circuits, words};
+use super::{circuits, plans, words};
 use crate::{DrawnBeam, DrawnBody, DrawnContact, DrawnPatch, DrawnPlace, DrawnShape, Seat};
 use jounce_spec::{Beam, Face, Mass, Spec};
 
-/// Index of every body in the drawing: masses, then beams, then structures given by their modes.
+/// Index of every body in the drawing: masses, then beams, then structures given by their modes,
+/// then plates.
 pub struct Index<'s> {
     masses: Vec<&'s str>,
     beams: Vec<&'s str>,
     modal: Vec<&'s str>,
+    plates: Vec<&'s str>,
 }
 
 impl<'s> Index<'s> {
@@ -18,16 +20,19 @@ impl<'s> Index<'s> {
             masses: spec.mass.keys().map(String::as_str).collect(),
             beams: spec.beam.keys().map(String::as_str).collect(),
             modal: spec.modal.keys().map(String::as_str).collect(),
+            plates: spec.plate.keys().map(String::as_str).collect(),
         }
     }
 
     /// Returns the bodies mounted on a base, directly or through other bodies.
     pub fn on_base(&self, spec: &Spec, base: &str) -> Vec<usize> {
-        // Any point of a beam, or of a structure given by its modes, represents the entire body.
+        // Any point of a beam, of a structure given by its modes or of a plate represents the entire
+        // body.
         let long: Vec<String> = self
             .beams
             .iter()
             .chain(&self.modal)
+            .chain(&self.plates)
             .map(|name| format!("{name}.root"))
             .collect();
         let points = self
@@ -52,8 +57,8 @@ impl<'s> Index<'s> {
         stop_names.map(|(index, _)| index).collect()
     }
 
-    /// Returns the position of a reference: a mass, or a point of a beam or of a structure given by
-    /// its modes; `None` for the ground.
+    /// Returns the position of a reference: a mass, or a point of a beam, of a structure given by its
+    /// modes or of a plate; `None` for the ground.
     pub fn position_of(&self, spec: &Spec, reference: &str) -> Option<DrawnPlace> {
         let find = |names: &[&str], name: &str| names.iter().position(|known| *known == name);
         let Some((body, point)) = reference.split_once('.') else {
@@ -68,7 +73,8 @@ impl<'s> Index<'s> {
                 along_m: along(&spec.beam[body], point)?,
             });
         }
-        let index = find(&self.modal, body)?;
+        let without_shape: Vec<&str> = self.modal.iter().chain(&self.plates).copied().collect();
+        let index = find(&without_shape, body)?;
         Some(DrawnPlace {
             body: self.masses.len() + self.beams.len() + index,
             along_m: 0.0,
@@ -103,7 +109,18 @@ pub fn bodies(spec: &Spec, index: &Index) -> Vec<DrawnBody> {
         shape: DrawnShape::Given,
         seat: Seat::Nothing,
     });
-    masses.chain(beams).chain(modal).collect()
+    let plates = spec.plate.iter().map(|(name, plate)| {
+        let words = vec![
+            plans::label(name, plate),
+            "plate: see its plan view".to_owned(),
+        ];
+        DrawnBody {
+            words: words::on_base(spec, words, &plate.on),
+            shape: DrawnShape::Given,
+            seat: Seat::Nothing,
+        }
+    });
+    masses.chain(beams).chain(modal).chain(plates).collect()
 }
 
 fn draw_mass(spec: &Spec, index: &Index, name: &str, mass: &Mass) -> DrawnBody {

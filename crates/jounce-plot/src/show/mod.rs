@@ -1,6 +1,7 @@
 //! Scale drawing of the harvester of a spec.
 mod bodies;
 mod circuits;
+mod plans;
 mod words;
 
 use crate::{Drawing, DrawnContact, DrawnDrive};
@@ -48,6 +49,7 @@ pub fn drawing(title: &str, spec: &Spec) -> Drawing {
         drives,
         gravity: words::gravity(&spec.gravity),
         circuits: circuits::circuits(spec),
+        plans: plans::plans(spec),
     }
 }
 
@@ -238,5 +240,42 @@ mod tests {
         assert_eq!(shape.patches.iter().filter(|patch| patch.top).count(), 1);
         let series = DrawnElement::Patches(vec![("top".into(), false), ("bottom".into(), true)]);
         assert_eq!(drawing_of.circuits[0].elements[0], series);
+    }
+
+    /// A plate is a symbol in the side view and to scale in its plan view, where a stop, a mass and a
+    /// patch are at their places.
+    #[test]
+    fn a_plate_has_a_plan_view() {
+        let path = format!(
+            "{}/../../examples/plate-de-marqui-2009/stop.toml",
+            env!("CARGO_MANIFEST_DIR")
+        );
+        let lump = "[mass.lump]\non = \"plate.corner\"\nmass = \"1 g\"\n";
+        let text = format!("{}\n{lump}", std::fs::read_to_string(path).unwrap());
+        let drawing_of = drawing("", &Spec::from_toml(&text).unwrap());
+        let plan = &drawing_of.plans[0];
+        assert_eq!(plan.points[0].label, "corner: mass lump, stop corner");
+        assert_eq!(plan.edges[0], crate::DrawnEdge::Clamped);
+        let svg = drawing_of.to_svg();
+        let patch = svg
+            .split("<rect")
+            .find(|element| element.contains("jounce-patch"))
+            .unwrap();
+        let number = |name: &str| {
+            let text = patch.split(&format!(" {name}=\"")).nth(1).unwrap();
+            text.split('"').next().unwrap().parse::<f64>().unwrap()
+        };
+        assert!(
+            (number("width") / number("height") - 1.0).abs() < 1e-3,
+            "{patch}"
+        );
+        for words in [
+            "plate, seen from above",
+            "ceramic",
+            "corner: mass lump",
+            "plan view",
+        ] {
+            assert!(svg.contains(words), "{words}: {svg}");
+        }
     }
 }

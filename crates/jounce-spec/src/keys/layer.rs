@@ -1,9 +1,10 @@
 //! `[layer.NAME]`
 
 use super::patch::section_word;
-use crate::key::{Key, Kind, Range};
+use super::plate::POISSON;
+use crate::key::{Key, Kind, Range, Slot};
 use crate::material;
-use crate::{Face, Layer, Quantity, Section};
+use crate::{Face, Layer, OnPlate, Quantity, Section};
 
 pub(super) fn blank() -> Layer {
     Layer {
@@ -17,21 +18,22 @@ pub(super) fn blank() -> Layer {
         youngs_modulus_pa: f64::NAN,
         density_kg_m3: 0.0,
         section: Section::default(),
+        on_plate: OnPlate::default(),
     }
 }
 
 pub(super) static KEYS: &[Key<Layer>] = &[
     Key::text(
         "on",
-        Kind::Reference { what: "a beam" },
-        "beam that carries the layer",
+        Kind::Reference { what: "a beam or a plate" },
+        "beam or plate that carries the layer",
         |l: &Layer| l.on.clone(),
         |l, x| x.clone_into(&mut l.on),
     ),
     Key::text(
         "face",
         Kind::Choice(&["top", "bottom"]),
-        "face of the beam; a patch on the same face lies on top of the layer and must be within its length",
+        "face of the beam or plate; a patch on the same face lies on top of the layer and must lie within it",
         |l: &Layer| if l.face == Face::Top { "top" } else { "bottom" }.to_owned(),
         |l, x| l.face = if x == "top" { Face::Top } else { Face::Bottom },
     )
@@ -57,10 +59,10 @@ pub(super) static KEYS: &[Key<Layer>] = &[
         |l, x| l.section = if x == "thin-skin" { Section::ThinSkin } else { Section::Laminate },
     )
     .optional(),
-    Key::quantity("start", Quantity::Length, "distance from the root of the beam to the layer", |l: &Layer| l.start_m, |l, x| l.start_m = x)
+    Key::quantity("start", Quantity::Length, "distance from the root of the beam, or the left edge of the plate, to the layer", |l: &Layer| l.start_m, |l, x| l.start_m = x)
         .within(Range::NOT_NEGATIVE)
         .optional(),
-    Key::quantity("length", Quantity::Length, "length along the beam", |l: &Layer| l.length_m, |l, x| l.length_m = x)
+    Key::quantity("length", Quantity::Length, "length along the beam, or along x of the plate", |l: &Layer| l.length_m, |l, x| l.length_m = x)
         .within(Range::POSITIVE),
     Key::quantity("width", Quantity::Length, "width", |l: &Layer| l.width_m, |l, x| l.width_m = x).within(Range::POSITIVE),
     Key::quantity("thickness", Quantity::Length, "thickness", |l: &Layer| l.thickness_m, |l, x| l.thickness_m = x).within(Range::POSITIVE),
@@ -75,4 +77,20 @@ pub(super) static KEYS: &[Key<Layer>] = &[
         .within(Range::NOT_NEGATIVE)
         .when("section", &["thin-skin"])
         .optional(),
+    Key::with_slot(
+        "across_start",
+        Kind::Quantity(Quantity::Length),
+        "distance from the front edge of the plate to the layer; centred on the width if omitted",
+        Slot::Optional { get: |l: &Layer| l.on_plate.across_start_m, set: |l, x| l.on_plate.across_start_m = Some(x) },
+    )
+    .within(Range::NOT_NEGATIVE)
+    .optional(),
+    Key::with_slot(
+        "poisson_ratio",
+        Kind::Number,
+        "Poisson's ratio in the plane of the plate; that of the material if omitted; not used on a beam",
+        Slot::Optional { get: |l: &Layer| l.on_plate.poisson_ratio, set: |l, x| l.on_plate.poisson_ratio = Some(x) },
+    )
+    .within(POISSON)
+    .optional(),
 ];

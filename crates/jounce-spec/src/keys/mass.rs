@@ -27,8 +27,8 @@ pub(super) fn blank() -> Mass {
 pub(super) static KEYS: &[Key<Mass>] = &[
     Key::text(
         "on",
-        Kind::Reference { what: "a mass or a point of a beam, or \"ground\", another base or \"nothing\"" },
-        "support: `\"ground\"` or another base, a mass, a point of a beam, or `\"nothing\"` for a free mass",
+        Kind::Reference { what: "a mass or a point of a beam or a plate, or \"ground\", another base or \"nothing\"" },
+        "support: `\"ground\"` or another base, a mass, a point of a beam or (without a spring) of a plate, or `\"nothing\"` for a free mass",
         |m: &Mass| m.on.clone(),
         |m, x| x.clone_into(&mut m.on),
     )
@@ -38,7 +38,7 @@ pub(super) static KEYS: &[Key<Mass>] = &[
     Key::quantity(
         "rotary_inertia",
         Quantity::RotaryInertia,
-        "moment of inertia about the point of attachment; for a mass without a spring on a beam",
+        "moment of inertia about the point of attachment; for a mass without a spring on a beam or a plate",
         |m: &Mass| m.rotary_inertia_kg_m2,
         |m, x| m.rotary_inertia_kg_m2 = x,
     )

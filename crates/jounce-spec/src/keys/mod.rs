@@ -11,6 +11,7 @@ mod layer;
 mod mass;
 mod modal;
 mod patch;
+mod plate;
 mod pores;
 mod settings;
 mod stop;
@@ -37,8 +38,18 @@ pub(super) static SPEC: &[Key<Spec>] = &[
         },
     ),
     named_tables(
+        "plate",
+        "rectangular thin plates with clamped, simply supported or free edges",
+        &Named {
+            get: |s: &Spec| &s.plate,
+            open: |s| &mut s.plate,
+            blank: plate::blank,
+            keys: plate::KEYS,
+        },
+    ),
+    named_tables(
         "patch",
-        "piezoelectric patches bonded to beams",
+        "piezoelectric patches bonded to beams and plates",
         &Named {
             get: |s: &Spec| &s.patch,
             open: |s| &mut s.patch,
@@ -48,7 +59,7 @@ pub(super) static SPEC: &[Key<Spec>] = &[
     ),
     named_tables(
         "layer",
-        "passive layers on the faces of beams, under the patches: bond lines, shims, coatings",
+        "passive layers on the faces of beams and plates, under the patches: bond lines, shims, coatings",
         &Named {
             get: |s: &Spec| &s.layer,
             open: |s| &mut s.layer,
@@ -58,7 +69,7 @@ pub(super) static SPEC: &[Key<Spec>] = &[
     ),
     named_tables(
         "mass",
-        "rigid masses: on a spring, fixed to a beam, or free; they may carry beams",
+        "rigid masses: on a spring, fixed to a beam or a plate, or free; they may carry beams",
         &Named {
             get: |s: &Spec| &s.mass,
             open: |s| &mut s.mass,
@@ -117,7 +128,7 @@ pub(super) static SPEC: &[Key<Spec>] = &[
     ),
     table(
         "damping",
-        "damping ratios of the modes of beams, ascending in frequency, without the modes of masses",
+        "damping ratios of the modes of beams and plates, ascending in frequency, without the modes of masses",
         &Single {
             get: |s: &Spec| &s.damping,
             open: |s| &mut s.damping,

@@ -2,8 +2,9 @@
 
 use crate::key::{Key, Kind, Range, Slot};
 use crate::material;
-use crate::{Electrodes, Face, Patch, PatchFoils, PatchPores, Quantity, Section};
+use crate::{Electrodes, Face, OnPlate, Patch, PatchFoils, PatchPores, Quantity, Section};
 
+use super::plate::POISSON;
 use super::{electrodes, pores};
 
 const COEFFICIENT: &[&str] = &["d31", "d33"];
@@ -31,6 +32,7 @@ pub(super) fn blank() -> Patch {
         section: Section::default(),
         pores: PatchPores::default(),
         foils: PatchFoils::default(),
+        on_plate: OnPlate::default(),
     }
 }
 
@@ -64,15 +66,15 @@ fn fill(patch: &mut Patch, name: &str) {
 pub(super) static KEYS: &[Key<Patch>] = &[
     Key::text(
         "on",
-        Kind::Reference { what: "a beam" },
-        "beam that carries the patch",
+        Kind::Reference { what: "a beam or a plate" },
+        "beam or plate that carries the patch",
         |p: &Patch| p.on.clone(),
         |p, x| x.clone_into(&mut p.on),
     ),
     Key::text(
         "face",
         Kind::Choice(&["top", "bottom"]),
-        "face of the beam; two patches at the same position on the two faces form a bimorph",
+        "face of the beam or plate; two patches at the same position on the two faces form a bimorph",
         |p: &Patch| if p.face == Face::Top { "top" } else { "bottom" }.to_owned(),
         |p, x| p.face = if x == "top" { Face::Top } else { Face::Bottom },
     )
@@ -125,9 +127,9 @@ pub(super) static KEYS: &[Key<Patch>] = &[
         |p, x| p.section = if x == "thin-skin" { Section::ThinSkin } else { Section::Laminate },
     )
     .optional(),
-    Key::quantity("start", Quantity::Length, "distance from the root of the beam to the patch", |p: &Patch| p.start_m, |p, x| p.start_m = x)
+    Key::quantity("start", Quantity::Length, "distance from the root of the beam, or the left edge of the plate, to the patch", |p: &Patch| p.start_m, |p, x| p.start_m = x)
         .within(Range::NOT_NEGATIVE),
-    Key::quantity("length", Quantity::Length, "length along the beam", |p: &Patch| p.length_m, |p, x| p.length_m = x)
+    Key::quantity("length", Quantity::Length, "length along the beam, or along x of the plate", |p: &Patch| p.length_m, |p, x| p.length_m = x)
         .within(Range::POSITIVE),
     Key::quantity("width", Quantity::Length, "active width", |p: &Patch| p.width_m, |p, x| p.width_m = x).within(Range::POSITIVE),
     Key::quantity(
@@ -243,10 +245,26 @@ pub(super) static KEYS: &[Key<Patch>] = &[
     Key::with_slot(
         "strain_limit",
         Kind::Number,
-        "strain limit along the beam; runs and orbits warn if the strain exceeds it",
+        "strain limit in the plane of the patch; runs and orbits warn if the strain exceeds it",
         Slot::Optional { get: |p: &Patch| p.strain_limit, set: |p, x| p.strain_limit = Some(x) },
     )
     .within(Range::POSITIVE)
+    .optional(),
+    Key::with_slot(
+        "across_start",
+        Kind::Quantity(Quantity::Length),
+        "distance from the front edge of the plate to the patch; centred on the width if omitted",
+        Slot::Optional { get: |p: &Patch| p.on_plate.across_start_m, set: |p, x| p.on_plate.across_start_m = Some(x) },
+    )
+    .within(Range::NOT_NEGATIVE)
+    .optional(),
+    Key::with_slot(
+        "poisson_ratio",
+        Kind::Number,
+        "Poisson's ratio in the plane of the plate at short circuit; that of the material if omitted; not used on a beam",
+        Slot::Optional { get: |p: &Patch| p.on_plate.poisson_ratio, set: |p, x| p.on_plate.poisson_ratio = Some(x) },
+    )
+    .within(POISSON)
     .optional(),
 ];
 

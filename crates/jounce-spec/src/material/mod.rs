@@ -52,6 +52,9 @@ pub struct Active {
     pub permittivity_f_m: f64,
     /// Distance between interdigitated electrodes, m; `None` for electrodes on the two faces.
     pub electrode_spacing_m: Option<f64>,
+    /// Poisson's ratio in the plane of the electrodes at short circuit, `-s12E / s11E`, for plates;
+    /// `None` where it is not known.
+    pub in_plane_poisson_ratio: Option<f64>,
 }
 
 /// Piezoelectric ceramic or film with electrodes on its two faces.

@@ -10,6 +10,7 @@ mod layer;
 mod mass;
 mod modal;
 mod patch;
+mod plate;
 mod reduction;
 mod run;
 mod stop;
@@ -24,6 +25,7 @@ pub use layer::Layer;
 pub use mass::Mass;
 pub use modal::{Modal, ModalPatch};
 pub use patch::{Composite, Electrodes, Face, Patch, PatchFoils, PatchPores, PoreShape, Section};
+pub use plate::{Edge, OnPlate, Plate, PlateArea, PlatePoint};
 pub use reduction::Reduction;
 pub use run::{Run, Start};
 pub use stop::{ForceTable, Side, Stop, StopLaw};
@@ -35,6 +37,8 @@ use std::collections::BTreeMap;
 pub struct Spec {
     /// `[beam.NAME]`
     pub beam: BTreeMap<String, Beam>,
+    /// `[plate.NAME]`
+    pub plate: BTreeMap<String, Plate>,
     /// `[patch.NAME]`
     pub patch: BTreeMap<String, Patch>,
     /// `[layer.NAME]`
@@ -72,6 +76,13 @@ impl Spec {
             .map(|patch| &mut patch.electrodes)
             .chain(modal)
             .for_each(|electrodes| *electrodes = Electrodes::Open);
+    }
+
+    /// Returns the plate and the point that a name such as `"plate.corner"` refers to.
+    pub fn plate_point(&self, name: &str) -> Option<(&Plate, PlatePoint)> {
+        let (plate, point) = name.split_once('.')?;
+        let plate = self.plate.get(plate)?;
+        Some((plate, *plate.point.get(point)?))
     }
 
     /// True if a support is this mass, or a mass without a spring that is fixed to it.

@@ -24,6 +24,11 @@ pub const STARTERS: &[Starter] = &[
         spec: include_str!("cantilever-with-stop.toml"),
     },
     Starter {
+        kind: "plate-with-stop",
+        summary: "a cantilevered plate with a piezoelectric patch that strikes a stop at a corner",
+        spec: include_str!("plate-with-stop.toml"),
+    },
+    Starter {
         kind: "two-beams",
         summary: "two piezoelectric cantilevers that strike each other",
         spec: include_str!("two-beams.toml"),

@@ -83,8 +83,10 @@ fn check_kind(name: &str, drive: &Drive, faults: &mut ValidationFaults) {
 /// Returns the supports of beams, masses and stops.
 fn supports(spec: &Spec) -> BTreeSet<&str> {
     let beams = spec.beam.values().map(|beam| beam.root.as_str());
+    let plates = spec.plate.values().map(|plate| plate.on.as_str());
     let masses = spec.mass.values().map(|mass| mass.on.as_str());
     beams
+        .chain(plates)
         .chain(masses)
         .chain(spec.stop.values().map(|stop| stop.frame.as_str()))
         .collect()
@@ -113,7 +115,7 @@ fn check_base<'s, F: FnOnce() -> BTreeSet<&'s str>>(
     } else if base != GROUND && !supports.contains(base) {
         let text = || {
             format!(
-                "is \"{at}\", a base that supports nothing; name it as the `root` of a beam, the `on` of a mass or the `frame` of a stop, or omit \
+                "is \"{at}\", a base that supports nothing; name it as the `root` of a beam, the `on` of a plate or a mass or the `frame` of a stop, or omit \
                  `at` to move the ground"
             )
         };

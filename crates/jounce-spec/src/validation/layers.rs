@@ -38,6 +38,7 @@ pub(super) fn check(spec: &Spec, faults: &mut ValidationFaults) {
     let layers: Vec<FaceCover> = spec
         .layer
         .iter()
+        .filter(|(_, layer)| !spec.plate.contains_key(&layer.on))
         .map(|(name, layer)| FaceCover::of_layer(name, layer))
         .collect();
     let patches = spec.patch.iter().map(|(name, patch)| FaceCover {
@@ -49,7 +50,11 @@ pub(super) fn check(spec: &Spec, faults: &mut ValidationFaults) {
         on: &patch.on,
     });
     let patches: Vec<FaceCover> = patches.collect();
-    for ((name, layer), cover) in spec.layer.iter().zip(&layers) {
+    let on_beams = spec
+        .layer
+        .iter()
+        .filter(|(_, layer)| !spec.plate.contains_key(&layer.on));
+    for ((name, layer), cover) in on_beams.zip(&layers) {
         let Some(beam) = spec.beam.get(&layer.on) else {
             continue;
         };

@@ -12,6 +12,7 @@ mod geometry;
 mod layers;
 mod modes;
 mod overlap;
+mod plates;
 mod pores;
 mod reference;
 mod support;
@@ -49,6 +50,7 @@ pub(super) fn broken(spec: &Spec) -> Vec<(String, String)> {
     circuit::check(spec, &mut faults);
     geometry::check(spec, &mut faults);
     layers::check(spec, &mut faults);
+    plates::check(spec, &mut faults);
     pores::check(spec, &mut faults);
     foils::check(spec, &mut faults);
     modes::check(spec, &mut faults);

@@ -4,9 +4,15 @@ use super::ValidationFaults;
 use crate::{Modal, Quantity, Reduction, Spec};
 
 pub(super) fn check(spec: &Spec, faults: &mut ValidationFaults) {
-    if spec.beam.is_empty() && spec.mass.is_empty() && spec.modal.is_empty() {
-        let text =
-            || "there is no structure; add [beam.NAME], [mass.NAME] or [modal.NAME]".to_owned();
+    if spec.beam.is_empty()
+        && spec.plate.is_empty()
+        && spec.mass.is_empty()
+        && spec.modal.is_empty()
+    {
+        let text = || {
+            "there is no structure; add [beam.NAME], [plate.NAME], [mass.NAME] or [modal.NAME]"
+                .to_owned()
+        };
         faults.push(|| super::NO_STRUCTURE.to_owned(), text);
     }
     for (name, modal) in &spec.modal {
@@ -71,7 +77,8 @@ fn check_lists(name: &str, modal: &Modal, faults: &mut ValidationFaults) {
 
 /// Every retained mode needs a damping ratio, given with its mass or here.
 fn check_damping(spec: &Spec, faults: &mut ValidationFaults) {
-    if spec.beam.is_empty() || spec.damping.beyond.is_some() {
+    let is_bodies_only = spec.beam.is_empty() && spec.plate.is_empty();
+    if is_bodies_only || spec.damping.beyond.is_some() {
         return;
     }
     let damped = damped_elsewhere(spec);
@@ -94,7 +101,7 @@ fn check_damping(spec: &Spec, faults: &mut ValidationFaults) {
     }
 }
 
-/// Without beams the number of modes is known. The default number never exceeds it.
+/// Without beams and plates the number of modes is known. The default number never exceeds it.
 fn check_count(spec: &Spec, faults: &mut ValidationFaults) {
     let elsewhere = damped_elsewhere(spec);
     let has_hole = spec
@@ -103,6 +110,7 @@ fn check_count(spec: &Spec, faults: &mut ValidationFaults) {
         .any(|modal| modal.frequency_hz.is_empty());
     let expected = spec.reduction.modes;
     if spec.beam.is_empty()
+        && spec.plate.is_empty()
         && elsewhere > 0
         && !has_hole
         && expected > elsewhere

@@ -57,7 +57,7 @@ pub(super) fn check(spec: &Spec, faults: &mut ValidationFaults) {
     }
 }
 
-/// Every patch and every layer is on a beam.
+/// Every patch and every layer is on a beam or a plate.
 fn check_carriers(spec: &Spec, faults: &mut ValidationFaults) {
     let patches = spec.patch.iter();
     let layers = spec.layer.iter();
@@ -65,11 +65,16 @@ fn check_carriers(spec: &Spec, faults: &mut ValidationFaults) {
         .map(|(name, patch)| ("patch", name, &patch.on))
         .chain(layers.map(|(name, layer)| ("layer", name, &layer.on)));
     for (kind, name, on) in on_beams {
-        if !on.is_empty() && !spec.beam.contains_key(on) {
-            let beams = || spec.beam.keys().map(String::as_str);
+        if !on.is_empty() && !spec.beam.contains_key(on) && !spec.plate.contains_key(on) {
+            let carriers = || {
+                spec.beam
+                    .keys()
+                    .chain(spec.plate.keys())
+                    .map(String::as_str)
+            };
             faults.push(
                 || format!("{kind}.{name}.on"),
-                || unknown("beam", on, "beams", beams),
+                || unknown("beam or plate", on, "beams and plates", carriers),
             );
         }
     }
@@ -88,6 +93,19 @@ fn check_names(spec: &Spec, faults: &mut ValidationFaults) {
             )
         };
         faults.push(|| format!("modal.{name}"), text);
+    }
+    for name in spec
+        .plate
+        .keys()
+        .filter(|name| spec.beam.contains_key(*name) || spec.modal.contains_key(*name))
+    {
+        let text = || {
+            format!(
+                "another structure has this name too, so points of \"{}\" are ambiguous; rename one of them",
+                clip(name)
+            )
+        };
+        faults.push(|| format!("plate.{name}"), text);
     }
     for reserved in [GROUND, "nothing"]
         .into_iter()
@@ -157,6 +175,7 @@ fn has_point(spec: &Spec, name: &str) -> bool {
         .get(body)
         .is_some_and(|beam| point == "root" || point == "end" || beam.point.contains_key(point));
     on_beam
+        || spec.plate_point(name).is_some()
         || spec
             .modal
             .get(body)
@@ -180,7 +199,14 @@ fn points(spec: &Spec) -> Vec<String> {
             .keys()
             .map(move |point| format!("{body}.{point}"))
     });
+    let on_plates = spec.plate.iter().flat_map(|(body, plate)| {
+        plate
+            .point
+            .keys()
+            .map(move |point| format!("{body}.{point}"))
+    });
     on_beams
+        .chain(on_plates)
         .chain(on_modal)
         .chain(spec.mass.keys().cloned())
         .collect()

@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use super::ValidationFaults;
 use super::reference::unknown;
 use crate::nearest::clip;
-use crate::{Beam, GROUND, Mass, Spec, Start};
+use crate::{Beam, GROUND, Mass, Plate, Spec, Start};
 
 const NO_SUPPORT: &str = "nothing";
 
@@ -46,7 +46,13 @@ fn check_support<F: FnOnce() -> Vec<String>>(
     words: &[&'static str],
     faults: &mut ValidationFaults,
 ) {
-    let hint = match support.split_once('.') {
+    let is_on_plate = spec.plate_point(support).is_some();
+    if is_on_plate && !words.contains(&NO_SUPPORT) {
+        let text = "is a point of a plate, which carries only fixed masses; clamp the beam to a base, a mass or a beam";
+        faults.push(key, || text.to_owned());
+        return;
+    }
+    let is_known = match support.split_once('.') {
         None => {
             support.is_empty()
                 || words.contains(&support)
@@ -58,7 +64,7 @@ fn check_support<F: FnOnce() -> Vec<String>>(
             .get(beam)
             .is_some_and(|beam| ["root", "end"].contains(&point) || beam.point.contains_key(point)),
     };
-    if !hint {
+    if !is_known && !is_on_plate {
         let names = || {
             words
                 .iter()
@@ -72,7 +78,7 @@ fn check_support<F: FnOnce() -> Vec<String>>(
     }
 }
 
-/// Returns masses, and points of beams except their roots.
+/// Returns masses, points of beams except their roots, and points of plates.
 fn support_names(spec: &Spec) -> Vec<String> {
     let of_beam = |(name, beam): (&String, &Beam)| -> Vec<String> {
         beam.point
@@ -82,10 +88,15 @@ fn support_names(spec: &Spec) -> Vec<String> {
             .map(|point| format!("{name}.{point}"))
             .collect()
     };
+    let of_plate = |(name, plate): (&String, &Plate)| -> Vec<String> {
+        let points = plate.point.keys();
+        points.map(|point| format!("{name}.{point}")).collect()
+    };
     spec.mass
         .keys()
         .cloned()
         .chain(spec.beam.iter().flat_map(of_beam))
+        .chain(spec.plate.iter().flat_map(of_plate))
         .collect()
 }
 
@@ -117,7 +128,7 @@ fn check_mass(spec: &Spec, name: &str, mass: &Mass, faults: &mut ValidationFault
         faults.push(
             || format!("mass.{name}.rotary_inertia"),
             || {
-                "has no effect: only a mass without a spring on a point of a beam rotates; omit it"
+                "has no effect: only a mass without a spring on a point of a beam or a plate rotates; omit it"
                     .into()
             },
         );

@@ -9,6 +9,7 @@ mod force_tables;
 mod fuzz;
 mod overlap;
 mod overrides;
+mod plates;
 mod pores;
 mod random;
 mod recordings;

@@ -54,9 +54,19 @@ impl LiveAnalysis {
     /// Returns the shapes of the modes along the beams of a design.
     pub(super) fn shapes(&self, spec: &Spec) -> Result<Shapes, Error> {
         let has_same_shapes = |cached: &Spec| {
-            (&cached.beam, &cached.patch, &cached.mass, &cached.modal)
-                == (&spec.beam, &spec.patch, &spec.mass, &spec.modal)
-                && cached.reduction == spec.reduction
+            (
+                &cached.beam,
+                &cached.plate,
+                &cached.patch,
+                &cached.mass,
+                &cached.modal,
+            ) == (
+                &spec.beam,
+                &spec.plate,
+                &spec.patch,
+                &spec.mass,
+                &spec.modal,
+            ) && cached.reduction == spec.reduction
         };
         let mut cached = self.shapes.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some((_, shapes)) = cached

@@ -163,7 +163,11 @@ pub(in crate::structure) fn bodies<'a>(
         .iter()
         .flat_map(|body| body.parts.iter().map(|part| part.name))
         .collect();
-    let masses = spec.mass.keys().filter(|name| !fixed_masses.contains(name));
+    let masses = spec
+        .mass
+        .iter()
+        .filter(|(name, mass)| !fixed_masses.contains(name) && spec.plate_point(&mass.on).is_none())
+        .map(|(name, _)| name);
     match spec
         .beam
         .keys()
@@ -194,6 +198,7 @@ fn check_references(spec: &Spec) -> Result<(), StructureError> {
             .get(name)
             .is_some_and(|beam| position_m(beam, point).is_some()),
     };
+    let is_on_plate = |name: &str| spec.plate_point(name).is_some();
     let roots = spec
         .beam
         .iter()
@@ -205,10 +210,10 @@ fn check_references(spec: &Spec) -> Result<(), StructureError> {
             &[GROUND, NO_SUPPORT][..],
         )
     });
-    if let Some((index, found, words)) = roots
-        .chain(feet)
-        .find(|(_, support, words)| !stands(support, words))
-    {
+    if let Some((index, found, words)) = roots.chain(feet).find(|(_, support, words)| {
+        let is_fixed_mass = words.contains(&NO_SUPPORT) && is_on_plate(support);
+        !stands(support, words) && !is_fixed_mass
+    }) {
         let known = listed(
             words
                 .iter()
@@ -231,11 +236,16 @@ fn check_references(spec: &Spec) -> Result<(), StructureError> {
         .map(|(name, layer)| (format!("layer.{name}"), &layer.on));
     match patches
         .chain(layers)
-        .find(|(_, on)| !spec.beam.contains_key(*on))
+        .find(|(_, on)| !spec.beam.contains_key(*on) && !spec.plate.contains_key(*on))
     {
         None => Ok(()),
         Some((index, on)) => {
-            let beams = listed(spec.beam.keys().map(String::as_str));
+            let beams = listed(
+                spec.beam
+                    .keys()
+                    .chain(spec.plate.keys())
+                    .map(String::as_str),
+            );
             Err(StructureError::UnknownBeam {
                 place: index,
                 beam: on.clone(),

@@ -22,8 +22,10 @@ const MAX_UNKNOWNS: usize = 3000;
 pub(in crate::structure) struct Structures<'a> {
     bodies: Vec<Body<'a>>,
     segments: BTreeMap<&'a str, Vec<BeamSegment>>,
-    /// Number of retained modes: `reduction.modes`, less one for each body held fixed.
+    /// Number of retained modes of the bodies: `reduction.modes`, less one for each body held fixed.
     modes: usize,
+    /// Number of retained modes of the bodies and plates.
+    pub retained: usize,
 }
 
 /// Modes of every body on one mesh.
@@ -65,12 +67,17 @@ impl<'a> Structures<'a> {
         };
         // The default number never exceeds the available number.
         let is_default = spec.reduction.modes == Reduction::default().modes;
-        let modes = match spec.reduction.modes.saturating_sub(fixed_count) {
+        let retained = spec.reduction.modes.saturating_sub(fixed_count);
+        let has_plates = !spec.plate.is_empty();
+        let modes = match retained {
             _ if bodies.is_empty() => 0,
-            requested if is_default && segments.is_empty() => requested.min(available),
+            requested if (is_default || has_plates) && segments.is_empty() => {
+                requested.min(available)
+            }
             requested => requested,
         };
-        if !bodies.is_empty() && modes == 0 {
+        let has_structure = !bodies.is_empty() || has_plates;
+        if has_structure && retained == 0 {
             return Err(StructureError::NoModes {
                 wanted: spec.reduction.modes,
                 held: fixed_count,
@@ -90,6 +97,7 @@ impl<'a> Structures<'a> {
             bodies,
             segments,
             modes,
+            retained: if has_plates { retained } else { modes },
         })
     }
 

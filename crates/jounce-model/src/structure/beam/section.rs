@@ -205,6 +205,7 @@ pub(in crate::structure) mod tests {
             section,
             pores: Default::default(),
             foils: Default::default(),
+            on_plate: Default::default(),
         }
     }
 

@@ -1,7 +1,7 @@
 //! Conversion of a solution to [`Modes`]: shapes at the named points and masses, couplings of the
 //! patches, damping ratios.
 
-use super::damping::{MassMode, damping_ratios};
+use super::damping::MassMode;
 use crate::structure::assembly::solution::StructureSolution;
 use crate::structure::assembly::{Assembly, Row};
 use crate::structure::beam::layout::{PatchedSegment, patched_segments};
@@ -13,10 +13,10 @@ use jounce_spec::{GROUND, Patch, Spec};
 /// Number of pieces into which each segment of a patch is divided to find its largest strain.
 const STRAIN_POINTS: usize = 16;
 
-/// Returns the retained modes of all assembled structures of a spec.
+/// Returns the retained modes of all assembled structures of a spec, without damping.
 ///
 /// # Errors
-/// `MissingDamping`, `NotRepresentable`.
+/// `NotRepresentable`.
 pub(in crate::structure) fn assembled_modes(
     spec: &Spec,
     fixed_masses: &[String],
@@ -24,7 +24,7 @@ pub(in crate::structure) fn assembled_modes(
     discretisation_error: Vec<f64>,
 ) -> Result<Modes, StructureError> {
     let frequency_rad_s = solution.frequency_rad_s();
-    let damping_ratio = damping_ratios(&frequency_rad_s, &mass_modes(solution), &spec.damping)?;
+    let damping_ratio = vec![0.0; frequency_rad_s.len()];
     let participation_sqrt_kg = vec![0.0; frequency_rad_s.len()];
     let mut modes = Modes {
         frequency_rad_s,
@@ -178,7 +178,7 @@ fn patch_rows<'a>(
 
 /// Assigns a retained mode to each sprung mass: the mode in which it has the greatest share of the
 /// kinetic energy. The mass with the greatest share of all is assigned first.
-fn mass_modes(solution: &StructureSolution) -> Vec<MassMode> {
+pub(in crate::structure) fn mass_modes(solution: &StructureSolution) -> Vec<MassMode> {
     let mut of_masses = Vec::new();
     for (part, (assembly, reduced)) in solution.parts.iter().enumerate() {
         let mut shares: Vec<(f64, usize, usize, f64)> = Vec::new();

@@ -10,13 +10,13 @@ use jounce_spec::Damping;
 
 /// The mode (index among the retained modes) that belongs to a mass, and the damping ratio of the
 /// mass.
-pub(super) type MassMode = (usize, f64);
+pub(in crate::structure) type MassMode = (usize, f64);
 
 /// Returns the damping ratio of each mode.
 ///
 /// # Errors
 /// `MissingDamping` if the list is too short and `beyond` is not set.
-pub(super) fn damping_ratios(
+pub(in crate::structure) fn damping_ratios(
     frequency_rad_s: &[f64],
     of_masses: &[MassMode],
     damping: &Damping,

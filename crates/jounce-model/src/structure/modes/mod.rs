@@ -17,7 +17,7 @@
 
 pub(super) mod along;
 pub(super) mod assembled;
-mod damping;
+pub(super) mod damping;
 pub(super) mod merge;
 pub(super) mod user;
 
@@ -90,6 +90,27 @@ impl Modes {
             .enumerate()
             .map(|(mode, all)| all - others(mode))
             .collect()
+    }
+
+    /// Returns the first `count` modes.
+    pub(super) fn first(mut self, count: usize) -> Self {
+        let patch_lists = self.patch.values_mut().flat_map(|patch| {
+            std::iter::once(&mut patch.coupling_n_per_v).chain(patch.strain.iter_mut())
+        });
+        let named = self
+            .shape
+            .values_mut()
+            .chain(self.base_sqrt_kg.values_mut());
+        let lists = [
+            &mut self.frequency_rad_s,
+            &mut self.damping_ratio,
+            &mut self.participation_sqrt_kg,
+            &mut self.discretisation_error,
+        ];
+        for list in patch_lists.chain(named).chain(lists) {
+            list.truncate(count);
+        }
+        self
     }
 
     /// True if there are no modes.

@@ -35,9 +35,11 @@ impl Spec {
         let bases: BTreeSet<String> = self.bases().into_iter().map(str::to_owned).collect();
         self.drive.clear();
         let roots = self.beam.values_mut().map(|beam| &mut beam.root);
+        let plates = self.plate.values_mut().map(|plate| &mut plate.on);
         let under = self.mass.values_mut().map(|mass| &mut mass.on);
         let frames = self.stop.values_mut().map(|stop| &mut stop.frame);
         roots
+            .chain(plates)
             .chain(under)
             .chain(frames)
             .filter(|name| bases.contains(*name))
@@ -55,11 +57,18 @@ impl Spec {
         let mut at = point;
         for _ in 0..=self.mass.len() + self.beam.len() {
             at = match at.split_once('.') {
-                Some((beam, _)) => self.beam.get(beam).map_or(GROUND, |beam| &beam.root),
+                Some((body, _)) => self.support_of_body(body),
                 None if self.is_base(at) => return at,
                 None => self.mass.get(at).map_or(GROUND, |mass| &mass.on),
             };
         }
         GROUND
+    }
+
+    /// Returns the support of a beam or a plate; the ground for any other body.
+    fn support_of_body(&self, body: &str) -> &str {
+        let beam = self.beam.get(body).map(|beam| beam.root.as_str());
+        let plate = || self.plate.get(body).map(|plate| plate.on.as_str());
+        beam.or_else(plate).unwrap_or(GROUND)
     }
 }

@@ -4,20 +4,23 @@ mod electrodes;
 mod foils;
 mod pores;
 
+use super::OnPlate;
+use crate::material;
+
 pub use electrodes::Electrodes;
 pub use foils::PatchFoils;
 pub use pores::{Composite, PatchPores, PoreShape};
 
-/// A piezoelectric patch bonded to one face of a beam.
+/// A piezoelectric patch bonded to one face of a beam or a plate.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Patch {
-    /// `on`: name of the beam.
+    /// `on`: name of the beam or plate.
     pub on: String,
     /// `face`: `"top"` (default) or `"bottom"`.
     pub face: Face,
     /// `material`: library material that supplies the values omitted here; empty if omitted.
     pub material: String,
-    /// `start`: distance from the root, m.
+    /// `start`: distance from the root of the beam or the left edge of the plate, m.
     pub start_m: f64,
     /// `length`
     pub length_m: f64,
@@ -54,6 +57,8 @@ pub struct Patch {
     /// `foil_thickness`, `foil_youngs_modulus`, `foil_density`: foils that enclose the active
     /// layer.
     pub foils: PatchFoils,
+    /// `across_start` and `poisson_ratio`: for a patch on a plate.
+    pub on_plate: OnPlate,
 }
 
 impl Patch {
@@ -67,6 +72,17 @@ impl Patch {
         along
             .or(self.d31_m_per_v.map(|d31| d31 / self.thickness_m))
             .unwrap_or(f64::NAN)
+    }
+
+    /// Returns Poisson's ratio in the plane of the electrodes: as given, or that of the material;
+    /// `None` if neither is known.
+    pub fn poisson_ratio(&self) -> Option<f64> {
+        let of_material = || {
+            material::named(&self.material)?
+                .active?
+                .in_plane_poisson_ratio
+        };
+        self.on_plate.poisson_ratio.or_else(of_material)
     }
 
     /// Returns the thickness with the foils, m.

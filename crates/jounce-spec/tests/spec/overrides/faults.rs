@@ -25,7 +25,7 @@ const FAULTS: [(&str, &str, &str); 11] = [
     (
         "",
         "1",
-        "--set =1: : unknown key; keys here: beam, patch, layer, mass, ",
+        "--set =1: : unknown key; keys here: beam, plate, patch, layer, mass, ",
     ),
     (
         "stop.tip.gap",

@@ -124,6 +124,7 @@ pub fn patch(beam: (String, Beam)) -> impl Strategy<Value = Patch> {
                     thickness_m: (start >= 0.2).then_some(thickness_m),
                     ..PatchFoils::default()
                 },
+                on_plate: Default::default(),
             },
         )
 }

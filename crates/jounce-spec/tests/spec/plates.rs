@@ -1,0 +1,201 @@
+//! Plates: keys, round trip, and one clear fault for each bad input.
+
+use jounce_spec::{Edge, Spec};
+
+const PLATE: &str = r#"
+[plate.wing]
+material = "aluminium"
+length = "100 mm"
+width = "60 mm"
+thickness = "1 mm"
+left = "clamped"
+
+[plate.wing.point.corner]
+x = "100 mm"
+y = "60 mm"
+
+[mass.lump]
+on = "wing.corner"
+mass = "5 g"
+
+[layer.bond]
+on = "wing"
+start = "5 mm"
+length = "50 mm"
+width = "40 mm"
+across_start = "0 mm"
+thickness = "0.05 mm"
+youngs_modulus = "3 GPa"
+poisson_ratio = 0.4
+density = "1200 kg/m^3"
+
+[patch.cell]
+on = "wing"
+material = "PZT-5A"
+start = "5 mm"
+length = "40 mm"
+width = "40 mm"
+across_start = "0 mm"
+thickness = "0.2 mm"
+electrodes = "open"
+
+[drive.shaker]
+kind = "base-acceleration"
+amplitude = "1 g"
+frequency = "50 Hz"
+
+[damping]
+beyond = 0.01
+"#;
+
+fn faults_of(changes: &[(&str, &str)]) -> String {
+    let mut text = PLATE.to_owned();
+    for (from, to) in changes {
+        assert!(text.contains(from), "{from}");
+        text = text.replacen(from, to, 1);
+    }
+    Spec::from_toml(&text).map_or_else(|faults| faults.to_string(), |_| String::new())
+}
+
+#[test]
+fn a_plate_is_read_and_written_again() {
+    let spec = Spec::from_toml(PLATE).unwrap();
+    let plate = &spec.plate["wing"];
+    assert_eq!((plate.left, plate.right), (Edge::Clamped, Edge::Free));
+    assert_eq!((plate.poisson_ratio, plate.youngs_modulus_pa), (0.33, 70e9));
+    assert_eq!(plate.point["corner"].y_m, 0.06);
+    assert_eq!(spec.patch["cell"].poisson_ratio(), Some(5.74 / 16.4));
+    assert_eq!(spec.layer["bond"].poisson_ratio(), Some(0.4));
+    assert_eq!(Spec::from_toml(&spec.to_toml()).unwrap(), spec);
+    assert_eq!(spec.base_under("wing.corner"), "ground");
+}
+
+#[test]
+fn bad_input_names_the_place_and_the_remedy() {
+    let patch = "material = \"PZT-5A\"\nstart = \"5 mm\"\nlength = \"40 mm\"";
+    for (changes, expected) in [
+        (
+            &[("left = \"clamped\"", "left = \"free\"")][..],
+            "plate.wing: the plate could move as a rigid body",
+        ),
+        (
+            &[("left = \"clamped\"", "left = \"simply-supported\"")],
+            "two to \"simply-supported\"",
+        ),
+        (
+            &[("left = \"clamped\"", "left = \"welded\"")],
+            "plate.wing.left",
+        ),
+        (
+            &[("x = \"100 mm\"", "x = \"101 mm\"")],
+            "plate.wing.point.corner.x is 101 mm from the left edge; it must not exceed the plate length 100 mm",
+        ),
+        (
+            &[("y = \"60 mm\"", "y = \"-1 mm\"")],
+            "plate.wing.point.corner.y",
+        ),
+        (
+            &[("left = \"clamped\"", "left = \"clamped\"\non = \"lump\"")],
+            "a plate stands on a base only",
+        ),
+        (
+            &[(
+                patch,
+                "material = \"PZT-5A\"\nstart = \"61 mm\"\nlength = \"40 mm\"",
+            )],
+            "patch.cell.length: the patch or layer covers x = 61 mm to 101 mm; it must lie within the plate length 100 mm",
+        ),
+        (
+            &[(
+                patch,
+                "material = \"PZT-5A\"\nstart = \"20 mm\"\nlength = \"40 mm\"",
+            )],
+            "layer.bond covers x = 5 mm to 55 mm, y = 0 m to 40 mm of the same face, under a part of this patch only",
+        ),
+        (
+            &[(
+                patch,
+                "material = \"MFC-P2\"\nstart = \"5 mm\"\nlength = \"40 mm\"",
+            )],
+            "a fibre composite is not isotropic in its plane",
+        ),
+        (
+            &[(
+                patch,
+                "material = \"PVDF\"\nstart = \"5 mm\"\nlength = \"40 mm\"",
+            )],
+            "patch.cell: `poisson_ratio` is missing",
+        ),
+        (
+            &[("poisson_ratio = 0.4", "poisson_ratio = 0.7")],
+            "layer.bond.poisson_ratio",
+        ),
+        (
+            &[(
+                "material = \"PZT-5A\"",
+                "material = \"PZT-5A\"\nsection = \"thin-skin\"",
+            )],
+            "is a section of beams",
+        ),
+        (
+            &[(
+                "material = \"PZT-5A\"",
+                "material = \"PZT-5A\"\nporosity = 0.2",
+            )],
+            "patch.cell.porosity",
+        ),
+        (
+            &[("material = \"aluminium\"", "material = \"silicon\"")],
+            "plate.wing: `poisson_ratio` is missing",
+        ),
+        (
+            &[("on = \"wing.corner\"", "on = \"wing.middle\"")],
+            "there is no mass or point \"wing.middle\"",
+        ),
+        (
+            &[(
+                "mass = \"5 g\"",
+                "mass = \"5 g\"\nfrequency = \"9 Hz\"\ndamping_ratio = 0.1",
+            )],
+            "mass.lump.on is a point of a plate, which carries only fixed masses",
+        ),
+        (
+            &[(
+                "[damping]",
+                "[mass.second]\non = \"lump\"\nmass = \"1 g\"\n[damping]",
+            )],
+            "mass.second.on is mass \"lump\" on a plate, which carries nothing",
+        ),
+        (
+            &[(
+                "[damping]",
+                "[beam.arm]\nmaterial = \"steel\"\nlength = \"9 mm\"\nwidth = \"2 mm\"\nthickness = \"1 mm\"\nroot = \"wing.corner\"\n[damping]",
+            )],
+            "beam.arm.root is a point of a plate, which carries only fixed masses",
+        ),
+        (
+            &[(
+                "[damping]",
+                "[modal.wing]\nfrequency_hz = [1]\ndamping_ratio = [0.1]\nparticipation_sqrt_kg = [0.1]\n[damping]",
+            )],
+            "plate.wing: another structure has this name too",
+        ),
+        (&[("beyond = 0.01", "ratios = [0.01]")], "damping.ratios"),
+    ] {
+        let faults = faults_of(changes);
+        assert!(faults.contains(expected), "{changes:?}: {faults:?}");
+    }
+}
+
+/// A position across the width means nothing on a beam.
+#[test]
+fn a_position_across_a_beam_is_refused() {
+    let text = "[beam.b]\nmaterial = \"steel\"\nlength = \"100 mm\"\nwidth = \"10 mm\"\nthickness = \"1 mm\"\n[damping]\nbeyond = 0.01\n\
+         [patch.p]\non = \"b\"\nmaterial = \"PZT-5A\"\nstart = \"0 mm\"\nlength = \"30 mm\"\nwidth = \"10 mm\"\nthickness = \"0.2 mm\"\n\
+         electrodes = \"open\"\nacross_start = \"1 mm\"\n";
+    let faults = Spec::from_toml(text).unwrap_err().to_string();
+    assert!(
+        faults.contains("patch.p.across_start has no effect on a beam"),
+        "{faults}"
+    );
+}
