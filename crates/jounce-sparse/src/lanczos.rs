@@ -19,8 +19,8 @@ use jounce_linalg::{Mat, symmetric_eigen};
 /// Part of a vector that remains after projection, relative to it, below which it is roundoff.
 const DEPENDENT: f64 = 1e-12;
 
-/// Square of the sine of the angle between a vector and the others of its block, from which one
-/// orthonormalisation leaves them orthogonal to roundoff.
+/// Square of the part of a vector outside the basis and the others of its block, relative to it, above
+/// which one orthonormalisation leaves it orthogonal to roundoff.
 const WELL_CONDITIONED: f64 = 0.1;
 
 /// Approximate eigenpairs of the operator, `theta` descending.
@@ -152,7 +152,7 @@ impl<'a> Krylov<'a> {
         let mut attempts = [0; LANES];
         loop {
             let products = gram(&block, &self.mass.block_product(&block));
-            let (factor, sine, dependent) = inverse_factor(&products, &size);
+            let (factor, smallest, dependent) = inverse_factor(&products, &size);
             let replaced = (0..LANES).filter(|lane| dependent[*lane] && attempts[*lane] < 2);
             let replaced: Vec<usize> = replaced.collect();
             if !replaced.is_empty() {
@@ -170,7 +170,7 @@ impl<'a> Krylov<'a> {
             let mut orthonormal = vec![[0.0; LANES]; block.len()];
             add_product(&mut orthonormal, 1.0, &block, &factor);
             block = orthonormal;
-            if sine > WELL_CONDITIONED {
+            if smallest > WELL_CONDITIONED {
                 return block;
             }
             self.project_out(&mut block);
@@ -260,9 +260,9 @@ fn diagonal_column(ritz: &Ritz, column: usize) -> Vec<Small> {
     zeros.chain([diagonal]).collect()
 }
 
-/// For the products `G = W^T M W`: the upper triangular `S` with `S^T G S = 1`, the square of the
-/// smallest sine between a vector and those before it, and the vectors that depend on those before
-/// them. Their columns of `S` are zero.
+/// For the products `G = W^T M W`: the upper triangular `S` with `S^T G S = 1`; the square of the
+/// smallest part of a vector outside the basis or outside those before it, relative to the vector; and
+/// the vectors that depend on others, whose columns of `S` are zero.
 fn inverse_factor(products: &Small, size: &[f64; LANES]) -> (Small, f64, [bool; LANES]) {
     let product = |a: &[f64; LANES], b: &[f64; LANES]| -> f64 {
         let row = |i: usize| a[i] * (0..LANES).map(|j| products[i][j] * b[j]).sum::<f64>();
@@ -270,7 +270,7 @@ fn inverse_factor(products: &Small, size: &[f64; LANES]) -> (Small, f64, [bool; 
     };
     let mut columns = [[0.0; LANES]; LANES];
     let mut dependent = [false; LANES];
-    let mut smallest_sine: f64 = 1.0;
+    let mut smallest: f64 = 1.0;
     for lane in 0..LANES {
         // Gram-Schmidt on coefficients: a unit vector minus its parts along the columns before.
         let unit: [f64; LANES] = std::array::from_fn(|i| f64::from(u8::from(i == lane)));
@@ -286,10 +286,11 @@ fn inverse_factor(products: &Small, size: &[f64; LANES]) -> (Small, f64, [bool; 
         dependent[lane] =
             complete.is_nan() || complete <= roundoff || square <= DEPENDENT * complete;
         if !dependent[lane] {
-            smallest_sine = smallest_sine.min(square / complete);
+            let remaining = complete / size[lane].powi(2);
+            smallest = smallest.min(square / complete).min(remaining);
             columns[lane] = rest.map(|entry| entry / square.sqrt());
         }
     }
     let inverse = std::array::from_fn(|i| columns.map(|column| column[i]));
-    (inverse, smallest_sine, dependent)
+    (inverse, smallest, dependent)
 }

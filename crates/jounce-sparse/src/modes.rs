@@ -13,22 +13,24 @@ const FIRST_SHIFT: f64 = 1e-10;
 
 /// Least magnitude of the first shift relative to the largest such ratio: roundoff of the
 /// stiffness does not exceed it.
-const LEAST_FIRST_SHIFT: f64 = 1e-14;
+const LEAST_FIRST_SHIFT: f64 = 1e-12;
 
-/// Blocks after which the space shows whether a shift is near the lowest eigenvalues.
+/// Blocks, and one more for every four modes, after which the space shows whether a shift is near the
+/// lowest eigenvalues.
 const PILOT_BLOCKS: usize = 5;
 
 /// Shifts that are tried.
 const MAX_SHIFTS: usize = 4;
 
 /// Eigenvalues below this share of the magnitude of the shift are zero in the choice of the next.
-const RIGID_SHARE: f64 = 1e-3;
+const RIGID_SHARE: f64 = 0.1;
 
 /// Restarts after which the iteration ends.
 const MAX_RESTARTS: usize = 60;
 
-/// Distance of the counting shift below the last eigenvalue, relative to its distance from the shift.
-const COUNT_MARGIN: f64 = 1e-5;
+/// Distances of the counting shift below the last eigenvalue, relative to its distance from the shift:
+/// the next one is used where a pivot vanishes.
+const COUNT_MARGINS: [f64; 3] = [1e-5, 2.3e-5, 6.1e-5];
 
 /// Diagonal added to the mass, relative to its own, before its negative eigenvalues are counted.
 const MASS_ROUNDOFF: f64 = 1e-10;
@@ -96,7 +98,9 @@ pub fn lowest_modes(
             });
         }
         let mut space = Krylov::new(&factor, mass);
-        while space.blocks() < PILOT_BLOCKS && space.exhausted().is_none() {
+        // Enough blocks to hold more vectors than there may be rigid-body motions.
+        let pilot_blocks = PILOT_BLOCKS + count / LANES;
+        while space.blocks() < pilot_blocks && space.exhausted().is_none() {
             space.extend();
         }
         let pilot = space.ritz().and_then(|ritz| better_shift(&ritz, shift));
@@ -134,7 +138,7 @@ fn better_shift(ritz: &Ritz, shift: f64) -> Option<f64> {
         .find(|value| **value > RIGID_SHARE * shift.abs())?;
     // Without rigid-body motions any small shift will do; with them, one of the order of the first
     // elastic eigenvalue, so that both are accurate.
-    let is_good = lowest >= -shift || (0.1..10.0).contains(&(elastic / -shift));
+    let is_good = lowest >= -shift || elastic <= 10.0 * -shift;
     (!is_good).then_some(-elastic)
 }
 
@@ -265,13 +269,27 @@ impl Search<'_> {
 
     /// Whether the matrices have no more eigenvalues than found just below the last one.
     fn none_missed(&self, ritz: &Ritz) -> Result<bool, SparseError> {
-        let last = self.eigenvalue(ritz.theta[self.count - 1]);
-        let below = last - COUNT_MARGIN * (last - self.shift);
-        let values = ritz.theta[..self.count]
-            .iter()
-            .map(|theta| self.eigenvalue(*theta));
-        let found = values.filter(|value| *value < below).count();
-        Ok(found == 0 || self.problem.factor(below)?.negative() == found)
+        let theta = &ritz.theta[..self.count];
+        let last = self.eigenvalue(theta[self.count - 1]);
+        let mut outcome = Ok(false);
+        for margin in COUNT_MARGINS {
+            let below = last - margin * (last - self.shift);
+            let found = theta
+                .iter()
+                .filter(|theta| self.eigenvalue(**theta) < below)
+                .count();
+            if found == 0 {
+                return Ok(true);
+            }
+            outcome = self
+                .problem
+                .factor(below)
+                .map(|factor| factor.negative() == found);
+            if outcome.is_ok() {
+                break;
+            }
+        }
+        outcome
     }
 
     /// Applies the operator once more, which also bounds the errors.

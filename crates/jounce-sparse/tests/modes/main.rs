@@ -4,6 +4,7 @@
 mod chains;
 mod faults;
 mod grids;
+mod networks;
 mod plates;
 
 use jounce_sparse::{LowestModes, SymmetricMatrix};
