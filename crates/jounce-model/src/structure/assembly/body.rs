@@ -189,6 +189,12 @@ fn position_m(beam: &Beam, point: &str) -> Option<f64> {
 }
 
 fn check_references(spec: &Spec) -> Result<(), StructureError> {
+    check_supports(spec)?;
+    check_carriers(spec)
+}
+
+/// Checks what the roots of beams and the masses stand on.
+fn check_supports(spec: &Spec) -> Result<(), StructureError> {
     let stands = |support: &str, words: &[&str]| match support.split_once('.') {
         None => {
             words.contains(&support) || spec.is_base(support) || spec.mass.contains_key(support)
@@ -226,6 +232,11 @@ fn check_references(spec: &Spec) -> Result<(), StructureError> {
             known,
         });
     }
+    Ok(())
+}
+
+/// Checks what carries the patches and layers.
+fn check_carriers(spec: &Spec) -> Result<(), StructureError> {
     let patches = spec
         .patch
         .iter()
