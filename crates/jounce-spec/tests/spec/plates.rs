@@ -180,6 +180,13 @@ fn bad_input_names_the_place_and_the_remedy() {
             )],
             "plate.wing: another structure has this name too",
         ),
+        (
+            &[(
+                "mass = \"5 g\"",
+                "mass = \"5 g\"\nrotary_inertia = \"1e-7 kg m^2\"",
+            )],
+            "mass.lump.rotary_inertia does not apply on a plate",
+        ),
         (&[("beyond = 0.01", "ratios = [0.01]")], "damping.ratios"),
     ] {
         let faults = faults_of(changes);
