@@ -223,7 +223,7 @@ mod tests {
     #[test]
     fn a_plate_has_a_plan_view() {
         let lump = "[mass.lump]\non = \"plate.corner\"\nmass = \"1 g\"\n";
-        let starter = jounce_spec::Starter::of("plate-with-stop").unwrap();
+        let starter = jounce_spec::starter::Starter::of("plate-with-stop").unwrap();
         let text = format!("{}\n{lump}", starter.spec);
         let drawing_of = drawing("", &Spec::from_toml(&text).unwrap());
         let plan = &drawing_of.plans[0];
