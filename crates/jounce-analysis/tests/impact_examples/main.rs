@@ -9,6 +9,7 @@ mod example;
 mod faults;
 mod impact_harvester_2019;
 mod missile_renaud;
+mod plate_de_marqui;
 mod random_base;
 mod rectified_shu_lien;
 mod reduced_basis;

@@ -5,6 +5,7 @@
 mod adhikari;
 mod bilgen;
 mod circuits;
+mod de_marqui;
 mod erturk_2008;
 mod erturk_2009;
 mod example;

@@ -1,4 +1,4 @@
-//! `unimorph-erturk-2008`, `bimorph-erturk-2009`: responses to a shaken base at several loads.
+//! `unimorph-erturk-2008`, `bimorph-erturk-2009`, `plate-de-marqui-2009`: responses to a shaken base at several loads.
 
 use crate::comparison::check;
 use crate::example::plant;
@@ -73,6 +73,42 @@ fn unimorph_voltage_current_and_tip_at_five_loads() {
         false,
     ));
     check(EXAMPLE, "responses", &figure);
+}
+
+/// The wider the plate, the stiffer it is: its width cannot curl freely.
+#[test]
+fn plate_voltage_at_four_widths() {
+    const EXAMPLE: &str = "plate-de-marqui-2009";
+    let frequency_hz: Vec<f64> = (0..401).map(|k| 44.0 + 0.02 * f64::from(k)).collect();
+    let line = |label: &'static str, width: &str, ratio: &str| {
+        let settings = [
+            ("plate.plate.width", width),
+            ("patch.ceramic.width", width),
+            ("plate.plate.poisson_ratio", ratio),
+            ("patch.ceramic.poisson_ratio", ratio),
+            ("plate.plate.point.tip.y", "10 mm"),
+        ];
+        let plant = plant(EXAMPLE, &settings);
+        let voltage = FrfResponse::LoadVoltage("load".into());
+        (label, per_g(&plant, voltage, &frequency_hz))
+    };
+    let lines = [
+        line("20 mm, no contraction (beam)", "20 mm", "0"),
+        line("20 mm, Poisson's ratio 0.3", "20 mm", "0.3"),
+        line("50 mm, Poisson's ratio 0.3", "50 mm", "0.3"),
+        line("100 mm, Poisson's ratio 0.3", "100 mm", "0.3"),
+    ];
+    let mut panel = Panel::new(
+        Axis::linear("Frequency", "Hz"),
+        Axis::linear("Voltage per g", "V"),
+    );
+    for (index, (label, value)) in lines.into_iter().enumerate() {
+        let colour = jounce_plot::Colour::nth(index);
+        let series = Series::line(frequency_hz.clone(), value);
+        panel = panel.with(series.colour(colour).label(label));
+    }
+    let title = "Voltage at 100 kΩ of plates of four widths, peak value per g of the base";
+    check(EXAMPLE, "widths", &Figure::new(title).with(panel));
 }
 
 #[test]
