@@ -286,7 +286,7 @@ fn participations_sum_to_the_moving_mass() {
             let mass = Mass {
                 on: "plate.corner".into(),
                 mass_kg: 5e-3,
-                rotary_inertia_kg_m2: 1e-7,
+                rotary_inertia_kg_m2: 0.0,
                 stiffness_n_m: None,
                 damping_ratio: None,
                 velocity_m_s: None,

@@ -38,7 +38,7 @@ pub(super) static KEYS: &[Key<Mass>] = &[
     Key::quantity(
         "rotary_inertia",
         Quantity::RotaryInertia,
-        "moment of inertia about the point of attachment; for a mass without a spring on a beam or a plate",
+        "moment of inertia about the point of attachment; for a mass without a spring on a beam",
         |m: &Mass| m.rotary_inertia_kg_m2,
         |m, x| m.rotary_inertia_kg_m2 = x,
     )

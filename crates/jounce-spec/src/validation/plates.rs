@@ -239,6 +239,12 @@ fn check_masses(spec: &Spec, faults: &mut ValidationFaults) {
         .map(|(name, _)| name.as_str())
         .collect();
     for name in &on_plates {
+        if spec.mass[*name].rotary_inertia_kg_m2 > 0.0 {
+            let text = || {
+                "does not apply on a plate, whose slope under a moment at a point is unbounded; omit it, or add a [layer.NAME] with the mass".to_owned()
+            };
+            faults.push(|| format!("mass.{name}.rotary_inertia"), text);
+        }
         if spec.mass[*name].stiffness_n_m.is_some() {
             let text = || {
                 "is a point of a plate, which carries only fixed masses; omit the spring, or put the mass on a beam".to_owned()

@@ -128,7 +128,7 @@ fn check_mass(spec: &Spec, name: &str, mass: &Mass, faults: &mut ValidationFault
         faults.push(
             || format!("mass.{name}.rotary_inertia"),
             || {
-                "has no effect: only a mass without a spring on a point of a beam or a plate rotates; omit it"
+                "has no effect: only a mass without a spring on a point of a beam rotates; omit it"
                     .into()
             },
         );

@@ -70,118 +70,131 @@ fn a_plate_is_read_and_written_again() {
     assert_eq!(spec.base_under("wing.corner"), "ground");
 }
 
+const CERAMIC: &str = "material = \"PZT-5A\"\nstart = \"5 mm\"\nlength = \"40 mm\"";
+
+/// Replaced parts of the text, and a part of the expected message.
+type BadInput = (&'static [(&'static str, &'static str)], &'static str);
+
+const BAD_INPUT: &[BadInput] = &[
+    (
+        &[("left = \"clamped\"", "left = \"free\"")],
+        "plate.wing: the plate could move as a rigid body",
+    ),
+    (
+        &[("left = \"clamped\"", "left = \"simply-supported\"")],
+        "two to \"simply-supported\"",
+    ),
+    (
+        &[("left = \"clamped\"", "left = \"welded\"")],
+        "plate.wing.left",
+    ),
+    (
+        &[("x = \"100 mm\"", "x = \"101 mm\"")],
+        "plate.wing.point.corner.x is 101 mm from the left edge; it must not exceed the plate length 100 mm",
+    ),
+    (
+        &[("y = \"60 mm\"", "y = \"-1 mm\"")],
+        "plate.wing.point.corner.y",
+    ),
+    (
+        &[("left = \"clamped\"", "left = \"clamped\"\non = \"lump\"")],
+        "a plate stands on a base only",
+    ),
+    (
+        &[(
+            CERAMIC,
+            "material = \"PZT-5A\"\nstart = \"61 mm\"\nlength = \"40 mm\"",
+        )],
+        "patch.cell.length: the patch or layer covers x = 61 mm to 101 mm; it must lie within the plate length 100 mm",
+    ),
+    (
+        &[(
+            CERAMIC,
+            "material = \"PZT-5A\"\nstart = \"20 mm\"\nlength = \"40 mm\"",
+        )],
+        "layer.bond covers x = 5 mm to 55 mm, y = 0 m to 40 mm of the same face, under a part of this patch only",
+    ),
+    (
+        &[(
+            CERAMIC,
+            "material = \"MFC-P2\"\nstart = \"5 mm\"\nlength = \"40 mm\"",
+        )],
+        "a fibre composite is not isotropic in its plane",
+    ),
+    (
+        &[(
+            CERAMIC,
+            "material = \"PVDF\"\nstart = \"5 mm\"\nlength = \"40 mm\"",
+        )],
+        "patch.cell: `poisson_ratio` is missing",
+    ),
+    (
+        &[("poisson_ratio = 0.4", "poisson_ratio = 0.7")],
+        "layer.bond.poisson_ratio",
+    ),
+    (
+        &[(
+            "material = \"PZT-5A\"",
+            "material = \"PZT-5A\"\nsection = \"thin-skin\"",
+        )],
+        "is a section of beams",
+    ),
+    (
+        &[(
+            "material = \"PZT-5A\"",
+            "material = \"PZT-5A\"\nporosity = 0.2",
+        )],
+        "patch.cell.porosity",
+    ),
+    (
+        &[("material = \"aluminium\"", "material = \"silicon\"")],
+        "plate.wing: `poisson_ratio` is missing",
+    ),
+    (
+        &[("on = \"wing.corner\"", "on = \"wing.middle\"")],
+        "there is no mass or point \"wing.middle\"",
+    ),
+    (
+        &[(
+            "mass = \"5 g\"",
+            "mass = \"5 g\"\nfrequency = \"9 Hz\"\ndamping_ratio = 0.1",
+        )],
+        "mass.lump.on is a point of a plate, which carries only fixed masses",
+    ),
+    (
+        &[(
+            "[damping]",
+            "[mass.second]\non = \"lump\"\nmass = \"1 g\"\n[damping]",
+        )],
+        "mass.second.on is mass \"lump\" on a plate, which carries nothing",
+    ),
+    (
+        &[(
+            "[damping]",
+            "[beam.arm]\nmaterial = \"steel\"\nlength = \"9 mm\"\nwidth = \"2 mm\"\nthickness = \"1 mm\"\nroot = \"wing.corner\"\n[damping]",
+        )],
+        "beam.arm.root is a point of a plate, which carries only fixed masses",
+    ),
+    (
+        &[(
+            "[damping]",
+            "[modal.wing]\nfrequency_hz = [1]\ndamping_ratio = [0.1]\nparticipation_sqrt_kg = [0.1]\n[damping]",
+        )],
+        "plate.wing: another structure has this name too",
+    ),
+    (
+        &[(
+            "mass = \"5 g\"",
+            "mass = \"5 g\"\nrotary_inertia = \"1e-7 kg m^2\"",
+        )],
+        "mass.lump.rotary_inertia does not apply on a plate",
+    ),
+    (&[("beyond = 0.01", "ratios = [0.01]")], "damping.ratios"),
+];
+
 #[test]
 fn bad_input_names_the_place_and_the_remedy() {
-    let patch = "material = \"PZT-5A\"\nstart = \"5 mm\"\nlength = \"40 mm\"";
-    for (changes, expected) in [
-        (
-            &[("left = \"clamped\"", "left = \"free\"")][..],
-            "plate.wing: the plate could move as a rigid body",
-        ),
-        (
-            &[("left = \"clamped\"", "left = \"simply-supported\"")],
-            "two to \"simply-supported\"",
-        ),
-        (
-            &[("left = \"clamped\"", "left = \"welded\"")],
-            "plate.wing.left",
-        ),
-        (
-            &[("x = \"100 mm\"", "x = \"101 mm\"")],
-            "plate.wing.point.corner.x is 101 mm from the left edge; it must not exceed the plate length 100 mm",
-        ),
-        (
-            &[("y = \"60 mm\"", "y = \"-1 mm\"")],
-            "plate.wing.point.corner.y",
-        ),
-        (
-            &[("left = \"clamped\"", "left = \"clamped\"\non = \"lump\"")],
-            "a plate stands on a base only",
-        ),
-        (
-            &[(
-                patch,
-                "material = \"PZT-5A\"\nstart = \"61 mm\"\nlength = \"40 mm\"",
-            )],
-            "patch.cell.length: the patch or layer covers x = 61 mm to 101 mm; it must lie within the plate length 100 mm",
-        ),
-        (
-            &[(
-                patch,
-                "material = \"PZT-5A\"\nstart = \"20 mm\"\nlength = \"40 mm\"",
-            )],
-            "layer.bond covers x = 5 mm to 55 mm, y = 0 m to 40 mm of the same face, under a part of this patch only",
-        ),
-        (
-            &[(
-                patch,
-                "material = \"MFC-P2\"\nstart = \"5 mm\"\nlength = \"40 mm\"",
-            )],
-            "a fibre composite is not isotropic in its plane",
-        ),
-        (
-            &[(
-                patch,
-                "material = \"PVDF\"\nstart = \"5 mm\"\nlength = \"40 mm\"",
-            )],
-            "patch.cell: `poisson_ratio` is missing",
-        ),
-        (
-            &[("poisson_ratio = 0.4", "poisson_ratio = 0.7")],
-            "layer.bond.poisson_ratio",
-        ),
-        (
-            &[(
-                "material = \"PZT-5A\"",
-                "material = \"PZT-5A\"\nsection = \"thin-skin\"",
-            )],
-            "is a section of beams",
-        ),
-        (
-            &[(
-                "material = \"PZT-5A\"",
-                "material = \"PZT-5A\"\nporosity = 0.2",
-            )],
-            "patch.cell.porosity",
-        ),
-        (
-            &[("material = \"aluminium\"", "material = \"silicon\"")],
-            "plate.wing: `poisson_ratio` is missing",
-        ),
-        (
-            &[("on = \"wing.corner\"", "on = \"wing.middle\"")],
-            "there is no mass or point \"wing.middle\"",
-        ),
-        (
-            &[(
-                "mass = \"5 g\"",
-                "mass = \"5 g\"\nfrequency = \"9 Hz\"\ndamping_ratio = 0.1",
-            )],
-            "mass.lump.on is a point of a plate, which carries only fixed masses",
-        ),
-        (
-            &[(
-                "[damping]",
-                "[mass.second]\non = \"lump\"\nmass = \"1 g\"\n[damping]",
-            )],
-            "mass.second.on is mass \"lump\" on a plate, which carries nothing",
-        ),
-        (
-            &[(
-                "[damping]",
-                "[beam.arm]\nmaterial = \"steel\"\nlength = \"9 mm\"\nwidth = \"2 mm\"\nthickness = \"1 mm\"\nroot = \"wing.corner\"\n[damping]",
-            )],
-            "beam.arm.root is a point of a plate, which carries only fixed masses",
-        ),
-        (
-            &[(
-                "[damping]",
-                "[modal.wing]\nfrequency_hz = [1]\ndamping_ratio = [0.1]\nparticipation_sqrt_kg = [0.1]\n[damping]",
-            )],
-            "plate.wing: another structure has this name too",
-        ),
-        (&[("beyond = 0.01", "ratios = [0.01]")], "damping.ratios"),
-    ] {
+    for (changes, expected) in BAD_INPUT {
         let faults = faults_of(changes);
         assert!(faults.contains(expected), "{changes:?}: {faults:?}");
     }

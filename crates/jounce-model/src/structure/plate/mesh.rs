@@ -104,10 +104,7 @@ impl<'l, 'a> PlateMesh<'l, 'a> {
         }
         let [stiffness, mut mass] = entries;
         for (_, fixed, point) in &self.layout.masses {
-            self.add_inertia(*point, [0, 0], fixed.mass_kg, &mut mass);
-            for turn in [[1, 0], [0, 1]] {
-                self.add_inertia(*point, turn, fixed.rotary_inertia_kg_m2, &mut mass);
-            }
+            self.add_mass(*point, fixed.mass_kg, &mut mass);
         }
         let unknowns = self.unknowns();
         Ok([
@@ -163,18 +160,12 @@ impl<'l, 'a> PlateMesh<'l, 'a> {
         }
     }
 
-    /// Adds the entries of the lower triangle of an inertia at a point.
-    fn add_inertia(
-        &self,
-        point: PlatePoint,
-        derivative: [usize; 2],
-        inertia: f64,
-        mass: &mut Vec<Entry>,
-    ) {
-        let row = self.row(point, derivative).entries();
-        for (i, one) in row.iter().filter(|_| inertia > 0.0) {
+    /// Adds the entries of the lower triangle of a mass at a point.
+    fn add_mass(&self, point: PlatePoint, mass_kg: f64, mass: &mut Vec<Entry>) {
+        let row = self.row(point, [0, 0]).entries();
+        for (i, one) in &row {
             let lower = row.iter().filter(|(j, _)| j <= i);
-            mass.extend(lower.map(|(j, other)| (*i, *j, inertia * one * other)));
+            mass.extend(lower.map(|(j, other)| (*i, *j, mass_kg * one * other)));
         }
     }
 }
