@@ -19,7 +19,7 @@ class Material:
 
     name: Annotated[str, About("name in a spec")]
     youngs_modulus_pa: Annotated[float, About("Young's modulus along the beam, at short circuit", "Pa")]
-    poisson_ratio: Annotated[float | None, About("Poisson's ratio, for contacts; ``None`` where the material is not isotropic or it is unknown")]
+    poisson_ratio: Annotated[float | None, About("Poisson's ratio of contacts and plates; ``None`` where unknown or not isotropic")]
     density_kg_m3: Annotated[float, About("density", "kg/m^3")]
     strain_limit: Annotated[float | None, About("recommended strain limit; ``None`` where unknown")]
     voltage_limits_v: Annotated[tuple[float, float] | None, About("lowest and highest permitted voltage; ``None`` where unknown", "V")]

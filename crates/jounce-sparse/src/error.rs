@@ -77,7 +77,9 @@ pub enum SparseError {
         negative: usize,
     },
     /// More modes are wanted than the matrices have.
-    #[error("{count} modes are wanted, but the matrices have {available}")]
+    #[error(
+        "{count} modes are wanted, but the matrices have {available}; ask for at most {available}"
+    )]
     TooManyModes {
         /// Number of modes wanted.
         count: usize,

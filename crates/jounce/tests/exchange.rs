@@ -236,6 +236,7 @@ fn circuit_has_the_same_power() -> Result<(), Error> {
 fn circuits_refuse_what_they_cannot_hold() -> Result<(), Error> {
     let values = [
         ("stop.tip.law", "rigid"),
+        ("stop.tip.restitution", "0.5"),
         ("stop.tip.stiffness", ""),
         ("circuit.load.interface", "bridge"),
         ("circuit.load.storage", "1 uF"),

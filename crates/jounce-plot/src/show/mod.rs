@@ -122,7 +122,7 @@ mod tests {
         );
         let table = "{ at = \"beam.tip\", gap = \"1 mm\", law = \"table\", penetration_m = [1e-4, 3e-4], force_n = [1, 5], damping = \"0.2 s/m\" }";
         file.set("stop.tip", table).unwrap();
-        assert_eq!(label(&file), "table, 2 points, 5 N at 0.3 mm, 0.2 s/m");
+        assert_eq!(label(&file), "table, 2 points, 5 N at 300 µm, 0.2 s/m");
     }
 
     #[test]

@@ -26,8 +26,10 @@ pub fn schema() -> Value {
     schema["title"] = json!("jounce spec");
     schema["description"] =
         json!("An impact energy harvester: its structure, stops, circuits and drives.");
-    schema["anyOf"] =
-        json!([{ "required": ["beam"] }, { "required": ["mass"] }, { "required": ["modal"] }]);
+    schema["anyOf"] = ["beam", "plate", "mass", "modal"]
+        .map(|name| json!({ "required": [name] }))
+        .to_vec()
+        .into();
     schema
 }
 

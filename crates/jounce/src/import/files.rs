@@ -13,7 +13,10 @@ use std::path::Path;
 /// [`Error::Exchange`] with all faults.
 pub(super) fn read(folder: &Path) -> Result<MatrixSet, Error> {
     if !folder.is_dir() {
-        let message = format!("{} is not a folder of matrices", folder.display());
+        let message = format!(
+            "{} is not a folder of matrices: mass.mtx, stiffness.mtx and, for points and electrodes, names.csv",
+            folder.display()
+        );
         return Err(ExchangeFaults::from(message).into());
     }
     let mut set = MatrixSet::default();
