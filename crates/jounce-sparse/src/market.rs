@@ -25,6 +25,9 @@ fn fault(line: usize, message: impl Into<String>) -> MarketError {
     }
 }
 
+/// Largest number of rows or columns.
+const MAX_SIZE: usize = 100_000_000;
+
 /// Words of the first line.
 struct Header {
     is_coordinate: bool,
@@ -74,7 +77,7 @@ pub fn read_market(text: &str) -> Result<MatrixEntries, MarketError> {
     let (mut count, mut next) = (0, (0, 0));
     for (line, text) in lines {
         let (row, column, value) = match header.is_coordinate {
-            true => coordinate(line, text, rows, columns)?,
+            true => coordinate(line, text, (rows, columns), header.is_symmetric)?,
             false => (next.0, next.1, number(line, text)?),
         };
         count += 1;
@@ -137,6 +140,17 @@ fn sizes_of(
         .split_whitespace()
         .map(|word| word.parse().ok())
         .collect();
+    if let Some(size) = sizes
+        .iter()
+        .flatten()
+        .take(2)
+        .find(|size| **size > MAX_SIZE)
+    {
+        return Err(fault(
+            line,
+            format!("{size} rows or columns; at most {MAX_SIZE} are read"),
+        ));
+    }
     match (sizes.as_deref(), is_coordinate) {
         (Some(&[rows, columns, stored]), true) => Ok((rows, columns, stored)),
         (Some(&[rows, columns]), false) => Ok((rows, columns, 0)),
@@ -151,8 +165,8 @@ fn sizes_of(
 fn coordinate(
     line: usize,
     text: &str,
-    rows: usize,
-    columns: usize,
+    (rows, columns): (usize, usize),
+    is_symmetric: bool,
 ) -> Result<(usize, usize, f64), MarketError> {
     let words: Vec<&str> = text.split_whitespace().collect();
     let [row, column, value] = words[..] else {
@@ -165,11 +179,15 @@ fn coordinate(
             format!("{what} {word} is not a number from 1 to {most}"),
         )),
     };
-    Ok((
-        index(row, rows, "row")?,
-        index(column, columns, "column")?,
-        number(line, value)?,
-    ))
+    let (row, column) = (index(row, rows, "row")?, index(column, columns, "column")?);
+    if is_symmetric && row < column {
+        let place = format!("entry ({}, {})", row + 1, column + 1);
+        return Err(fault(
+            line,
+            format!("{place} lies above the diagonal; a symmetric file holds the lower triangle"),
+        ));
+    }
+    Ok((row, column, number(line, value)?))
 }
 
 fn number(line: usize, word: &str) -> Result<f64, MarketError> {
@@ -262,6 +280,14 @@ mod tests {
             fault(&format!("{general}2 2 1\n1 1 1\n1 2 1\n")).contains("line 4: more than the 1")
         );
         let array = "%%MatrixMarket matrix array real general\n999999999999 999999999999\n1\n";
-        assert!(fault(array).contains("ends after 1 of"));
+        assert!(
+            fault(array)
+                .contains("line 2: 999999999999 rows or columns; at most 100000000 are read")
+        );
+        let symmetric = general.replace("general", "symmetric");
+        assert!(
+            fault(&format!("{symmetric}2 2 1\n1 2 1\n"))
+                .contains("line 3: entry (1, 2) lies above the diagonal")
+        );
     }
 }

@@ -49,7 +49,12 @@ impl Cable {
             return setting_error("the resistance of the cable in ohm", value, "above 0");
         }
         for patch in spec.patch.values_mut() {
-            patch.capacitance_f = Some(patch.clamped_capacitance_f() + self.capacitance_f);
+            let own_f = if spec.plate.contains_key(&patch.on) {
+                patch.clamped_in_plane_capacitance_f()
+            } else {
+                patch.clamped_capacitance_f()
+            };
+            patch.capacitance_f = Some(own_f + self.capacitance_f);
             patch.permittivity_f_m = None;
             patch.leakage_ohm = match (patch.leakage_ohm, self.leakage_ohm) {
                 (Some(patch_ohm), Some(cable_ohm)) => {

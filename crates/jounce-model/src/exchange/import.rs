@@ -13,6 +13,9 @@ const TOLERANCE: f64 = 1e-11;
 /// An eigenvalue below this share of the magnitude of the shift is that of a rigid-body motion.
 const RIGID_SHARE: f64 = 1e-7;
 
+/// Largest number of entries of a matrix with one column for each electrode or for the base.
+const MAX_DENSE: usize = 100_000_000;
+
 /// Number of modes, and the meaning of the numbers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ImportSettings {
@@ -56,6 +59,19 @@ pub fn import_modes(
         return Err(ExchangeFaults(faults));
     };
     let points = set.matrix.remove("points");
+    for name in ["coupling", "capacitance", "conductance", "base"] {
+        if let Some(matrix) = set.matrix.get(name)
+            && matrix.rows.saturating_mul(matrix.columns) > MAX_DENSE
+        {
+            faults.push(format!(
+                "{name} is {} x {}, more than {MAX_DENSE} entries; its columns must be electrodes, or 1 for base",
+                matrix.rows, matrix.columns
+            ));
+        }
+    }
+    if !faults.is_empty() {
+        return Err(ExchangeFaults(faults));
+    }
     let dense = |name: &str| set.matrix.get(name).map(MatrixEntries::dense);
     let projection = Projection {
         damping,

@@ -3,6 +3,7 @@
 use super::{NameKind, Names};
 use jounce_linalg::{Mat, column};
 use jounce_sparse::{MatrixEntries, SymmetricMatrix};
+use std::collections::BTreeMap;
 
 /// Entry of a capacitance or conductance off its diagonal, relative to the largest one, that is
 /// roundoff.
@@ -107,11 +108,10 @@ impl Projection {
         ] {
             let Some(matrix) = matrix else { continue };
             let largest = matrix.amax();
-            for (i, j) in
-                (0..matrix.nrows()).flat_map(|i| (0..i.min(matrix.ncols())).map(move |j| (i, j)))
+            for (i, j) in (0..matrix.nrows()).flat_map(|i| (0..matrix.ncols()).map(move |j| (i, j)))
             {
                 let value = matrix[(i, j)];
-                if value.abs() > ROUNDOFF * largest {
+                if i != j && value.abs() > ROUNDOFF * largest {
                     faults.push(format!(
                         "{name}: entry ({}, {}) is {value}; electrodes that share charge cannot be read, so it must be 0",
                         i + 1,
@@ -156,11 +156,30 @@ impl Projection {
                 ));
             }
         }
+        for kind in [NameKind::Point, NameKind::Electrode] {
+            let mut seen = BTreeMap::new();
+            for (_, name) in self.names.of(kind) {
+                if let Some(other) = seen.insert(plain(name), name) {
+                    faults.push(format!(
+                        "names.csv: {other} and {name} are one name in a spec, {}; rename one",
+                        plain(name)
+                    ));
+                }
+            }
+        }
         let named: Vec<usize> = self
             .names
             .of(NameKind::Electrode)
             .map(|line| line.0)
             .collect();
+        for (at, index) in named.iter().enumerate() {
+            if named[..at].contains(index) {
+                faults.push(format!(
+                    "names.csv: column {} of coupling has two names; remove one",
+                    index + 1
+                ));
+            }
+        }
         for index in (0..electrodes).filter(|index| !named.contains(index)) {
             let column = index + 1;
             faults.push(format!(

@@ -171,10 +171,23 @@ pub enum StructureError {
         /// A tolerance that is attainable.
         suggestion: f64,
     },
+    /// Patches, layers and retained modes ask for more elements of a plate than this solver allows.
+    #[error(
+        "plate.{plate} needs {unknowns} unknowns, more than the {allowed} that are allowed; retain fewer modes, use fewer patches and layers, \
+         or let their edges coincide"
+    )]
+    PlateTooFine {
+        /// Name of the plate.
+        plate: String,
+        /// Number of unknowns.
+        unknowns: usize,
+        /// Largest number of unknowns.
+        allowed: usize,
+    },
     /// Refinement of a plate ended before its frequencies converged.
     #[error(
         "the frequencies of plate.{plate} still change by {change:e} (relative) with {unknowns} unknowns, more than {tolerance:e}; \
-         retain fewer modes, move patch edges that nearly coincide apart or together, or set reduction.mesh_tolerance to {:e}", 2.0 * change
+         retain fewer modes, move patch edges that nearly coincide apart or together, or set reduction.mesh_tolerance to {:e}", (2.0 * change).min(0.1)
     )]
     PlateNotConverged {
         /// Name of the plate.

@@ -20,6 +20,9 @@ pub(super) fn check(spec: &Spec, faults: &mut ValidationFaults) {
             continue;
         }
         check_exponent(stop, &mut fault);
+        if has_zero_radius(bodies, &mut fault) {
+            continue;
+        }
         for (prefix, body) in [("", &bodies.striking), ("stop_", &bodies.stop)] {
             check_material(prefix, body, &mut fault);
         }
@@ -61,6 +64,24 @@ fn without_radius(bodies: &ContactBodies, fault: &mut impl FnMut(&str, String)) 
             "is given without `radius`, which takes the place of `stiffness`; give `radius` or omit this key".to_owned(),
         );
     }
+}
+
+/// Reports radii of zero: a curvature without bound.
+fn has_zero_radius(bodies: &ContactBodies, fault: &mut impl FnMut(&str, String)) -> bool {
+    let radii = [
+        ("cross_radius", bodies.striking.cross_radius_m),
+        ("stop_radius", bodies.stop.radius_m),
+        ("stop_cross_radius", bodies.stop.cross_radius_m),
+    ];
+    let zero = radii.iter().filter(|(_, radius_m)| *radius_m == Some(0.0));
+    zero.map(|(key, _)| {
+        fault(
+            key,
+            "is 0; give a radius other than 0, or omit it for a flat body".to_owned(),
+        )
+    })
+    .count()
+        > 0
 }
 
 fn check_exponent(stop: &Stop, fault: &mut impl FnMut(&str, String)) {

@@ -173,6 +173,10 @@ const INVALID: &[(&str, &[&str])] = &[
         &["stop.s.radius is too large for the other radii"],
     ),
     (
+        "radius = \"5 mm\"\nmaterial = \"steel\"\nstop_material = \"steel\"\nstop_radius = \"0 mm\"",
+        &["stop.s.stop_radius is 0; give a radius other than 0"],
+    ),
+    (
         "radius = \"5 mm\"\nmaterial = \"steel\"\nstop_material = \"steel\"\nstop_shape = \"cylinder\"\ncrossing_angle = \"90 deg\"",
         &[
             "stop.s.stop_shape has no effect on a flat body",

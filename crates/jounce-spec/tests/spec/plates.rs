@@ -67,6 +67,23 @@ fn a_plate_is_read_and_written_again() {
     assert_eq!(spec.patch["cell"].poisson_ratio(), Some(5.74 / 16.4));
     assert_eq!(spec.layer["bond"].poisson_ratio(), Some(0.4));
     assert_eq!(Spec::from_toml(&spec.to_toml()).unwrap(), spec);
+    // Jaffe, Cook and Jaffe: eps33T = 1700 eps0, d31 = -171 pm/V, s11E + s12E = (16.4 - 5.74) / TPa.
+    let permittivity_f_m =
+        1700.0 * 8.854_187_812_8e-12 - 2.0 * 171e-12_f64.powi(2) / (16.4e-12 - 5.74e-12);
+    let expected_f = permittivity_f_m * 0.04 * 0.04 / 0.2e-3;
+    let found_f = spec.patch["cell"].clamped_in_plane_capacitance_f();
+    assert!((found_f / expected_f - 1.0).abs() < 1e-12, "{found_f:e}");
+    // A larger d31 of the user softens it further; the free permittivity stays that of the ceramic.
+    let mut strong = spec.patch["cell"].clone();
+    strong.d31_m_per_v = Some(-200e-12);
+    let softer_f =
+        2.0 * (200e-12_f64.powi(2) - 171e-12_f64.powi(2)) / (16.4e-12 - 5.74e-12) * 0.04 * 0.04
+            / 0.2e-3;
+    let found_f = strong.clamped_in_plane_capacitance_f();
+    assert!(
+        (found_f / (expected_f - softer_f) - 1.0).abs() < 1e-12,
+        "{found_f:e}"
+    );
     assert_eq!(spec.base_under("wing.corner"), "ground");
 }
 

@@ -75,11 +75,16 @@ pub(in crate::structure) fn merged(parts: &[Modes]) -> (ModeOrder, Modes) {
     };
     for (index, part) in parts.iter().enumerate() {
         let spread = |values: &Vec<f64>| order.spread(index, values);
-        modes.base_sqrt_kg.extend(
-            part.base_sqrt_kg
-                .iter()
-                .map(|(name, values)| (name.clone(), spread(values))),
-        );
+        // Several parts may stand on one base.
+        for (name, values) in &part.base_sqrt_kg {
+            let sum = modes
+                .base_sqrt_kg
+                .entry(name.clone())
+                .or_insert_with(|| vec![0.0; order.0.len()]);
+            for (sum, value) in sum.iter_mut().zip(spread(values)) {
+                *sum += value;
+            }
+        }
         modes.shape.extend(
             part.shape
                 .iter()
@@ -126,7 +131,7 @@ mod tests {
                 },
             )]),
             participation_sqrt_kg: vec![0.5; count],
-            base_sqrt_kg: BTreeMap::new(),
+            base_sqrt_kg: BTreeMap::from([("shelf".to_owned(), frequency_rad_s.to_vec())]),
             discretisation_error: vec![0.0; count],
         }
     }
@@ -144,6 +149,8 @@ mod tests {
             (order.index_of(1, 1), order.index_of(1, 2)),
             (Some(3), None)
         );
+        // The base moves both parts.
+        assert_eq!(modes.base_sqrt_kg["shelf"], modes.frequency_rad_s);
         let first = order.first(3);
         assert_eq!((first.len(), first.needed(0), first.needed(1)), (3, 2, 1));
     }

@@ -22,7 +22,7 @@
 //! Source: J. N. Reddy, Mechanics of Laminated Composite Plates and Shells (2004), ch. 3 (`D - B
 //! A^-1 B`); A. Erturk, D. J. Inman, Piezoelectric Energy Harvesting (2011), appendix A.
 
-use jounce_spec::{Face, Layer, Patch, Plate, material};
+use jounce_spec::{Face, Layer, Patch, Plate};
 
 /// Bending properties of a cell of a plate.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -144,24 +144,6 @@ impl Laminate {
 fn charge_per_strain_c_m2(patch: &Patch) -> f64 {
     let poisson_ratio = patch.poisson_ratio().unwrap_or(f64::NAN);
     patch.d31_m_per_v.unwrap_or(f64::NAN) * patch.youngs_modulus_pa / (1.0 - poisson_ratio)
-}
-
-/// Returns the capacitance of a patch at constant strain in its plane, F.
-///
-/// The library gives the permittivity at constant strain along a beam, `eps33T - d31^2 E_p`. In the
-/// plane of a plate it is `eps33T - 2 d31^2 E_p / (1 - nu_p)`.
-pub(super) fn clamped_capacitance_f(patch: &Patch) -> f64 {
-    let library = material::named(&patch.material).and_then(|known| known.active);
-    let is_library = patch.capacitance_f.is_none()
-        && library.is_some_and(|active| Some(active.permittivity_f_m) == patch.permittivity_f_m);
-    let (Some(permittivity_f_m), Some(d31_m_per_v), true) =
-        (patch.permittivity_f_m, patch.d31_m_per_v, is_library)
-    else {
-        return patch.clamped_capacitance_f();
-    };
-    let at_constant_stress = permittivity_f_m + d31_m_per_v * d31_m_per_v * patch.youngs_modulus_pa;
-    let in_plane = at_constant_stress - 2.0 * d31_m_per_v * charge_per_strain_c_m2(patch);
-    in_plane * patch.length_m * patch.width_m / patch.thickness_m
 }
 
 fn side(face: Face) -> usize {

@@ -1,6 +1,5 @@
 //! Modes of the plates of a spec.
 
-use super::laminate::clamped_capacitance_f;
 use super::layout::PlateLayout;
 use super::mesh::{PlateMesh, ProductRow};
 use super::refinement::refined;
@@ -29,13 +28,17 @@ pub(super) struct MeshModes {
 /// Returns the lowest `count` modes of every plate, without damping.
 ///
 /// # Errors
-/// `NotConverged`, `NotRepresentable`.
+/// `NotPositive` for a capacitance, and those of [`refined`].
 pub(in crate::structure) fn plate_modes(
     spec: &Spec,
     count: usize,
 ) -> Result<Vec<Modes>, StructureError> {
     let of_plate = |(name, plate): (&String, &Plate)| {
         let layout = PlateLayout::new(spec, name, plate);
+        for (patch_name, _, patch) in &layout.patches {
+            let key = format!("patch.{patch_name}.capacitance");
+            StructureError::positive(key, patch.clamped_in_plane_capacitance_f())?;
+        }
         let (mesh, modes, error) = refined(&layout, count, spec.reduction.mesh_tolerance)?;
         Ok(modes.converted(spec, &mesh, error))
     };
@@ -202,7 +205,7 @@ impl MeshModes {
         }
         PatchModes {
             coupling_n_per_v: self.modal_sum(&coupling),
-            capacitance_f: clamped_capacitance_f(patch),
+            capacitance_f: patch.clamped_in_plane_capacitance_f(),
             leakage_ohm: patch.leakage_ohm,
             strain,
         }

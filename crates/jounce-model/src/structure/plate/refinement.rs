@@ -31,7 +31,7 @@ const STRIP: f64 = 0.15;
 /// tolerance.
 ///
 /// # Errors
-/// `NotConverged`, `TooManyModes`, `NotRepresentable`.
+/// `PlateTooFine`, `PlateNotConverged`, `NotRepresentable`.
 pub(super) fn refined<'l, 'a>(
     layout: &'l PlateLayout<'a>,
     count: usize,
@@ -40,6 +40,14 @@ pub(super) fn refined<'l, 'a>(
     let tolerance = tolerance.max(LEAST_TOLERANCE);
     let longest_m = 2.5 * PI / wave_number_per_m(layout.plate, count);
     let mesh = |degree| PlateMesh::new(layout, cuts_m(layout), longest_m, degree);
+    let too_many = mesh(FIRST_DEGREE + DEGREE_STEP).unknowns();
+    if too_many > MAX_UNKNOWNS {
+        return Err(StructureError::PlateTooFine {
+            plate: layout.name.into(),
+            unknowns: too_many,
+            allowed: MAX_UNKNOWNS,
+        });
+    }
     let mut coarse = MeshModes::new(&mesh(FIRST_DEGREE), count)?.frequency_rad_s;
     let (mut least, mut unknowns) = (f64::INFINITY, mesh(FIRST_DEGREE).unknowns());
     for degree in (FIRST_DEGREE + DEGREE_STEP..=MAX_DEGREE).step_by(DEGREE_STEP) {

@@ -99,6 +99,25 @@ impl Patch {
         };
         self.capacitance_f.or_else(plate).unwrap_or(f64::NAN)
     }
+
+    /// Returns the capacitance at constant strain in both directions of its plane, F: on a plate.
+    ///
+    /// The library gives the permittivity at constant strain along a beam, `eps33T - d31^2 / s11E`. In
+    /// the plane of a plate it is `eps33T - 2 d31^2 E_p / (1 - nu_p)`. A given value is used as it is.
+    pub fn clamped_in_plane_capacitance_f(&self) -> f64 {
+        let library = material::named(&self.material)
+            .and_then(|known| Some((known.youngs_modulus_pa, known.active?)))
+            .filter(|(_, active)| Some(active.permittivity_f_m) == self.permittivity_f_m);
+        let (Some((modulus_pa, active)), None) = (library, self.capacitance_f) else {
+            return self.clamped_capacitance_f();
+        };
+        let at_constant_stress =
+            active.permittivity_f_m + active.charge_coefficient_m_per_v.powi(2) * modulus_pa;
+        let (d31, poisson_ratio) = (self.d31_m_per_v, self.poisson_ratio());
+        let softened = 2.0 * d31.unwrap_or(f64::NAN).powi(2) * self.youngs_modulus_pa
+            / (1.0 - poisson_ratio.unwrap_or(f64::NAN));
+        (at_constant_stress - softened) * self.width_m * self.length_m / self.thickness_m
+    }
 }
 
 /// Face of a beam that carries a patch.
