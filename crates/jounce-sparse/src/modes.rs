@@ -278,6 +278,9 @@ impl Search<'_> {
                 .iter()
                 .filter(|theta| self.eigenvalue(**theta) < below)
                 .count();
+            if found == 0 {
+                return Ok(true);
+            }
             outcome = self
                 .problem
                 .factor(below)
