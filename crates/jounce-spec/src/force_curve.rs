@@ -9,7 +9,7 @@
 //!
 //! and 0 where one of the secants is 0. At both ends it is that of the parabola through three
 //! points, at most 3 secants; at the first point at least 0, at the last at least half a secant.
-//! Past the last point the force goes on with the last slope.
+//! Past the last point the force continues with the last slope.
 //!
 //! Source: F. N. Fritsch and J. Butland, SIAM J. Sci. Stat. Comput. 5 (1984) 300; monotone by
 //! F. N. Fritsch and R. E. Carlson, SIAM J. Numer. Anal. 17 (1980) 238.

@@ -2,9 +2,10 @@
 
 use super::contact_bodies as bodies;
 use super::stop_law::{
-    HERTZ_EXPONENT, blank_law, damping, exponent, law_word, set_cubic_stiffness, set_damping,
-    set_exponent, set_stiffness, stiffness,
+    blank_law, damping, exponent, law_word, set_cubic_stiffness, set_damping, set_exponent,
+    set_stiffness, stiffness,
 };
+use crate::hertz::HERTZ_EXPONENT;
 use crate::key::{Key, Kind, Range, Slot};
 use crate::material;
 use crate::{ForceTable, Quantity, Side, Stop, StopLaw};

@@ -1,9 +1,7 @@
 //! `[stop.NAME]`: getters and setters of the contact law.
 
 use crate::StopLaw;
-
-/// Exponent of Hertz's law for two smooth bodies.
-pub(super) const HERTZ_EXPONENT: f64 = 1.5;
+use crate::hertz::HERTZ_EXPONENT;
 
 pub(super) fn law_word(law: &StopLaw) -> &'static str {
     match law {

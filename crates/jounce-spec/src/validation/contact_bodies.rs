@@ -2,10 +2,9 @@
 
 use super::ValidationFaults;
 use super::geometry::metres;
+use crate::hertz::HERTZ_EXPONENT;
 use crate::{BodyShape, ContactBodies, ContactBody, Spec, Stop, StopLaw};
 
-/// Exponent of Hertz's law for two smooth bodies.
-const HERTZ_EXPONENT: f64 = 1.5;
 /// Largest ratio of the two relative curvatures: beyond it the bodies touch along a line.
 const MAX_CURVATURE_RATIO: f64 = 1e8;
 
