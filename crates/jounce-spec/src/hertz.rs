@@ -13,8 +13,8 @@
 //!
 //! Source: K. L. Johnson, *Contact Mechanics* (1985), equations (4.3), (4.26), (4.28); an
 //! elastic half-space stands for each body, so the ellipse must be small compared with the radii
-//! and thicknesses. Validation: the tests below, against the circle in closed form (1e-15), the
-//! tables of bearing practice (1e-4) and the displacement of the pressure by quadrature.
+//! and thicknesses. Validation: the tests below, against the circle in closed form (1e-14), the
+//! tables of bearing practice (4e-4) and the displacement of the pressure by quadrature.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
