@@ -27,13 +27,13 @@ pub enum AnalysisError {
     /// The spec does not allow this value of the swept key.
     #[error("{0}")]
     Value(#[from] jounce_spec::Fault),
-    /// The drive is aperiodic, but the analysis needs a periodic response.
+    /// A part is aperiodic, but the analysis needs a periodic response.
     #[error(
-        "drive `{drive}` is not periodic, so there is no periodic response to find; use `jounce run` for one integration, or `jounce ensemble` for many realisations of noise"
+        "{part} is not periodic, so there is no periodic response to find; use `jounce run` for one integration, or `jounce ensemble` for many realisations of noise"
     )]
     Aperiodic {
-        /// Name of the drive.
-        drive: String,
+        /// The part: ``drive `NAME` `` or ``regulator `NAME` ``.
+        part: String,
     },
     /// Periodic responses do not depend on this key.
     #[error(

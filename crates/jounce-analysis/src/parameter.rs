@@ -197,8 +197,6 @@ impl ParametricModel for Parameter<'_> {
 pub(crate) fn check_periodic(kernel: &Kernel) -> Result<(), AnalysisError> {
     match kernel.plant.system.aperiodic() {
         None => Ok(()),
-        Some(drive) => Err(AnalysisError::Aperiodic {
-            drive: drive.to_owned(),
-        }),
+        Some(part) => Err(AnalysisError::Aperiodic { part }),
     }
 }

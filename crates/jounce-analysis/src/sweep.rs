@@ -77,7 +77,7 @@ impl Sweep<'_> {
         let noise = |drive: &Drive| matches!(drive.signal, DriveSignal::Noise { .. });
         if let Some((drive, _)) = self.spec.drive.iter().find(|(_, drive)| noise(drive)) {
             return Err(AnalysisError::Aperiodic {
-                drive: drive.clone(),
+                part: format!("drive `{drive}`"),
             });
         }
         control.expect(self.len());

@@ -25,4 +25,5 @@ pub use record::trajectory::{
     TrajectoryState,
 };
 pub use rectifier::energies::RectifiedEnergies;
+pub use rectifier::regulation::DeviceStatistics;
 pub use sensitivity::{FlowSensitivity, ParameterSensitivity, SensitivityError};

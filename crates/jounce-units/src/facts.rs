@@ -32,6 +32,7 @@ impl Quantity {
             Self::Inductance => "an inductance",
             Self::Permittivity => "a permittivity",
             Self::Voltage => "a voltage",
+            Self::Current => "a current",
             Self::Power => "a power",
         }
     }
@@ -66,6 +67,7 @@ impl Quantity {
             Self::Inductance => &["H", "mH", "kH"],
             Self::Permittivity => &["nF/m", "pF/m", "F/m"],
             Self::Voltage => &["V", "mV", "kV"],
+            Self::Current => &["mA", "uA", "nA", "A"],
             Self::Power => &["W", "mW", "uW"],
         };
         units.iter().map(|unit| (*unit).to_owned()).collect()
@@ -79,6 +81,7 @@ impl Quantity {
             Self::Pressure => "Pa".to_owned(),
             Self::ChargePerForce => "m/V".to_owned(),
             Self::Capacitance => "F".to_owned(),
+            Self::Current => "A".to_owned(),
             Self::Angle => "rad".to_owned(),
             Self::Permittivity => "F/m".to_owned(),
             other => other.units().swap_remove(0),
@@ -120,6 +123,7 @@ impl Quantity {
             Self::Inductance => [1, 2, -2, -2, 0],
             Self::Permittivity => [-1, -3, 4, 2, 0],
             Self::Voltage => [1, 2, -3, -1, 0],
+            Self::Current => [0, 0, 0, 1, 0],
             Self::Power => [1, 2, -3, 0, 0],
         })
     }
@@ -143,6 +147,7 @@ impl Quantity {
             Self::Inductance => &[("uH", -6), ("mH", -3), ("H", 0), ("kH", 3)],
             Self::Permittivity => &[("pF/m", -12), ("nF/m", -9), ("F/m", 0)],
             Self::Voltage => &[("mV", -3), ("V", 0), ("kV", 3)],
+            Self::Current => &[("nA", -9), ("uA", -6), ("mA", -3), ("A", 0)],
             Self::Power => &[("uW", -6), ("mW", -3), ("W", 0)],
             other => return vec![(other.si_unit(), 0)],
         };

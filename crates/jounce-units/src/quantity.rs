@@ -65,6 +65,8 @@ pub enum Quantity {
     Permittivity,
     /// V
     Voltage,
+    /// A
+    Current,
     /// W
     Power,
 }

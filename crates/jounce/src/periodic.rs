@@ -29,11 +29,8 @@ pub fn frequency(harvester: &Harvester, what: &'static str) -> Result<(NumericKe
 /// [`Error::DriveAtRest`]: the only orbit is rest. [`Error::Analysis`] and [`Error::Orbit`]: there is
 /// no common period.
 pub fn check_drives(plant: &Plant, what: &'static str) -> Result<(), Error> {
-    if let Some(drive) = plant.system.aperiodic() {
-        return Err(AnalysisError::Aperiodic {
-            drive: drive.to_owned(),
-        }
-        .into());
+    if let Some(part) = plant.system.aperiodic() {
+        return Err(AnalysisError::Aperiodic { part }.into());
     }
     if plant.period_s().is_none() {
         let frequencies = plant.tones.len();

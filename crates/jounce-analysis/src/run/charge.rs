@@ -4,6 +4,8 @@
 //! Q = integral V / R dt + integral V / R_leak dt + C (V_end - V_start)
 //! ```
 //!
+//! A regulator draws its conductance times the voltage and its held current instead of `V / R`.
+//!
 //! `Q` (C) is the charge through the diodes, which the integrator sums at the patches: displaced
 //! charge minus stored charge. The right side is the charge at the storage (capacitance `C`, F,
 //! voltage `V`), from its voltage integrated step by step over the record. The two sides have only
@@ -15,7 +17,7 @@
 
 use super::{RunPlan, RunResult};
 use jounce_dynamics::Kernel;
-use jounce_model::plant::{Bridge, RectifierScheme, Storage};
+use jounce_model::plant::{Bridge, RectifierScheme};
 use serde::Serialize;
 
 /// Charge balance of one rectified circuit over the averaging window.
@@ -25,7 +27,7 @@ pub struct ChargeResult {
     pub name: String,
     /// Charge through the diodes, C.
     pub passed_c: f64,
-    /// Charge through the load, C.
+    /// Charge through the load or the regulator, C.
     pub load_c: f64,
     /// Charge through the leakage of the storage, C.
     pub leakage_c: f64,
@@ -64,16 +66,10 @@ fn charge(
 ) -> Option<ChargeResult> {
     let plant = &kernel.plant;
     let from_s = plan.duration_s - plan.average_over_s;
-    let (
-        Storage::Capacitor {
-            capacitance_f,
-            load_ohm,
-        },
-        Some(node),
-    ) = (bridge.storage, plant.electrical.bridges[k].storage)
-    else {
-        return None;
-    };
+    let (capacitance_f, node) = (
+        bridge.storage.capacitance_f()?,
+        plant.electrical.bridges[k].storage?,
+    );
     // SECE transfers energy and passes no charge.
     if matches!(bridge.scheme, RectifierScheme::Extraction { .. }) {
         return None;
@@ -90,8 +86,9 @@ fn charge(
             .copied()
             .unwrap_or(f64::NAN);
     let rectified_c = result.rectified[k].mean_current_a * plan.average_over_s;
+    let drawn_c = result.drawn_c.get(k).copied().unwrap_or(0.0);
     let (load_c, leakage_c) = (
-        flux_v_s / load_ohm,
+        flux_v_s * bridge.storage.conductance_per_ohm() + drawn_c,
         bridge.leakage_ohm.map_or(0.0, |ohm| flux_v_s / ohm),
     );
     let storage_c = capacitance_f * stored_v;

@@ -2,6 +2,7 @@
 //! steady-state test.
 
 mod charge;
+mod device;
 mod error;
 mod limits;
 mod plan;
@@ -13,6 +14,7 @@ mod voltage_peak;
 mod warning;
 
 pub use charge::{ChargeResult, charges};
+pub use device::DeviceResult;
 pub use error::RunError;
 pub(crate) use error::check_outside;
 pub use limits::{ExceededLimit, LimitedQuantity, Limits, WorstExcess, exceeded};

@@ -1,7 +1,7 @@
 //! Plan of a run.
 
 use super::Limits;
-use jounce_model::plant::{Plant, Storage};
+use jounce_model::plant::Plant;
 use jounce_spec::{Run, Spec};
 
 /// Duration, averaging window, tolerance and record of a run.
@@ -52,7 +52,7 @@ impl RunPlan {
             .system
             .bridges
             .iter()
-            .any(|bridge| matches!(bridge.storage, Storage::Capacitor { .. }));
+            .any(|bridge| bridge.storage.capacitance_f().is_some());
         Self {
             record_s: if fed {
                 self.record_s.max(self.average_over_s)

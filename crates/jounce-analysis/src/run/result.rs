@@ -1,6 +1,6 @@
 //! Results of a run.
 
-use super::{Settlement, StartState};
+use super::{DeviceResult, Settlement, StartState};
 use jounce_dynamics::{Energies, Trajectory, WorkCount};
 use serde::Serialize;
 
@@ -20,7 +20,7 @@ pub struct LoadResult {
 pub struct RectifiedResult {
     /// Name of the circuit.
     pub name: String,
-    /// Mean power into the load or the battery, W.
+    /// Mean power into the load, the battery, or the device behind the regulator, W.
     pub mean_power_w: f64,
     /// Voltage of the storage, rms, V.
     pub voltage_rms_v: f64,
@@ -35,6 +35,8 @@ pub struct RectifiedResult {
     pub switch_loss_w: f64,
     /// Mean power lost by leakage of the storage, W.
     pub leakage_w: f64,
+    /// Mean power lost in the regulator, W.
+    pub regulator_loss_w: f64,
 }
 
 /// Results of one leaking patch over the averaging window.
@@ -82,6 +84,10 @@ pub struct RunResult {
     pub loads: Vec<LoadResult>,
     /// Results of each rectified circuit.
     pub rectified: Vec<RectifiedResult>,
+    /// Operation of each device behind a regulator.
+    pub devices: Vec<DeviceResult>,
+    /// Charge drawn by the held current of each regulator, by rectified circuit, C.
+    pub drawn_c: Vec<f64>,
     /// Results of each leaking patch.
     pub leaks: Vec<LeakResult>,
     /// Results of each stop.

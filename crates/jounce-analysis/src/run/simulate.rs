@@ -1,12 +1,14 @@
 //! Time integration of a run and collection of its results.
 
+use super::device::devices;
 use super::error::{check, check_outside};
 use super::settle::{STROBE_STATES, settled};
 use super::{
     LeakResult, LoadResult, RectifiedResult, RunError, RunPlan, RunResult, StartState, StopResult,
 };
 use jounce_dynamics::{
-    ContactStatistics, Energies, IntegrationError, Integrator, Kernel, RectifiedEnergies,
+    ContactStatistics, DeviceStatistics, Energies, IntegrationError, Integrator, Kernel,
+    RectifiedEnergies,
 };
 use jounce_model::plant::{Bridge, Leak, Plant, Storage};
 use std::time::Instant;
@@ -50,10 +52,20 @@ pub fn simulate(
         [(&opened.energies, &opened.state), (&energies, &end)],
         plan.average_over_s,
     );
+    let statistics_of_devices = integrator.device_statistics();
+    let drawn_c = |statistics: &Option<DeviceStatistics>| statistics.map_or(0.0, |it| it.drawn_c);
+    let devices = devices(
+        plant,
+        &statistics_of_devices,
+        &rectified,
+        plan.average_over_s,
+    );
     Ok(RunResult {
         mean_power_w: mean_power_w(&loads, &rectified),
         loads,
         rectified,
+        devices,
+        drawn_c: statistics_of_devices.iter().map(drawn_c).collect(),
         leaks: leaks(plant, [&opened.energies, &energies], plan.average_over_s),
         stops: stops(plant, &integrator, plan.average_over_s),
         max_penetration_m: statistics.max_penetration_m,
@@ -145,24 +157,23 @@ fn rectified(
             change(&|energies, _| energies.rectified.get(k).map_or(0.0, of)) / average_over_s
         };
         let mean_power_w = mean(|of_bridge| of_bridge.load_j + of_bridge.battery_j);
-        let (voltage_rms_v, storage_w) = match (bridge.storage, plant.electrical.bridges[k].storage)
-        {
-            (
-                Storage::Capacitor {
-                    capacitance_f,
-                    load_ohm,
-                },
-                Some(node),
-            ) => {
+        let idle_w = mean(|of_bridge| of_bridge.idle_j);
+        // The conductance across the storage draws its power from the square of the voltage.
+        let conductance_w = match bridge.regulator() {
+            Some(_) => idle_w,
+            None => mean_power_w,
+        };
+        let storage = plant.electrical.bridges[k].storage;
+        let (voltage_rms_v, storage_w) = match (bridge.storage, storage) {
+            (Storage::Battery { voltage_v }, _) => (voltage_v, 0.0),
+            (of_bridge, Some(node)) => {
+                let capacitance_f = of_bridge.capacitance_f().unwrap_or(f64::NAN);
                 let stored_j =
                     change(&|_, state| 0.5 * capacitance_f * state.voltage_v[node].powi(2));
-                (
-                    (mean_power_w * load_ohm).max(0.0).sqrt(),
-                    stored_j / average_over_s,
-                )
+                let square_v2 = conductance_w / of_bridge.conductance_per_ohm();
+                (square_v2.max(0.0).sqrt(), stored_j / average_over_s)
             }
-            (Storage::Battery { voltage_v }, _) => (voltage_v, 0.0),
-            (Storage::Capacitor { .. }, None) => (f64::NAN, f64::NAN),
+            (_, None) => (f64::NAN, f64::NAN),
         };
         RectifiedResult {
             name: bridge.name.clone(),
@@ -173,6 +184,7 @@ fn rectified(
             diode_loss_w: mean(|of_bridge| of_bridge.diodes_j),
             switch_loss_w: mean(|of_bridge| of_bridge.switch_j),
             leakage_w: mean(|of_bridge| of_bridge.leakage_j),
+            regulator_loss_w: idle_w + mean(|of_bridge| of_bridge.conversion_j),
         }
     };
     plant

@@ -3,6 +3,7 @@
 use super::{ExceededLimit, Limits, RunPlan, RunResult};
 use jounce_data::recording::Issue;
 use jounce_dynamics::Kernel;
+use jounce_model::plant::Bridge;
 use jounce_spec::{DriveSignal, Spec};
 use serde::Serialize;
 
@@ -42,6 +43,18 @@ pub enum Warning {
         /// The issue.
         issue: Issue,
     },
+    /// A device never starts.
+    #[error(
+        "circuit {circuit}: the device never starts in this run: the storage reaches {storage_v:.3} V at its end, and the regulator starts at {start_v} V; increase run.duration, or reduce the storage capacitance"
+    )]
+    NeverStarts {
+        /// Name of the circuit.
+        circuit: String,
+        /// Storage voltage at the end of the run, V.
+        storage_v: f64,
+        /// Start voltage of the regulator, V.
+        start_v: f64,
+    },
     /// The energy balance does not close.
     #[error(
         "the energy balance is off by {residual_relative:.1e} of the largest energy, so rounding errors make these results unreliable; find the value of the spec that is far too large or too small, often a wrong unit (`jounce show` draws the harvester to scale), and correct it"
@@ -80,6 +93,24 @@ impl Warning {
             .collect()
     }
 
+    /// Returns a warning for each device that never starts.
+    fn of_devices(kernel: &Kernel, result: &RunResult) -> Vec<Self> {
+        let plant = &kernel.plant;
+        let never = |(k, bridge): (usize, &Bridge)| {
+            let regulator = bridge.regulator()?;
+            let device = (result.devices.iter()).find(|device| device.name == bridge.name)?;
+            let storage = plant.electrical.bridges[k].storage?;
+            let storage_v = *result.end.voltage_v.get(storage)?;
+            device.cold_start_s.is_none().then(|| Self::NeverStarts {
+                circuit: bridge.name.clone(),
+                storage_v,
+                start_v: regulator.start_v,
+            })
+        };
+        let bridges = plant.system.bridges.iter().enumerate();
+        bridges.filter_map(never).collect()
+    }
+
     /// Returns all warnings of a run.
     pub fn of(spec: &Spec, kernel: &Kernel, plan: &RunPlan, result: &RunResult) -> Vec<Self> {
         let limits = Limits::of(spec, &kernel.plant)
@@ -96,6 +127,7 @@ impl Warning {
             issue: issue.clone(),
         });
         limits
+            .chain(Self::of_devices(kernel, result))
             .chain(Self::of_recordings(spec, plan))
             .chain(noticed)
             .chain(unbalanced)

@@ -103,6 +103,7 @@ fn a_fall_through_the_channel_takes_its_time() {
         shape: participation,
         wave,
         base: None,
+        drawn_from: None,
     });
     let kernel = kernel(system);
     let mut start = StartState::linear(&kernel.plant);

@@ -78,6 +78,7 @@ fn integrals_along_a_record_are_those_by_quadrature() {
                 shape: vec![0.5],
                 wave,
                 base: None,
+                drawn_from: None,
             });
         }
         let kernel = kernel(system);

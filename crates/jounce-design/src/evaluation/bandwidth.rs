@@ -30,7 +30,8 @@ pub(super) fn half_power_hz(
 ) -> Result<f64, AnalysisError> {
     let Some((path, frequency_hz)) = drive_frequency(model) else {
         let drive = model.spec.drive.keys().next().cloned().unwrap_or_default();
-        return Err(AnalysisError::Aperiodic { drive });
+        let part = format!("drive `{drive}`");
+        return Err(AnalysisError::Aperiodic { part });
     };
     let key = NumericKey::find(&model.spec, &path)?;
     let range = (RANGE[0] * frequency_hz, RANGE[1] * frequency_hz);

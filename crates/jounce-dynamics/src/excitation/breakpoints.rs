@@ -1,4 +1,5 @@
-//! Breakpoints of the signals: slopes that change, values that jump, and impulses.
+//! Breakpoints of the signals: slopes that change, values that jump, and impulses; and the values that
+//! the integrator holds.
 
 use super::Excitation;
 use crate::kernel::Kernel;
@@ -31,6 +32,27 @@ impl Excitation {
         self.signal_work.open(&self.sizes, full_state);
         self.aim(time_s);
         has_impulse
+    }
+
+    /// Holds a signal at another value from now on; `y` is the state without its forced part.
+    pub fn hold(
+        &mut self,
+        kernel: &Kernel,
+        (signal, value): (usize, f64),
+        time_s: f64,
+        y: &mut [F64x8],
+    ) {
+        let full_state = self.full_state(&kernel.layout, y);
+        self.signal_work
+            .close(kernel, &self.sizes, &full_state, time_s, None);
+        let (cursor, before) = (&mut self.cursors[signal], self.sizes[signal][0]);
+        (cursor.piece.size, cursor.piece.end_size) = (value, value);
+        self.sizes[signal][0] = value;
+        for (i, y) in y.iter_mut().enumerate() {
+            *y = y.add_scaled(before - value, &cursor.rest[i]);
+        }
+        self.signal_work.open(&self.sizes, full_state);
+        self.aim(time_s);
     }
 
     /// Returns the length of a complete piece of a single signal that ends now, s.

@@ -19,19 +19,25 @@ pub struct SignalCursor {
 }
 
 impl SignalCursor {
-    /// Creates the cursor of a signal at a time.
+    /// Creates the cursor of a signal at a time; `held_a` are the currents that bridges draw from
+    /// their storages, 0 where none is given.
     pub fn at(
         layout: &StateLayout,
         (signal, forcing): (&Signal, &Forcing),
         travel: Option<Arc<Travel>>,
-        time_s: f64,
+        (time_s, held_a): (f64, &[f64]),
     ) -> Self {
         let index = signal.wave.index_at(time_s);
+        let held = signal.drawn_from.and_then(|bridge| held_a.get(bridge));
+        let mut piece = signal.wave.piece(index);
+        if let Some(held) = held {
+            (piece.size, piece.end_size) = (*held, *held);
+        }
         let [column, rest, lag, local] =
             [&forcing.column, &forcing.rest, &forcing.lag, &forcing.local].map(|b| layout.pack(b));
         Self {
             index,
-            piece: signal.wave.piece(index),
+            piece,
             travel,
             column,
             rest,

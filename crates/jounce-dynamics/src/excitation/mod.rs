@@ -49,7 +49,7 @@ pub(super) struct Excitation {
 }
 
 impl Excitation {
-    pub fn new(kernel: &Kernel, time_s: f64) -> Self {
+    pub fn new(kernel: &Kernel, time_s: f64, held_a: &[f64]) -> Self {
         let (plant, layout) = (&kernel.plant, &kernel.layout);
         let cursors: Vec<SignalCursor> = plant
             .system
@@ -57,7 +57,7 @@ impl Excitation {
             .iter()
             .zip(&plant.forcings)
             .zip(&plant.travels)
-            .map(|(both, travel)| SignalCursor::at(layout, both, travel.clone(), time_s))
+            .map(|(both, travel)| SignalCursor::at(layout, both, travel.clone(), (time_s, held_a)))
             .collect();
         let sizes: Vec<SignalSample> = cursors
             .iter()

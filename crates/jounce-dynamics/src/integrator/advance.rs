@@ -20,8 +20,10 @@ impl Integrator<'_> {
             return self.advance_in_conduction_state(end_s);
         }
         while self.time_s < end_s {
-            self.advance_in_conduction_state(end_s)?;
+            let until_s = end_s.min(self.next_phase_s());
+            self.advance_in_conduction_state(until_s)?;
             self.change_on_events()?;
+            self.pass_phases();
         }
         Ok(())
     }

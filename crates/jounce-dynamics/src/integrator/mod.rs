@@ -127,6 +127,7 @@ impl Integrator<'_> {
             .iter_mut()
             .zip(stops)
             .for_each(|(port, stop)| port.reset_statistics(&stop.law));
+        self.reset_device_statistics();
     }
 
     /// Starts to record every step.

@@ -37,17 +37,19 @@ impl<'k> Integrator<'k> {
         if y.iter().any(|value| !value.is_finite()) {
             return Err(IntegrationError::NotFinite { time_s });
         }
-        let mut integrator = Self::in_one_conduction_state(kernel, y, time_s, tolerance);
+        let mut integrator = Self::in_one_conduction_state(kernel, y, time_s, tolerance, &[]);
         integrator.open_switching()?;
         Ok(integrator)
     }
 
-    /// Creates an integrator in the conduction state of a kernel.
+    /// Creates an integrator in the conduction state of a kernel; `held_a` are the currents that
+    /// the bridges draw from their storages.
     pub(crate) fn in_one_conduction_state(
         kernel: &'k Kernel,
         y: &[f64],
         time_s: f64,
         tolerance: f64,
+        held_a: &[f64],
     ) -> Self {
         let (plant, layout) = (&kernel.plant, kernel.layout);
         let tones: Vec<Phasor> = (0..plant.tones.len())
@@ -55,7 +57,7 @@ impl<'k> Integrator<'k> {
             .collect();
         let start = Kernel::level_within(1.0 / kernel.fastest_rad_s);
         let contact_level = (start + 3 * LEVELS_PER_OCTAVE).min(Kernel::finest());
-        let forced = Excitation::new(kernel, time_s);
+        let forced = Excitation::new(kernel, time_s, held_a);
         let free: Vec<f64> = y
             .iter()
             .zip(plant.forced(&forced.sizes, 0.0))

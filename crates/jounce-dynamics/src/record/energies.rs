@@ -6,7 +6,7 @@ use crate::ports::state::ContactState;
 use crate::rectifier::energies::RectifiedEnergies;
 use jounce_linalg::{Mat, c64};
 use jounce_model::drive::Wave;
-use jounce_model::plant::Tone;
+use jounce_model::plant::{SignalIntegrals, Tone};
 
 /// Energies since the start of an integration, J.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -101,14 +101,17 @@ impl Integrator<'_> {
         if !system.bridges.is_empty() {
             return self.energies_of_all();
         }
-        let mut energies = self.energies_in_conduction_state();
+        let mut energies = self.energies_in_conduction_state(&self.signal_integrals());
         energies.leaks_j = energies.loads_j.split_off(system.loads.len());
         energies
     }
 
     /// Returns the energies since the start of the current conduction state; the outlets of bridges
     /// and then the leaks of patches follow the loads.
-    pub(crate) fn energies_in_conduction_state(&self) -> Energies {
+    pub(crate) fn energies_in_conduction_state(
+        &self,
+        (sums, works_j): &(SignalIntegrals, Vec<f64>),
+    ) -> Energies {
         let now = self.readings();
         let open = &self.opening;
         let meters = self.kernel.meters();
@@ -122,27 +125,21 @@ impl Integrator<'_> {
                 })
                 .sum()
         };
-        let (sums, works_j) = self.excitation.signal_work.until(
-            self.kernel,
-            &self.excitation.sizes,
-            &self.block_state(),
-            self.time_s,
-        );
         let count = meters.loads.len();
         let loads_j: Vec<f64> = (0..count)
             .map(|k| {
                 let (meter, work_j) = (&meters.loads[k], self.integrals.loads_j[k] + works_j[k]);
                 now.loads_j[k] - open.loads_j[k]
                     + contact(meter, work_j)
-                    + meter.signals().energy_j(&sums)
+                    + meter.signals().energy_j(sums)
             })
             .collect();
         let loss_j = contact(&meters.damping, self.integrals.damping_j + works_j[count]);
         let damping_j =
-            now.damping_j - open.damping_j + loss_j + meters.damping.signals().energy_j(&sums);
+            now.damping_j - open.damping_j + loss_j + meters.damping.signals().energy_j(sums);
         let input_j = now.input_j - open.input_j
             + contact(&meters.input, 0.0)
-            + meters.input.signals().energy_j(&sums)
+            + meters.input.signals().energy_j(sums)
             + self.excitation.base_work_j;
         let stored_j = now.stored_j - open.stored_j;
         let flows = input_j
@@ -162,6 +159,17 @@ impl Integrator<'_> {
             scale_j,
             ..Energies::default()
         }
+    }
+
+    /// Returns the integrals of the signals since the start of the current conduction state, and the
+    /// work of the contact forces on their forced motion (see [`crate::excitation::signal_work`]).
+    pub(crate) fn signal_integrals(&self) -> (SignalIntegrals, Vec<f64>) {
+        self.excitation.signal_work.until(
+            self.kernel,
+            &self.excitation.sizes,
+            &self.block_state(),
+            self.time_s,
+        )
     }
 
     pub(crate) fn readings(&self) -> MeterReadings {

@@ -11,6 +11,8 @@ pub(super) struct ChargeBalance<'g> {
     pub change: &'g [f64],
     /// Duration, s.
     pub length_s: f64,
+    /// Charge drawn by the held current of each regulator, by bridge, C.
+    pub drawn_c: &'g [f64],
 }
 
 impl ChargeBalance<'_> {
@@ -45,7 +47,15 @@ impl ChargeBalance<'_> {
     /// to their offsets, V s.
     fn flux_v_s(&self, bridge: usize, parts: &[(usize, f64)]) -> f64 {
         let nodes = self.plant.electrical.nodes_of(bridge);
-        let gained: Vec<f64> = nodes.iter().map(|node| self.charge_c(*node)).collect();
+        let storage = self.plant.electrical.bridges[bridge].storage;
+        let drawn_c = |node: usize| match storage == Some(node) {
+            true => self.drawn_c.get(bridge).copied().unwrap_or(0.0),
+            false => 0.0,
+        };
+        let gained: Vec<f64> = nodes
+            .iter()
+            .map(|node| self.charge_c(*node) + drawn_c(*node))
+            .collect();
         let flux = self.plant.electrical.flux_v_s(&nodes, &gained);
         let of = |(node, factor): &(usize, f64)| {
             nodes

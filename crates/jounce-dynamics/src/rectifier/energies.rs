@@ -3,7 +3,7 @@
 /// Energies that left through one rectified circuit, J, and the charge that passed its diodes.
 #[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize)]
 pub struct RectifiedEnergies {
-    /// Delivered to the load across the storage capacitor.
+    /// Delivered to the load across the storage capacitor, or to the device behind its regulator.
     pub load_j: f64,
     /// Delivered to the battery.
     pub battery_j: f64,
@@ -13,6 +13,10 @@ pub struct RectifiedEnergies {
     pub switch_j: f64,
     /// Lost by leakage of the storage.
     pub leakage_j: f64,
+    /// Drawn by the conductance of the regulator, which remains while it is on.
+    pub idle_j: f64,
+    /// Lost in the regulator beyond `idle_j`: conversion, and the rest of its quiescent current.
+    pub conversion_j: f64,
     /// Charge passed to the storage, C.
     pub charge_c: f64,
 }
@@ -20,7 +24,9 @@ pub struct RectifiedEnergies {
 impl RectifiedEnergies {
     /// Returns the sum of the energies, J.
     pub fn sum_j(&self) -> f64 {
-        self.load_j + self.battery_j + self.diodes_j + self.switch_j + self.leakage_j
+        let delivered_j = self.load_j + self.battery_j;
+        let regulator_j = self.idle_j + self.conversion_j;
+        delivered_j + self.diodes_j + self.switch_j + self.leakage_j + regulator_j
     }
 
     /// Adds the energies of another count.
@@ -30,6 +36,8 @@ impl RectifiedEnergies {
         self.diodes_j += other.diodes_j;
         self.switch_j += other.switch_j;
         self.leakage_j += other.leakage_j;
+        self.idle_j += other.idle_j;
+        self.conversion_j += other.conversion_j;
         self.charge_c += other.charge_c;
     }
 }

@@ -2,5 +2,6 @@
 
 mod charge_balance;
 pub(crate) mod energies;
+pub(crate) mod regulation;
 pub(crate) mod switch_map;
 pub(crate) mod switching;

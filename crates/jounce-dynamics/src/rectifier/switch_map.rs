@@ -129,7 +129,7 @@ impl SwitchMap {
         };
         let arrives_j = efficiency * 0.5 * both.0[0] * volts[0] * volts[0];
         match bridge.storage {
-            Storage::Capacitor { capacitance_f, .. } => {
+            Storage::Capacitor { capacitance_f, .. } | Storage::Regulated { capacitance_f, .. } => {
                 switch_map.volts[1] =
                     (volts[1] * volts[1] + 2.0 * arrives_j / capacitance_f).sqrt();
                 if switch_map.volts[1] > 0.0 {

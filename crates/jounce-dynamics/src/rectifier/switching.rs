@@ -10,6 +10,7 @@
 
 use super::charge_balance::ChargeBalance;
 use super::energies::RectifiedEnergies;
+use super::regulation::Regulation;
 use super::switch_map::SwitchMap;
 use crate::error::IntegrationError;
 use crate::integrator::Integrator;
@@ -46,6 +47,8 @@ pub(crate) struct Switching {
     pub since: (f64, Vec<f64>),
     /// Time of the last change, and the number of changes at it.
     changed: (f64, usize),
+    /// Regulator of each bridge.
+    pub regulations: Vec<Option<Regulation>>,
 }
 
 impl Integrator<'_> {
@@ -58,6 +61,13 @@ impl Integrator<'_> {
         self.switching.earlier.rectified = vec![RectifiedEnergies::default(); system.bridges.len()];
         self.switching.earlier.loads_j = vec![0.0; system.loads.len()];
         self.switching.earlier.leaks_j = vec![0.0; self.base.plant.electrical.leaks.len()];
+        self.switching.regulations = (system.bridges.iter())
+            .map(|bridge| {
+                bridge
+                    .regulator()
+                    .map(|it| Regulation::new(it, self.time_s))
+            })
+            .collect();
         let x = self.physical();
         let current = |nodes: &BridgeNodes| -> f64 {
             let coupling = &self.base.plant.electrical.nodes[nodes.terminal].coupling_n_per_v;
@@ -93,6 +103,10 @@ impl Integrator<'_> {
         {
             let guard = self.kernel.plant.guards[p - self.kernel.plant.system.stops.len()].clone();
             self.count_change(guard.bridge)?;
+            if matches!(guard.change, BridgeChange::Rises | BridgeChange::Falls) {
+                self.regulate(guard.bridge, guard.change);
+                continue;
+            }
             let mut x = self.physical();
             self.note_change(guard.change, guard.bridge, &x);
             self.close_conduction_state();
@@ -105,6 +119,7 @@ impl Integrator<'_> {
                 .map(|bridge| bridge.state)
                 .collect();
             match guard.change {
+                BridgeChange::Rises | BridgeChange::Falls => {}
                 BridgeChange::Conducts(conduction) => states[guard.bridge].conduction = conduction,
                 BridgeChange::Blocks => states[guard.bridge].conduction = Conduction::Blocked,
                 BridgeChange::Switches => {
@@ -203,6 +218,13 @@ impl Integrator<'_> {
         EVENT_ROUNDOFF * size + 4.0 * f64::EPSILON * self.time_s * port.rate_m_s.abs()
     }
 
+    /// Moves the threshold of an event by its roundoff.
+    pub(super) fn shift_threshold(&mut self, p: usize, x: &[f64]) {
+        let roundoff = self.roundoff(p, x);
+        self.ports[p].rows.gap_m += roundoff;
+        self.ports[p].penetration_m -= roundoff;
+    }
+
     /// Continues from a physical state with the bridges in given states.
     fn change_to(&mut self, states: &[BridgeState], x: &[f64]) -> Result<(), IntegrationError> {
         let conduction_state = self.base.plant.system.conduction_state(states);
@@ -212,6 +234,7 @@ impl Integrator<'_> {
             &kernel.plant.from_physical(x, self.time_s),
             self.time_s,
             self.tolerance,
+            &self.held_a(),
         );
         next.base = self.base;
         (next.flight_level, next.release_error_factor) =
@@ -222,6 +245,7 @@ impl Integrator<'_> {
         next.switching = std::mem::take(&mut self.switching);
         next.switching.conduction_state = conduction_state;
         next.switching.since = (self.time_s, x.to_vec());
+        (0..next.switching.regulations.len()).for_each(|bridge| next.aim_at_band(bridge));
         // Contacts continue unchanged; only their rows belong to the conduction state.
         let stops = kernel.plant.system.stops.len();
         for p in 0..stops {
@@ -238,9 +262,7 @@ impl Integrator<'_> {
             };
         }
         for p in stops..kernel.plant.ports.len() {
-            let roundoff = next.roundoff(p, x);
-            next.ports[p].rows.gap_m += roundoff;
-            next.ports[p].penetration_m -= roundoff;
+            next.shift_threshold(p, x);
         }
         *self = next;
         Ok(())
@@ -258,11 +280,15 @@ impl Integrator<'_> {
     fn close_conduction_state(&mut self) {
         let all = self.energies_of_all();
         self.switching.earlier = all;
+        self.open_regulations();
     }
 
     /// Returns the energies since the start of the integration.
     pub(crate) fn energies_of_all(&self) -> Energies {
-        let (energies, plant) = (self.energies_in_conduction_state(), &self.kernel.plant);
+        let integrals = self.signal_integrals();
+        let energies = self.energies_in_conduction_state(&integrals);
+        let plant = &self.kernel.plant;
+        let drawn_c = self.drawn_c();
         let mut all = self.switching.earlier.clone();
         let change: Vec<f64> = self
             .physical()
@@ -274,6 +300,7 @@ impl Integrator<'_> {
             plant,
             change: &change,
             length_s: self.time_s - self.switching.since.0,
+            drawn_c: &drawn_c,
         };
         let loads = plant.system.loads.len();
         all.loads_j
@@ -290,13 +317,15 @@ impl Integrator<'_> {
             let energy_j = energy_j + charge_balance.standing_j(output);
             match output.outlet {
                 EnergyOutlet::Load => all.rectified[output.bridge].load_j += energy_j,
+                EnergyOutlet::Regulator => all.rectified[output.bridge].idle_j += energy_j,
                 EnergyOutlet::Leakage => all.rectified[output.bridge].leakage_j += energy_j,
                 EnergyOutlet::Diodes => all.rectified[output.bridge].diodes_j += energy_j,
                 EnergyOutlet::Patch => leaks.by_ref().take(1).for_each(|sum| *sum += energy_j),
             }
         }
         let supplied_j = charge_balance.add_conducted(&mut all.rectified);
-        all.input_j += energies.input_j - supplied_j;
+        let signals_j = self.add_regulated(&integrals.0, &drawn_c, &mut all.rectified);
+        all.input_j += energies.input_j - supplied_j - signals_j;
         all.damping_j += energies.damping_j;
         all.contact_loss_j += energies.contact_loss_j;
         all.stored_j += energies.stored_j;

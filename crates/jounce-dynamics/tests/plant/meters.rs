@@ -219,12 +219,14 @@ fn signals(shape: &[f64], rough: f64) -> Vec<Signal> {
             shape: shape.iter().map(|s| 0.5 * s + 0.1).collect(),
             wave: Wave::Constant(-0.7),
             base: None,
+            drawn_from: None,
         },
         Signal {
             name: "rough".into(),
             shape: shape.to_vec(),
             wave,
             base: None,
+            drawn_from: None,
         },
     ]
 }

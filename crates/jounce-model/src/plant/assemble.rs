@@ -1,8 +1,8 @@
 //! Resolution of the names of a spec against the modes of its structure.
 
 use super::{
-    Bridge, BridgeState, Connection, Dashpot, Drive, Load, PlantError, RectifierScheme, Signal,
-    Stop, Storage, System,
+    Bridge, BridgeState, Connection, Dashpot, Drive, Load, PlantError, RectifierScheme, Regulator,
+    Signal, Stop, Storage, System,
 };
 use crate::contact::Law;
 use crate::drive::{Wave, displaced, wave};
@@ -48,7 +48,8 @@ impl System {
         })
     }
 
-    /// Returns the drives of a spec that are not sinusoidal, and its gravity. Noise is generated
+    /// Returns the drives of a spec that are not sinusoidal, its gravity, and the currents of its
+    /// regulators. Noise is generated
     /// for `run.duration`, unless `is_stopped` reports that the run is cancelled.
     ///
     /// # Errors
@@ -74,6 +75,7 @@ impl System {
                     shape: driven(modes, name, drive)?,
                     wave,
                     base: drive.base().map(str::to_owned),
+                    drawn_from: None,
                 });
             }
         }
@@ -88,7 +90,21 @@ impl System {
                 shape: modes.participation_sqrt_kg.clone(),
                 wave,
                 base: None,
+                drawn_from: None,
             });
+        }
+        // The circuits with diodes are bridges, in this order.
+        let rectified = |circuit: &&Circuit| circuit.interface != Interface::Resistor;
+        for (bridge, circuit) in spec.circuit.values().filter(rectified).enumerate() {
+            if !circuit.regulator.is_empty() {
+                signals.push(Signal {
+                    name: circuit.regulator.clone(),
+                    shape: vec![0.0; modes.len()],
+                    wave: Wave::Constant(0.0),
+                    base: None,
+                    drawn_from: Some(bridge),
+                });
+            }
         }
         Ok(signals)
     }
@@ -128,7 +144,7 @@ fn circuits(spec: &Spec, modes: &Modes) -> Result<(Vec<Load>, Vec<Bridge>), Plan
             ));
         }
         if let Some(scheme) = scheme(circuit) {
-            bridges.push(bridge(name, circuit, connections, scheme));
+            bridges.push(bridge(spec, (name, circuit), connections, scheme));
             continue;
         }
         let inductor = circuit
@@ -163,15 +179,21 @@ fn scheme(circuit: &Circuit) -> Option<RectifierScheme> {
 }
 
 fn bridge(
-    name: &str,
-    circuit: &Circuit,
+    spec: &Spec,
+    (name, circuit): (&str, &Circuit),
     connections: Vec<Connection>,
     scheme: RectifierScheme,
 ) -> Bridge {
-    let storage = match circuit.battery_v {
-        Some(voltage_v) => Storage::Battery { voltage_v },
-        None => Storage::Capacitor {
-            capacitance_f: circuit.storage_f.unwrap_or(f64::NAN),
+    let capacitance_f = circuit.storage_f.unwrap_or(f64::NAN);
+    let regulator = Regulator::of(spec, circuit);
+    let storage = match (circuit.battery_v, regulator) {
+        (Some(voltage_v), _) => Storage::Battery { voltage_v },
+        (None, Some(regulator)) => Storage::Regulated {
+            capacitance_f,
+            regulator,
+        },
+        (None, None) => Storage::Capacitor {
+            capacitance_f,
             load_ohm: circuit.resistance_ohm,
         },
     };

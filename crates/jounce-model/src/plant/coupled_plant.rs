@@ -2,7 +2,8 @@
 
 use super::diagonal::stiff::check_speeds;
 use super::{
-    Across, Diagonal, Electrical, EventFunction, Forcing, PlantError, Signal, System, Tone,
+    Across, Diagonal, Electrical, EventFunction, Forcing, PlantError, Signal, SignalIntegrals,
+    System, Tone,
 };
 use crate::drive::Travel;
 use jounce_linalg::{Mat, c64, column};
@@ -199,6 +200,48 @@ impl Plant {
                     .sum()
             })
             .collect()
+    }
+
+    /// Returns the column of a signal of unit value in block coordinates.
+    pub(super) fn signal_column(&self, signal: &Signal) -> Vec<f64> {
+        let Some(storage) = self.drawn_node(signal) else {
+            return self.force_column(&signal.shape);
+        };
+        let (state, inverse) = (
+            2 * self.system.modes.len() + storage,
+            &self.diagonal.from_physical,
+        );
+        let rate = -1.0 / self.electrical.nodes[storage].capacitance_f;
+        (0..self.len())
+            .map(|i| inverse[(i, state)] * rate)
+            .collect()
+    }
+
+    /// Returns the row of the power of a signal of unit value in block coordinates.
+    pub(super) fn signal_power_row(&self, signal: &Signal) -> Vec<f64> {
+        match self.drawn_node(signal) {
+            None => self.velocity_row(&signal.shape),
+            Some(storage) => self.row(&[-1.0], 2 * self.system.modes.len() + storage),
+        }
+    }
+
+    /// Returns the energy put in by a signal alone, J, from the integrals of all signals. Voltages
+    /// are measured from their zeros.
+    pub fn signal_energy_j(&self, signal: usize, integrals: &SignalIntegrals) -> f64 {
+        let row = self.signal_power_row(&self.system.signals[signal]);
+        let states = row.iter().zip(&integrals.states[signal]);
+        let tones = self.steady_output(&row);
+        states.map(|(r, y)| r * y).sum::<f64>()
+            + tones
+                .iter()
+                .zip(&integrals.tones[signal])
+                .map(|(steady, turn)| (steady * turn).re)
+                .sum::<f64>()
+    }
+
+    /// Returns the node from which a signal draws its current.
+    fn drawn_node(&self, signal: &Signal) -> Option<usize> {
+        self.electrical.bridges.get(signal.drawn_from?)?.storage
     }
 
     /// Returns the column of a unit acceleration of the base in block coordinates, per m/s^2.

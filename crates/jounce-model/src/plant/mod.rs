@@ -30,6 +30,7 @@ pub use circuit::electrical::{
 };
 pub use circuit::event_function::{BridgeChange, EnergyOutlet, EventFunction, PowerOutput};
 pub use circuit::leak::Leak;
+pub use circuit::regulator::{DevicePhase, Regulator, VoltageBand};
 pub use coupled_plant::{Plant, Port};
 pub use coupled_plant::{dot, product};
 pub use diagonal::Diagonal;

@@ -121,11 +121,14 @@ pub struct Drive {
 }
 
 impl System {
-    /// Returns the first drive that is not periodic, by name.
-    pub fn aperiodic(&self) -> Option<&str> {
-        self.signals
-            .iter()
-            .find(|signal| !signal.wave.is_constant())
-            .map(|signal| signal.name.as_str())
+    /// Returns the first part that makes every response aperiodic: a drive that is not periodic, or
+    /// a regulator, which switches at its own times.
+    pub fn aperiodic(&self) -> Option<String> {
+        let part = |signal: &Signal| match signal.drawn_from {
+            Some(_) => Some(format!("regulator `{}`", signal.name)),
+            None if signal.wave.is_constant() => None,
+            None => Some(format!("drive `{}`", signal.name)),
+        };
+        self.signals.iter().find_map(part)
     }
 }

@@ -119,7 +119,8 @@ fn voltage_rms_v(system: &System, power_w: f64) -> f64 {
         (Some(load), _) => across(load.resistance_ohm),
         (None, Some(Storage::Capacitor { load_ohm, .. })) => across(load_ohm),
         (None, Some(Storage::Battery { voltage_v })) => voltage_v,
-        (None, None) => f64::NAN,
+        // A regulator has no periodic orbits.
+        (None, Some(Storage::Regulated { .. }) | None) => f64::NAN,
     }
 }
 

@@ -5,6 +5,7 @@ use crate::{Circuit, Interface, Quantity, Wiring};
 
 const PATCHES: &[&str] = &["patch", "patches"];
 const STORES: &[&str] = &["storage", "battery"];
+const LOADS: &[&str] = &["resistance", "regulator"];
 const INTERFACES: &[&str] = &["resistor", "bridge", "parallel-sshi", "series-sshi", "sece"];
 const RECTIFIED: &[&str] = &["bridge", "parallel-sshi", "series-sshi", "sece"];
 const WIRING: &[&str] = &["parallel", "series"];
@@ -104,15 +105,27 @@ pub(super) static KEYS: &[Key<Circuit>] = &[
         .within(Range { low: 0.0, open: true, high: 1.0 })
         .when("interface", &["sece"])
         .optional(),
-    Key::quantity(
-        "resistance",
-        Quantity::Resistance,
-        "load resistance",
-        |c: &Circuit| c.resistance_ohm,
-        |c, x| c.resistance_ohm = x,
+    resistance().when("interface", &["resistor"]),
+    resistance().when("interface", RECTIFIED).one_of(LOADS).unless("battery"),
+    Key::text(
+        "regulator",
+        Kind::Reference { what: "a regulator" },
+        "regulator that supplies a device from the storage capacitor, in place of the load resistance",
+        |c: &Circuit| c.regulator.clone(),
+        |c, x| x.clone_into(&mut c.regulator),
     )
-    .within(Range::POSITIVE)
+    .when("interface", RECTIFIED)
+    .one_of(LOADS)
     .unless("battery"),
+    Key::text(
+        "device",
+        Kind::Reference { what: "a device" },
+        "device that the regulator supplies",
+        |c: &Circuit| c.device.clone(),
+        |c, x| x.clone_into(&mut c.device),
+    )
+    .when("interface", RECTIFIED)
+    .optional(),
     Key::with_slot(
         "inductance",
         Kind::Quantity(Quantity::Inductance),
@@ -131,6 +144,17 @@ pub(super) static KEYS: &[Key<Circuit>] = &[
     )
     .optional(),
 ];
+
+const fn resistance() -> Key<Circuit> {
+    Key::quantity(
+        "resistance",
+        Quantity::Resistance,
+        "load resistance",
+        |c: &Circuit| c.resistance_ohm,
+        |c, x| c.resistance_ohm = x,
+    )
+    .within(Range::POSITIVE)
+}
 
 fn interface(word: &str) -> Interface {
     match word {

@@ -3,6 +3,7 @@
 mod beam;
 mod circuit;
 mod contact_bodies;
+mod device;
 mod drive;
 mod drive_signal;
 mod electrodes;
@@ -13,6 +14,7 @@ mod modal;
 mod patch;
 mod plate;
 mod pores;
+mod regulator;
 mod settings;
 mod stop;
 mod stop_law;
@@ -105,6 +107,26 @@ pub(super) static SPEC: &[Key<Spec>] = &[
             open: |s| &mut s.circuit,
             blank: circuit::blank,
             keys: circuit::KEYS,
+        },
+    ),
+    named_tables(
+        "regulator",
+        "regulators between the storage of a circuit and a device",
+        &Named {
+            get: |s: &Spec| &s.regulator,
+            open: |s| &mut s.regulator,
+            blank: regulator::blank,
+            keys: regulator::KEYS,
+        },
+    ),
+    named_tables(
+        "device",
+        "electronic devices that regulators supply: wireless sensors with a duty cycle",
+        &Named {
+            get: |s: &Spec| &s.device,
+            open: |s| &mut s.device,
+            blank: device::blank,
+            keys: device::KEYS,
         },
     ),
     named_tables(

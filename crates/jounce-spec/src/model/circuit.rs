@@ -27,6 +27,10 @@ pub struct Circuit {
     pub diode_resistance_ohm: f64,
     /// `leakage_resistance` across the storage capacitor, ohm; `None` without.
     pub leakage_ohm: Option<f64>,
+    /// `regulator`: name of the regulator that replaces the load; empty if omitted.
+    pub regulator: String,
+    /// `device`: name of the device that the regulator supplies; empty if omitted.
+    pub device: String,
     /// `quality_factor` of the inductor and its switch.
     pub quality_factor: Option<f64>,
     /// `efficiency` of an extraction, 0 to 1.
@@ -65,6 +69,8 @@ impl Circuit {
             diode_drop_v: 0.0,
             diode_resistance_ohm: 1.0,
             leakage_ohm: None,
+            regulator: String::new(),
+            device: String::new(),
             quality_factor: None,
             efficiency: 1.0,
         }

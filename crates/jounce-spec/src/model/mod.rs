@@ -4,6 +4,7 @@ mod beam;
 mod circuit;
 mod contact_bodies;
 mod damping;
+mod device;
 mod drive;
 mod gravity;
 mod layer;
@@ -12,6 +13,7 @@ mod modal;
 mod patch;
 mod plate;
 mod reduction;
+mod regulator;
 mod run;
 mod stop;
 
@@ -19,6 +21,7 @@ pub use beam::Beam;
 pub use circuit::{Circuit, Interface, Wiring};
 pub use contact_bodies::{BodyShape, ContactBodies, ContactBody};
 pub use damping::Damping;
+pub use device::Device;
 pub use drive::{Drive, DriveKind, DriveSignal, FrequencySweep, GROUND};
 pub use gravity::Gravity;
 pub use layer::Layer;
@@ -27,6 +30,7 @@ pub use modal::{Modal, ModalPatch};
 pub use patch::{Composite, Electrodes, Face, Patch, PatchFoils, PatchPores, PoreShape, Section};
 pub use plate::{Edge, OnPlate, Plate, PlateArea, PlatePoint};
 pub use reduction::Reduction;
+pub use regulator::{CHIP_LIBRARY, CHIPS, Chip, Regulator};
 pub use run::{Run, Start};
 pub use stop::{ForceTable, Side, Stop, StopLaw};
 
@@ -51,6 +55,10 @@ pub struct Spec {
     pub stop: BTreeMap<String, Stop>,
     /// `[circuit.NAME]`
     pub circuit: BTreeMap<String, Circuit>,
+    /// `[regulator.NAME]`
+    pub regulator: BTreeMap<String, Regulator>,
+    /// `[device.NAME]`
+    pub device: BTreeMap<String, Device>,
     /// `[drive.NAME]`
     pub drive: BTreeMap<String, Drive>,
     /// `[gravity]`
@@ -67,6 +75,8 @@ impl Spec {
     /// Removes all circuits and leaves the electrodes of every patch open.
     pub fn open_circuits(&mut self) {
         self.circuit.clear();
+        self.regulator.clear();
+        self.device.clear();
         let modal = self
             .modal
             .values_mut()

@@ -15,6 +15,7 @@ mod overlap;
 mod plates;
 mod pores;
 mod reference;
+mod regulators;
 mod support;
 
 use super::Spec;
@@ -48,6 +49,7 @@ pub(super) fn broken(spec: &Spec) -> Vec<(String, String)> {
     reference::check(spec, &mut faults);
     support::check(spec, &mut faults);
     circuit::check(spec, &mut faults);
+    regulators::check(spec, &mut faults);
     geometry::check(spec, &mut faults);
     layers::check(spec, &mut faults);
     plates::check(spec, &mut faults);

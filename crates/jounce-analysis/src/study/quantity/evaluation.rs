@@ -83,10 +83,11 @@ fn check_drive(model: &Model) -> Result<(), StudyError> {
     let drives = &model.spec.drive;
     match drives.values().any(|drive| drive.frequency_hz().is_some()) {
         true => Ok(()),
-        false => Err(AnalysisError::Aperiodic {
-            drive: drives.keys().next().cloned().unwrap_or_default(),
+        false => {
+            let drive = drives.keys().next().cloned().unwrap_or_default();
+            let part = format!("drive `{drive}`");
+            Err(AnalysisError::Aperiodic { part }.into())
         }
-        .into()),
     }
 }
 

@@ -4,5 +4,6 @@ pub mod cell;
 mod charges;
 mod leaks;
 mod rectified;
+mod regulators;
 mod stiff;
 mod voltage_peak;

@@ -126,6 +126,7 @@ fn ball(height_m: f64, restitution: f64) -> System {
         shape: vec![1.0],
         wave: Wave::Constant(9.81),
         base: None,
+        drawn_from: None,
     });
     system
 }

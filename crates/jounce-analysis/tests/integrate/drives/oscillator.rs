@@ -27,6 +27,7 @@ pub fn with_signal(mut system: System, wave: Wave) -> System {
         shape,
         wave,
         base: None,
+        drawn_from: None,
     });
     system
 }

@@ -191,6 +191,7 @@ fn energy_balances_under_every_kind_of_drive_through_contacts() {
             shape: shape.clone(),
             wave,
             base: None,
+            drawn_from: None,
         });
         let kernel = kernel(system);
         let integrator = integrate(&kernel, &vec![0.0; kernel.plant.len()], 0.0, 2.0, 1e-10);

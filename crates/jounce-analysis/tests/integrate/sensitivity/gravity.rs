@@ -32,6 +32,7 @@ fn bench_under_gravity(law: Law) -> Kernel {
         shape,
         wave: Wave::Constant(0.1),
         base: None,
+        drawn_from: None,
     });
     kernel(system)
 }

@@ -12,7 +12,7 @@
 use crate::drive::Wave;
 use crate::plant::Signal;
 use crate::plant::system::Connection;
-use crate::plant::{Electrical, System};
+use crate::plant::{Electrical, Regulator, System};
 use jounce_spec::Wiring;
 
 /// A rectified circuit.
@@ -72,11 +72,40 @@ pub enum Storage {
         /// ohm.
         load_ohm: f64,
     },
+    /// A capacitor that supplies a device through a regulator.
+    Regulated {
+        /// F.
+        capacitance_f: f64,
+        /// Regulator.
+        regulator: Regulator,
+    },
     /// A fixed voltage.
     Battery {
         /// V.
         voltage_v: f64,
     },
+}
+
+impl Storage {
+    /// Returns the capacitance, F; `None` for a battery.
+    pub fn capacitance_f(&self) -> Option<f64> {
+        match self {
+            Self::Capacitor { capacitance_f, .. } | Self::Regulated { capacitance_f, .. } => {
+                Some(*capacitance_f)
+            }
+            Self::Battery { .. } => None,
+        }
+    }
+
+    /// Returns the conductance of the load or of the regulator across the capacitor, 1/ohm; 0 for
+    /// a battery.
+    pub fn conductance_per_ohm(&self) -> f64 {
+        match self {
+            Self::Capacitor { load_ohm, .. } => 1.0 / load_ohm,
+            Self::Regulated { regulator, .. } => regulator.conductance_per_ohm(),
+            Self::Battery { .. } => 0.0,
+        }
+    }
 }
 
 /// Conducting diodes.
@@ -116,8 +145,16 @@ impl Bridge {
     /// capacitor, V.
     pub fn threshold_v(&self) -> f64 {
         match self.storage {
-            Storage::Capacitor { .. } => self.drop_v,
+            Storage::Capacitor { .. } | Storage::Regulated { .. } => self.drop_v,
             Storage::Battery { voltage_v } => self.drop_v + voltage_v,
+        }
+    }
+
+    /// Returns the regulator of the storage.
+    pub fn regulator(&self) -> Option<&Regulator> {
+        match &self.storage {
+            Storage::Regulated { regulator, .. } => Some(regulator),
+            Storage::Capacitor { .. } | Storage::Battery { .. } => None,
         }
     }
 
@@ -205,6 +242,7 @@ impl System {
                         shape: shape.clone(),
                         wave: Wave::Constant(offset_v),
                         base: None,
+                        drawn_from: None,
                     });
                 }
             }

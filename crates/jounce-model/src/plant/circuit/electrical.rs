@@ -18,7 +18,7 @@
 
 use super::leak::Leak;
 use crate::plant::system::{Connection, Load};
-use crate::plant::{Bridge, Storage, System};
+use crate::plant::{Bridge, System};
 use jounce_spec::Wiring;
 
 /// Electrical states of a system.
@@ -159,20 +159,13 @@ impl Electrical {
 
     /// Adds the storage of a bridge, and the conducting path.
     fn rectify(&mut self, number: usize, bridge: &Bridge, terminal: usize, modes: usize) {
-        let storage = match bridge.storage {
-            Storage::Battery { .. } => None,
-            Storage::Capacitor {
-                capacitance_f,
-                load_ohm,
-            } => {
-                let node = self.add(capacitance_f, vec![0.0; modes]);
-                self.nodes[node].resistance_ohm = Some(
-                    1.0 / (1.0 / load_ohm
-                        + bridge.leakage_ohm.map_or(0.0, |leakage| 1.0 / leakage)),
-                );
-                Some(node)
-            }
-        };
+        let storage = bridge.storage.capacitance_f().map(|capacitance_f| {
+            let node = self.add(capacitance_f, vec![0.0; modes]);
+            let leakage_per_ohm = bridge.leakage_ohm.map_or(0.0, |leakage| 1.0 / leakage);
+            let conductance_per_ohm = bridge.storage.conductance_per_ohm() + leakage_per_ohm;
+            self.nodes[node].resistance_ohm = Some(1.0 / conductance_per_ohm);
+            node
+        });
         self.bridges.push(BridgeNodes { terminal, storage });
         let sign = bridge.state.conduction.sign();
         if sign != 0.0 {

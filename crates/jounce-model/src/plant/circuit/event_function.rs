@@ -1,6 +1,8 @@
 //! Events and metered outputs of a bridge, as outputs of the plant.
 
-use crate::plant::{Bridge, Conduction, Leak, Plant, Port, RectifierScheme, Storage, System};
+use crate::plant::{
+    Bridge, Conduction, Leak, Plant, Port, RectifierScheme, Regulator, System, VoltageBand,
+};
 
 /// Event that changes a bridge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -11,6 +13,10 @@ pub enum BridgeChange {
     Blocks,
     /// The switch closes for an instant.
     Switches,
+    /// The storage voltage passes the upper limit of the band of its regulator.
+    Rises,
+    /// The storage voltage passes the lower limit of the band of its regulator.
+    Falls,
 }
 
 /// An output of the plant whose upward zero crossing changes a bridge.
@@ -27,6 +33,8 @@ pub struct EventFunction {
 pub enum EnergyOutlet {
     /// The load across the storage capacitor.
     Load,
+    /// The regulator while it is off, and the same conductance while it is on.
+    Regulator,
     /// The leakage resistance across it.
     Leakage,
     /// The resistance of the diodes.
@@ -72,6 +80,9 @@ impl Bridge {
         if self.has_switch() {
             changes.push(BridgeChange::Switches);
         }
+        if self.regulator().is_some() {
+            changes.extend([BridgeChange::Rises, BridgeChange::Falls]);
+        }
         changes
     }
 }
@@ -100,7 +111,7 @@ impl Plant {
         );
         let (first, n) = (2 * self.system.modes.len(), self.system.modes.len());
         let mut physical = vec![0.0; self.len()];
-        let mut across = |sign: f64, factor: f64| {
+        let across = |physical: &mut Vec<f64>, sign: f64, factor: f64| {
             physical[first + nodes.terminal] = factor * sign;
             if let Some(storage) = nodes.storage {
                 physical[first + storage] = -factor;
@@ -112,9 +123,18 @@ impl Plant {
                     .storage
                     .map_or(0.0, |storage| factor * zero_v[storage])
         };
+        let regulated = |physical: &mut Vec<f64>, factor: f64| {
+            if let Some(storage) = nodes.storage {
+                physical[first + storage] = factor;
+            }
+            let off = bridge.regulator().map(Regulator::off_band);
+            off.map_or(f64::INFINITY, |band| self.band_gap(guard, &band))
+        };
         let gap_m = match guard.change {
-            BridgeChange::Conducts(to) => across(to.sign(), 1.0),
-            BridgeChange::Blocks => across(bridge.state.conduction.sign(), -1.0),
+            BridgeChange::Rises => regulated(&mut physical, 1.0),
+            BridgeChange::Falls => regulated(&mut physical, -1.0),
+            BridgeChange::Conducts(to) => across(&mut physical, to.sign(), 1.0),
+            BridgeChange::Blocks => across(&mut physical, bridge.state.conduction.sign(), -1.0),
             BridgeChange::Switches => {
                 let sign = if bridge.state.rising { -1.0 } else { 1.0 };
                 let coupling = &self.electrical.nodes[nodes.terminal].coupling_n_per_v;
@@ -138,6 +158,16 @@ impl Plant {
         }
     }
 
+    /// Returns the threshold of an event of a regulator, V, in the measure of its port.
+    pub fn band_gap(&self, guard: &EventFunction, band: &VoltageBand) -> f64 {
+        let storage = self.electrical.bridges[guard.bridge].storage;
+        let zero_v = storage.map_or(0.0, |storage| self.electrical.zero_v[storage]);
+        match guard.change {
+            BridgeChange::Falls => zero_v - band.low_v,
+            _ => band.high_v - zero_v,
+        }
+    }
+
     /// Returns the outputs of the bridges whose squares are powers.
     pub fn bridge_outputs(&self) -> Vec<PowerOutput> {
         let mut outputs = Vec::new();
@@ -148,13 +178,15 @@ impl Plant {
             .zip(&self.electrical.bridges)
             .enumerate()
         {
-            if let (Some(storage), Storage::Capacitor { load_ohm, .. }) =
-                (nodes.storage, bridge.storage)
-            {
+            if let Some(storage) = nodes.storage {
                 let output = |outlet, conductance| {
                     self.output((k, outlet), conductance, vec![(storage, 1.0)], 0.0)
                 };
-                outputs.push(output(EnergyOutlet::Load, 1.0 / load_ohm));
+                let outlet = match bridge.regulator() {
+                    Some(_) => EnergyOutlet::Regulator,
+                    None => EnergyOutlet::Load,
+                };
+                outputs.push(output(outlet, bridge.storage.conductance_per_ohm()));
                 outputs.extend(
                     bridge
                         .leakage_ohm

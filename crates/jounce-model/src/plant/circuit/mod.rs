@@ -4,4 +4,5 @@ pub(super) mod bridge;
 pub(super) mod electrical;
 pub(super) mod event_function;
 pub(super) mod leak;
+pub(super) mod regulator;
 mod wiring;

@@ -215,7 +215,7 @@ impl EnergyMeter {
             .system
             .signals
             .iter()
-            .map(|signal| plant.velocity_row(&signal.shape))
+            .map(|signal| plant.signal_power_row(signal))
             .collect();
         let steady = speeds.iter().map(|row| plant.steady_output(row)).collect();
         let mut meter = Self::finish(plant, None, forcings, (mean, terms), (speeds, steady));

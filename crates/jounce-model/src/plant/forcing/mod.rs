@@ -45,7 +45,7 @@ pub const LOCAL_TERMS: usize = 16;
 impl Forcing {
     pub(super) fn of(plant: &Plant, signal: &Signal) -> Self {
         let block = &plant.diagonal.block;
-        let column = plant.force_column(&signal.shape);
+        let column = plant.signal_column(signal);
         let rest: Vec<f64> = block
             .solve(&column, &plant.local)
             .into_iter()
@@ -76,9 +76,17 @@ impl Plant {
                 None
             }
         });
-        let fastest_rad_s = steps
+        // A current that is held drives a storage far from any equilibrium: what matters is the
+        // change over a time of the structure.
+        let slowest_rad_s = (self.system.modes.frequency_rad_s.iter().copied())
+            .filter(|w| *w > 0.0)
             .reduce(f64::min)
-            .map_or(0.0, |step_s| LOCAL_BLOCK_RATE / step_s);
+            .filter(|_| signals.iter().any(|signal| signal.drawn_from.is_some()));
+        let fastest_rad_s = LOCAL_BLOCK_RATE
+            * steps
+                .map(|step_s| 1.0 / step_s)
+                .chain(slowest_rad_s)
+                .fold(0.0, f64::max);
         let block = &self.diagonal.block;
         block
             .free()

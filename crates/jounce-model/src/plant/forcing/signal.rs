@@ -1,4 +1,5 @@
-//! Drives that are linear in time between breakpoints: gravity, recordings, noise, pulses.
+//! Drives that are linear in time between breakpoints: gravity, recordings, noise, pulses. The current
+//! that a regulator draws is such a signal too.
 
 use crate::drive::Wave;
 
@@ -15,4 +16,7 @@ pub struct Signal {
     pub wave: Wave,
     /// Accelerated base.
     pub base: Option<String>,
+    /// Index of the bridge from whose storage the signal draws a current, in A. Its value is 0
+    /// until the integrator sets it.
+    pub drawn_from: Option<usize>,
 }
