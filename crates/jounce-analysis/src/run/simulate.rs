@@ -157,10 +157,9 @@ fn rectified(
             change(&|energies, _| energies.rectified.get(k).map_or(0.0, of)) / average_over_s
         };
         let mean_power_w = mean(|of_bridge| of_bridge.load_j + of_bridge.battery_j);
-        let idle_w = mean(|of_bridge| of_bridge.idle_j);
         // The conductance across the storage draws its power from the square of the voltage.
         let conductance_w = match bridge.regulator() {
-            Some(_) => idle_w,
+            Some(_) => mean(|of_bridge| of_bridge.idle_j),
             None => mean_power_w,
         };
         let storage = plant.electrical.bridges[k].storage;
@@ -184,7 +183,7 @@ fn rectified(
             diode_loss_w: mean(|of_bridge| of_bridge.diodes_j),
             switch_loss_w: mean(|of_bridge| of_bridge.switch_j),
             leakage_w: mean(|of_bridge| of_bridge.leakage_j),
-            regulator_loss_w: idle_w + mean(|of_bridge| of_bridge.conversion_j),
+            regulator_loss_w: mean(|of_bridge| of_bridge.regulator_j),
         }
     };
     plant

@@ -13,10 +13,11 @@ pub struct RectifiedEnergies {
     pub switch_j: f64,
     /// Lost by leakage of the storage.
     pub leakage_j: f64,
-    /// Drawn by the conductance of the regulator, which remains while it is on.
+    /// Lost in the regulator: conversion, idle current and quiescent current.
+    pub regulator_j: f64,
+    /// Drawn by the conductance of the regulator, which remains while it is on: the integral of the
+    /// squared storage voltage times this conductance. It is not part of the sum.
     pub idle_j: f64,
-    /// Lost in the regulator beyond `idle_j`: conversion, and the rest of its quiescent current.
-    pub conversion_j: f64,
     /// Charge passed to the storage, C.
     pub charge_c: f64,
 }
@@ -25,8 +26,7 @@ impl RectifiedEnergies {
     /// Returns the sum of the energies, J.
     pub fn sum_j(&self) -> f64 {
         let delivered_j = self.load_j + self.battery_j;
-        let regulator_j = self.idle_j + self.conversion_j;
-        delivered_j + self.diodes_j + self.switch_j + self.leakage_j + regulator_j
+        delivered_j + self.diodes_j + self.switch_j + self.leakage_j + self.regulator_j
     }
 
     /// Adds the energies of another count.
@@ -36,8 +36,8 @@ impl RectifiedEnergies {
         self.diodes_j += other.diodes_j;
         self.switch_j += other.switch_j;
         self.leakage_j += other.leakage_j;
+        self.regulator_j += other.regulator_j;
         self.idle_j += other.idle_j;
-        self.conversion_j += other.conversion_j;
         self.charge_c += other.charge_c;
     }
 }

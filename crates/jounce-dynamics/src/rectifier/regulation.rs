@@ -276,7 +276,7 @@ impl Integrator<'_> {
             let drawn_j = zero_v * drawn_c[bridge] - work_j;
             let delivered_j = delivered_j[bridge].unwrap_or(0.0);
             rectified[bridge].load_j += delivered_j;
-            rectified[bridge].conversion_j += drawn_j - delivered_j;
+            rectified[bridge].regulator_j += drawn_j - delivered_j;
             signals_j += work_j;
         }
         signals_j

@@ -317,7 +317,10 @@ impl Integrator<'_> {
             let energy_j = energy_j + charge_balance.standing_j(output);
             match output.outlet {
                 EnergyOutlet::Load => all.rectified[output.bridge].load_j += energy_j,
-                EnergyOutlet::Regulator => all.rectified[output.bridge].idle_j += energy_j,
+                EnergyOutlet::Regulator => {
+                    all.rectified[output.bridge].idle_j += energy_j;
+                    all.rectified[output.bridge].regulator_j += energy_j;
+                }
                 EnergyOutlet::Leakage => all.rectified[output.bridge].leakage_j += energy_j,
                 EnergyOutlet::Diodes => all.rectified[output.bridge].diodes_j += energy_j,
                 EnergyOutlet::Patch => leaks.by_ref().take(1).for_each(|sum| *sum += energy_j),

@@ -246,7 +246,7 @@ fn outages_agree_with_a_plain_integrator() {
         "{ours:?}, {} V; plain: {first_s} s, {on_s} s on, {starts} starts, {tasks} tasks, {voltage_v} V",
         storage_v(&kernel, &integrator)
     );
-    assert!(ours.starts > 3 && ours.completed_tasks > 3);
+    assert!(ours.starts > 3 && ours.completed_tasks >= 3);
     assert!((ours.cold_start_s.unwrap() / first_s - 1.0).abs() < 1e-4);
     assert!((ours.on_s / on_s - 1.0).abs() < 5e-3);
     assert_eq!((ours.starts, ours.completed_tasks), (starts, tasks));
@@ -296,7 +296,8 @@ fn charge_and_energy_of_a_regulator_are_balanced() {
                 .iter()
                 .all(|charge| charge.residual_relative.abs() < 1e-9)
         );
-        assert!(device.on_fraction > 0.1 && energies.conversion_j > 0.0 && energies.idle_j > 0.0);
+        assert!(device.on_fraction > 0.1, "{device:?}");
+        assert!(energies.regulator_j > 0.0 && energies.idle_j > 0.0);
         let inflow_w = device.available_w + circuit.leakage_w + circuit.diode_loss_w;
         assert!(inflow_w > circuit.mean_power_w && circuit.mean_power_w > 0.0);
         assert!((device.margin_w - (device.available_w - device.needed_w)).abs() < 1e-15);
