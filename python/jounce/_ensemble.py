@@ -60,6 +60,19 @@ class EnsembleResult(Result):
     stop_contact_duty_half_width: Annotated[Floats, Along("stop", "1", "half width of its 95 % interval")]
     stop_max_contact_force_n: Annotated[Floats, Along("stop", "N", "largest contact force", detail="0 for impacts on a rigid stop")]
     stop_max_penetration_m: Annotated[Floats, Along("stop", "m", "largest penetration")]
+    device: Annotated[list[str], About("circuits with a device behind a regulator")]
+    device_on_fraction: Annotated[Floats, Along("device", "1", "share of the time on")]
+    device_on_fraction_half_width: Annotated[Floats, Along("device", "1", "half width of its 95 % interval")]
+    device_cold_start_s: Annotated[Floats, Along("device", "s", "time to the first start", detail="over the members in which it starts")]
+    device_cold_start_half_width_s: Annotated[Floats, Along("device", "s", "half width of its 95 % interval")]
+    device_never_started: Annotated[Integers, Along("device", "1", "members in which the device never starts")]
+    device_longest_outage_s: Annotated[Floats, Along("device", "s", "longest time off in any member")]
+    device_completed_tasks: Annotated[Integers, Along("device", "1", "completed measurements and transmissions")]
+    device_interrupted_tasks: Annotated[Integers, Along("device", "1", "tasks that an outage interrupted")]
+    device_mean_power_w: Annotated[Floats, Along("device", "W", "mean power delivered to the device")]
+    device_mean_power_half_width_w: Annotated[Floats, Along("device", "W", "half width of its 95 % interval")]
+    device_margin_w: Annotated[Floats, Along("device", "W", "available minus needed power")]
+    device_margin_half_width_w: Annotated[Floats, Along("device", "W", "half width of its 95 % interval")]
     patch: Annotated[list[str], About("patches whose voltages have a spectrum; empty unless requested")]
     frequency_hz: Annotated[Floats, About("middle of each bin of frequencies", "Hz", axes="frequency")]
     voltage_psd_v2_hz: Annotated[Floats, Along("patch frequency", "V^2/Hz", "one-sided power spectral density")]
@@ -87,6 +100,7 @@ class EnsembleResult(Result):
                 f"{self.mean_contact_duration_s:.4e} s each",
             ),
             *((f"stop {name}", self._stop_summary(k)) for k, name in enumerate(self.stop)),
+            *((f"device {name}", self._device_summary(k)) for k, name in enumerate(self.device)),
             *(
                 (f"bandwidth of {name}", f"{width:.4e} Hz +- {half:.1e} Hz (statistical)")
                 for name, width, half in zip(self.patch, self.bandwidth_hz, self.bandwidth_half_width_hz)
@@ -94,16 +108,22 @@ class EnsembleResult(Result):
             *(("warning", text) for text in self.warnings),
         ]
 
+    def _device_summary(self, k: int) -> str:
+        share = f"on for {100 * self.device_on_fraction[k]:.3g} % of the time +- {100 * self.device_on_fraction_half_width[k]:.1g} %"
+        tasks = f"{self.device_completed_tasks[k]} tasks completed, {self.device_interrupted_tasks[k]} interrupted"
+        return f"{share}, {tasks}, margin {self.device_margin_w[k]:.3e} W +- {self.device_margin_half_width_w[k]:.1e} W"
+
     def _stop_summary(self, k: int) -> str:
         rate = f"{self.stop_contact_rate_hz[k]:.4g} contacts per second +- {self.stop_contact_rate_half_width_hz[k]:.1e}"
         strike = f"{self.stop_mean_impact_velocity_m_s[k]:.4e} m/s +- {self.stop_mean_impact_velocity_half_width_m_s[k]:.1e} m/s"
         return f"{rate}, at {strike}, {100 * self.stop_contact_duty[k]:.3g} % of the time"
 
     def to_xarray(self) -> Dataset:
-        """Returns an ``xarray.Dataset`` over ``member`` and ``stop``, means as scalars, spectra over ``patch`` and ``frequency``."""
+        """Returns an ``xarray.Dataset`` over ``member``, ``stop`` and ``device``, means as scalars, spectra over ``patch`` and ``frequency``."""
         coords = {
             "member": Variable(("member",), self.member, "1", "number of the realisation under its seed"),
             "stop": Variable(("stop",), self.stop, "", "stop"),
+            "device": Variable(("device",), self.device, "", "device"),
             "patch": Variable(("patch",), self.patch, "", "patch"),
             "frequency": Variable(("frequency",), self.frequency_hz, "Hz", "middle of the bin"),
         }

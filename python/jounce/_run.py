@@ -58,6 +58,18 @@ class RunResult(Result):
     rectified_diode_loss_w: Annotated[Floats, Along("rectified", "W", "mean power lost in diodes")]
     rectified_switch_loss_w: Annotated[Floats, Along("rectified", "W", "mean power lost in the switch")]
     rectified_leakage_w: Annotated[Floats, Along("rectified", "W", "mean power lost by leakage")]
+    rectified_regulator_loss_w: Annotated[Floats, Along("rectified", "W", "mean power lost in the regulator")]
+    device: Annotated[list[str], About("circuits with a device behind a regulator")]
+    device_cold_start_s: Annotated[Floats, Along("device", "s", "time to the first start", detail="NaN where the device never starts")]
+    device_on_fraction: Annotated[Floats, Along("device", "1", "share of the time on")]
+    device_starts: Annotated[Integers, Along("device", "1", "starts of the device")]
+    device_longest_outage_s: Annotated[Floats, Along("device", "s", "longest time off")]
+    device_completed_tasks: Annotated[Integers, Along("device", "1", "completed measurements and transmissions")]
+    device_interrupted_tasks: Annotated[Integers, Along("device", "1", "tasks that an outage interrupted")]
+    device_energy_per_day_j: Annotated[Floats, Along("device", "J", "energy delivered to the device per day")]
+    device_available_w: Annotated[Floats, Along("device", "W", "mean power that arrives at the storage, without its leakage")]
+    device_needed_w: Annotated[Floats, Along("device", "W", "mean power that the regulator needs to stay on")]
+    device_margin_w: Annotated[Floats, Along("device", "W", "available minus needed power")]
     charge: Annotated[
         list[str],
         About(
@@ -65,7 +77,7 @@ class RunResult(Result):
         ),
     ]
     charge_passed_c: Annotated[Floats, Along("charge", "C", "charge through the diodes")]
-    charge_load_c: Annotated[Floats, Along("charge", "C", "charge through the load")]
+    charge_load_c: Annotated[Floats, Along("charge", "C", "charge through the load or the regulator")]
     charge_leakage_c: Annotated[Floats, Along("charge", "C", "charge through the leakage of the storage")]
     charge_storage_c: Annotated[Floats, Along("charge", "C", "charge added to the storage")]
     charge_residual_relative: Annotated[Floats, Along("charge", "1", "residual of the charge balance, relative to the largest term")]
@@ -107,7 +119,7 @@ class RunResult(Result):
         dict[str, float],
         About(
             "energies of the complete run: ``input_j``, ``loads_j``, ``rectified_j`` (into loads and batteries behind rectifiers), "
-            "``rectified_loss_j`` (in their diodes and switches, and by leakage), ``leaks_j`` (by leakage of patches), ``damping_j``, "
+            "``rectified_loss_j`` (in their diodes, switches and regulators, and by leakage), ``leaks_j`` (by leakage of patches), ``damping_j``, "
             "``contact_loss_j``, ``stored_j``",
             "J",
         ),
@@ -147,6 +159,7 @@ class RunResult(Result):
             *((f"voltage, rms ({name})", f"{volts:.6g} V") for name, volts in zip(self.load, self.load_voltage_rms_v)),
             *((f"voltage, peak ({name})", f"{volts:.6g} V") for name, volts in self._peaks() if not np.isnan(volts)),
             *((f"storage, rms ({name})", f"{volts:.6g} V") for name, volts in zip(self.rectified, self.rectified_voltage_rms_v)),
+            *((f"device ({name})", self._device_summary(k)) for k, name in enumerate(self.device)),
             *((f"leakage ({name})", f"{power:.6e} W") for name, power in zip(self.leak, self.leak_mean_power_w)),
             ("contacts", f"{self.contacts} in {self.average_over_s:g} s, {100 * self.contact_duty:.2f} % of the time"),
             ("penetration, peak", f"{self.max_penetration_m:.4e} m, force {self.max_contact_force_n:.4e} N"),
@@ -154,6 +167,11 @@ class RunResult(Result):
             ("settled", settled),
             *(("warning", text) for text in self.warnings),
         ]
+
+    def _device_summary(self, k: int) -> str:
+        tasks = f"{self.device_completed_tasks[k]} tasks completed, {self.device_interrupted_tasks[k]} interrupted"
+        share = f"on for {100 * self.device_on_fraction[k]:.2f} % of the time"
+        return f"{share}, longest outage {self.device_longest_outage_s[k]:.4g} s, {tasks}, margin {self.device_margin_w[k]:.3e} W"
 
     @property
     def is_transient(self) -> bool:
@@ -172,7 +190,7 @@ class RunResult(Result):
             "period_cycles": Variable((), self.period_cycles or 0, "1", "period in drive cycles, 0 without a period"),
         }
         coords = {
-            name: Variable((name,), getattr(self, name), "", name) for name in ("load", "patch", "rectified", "charge", "leak", "stop")
+            name: Variable((name,), getattr(self, name), "", name) for name in ("load", "patch", "rectified", "device", "charge", "leak", "stop")
         }
         return self._dataset({**self._variables(), **settling}, coords)
 
@@ -224,7 +242,7 @@ def _sums(energies: dict[str, Any]) -> dict[str, float]:
         "input_j": energies["input_j"],
         "loads_j": float(sum(energies["loads_j"])),
         "rectified_j": over("load_j", "battery_j"),
-        "rectified_loss_j": over("diodes_j", "switch_j", "leakage_j"),
+        "rectified_loss_j": over("diodes_j", "switch_j", "leakage_j", "regulator_j"),
         "leaks_j": float(sum(energies["leaks_j"])),
         "damping_j": energies["damping_j"],
         "contact_loss_j": energies["contact_loss_j"],

@@ -41,8 +41,8 @@ pub use diagram::{
     Transition,
 };
 pub use ensemble::{
-    ContactCount, Ensemble, EnsembleResult, Estimate, IntervalOver, Member, MemberStop,
-    StopEstimates, VoltageSpectrum,
+    ContactCount, DeviceCount, DeviceEstimates, Ensemble, EnsembleResult, Estimate, IntervalOver,
+    Member, MemberDevice, MemberStop, StopEstimates, VoltageSpectrum,
 };
 pub use journal::{Journal, JournalError};
 pub use key_line::KeyLine;

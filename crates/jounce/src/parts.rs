@@ -10,7 +10,7 @@ pub use crate::check::DriveIssue;
 pub use crate::contact::{FixedLawResult, HitResult};
 pub use crate::design::DesignJournal;
 pub use crate::diagram::{DiagramDirection, DiagramJournal, DiagramPoint, SectionPoint};
-pub use crate::ensemble::{EnsemblePatch, EnsembleStop, VoltageSpectrum};
+pub use crate::ensemble::{EnsembleDevice, EnsemblePatch, EnsembleStop, VoltageSpectrum};
 pub use crate::frf::FrfResponse;
 pub use crate::measured_frf::{FrfEstimator, FunctionParts, MeasuredResponse, PerG};
 pub use crate::measured_modes::{ComplexValues, MeasuredMode};
@@ -26,7 +26,7 @@ pub use crate::spectra::OrderPeak;
 pub use crate::study::{Shard, StudyStatus};
 pub use crate::sweep::{SweepOrder, SweepPoint};
 pub use impact_harvester_2019::Claim;
-pub use jounce_analysis::run::{ChargeResult, RectifiedResult, StopResult, Warning};
+pub use jounce_analysis::run::{ChargeResult, DeviceResult, RectifiedResult, StopResult, Warning};
 pub use jounce_analysis::study::StudyError;
 pub use jounce_analysis::{
     AttractorKind, AttractorTrack, BandInterval, BandLimit, BifurcationCurvePoint, BranchKind,

@@ -12,7 +12,7 @@ pub fn frequency(harvester: &Harvester, what: &'static str) -> Result<(NumericKe
     let drive = harvester.spec().drive.iter().next();
     let (name, drive) = drive.ok_or(Error::NoDrive { what })?;
     let aperiodic = || AnalysisError::Aperiodic {
-        drive: name.clone(),
+        part: format!("drive `{name}`"),
     };
     let value = drive.frequency_hz().ok_or_else(aperiodic)?;
     Ok((

@@ -1,6 +1,7 @@
 //! One integration of an ensemble.
 
 use super::contacts::{ContactCount, MemberStop};
+use super::devices::{DeviceCounts, MemberDevice};
 use crate::run::{ExceededLimit, Limits, RunPlan, StartState, WorstExcess};
 use jounce_dynamics::{
     ContactStatistics, Energies, IntegrationError, Integrator, Kernel, Trajectory,
@@ -36,6 +37,8 @@ pub struct Member {
     pub max_penetration_m: f64,
     /// Results of each stop.
     pub stops: Vec<MemberStop>,
+    /// Operation of each device behind a regulator.
+    pub devices: Vec<MemberDevice>,
     /// Energy residual of the entire integration over its largest energy.
     pub energy_residual_relative: f64,
     /// Limits of patches that are exceeded.
@@ -70,6 +73,7 @@ impl Member {
             kernel.plant.system.stops.len()
         ];
         let (mut batches_w, mut before_j) = (Vec::with_capacity(BATCHES), opened.delivered_j());
+        let mut devices = DeviceCounts::open(&kernel.plant, &integrator, &opened);
         let mut exceeded_per_batch: Vec<Vec<ExceededLimit>> = Vec::new();
         for batch in 1..=BATCHES {
             let ends_s = [batch - 1, batch].map(|batch| batch_end_s(plan, batch));
@@ -85,7 +89,9 @@ impl Member {
                     sampling.read(kernel, &record, ends_s);
                 }
             }
-            let now_j = integrator.energies().delivered_j();
+            let energies = integrator.energies();
+            devices.close(&kernel.plant, &integrator, &energies);
+            let now_j = energies.delivered_j();
             batches_w.push((now_j - before_j) * BATCHES as f64 / window_s);
             before_j = now_j;
             for ((before, counts), now) in stops.iter_mut().zip(integrator.statistics_by_stop()) {
@@ -110,7 +116,11 @@ impl Member {
             (batches_w, stops),
             &integrator.statistics(),
         );
-        Ok(Self { exceeded, ..member })
+        Ok(Self {
+            exceeded,
+            devices: devices.members(&integrator),
+            ..member
+        })
     }
 
     fn from_statistics(
@@ -149,6 +159,7 @@ impl Member {
             mean_contact_duration_s: statistics.mean_contact_duration_s(),
             max_penetration_m: statistics.max_penetration_m,
             stops,
+            devices: Vec::new(),
             energy_residual_relative: energies.residual_relative(),
             exceeded: Vec::new(),
         }

@@ -5,7 +5,7 @@
 
 use super::member::{BATCHES, Sampling};
 use super::spectrum::VoltagePeriodograms;
-use super::{Estimate, IntervalOver, Member, StopEstimates, VoltageSpectrum};
+use super::{DeviceEstimates, Estimate, IntervalOver, Member, StopEstimates, VoltageSpectrum};
 use crate::run::{Limits, RunError, RunPlan, StartState};
 use crate::{AnalysisError, Model};
 use jounce_dynamics::IntegrationError;
@@ -55,6 +55,8 @@ pub struct EnsembleResult {
     pub mean_contact_duration_s: f64,
     /// Estimates of each stop.
     pub stops: Vec<StopEstimates>,
+    /// Estimates of each device behind a regulator.
+    pub devices: Vec<DeviceEstimates>,
     /// Spectrum of each patch; empty where not requested.
     pub spectra: Vec<VoltageSpectrum>,
     /// True when the requested width was reached, or no width was requested; false after
@@ -218,6 +220,7 @@ impl Ensemble<'_> {
             stops: stops
                 .map(|(index, stop)| StopEstimates::of(&stop.name, members, index, batch_s))
                 .collect(),
+            devices: DeviceEstimates::of_all(&self.base.kernel.plant, members, batch_s),
             spectra: Vec::new(),
             members: Vec::new(),
             contact_rate_hz: Estimate::of(&rates, IntervalOver::Members),

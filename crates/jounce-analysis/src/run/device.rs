@@ -2,7 +2,7 @@
 
 use super::RectifiedResult;
 use jounce_dynamics::DeviceStatistics;
-use jounce_model::plant::{Plant, Regulator};
+use jounce_model::plant::Plant;
 use serde::Serialize;
 
 /// Seconds of a day.
@@ -47,7 +47,7 @@ pub(super) fn devices(
     let all = plant.system.bridges.iter().zip(statistics).zip(rectified);
     all.filter_map(|((bridge, statistics), circuit)| {
         let (regulator, statistics) = (bridge.regulator()?, statistics.as_ref()?);
-        let needed_w = needed_w(regulator);
+        let needed_w = regulator.needed_w();
         let available_w = circuit.mean_power_w + circuit.regulator_loss_w + circuit.storage_w;
         Some(DeviceResult {
             name: bridge.name.clone(),
@@ -64,9 +64,4 @@ pub(super) fn devices(
         })
     })
     .collect()
-}
-
-fn needed_w(regulator: &Regulator) -> f64 {
-    let storage_v = 0.5 * (regulator.start_v + regulator.stop_v);
-    regulator.mean_output_w() / regulator.efficiency + regulator.quiescent_a * storage_v
 }

@@ -5,7 +5,7 @@ mod report;
 mod result;
 
 pub use options::EnsembleOptions;
-pub use result::{EnsemblePatch, EnsembleResult, EnsembleStop, VoltageSpectrum};
+pub use result::{EnsembleDevice, EnsemblePatch, EnsembleResult, EnsembleStop, VoltageSpectrum};
 
 use crate::error::Error;
 use crate::harvester::Harvester;

@@ -2,7 +2,7 @@
 
 use jounce_analysis as analysis;
 use jounce_analysis::run::{ExceededLimit, Warning, WorstExcess};
-use jounce_analysis::{Estimate, IntervalOver, Member, StopEstimates};
+use jounce_analysis::{DeviceEstimates, Estimate, IntervalOver, Member, StopEstimates};
 use serde::Serialize;
 
 /// Means over realisations of noise with the half widths of their 95 % intervals; `None` for an
@@ -32,6 +32,8 @@ pub struct EnsembleResult {
     pub mean_contact_duration_s: f64,
     /// Each stop.
     pub stops: Vec<EnsembleStop>,
+    /// Each device behind a regulator.
+    pub devices: Vec<EnsembleDevice>,
     /// Each patch whose voltage has a spectrum; none unless requested.
     pub patches: Vec<EnsemblePatch>,
     /// Largest energy residual of a member relative to its largest energy.
@@ -42,6 +44,38 @@ pub struct EnsembleResult {
     pub seed: u64,
     /// Warnings about the recordings of drives.
     pub warnings: Vec<Warning>,
+}
+
+/// Operation of a device behind a regulator.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct EnsembleDevice {
+    /// Name of the circuit.
+    pub name: String,
+    /// Share of the time on, 0 to 1.
+    pub on_fraction: f64,
+    /// Half width of its 95 % interval.
+    pub on_fraction_half_width: Option<f64>,
+    /// Mean time to the first start over the members in which the device starts, s; `None` without
+    /// such a member.
+    pub cold_start_s: Option<f64>,
+    /// Half width of its 95 % interval, s.
+    pub cold_start_half_width_s: Option<f64>,
+    /// Number of members in which the device never starts.
+    pub never_started: usize,
+    /// Longest time off in any member, s.
+    pub longest_outage_s: f64,
+    /// Completed tasks in all members.
+    pub completed_tasks: u64,
+    /// Interrupted tasks in all members.
+    pub interrupted_tasks: u64,
+    /// Mean power delivered to the device, W.
+    pub mean_power_w: f64,
+    /// Half width of its 95 % interval, W.
+    pub mean_power_half_width_w: Option<f64>,
+    /// Mean power that arrives at the storage minus the power needed to stay on, W.
+    pub margin_w: f64,
+    /// Half width of its 95 % interval, W.
+    pub margin_half_width_w: Option<f64>,
 }
 
 /// Contacts of a stop.
@@ -115,6 +149,7 @@ impl EnsembleResult {
             max_impact_velocity_m_s: found.max_impact_velocity_m_s,
             mean_contact_duration_s: found.mean_contact_duration_s,
             stops: found.stops.into_iter().map(EnsembleStop::of).collect(),
+            devices: found.devices.into_iter().map(EnsembleDevice::of).collect(),
             patches: found.spectra.into_iter().map(EnsemblePatch::of).collect(),
             energy_residual_relative: found.members.iter().fold(0.0, residual),
             members: found.members,
@@ -138,6 +173,26 @@ impl EnsembleResult {
             .map(ToString::to_string)
             .chain(limits)
             .collect()
+    }
+}
+
+impl EnsembleDevice {
+    fn of(device: DeviceEstimates) -> Self {
+        Self {
+            name: device.name,
+            on_fraction: device.on_fraction.mean,
+            on_fraction_half_width: half_width(&device.on_fraction),
+            cold_start_s: finite(device.cold_start_s.mean),
+            cold_start_half_width_s: half_width(&device.cold_start_s),
+            never_started: device.never_started,
+            longest_outage_s: device.longest_outage_s,
+            completed_tasks: device.completed_tasks,
+            interrupted_tasks: device.interrupted_tasks,
+            mean_power_w: device.mean_power_w.mean,
+            mean_power_half_width_w: half_width(&device.mean_power_w),
+            margin_w: device.margin_w.mean,
+            margin_half_width_w: half_width(&device.margin_w),
+        }
     }
 }
 

@@ -93,6 +93,7 @@ impl RunResult {
             charges: charges(kernel, &run, plan),
             is_trivial: run.is_trivial(),
             rectified: run.rectified,
+            devices: run.devices,
             leaks: run.leaks,
             max_penetration_m: run.max_penetration_m,
             max_contact_force_n: run.max_contact_force_n,

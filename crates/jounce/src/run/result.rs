@@ -2,7 +2,7 @@
 
 use super::History;
 use jounce_analysis::run::{
-    ChargeResult, LeakResult, RectifiedResult, StartState, StopResult, Warning,
+    ChargeResult, DeviceResult, LeakResult, RectifiedResult, StartState, StopResult, Warning,
 };
 use jounce_dynamics::{Energies, WorkCount};
 use serde::{Serialize, Serializer};
@@ -24,6 +24,8 @@ pub struct RunResult {
     pub patches: Vec<PatchResult>,
     /// Each rectified circuit.
     pub rectified: Vec<RectifiedResult>,
+    /// Operation of each device behind a regulator.
+    pub devices: Vec<DeviceResult>,
     /// Charge balance of each circuit whose diodes feed a capacitor.
     pub charges: Vec<ChargeResult>,
     /// Each patch with leakage.

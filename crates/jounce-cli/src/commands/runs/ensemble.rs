@@ -6,7 +6,7 @@ use crate::output::{self, line, print};
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
-use jounce::parts::{EnsembleStop, IntervalOver};
+use jounce::parts::{EnsembleDevice, EnsembleStop, IntervalOver};
 use jounce::{Control, EnsembleOptions, EnsembleResult, Harvester};
 use std::path::Path;
 
@@ -99,6 +99,7 @@ fn print_lines(result: &EnsembleResult) {
         ));
     }
     result.stops.iter().for_each(print_stop);
+    result.devices.iter().for_each(print_device);
     for patch in &result.patches {
         line(format!(
             "bandwidth of V     {:.4e} Hz +- {:.1e} Hz (statistical, patch {})",
@@ -119,6 +120,39 @@ fn with_interval(mean: f64, half_width: Option<f64>, unit: &str) -> String {
         Some(half_width) => format!("{mean:.4e} +- {half_width:.1e} {unit}"),
         None => format!("{mean:.4e} {unit}, too few for an interval"),
     }
+}
+
+fn print_device(device: &EnsembleDevice) {
+    let share = with_interval(
+        device.on_fraction,
+        device.on_fraction_half_width,
+        "of the time",
+    );
+    line(format!(
+        "device             on for {share}  (circuit {})",
+        device.name
+    ));
+    if let Some(cold_start_s) = device.cold_start_s {
+        let cold_start = with_interval(cold_start_s, device.cold_start_half_width_s, "s");
+        line(format!("  first start      {cold_start}"));
+    }
+    if device.never_started > 0 {
+        line(format!(
+            "  never starts     in {} members",
+            device.never_started
+        ));
+    }
+    line(format!(
+        "  outages          longest {:.6} s",
+        device.longest_outage_s
+    ));
+    line(format!(
+        "  tasks            {} completed, {} interrupted",
+        device.completed_tasks, device.interrupted_tasks
+    ));
+    let power = with_interval(device.mean_power_w, device.mean_power_half_width_w, "W");
+    let margin = with_interval(device.margin_w, device.margin_half_width_w, "W");
+    line(format!("  power            {power}, margin {margin}"));
 }
 
 fn print_stop(stop: &EnsembleStop) {

@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::output::{self, line, print};
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
-use jounce::parts::{ChargeResult, LoadResult, RectifiedResult, StopResult, Warning};
+use jounce::parts::{ChargeResult, DeviceResult, LoadResult, RectifiedResult, StopResult, Warning};
 use jounce::{Error, Harvester, RunOptions, RunResult, StartState};
 use std::path::{Path, PathBuf};
 
@@ -99,6 +99,9 @@ fn print_lines(result: &RunResult) {
     for circuit in &result.rectified {
         print_storage(result, circuit);
     }
+    for device in &result.devices {
+        print_device(device);
+    }
     for leak in &result.leaks {
         line(format!(
             "leakage            {:.6e} W  (patch {})",
@@ -128,24 +131,54 @@ fn print_storage(result: &RunResult, circuit: &RectifiedResult) {
         circuit.voltage_rms_v, circuit.name
     ));
     // A loss of zero may have roundoff of either sign.
-    let [diodes, switch, leakage] = [
+    let [diodes, switch, leakage, regulator] = [
         circuit.diode_loss_w,
         circuit.switch_loss_w,
         circuit.leakage_w,
+        circuit.regulator_loss_w,
     ]
     .map(|loss_w| loss_w.max(0.0));
     line(format!(
         "  delivered        {:.4e} W, filling the storage {:.4e} W",
         circuit.mean_power_w, circuit.storage_w
     ));
+    let regulator = match result.devices.iter().any(|own| own.name == circuit.name) {
+        true => format!(", regulator {regulator:.4e} W"),
+        false => String::new(),
+    };
     line(format!(
-        "  lost             diodes {diodes:.4e} W, switch {switch:.4e} W, leakage {leakage:.4e} W"
+        "  lost             diodes {diodes:.4e} W, switch {switch:.4e} W, leakage {leakage:.4e} W{regulator}"
     ));
     result
         .charges
         .iter()
         .filter(|charge| charge.name == circuit.name)
         .for_each(print_charge);
+}
+
+/// Prints the operation of a device.
+fn print_device(device: &DeviceResult) {
+    let cold_start = match device.cold_start_s {
+        Some(time_s) => format!("first start at {time_s:.6} s"),
+        None => "never starts".to_owned(),
+    };
+    line(format!(
+        "device             on for {:.2} % of the time, {cold_start}  (circuit {})",
+        100.0 * device.on_fraction,
+        device.name
+    ));
+    line(format!(
+        "  outages          longest {:.6} s, {} starts",
+        device.longest_outage_s, device.starts
+    ));
+    line(format!(
+        "  tasks            {} completed, {} interrupted",
+        device.completed_tasks, device.interrupted_tasks
+    ));
+    line(format!(
+        "  energy           {:.4e} J per day; available {:.4e} W, needed {:.4e} W, margin {:.4e} W",
+        device.energy_per_day_j, device.available_w, device.needed_w, device.margin_w
+    ));
 }
 
 /// Prints the contacts of all stops, then those of each stop.

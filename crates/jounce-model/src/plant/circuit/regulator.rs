@@ -146,6 +146,13 @@ impl Regulator {
             .unwrap_or(0)
     }
 
+    /// Returns the mean power that the regulator draws if it never stops, W, at the mean of its two
+    /// threshold voltages.
+    pub fn needed_w(&self) -> f64 {
+        let storage_v = 0.5 * (self.start_v + self.stop_v);
+        self.mean_output_w() / self.efficiency + self.quiescent_a * storage_v
+    }
+
     /// Returns the mean power of the device while the regulator is on, W.
     pub fn mean_output_w(&self) -> f64 {
         let last = self.phases.len() - 1;

@@ -203,8 +203,8 @@ impl From<&AnalysisError> for ErrorDetails {
                 Self::new("StartError").with(json!({ "path": file.path }))
             }
             AnalysisError::Journal(error) => Self::of("FileError", error),
-            AnalysisError::Aperiodic { drive } => {
-                Self::new("OrbitError").with(json!({ "drive": drive }))
+            AnalysisError::Aperiodic { part } => {
+                Self::new("OrbitError").with(json!({ "part": part }))
             }
             AnalysisError::OfRuns { key } => Self::new("ArgumentError").with(json!({ "key": key })),
             AnalysisError::NoNoise => Self::new("ArgumentError"),
