@@ -3,6 +3,7 @@
 //! Steps have the lengths of [`crate::tables::step_size`], so that all runs of a plant share their
 //! tables, whatever the drive.
 
+use crate::excitation::tables::ExcitationTables;
 use crate::flow::Flow;
 use crate::flow::layout::StateLayout;
 use crate::force_response::basis::BasisFunctions;
@@ -41,6 +42,8 @@ pub struct Kernel {
     quadratics: Arc<Quadratics>,
     /// ... and the meters under the drives, computed at the first use.
     meters: OnceLock<Meters>,
+    /// Rows and flows under the signals, computed at the first use.
+    excitation: OnceLock<Arc<ExcitationTables>>,
     /// Layout of the state in SIMD vectors.
     pub(super) layout: StateLayout,
     /// `A` in SIMD vectors.
@@ -94,6 +97,7 @@ impl Kernel {
             control: Control::default(),
             quadratics,
             meters: OnceLock::from(meters),
+            excitation: OnceLock::new(),
             plant,
         })
     }
@@ -127,6 +131,7 @@ impl Kernel {
         Self {
             quadratics: Arc::clone(&self.quadratics),
             meters: OnceLock::new(),
+            excitation: OnceLock::new(),
             state_kernels: empty_kernels(&plant),
             kin: Arc::clone(&self.kin),
             plant,
@@ -170,6 +175,7 @@ impl Kernel {
             stiffest_rad_s: self.stiffest_rad_s,
             quadratics: Arc::clone(&self.quadratics),
             meters,
+            excitation: OnceLock::new(),
             onset: if fit {
                 Arc::clone(&self.onset)
             } else {
@@ -191,6 +197,12 @@ impl Kernel {
     pub fn meters(&self) -> &Meters {
         self.meters
             .get_or_init(|| Meters::under(&self.quadratics, &self.plant))
+    }
+
+    /// Returns the rows and flows under the signals.
+    pub(crate) fn excitation_tables(&self) -> Arc<ExcitationTables> {
+        let tables = || Arc::new(ExcitationTables::of(self));
+        Arc::clone(self.excitation.get_or_init(tables))
     }
 
     /// Returns the kernel in a conduction state of its bridges.

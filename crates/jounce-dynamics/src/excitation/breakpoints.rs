@@ -55,17 +55,11 @@ impl Excitation {
         self.aim(time_s);
     }
 
-    /// Returns the length of a complete piece of a single signal that ends now, s.
+    /// Returns the length of a complete piece of the only signal with breakpoints that ends now, s.
     fn piece_s(&self, time_s: f64) -> Option<f64> {
-        match &self.cursors[..] {
-            [only]
-                if self.signal_work.since_s() == only.piece.from_s
-                    && time_s == only.piece.until_s =>
-            {
-                Some(only.piece.length_s)
-            }
-            _ => None,
-        }
+        let piece = &self.cursors[self.tables.moving?].piece;
+        let is_complete = self.signal_work.since_s() == piece.from_s && time_s == piece.until_s;
+        is_complete.then_some(piece.length_s)
     }
 
     fn cross_one(&mut self, kernel: &Kernel, k: usize, time_s: f64, y: &mut [F64x8]) -> bool {

@@ -15,17 +15,19 @@ mod port;
 mod repeated_integrals;
 pub(crate) mod row;
 pub(crate) mod signal_work;
+pub(crate) mod tables;
 
 use crate::flow::Flow;
 use crate::flow::layout::StateLayout;
 use crate::kernel::Kernel;
 use cursor::SignalCursor;
-use jounce_model::drive::Wave;
-use jounce_model::plant::{Signal, SignalSample};
+use jounce_model::plant::SignalSample;
 use jounce_simd::{F64x8, LANES, Simd};
 use local_motions::LocalMotions;
 use port::PortExcitation;
 use signal_work::SignalWork;
+use std::sync::Arc;
+use tables::ExcitationTables;
 
 /// All signals at the current time of an integration.
 #[derive(Debug, Clone)]
@@ -43,8 +45,7 @@ pub(super) struct Excitation {
     pub base_work_j: f64,
     has_local: bool,
     local_motions: LocalMotions,
-    /// Flow over the pieces of an evenly sampled signal, and their length.
-    piece: Option<(f64, Flow)>,
+    tables: Arc<ExcitationTables>,
     pub signal_work: SignalWork,
 }
 
@@ -63,21 +64,17 @@ impl Excitation {
             .iter()
             .map(|cursor| [cursor.piece.size_at(time_s), cursor.piece.slope])
             .collect();
-        let ports = plant
-            .ports
-            .iter()
-            .filter(|_| !cursors.is_empty())
-            .map(|port| PortExcitation::of(plant, port));
+        let tables = kernel.excitation_tables();
         let mut forced = Self {
             sizes,
             next_s: 0.0,
             limit_s: plant.local_limit_s(),
-            ports: ports.collect(),
+            ports: tables.ports.clone(),
             base_work_j: 0.0,
             has_local: !cursors.is_empty() && plant.local.contains(&true),
             local_motions: LocalMotions::default(),
-            piece: even_piece(kernel),
             signal_work: SignalWork::new(kernel, time_s),
+            tables,
             cursors,
         };
         forced.find_next();
@@ -133,8 +130,8 @@ impl Excitation {
     /// has a bitwise equal length everywhere, so that its tables can be cached.
     #[inline(always)]
     pub fn remaining_s(&self, time_s: f64, end_s: f64) -> f64 {
-        match &self.cursors[..] {
-            [only] if end_s == self.next_s && time_s == only.piece.from_s => only.piece.length_s,
+        match self.tables.moving.map(|index| &self.cursors[index].piece) {
+            Some(piece) if end_s == self.next_s && time_s == piece.from_s => piece.length_s,
             _ => end_s - time_s,
         }
     }
@@ -142,7 +139,8 @@ impl Excitation {
     /// Returns the flow over a complete piece of an evenly sampled signal.
     #[inline(always)]
     pub fn flow_over(&self, length_s: f64) -> Option<&Flow> {
-        self.piece
+        self.tables
+            .piece
             .as_ref()
             .filter(|(piece_s, _)| *piece_s == length_s)
             .map(|(_, flow)| flow)
@@ -269,23 +267,5 @@ impl Excitation {
                 excitation.follow(&self.cursors, &self.sizes, time_s);
             }
         }
-    }
-}
-
-/// Returns the flow over the pieces of the only signal where it is evenly sampled, and their
-/// length, s.
-fn even_piece(kernel: &Kernel) -> Option<(f64, Flow)> {
-    let plant = &kernel.plant;
-    match &plant.system.signals[..] {
-        [
-            Signal {
-                wave: Wave::Sampled { step_s, .. },
-                ..
-            },
-        ] => Some((
-            *step_s,
-            Flow::over(&plant.diagonal.block, &kernel.layout, *step_s),
-        )),
-        _ => None,
     }
 }

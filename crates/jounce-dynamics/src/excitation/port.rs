@@ -3,11 +3,12 @@
 use super::cursor::SignalCursor;
 use super::row::{ExcitationRow, ExcitationSeries};
 use jounce_model::plant::{Plant, Port, SignalSample};
+use std::sync::Arc;
 
 /// Excitation of one port by the signals.
 #[derive(Debug, Clone)]
 pub struct PortExcitation {
-    pub reading: ExcitationRow,
+    pub reading: Arc<ExcitationRow>,
     pub series: ExcitationSeries,
     /// Displacement per displacement of the base that each signal moves; empty where both sides of
     /// a stop are on one base.
@@ -25,7 +26,7 @@ impl PortExcitation {
             port.approach.clone()
         };
         Self {
-            reading: ExcitationRow::of(plant, &port.displacement),
+            reading: Arc::new(ExcitationRow::of(plant, &port.displacement)),
             series: ExcitationSeries::ZERO,
             approach,
             course: [0.0; 4],

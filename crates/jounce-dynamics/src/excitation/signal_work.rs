@@ -16,11 +16,12 @@
 //! ```
 
 use super::repeated_integrals::{repeated, repeated_product};
-use super::row::ExcitationRow;
+use super::tables::ExcitationTables;
 use crate::kernel::Kernel;
 use jounce_linalg::c64;
 use jounce_model::plant::{LOCAL_TERMS, SignalIntegrals, SignalSample};
 use jounce_simd::{F64x8, LANES, Portable};
+use std::sync::Arc;
 
 /// Sums since the start of an integration, and sums over the current piece.
 #[derive(Debug, Clone)]
@@ -40,9 +41,7 @@ pub(crate) struct SignalWork {
     columns: Vec<Vec<F64x8>>,
     ports: Vec<Vec<F64x8>>,
     is_local: Vec<F64x8>,
-    /// For each meter with a quadratic form (each load, then damping) and port, the row `P b` over
-    /// the signals.
-    readings: Vec<Vec<ExcitationRow>>,
+    tables: Arc<ExcitationTables>,
     /// For each such meter, work of the contact forces on the forced motion of signals, J.
     works_j: Vec<f64>,
 }
@@ -58,16 +57,6 @@ impl SignalWork {
                 .map(|(b, local)| if *local { *b } else { 0.0 })
                 .collect::<Vec<_>>()
         };
-        let quadratic = meters
-            .loads
-            .iter()
-            .chain([&meters.damping])
-            .filter(|_| signals > 0);
-        let readings = quadratic.map(|meter| {
-            (0..plant.ports.len())
-                .map(|port| ExcitationRow::of(plant, meter.port_row(port)))
-                .collect()
-        });
         Self {
             sums: SignalIntegrals {
                 states: vec![vec![0.0; plant.len()]; signals],
@@ -94,7 +83,7 @@ impl SignalWork {
                 .map(|port| layout.pack(&local_part(&port.force)))
                 .collect(),
             is_local: layout.pack(&local_part(&vec![1.0; plant.len()])),
-            readings: readings.collect(),
+            tables: kernel.excitation_tables(),
             works_j: vec![0.0; meters.loads.len() + 1],
         }
     }
@@ -206,7 +195,7 @@ impl SignalWork {
                 .map(|(t, force)| force * (u + s * t))
                 .sum::<f64>();
         }
-        for (work_j, readings) in self.works_j.iter_mut().zip(&self.readings) {
+        for (work_j, readings) in self.works_j.iter_mut().zip(&self.tables.readings) {
             let series = readings[port].series(sizes);
             *work_j += times_s
                 .iter()

@@ -143,6 +143,9 @@ impl Plant {
     /// Returns the integral of [`Self::forced`] since the reset of local blocks.
     pub fn forced_integral(&self, sizes: &[SignalSample], until_s: f64) -> Vec<f64> {
         let mut state = vec![0.0; self.len()];
+        if until_s == 0.0 {
+            return state;
+        }
         for (forcing, [size, slope]) in self.forcings.iter().zip(sizes) {
             let (constant_s, decayed) = (
                 size * until_s + 0.5 * slope * until_s * until_s,
