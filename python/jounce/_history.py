@@ -22,12 +22,13 @@ if TYPE_CHECKING:
 class History(Result):
     """Samples of the exact trajectory: evenly spaced, and (``poincare_``) once per drive cycle, up to the end of the run.
 
-    Arrays have a row for each point, patch or stop and a column for each time.
+    Arrays have a row for each point, patch, stop or storage and a column for each time.
     """
 
     point: Annotated[list[str], About("names of the points")]
     patch: Annotated[list[str], About("names of the patches")]
     stop: Annotated[list[str], About("names of the stops")]
+    storage: Annotated[list[str], About("names of the rectified circuits with a storage capacitor")]
     sample_rate_hz: Annotated[float, About("sampling rate", "Hz")]
     time_s: Annotated[Floats, About("time since the start of the run", "s", axes="time")]
     displacement_m: Annotated[Floats, About("displacement of each point", "m", axes="point time")]
@@ -35,6 +36,7 @@ class History(Result):
     relative_displacement_m: Annotated[Floats, About("displacement towards each stop; contact begins at the gap", "m", axes="stop time")]
     voltage_v: Annotated[Floats, About("voltage of each patch", "V", axes="patch time")]
     force_n: Annotated[Floats, About("contact force of each stop", "N", axes="stop time")]
+    storage_voltage_v: Annotated[Floats, About("voltage of each storage capacitor", "V", axes="storage time")]
     poincare_time_s: Annotated[Floats, About("times of the samples once per drive cycle", "s", axes="cycle_time")]
     poincare_displacement_m: Annotated[Floats, About("displacement of each point once per drive cycle", "m", axes="point cycle_time")]
     poincare_velocity_m_s: Annotated[Floats, About("velocity of each point once per drive cycle", "m/s", axes="point cycle_time")]
@@ -43,6 +45,9 @@ class History(Result):
     ]
     poincare_voltage_v: Annotated[Floats, About("voltage of each patch once per drive cycle", "V", axes="patch cycle_time")]
     poincare_force_n: Annotated[Floats, About("contact force of each stop once per drive cycle", "N", axes="stop cycle_time")]
+    poincare_storage_voltage_v: Annotated[
+        Floats, About("voltage of each storage capacitor once per drive cycle", "V", axes="storage cycle_time")
+    ]
 
     def _summary(self) -> list[tuple[str, str]]:
         return [
@@ -53,7 +58,8 @@ class History(Result):
         ]
 
     def channels(self) -> dict[str, tuple[Floats, str]]:
-        """Returns channels with units by name: ``"beam.tip.displacement"``, ``"mfc.voltage"``, ``"tip.towards"``, ``"tip.force"``."""
+        """Returns channels with units by name: ``"beam.tip.displacement"``, ``"mfc.voltage"``, ``"tip.towards"``, ``"tip.force"``,
+        ``"rectifier.storage"``."""
         channels: dict[str, tuple[Floats, str]] = {}
         for row, name in enumerate(self.patch):
             channels[f"{name}.voltage"] = (self.voltage_v[row], "V")
@@ -63,6 +69,8 @@ class History(Result):
         for row, name in enumerate(self.stop):
             channels[f"{name}.towards"] = (self.relative_displacement_m[row], "m")
             channels[f"{name}.force"] = (self.force_n[row], "N")
+        for row, name in enumerate(self.storage):
+            channels[f"{name}.storage"] = (self.storage_voltage_v[row], "V")
         return channels
 
     def channel(self, name: str | None = None) -> tuple[str, Floats, str]:
@@ -82,7 +90,7 @@ class History(Result):
         return [{"name": name, "data": values, "unit_str": unit, **common} for name, (values, unit) in self.channels().items()]
 
     def to_xarray(self) -> Dataset:
-        """Returns an ``xarray.Dataset`` over ``time`` and ``cycle_time`` (once per drive cycle), ``point``, ``patch`` and ``stop``."""
+        """Returns an ``xarray.Dataset`` over ``time`` and ``cycle_time`` (once per drive cycle), ``point``, ``patch``, ``stop`` and ``storage``."""
         variables: dict[str, Variable] = {}
         for prefix, time in (("", "time"), ("poincare_", "cycle_time")):
             variables |= {
@@ -93,6 +101,9 @@ class History(Result):
                 ),
                 f"{prefix}voltage": Variable(("patch", time), getattr(self, f"{prefix}voltage_v"), "V", "voltage"),
                 f"{prefix}force": Variable(("stop", time), getattr(self, f"{prefix}force_n"), "N", "contact force"),
+                f"{prefix}storage_voltage": Variable(
+                    ("storage", time), getattr(self, f"{prefix}storage_voltage_v"), "V", "voltage of the storage"
+                ),
             }
         coords = {
             "time": Variable(("time",), self.time_s, "s", "time since the start of the run"),
@@ -100,6 +111,7 @@ class History(Result):
             "point": Variable(("point",), self.point, "", "point"),
             "patch": Variable(("patch",), self.patch, "", "patch"),
             "stop": Variable(("stop",), self.stop, "", "stop"),
+            "storage": Variable(("storage",), self.storage, "", "storage"),
         }
         return self._dataset(variables, coords)
 

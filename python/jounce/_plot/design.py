@@ -16,6 +16,8 @@ GOALS = {
     "expected-power": ("Expected power", "W"),
     "stable-power": ("Power of the best stable orbit", "W"),
     "mean-power": ("Mean power", "W"),
+    "time-on": ("Share of the time on", "1"),
+    "power-margin": ("Power margin", "W"),
     "bandwidth": ("Half-power bandwidth", "Hz"),
 }
 

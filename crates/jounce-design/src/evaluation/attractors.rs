@@ -54,7 +54,7 @@ pub(super) fn evaluate(
     let goal = |goal: &Goal| match goal {
         Goal::ExpectedPower => expected_w(&result),
         Goal::StablePower => main.map_or(0.0, |main| main.mean_power_w),
-        Goal::Bandwidth | Goal::MeanPower => f64::NAN,
+        Goal::Bandwidth | Goal::MeanPower | Goal::TimeOn | Goal::PowerMargin => f64::NAN,
     };
     Ok(InCondition {
         goals: problem.goals.iter().map(goal).collect(),

@@ -1,7 +1,7 @@
 //! Evaluates designs.
 
 use super::{
-    Effort, Evaluation, InCondition, Journaled, attractors, bandwidth, larger, mean_power, smaller,
+    Effort, Evaluation, InCondition, Journaled, attractors, bandwidth, larger, run_goals, smaller,
 };
 use crate::DesignError;
 use crate::problem::{Condition, Goal, LimitedQuantity, Problem};
@@ -137,6 +137,11 @@ impl<'p> Evaluator<'p> {
         for (index, size) in self.problem.sizes() {
             found.limits[index] = size.of(&model.spec);
         }
+        let needs_run = goals.iter().any(|goal| goal.needs_run());
+        let run = match needs_run {
+            true => Some(run_goals::run(self.problem, model, &mut found.limits)?),
+            false => None,
+        };
         for (goal, value) in goals.iter().zip(&mut found.goals) {
             match goal {
                 Goal::Bandwidth => {
@@ -144,9 +149,10 @@ impl<'p> Evaluator<'p> {
                     let known = has_starts.then_some(&found.orbits[..]);
                     *value = bandwidth::half_power_hz(model, known)?;
                 }
-                Goal::MeanPower => {
-                    let limits = &mut found.limits;
-                    *value = mean_power::evaluate(self.problem, model, limits)?;
+                Goal::MeanPower | Goal::TimeOn | Goal::PowerMargin => {
+                    *value = run
+                        .as_ref()
+                        .map_or(f64::NAN, |run| run_goals::value(*goal, run));
                 }
                 Goal::ExpectedPower | Goal::StablePower => {}
             }

@@ -3,8 +3,8 @@
 mod attractors;
 mod bandwidth;
 mod evaluator;
-mod mean_power;
 mod nearest_fold;
+mod run_goals;
 
 pub use evaluator::Evaluator;
 pub use nearest_fold::nearest_fold;

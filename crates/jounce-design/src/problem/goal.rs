@@ -11,15 +11,22 @@ pub enum Goal {
     Bandwidth,
     /// Mean power of a run, under noise or a recording.
     MeanPower,
+    /// Share of the time that the device behind the regulator is on, in a run.
+    TimeOn,
+    /// Mean power that arrives at the storage minus the power that the regulator needs to stay on,
+    /// in a run.
+    PowerMargin,
 }
 
 impl Goal {
     /// All goals.
-    pub const ALL: [Self; 4] = [
+    pub const ALL: [Self; 6] = [
         Self::ExpectedPower,
         Self::StablePower,
         Self::Bandwidth,
         Self::MeanPower,
+        Self::TimeOn,
+        Self::PowerMargin,
     ];
 
     /// Returns the name in a file.
@@ -29,6 +36,8 @@ impl Goal {
             Self::StablePower => "stable-power",
             Self::Bandwidth => "bandwidth",
             Self::MeanPower => "mean-power",
+            Self::TimeOn => "time-on",
+            Self::PowerMargin => "power-margin",
         }
     }
 
@@ -37,11 +46,22 @@ impl Goal {
         matches!(self, Self::ExpectedPower | Self::StablePower)
     }
 
+    /// True where a run gives the goal.
+    pub fn needs_run(self) -> bool {
+        self.needs_device() || self == Self::MeanPower
+    }
+
+    /// True where the goal needs a device behind a regulator.
+    pub fn needs_device(self) -> bool {
+        matches!(self, Self::TimeOn | Self::PowerMargin)
+    }
+
     /// Returns the unit of the goal.
     pub fn unit(self) -> &'static str {
         match self {
-            Self::ExpectedPower | Self::StablePower | Self::MeanPower => "W",
+            Self::ExpectedPower | Self::StablePower | Self::MeanPower | Self::PowerMargin => "W",
             Self::Bandwidth => "Hz",
+            Self::TimeOn => "",
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Cache of forced motions of local blocks over steps of some lengths.
 
 use crate::kernel::Kernel;
-use jounce_model::plant::LOCAL_TERMS;
+use jounce_model::plant::{LOCAL_TERMS, NEGLIGIBLE_TERM};
 use jounce_simd::{F64x8, Portable};
 
 /// Number of step lengths in the cache.
@@ -59,9 +59,17 @@ fn forced_motion(kernel: &Kernel, local: &[F64x8], t: f64) -> [Vec<F64x8>; 2] {
     let mut factor = t;
     for j in 1..=LOCAL_TERMS {
         let later = factor * t / (j + 1) as f64;
+        let mut is_complete = true;
         for (i, lane) in power.iter().enumerate() {
+            let terms = lane.0.iter().zip(&sums[0][i].0);
+            is_complete &= (terms
+                .map(|(p, sum)| (factor * p).abs() <= NEGLIGIBLE_TERM * sum.abs()))
+            .fold(true, |all, one| all & one);
             sums[0][i] = sums[0][i].add_scaled(factor, lane);
             sums[1][i] = sums[1][i].add_scaled(later, lane);
+        }
+        if is_complete {
+            break;
         }
         kernel.generator.apply(Portable::new(), &power, &mut next);
         std::mem::swap(&mut power, &mut next);

@@ -43,5 +43,5 @@ pub use energy::{EnergyMeter, Meters};
 pub use error::PlantError;
 pub use forcing::signal::Signal;
 pub use forcing::tone::Tone;
-pub use forcing::{Forcing, LOCAL_TERMS, SignalSample};
+pub use forcing::{Forcing, LOCAL_TERMS, NEGLIGIBLE_TERM, SignalSample};
 pub use system::{Connection, Dashpot, Drive, Load, Stop, System};

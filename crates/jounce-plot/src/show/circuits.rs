@@ -2,13 +2,13 @@
 
 use super::words::value;
 use crate::{DrawnCircuit, DrawnElement};
-use jounce_spec::{Circuit, Interface, Quantity, Spec, Wiring};
+use jounce_spec::{Circuit, Device, Interface, Quantity, Regulator, Spec, Wiring};
 
 /// Returns all circuits, then each patch without a circuit, with open wires.
 pub fn circuits(spec: &Spec) -> Vec<DrawnCircuit> {
     let closed = spec.circuit.iter().map(|(name, circuit)| DrawnCircuit {
         label: name.clone(),
-        elements: elements(circuit),
+        elements: elements(spec, circuit),
     });
     let modal = spec.modal.iter().flat_map(|(body, modal)| {
         modal
@@ -45,7 +45,7 @@ fn is_open(spec: &Spec, patch: &str) -> bool {
         .any(|circuit| circuit.connections().any(|(name, _)| name == patch))
 }
 
-fn elements(circuit: &Circuit) -> Vec<DrawnElement> {
+fn elements(spec: &Spec, circuit: &Circuit) -> Vec<DrawnElement> {
     let mut circuit_elements = patches(circuit);
     let resistor =
         DrawnElement::Resistor(vec![value(Quantity::Resistance, circuit.resistance_ohm)]);
@@ -77,8 +77,50 @@ fn elements(circuit: &Circuit) -> Vec<DrawnElement> {
         DrawnElement::Resistor(vec![value(Quantity::Resistance, ohm), "leakage".to_owned()])
     };
     circuit_elements.extend(circuit.leakage_ohm.map(leakage));
-    circuit_elements.push(resistor);
+    match spec.regulator.get(&circuit.regulator) {
+        Some(regulator) => {
+            circuit_elements.push(DrawnElement::Block(regulated(regulator)));
+            let device = spec.device.get(&circuit.device);
+            let words = |device| DrawnElement::Block(consumption(&circuit.device, device));
+            circuit_elements.extend(device.map(words));
+        }
+        None => circuit_elements.push(resistor),
+    }
     circuit_elements
+}
+
+/// Returns the labels in the block of a regulator.
+fn regulated(regulator: &Regulator) -> Vec<String> {
+    let name = match regulator.chip.is_empty() {
+        true => "regulator".to_owned(),
+        false => regulator.chip.clone(),
+    };
+    vec![
+        name,
+        format!("starts at {}", value(Quantity::Voltage, regulator.start_v)),
+        format!("stops at {}", value(Quantity::Voltage, regulator.stop_v)),
+        format!("output {}", value(Quantity::Voltage, regulator.output_v)),
+    ]
+}
+
+/// Returns the labels in the block of a device.
+fn consumption(name: &str, device: &Device) -> Vec<String> {
+    let phase = |what: &str, current_a: Option<f64>, time_s: Option<f64>| {
+        let (current_a, time_s) = (current_a?, time_s?);
+        let current = value(Quantity::Current, current_a);
+        Some(format!(
+            "{what} {current}, {}",
+            value(Quantity::Time, time_s)
+        ))
+    };
+    let period = |period_s: f64| format!("every {}", value(Quantity::Time, period_s));
+    let sleep = value(Quantity::Current, device.sleep_a);
+    let mut words = vec![name.to_owned()];
+    words.extend(phase("measures", device.measure_a, device.measure_s));
+    words.extend(phase("sends", device.send_a, device.send_s));
+    words.push(format!("sleeps {sleep}"));
+    words.extend(device.period_s.map(period));
+    words
 }
 
 fn patches(circuit: &Circuit) -> Vec<DrawnElement> {

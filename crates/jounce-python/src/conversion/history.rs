@@ -11,6 +11,7 @@ pub fn dict<'py>(py: Python<'py>, history: History) -> PyResult<Bound<'py, PyDic
         .with("point", history.point)?
         .with("patch", history.patch)?
         .with("stop", history.stop)?
+        .with("storage", history.storage)?
         .with("sample_rate_hz", history.sample_rate_hz)?;
     let dict = samples(dict, history.even, "")?;
     Ok(samples(dict, history.poincare, "poincare_")?.dict())
@@ -28,6 +29,7 @@ fn samples<'py>(
         ("relative_displacement_m", &samples.relative_displacement_m),
         ("voltage_v", &samples.voltage_v),
         ("force_n", &samples.force_n),
+        ("storage_voltage_v", &samples.storage_voltage_v),
     ];
     let mut dict = dict;
     for (name, rows) in rows {

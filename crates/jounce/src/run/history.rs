@@ -3,6 +3,7 @@
 use super::RunOptions;
 use jounce_analysis::run::{RunPlan, RunResult};
 use jounce_dynamics::Kernel;
+use jounce_model::plant::Plant;
 use std::f64::consts::TAU;
 
 /// Samples of the exact trajectory: evenly spaced, and once per drive cycle, up to the end of the
@@ -15,6 +16,8 @@ pub struct History {
     pub patch: Vec<String>,
     /// Names of the stops.
     pub stop: Vec<String>,
+    /// Names of the rectified circuits with a storage capacitor.
+    pub storage: Vec<String>,
     /// Sampling rate, Hz.
     pub sample_rate_hz: f64,
     /// Frequency of the first drive, Hz.
@@ -25,7 +28,7 @@ pub struct History {
     pub poincare: HistorySamples,
 }
 
-/// Motion at given times; rows are points, patches or stops, columns are times.
+/// Motion at given times; rows are points, patches, stops or storages, columns are times.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HistorySamples {
     /// Time since the start of the run, s.
@@ -40,6 +43,8 @@ pub struct HistorySamples {
     pub voltage_v: Vec<Vec<f64>>,
     /// Contact force of each stop, N.
     pub force_n: Vec<Vec<f64>>,
+    /// Voltage of each storage capacitor, V.
+    pub storage_voltage_v: Vec<Vec<f64>>,
 }
 
 impl History {
@@ -72,8 +77,17 @@ impl History {
             point: system.modes.shape.keys().cloned().collect(),
             patch: system.modes.patch.keys().cloned().collect(),
             stop: system.stops.iter().map(|stop| stop.name.clone()).collect(),
+            storage: storages(&kernel.plant)
+                .map(|(bridge, _)| system.bridges[bridge].name.clone())
+                .collect(),
         }
     }
+}
+
+/// Returns the rectified circuits with a storage capacitor: index of the bridge and its node.
+fn storages(plant: &Plant) -> impl Iterator<Item = (usize, usize)> {
+    let bridges = plant.electrical.bridges.iter().enumerate();
+    bridges.filter_map(|(bridge, nodes)| Some((bridge, nodes.storage?)))
 }
 
 impl HistorySamples {
@@ -87,6 +101,7 @@ impl HistorySamples {
             .chain(points.map(|shape| motion(shape, n)))
             .chain(stops.map(|stop| motion(&stop.shape, 0)))
             .chain(plant.patch_voltage_rows())
+            .chain(storages(plant).map(|(_, node)| motion(&vec![1.0], 2 * n + node)))
             .collect();
         let sampled = result.trajectory.sample(kernel, &time_s, &rows);
         let mut values = sampled.values.into_iter();
@@ -96,6 +111,7 @@ impl HistorySamples {
             velocity_m_s: take(modes.shape.len()),
             relative_displacement_m: take(plant.system.stops.len()),
             voltage_v: take(modes.patch.len()),
+            storage_voltage_v: take(storages(plant).count()),
             force_n: sampled.forces_n,
             time_s,
         }

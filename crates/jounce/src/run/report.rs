@@ -14,7 +14,7 @@ const DRAWN_HARMONICS: f64 = 12.0;
 const DRAWN_SHARE: f64 = 0.5;
 
 impl RunResult {
-    /// Returns the table of the stored end: time, voltages, displacements towards the stops, contact
+    /// Returns the table of the stored end: time, voltages of patches and storages, displacements towards the stops, contact
     /// forces; `None` without a record.
     ///
     /// # Errors
@@ -106,6 +106,12 @@ impl History {
                 names.iter().zip(rows).map(trace).collect()
             };
         let mut traces = rows("Voltage of", "V", &self.patch, &even.voltage_v);
+        traces.extend(rows(
+            "Storage voltage of",
+            "V",
+            &self.storage,
+            &even.storage_voltage_v,
+        ));
         traces.extend(rows(
             "Towards",
             "m",

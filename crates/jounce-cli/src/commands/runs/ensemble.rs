@@ -123,13 +123,10 @@ fn with_interval(mean: f64, half_width: Option<f64>, unit: &str) -> String {
 }
 
 fn print_device(device: &EnsembleDevice) {
-    let share = with_interval(
-        device.on_fraction,
-        device.on_fraction_half_width,
-        "of the time",
-    );
+    let half_width = 100.0 * device.on_fraction_half_width.unwrap_or(f64::INFINITY);
     line(format!(
-        "device             on for {share}  (circuit {})",
+        "device             on for {:.2} % of the time +- {half_width:.1} %  (circuit {})",
+        100.0 * device.on_fraction,
         device.name
     ));
     if let Some(cold_start_s) = device.cold_start_s {

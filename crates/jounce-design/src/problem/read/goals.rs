@@ -2,10 +2,15 @@
 
 use crate::problem::Goal;
 use jounce_analysis::study::FaultCollector;
+use jounce_spec::Spec;
 use toml_edit::{Item, Table};
 
 /// Reads the goals and the number of starts.
-pub(super) fn goals(reader: &mut FaultCollector, item: Option<&Item>) -> (Vec<Goal>, usize) {
+pub(super) fn goals(
+    reader: &mut FaultCollector,
+    item: Option<&Item>,
+    spec: &Spec,
+) -> (Vec<Goal>, usize) {
     let empty = Table::new();
     let table = reader.table("goal", item).unwrap_or(&empty);
     reader.known("goal.", table, &["maximise", "starts"]);
@@ -40,6 +45,15 @@ pub(super) fn goals(reader: &mut FaultCollector, item: Option<&Item>) -> (Vec<Go
                 ),
             ),
         }
+    }
+    if let Some(goal) = goals.iter().find(|goal| goal.needs_device())
+        && spec.device.is_empty()
+    {
+        let message = format!(
+            "goal.maximise is \"{}\", but the spec has no device; give a [regulator.NAME] and a [device.NAME], or choose \"mean-power\"",
+            goal.name()
+        );
+        reader.fault("goal.maximise", maximise.and_then(Item::span), message);
     }
     if names.is_empty() {
         let message = format!(

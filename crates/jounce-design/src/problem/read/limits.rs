@@ -30,7 +30,7 @@ pub(super) fn check_together(
     limits: &[Limit],
 ) {
     let has_starts = goals.iter().any(|goal| goal.needs_starts());
-    let has_run = goals.contains(&Goal::MeanPower);
+    let has_run = goals.iter().any(|goal| goal.needs_run());
     let Some(goal) = goals.first().filter(|_| !has_starts) else {
         return;
     };

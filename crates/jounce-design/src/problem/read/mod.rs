@@ -57,7 +57,7 @@ pub(super) fn read(
         .map_err(|faults| DesignError::Spec { file: name, faults })?;
     let model = Model::new(spec.clone())?;
     let free = free(&mut reader, root.get("free"), &file);
-    let (goals, starts) = goals(&mut reader, root.get("goal"));
+    let (goals, starts) = goals(&mut reader, root.get("goal"), &spec);
     let limits = limits(&mut reader, root.get("limits"), &model);
     check_together(&mut reader, root, &goals, &limits);
     let conditions = conditions(&mut reader, root.get("conditions"), &file);

@@ -42,6 +42,10 @@ const LOCAL_BLOCK_RATE: f64 = 0.5;
 /// first omitted term is below 1e-17 of their sum.
 pub const LOCAL_TERMS: usize = 16;
 
+/// Term of such a series, relative to its sum, below which the series is complete: less than half a
+/// unit in the last place, and each further term is less than half of the one before.
+pub const NEGLIGIBLE_TERM: f64 = 1e-17;
+
 impl Forcing {
     pub(super) fn of(plant: &Plant, signal: &Signal) -> Self {
         let block = &plant.diagonal.block;
@@ -155,15 +159,25 @@ impl Plant {
                 *sum += rest * constant_s + lag * decayed;
             }
             let (mut power, mut factor) = (forcing.local.clone(), 0.5 * until_s * until_s);
+            let mut series = vec![0.0; self.len()];
             for j in 1..=LOCAL_TERMS {
                 let weight = factor * (size + slope * until_s / (j + 2) as f64);
-                state
-                    .iter_mut()
-                    .zip(&power)
-                    .for_each(|(sum, p)| *sum += weight * p);
+                let most = factor * (size.abs() + slope.abs() * until_s);
+                let mut is_complete = true;
+                for (sum, p) in series.iter_mut().zip(&power) {
+                    is_complete &= most * p.abs() <= NEGLIGIBLE_TERM * f64::abs(*sum);
+                    *sum += weight * p;
+                }
+                if is_complete {
+                    break;
+                }
                 power = self.diagonal.block.apply(&power);
                 factor *= until_s / (j + 2) as f64;
             }
+            state
+                .iter_mut()
+                .zip(series)
+                .for_each(|(sum, own)| *sum += own);
         }
         state
     }

@@ -1,6 +1,6 @@
-//! Mean power of a run, under noise or a recording.
+//! Goals of a run, under noise or a recording: mean power, and the operation of a device.
 
-use crate::problem::Problem;
+use crate::problem::{Goal, Problem};
 use jounce_analysis::run::{RunPlan, RunResult, simulate};
 use jounce_analysis::{AnalysisError, Model};
 use jounce_dynamics::Kernel;
@@ -10,13 +10,12 @@ use jounce_orbits::OrbitQuantity;
 const SAMPLES_PER_STEP: f64 = 4.0;
 const MIN_SAMPLES: f64 = 4096.0;
 
-/// Returns the mean power, W, and raises the limited peaks to those of the averaging window. A
-/// periodic drive whose motion has not settled gives no power.
-pub(super) fn evaluate(
+/// Returns the run, and raises the limited peaks to those of its averaging window.
+pub(super) fn run(
     problem: &Problem,
     model: &Model,
     limits: &mut [f64],
-) -> Result<f64, AnalysisError> {
+) -> Result<RunResult, AnalysisError> {
     let start = model.start(&problem.folder)?;
     let kernel = model.from_state(&start)?;
     let is_force = |quantity| matches!(quantity, OrbitQuantity::ContactForce(_));
@@ -30,12 +29,19 @@ pub(super) fn evaluate(
         // NaN: no goal needs the peaks of an orbit.
         limits[*index] = limits[*index].max(peak);
     }
+    Ok(result)
+}
+
+/// Returns a goal of a run. A periodic drive whose motion has not settled gives no power.
+pub(super) fn value(goal: Goal, result: &RunResult) -> f64 {
     let is_transient = result.settlement.is_some_and(|found| !found.settled);
-    Ok(if is_transient {
-        0.0
-    } else {
-        result.mean_power_w
-    })
+    let devices = result.devices.iter();
+    match goal {
+        Goal::TimeOn => devices.fold(1.0, |least, device| least.min(device.on_fraction)),
+        Goal::PowerMargin => devices.fold(f64::INFINITY, |least, one| least.min(one.margin_w)),
+        _ if is_transient => 0.0,
+        _ => result.mean_power_w,
+    }
 }
 
 /// Returns the limited peaks over the record of a run; contact forces over the averaging window.
