@@ -103,7 +103,10 @@ fn value<T>(key: &Key<T>, element: &T) -> Option<String> {
         _ => float(value),
     };
     match &key.slot {
-        Slot::Number { get, .. } => Some(number(get(element))),
+        // A key that another one replaces has no number.
+        Slot::Number { get, .. } => Some(get(element))
+            .filter(|value| value.is_finite())
+            .map(number),
         Slot::Optional { get, .. } => get(element).map(number),
         Slot::Count { get, .. } => Some(get(element).to_string()),
         Slot::Text { get, .. } => Some(get(element))

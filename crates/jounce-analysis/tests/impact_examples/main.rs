@@ -18,3 +18,4 @@ mod rows;
 mod seismic_mass_jacquelin;
 mod shock_cavallier;
 mod two_beams_vijayan;
+mod wireless_sensor;

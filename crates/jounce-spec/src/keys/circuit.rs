@@ -59,7 +59,10 @@ pub(super) static KEYS: &[Key<Circuit>] = &[
         "battery",
         Kind::Quantity(Quantity::Voltage),
         "voltage of a battery that replaces the capacitor and its load",
-        Slot::Optional { get: |c: &Circuit| c.battery_v, set: |c, x| c.battery_v = Some(x) },
+        Slot::Optional {
+            get: |c: &Circuit| c.battery_v,
+            set: |c, x| (c.battery_v, c.resistance_ohm) = (Some(x), f64::INFINITY),
+        },
     )
     .within(Range::POSITIVE)
     .when("interface", RECTIFIED)
@@ -112,7 +115,10 @@ pub(super) static KEYS: &[Key<Circuit>] = &[
         Kind::Reference { what: "a regulator" },
         "regulator that supplies a device from the storage capacitor, in place of the load resistance",
         |c: &Circuit| c.regulator.clone(),
-        |c, x| x.clone_into(&mut c.regulator),
+        |c, x| {
+            x.clone_into(&mut c.regulator);
+            c.resistance_ohm = f64::INFINITY;
+        },
     )
     .when("interface", RECTIFIED)
     .one_of(LOADS)

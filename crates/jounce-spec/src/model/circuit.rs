@@ -9,7 +9,7 @@ pub struct Circuit {
     pub patches: Vec<String>,
     /// `wiring` of several patches; default parallel.
     pub wiring: Wiring,
-    /// `resistance`, ohm, > 0.
+    /// `resistance`, ohm, > 0; infinite with a battery or a regulator in its place.
     pub resistance_ohm: f64,
     /// `inductance`, H; `None` without an inductor.
     pub inductance_h: Option<f64>,

@@ -38,7 +38,9 @@ fn table(rows: &[Row]) -> Value {
     for row in rows {
         let mut property = property(row);
         if let Some(other) = properties.get(row.info.name) {
-            property["description"] = json!(format!("{}; {}", text(other), text(&property)));
+            if text(other) != text(&property) {
+                property["description"] = json!(format!("{}; {}", text(other), text(&property)));
+            }
             // The rules below distinguish the cases.
             if other.get("pattern").is_some() {
                 property["pattern"] = json!(pattern(&Range::ANY, None));

@@ -95,8 +95,8 @@ fn further(present: &[&Row]) -> Vec<Value> {
     for row in present {
         match (row.info.need, row.info.unless) {
             (Need::Required, Some(other)) => rules.push(one_required([row.info.name, other])),
-            (Need::OneOf(names), _) if names.first() == Some(&row.info.name) => {
-                rules.push(one_required(names.iter().copied()));
+            (Need::OneOf(names), other) if names.first() == Some(&row.info.name) => {
+                rules.push(one_required(names.iter().copied().chain(other)));
                 rules.extend(exclusions(names));
             }
             _ => {}

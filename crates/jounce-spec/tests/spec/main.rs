@@ -13,6 +13,7 @@ mod plates;
 mod pores;
 mod random;
 mod recordings;
+mod regulators;
 mod round_trip;
 mod schema;
 mod sweeps;
