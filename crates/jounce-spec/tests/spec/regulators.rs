@@ -77,7 +77,7 @@ fn wrong_regulators_and_devices_are_reported() {
                 "regulator = \"supply\"",
                 "regulator = \"supply\"\nresistance = \"1 Mohm\"",
             ),
-            "give exactly one of `resistance`, `regulator`",
+            "give exactly one of `resistance` or `regulator`",
         ),
         (
             ("regulator = \"supply\"", "resistance = \"1 Mohm\""),
@@ -89,7 +89,7 @@ fn wrong_regulators_and_devices_are_reported() {
         ),
         (
             ("regulator = \"supply\"", ""),
-            "one of `resistance`, `regulator` is missing",
+            "one of `resistance` or `regulator` is missing",
         ),
         (
             ("send_time = \"5 ms\"", ""),
