@@ -1,4 +1,4 @@
-"""Published systems included in jounce."""
+"""Specs of the examples, included in jounce."""
 
 from __future__ import annotations
 
@@ -36,5 +36,5 @@ class Examples(Mapping[str, Spec]):
 
 
 def examples() -> Examples:
-    """Returns the specs of published systems, ``jounce.examples()["impact-harvester-2019"]``."""
+    """Returns the specs of the examples, ``jounce.examples()["impact-harvester-2019"]``."""
     return Examples()

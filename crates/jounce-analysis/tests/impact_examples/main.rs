@@ -10,6 +10,7 @@ mod faults;
 mod impact_harvester_2019;
 mod missile_renaud;
 mod plate_de_marqui;
+mod pump_sensor;
 mod random_base;
 mod rectified_shu_lien;
 mod reduced_basis;

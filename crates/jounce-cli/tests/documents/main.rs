@@ -13,8 +13,8 @@
 
 mod block;
 mod commands;
-mod gallery;
 mod links;
+mod pictures;
 mod specs;
 
 use block::{Block, blocks};
@@ -98,9 +98,7 @@ fn every_command_works() {
             .iter()
             .flat_map(|block| commands::faults(block, &folder))
             .collect();
-        if blocks[0].document == gallery::PAGE {
-            faults.extend(gallery::faults(&folder));
-        }
+        faults.extend(pictures::faults(&blocks[0].document, &folder));
         faults
     });
     assert_none(faults.collect());

@@ -1,4 +1,4 @@
-//! Specs of published systems, included in the module.
+//! Specs of the examples, included in the module.
 
 use pyo3::prelude::*;
 
