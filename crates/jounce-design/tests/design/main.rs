@@ -6,6 +6,7 @@ mod closed_forms;
 mod limits;
 mod measured;
 mod robustness;
+mod sensor;
 
 use jounce_analysis::Journal;
 use jounce_control::Control;

@@ -6,3 +6,4 @@ mod formats;
 mod modes;
 mod real_recordings;
 mod samples;
+mod sensors;
