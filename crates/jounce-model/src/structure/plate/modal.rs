@@ -6,7 +6,7 @@ use super::refinement::refined;
 use crate::structure::error::StructureError;
 use crate::structure::modes::{Modes, PatchModes};
 use jounce_linalg::Mat;
-use jounce_sparse::lowest_modes;
+use jounce_sparse::{SparseError, lowest_modes};
 use jounce_spec::{GROUND, Plate, PlatePoint, Spec};
 
 /// Places in each direction of an element at which the strain of a patch is taken.
@@ -49,10 +49,17 @@ impl MeshModes {
     /// Solves the eigenproblem of a mesh; at most `count` modes.
     ///
     /// # Errors
-    /// `NotRepresentable` if the numbers exceed the range of double precision.
+    /// `NotRepresentable` if the numbers exceed the range of double precision, else
+    /// `PlateWithoutModes`.
     pub fn new(mesh: &PlateMesh, count: usize) -> Result<Self, StructureError> {
-        let refused = |_| StructureError::NotRepresentable {
-            body: mesh.layout.name.into(),
+        let refused = |error| match error {
+            SparseError::NotFinite { .. } => StructureError::NotRepresentable {
+                body: mesh.layout.name.into(),
+            },
+            other => StructureError::PlateWithoutModes {
+                plate: mesh.layout.name.into(),
+                reason: other.to_string(),
+            },
         };
         let [stiffness, mass] = mesh.matrices().map_err(refused)?;
         let lowest = lowest_modes(
