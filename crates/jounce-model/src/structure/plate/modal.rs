@@ -262,6 +262,41 @@ mod tests {
         }
     }
 
+    /// Errors of the eigensolver keep their reasons.
+    #[test]
+    fn a_plate_without_modes_states_the_reason() {
+        let spec = Spec::default();
+        let message = |plate: &Plate| {
+            let layout = PlateLayout::new(&spec, "lid", plate);
+            let mesh = PlateMesh::new(&layout, layout.cuts_m(), 0.05, 5);
+            MeshModes::new(&mesh, 1).unwrap_err().to_string()
+        };
+        let weightless = Plate {
+            density_kg_m3: 0.0,
+            ..simply_supported()
+        };
+        let found = message(&weightless);
+        assert!(
+            found.contains("plate.lid has no modes: 1 modes are wanted"),
+            "{found}"
+        );
+        let negative = Plate {
+            youngs_modulus_pa: -70e9,
+            ..simply_supported()
+        };
+        let found = message(&negative);
+        assert!(found.contains("the stiffness matrix has"), "{found}");
+        let endless = Plate {
+            youngs_modulus_pa: f64::INFINITY,
+            ..simply_supported()
+        };
+        let found = message(&endless);
+        assert!(
+            found.contains("outside the range of double precision"),
+            "{found}"
+        );
+    }
+
     /// The cubic element of Bogner, Fox and Schmit: the error of a frequency falls with the fourth
     /// power of the element size. Degree `p` gives the order `2 (p - 1)`. All are upper bounds.
     #[test]
