@@ -15,6 +15,9 @@ const TOLERANCE: f64 = 1e-11;
 /// Largest number of entries of a matrix with one column for each electrode or for the base.
 const MAX_DENSE: usize = 100_000_000;
 
+/// Largest number of rows or columns.
+const MAX_SIZE: usize = 100_000_000;
+
 /// Number of modes, and the meaning of the numbers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ImportSettings {
@@ -108,9 +111,15 @@ pub fn import_modes(
     Ok(reduced.in_si(&projection, settings))
 }
 
-/// Returns the first entry that lies outside its matrix or is not finite.
+/// Returns the fault of a matrix that is too large, or its first entry that lies outside it or is
+/// not finite.
 fn entry_fault((name, matrix): (&String, &MatrixEntries)) -> Option<String> {
     let (rows, columns) = (matrix.rows, matrix.columns);
+    if rows.max(columns) > MAX_SIZE {
+        return Some(format!(
+            "{name} is {rows} x {columns}; at most {MAX_SIZE} rows and columns are read"
+        ));
+    }
     let is_wrong = |(row, column, value): &&(usize, usize, f64)| {
         *row >= rows || *column >= columns || !value.is_finite()
     };
