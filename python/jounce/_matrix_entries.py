@@ -33,10 +33,11 @@ def entries_of(name: str, matrix: Any) -> MatrixEntries:
 def row_of(what: str, values: Any, size: int) -> Any:
     """Returns a vector of one number for each degree of freedom; a whole number is the index of the only one that is 1."""
     if isinstance(values, Integral) and not isinstance(values, bool):
-        if not 0 <= values < size:
-            raise ArgumentError(f"{what} is {values}; the indices of the {size} degrees of freedom are 0 to {size - 1}")
+        index = int(values)
+        if not 0 <= index < size:
+            raise ArgumentError(f"{what} is {index}; the indices of the {size} degrees of freedom are 0 to {size - 1}")
         row = np.zeros(size)
-        row[int(values)] = 1.0
+        row[index] = 1.0
         return row
     array = values.toarray() if hasattr(values, "toarray") else np.asarray(values)
     if array.size != size or array.size != max(array.shape, default=1):

@@ -119,5 +119,5 @@ def read_recordings(path: str | PathLike[str], *, sample_rate_hz: Any = None) ->
 
 def _shape(contents: dict[str, Any]) -> ModeShape:
     real: Floats = contents["real"]
-    scalars = (contents[name] for name in ("frequency_hz", "damping_ratio", "modal_mass"))
-    return ModeShape(*scalars, contents["node"], real + 1j * contents["imaginary"])
+    scalars = {name: contents[name] for name in ("frequency_hz", "damping_ratio", "modal_mass")}
+    return ModeShape(**scalars, node=contents["node"], shape=real + 1j * contents["imaginary"])
