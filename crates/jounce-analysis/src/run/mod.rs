@@ -4,6 +4,7 @@
 mod charge;
 mod error;
 mod limits;
+mod model_limits;
 mod plan;
 mod result;
 mod settle;
