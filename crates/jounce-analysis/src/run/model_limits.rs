@@ -51,9 +51,10 @@ fn passed_tables(spec: &Spec, result: &RunResult) -> Vec<Warning> {
 fn short_contacts(spec: &Spec, highest_hz: f64, result: &RunResult) -> Vec<Warning> {
     let short = result.stops.iter().filter_map(|of| {
         let stop = spec.stop.get(&of.name)?;
-        let is_flexible = [&stop.at, &stop.frame]
-            .iter()
-            .any(|place| place.contains('.'));
+        let is_flexible = [&stop.at, &stop.frame].iter().any(|place| {
+            let body = place.split('.').next().unwrap_or_default();
+            spec.beam.contains_key(body) || spec.plate.contains_key(body)
+        });
         let duration_s = of.mean_contact_duration_s;
         let needed_hz = LEAST_FREQUENCY_TIME / duration_s;
         (is_flexible && duration_s > 0.0 && highest_hz < needed_hz).then(|| Warning::ShortContact {
