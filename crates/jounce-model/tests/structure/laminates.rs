@@ -112,3 +112,16 @@ fn a_cantilevered_laminate_has_an_effective_poisson_ratio() {
         assert!((found / exact - 1.0).abs() < 1e-9, "{found} {exact}");
     }
 }
+
+/// A coefficient so large that nothing is left of the permittivity at constant strain.
+#[test]
+fn a_capacitance_that_is_not_positive_is_refused() {
+    let starter = jounce_spec::starter::Starter::of("plate-with-stop").unwrap();
+    let text = starter
+        .spec
+        .replace("\"PZT-5A\" ", "\"PZT-5A\"\nd31 = \"-400 pm/V\" ");
+    let found = modes(&Spec::from_toml(&text).unwrap())
+        .unwrap_err()
+        .to_string();
+    assert!(found.contains("patch.patch.capacitance"), "{found}");
+}

@@ -340,16 +340,3 @@ fn plates_and_beams_share_one_list_of_modes() {
     assert_eq!(both.shape["beam.tip"][first], 0.0);
     assert_eq!(both.shape["plate.tip"][first], alone.shape["plate.tip"][0]);
 }
-
-/// A coefficient so large that nothing is left of the permittivity at constant strain.
-#[test]
-fn a_capacitance_that_is_not_positive_is_refused() {
-    let starter = jounce_spec::starter::Starter::of("plate-with-stop").unwrap();
-    let text = starter
-        .spec
-        .replace("\"PZT-5A\" ", "\"PZT-5A\"\nd31 = \"-400 pm/V\" ");
-    let found = modes(&Spec::from_toml(&text).unwrap())
-        .unwrap_err()
-        .to_string();
-    assert!(found.contains("patch.patch.capacitance"), "{found}");
-}
