@@ -50,6 +50,7 @@ if _TYPE_CHECKING:
     from ._fit import FitCurve, FitDeviation, FitResult
     from ._frf import FrfResult
     from ._history import History
+    from ._import import ImportResult, from_matrices, import_matrices
     from ._issue import Issue
     from ._materials import Material, Materials, materials
     from ._measured_frf import ImpactHit, MeasuredFrf, measured_frf
@@ -104,6 +105,7 @@ __all__ = [
     "Gravity",
     "History",
     "ImpactHit",
+    "ImportResult",
     "Interrupted",
     "Issue",
     "JounceError",
@@ -154,6 +156,8 @@ __all__ = [
     "contact",
     "examples",
     "explore",
+    "from_matrices",
+    "import_matrices",
     "keys",
     "load",
     "materials",
@@ -192,6 +196,7 @@ _MODULES = {
     "_fit": "FitCurve FitDeviation FitResult",
     "_frf": "FrfResult",
     "_history": "History",
+    "_import": "ImportResult from_matrices import_matrices",
     "_issue": "Issue",
     "_materials": "Material Materials materials",
     "_measured_frf": "ImpactHit MeasuredFrf measured_frf",

@@ -21,8 +21,10 @@ __all__ = [
     "diagram",
     "ensemble",
     "examples",
+    "export",
     "fit",
     "frf",
+    "import_matrices",
     "is_unit",
     "keys",
     "materials",
@@ -38,6 +40,7 @@ __all__ = [
     "recording_from_arrays",
     "recording_read",
     "recording_write",
+    "reduce_matrices",
     "reproduce",
     "rig",
     "run",
@@ -134,6 +137,9 @@ def branch(spec: Spec, options: str, progress: _Progress) -> _CallResult: ...
 def design(spec: Spec, text: str, options: str, progress: _Progress) -> tuple[tuple[str, Spec] | None, BaseException | None]: ...
 def diagram(spec: Spec, options: str, progress: _Progress) -> _CallResult: ...
 def ensemble(spec: Spec, options: str, progress: _Progress) -> _CallResult: ...
+def export(spec: Spec, options: str) -> list[Path]: ...
+def import_matrices(folder: str | PathLike[str], options: str) -> dict[str, Any]: ...
+def reduce_matrices(matrices: list[dict[str, Any]], points: list[str], electrodes: list[str], options: str) -> dict[str, Any]: ...
 def fit(
     spec: Spec, *, text: str | None = None, path: str | PathLike[str] | None = None, progress: _Progress = None
 ) -> tuple[tuple[str, Spec] | None, BaseException | None]: ...

@@ -24,10 +24,11 @@ if TYPE_CHECKING:
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class ModeShape(Data):
-    """Mode shape of a UFF file: natural frequency, Hz, damping ratio, NaN where not given, and the shape at each node."""
+    """Mode shape of a UFF file: natural frequency, Hz, damping ratio, modal mass, NaN where not given, and the shape at each node."""
 
     frequency_hz: Annotated[float, About("natural frequency", "Hz")]
     damping_ratio: Annotated[float, About("damping ratio, 1 = critical")]
+    modal_mass: Annotated[float, About("modal mass of a normal mode, in units of the file")]
     node: Annotated[Integers, About("numbers of the nodes", axes="node")]
     shape: Annotated[Complexes, About("components at each node", axes="node component")]
 
@@ -118,4 +119,5 @@ def read_recordings(path: str | PathLike[str], *, sample_rate_hz: Any = None) ->
 
 def _shape(contents: dict[str, Any]) -> ModeShape:
     real: Floats = contents["real"]
-    return ModeShape(contents["frequency_hz"], contents["damping_ratio"], contents["node"], real + 1j * contents["imaginary"])
+    scalars = {name: contents[name] for name in ("frequency_hz", "damping_ratio", "modal_mass")}
+    return ModeShape(**scalars, node=contents["node"], shape=real + 1j * contents["imaginary"])

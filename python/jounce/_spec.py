@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from os import PathLike
+from os import PathLike, fspath
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from . import _core
@@ -323,6 +324,14 @@ class Spec(SpecOnRig):
         given = options(members=members, seed=seed, relative_width=relative_width, spectrum=spectrum, tolerance=tolerance, threads=threads)
         with progress_callback(progress) as callback:
             return EnsembleResult._from_core_call(_core.ensemble(self._spec, given, callback))
+
+    def export(self, *, matrices: str | PathLike[str] | None = None, spice: str | PathLike[str] | None = None) -> list[Path]:
+        """Writes the model for other programs, ``jounce export``, and returns the written files.
+
+        Matrices are those of the modes, without loads, stops and drives; :func:`jounce.import_matrices` reads them back.
+        """
+        paths = {name: None if path is None else fspath(path) for name, path in (("matrices", matrices), ("spice", spice))}
+        return _core.export(self._spec, options(**paths))
 
 
 def read(path: str | PathLike[str]) -> Spec:

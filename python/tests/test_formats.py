@@ -175,13 +175,14 @@ def test_mode_shapes_of_pyuff(tmp_path):
     header = {f"id{k}": "NONE" for k in range(1, 6)}
     common = {"type": 55, "model_type": 1, "data_ch": 2, "spec_data_type": 8, "n_data_per_node": 3, "load_case": 1, "mode_n": 1, **header}
     shape = np.arange(9.0).reshape(3, 3)
-    normal = {**common, "analysis_type": 2, "data_type": 2, "freq": 12.5, "modal_m": 1.0, "modal_damp_vis": 0.013, "modal_damp_his": 0.0}
+    normal = {**common, "analysis_type": 2, "data_type": 2, "freq": 12.5, "modal_m": 0.25, "modal_damp_vis": 0.013, "modal_damp_his": 0.0}
     eigenvalue = -3.0 + 80.0j
     complex_shape = shape * (1.0 - 0.5j)
     damped = {**common, "analysis_type": 3, "data_type": 5, "eig": eigenvalue, "modal_a": 1 + 0j, "modal_b": 0j}
     columns = [{"node_nums": np.array([1, 5, 9]), **dict(zip(("r1", "r2", "r3"), of.T))} for of in (shape, complex_shape)]
     pyuff.UFF(str(path)).write_sets([{**normal, **columns[0]}, {**damped, **columns[1]}], mode="overwrite")
     first, second = jounce.read_recordings(path).shapes
-    assert (first.frequency_hz, first.damping_ratio, first.node.tolist()) == (12.5, 0.013, [1, 5, 9])
+    assert (first.frequency_hz, first.damping_ratio, first.modal_mass, first.node.tolist()) == (12.5, 0.013, 0.25, [1, 5, 9])
     assert np.allclose(first.shape, shape, rtol=1e-5) and np.allclose(second.shape, complex_shape, rtol=1e-5)
     assert np.isclose(second.frequency_hz, abs(eigenvalue) / (2 * np.pi)) and np.isclose(second.damping_ratio, 3.0 / abs(eigenvalue))
+    assert np.isnan(second.modal_mass)

@@ -50,6 +50,8 @@ mod _core {
     #[pymodule_export]
     use super::questions::ensemble::ensemble;
     #[pymodule_export]
+    use super::questions::exchange::{export, import_matrices, reduce_matrices};
+    #[pymodule_export]
     use super::questions::fit::fit;
     #[pymodule_export]
     use super::questions::frf::frf;

@@ -32,7 +32,7 @@
 //! | keys with the largest power within limits | [`Design::run`] | [`DesignOptions`] | [`DesignResult`] |
 //! | keys that fit measurements | [`Harvester::fit`] | [`Features`] | [`FitResult`] |
 //! | the model for other programs | [`Harvester::export`] | [`ExportOptions`] | [`ExportResult`] |
-//! | structures of other programs | [`import_matrices`] | [`ImportOptions`] | [`ImportResult`] |
+//! | structures of other programs | [`import_matrices`], [`reduce_matrices`] | [`ImportOptions`] | [`ImportResult`] |
 //! | simulated recordings of sensors | [`Harvester::rig`] | [`RigOptions`] | [`RigResult`] |
 //!
 //! A [`RecordedFile`] lists the recordings in a file of an instrument and converts them; it need
@@ -116,7 +116,7 @@ pub use export::{ExportOptions, ExportResult};
 pub use fit::FitResult;
 pub use frf::{FrfOptions, FrfResult};
 pub use harvester::{Harvester, KeyValue};
-pub use import::{ImportOptions, ImportResult, ImportedMode, import_matrices};
+pub use import::{ImportOptions, ImportResult, ImportedMode, import_matrices, reduce_matrices};
 pub use jounce_analysis::Model;
 pub use jounce_analysis::run::StartState;
 pub use jounce_control::Control;

@@ -51,12 +51,14 @@ pub use jounce_experiment::segmentation::{
 pub use jounce_identification::contact::AllowedLaws;
 pub use jounce_io::store::{unreadable, unwritable_folder};
 pub use jounce_io::table::{Column, Manifest, Values};
+pub use jounce_model::exchange::{MatrixSet, NameKind, Names};
 pub use jounce_model::linear::{
     Coupling, Density, RandomLoad, RandomPatch, RandomPoint, RandomStop,
 };
 pub use jounce_plot::Drawing;
 pub use jounce_signal::spectral::HitWarning;
 pub use jounce_signal::{Samples, SignalError, Spectrum, Window};
+pub use jounce_sparse::MatrixEntries;
 pub use jounce_spec::material::{Active, Material};
 pub use jounce_spec::starter::Starter;
 pub use jounce_spec::{Fault, Faults, KeyRange, NumericKey, Quantity, is_unit, quantity_range};

@@ -7,7 +7,9 @@ use crate::contact::ContactOptions;
 use crate::design::DesignOptions;
 use crate::diagram::DiagramOptions;
 use crate::ensemble::EnsembleOptions;
+use crate::export::ExportOptions;
 use crate::frf::FrfOptions;
+use crate::import::ImportOptions;
 use crate::measured_frf::MeasuredFrfOptions;
 use crate::measured_modes::MeasuredModesOptions;
 use crate::modes::ModesOptions;
@@ -56,6 +58,7 @@ pub fn questions() -> Vec<Question> {
         without_contact(),
         of_runs_and_orbits(),
         of_many_runs(),
+        of_other_programs(),
         of_recordings(),
     ];
     groups.into_iter().flatten().collect()
@@ -168,6 +171,22 @@ fn of_many_runs() -> Vec<Question> {
         question::<ReproduceOptions>(
             "tables, figures and claims of the 2019 paper",
             ["reproduce", "reproduce", "reproduce"],
+            None,
+        ),
+    ]
+}
+
+/// Returns the questions about models of other programs.
+fn of_other_programs() -> Vec<Question> {
+    vec![
+        question::<ExportOptions>(
+            "the model as matrices or as a circuit",
+            ["Harvester::export", "export", "Spec.export"],
+            None,
+        ),
+        question::<ImportOptions>(
+            "modes of matrices of another program",
+            ["import_matrices", "import", "import_matrices"],
             None,
         ),
     ]

@@ -1,4 +1,4 @@
-"""Picture of mode shapes."""
+"""Pictures of mode shapes and natural frequencies."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from .style import axes, label
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+    from .._import import ImportResult
     from .._modes import ModesResult
 
 
@@ -33,4 +34,13 @@ def plot_modes(result: ModesResult, ax: Axes | None = None, modes: int = 4) -> A
         label(ax.xaxis, "Distance from the root", "m")
         label(ax.yaxis, "Shape, scaled to 1", "-")
         ax.legend()
+    return ax
+
+
+def plot_frequencies(result: ImportResult, ax: Axes | None = None) -> Axes:
+    """Draws the natural frequency of each mode."""
+    with axes(ax) as ax:
+        ax.plot(range(1, len(result) + 1), result.frequency_hz, "o")
+        label(ax.xaxis, "Number of the mode", "-")
+        label(ax.yaxis, "Natural frequency", "Hz")
     return ax

@@ -5,6 +5,7 @@ mod charge;
 mod device;
 mod error;
 mod limits;
+mod model_limits;
 mod plan;
 mod result;
 mod settle;

@@ -1,6 +1,6 @@
 //! Warnings of a run.
 
-use super::{ExceededLimit, Limits, RunPlan, RunResult};
+use super::{ExceededLimit, Limits, RunPlan, RunResult, model_limits};
 use jounce_data::recording::Issue;
 use jounce_dynamics::Kernel;
 use jounce_model::plant::Bridge;
@@ -54,6 +54,46 @@ pub enum Warning {
         storage_v: f64,
         /// Start voltage of the regulator, V.
         start_v: f64,
+    },
+    /// A contact passes the last point of its force table.
+    #[error(
+        "stop {stop}: the penetration reaches {penetration_m:.3e} m, past the last point of its table at {last_m:.3e} m, where the slope of the end continues; measure the law to larger forces"
+    )]
+    PastTable {
+        /// Name of the stop.
+        stop: String,
+        /// Largest penetration, m.
+        penetration_m: f64,
+        /// Last point of the table, m.
+        last_m: f64,
+    },
+    /// The retained modes do not resolve a contact.
+    #[error(
+        "stop {stop}: a contact lasts {duration_s:.2e} s on average and excites modes up to about {needed_hz:.3e} Hz, but the highest retained mode has {highest_hz:.3e} Hz; retain more modes until the results do not change (`reduction.modes`)"
+    )]
+    ShortContact {
+        /// Name of the stop.
+        stop: String,
+        /// Mean contact duration, s.
+        duration_s: f64,
+        /// Highest retained frequency, Hz.
+        highest_hz: f64,
+        /// Frequency to which a pulse of this duration excites modes, Hz.
+        needed_hz: f64,
+    },
+    /// A plate is too thick for the theory of thin plates.
+    #[error(
+        "plate {plate}: its thickness of {thickness_m:.3e} m is not small against the half-wavelength of the highest retained mode, {half_wavelength_m:.3e} m: without shear and rotary inertia this frequency is about {:.1} % too high; retain fewer modes, or import the matrices of a solid", 100.0 * error
+    )]
+    ThickPlate {
+        /// Name of the plate.
+        plate: String,
+        /// Thickness, m.
+        thickness_m: f64,
+        /// Half-wavelength of the highest retained mode, m.
+        half_wavelength_m: f64,
+        /// Estimated relative error of its frequency.
+        error: f64,
     },
     /// The energy balance does not close.
     #[error(
@@ -130,6 +170,7 @@ impl Warning {
             .chain(Self::of_devices(kernel, result))
             .chain(Self::of_recordings(spec, plan))
             .chain(noticed)
+            .chain(model_limits::exceeded(spec, kernel, result))
             .chain(unbalanced)
             .collect()
     }

@@ -144,3 +144,78 @@ fn a_recording_shorter_than_the_run_gives_a_warning() {
         "{run} {text}"
     );
 }
+
+/// An oscillator that is pressed past the last point of its table, and within one.
+#[test]
+fn a_contact_past_the_end_of_its_table_gives_a_warning() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = "[mass.m]\nmass = \"1 kg\"\nfrequency = \"3 Hz\"\ndamping_ratio = 0.1\n[stop.s]\nat = \"m\"\nlaw = \"table\"\n\
+        gap = \"1 mm\"\npenetration_m = [1e-5, 2e-5]\nforce_n = [0.1, 0.3]\n[drive.push]\nat = \"m\"\nkind = \"force\"\n\
+        amplitude = \"10 N\"\nfrequency = \"3 Hz\"\n[run]\nstart = \"rest\"\nduration = \"3 s\"\naverage_over = \"1 s\"\n";
+    let (code, run, text_out) = jounce(&["run", &write_spec(&folder, text), "--json"]);
+    let warning = &run["warnings"][0];
+    assert!(
+        code == 0
+            && warning["warning"] == "past-table"
+            && warning["last_m"] == 2e-5
+            && warning["penetration_m"].as_f64().unwrap() > 2e-5,
+        "{run}"
+    );
+    assert!(
+        text_out.contains("warning: stop s: the penetration reaches"),
+        "{text_out}"
+    );
+    let long = text
+        .replace("[1e-5, 2e-5]", "[1e-5, 0.1]")
+        .replace("[0.1, 0.3]", "[0.1, 1e4]");
+    let (_, run, text_out) = jounce(&["run", &write_spec(&folder, &long), "--json"]);
+    assert!(
+        run["stops"][0]["max_penetration_m"].as_f64().unwrap() > 0.0
+            && run["warnings"].as_array().unwrap().is_empty(),
+        "{run} {text_out}"
+    );
+}
+
+/// A square plate of 100 mm: its twentieth mode has a half-wavelength of about 25 mm.
+#[test]
+fn a_thick_plate_gives_a_warning() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = "[plate.lid]\nmaterial = \"aluminium\"\nlength = \"100 mm\"\nwidth = \"100 mm\"\nthickness = \"5 mm\"\nleft = \"clamped\"\n\
+        [damping]\nbeyond = 0.01\n[reduction]\nmodes = 20\n[drive.b]\nkind = \"base-acceleration\"\namplitude = \"1 g\"\nfrequency = \"50 Hz\"\n\
+        [run]\nstart = \"linear\"\nduration = \"0.2 s\"\naverage_over = \"0.1 s\"\n";
+    let (code, run, text_out) = jounce(&["run", &write_spec(&folder, text), "--json"]);
+    let warning = &run["warnings"][0];
+    assert!(
+        code == 0
+            && warning["warning"] == "thick-plate"
+            && text_out.contains("plate lid: its thickness of 5.000e-3 m"),
+        "{run} {text_out}"
+    );
+    let half_wavelength_m = warning["half_wavelength_m"].as_f64().unwrap();
+    assert!((0.02..0.035).contains(&half_wavelength_m), "{run}");
+    let thin = text.replace("5 mm", "0.5 mm");
+    let (_, run, _) = jounce(&["run", &write_spec(&folder, &thin), "--json"]);
+    assert!(run["warnings"].as_array().unwrap().is_empty(), "{run}");
+}
+
+/// With 8 modes a stiff stop breaks each contact of a plate into several short ones, which 20 and 40
+/// modes do not: only the 8 modes give a warning, and only they have another contact duration.
+#[test]
+fn contacts_too_short_for_the_retained_modes_give_a_warning() {
+    let spec = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../examples/plate-de-marqui-2009/stop.toml"
+    );
+    let [few, more, most] = ["8", "20", "40"].map(|modes| {
+        let modes = format!("reduction.modes={modes}");
+        let stiff = "stop.corner.stiffness=1e7 N/m^1.5";
+        let (code, run, text) = jounce(&["run", spec, "--json", "--set", &modes, "--set", stiff]);
+        assert_eq!(code, 0, "{text}");
+        let duration_s = run["stops"][0]["mean_contact_duration_s"].as_f64().unwrap();
+        (run["warnings"].clone(), duration_s)
+    });
+    assert_eq!(few.0[0]["warning"], "short-contact", "{few:?}");
+    assert!(few.1 < most.1 / 5.0, "{few:?} {most:?}");
+    assert_eq!(more.0, Value::Array(Vec::new()));
+    assert!((more.1 / most.1 - 1.0).abs() < 0.02, "{more:?} {most:?}");
+}

@@ -28,6 +28,8 @@ pub struct ModeShape {
     pub frequency_hz: f64,
     /// Viscous damping ratio; NaN if missing.
     pub damping_ratio: f64,
+    /// Modal mass of a normal mode, in units of the file; NaN if missing.
+    pub modal_mass: f64,
     /// Node numbers.
     pub nodes: Vec<i64>,
     /// Real part of each component at each node.

@@ -23,6 +23,7 @@ mod heading;
 mod magic;
 mod notes;
 mod summary;
+mod vectors;
 
 pub use column::numbers::ColumnNumbers;
 pub use column::raw::RawChannel;
@@ -36,3 +37,4 @@ pub use notes::written::{DIRECTION, PLACE, REFERENCE};
 pub use notes::{ChannelNotes, Notes};
 pub use summary::decimation::DecimatedRecording;
 pub use summary::{ChannelSummary, FileSummary, RecordingSummary, SamplePlaces};
+pub use vectors::{Vector, vectors};

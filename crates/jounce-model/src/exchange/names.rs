@@ -1,12 +1,13 @@
 //! Table of names: `kind,index,name`, one line each.
 
 use super::ExchangeFaults;
+use std::collections::HashSet;
 use std::fmt::Write as _;
 
 const HEAD: &str = "kind,index,name";
 
 /// What a line of the table names.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum NameKind {
     /// A degree of freedom, for the reader only.
     Degree,
@@ -46,6 +47,12 @@ impl Names {
             .extend(lines.map(|(index, name)| (kind, index, name.clone())));
     }
 
+    /// Returns the faults of all names.
+    pub fn faults(&self) -> Vec<String> {
+        let names = self.lines.iter().map(|(_, _, name)| check_name(name));
+        names.filter_map(Result::err).collect()
+    }
+
     /// Returns the index and the name of each line of a kind.
     pub fn of(&self, kind: NameKind) -> impl Iterator<Item = (usize, &str)> + '_ {
         let lines = self.lines.iter().filter(move |line| line.0 == kind);
@@ -67,6 +74,7 @@ impl Names {
     /// Every wrong line, and names that stand twice.
     pub fn read(text: &str) -> Result<Self, ExchangeFaults> {
         let mut names = Self::default();
+        let mut seen = HashSet::new();
         let mut faults = Vec::new();
         let lines = text
             .lines()
@@ -82,7 +90,7 @@ impl Names {
                 continue;
             }
             match name_of(line) {
-                Ok((kind, _, name)) if names.of(kind).any(|(_, other)| other == name) => {
+                Ok((kind, _, name)) if !seen.insert((kind, name.clone())) => {
                     faults.push(format!(
                         "names.csv, line {number}: the {} {name} is named twice",
                         kind.word()
@@ -110,13 +118,18 @@ fn name_of(line: &str) -> Result<(NameKind, usize, String), String> {
         found.ok_or_else(|| format!("the kind {kind:?} is not degree, point or electrode"))?;
     let place: Option<usize> = index.parse().ok().filter(|index| *index > 0);
     let place = place.ok_or_else(|| format!("the index {index:?} is not a number from 1"))?;
+    check_name(name)?;
+    Ok((*kind, place - 1, name.to_owned()))
+}
+
+fn check_name(name: &str) -> Result<(), String> {
     let allowed = |c: char| c.is_ascii_alphanumeric() || "_-.".contains(c);
     if name.is_empty() || !name.chars().all(allowed) {
         return Err(format!(
             "the name {name:?} must consist of letters, digits, _, - and ."
         ));
     }
-    Ok((*kind, place - 1, name.to_owned()))
+    Ok(())
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use super::{NameKind, Names};
 use jounce_linalg::{Mat, column};
 use jounce_sparse::{MatrixEntries, SymmetricMatrix};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Entry of a capacitance or conductance off its diagonal, relative to the largest one, that is
 /// roundoff.
@@ -151,7 +151,7 @@ impl Projection {
         for (kind, most, what) in kinds {
             for (index, name) in self.names.of(kind).filter(|(index, _)| *index >= most) {
                 faults.push(format!(
-                    "names.csv: {name} has index {}, but there are {most} {what}",
+                    "names: {name} has index {}, but there are {most} {what}",
                     index + 1
                 ));
             }
@@ -161,21 +161,17 @@ impl Projection {
             for (_, name) in self.names.of(kind) {
                 if let Some(other) = seen.insert(plain(name), name) {
                     faults.push(format!(
-                        "names.csv: {other} and {name} are one name in a spec, {}; rename one",
+                        "names: {other} and {name} are one name in a spec, {}; rename one",
                         plain(name)
                     ));
                 }
             }
         }
-        let named: Vec<usize> = self
-            .names
-            .of(NameKind::Electrode)
-            .map(|line| line.0)
-            .collect();
-        for (at, index) in named.iter().enumerate() {
-            if named[..at].contains(index) {
+        let mut named = BTreeSet::new();
+        for (index, _) in self.names.of(NameKind::Electrode) {
+            if !named.insert(index) {
                 faults.push(format!(
-                    "names.csv: column {} of coupling has two names; remove one",
+                    "names: column {} of coupling has two names; remove one",
                     index + 1
                 ));
             }
@@ -183,22 +179,10 @@ impl Projection {
         for index in (0..electrodes).filter(|index| !named.contains(index)) {
             let column = index + 1;
             faults.push(format!(
-                "names.csv: column {column} of coupling has no name; add electrode,{column},NAME"
+                "names: column {column} of coupling has no name; add electrode,{column},NAME"
             ));
         }
         faults
-    }
-
-    /// Returns `X^T D X`.
-    pub(super) fn modal_damping(&self, columns: &[Vec<f64>]) -> Option<Mat<f64>> {
-        let damping = self.damping.as_ref()?;
-        let forces: Vec<Vec<f64>> = columns
-            .iter()
-            .map(|column| damping.product(column))
-            .collect();
-        Some(Mat::from_fn(columns.len(), columns.len(), |i, j| {
-            dot(&columns[i], &forces[j])
-        }))
     }
 
     /// Returns the shape of each named point, one number per mode.

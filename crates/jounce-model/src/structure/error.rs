@@ -199,6 +199,16 @@ pub enum StructureError {
         /// Required relative change.
         tolerance: f64,
     },
+    /// The eigenproblem of a plate has no solution.
+    #[error(
+        "plate.{plate} has no modes: {reason}; check the units of the plate, its layers, patches and masses"
+    )]
+    PlateWithoutModes {
+        /// Name of the plate.
+        plate: String,
+        /// Message of the eigensolver.
+        reason: String,
+    },
     /// The mesh has more unknowns than this solver allows.
     #[error(
         "elements of at most {longest_m} m give {unknowns} unknowns; at most {allowed} are allowed; use longer elements"

@@ -3,6 +3,7 @@
 
 mod exact;
 mod faults;
+mod laminates;
 mod layers;
 mod paper;
 mod participation;

@@ -251,6 +251,7 @@ fn shape<'py>(py: Python<'py>, shape: &ShapeResult) -> PyResult<Bound<'py, PyDic
     let dict = PythonDict::new(py)
         .with("frequency_hz", shape.frequency_hz)?
         .with("damping_ratio", shape.damping_ratio)?
+        .with("modal_mass", shape.modal_mass)?
         .array("node", shape.nodes.clone())?
         .rows("real", &shape.real, width)?;
     let zeros = vec![vec![0.0; width]; shape.real.len()];

@@ -6,6 +6,7 @@ pub mod branch;
 pub mod design;
 pub mod diagram;
 pub mod ensemble;
+pub mod exchange;
 pub mod fit;
 pub mod frf;
 pub mod modes;

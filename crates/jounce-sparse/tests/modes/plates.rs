@@ -89,7 +89,8 @@ fn supported_eigenvalues(count: usize) -> Vec<f64> {
 fn simply_supported_plate() {
     let (stiffness, mass) = plate(30, true);
     let modes = lowest_modes(&stiffness, &mass, 20, 1e-9).unwrap();
-    check(&modes, &stiffness, &mass, &supported_eigenvalues(20), 1e-4);
+    let exact = supported_eigenvalues(20);
+    check(&modes, &stiffness, &mass, &exact, exact[0], 1e-4);
 }
 
 /// A free square plate has three rigid-body motions. Poisson's ratio is 0 here, for which strips bend

@@ -90,3 +90,25 @@ fn invalid_tables_are_reported() {
         assert!(found.contains(message), "{keys}\n{found}");
     }
 }
+
+#[test]
+fn all_faults_of_a_table_are_reported() {
+    let keys = "penetration_m = [0, 2e-5, 1e-5, 3e-5]\nforce_n = [1, 3, 2, 2]";
+    let found = Spec::from_toml(&text(keys)).unwrap_err().to_string();
+    for message in [
+        "stop.s.force_n has 1 N at zero penetration",
+        "stop.s.penetration_m has 0.00001 m as number 3",
+        "stop.s.force_n has 2 N as number 3, after 3 N",
+        "stop.s.force_n has 2 N at the last point",
+    ] {
+        assert!(found.contains(message), "{message}\n{found}");
+    }
+    let keys = "penetration_m = [3e-5, 2e-5, 1e-5]\nforce_n = [3, 2, 4, 5]";
+    let found = Spec::from_toml(&text(keys)).unwrap_err().to_string();
+    assert!(
+        found.contains("has 4 numbers")
+            && found.contains("as number 2, after 0.00003 m")
+            && found.contains("as number 3, after 0.00002 m"),
+        "{found}"
+    );
+}

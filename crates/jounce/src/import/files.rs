@@ -1,10 +1,11 @@
 //! Files of a folder of matrices.
 
+use super::npz;
 use crate::error::Error;
 use crate::export::NAMES_FILE;
 use jounce_io::store;
 use jounce_model::exchange::{ExchangeFaults, MATRICES, MatrixSet, Names};
-use jounce_sparse::read_market;
+use jounce_sparse::{MatrixEntries, read_market};
 use std::path::Path;
 
 /// Reads every matrix that exists, and the names.
@@ -14,7 +15,7 @@ use std::path::Path;
 pub(super) fn read(folder: &Path) -> Result<MatrixSet, Error> {
     if !folder.is_dir() {
         let message = format!(
-            "{} is not a folder of matrices: mass.mtx, stiffness.mtx and, for points and electrodes, names.csv",
+            "{} is not a folder of matrices: mass.mtx or mass.npz, stiffness.mtx or stiffness.npz and, for points and electrodes, names.csv",
             folder.display()
         );
         return Err(ExchangeFaults::from(message).into());
@@ -22,25 +23,12 @@ pub(super) fn read(folder: &Path) -> Result<MatrixSet, Error> {
     let mut set = MatrixSet::default();
     let mut faults = Vec::new();
     for (name, _) in MATRICES {
-        let path = folder.join(format!("{name}.mtx"));
-        if !path.exists() {
-            continue;
-        }
-        let text = std::fs::read_to_string(&path).map_err(|error| store::unreadable(&path, &error));
-        let read = text.and_then(|text| {
-            read_market(&text).map_err(|error| format!("{}, {error}", path.display()))
-        });
-        match read {
-            Ok(matrix) => {
+        match matrix(folder, name) {
+            Ok(Some(matrix)) => {
                 set.matrix.insert(name.to_owned(), matrix);
             }
+            Ok(None) => {}
             Err(message) => faults.push(message),
-        }
-    }
-    for name in ["mass", "stiffness"] {
-        let path = folder.join(format!("{name}.mtx"));
-        if !path.exists() {
-            faults.push(store::missing(&path));
         }
     }
     let path = folder.join(NAMES_FILE);
@@ -56,5 +44,29 @@ pub(super) fn read(folder: &Path) -> Result<MatrixSet, Error> {
         Ok(set)
     } else {
         Err(ExchangeFaults(faults).into())
+    }
+}
+
+/// Reads the matrix of a name from its file in one of both formats; `None` if it is absent and not
+/// required.
+fn matrix(folder: &Path, name: &str) -> Result<Option<MatrixEntries>, String> {
+    let [market, archive] = ["mtx", "npz"].map(|end| folder.join(format!("{name}.{end}")));
+    match [market.exists(), archive.exists()] {
+        [true, true] => Err(format!(
+            "{} and {name}.npz both exist; remove one",
+            market.display()
+        )),
+        [true, false] => {
+            let text = std::fs::read_to_string(&market)
+                .map_err(|error| store::unreadable(&market, &error));
+            let read = read_market(&text?);
+            read.map(Some)
+                .map_err(|error| format!("{}, {error}", market.display()))
+        }
+        [false, true] => npz::read(&archive).map(Some),
+        [false, false] if ["mass", "stiffness"].contains(&name) => {
+            Err(format!("{}, nor does {name}.npz", store::missing(&market)))
+        }
+        [false, false] => Ok(None),
     }
 }

@@ -1,6 +1,7 @@
 //! Import of structures of other programs.
 
 mod files;
+mod npz;
 mod options;
 mod result;
 
@@ -8,7 +9,7 @@ pub use options::ImportOptions;
 pub use result::{ImportResult, ImportedMode};
 
 use crate::error::Error;
-use jounce_model::exchange::{ImportSettings, ImportedModes, import_modes};
+use jounce_model::exchange::{ImportSettings, ImportedModes, MatrixSet, import_modes};
 use jounce_spec::Modal;
 use std::path::Path;
 
@@ -22,7 +23,8 @@ const MAX_DAMPING_COUPLING: f64 = 1e-3;
 ///
 /// The folder holds `mass.mtx` and `stiffness.mtx`; optionally `damping.mtx`, `coupling.mtx` with
 /// `capacitance.mtx`, `conductance.mtx`, `points.mtx`, `base.mtx`; and `names.csv`, which names points
-/// and electrodes. [`crate::Harvester::export`] writes such a folder.
+/// and electrodes. Each matrix may also be an archive of SciPy, `mass.npz`.
+/// [`crate::Harvester::export`] writes such a folder.
 ///
 /// # Errors
 /// [`Error::Exchange`] with all faults of the files; [`Error::Option`].
@@ -47,7 +49,16 @@ pub fn import_matrices(
     options: &ImportOptions,
 ) -> Result<ImportResult, Error> {
     options.check()?;
-    let set = files::read(folder.as_ref())?;
+    reduce_matrices(files::read(folder.as_ref())?, options)
+}
+
+/// Reduces matrices in memory to a structure given by its modes, as [`import_matrices`] does those of
+/// a folder.
+///
+/// # Errors
+/// [`Error::Exchange`] with all faults of the matrices; [`Error::Option`].
+pub fn reduce_matrices(set: MatrixSet, options: &ImportOptions) -> Result<ImportResult, Error> {
+    options.check()?;
     let settings = ImportSettings {
         modes: options.modes,
         damping_ratio: options.damping_ratio.clone(),
@@ -65,7 +76,7 @@ fn result_of(imported: &ImportedModes, name: &str) -> ImportResult {
         damping_ratio: modal.damping_ratio[k],
         frequency_error: imported.frequency_error[k],
     };
-    let mut warnings = Vec::new();
+    let mut warnings = rigid_warnings(imported);
     if imported.orthogonality > MAX_ORTHOGONALITY {
         warnings.push(format!(
             "the shapes are orthonormal in the mass only to {:.1e}; check the units of the matrices",
@@ -86,5 +97,42 @@ fn result_of(imported: &ImportedModes, name: &str) -> ImportResult {
         damping_coupling: imported.damping_coupling,
         spec: modal.to_toml(name),
         warnings,
+    }
+}
+
+/// Warnings about modes that were taken as rigid-body modes.
+fn rigid_warnings(imported: &ImportedModes) -> Vec<String> {
+    let mut warnings = Vec::new();
+    if let Some(largest_hz) = largest(&imported.set_to_zero_hz) {
+        warnings.push(format!(
+            "{} set to 0 Hz as rigid-body motions, because {} far below the first elastic frequency: up to {largest_hz:.3e} Hz in the matrices, \
+             which may be the roundoff of written numbers; for a soft support, import the structure without it and add the support in the spec",
+            modes_in_words(&imported.set_to_zero_hz),
+            if imported.set_to_zero_hz.len() == 1 { "it lies" } else { "they lie" },
+        ));
+    }
+    if let Some(largest_per_s) = largest(&imported.rigid_damping_per_s) {
+        let whose = match &imported.rigid_damping_per_s[..] {
+            [_] => "this rigid-body motion",
+            _ => "these rigid-body motions",
+        };
+        warnings.push(format!(
+            "{} without damping: the damping of {whose} in the matrices, up to {largest_per_s:.3e} 1/s, is left out",
+            modes_in_words(&imported.rigid_damping_per_s),
+        ));
+    }
+    warnings
+}
+
+fn largest(modes: &[(usize, f64)]) -> Option<f64> {
+    modes.iter().map(|mode| mode.1.abs()).reduce(f64::max)
+}
+
+/// Returns `mode 1 is`, or `modes 1, 2 are`.
+fn modes_in_words(modes: &[(usize, f64)]) -> String {
+    let numbers: Vec<String> = modes.iter().map(|mode| (mode.0 + 1).to_string()).collect();
+    match &numbers[..] {
+        [one] => format!("mode {one} is"),
+        _ => format!("modes {} are", numbers.join(", ")),
     }
 }

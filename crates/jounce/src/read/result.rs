@@ -69,6 +69,8 @@ pub struct ShapeResult {
     pub frequency_hz: f64,
     /// Damping ratio; NaN if missing.
     pub damping_ratio: f64,
+    /// Modal mass of a normal mode, in units of the file; NaN if missing.
+    pub modal_mass: f64,
     /// Node numbers.
     pub nodes: Vec<i64>,
     /// Real part of each component at each node.
@@ -113,6 +115,7 @@ impl ShapeResult {
         let ModeShape {
             frequency_hz,
             damping_ratio,
+            modal_mass,
             nodes,
             real,
             imaginary,
@@ -120,6 +123,7 @@ impl ShapeResult {
         Self {
             frequency_hz,
             damping_ratio,
+            modal_mass,
             nodes,
             real,
             imaginary,

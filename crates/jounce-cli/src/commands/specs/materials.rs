@@ -20,9 +20,14 @@ impl Materials {
             return Ok(());
         }
         for material in jounce::materials() {
-            let ratio = material
-                .poisson_ratio
-                .map_or_else(String::new, |ratio| format!(", Poisson's ratio {ratio}"));
+            let in_plane = material.active.and_then(|of| of.in_plane_poisson_ratio);
+            let ratio = match (material.poisson_ratio, in_plane) {
+                (Some(ratio), _) => format!(", Poisson's ratio {ratio}"),
+                (None, Some(ratio)) => {
+                    format!(", Poisson's ratio in the plane {}", decimals(ratio))
+                }
+                (None, None) => String::new(),
+            };
             line(format!(
                 "{}: {} GPa{ratio}, {} kg/m^3",
                 material.name,

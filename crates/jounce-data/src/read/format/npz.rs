@@ -25,11 +25,29 @@ pub(in crate::read) fn read(
     path: &FilePath,
     store: &SampleStore,
 ) -> Result<FormatContents, Damage> {
+    let mut tree = Tree::default();
+    let skipped = each_array(path, |name, source, bytes| {
+        array(source, &Path::default().to(name), bytes, store, &mut tree)
+    })?;
+    for file_name in skipped {
+        tree.skip(format!(
+            "{file_name} in the archive is not an array and was left out"
+        ));
+    }
+    into_found(tree)
+}
+
+/// Passes each array of an archive to `visit`, as its name, the bytes of its `.npy` file and their
+/// largest number, and verifies its checksum; returns the names of other files.
+pub(in crate::read) fn each_array(
+    path: &FilePath,
+    mut visit: impl FnMut(&str, &mut dyn Read, u64) -> Result<(), Damage>,
+) -> Result<Vec<String>, Damage> {
     let file = File::open(path).map_err(Damage::cut)?;
     let mut buffer = vec![0; RECOMMENDED_BUFFER_SIZE];
     let archive =
         ZipArchive::from_file(file, &mut buffer).map_err(|fault| archive_error(&fault))?;
-    let mut tree = Tree::default();
+    let mut skipped = Vec::new();
     let mut entries = archive.entries(&mut buffer);
     let mut result = 0;
     while let Some(entry) = entries
@@ -38,9 +56,7 @@ pub(in crate::read) fn read(
     {
         let file_name = String::from_utf8_lossy(entry.file_path().as_ref()).into_owned();
         let Some(name) = file_name.strip_suffix(".npy") else {
-            tree.skip(format!(
-                "{file_name} in the archive is not an array and was left out"
-            ));
+            skipped.push(file_name);
             continue;
         };
         result += 1;
@@ -56,7 +72,7 @@ pub(in crate::read) fn read(
         let stored = archive
             .get_entry(entry.wayfinder())
             .map_err(|fault| archive_error(&fault))?;
-        member(&entry, &stored, name, store, &mut tree).map_err(with_name)?;
+        member(&entry, &stored, |source, bytes| visit(name, source, bytes)).map_err(with_name)?;
     }
     if result == 0 {
         return Err(Damage::new(
@@ -65,16 +81,14 @@ pub(in crate::read) fn read(
             PicoScope",
         ));
     }
-    into_found(tree)
+    Ok(skipped)
 }
 
 /// Reads an array of the archive and verifies its checksum.
 fn member(
     entry: &ZipFileHeaderRecord<'_>,
     stored: &ZipEntry<'_, FileReader>,
-    name: &str,
-    store: &SampleStore,
-    tree: &mut Tree,
+    visit: impl FnOnce(&mut dyn Read, u64) -> Result<(), Damage>,
 ) -> Result<(), Damage> {
     let bytes = entry
         .uncompressed_size_hint()
@@ -90,7 +104,7 @@ fn member(
         }
     };
     let mut checked = stored.verifying_reader(content);
-    array(&mut checked, &Path::default().to(name), bytes, store, tree)?;
+    visit(&mut checked, bytes)?;
     // Reading past the last byte verifies the checksum.
     io::copy(&mut checked.take(bytes), &mut io::sink()).map_err(Damage::cut)?;
     Ok(())

@@ -6,7 +6,7 @@ use super::refinement::refined;
 use crate::structure::error::StructureError;
 use crate::structure::modes::{Modes, PatchModes};
 use jounce_linalg::Mat;
-use jounce_sparse::lowest_modes;
+use jounce_sparse::{SparseError, lowest_modes};
 use jounce_spec::{GROUND, Plate, PlatePoint, Spec};
 
 /// Places in each direction of an element at which the strain of a patch is taken.
@@ -49,10 +49,17 @@ impl MeshModes {
     /// Solves the eigenproblem of a mesh; at most `count` modes.
     ///
     /// # Errors
-    /// `NotRepresentable` if the numbers exceed the range of double precision.
+    /// `NotRepresentable` if the numbers exceed the range of double precision, else
+    /// `PlateWithoutModes`.
     pub fn new(mesh: &PlateMesh, count: usize) -> Result<Self, StructureError> {
-        let refused = |_| StructureError::NotRepresentable {
-            body: mesh.layout.name.into(),
+        let refused = |error| match error {
+            SparseError::NotFinite { .. } => StructureError::NotRepresentable {
+                body: mesh.layout.name.into(),
+            },
+            other => StructureError::PlateWithoutModes {
+                plate: mesh.layout.name.into(),
+                reason: other.to_string(),
+            },
         };
         let [stiffness, mass] = mesh.matrices().map_err(refused)?;
         let lowest = lowest_modes(
@@ -253,6 +260,41 @@ mod tests {
             back: edge,
             point: Default::default(),
         }
+    }
+
+    /// Errors of the eigensolver keep their reasons.
+    #[test]
+    fn a_plate_without_modes_states_the_reason() {
+        let spec = Spec::default();
+        let message = |plate: &Plate| {
+            let layout = PlateLayout::new(&spec, "lid", plate);
+            let mesh = PlateMesh::new(&layout, layout.cuts_m(), 0.05, 5);
+            MeshModes::new(&mesh, 1).unwrap_err().to_string()
+        };
+        let weightless = Plate {
+            density_kg_m3: 0.0,
+            ..simply_supported()
+        };
+        let found = message(&weightless);
+        assert!(
+            found.contains("plate.lid has no modes: 1 modes are wanted"),
+            "{found}"
+        );
+        let negative = Plate {
+            youngs_modulus_pa: -70e9,
+            ..simply_supported()
+        };
+        let found = message(&negative);
+        assert!(found.contains("the stiffness matrix has"), "{found}");
+        let endless = Plate {
+            youngs_modulus_pa: f64::INFINITY,
+            ..simply_supported()
+        };
+        let found = message(&endless);
+        assert!(
+            found.contains("outside the range of double precision"),
+            "{found}"
+        );
     }
 
     /// The cubic element of Bogner, Fox and Schmit: the error of a frequency falls with the fourth

@@ -31,7 +31,7 @@ const STRIP: f64 = 0.15;
 /// tolerance.
 ///
 /// # Errors
-/// `PlateTooFine`, `PlateNotConverged`, `NotRepresentable`.
+/// `PlateTooFine`, `PlateNotConverged`, `NotRepresentable`, `PlateWithoutModes`.
 pub(super) fn refined<'l, 'a>(
     layout: &'l PlateLayout<'a>,
     count: usize,

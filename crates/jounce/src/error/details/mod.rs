@@ -87,6 +87,7 @@ impl From<&Error> for ErrorDetails {
             Error::Option { option, value, .. } => {
                 Self::new("ArgumentError").with(json!({ "option": option, "value": value }))
             }
+            Error::Exchange(error) => Self::new("ArgumentError").with(json!({ "faults": error.0 })),
             Error::Grid(_) => Self::new("ArgumentError").with(json!({ "option": "grid" })),
             Error::NoDrive { .. } | Error::DriveAtRest { .. } | Error::Linear => {
                 Self::new("ArgumentError")
@@ -98,7 +99,6 @@ impl From<&Error> for ErrorDetails {
             | Error::Threads(_)
             | Error::Stopped
             | Error::Continuation(_)
-            | Error::Exchange(_)
             | Error::Recording(_) => Self::new("JounceError"),
             Error::ReadRecording(error) => error.into(),
             Error::Arrays(error) => error.into(),

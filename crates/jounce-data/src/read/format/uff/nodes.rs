@@ -21,7 +21,8 @@ struct Kind {
 /// Reads a mode shape.
 pub(super) fn read(block: &Block) -> Result<ModeShape, Damage> {
     let kind = Kind::read(block)?;
-    let (frequency_hz, damping_ratio) = frequency(kind.analysis, &row(block, 7)?);
+    let numbers = row(block, 7)?;
+    let (frequency_hz, damping_ratio) = frequency(kind.analysis, &numbers);
     let (mut nodes, mut real, mut imaginary) = (Vec::new(), Vec::new(), Vec::new());
     let step = 1 + usize::from(kind.is_complex);
     let mut line = LINES;
@@ -51,6 +52,7 @@ pub(super) fn read(block: &Block) -> Result<ModeShape, Damage> {
     Ok(ModeShape {
         frequency_hz,
         damping_ratio,
+        modal_mass: modal_mass(kind.analysis, &numbers),
         nodes,
         real,
         imaginary: kind.is_complex.then_some(imaginary),
@@ -117,9 +119,22 @@ fn frequency(analysis: f64, numbers: &[f64]) -> (f64, f64) {
     (at(0), if analysis == 2.0 { damping } else { f64::NAN })
 }
 
+/// Returns the modal mass of a normal mode; 0 stands for none.
+fn modal_mass(analysis: f64, numbers: &[f64]) -> f64 {
+    let mass = numbers.get(1).copied().filter(|mass| *mass > 0.0);
+    mass.filter(|_| analysis == 2.0).unwrap_or(f64::NAN)
+}
+
 #[cfg(test)]
 mod tests {
-    use super::frequency;
+    use super::{frequency, modal_mass};
+
+    #[test]
+    fn normal_modes_give_their_modal_mass() {
+        assert_eq!(modal_mass(2.0, &[12.5, 0.3, 0.013, 0.0]), 0.3);
+        assert!(modal_mass(2.0, &[12.5, 0.0, 0.013, 0.0]).is_nan());
+        assert!(modal_mass(3.0, &[-3.0, 4.0, 1.0, 0.0, 0.0, 0.0]).is_nan());
+    }
 
     #[test]
     fn modes_give_their_damping_in_each_form() {

@@ -1,0 +1,148 @@
+//! Matrices of another program, reduced to modes.
+
+mod damping;
+mod reduced;
+
+use super::projection::Projection;
+use super::{ExchangeFaults, MatrixSet};
+use jounce_sparse::{MatrixEntries, SparseError, SymmetricMatrix, lowest_modes};
+use jounce_spec::Modal;
+use reduced::Reduced;
+
+/// Accuracy of each eigenvalue.
+const TOLERANCE: f64 = 1e-11;
+
+/// Largest number of entries of a matrix with one column for each electrode or for the base.
+const MAX_DENSE: usize = 100_000_000;
+
+/// Largest number of rows or columns.
+const MAX_SIZE: usize = 100_000_000;
+
+/// Number of modes, and the meaning of the numbers.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ImportSettings {
+    /// Number of modes, the lowest ones.
+    pub modes: usize,
+    /// Damping ratio of each elastic mode, the last one for all further modes; without effect if the
+    /// set contains `damping`.
+    pub damping_ratio: Vec<f64>,
+    /// Unit of the mass, kg.
+    pub mass_unit_kg: f64,
+    /// Unit of displacements, m; the unit of time is the second.
+    pub length_unit_m: f64,
+}
+
+/// A structure of another program as modes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ImportedModes {
+    /// The modes, in SI units.
+    pub modal: Modal,
+    /// Bound of the error of each frequency, relative; 0 for a rigid-body mode.
+    pub frequency_error: Vec<f64>,
+    /// Largest entry of `X^T M X - 1`, for the shapes `X`.
+    pub orthogonality: f64,
+    /// Largest entry of the modal damping off its diagonal, which the modes leave out, relative to
+    /// the diagonal; 0 without damping matrix, and where it is roundoff.
+    pub damping_coupling: f64,
+    /// Modes of 0 Hz whose frequency in the matrices is above roundoff: index and frequency, Hz.
+    pub set_to_zero_hz: Vec<(usize, f64)>,
+    /// Modes of 0 Hz whose damping in the matrices is above roundoff, and left out: index and
+    /// damping, 1/s.
+    pub rigid_damping_per_s: Vec<(usize, f64)>,
+}
+
+/// Reduces matrices to their lowest modes.
+///
+/// # Errors
+/// All faults of the matrices and of their names; then the first of the eigenproblem.
+pub fn import_modes(
+    mut set: MatrixSet,
+    settings: &ImportSettings,
+) -> Result<ImportedModes, ExchangeFaults> {
+    let mut faults: Vec<String> = set.matrix.iter().filter_map(entry_fault).collect();
+    faults.extend(set.names.faults());
+    if !faults.is_empty() {
+        return Err(ExchangeFaults(faults));
+    }
+    let [mass, stiffness, damping] =
+        ["mass", "stiffness", "damping"].map(|name| square(&mut set, name, &mut faults));
+    let (Some(mass), Some(stiffness)) = (mass, stiffness) else {
+        return Err(ExchangeFaults(faults));
+    };
+    let points = set.matrix.remove("points");
+    for name in ["coupling", "capacitance", "conductance", "base"] {
+        if let Some(matrix) = set.matrix.get(name)
+            && matrix.rows.saturating_mul(matrix.columns) > MAX_DENSE
+        {
+            faults.push(format!(
+                "{name} is {} x {}, more than {MAX_DENSE} entries; its columns must be electrodes, or 1 for base",
+                matrix.rows, matrix.columns
+            ));
+        }
+    }
+    if !faults.is_empty() {
+        return Err(ExchangeFaults(faults));
+    }
+    let dense = |name: &str| set.matrix.get(name).map(MatrixEntries::dense);
+    let projection = Projection {
+        damping,
+        coupling: dense("coupling"),
+        capacitance: dense("capacitance"),
+        conductance: dense("conductance"),
+        points,
+        base: dense("base"),
+        names: set.names,
+        size: mass.size(),
+    };
+    faults.extend(projection.faults());
+    if stiffness.size() != mass.size() {
+        let error = SparseError::SizeMismatch {
+            stiffness: stiffness.size(),
+            mass: mass.size(),
+        };
+        faults.push(error.to_string());
+    }
+    if !faults.is_empty() {
+        return Err(ExchangeFaults(faults));
+    }
+    let modes = lowest_modes(&stiffness, &mass, settings.modes, TOLERANCE);
+    let modes = modes.map_err(|error| error.to_string())?;
+    let reduced = Reduced::new(&modes, &stiffness, &mass);
+    Ok(reduced.in_si(&projection, settings))
+}
+
+/// Returns the fault of a matrix that is too large, or its first entry that lies outside it or is
+/// not finite.
+fn entry_fault((name, matrix): (&String, &MatrixEntries)) -> Option<String> {
+    let (rows, columns) = (matrix.rows, matrix.columns);
+    if rows.max(columns) > MAX_SIZE {
+        return Some(format!(
+            "{name} is {rows} x {columns}; at most {MAX_SIZE} rows and columns are read"
+        ));
+    }
+    let is_wrong = |(row, column, value): &&(usize, usize, f64)| {
+        *row >= rows || *column >= columns || !value.is_finite()
+    };
+    let (row, column, value) = matrix.entries.iter().find(is_wrong)?;
+    let place = format!("{name}: entry ({}, {})", row + 1, column + 1);
+    Some(match value.is_finite() {
+        true => format!("{place} lies outside the {rows} x {columns} matrix"),
+        false => format!("{place} is {value}; it must be finite"),
+    })
+}
+
+/// Takes a square matrix out of a set; `None` if it is absent or has a fault.
+fn square(set: &mut MatrixSet, name: &str, faults: &mut Vec<String>) -> Option<SymmetricMatrix> {
+    let Some(matrix) = set.matrix.remove(name) else {
+        if name != "damping" {
+            faults.push(format!(
+                "{name} is missing; mass and stiffness are required"
+            ));
+        }
+        return None;
+    };
+    let read = matrix
+        .symmetric()
+        .map_err(|error| faults.push(format!("{name}: {error}")));
+    read.ok()
+}
