@@ -14,6 +14,7 @@ mod patch;
 mod plate;
 mod pores;
 mod settings;
+mod source;
 mod stop;
 mod stop_law;
 
@@ -151,6 +152,15 @@ pub(super) static SPEC: &[Key<Spec>] = &[
             get: |s: &Spec| &s.run,
             open: |s| &mut s.run,
             keys: settings::RUN,
+        },
+    ),
+    table(
+        "source",
+        "origin of the harvester; it affects no result",
+        &Single {
+            get: |s: &Spec| &s.source,
+            open: |s| &mut s.source,
+            keys: source::KEYS,
         },
     ),
 ];

@@ -13,6 +13,7 @@ mod patch;
 mod plate;
 mod reduction;
 mod run;
+mod source;
 mod stop;
 
 pub use beam::Beam;
@@ -28,6 +29,7 @@ pub use patch::{Composite, Electrodes, Face, Patch, PatchFoils, PatchPores, Pore
 pub use plate::{Edge, OnPlate, Plate, PlateArea, PlatePoint};
 pub use reduction::Reduction;
 pub use run::{Run, Start};
+pub use source::Source;
 pub use stop::{ForceTable, Side, Stop, StopLaw};
 
 use std::collections::BTreeMap;
@@ -61,6 +63,8 @@ pub struct Spec {
     pub reduction: Reduction,
     /// `[run]`
     pub run: Run,
+    /// `[source]`
+    pub source: Source,
 }
 
 impl Spec {

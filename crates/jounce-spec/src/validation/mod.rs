@@ -15,6 +15,7 @@ mod overlap;
 mod plates;
 mod pores;
 mod reference;
+mod source;
 mod support;
 
 use super::Spec;
@@ -58,6 +59,7 @@ pub(super) fn broken(spec: &Spec) -> Vec<(String, String)> {
     contact_bodies::check(spec, &mut faults);
     force_table::check(spec, &mut faults);
     overlap::check(spec, &mut faults);
+    source::check(spec, &mut faults);
     faults.found
 }
 
