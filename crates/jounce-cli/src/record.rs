@@ -1,5 +1,7 @@
 //! Record of this call, which every table carries, so that `jounce rerun` can make it again.
 
+use crate::arguments::Arguments;
+use clap::CommandFactory;
 use jounce::parts::{Record, RecordedInput, recorded_inputs};
 use std::ffi::OsString;
 use std::path::Path;
@@ -37,9 +39,16 @@ static CALL: OnceLock<(Vec<String>, Vec<RecordedInput>)> = OnceLock::new();
 /// they may change. A call with arguments that are not text has no record.
 pub fn begin(arguments: impl IntoIterator<Item = OsString>) {
     let texts = arguments.into_iter().map(OsString::into_string);
-    let Ok(arguments) = texts.collect::<Result<Vec<String>, _>>() else {
+    let Ok(mut arguments) = texts.collect::<Result<Vec<String>, _>>() else {
         return;
     };
+    // An alias is recorded under the name of its command.
+    let program = Arguments::command();
+    if let Some(first) = arguments.first_mut()
+        && let Some(command) = program.find_subcommand(&*first)
+    {
+        command.get_name().clone_into(first);
+    }
     let is_out = |argument: &String| argument == "--out" || argument.starts_with("--out=");
     let command = arguments.first().map_or("", String::as_str);
     if arguments.iter().any(is_out) && COMMANDS.contains(&command) {

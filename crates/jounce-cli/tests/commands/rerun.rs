@@ -113,7 +113,7 @@ fn fits_and_recordings_are_made_again() {
     let folder = folder();
     let features = Path::new(EXAMPLES).join("impact-harvester-2019/measured.toml");
     std::fs::copy(features, folder.path().join("measured.toml")).unwrap();
-    write(folder.path(), "run a.toml --record 1s");
+    write(folder.path(), "run a.toml");
     std::fs::rename(
         folder.path().join("out/run.parquet"),
         folder.path().join("rec.parquet"),
@@ -168,7 +168,7 @@ fn a_drive_of_a_recording_is_made_again_from_a_spec_that_is_gone() {
     std::fs::write(specs.join("b.toml"), spec).unwrap();
     let absolute = specs.join("b.toml").to_str().unwrap().to_owned();
     for name in ["specs/b.toml", absolute.as_str()] {
-        write(folder.path(), &format!("run {name} --record 1s"));
+        write(folder.path(), &format!("run {name}"));
         std::fs::rename(specs.join("b.toml"), specs.join("c.toml")).unwrap();
         let (code, json, text) = rerun(folder.path(), "out/run.csv");
         assert_eq!(
@@ -187,34 +187,48 @@ fn a_change_by_hand_is_found_in_every_format() {
     let folder = folder();
     write(folder.path(), "modes a.toml");
     let out = folder.path().join("out");
-    let change = |name: &str| {
+    let (_, modes, _) = call(folder.path(), &["modes", "a.toml", "--json"]);
+    let frequency_hz = modes["modes"][0]["frequency_hz"].as_f64().unwrap();
+    for name in ["modes.csv", "modes.json"] {
         let path = out.join(name);
         let text = std::fs::read_to_string(&path).unwrap();
-        let at = text
-            .find("8.66")
-            .unwrap_or_else(|| text.find("12.").unwrap());
-        let changed = format!("{}9{}", &text[..at], &text[at + 1..]);
-        std::fs::write(&path, &changed).unwrap();
-    };
-    for name in ["modes.csv", "modes.json"] {
-        change(name);
+        let digits = frequency_hz.to_string();
+        let (before, last) = digits.split_at(digits.len() - 1);
+        let other = if last == "1" { "2" } else { "1" };
+        assert!(text.contains(&digits), "{text}");
+        std::fs::write(
+            &path,
+            text.replacen(&digits, &format!("{before}{other}"), 1),
+        )
+        .unwrap();
         let (code, json, text) = rerun(folder.path(), &format!("out/{name}"));
         assert_eq!(code, 1, "{name}: {text}");
         assert_eq!(json["difference"]["what"], "value", "{json}");
-        assert!(
-            text.contains("different: column frequency_hz, row 1: the file has 9"),
-            "{text}"
+        let expected = format!(
+            "different: column frequency_hz, row 1: the file has {before}{other}, computed {digits}"
         );
+        assert!(text.contains(&expected), "{text}");
     }
     let path = out.join("modes.parquet");
-    let bytes = std::fs::read(&path).unwrap();
-    for index in [4, bytes.len() / 4, bytes.len() / 2, bytes.len() - 5] {
-        let mut changed = bytes.clone();
-        changed[index] ^= 1;
-        std::fs::write(&path, changed).unwrap();
-        let (code, _, text) = rerun(folder.path(), "out/modes.parquet");
-        assert!([1, 4].contains(&code), "byte {index}: {code} {text}");
-    }
+    let mut bytes = std::fs::read(&path).unwrap();
+    let is_value = |window: &[u8]| window == frequency_hz.to_le_bytes();
+    let places: Vec<usize> = (0..bytes.len() - 8)
+        .filter(|&at| is_value(&bytes[at..at + 8]))
+        .collect();
+    assert!(!places.is_empty());
+    places.iter().for_each(|&at| bytes[at] ^= 1);
+    std::fs::write(&path, &bytes).unwrap();
+    let (code, json, text) = rerun(folder.path(), "out/modes.parquet");
+    assert_eq!(
+        (code, json["difference"]["row"].as_u64()),
+        (1, Some(1)),
+        "{text}"
+    );
+    let length = bytes.len();
+    bytes[length - 5] ^= 1;
+    std::fs::write(&path, &bytes).unwrap();
+    let (code, _, text) = rerun(folder.path(), "out/modes.parquet");
+    assert!(code == 4 && text.contains("modes.parquet"), "{text}");
 }
 
 #[test]
