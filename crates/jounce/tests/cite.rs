@@ -193,7 +193,13 @@ fn further_specs() -> Vec<Harvester> {
                 ("circuit.rectifier.quality_factor", "5"),
             ],
         ),
-        (&rectifier, &[("circuit.rectifier.interface", "sece")]),
+        (
+            &rectifier,
+            &[
+                ("circuit.rectifier.interface", "sece"),
+                ("circuit.rectifier.diode_resistance", ""),
+            ],
+        ),
     ];
     let changed = |(harvester, keys): &(&Harvester, &[(&str, &str)])| {
         harvester.changed(keys.iter().copied()).unwrap()

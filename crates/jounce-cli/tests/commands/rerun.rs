@@ -101,7 +101,7 @@ fn orbits_are_made_again() {
         "bifurcations a.toml --over drive.shaker.frequency=12Hz:13Hz --against stop.tip.gap=0.95mm:1.05mm --seeds 0",
         "basins a.toml --starts 3 --seed 7",
         "diagram a.toml --over drive.shaker.frequency=12Hz:12.2Hz:0.1Hz",
-        "sensitivity a.toml --of stop.tip.gap",
+        "sensitivity a.toml --key stop.tip.gap --starts 4",
     ];
     for line in lines {
         assert_equal_again(folder.path(), line);
