@@ -5,11 +5,14 @@ from __future__ import annotations
 import dataclasses
 import json
 from collections.abc import Mapping
-from typing import Annotated, Self
+from typing import TYPE_CHECKING, Annotated, Self
 
-from ._fields import About
+from ._fields import About, Variable
 from ._named import Named
 from ._result import Data, Result
+
+if TYPE_CHECKING:
+    from xarray import Dataset
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -53,6 +56,16 @@ class CiteResult(Result, Named[Citation]):
     def bibtex(self) -> str:
         """Returns all citations as a file of BibTeX."""
         return "\n".join(one.bibtex for one in self.citations)
+
+    def to_xarray(self) -> Dataset:
+        """Returns an ``xarray.Dataset`` of the text, the DOI and the reasons of each ``citation``, by its key."""
+        texts = {
+            "text": [one.text for one in self.citations],
+            "doi": [one.doi for one in self.citations],
+            "reasons": ["; ".join(one.reasons) for one in self.citations],
+        }
+        variables = {name: Variable(("citation",), values, "", name) for name, values in texts.items()}
+        return self._dataset(variables, {"citation": Variable(("citation",), list(self), "", "key")})
 
     def _summary(self) -> list[tuple[str, str]]:
         return [(one.key, one.text) for one in self.citations]
