@@ -150,6 +150,30 @@ fn recordings_that_change_are_named(folder: &Path) {
 }
 
 #[test]
+fn designs_and_tests_of_a_rig_are_made_again() {
+    let folder = folder();
+    let design = "spec = \"a.toml\"\nevaluations = 6\n[free]\n\"stop.tip.gap\" = \"0.5mm:2mm\"\n[goal]\nmaximise = \"mean-power\"\n";
+    std::fs::write(folder.path().join("design.toml"), design).unwrap();
+    assert_equal_again(folder.path(), "design design.toml");
+    for line in [
+        "rig a.toml --hammer beam.hammer --hits 3 --to hit.parquet",
+        "rig a.toml --set run.duration=4s --set run.average_over=3s --to run.parquet",
+    ] {
+        let arguments: Vec<&str> = line.split(' ').collect();
+        let (code, _, text) = call(folder.path(), &arguments);
+        assert_eq!(code, 0, "{line}: {text}");
+    }
+    for line in [
+        "frf --measured hit.parquet",
+        "modes --measured hit.parquet",
+        "contact hit.parquet",
+        "segments run.parquet --drive 13Hz",
+    ] {
+        assert_equal_again(folder.path(), line);
+    }
+}
+
+#[test]
 fn a_drive_of_a_recording_is_made_again_from_a_spec_that_is_gone() {
     let folder = tempfile::tempdir().unwrap();
     let specs = folder.path().join("specs");
