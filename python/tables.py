@@ -54,7 +54,7 @@ class Tables:
         if "enum" in schema:
             return f"Literal[{', '.join(json.dumps(one) for one in schema['enum'])}]"
         if schema["type"] == "array":
-            return "Numbers"
+            return "Sequence[str]" if schema["items"]["type"] == "string" else "Numbers"
         if schema["type"] == "string":
             return "Quantity" if "pattern" in schema else "str"
         return {"number": "float", "integer": "int", "boolean": "bool"}[schema["type"]]

@@ -213,6 +213,8 @@ def table_entries(table: str) -> list[str]:
         else:
             kinds = {"string": "str", "number": "float", "integer": "int", "boolean": "bool", "array": "list of float", "object": "dict"}
             kind = kinds[value["type"]]
+            if value.get("items", {}).get("type") == "string":
+                kind = "list of str"
         least, most = value.get("minimum"), value.get("maximum")
         kind += "" if least is None or most is None else f" from {least:g} to {most:g}"
         text, _, default = value["description"].removesuffix(")").partition(" (default ")

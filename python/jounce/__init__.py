@@ -18,10 +18,11 @@ if _TYPE_CHECKING:
     from ._basins import BasinsResult
     from ._bifurcations import BifurcationCurve, BifurcationsResult
     from ._branch import Branch, BranchResult
+    from ._cite import Citation, CiteResult
     from ._contact import ContactResult, Pulse, contact
     from ._design import DesignResult
     from ._diagram import DiagramResult
-    from ._elements import Beam, Circuit, Damping, Drive, Gravity, Layer, Mass, Modal, Patch, Plate, Reduction, Run, Stop
+    from ._elements import Beam, Circuit, Damping, Drive, Gravity, Layer, Mass, Modal, Patch, Plate, Reduction, Run, Source, Stop
     from ._ensemble import EnsembleResult
     from ._errors import (
         ArgumentError,
@@ -84,6 +85,8 @@ __all__ = [
     "BranchResult",
     "Channel",
     "Circuit",
+    "Citation",
+    "CiteResult",
     "ContactResult",
     "ConvergenceError",
     "Damping",
@@ -137,6 +140,7 @@ __all__ = [
     "RunResult",
     "SegmentsResult",
     "SensitivityResult",
+    "Source",
     "Spec",
     "SpecError",
     "SpectraResult",
@@ -181,10 +185,11 @@ _MODULES = {
     "_basins": "BasinsResult",
     "_bifurcations": "BifurcationCurve BifurcationsResult",
     "_branch": "Branch BranchResult",
+    "_cite": "Citation CiteResult",
     "_contact": "ContactResult Pulse contact",
     "_design": "DesignResult",
     "_diagram": "DiagramResult",
-    "_elements": "Beam Circuit Damping Drive Gravity Layer Mass Modal Patch Plate Reduction Run Stop",
+    "_elements": "Beam Circuit Damping Drive Gravity Layer Mass Modal Patch Plate Reduction Run Source Stop",
     "_ensemble": "EnsembleResult",
     "_errors": (
         "ArgumentError ConvergenceError DesignError ExploreError Fault FileError FitError IntegrationError Interrupted "

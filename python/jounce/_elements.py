@@ -11,7 +11,22 @@ from typing import TYPE_CHECKING, Any, Unpack
 if TYPE_CHECKING:
     from . import _tables
 
-__all__ = ["Beam", "Circuit", "Damping", "Drive", "Gravity", "Layer", "Mass", "Modal", "Patch", "Plate", "Reduction", "Run", "Stop"]
+__all__ = [
+    "Beam",
+    "Circuit",
+    "Damping",
+    "Drive",
+    "Gravity",
+    "Layer",
+    "Mass",
+    "Modal",
+    "Patch",
+    "Plate",
+    "Reduction",
+    "Run",
+    "Source",
+    "Stop",
+]
 
 
 class Element(dict[str, Any]):
@@ -145,3 +160,11 @@ class Run(Element):
     if TYPE_CHECKING:
 
         def __init__(self, **keys: Unpack[_tables.RunKeys]) -> None: ...
+
+
+class Source(Element):
+    """Origin of the harvester; it affects no result."""
+
+    if TYPE_CHECKING:
+
+        def __init__(self, **keys: Unpack[_tables.SourceKeys]) -> None: ...

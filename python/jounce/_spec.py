@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from ._basins import BasinsResult
     from ._bifurcations import BifurcationsResult
     from ._branch import BranchResult
+    from ._cite import CiteResult
     from ._diagram import DiagramResult
     from ._ensemble import EnsembleResult
     from ._frf import FrfResult
@@ -42,6 +43,12 @@ class Spec(SpecOnRig):
     """
 
     __slots__ = ()
+
+    def cite(self) -> CiteResult:
+        """Lists the publications behind the harvester, its models and the methods that it admits, each with its reasons."""
+        from . import CiteResult
+
+        return CiteResult._from_core_cite(_core.cite(self._spec))
 
     def modes(self, hold: str | Sequence[str] = (), *, fixed_table: bool = False) -> ModesResult:
         """Computes natural frequencies, damping ratios, couplings and shapes without contact."""

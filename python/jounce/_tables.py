@@ -182,7 +182,7 @@ class CircuitKeys(TypedDict, total=False):
     """Keys of a table of a spec: circuit."""
 
     patch: str
-    patches: Numbers
+    patches: Sequence[str]
     wiring: Literal["parallel", "series"]
     interface: Literal["resistor", "bridge", "parallel-sshi", "series-sshi", "sece"]
     storage: Quantity
@@ -256,6 +256,12 @@ class RunKeys(TypedDict, total=False):
     tolerance: float
 
 
+class SourceKeys(TypedDict, total=False):
+    """Keys of a table of a spec: source."""
+
+    publications: Sequence[str]
+
+
 class SpecKeys(TypedDict, total=False):
     """Tables of a spec."""
 
@@ -272,3 +278,4 @@ class SpecKeys(TypedDict, total=False):
     damping: DampingKeys | _elements.Damping
     reduction: ReductionKeys | _elements.Reduction
     run: RunKeys | _elements.Run
+    source: SourceKeys | _elements.Source

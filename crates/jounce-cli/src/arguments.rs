@@ -1,15 +1,15 @@
 //! Commands of the command line.
 
 use crate::commands::{
-    basins, bifurcations, branch, check, completions, contact, design, diagram, ensemble, explore,
-    export, fit, frf, import, materials, modes, new, noise, power, read, reproduce, rig, run,
-    segments, sensitivity, show, spectra, study, sweep,
+    basins, bifurcations, branch, check, cite, completions, contact, design, diagram, ensemble,
+    explore, export, fit, frf, import, materials, modes, new, noise, power, read, reproduce, rerun,
+    rig, run, segments, sensitivity, show, spectra, study, sweep,
 };
 use clap::{Parser, Subcommand};
 
 /// Simulates, analyses and designs vibro-impact piezoelectric energy harvesters.
 ///
-/// Exit codes: 0 success, 2 wrong usage, 3 not converged (`branch` and `bifurcations`: no branch
+/// Exit codes: 0 success, 1 a different result (`rerun`), 2 wrong usage, 3 not converged (`branch` and `bifurcations`: no branch
 /// or curve is complete; `design`: no design keeps the limits), 4 invalid input.
 #[derive(Debug, Parser)]
 #[command(name = "jounce", version, max_term_width = 110)]
@@ -26,6 +26,9 @@ pub enum Command {
     New(new::New),
     /// Reads a spec and reports every fault in it.
     Check(check::Check),
+    /// Lists the publications behind the harvester, its models and the methods that it admits, as text
+    /// or BibTeX.
+    Cite(cite::Cite),
     /// Draws the harvester to scale, which makes wrong numbers visible.
     Show(show::Show),
     /// Computes natural frequencies, damping ratios and coupling factors of a spec, or identifies
@@ -66,6 +69,8 @@ pub enum Command {
     Design(design::Design),
     /// Computes the tables, figures and claims of the 2019 impact-harvester paper.
     Reproduce(reproduce::Reproduce),
+    /// Makes a stored table again from its record and compares it bit by bit.
+    Rerun(rerun::Rerun),
     /// Writes the model for other programs: as matrices, or as an equivalent circuit for SPICE.
     Export(export::Export),
     /// Reduces mass and stiffness matrices of another program to a structure given by its modes.
@@ -106,6 +111,7 @@ impl Command {
         match self {
             Command::New(command) => command.json,
             Command::Check(command) => command.json,
+            Command::Cite(command) => command.json,
             Command::Show(command) => command.json,
             Command::Modes(command) => command.output.json,
             Command::Fit(command) => command.output.json,
@@ -124,6 +130,7 @@ impl Command {
             Command::Study(command) => command.wants_json(),
             Command::Design(command) => command.output.json,
             Command::Reproduce(command) => command.json,
+            Command::Rerun(command) => command.json,
             Command::Export(command) => command.json,
             Command::Import(command) => command.json,
             Command::Read(command) => command.file.output.json,

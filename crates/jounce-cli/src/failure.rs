@@ -10,6 +10,9 @@ use std::process::ExitCode;
 /// Exit code of a command that the user stopped, as in shells.
 const INTERRUPTED: u8 = 130;
 
+/// Exit code of a result that is not the stored one.
+const DIFFERENT: u8 = 1;
+
 /// Exit code of a computation that did not converge.
 const NOT_CONVERGED: u8 = 3;
 
@@ -19,6 +22,8 @@ const INVALID: u8 = 4;
 /// Reason why a command did not succeed.
 #[derive(Debug)]
 pub enum Failure {
+    /// A result that is not the stored one, already printed: exit code 1.
+    Different(String),
     /// Wrong usage: exit code 2.
     Usage(String),
     /// Faults in a spec: exit code 4.
@@ -58,6 +63,10 @@ impl Failure {
             Failure::Incomplete(text) => {
                 eprintln!("{text}");
                 return ExitCode::from(NOT_CONVERGED);
+            }
+            Failure::Different(text) => {
+                eprintln!("{text}");
+                return ExitCode::from(DIFFERENT);
             }
             Failure::InvalidSpec(text) => {
                 eprintln!("{text}");

@@ -12,6 +12,7 @@ mod model_or_measured;
 mod option_names;
 mod output;
 mod progress;
+mod record;
 mod spec_arguments;
 mod value_error;
 
@@ -31,6 +32,7 @@ fn main() -> ExitCode {
     let arguments = (command.try_get_matches())
         .and_then(|matches| arguments::Arguments::from_arg_matches(&matches))
         .unwrap_or_else(|error| value_error::explained(error).exit());
+    record::begin(std::env::args_os().skip(1));
     let json = arguments.command.wants_json();
     match commands::run(arguments.command) {
         Ok(()) => ExitCode::SUCCESS,

@@ -3,12 +3,10 @@
 use crate::failure::Failure;
 use crate::spec_arguments::OutputArguments;
 use clap::Args;
-use jounce::parts::{Issue, Manifest, UsesChannels, unreadable};
+use jounce::parts::{Issue, Manifest, UsesChannels, file_sha256, unreadable};
 use jounce::{Error, ReadOptions, Recording};
 use serde::Serialize;
-use sha2::{Digest, Sha256};
-use std::io::Read;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// A recording and the output options.
 #[derive(Debug, Args)]
@@ -54,7 +52,7 @@ pub fn manifest(
     let names: Vec<String> = files.iter().map(name).collect();
     let hashes = files
         .iter()
-        .map(|file| hash_hex(file))
+        .map(|file| file_sha256(file).map_err(|error| Failure::Input(unreadable(file, &error))))
         .collect::<Result<Vec<_>, _>>()?;
     let manifest = Manifest::new("")
         .with("command", command)
@@ -62,24 +60,6 @@ pub fn manifest(
         .with("recording_sha256", hashes.join(" "));
     let manifest = manifest.with_options(read).map_err(Error::from)?;
     Ok(manifest.with_options(options).map_err(Error::from)?)
-}
-
-/// Computes the SHA-256 of a file, read in blocks.
-fn hash_hex(file: &Path) -> Result<String, Failure> {
-    let fault = |error: std::io::Error| Failure::Input(unreadable(file, &error));
-    let mut input = std::fs::File::open(file).map_err(fault)?;
-    let (mut hash, mut buffer) = (Sha256::new(), vec![0; 1 << 16]);
-    loop {
-        let count = input.read(&mut buffer).map_err(fault)?;
-        if count == 0 {
-            return Ok(hash
-                .finalize()
-                .iter()
-                .map(|byte| format!("{byte:02x}"))
-                .collect());
-        }
-        hash.update(&buffer[..count]);
-    }
 }
 
 /// Returns a result; on an error, prints the issues of the complete recordings.

@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use crate::option_names::on_command_line;
+use crate::record;
 use jounce::parts::{Column, Manifest, Values, unwritable_folder};
 use jounce::{Error, Figure, Table};
 use serde::Serialize;
@@ -116,12 +117,16 @@ pub fn text(text: &str) {
     let _ = std::io::stdout().lock().write_all(text.as_bytes());
 }
 
-/// Writes a table as CSV, Parquet and JSON.
+/// Writes a table as CSV, Parquet and JSON, with the record of this call.
 pub fn table(folder: &Path, name: &str, table: &Table, manifest: &Manifest) -> Result<(), Failure> {
     make(folder)?;
+    let manifest = Manifest {
+        record: record::of_table(name),
+        ..manifest.clone()
+    };
     for extension in ["csv", "parquet", "json"] {
         let path = folder.join(name).with_extension(extension);
-        table.write(&path, manifest).map_err(Error::from)?;
+        table.write(&path, &manifest).map_err(Error::from)?;
     }
     Ok(())
 }

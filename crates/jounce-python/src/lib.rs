@@ -44,6 +44,8 @@ mod _core {
     #[pymodule_export]
     use super::questions::branch::branch;
     #[pymodule_export]
+    use super::questions::cite::cite;
+    #[pymodule_export]
     use super::questions::design::design;
     #[pymodule_export]
     use super::questions::diagram::diagram;

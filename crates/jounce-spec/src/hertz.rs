@@ -19,7 +19,7 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Exponent of Hertz's law for two smooth bodies.
-pub(crate) const HERTZ_EXPONENT: f64 = 1.5;
+pub const HERTZ_EXPONENT: f64 = 1.5;
 
 /// Smallest `b/a` of the ellipse of contact that is resolved.
 const MIN_AXIS_RATIO: f64 = 1e-8;

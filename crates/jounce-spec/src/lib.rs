@@ -4,6 +4,7 @@
 //! table of keys (`keys/`) drives reading, range checks, suggestions, overrides, sweeps, printing,
 //! the JSON Schema ([`schema`]) and the key reference ([`reference_markdown`]).
 
+pub mod bibliography;
 mod fault;
 mod file;
 mod force_curve;

@@ -7,7 +7,7 @@ use sha2::{Digest, Sha256};
 
 use super::key::{Key, Kind, Slot, applies};
 use super::keys::SPEC;
-use super::{DriveSignal, Modal, Spec};
+use super::{DriveSignal, Modal, Source, Spec};
 
 impl Spec {
     /// Prints the spec as TOML. [`Spec::from_toml`] reads an identical spec back, bit for bit.
@@ -27,10 +27,14 @@ impl Spec {
         out.trim_start().to_owned()
     }
 
-    /// Returns the SHA-256 of [`Spec::to_toml`] as 64 hexadecimal digits. Comments, order, units
-    /// and written defaults do not change it.
+    /// Returns the SHA-256 of [`Spec::to_toml`] as 64 hexadecimal digits. Comments, order, units,
+    /// written defaults and the `[source]` do not change it.
     pub fn hash_hex(&self) -> String {
-        let mut hasher = Sha256::new_with_prefix(self.to_toml().as_bytes());
+        let without_source = Spec {
+            source: Source::default(),
+            ..self.clone()
+        };
+        let mut hasher = Sha256::new_with_prefix(without_source.to_toml().as_bytes());
         // Recordings enter by their samples, because a file may change under its name.
         for drive in self.drive.values() {
             if let DriveSignal::Recording {

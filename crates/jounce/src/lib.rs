@@ -11,12 +11,13 @@
 //! ```
 //!
 //! A [`Harvester`] is read from a spec file. Each question is one method with its options and its
-//! result. The exceptions are [`Harvester::check`] without options, [`Harvester::fit`] with
+//! result. The exceptions are [`Harvester::check`] and [`Harvester::cite`] without options, [`Harvester::fit`] with
 //! [`Features`], [`Study::run`], a method of a [`Study`], and [`Design::run`], one of a [`Design`]:
 //!
 //! | question | method | options | result |
 //! |---|---|---|---|
 //! | validity, with the issues of recordings | [`Harvester::check`] | | [`CheckResult`] |
+//! | publications that its results rest on | [`Harvester::cite`] | | [`CiteResult`] |
 //! | natural frequencies, couplings and shapes | [`Harvester::modes`] | [`ModesOptions`] | [`ModesResult`] |
 //! | frequency responses without contact | [`Harvester::frf`] | [`FrfOptions`] | [`FrfResult`] |
 //! | response to noise without contact | [`Harvester::noise`] | [`NoiseOptions`] | [`NoiseResult`] |
@@ -68,6 +69,7 @@ mod basins;
 mod bifurcations;
 mod branch;
 mod check;
+mod cite;
 mod contact;
 mod continuation_options;
 mod design;
@@ -92,6 +94,7 @@ mod periodic;
 mod power;
 mod questions;
 mod read;
+mod record;
 mod recording;
 mod reference;
 mod reproduce;
@@ -107,6 +110,7 @@ pub use basins::{BasinsOptions, BasinsResult};
 pub use bifurcations::{BifurcationsOptions, BifurcationsResult};
 pub use branch::{BranchOptions, BranchResult};
 pub use check::CheckResult;
+pub use cite::{Citation, CiteResult};
 pub use contact::{ContactOptions, ContactResult};
 pub use design::{Design, DesignOptions, DesignResult};
 pub use diagram::{DiagramOptions, DiagramResult};

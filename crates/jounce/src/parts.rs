@@ -17,6 +17,7 @@ pub use crate::measured_modes::{ComplexValues, MeasuredMode};
 pub use crate::modes::{BeamShapes, ModeResult, PatchCoupling, PointShape};
 pub use crate::power::{OrderAmplitude, PowerRecord};
 pub use crate::read::{ChannelResult, Conversion, RecordingResult, ShapeResult};
+pub use crate::record::{file_sha256, recorded_inputs, text_sha256};
 pub use crate::recording::{ChannelList, ChosenChannel, UsesChannels};
 pub use crate::rig::BaseMotion;
 pub use crate::run::{History, HistorySamples, LoadResult, PatchResult};
@@ -50,7 +51,9 @@ pub use jounce_experiment::segmentation::{
 };
 pub use jounce_identification::contact::AllowedLaws;
 pub use jounce_io::store::{unreadable, unwritable_folder};
-pub use jounce_io::table::{Column, Manifest, Values};
+pub use jounce_io::table::{
+    Column, Manifest, Record, RecordedInput, StoredTable, TableDifference, Values,
+};
 pub use jounce_model::exchange::{MatrixSet, NameKind, Names};
 pub use jounce_model::linear::{
     Coupling, Density, RandomLoad, RandomPatch, RandomPoint, RandomStop,

@@ -6,6 +6,7 @@ mod linear;
 mod orbits;
 mod recordings;
 pub mod reproduce;
+pub mod rerun;
 mod runs;
 mod specs;
 
@@ -13,7 +14,7 @@ pub use linear::{frf, modes, noise};
 pub use orbits::{basins, bifurcations, branch, diagram, sensitivity};
 pub use recordings::{contact, fit, power, read, rig, segments, spectra};
 pub use runs::{design, ensemble, run, study, sweep};
-pub use specs::{check, export, import, materials, new, show};
+pub use specs::{check, cite, export, import, materials, new, show};
 
 use crate::arguments::Command;
 use crate::failure::Failure;
@@ -24,6 +25,7 @@ pub fn run(command: Command) -> Result<(), Failure> {
     match command {
         Command::New(command) => command.run(),
         Command::Check(command) => command.run(),
+        Command::Cite(command) => command.run(),
         Command::Show(command) => command.run(),
         Command::Modes(command) => command.run(),
         Command::Fit(command) => command.run(),
@@ -42,6 +44,7 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Design(command) => command.run(),
         Command::Explore(command) => command.run(),
         Command::Reproduce(command) => command.run(),
+        Command::Rerun(command) => command.run(),
         Command::Export(command) => command.run(),
         Command::Import(command) => command.run(),
         Command::Read(command) => command.run(),

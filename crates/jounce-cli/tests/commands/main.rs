@@ -3,11 +3,13 @@
 
 mod attractors;
 mod bifurcations;
+mod cite;
 mod gravity;
 mod hard_cases;
 mod messages;
 mod names;
 mod orbits;
+mod rerun;
 mod runs;
 mod studies;
 mod two_stops;

@@ -1,6 +1,7 @@
 //! Origin of a table: all data to reproduce it, without time or machine.
 
 use super::error::TableError;
+use super::record::Record;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -16,6 +17,10 @@ pub struct Manifest {
     pub spec_sha256: String,
     /// The command, and its options by the names of their fields.
     pub options: BTreeMap<String, String>,
+    /// The command and its input files, from which `jounce rerun` makes the result again; `None` for
+    /// a result that no command wrote.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub record: Option<Record>,
 }
 
 impl Manifest {
@@ -26,6 +31,7 @@ impl Manifest {
             version: env!("CARGO_PKG_VERSION").to_owned(),
             spec_sha256: spec_sha256.to_owned(),
             options: BTreeMap::new(),
+            record: None,
         }
     }
 

@@ -17,8 +17,12 @@ mod manifest;
 mod named_columns;
 mod notes;
 mod parquet;
+mod record;
+mod stored;
 
 pub use column::{Column, Values};
 pub use error::TableError;
 pub use manifest::Manifest;
 pub use named_columns::Table;
+pub use record::{Record, RecordedInput};
+pub use stored::{StoredTable, TableDifference};

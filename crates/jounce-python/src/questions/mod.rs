@@ -3,6 +3,7 @@
 pub mod basins;
 pub mod bifurcations;
 pub mod branch;
+pub mod cite;
 pub mod design;
 pub mod diagram;
 pub mod ensemble;

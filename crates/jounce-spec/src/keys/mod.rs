@@ -16,6 +16,7 @@ mod plate;
 mod pores;
 mod regulator;
 mod settings;
+mod source;
 mod stop;
 mod stop_law;
 
@@ -173,6 +174,15 @@ pub(super) static SPEC: &[Key<Spec>] = &[
             get: |s: &Spec| &s.run,
             open: |s| &mut s.run,
             keys: settings::RUN,
+        },
+    ),
+    table(
+        "source",
+        "origin of the harvester; it affects no result",
+        &Single {
+            get: |s: &Spec| &s.source,
+            open: |s| &mut s.source,
+            keys: source::KEYS,
         },
     ),
 ];

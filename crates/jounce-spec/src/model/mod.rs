@@ -15,6 +15,7 @@ mod plate;
 mod reduction;
 mod regulator;
 mod run;
+mod source;
 mod stop;
 
 pub use beam::Beam;
@@ -32,6 +33,7 @@ pub use plate::{Edge, OnPlate, Plate, PlateArea, PlatePoint};
 pub use reduction::Reduction;
 pub use regulator::{CHIP_LIBRARY, CHIPS, Chip, Regulator};
 pub use run::{Run, Start};
+pub use source::Source;
 pub use stop::{ForceTable, Side, Stop, StopLaw};
 
 use std::collections::BTreeMap;
@@ -69,6 +71,8 @@ pub struct Spec {
     pub reduction: Reduction,
     /// `[run]`
     pub run: Run,
+    /// `[source]`
+    pub source: Source,
 }
 
 impl Spec {

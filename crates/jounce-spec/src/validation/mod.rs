@@ -16,6 +16,7 @@ mod plates;
 mod pores;
 mod reference;
 mod regulators;
+mod source;
 mod support;
 
 use super::Spec;
@@ -60,6 +61,7 @@ pub(super) fn broken(spec: &Spec) -> Vec<(String, String)> {
     contact_bodies::check(spec, &mut faults);
     force_table::check(spec, &mut faults);
     overlap::check(spec, &mut faults);
+    source::check(spec, &mut faults);
     faults.found
 }
 
