@@ -70,7 +70,7 @@ fn wrong_regulators_and_devices_are_reported() {
         ),
         (
             ("device = \"sensor\"", ""),
-            "circuit.store.regulator: supplies no device",
+            "supplies no device; give `device`",
         ),
         (
             (
@@ -81,23 +81,20 @@ fn wrong_regulators_and_devices_are_reported() {
         ),
         (
             ("regulator = \"supply\"", "resistance = \"1 Mohm\""),
-            "circuit.store.device: has no regulator",
+            "has no regulator; give `regulator` in place of",
         ),
         (
             ("storage = \"100 uF\"", "battery = \"3 V\""),
-            "circuit.store.regulator: has no effect with a battery",
+            "has no effect with a battery, whose voltage is fixed; give `storage`",
         ),
         (
             ("regulator = \"supply\"", ""),
             "one of `resistance` or `regulator` is missing",
         ),
-        (
-            ("send_time = \"5 ms\"", ""),
-            "device.sensor.send_current: is given without `send_time`",
-        ),
+        (("send_time = \"5 ms\"", ""), "is given without `send_time`"),
         (
             ("period = \"5 s\"", ""),
-            "device.sensor: measures or sends without a `period`",
+            "measures or sends without a `period`",
         ),
         (
             ("period = \"5 s\"", "period = \"25 ms\""),
