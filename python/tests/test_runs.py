@@ -152,3 +152,32 @@ def test_a_rectified_circuit_is_that_of_the_command_line(command_line):
     assert dataset.rectified_voltage_rms.sel(rectified="rectifier") == circuit["voltage_rms_v"]
     assert pickle.loads(pickle.dumps(result)) == result and "storage" in repr(result)
     assert len(result.plot_energy().patches) == 6
+
+
+def test_a_device_behind_a_regulator_is_that_of_the_command_line(command_line):
+    spec = ROOT / "examples/wireless-sensor/harvester.toml"
+    keys = {"run.duration": "40 s", "run.average_over": "20 s"}
+    harvester = jounce.read(spec).changed(keys)
+    result = harvester.run(record="20 s", sample_rate="10 Hz")
+    expected = command_line("run", keys=keys, spec=spec)
+    (device,), (circuit,) = expected["devices"], expected["rectified"]
+    assert result.device == ["store"] and 0.0 < device["on_fraction"] < 1.0
+    names = ("cold_start_s", "on_fraction", "starts", "longest_outage_s", "completed_tasks", "interrupted_tasks")
+    for name in (*names, "energy_per_day_j", "available_w", "needed_w", "margin_w"):
+        assert getattr(result, f"device_{name}")[0] == device[name], name
+    assert result.rectified_regulator_loss_w[0] == circuit["regulator_loss_w"] > 0.0
+    residual = result.energies_j["input_j"] - sum(value for name, value in result.energies_j.items() if name != "input_j")
+    assert abs(residual) < 1e-9 * result.energies_j["input_j"]
+    voltage, unit = result.recorded().channels()["store.storage"]
+    assert unit == "V" and 3.6 < voltage.max() < 5.1
+    assert "margin" in repr(result) and result.to_xarray().device_margin.sel(device="store") == device["margin_w"]
+    never = harvester.changed({"circuit.store.storage": "10 mF"}).run()
+    assert np.isnan(never.device_cold_start_s[0]) and "never starts" in never.warnings[0]
+
+
+def test_an_ensemble_has_the_time_on_of_a_device():
+    keys = {"run.duration": "40 s", "run.average_over": "20 s"}
+    result = jounce.read(ROOT / "examples/wireless-sensor/harvester.toml").changed(keys).ensemble(members=3)
+    assert result.device == ["store"] and 0.0 < result.device_on_fraction[0] < 1.0
+    assert result.device_on_fraction_half_width[0] > 0.0 and result.device_never_started[0] == 0
+    assert "margin" in repr(result) and result.device_completed_tasks[0] > 0
