@@ -119,7 +119,7 @@ class EnsembleResult(Result):
         return f"{rate}, at {strike}, {100 * self.stop_contact_duty[k]:.3g} % of the time"
 
     def to_xarray(self) -> Dataset:
-        """Returns an ``xarray.Dataset`` over ``member``, ``stop`` and ``device``, means as scalars, spectra over ``patch`` and ``frequency``."""
+        """Returns an ``xarray.Dataset`` over ``member``, ``stop`` and ``device``, spectra over ``patch`` and ``frequency``."""
         coords = {
             "member": Variable(("member",), self.member, "1", "number of the realisation under its seed"),
             "stop": Variable(("stop",), self.stop, "", "stop"),

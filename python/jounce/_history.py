@@ -90,7 +90,7 @@ class History(Result):
         return [{"name": name, "data": values, "unit_str": unit, **common} for name, (values, unit) in self.channels().items()]
 
     def to_xarray(self) -> Dataset:
-        """Returns an ``xarray.Dataset`` over ``time`` and ``cycle_time`` (once per drive cycle), ``point``, ``patch``, ``stop`` and ``storage``."""
+        """Returns an ``xarray.Dataset`` over ``time``, ``cycle_time`` (drive cycles), ``point``, ``patch``, ``stop`` and ``storage``."""
         variables: dict[str, Variable] = {}
         for prefix, time in (("", "time"), ("poincare_", "cycle_time")):
             variables |= {

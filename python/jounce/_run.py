@@ -119,7 +119,8 @@ class RunResult(Result):
         dict[str, float],
         About(
             "energies of the complete run: ``input_j``, ``loads_j``, ``rectified_j`` (into loads and batteries behind rectifiers), "
-            "``rectified_loss_j`` (in their diodes, switches and regulators, and by leakage), ``leaks_j`` (by leakage of patches), ``damping_j``, "
+            "``rectified_loss_j`` (in their diodes, switches and regulators, and by leakage), ``leaks_j`` (by leakage of patches), "
+            "``damping_j``, "
             "``contact_loss_j``, ``stored_j``",
             "J",
         ),
@@ -190,7 +191,8 @@ class RunResult(Result):
             "period_cycles": Variable((), self.period_cycles or 0, "1", "period in drive cycles, 0 without a period"),
         }
         coords = {
-            name: Variable((name,), getattr(self, name), "", name) for name in ("load", "patch", "rectified", "device", "charge", "leak", "stop")
+            name: Variable((name,), getattr(self, name), "", name)
+            for name in ("load", "patch", "rectified", "device", "charge", "leak", "stop")
         }
         return self._dataset({**self._variables(), **settling}, coords)
 

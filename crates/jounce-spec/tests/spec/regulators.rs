@@ -39,69 +39,72 @@ fn a_chip_gives_the_values_that_are_omitted() {
     );
 }
 
+/// A change of the spec, and a part of the message about it.
+const FAULTS: &[((&str, &str), &str)] = &[
+    (
+        (
+            "chip = \"LTC3588-1\"",
+            "chip = \"LTC3588-1\"\nstart_voltage = \"3 V\"",
+        ),
+        "regulator.supply.start_voltage: 3 V must be above the stop voltage of 3.67 V",
+    ),
+    (
+        (
+            "chip = \"LTC3588-1\"",
+            "chip = \"LTC3588-1\"\noutput_voltage = \"4 V\"",
+        ),
+        "regulator.supply.stop_voltage: 3.67 V must be at least the output voltage of 4 V",
+    ),
+    (
+        ("chip = \"LTC3588-1\"", "chip = \"LTC3588\""),
+        "\"LTC3588\" is not known (did you mean `LTC3588-1`?)",
+    ),
+    (
+        ("chip = \"LTC3588-1\"", "start_voltage = \"5 V\""),
+        "`stop_voltage` is missing",
+    ),
+    (
+        ("device = \"sensor\"", "device = \"senser\""),
+        "circuit.store.device: there is no device \"senser\" (did you mean `sensor`?)",
+    ),
+    (
+        ("device = \"sensor\"", ""),
+        "supplies no device; give `device`",
+    ),
+    (
+        (
+            "regulator = \"supply\"",
+            "regulator = \"supply\"\nresistance = \"1 Mohm\"",
+        ),
+        "give exactly one of `resistance` or `regulator`",
+    ),
+    (
+        ("regulator = \"supply\"", "resistance = \"1 Mohm\""),
+        "has no regulator; give `regulator` in place of",
+    ),
+    (
+        ("storage = \"100 uF\"", "battery = \"3 V\""),
+        "has no effect with a battery, whose voltage is fixed; give `storage`",
+    ),
+    (
+        ("regulator = \"supply\"", ""),
+        "one of `resistance` or `regulator` is missing",
+    ),
+    (("send_time = \"5 ms\"", ""), "is given without `send_time`"),
+    (
+        ("period = \"5 s\"", ""),
+        "measures or sends without a `period`",
+    ),
+    (
+        ("period = \"5 s\"", "period = \"25 ms\""),
+        "device.sensor.period: 0.025 s must be longer",
+    ),
+];
+
 #[test]
 fn wrong_regulators_and_devices_are_reported() {
-    for (change, message) in [
-        (
-            (
-                "chip = \"LTC3588-1\"",
-                "chip = \"LTC3588-1\"\nstart_voltage = \"3 V\"",
-            ),
-            "regulator.supply.start_voltage: 3 V must be above the stop voltage of 3.67 V",
-        ),
-        (
-            (
-                "chip = \"LTC3588-1\"",
-                "chip = \"LTC3588-1\"\noutput_voltage = \"4 V\"",
-            ),
-            "regulator.supply.stop_voltage: 3.67 V must be at least the output voltage of 4 V",
-        ),
-        (
-            ("chip = \"LTC3588-1\"", "chip = \"LTC3588\""),
-            "\"LTC3588\" is not known (did you mean `LTC3588-1`?)",
-        ),
-        (
-            ("chip = \"LTC3588-1\"", "start_voltage = \"5 V\""),
-            "`stop_voltage` is missing",
-        ),
-        (
-            ("device = \"sensor\"", "device = \"senser\""),
-            "circuit.store.device: there is no device \"senser\" (did you mean `sensor`?)",
-        ),
-        (
-            ("device = \"sensor\"", ""),
-            "supplies no device; give `device`",
-        ),
-        (
-            (
-                "regulator = \"supply\"",
-                "regulator = \"supply\"\nresistance = \"1 Mohm\"",
-            ),
-            "give exactly one of `resistance` or `regulator`",
-        ),
-        (
-            ("regulator = \"supply\"", "resistance = \"1 Mohm\""),
-            "has no regulator; give `regulator` in place of",
-        ),
-        (
-            ("storage = \"100 uF\"", "battery = \"3 V\""),
-            "has no effect with a battery, whose voltage is fixed; give `storage`",
-        ),
-        (
-            ("regulator = \"supply\"", ""),
-            "one of `resistance` or `regulator` is missing",
-        ),
-        (("send_time = \"5 ms\"", ""), "is given without `send_time`"),
-        (
-            ("period = \"5 s\"", ""),
-            "measures or sends without a `period`",
-        ),
-        (
-            ("period = \"5 s\"", "period = \"25 ms\""),
-            "device.sensor.period: 0.025 s must be longer",
-        ),
-    ] {
-        let found = faults(&[change]);
+    for (change, message) in FAULTS {
+        let found = faults(&[*change]);
         assert!(found.contains(message), "{change:?}:\n{found}");
     }
 }
