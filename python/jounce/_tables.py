@@ -193,8 +193,33 @@ class CircuitKeys(TypedDict, total=False):
     quality_factor: float
     efficiency: float
     resistance: Quantity
+    regulator: str
+    device: str
     inductance: Quantity
     inductor: Literal["parallel", "series"]
+
+
+class RegulatorKeys(TypedDict, total=False):
+    """Keys of a table of a spec: regulator."""
+
+    chip: Literal["LTC3588-1", "BQ25570"]
+    start_voltage: Quantity
+    stop_voltage: Quantity
+    output_voltage: Quantity
+    efficiency: float
+    idle_current: Quantity
+    quiescent_current: Quantity
+
+
+class DeviceKeys(TypedDict, total=False):
+    """Keys of a table of a spec: device."""
+
+    sleep_current: Required[Quantity]
+    measure_current: Quantity
+    measure_time: Quantity
+    send_current: Quantity
+    send_time: Quantity
+    period: Quantity
 
 
 DriveKeys = TypedDict(
@@ -273,6 +298,8 @@ class SpecKeys(TypedDict, total=False):
     modal: Mapping[str, ModalKeys | _elements.Modal]
     stop: Mapping[str, StopKeys | _elements.Stop]
     circuit: Mapping[str, CircuitKeys | _elements.Circuit]
+    regulator: Mapping[str, RegulatorKeys | _elements.Regulator]
+    device: Mapping[str, DeviceKeys | _elements.Device]
     drive: Mapping[str, DriveKeys | _elements.Drive]
     gravity: GravityKeys | _elements.Gravity
     damping: DampingKeys | _elements.Damping
