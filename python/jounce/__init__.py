@@ -22,7 +22,24 @@ if _TYPE_CHECKING:
     from ._contact import ContactResult, Pulse, contact
     from ._design import DesignResult
     from ._diagram import DiagramResult
-    from ._elements import Beam, Circuit, Damping, Drive, Gravity, Layer, Mass, Modal, Patch, Plate, Reduction, Run, Source, Stop
+    from ._elements import (
+        Beam,
+        Circuit,
+        Damping,
+        Device,
+        Drive,
+        Gravity,
+        Layer,
+        Mass,
+        Modal,
+        Patch,
+        Plate,
+        Reduction,
+        Regulator,
+        Run,
+        Source,
+        Stop,
+    )
     from ._ensemble import EnsembleResult
     from ._errors import (
         ArgumentError,
@@ -92,6 +109,7 @@ __all__ = [
     "Damping",
     "DesignError",
     "DesignResult",
+    "Device",
     "DiagramResult",
     "Drive",
     "EnsembleResult",
@@ -135,6 +153,7 @@ __all__ = [
     "Recording",
     "RecordingError",
     "Reduction",
+    "Regulator",
     "ReproduceResult",
     "Run",
     "RunResult",
@@ -189,7 +208,7 @@ _MODULES = {
     "_contact": "ContactResult Pulse contact",
     "_design": "DesignResult",
     "_diagram": "DiagramResult",
-    "_elements": "Beam Circuit Damping Drive Gravity Layer Mass Modal Patch Plate Reduction Run Source Stop",
+    "_elements": "Beam Circuit Damping Device Drive Gravity Layer Mass Modal Patch Plate Reduction Regulator Run Source Stop",
     "_ensemble": "EnsembleResult",
     "_errors": (
         "ArgumentError ConvergenceError DesignError ExploreError Fault FileError FitError IntegrationError Interrupted "

@@ -15,6 +15,7 @@ __all__ = [
     "Beam",
     "Circuit",
     "Damping",
+    "Device",
     "Drive",
     "Gravity",
     "Layer",
@@ -23,6 +24,7 @@ __all__ = [
     "Patch",
     "Plate",
     "Reduction",
+    "Regulator",
     "Run",
     "Source",
     "Stop",
@@ -108,6 +110,22 @@ class Circuit(Element):
     if TYPE_CHECKING:
 
         def __init__(self, **keys: Unpack[_tables.CircuitKeys]) -> None: ...
+
+
+class Regulator(Element):
+    """Regulator between the storage of a circuit and a device."""
+
+    if TYPE_CHECKING:
+
+        def __init__(self, **keys: Unpack[_tables.RegulatorKeys]) -> None: ...
+
+
+class Device(Element):
+    """Electronic device with a duty cycle, supplied by a regulator."""
+
+    if TYPE_CHECKING:
+
+        def __init__(self, **keys: Unpack[_tables.DeviceKeys]) -> None: ...
 
 
 class Drive(Element):

@@ -29,17 +29,17 @@ class SpecText(SpecTables):
     __slots__ = ("_spec",)
     _spec: _core.Spec
 
-    def __init__(self, source: str | Mapping[str, Any] | SpecKeys | None = None, /, **tables: Unpack[SpecKeys]) -> None:
-        if isinstance(source, str) and not tables:
-            if "\n" not in source and source.endswith(".toml"):
-                raise ArgumentError(f"{source} is the name of a file: read it with jounce.read({source!r})")
-            self._spec = _core.Spec(source, "")
-        elif isinstance(source, SpecText):
-            self._spec = source._spec.with_keys(settings(tables))
-        elif source is None or isinstance(source, Mapping):
-            self._spec = spec_from_tables({**(source or {}), **tables})
+    def __init__(self, spec: str | Mapping[str, Any] | SpecKeys | None = None, /, **tables: Unpack[SpecKeys]) -> None:
+        if isinstance(spec, str) and not tables:
+            if "\n" not in spec and spec.endswith(".toml"):
+                raise ArgumentError(f"{spec} is the name of a file: read it with jounce.read({spec!r})")
+            self._spec = _core.Spec(spec, "")
+        elif isinstance(spec, SpecText):
+            self._spec = spec._spec.with_keys(settings(tables))
+        elif spec is None or isinstance(spec, Mapping):
+            self._spec = spec_from_tables({**(spec or {}), **tables})
         else:
-            raise ArgumentError(f"a spec is made of TOML text or of a dict, not of {type(source).__name__}")
+            raise ArgumentError(f"a spec is made of TOML text or of a dict, not of {type(spec).__name__}")
 
     @classmethod
     def _from_core(cls, core: _core.Spec) -> Self:
