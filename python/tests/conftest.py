@@ -99,6 +99,7 @@ def results(tmp_path_factory, report):
     hits.write(file)
     return [
         harvester.modes(),
+        harvester.cite(),
         jounce.from_matrices(np.eye(2), np.array([[2.0, -1.0], [-1.0, 1.0]]), points={"tip": 1}, modes=2),
         harvester.sensitivity("circuit.load.resistance", starts=2),
         harvester.design(design, evaluations=40),
