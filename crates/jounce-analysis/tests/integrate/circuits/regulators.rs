@@ -177,7 +177,7 @@ fn a_discharge_is_that_of_its_bands_and_phases() {
 /// RK4 with the exact law of the regulator, whose current follows the momentary voltage; diodes and
 /// thresholds by small steps. Returns the storage voltage, the first start, the time on, the number
 /// of starts and of completed tasks.
-fn marched(regulator: &Regulator, end_s: f64) -> (f64, f64, f64, u64, u64) {
+fn integrated(regulator: &Regulator, end_s: f64) -> (f64, f64, f64, u64, u64) {
     let step_s = 1e-4;
     let rates = |t: f64, x: &[f64; 4], output_a: Option<f64>| -> [f64; 4] {
         let [q, v, patch_v, storage_v] = *x;
@@ -241,7 +241,7 @@ fn outages_agree_with_a_plain_integrator() {
     let mut integrator = started(&kernel, 0.0);
     integrator.advance_to(200.0).unwrap();
     let ours = integrator.device_statistics()[0].unwrap();
-    let (voltage_v, first_s, on_s, starts, tasks) = marched(&regulator, 200.0);
+    let (voltage_v, first_s, on_s, starts, tasks) = integrated(&regulator, 200.0);
     eprintln!(
         "{ours:?}, {} V; plain: {first_s} s, {on_s} s on, {starts} starts, {tasks} tasks, {voltage_v} V",
         storage_v(&kernel, &integrator)
