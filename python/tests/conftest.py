@@ -84,7 +84,7 @@ def report(tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def results(tmp_path_factory, report):
-    """One result of every class, computed in short."""
+    """One result of every class that has a picture, computed in short."""
     frequency, harvester = "drive.shaker.frequency", jounce.examples()["impact-harvester-2019"]
     short = harvester.changed({"run.duration": "1 s", "run.average_over": "0.5 s"})
     noisy = jounce.examples()["random-base"].changed({"run.duration": "2 s", "run.average_over": "1 s"})
@@ -99,7 +99,6 @@ def results(tmp_path_factory, report):
     hits.write(file)
     return [
         harvester.modes(),
-        harvester.cite(),
         jounce.from_matrices(np.eye(2), np.array([[2.0, -1.0], [-1.0, 1.0]]), points={"tip": 1}, modes=2),
         harvester.sensitivity("circuit.load.resistance", starts=2),
         harvester.design(design, evaluations=40),

@@ -204,6 +204,7 @@ def test_results_pickle_compare_and_print(short):
 
 def test_every_class_of_results_is_saved_and_becomes_a_tree(results, tmp_path):
     public = [getattr(jounce, name) for name in jounce.__all__]
+    results = [*results, jounce.examples()["impact-harvester-2019"].cite()]
     assert {type(result) for result in results} == {one for one in public if isinstance(one, type) and issubclass(one, Result)}
     for result in results:
         result.save(tmp_path / "result.jounce")
