@@ -154,7 +154,8 @@ class RunResult(Result):
 
     def _summary(self) -> list[tuple[str, str]]:
         settled = f"period {self.period_cycles} drive cycles" if self.settled else f"NOT settled, change {self.periodicity_change:.1e}"
-        settled = "no period: the drives have no common period" if self.settled is None else settled
+        cause = "a regulator switches at its own times" if self.device else "the drives have no common period"
+        settled = f"no period: {cause}" if self.settled is None else settled
         return [
             ("mean power", f"{self.mean_power_w:.6e} W"),
             *((f"voltage, rms ({name})", f"{volts:.6g} V") for name, volts in zip(self.load, self.load_voltage_rms_v)),

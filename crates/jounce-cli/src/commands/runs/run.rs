@@ -223,6 +223,9 @@ fn print_quality(result: &RunResult) {
         (Some(_), _) => line(format!(
             "NOT settled        change over a period {change:.1e}; increase run.duration"
         )),
+        (None, _) if !result.devices.is_empty() => line(
+            "no period          a regulator switches at its own times, so there is no periodic steady state",
+        ),
         (None, _) => line(
             "no period          the drives have no common period, so there is no periodic steady state",
         ),
