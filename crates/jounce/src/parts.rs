@@ -14,7 +14,7 @@ pub use crate::ensemble::{EnsembleDevice, EnsemblePatch, EnsembleStop, VoltageSp
 pub use crate::frf::FrfResponse;
 pub use crate::measured_frf::{FrfEstimator, FunctionParts, MeasuredResponse, PerG};
 pub use crate::measured_modes::{ComplexValues, MeasuredMode};
-pub use crate::modes::{BeamShapes, ModeResult, PatchCoupling, PointShape};
+pub use crate::modes::{BeamShapes, ModeResult, PatchCoupling, PlateShapes, PointShape};
 pub use crate::power::{OrderAmplitude, PowerRecord};
 pub use crate::read::{ChannelResult, Conversion, RecordingResult, ShapeResult};
 pub use crate::record::{file_sha256, recorded_inputs, text_sha256};

@@ -1,10 +1,12 @@
 //! Modes: natural frequencies, damping ratios, couplings and shapes.
 
 mod options;
+mod plates;
 mod report;
 mod result;
 
 pub use options::ModesOptions;
+pub use plates::PlateShapes;
 pub use result::{BeamShapes, ModeResult, ModesResult, PatchCoupling, PointShape};
 
 use crate::error::Error;
@@ -36,7 +38,9 @@ impl Harvester {
     pub fn modes(&self, options: &ModesOptions) -> Result<ModesResult, Error> {
         let spec = self.spec();
         let held = held_masses(spec, &options.hold, options.fixed_table);
-        let modes = modes_holding(spec, &held)?;
+        let mut modes = modes_holding(&plates::with_cells(spec), &held)?;
+        let count = modes.len();
+        let plates = plates::take_cells(spec, &mut modes.shape, count);
         let shapes = shapes_along_beams(spec, &held, PLACES)?;
         let beam = |(name, shape): (String, BeamShape)| BeamShapes {
             patches: patches_on(spec, &name),
@@ -45,7 +49,10 @@ impl Harvester {
             name,
         };
         let beams = shapes.into_iter().map(beam).collect();
-        Ok(ModesResult::new(modes, beams, held))
+        Ok(ModesResult {
+            plates,
+            ..ModesResult::new(modes, beams, held)
+        })
     }
 }
 
@@ -94,6 +101,7 @@ impl ModesResult {
                 })
                 .collect(),
             beams,
+            plates: Vec::new(),
         }
     }
 }

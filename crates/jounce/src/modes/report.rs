@@ -1,9 +1,9 @@
 //! Table and figures of modes.
 
-use super::{BeamShapes, ModeResult, ModesResult};
+use super::{BeamShapes, ModeResult, ModesResult, PlateShapes};
 use crate::error::Error;
 use jounce_io::table::{Column, Table};
-use jounce_plot::{Figure, ModeShape, mode_shapes};
+use jounce_plot::{Figure, ModeShape, PlateShape, mode_shapes, plate_shapes};
 
 /// Largest number of shapes in a figure.
 const MAX_DRAWN_MODES: usize = 5;
@@ -37,10 +37,23 @@ impl ModesResult {
         ])?)
     }
 
-    /// Returns the figures of the first shapes along each beam, with their names.
+    /// Returns the figures of the first shapes along each beam and over each plate, with their names.
     pub fn figures(&self) -> Vec<(String, Figure)> {
-        let figure = |beam: &BeamShapes| (format!("modes-{}", beam.name), self.shapes(beam));
-        self.beams.iter().map(figure).collect()
+        let beam = |beam: &BeamShapes| (format!("modes-{}", beam.name), self.shapes(beam));
+        let plate = |plate: &PlateShapes| (format!("modes-{}", plate.name), self.over(plate));
+        let beams = self.beams.iter().map(beam);
+        beams.chain(self.plates.iter().map(plate)).collect()
+    }
+
+    fn over(&self, plate: &PlateShapes) -> Figure {
+        let modes = self.modes.iter().zip(&plate.shapes_per_sqrt_kg);
+        let shape = |(index, (mode, shape)): (usize, (&ModeResult, &Vec<Vec<f64>>))| PlateShape {
+            label: format!("{}: {:.2} Hz", index + 1, mode.frequency_hz),
+            columns: shape.clone(),
+        };
+        let shapes: Vec<PlateShape> = modes.take(MAX_DRAWN_MODES).enumerate().map(shape).collect();
+        let title = format!("Mode shapes of {}", plate.name);
+        plate_shapes(&title, plate.size_m, &shapes)
     }
 
     fn shapes(&self, beam: &BeamShapes) -> Figure {

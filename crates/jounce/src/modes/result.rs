@@ -1,5 +1,6 @@
 //! Result of modes.
 
+use super::PlateShapes;
 use jounce_model::linear::Coupling;
 use jounce_plot::ShapePatch;
 use serde::Serialize;
@@ -22,6 +23,9 @@ pub struct ModesResult {
     /// Shapes along each beam.
     #[serde(skip)]
     pub beams: Vec<BeamShapes>,
+    /// Shapes over each plate.
+    #[serde(skip)]
+    pub plates: Vec<PlateShapes>,
 }
 
 /// One mode.

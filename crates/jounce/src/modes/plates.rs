@@ -1,0 +1,80 @@
+//! Shapes over plates, in the middles of the cells of a grid.
+
+use jounce_spec::{Plate, PlatePoint, Spec};
+use std::collections::BTreeMap;
+
+/// Number of cells along the longer side.
+const CELLS: usize = 60;
+/// Smallest number of cells along the shorter side.
+const MIN_CELLS: usize = 8;
+
+/// Modes over one plate.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlateShapes {
+    /// Name of the plate.
+    pub name: String,
+    /// Length and width, m.
+    pub size_m: [f64; 2],
+    /// Mass-normalised displacement of each mode, kg^-1/2, in the middle of each cell of an even
+    /// grid: columns along the length, each with a value for every cell across the width.
+    pub shapes_per_sqrt_kg: Vec<Vec<Vec<f64>>>,
+}
+
+/// Returns the numbers of cells along the length and the width.
+fn cells(plate: &Plate) -> [usize; 2] {
+    let longer_m = plate.length_m.max(plate.width_m);
+    [plate.length_m, plate.width_m].map(|side_m| {
+        let cells = (CELLS as f64 * side_m / longer_m).round() as usize;
+        cells.max(MIN_CELLS)
+    })
+}
+
+/// Name of a point of the grid; a name with spaces is none of the spec.
+fn point(i: usize, j: usize) -> String {
+    format!("cell {i} {j}")
+}
+
+/// Returns the spec with a point in each cell of its plates.
+pub(super) fn with_cells(spec: &Spec) -> Spec {
+    let mut spec = spec.clone();
+    for plate in spec.plate.values_mut() {
+        let [columns, rows] = cells(plate);
+        for i in 0..columns {
+            for j in 0..rows {
+                let place = PlatePoint {
+                    x_m: plate.length_m * (i as f64 + 0.5) / columns as f64,
+                    y_m: plate.width_m * (j as f64 + 0.5) / rows as f64,
+                };
+                plate.point.insert(point(i, j), place);
+            }
+        }
+    }
+    spec
+}
+
+/// Takes the points of the cells out of the shapes at all points.
+pub(super) fn take_cells(
+    spec: &Spec,
+    shape: &mut BTreeMap<String, Vec<f64>>,
+    modes: usize,
+) -> Vec<PlateShapes> {
+    let mut over = |(name, plate): (&String, &Plate)| {
+        let [columns, rows] = cells(plate);
+        let mut shapes = vec![vec![vec![0.0; rows]; columns]; modes];
+        for i in 0..columns {
+            for j in 0..rows {
+                let values = shape.remove(&format!("{name}.{}", point(i, j)));
+                let values = values.unwrap_or_default();
+                for (shape, value) in shapes.iter_mut().zip(values) {
+                    shape[i][j] = value;
+                }
+            }
+        }
+        PlateShapes {
+            name: name.clone(),
+            size_m: [plate.length_m, plate.width_m],
+            shapes_per_sqrt_kg: shapes,
+        }
+    };
+    spec.plate.iter().map(&mut over).collect()
+}
