@@ -40,9 +40,9 @@ pub use figure::{
 };
 pub use ready::{
     BifurcationLine, BranchLine, BranchMark, DensityLine, DiagramDots, DiagramView, LineDirection,
-    ModeShape, PlateShape, ResponseLine, ShapePatch, SpectrumLine, SweepLine, SweepLook, TimeSpectrum, Trace,
-    bifurcations, branches, densities, diagram, ensemble, frequency_responses, mode_shapes,
-    plate_shapes,
-    power_against_resistance, spectra, spectrogram, sweep, time_histories,
+    ModeShape, PlateShape, ResponseLine, ShapePatch, SpectrumLine, SweepLine, SweepLook,
+    TimeSpectrum, Trace, bifurcations, branches, densities, diagram, ensemble, frequency_responses,
+    mode_shapes, plate_shapes, power_against_resistance, spectra, spectrogram, sweep,
+    time_histories,
 };
 pub(crate) use svg::escape;

@@ -42,9 +42,9 @@ pub fn plate_shapes(title: &str, [length_m, width_m]: [f64; 2], shapes: &[PlateS
         .field(field)
         .with(Series::line(x, y).colour(Colour::Ink))
     };
-    shapes
-        .iter()
-        .fold(Figure::new(title), |figure, shape| figure.with(panel(shape)))
+    shapes.iter().fold(Figure::new(title), |figure, shape| {
+        figure.with(panel(shape))
+    })
 }
 
 /// Returns the lines on which a shape is zero, as segments apart from each other by NaN. The shape is
