@@ -81,16 +81,8 @@ pub(super) static KEYS: &[Key<Regulator>] = &[
 
 /// Takes the values from the library.
 fn fill(regulator: &mut Regulator, name: &str) {
-    name.clone_into(&mut regulator.chip);
     if let Some(chip) = Chip::named(name) {
-        *regulator = Regulator {
-            chip: regulator.chip.clone(),
-            start_v: chip.start_v,
-            stop_v: chip.stop_v,
-            output_v: chip.output_v,
-            efficiency: chip.efficiency,
-            idle_a: chip.idle_a,
-            quiescent_a: chip.quiescent_a,
-        };
+        *regulator = chip.regulator.clone();
     }
+    name.clone_into(&mut regulator.chip);
 }

@@ -22,22 +22,12 @@ pub struct Regulator {
 }
 
 /// An integrated circuit of the library.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Chip {
     /// Name in a spec.
     pub name: &'static str,
-    /// Storage voltage at which it starts, V.
-    pub start_v: f64,
-    /// Storage voltage at which it stops, V.
-    pub stop_v: f64,
-    /// Output voltage, V.
-    pub output_v: f64,
-    /// Efficiency of the converter, 0 to 1.
-    pub efficiency: f64,
-    /// Current while off, A.
-    pub idle_a: f64,
-    /// Quiescent current while on, A.
-    pub quiescent_a: f64,
+    /// Its regulator, whose `chip` is empty.
+    pub regulator: Regulator,
     /// Source of the numbers.
     pub source: &'static str,
 }
@@ -49,24 +39,30 @@ pub const CHIPS: &[&str] = &["LTC3588-1", "BQ25570"];
 pub const CHIP_LIBRARY: &[Chip] = &[
     Chip {
         name: "LTC3588-1",
-        start_v: 5.05,
-        stop_v: 3.67,
-        output_v: 3.3,
-        efficiency: 0.85,
-        idle_a: 450e-9,
-        quiescent_a: 950e-9,
+        regulator: Regulator {
+            chip: String::new(),
+            start_v: 5.05,
+            stop_v: 3.67,
+            output_v: 3.3,
+            efficiency: 0.85,
+            idle_a: 450e-9,
+            quiescent_a: 950e-9,
+        },
         source: "Linear Technology, LTC3588-1 data sheet: output of 3.3 V, typical thresholds of the undervoltage lockout \
          (1.8 V and 2.5 V: 4.04 V and 2.87 V), typical quiescent currents; efficiency nominal. The data sheet's bridge drops \
          0.4 V at 10 uA over both diodes; its shunt at 20 V is not part of the model",
     },
     Chip {
         name: "BQ25570",
-        start_v: 2.8,
-        stop_v: 2.39,
-        output_v: 1.8,
-        efficiency: 0.9,
-        idle_a: 445e-9,
-        quiescent_a: 488e-9,
+        regulator: Regulator {
+            chip: String::new(),
+            start_v: 2.8,
+            stop_v: 2.39,
+            output_v: 1.8,
+            efficiency: 0.9,
+            idle_a: 445e-9,
+            quiescent_a: 488e-9,
+        },
         source: "Texas Instruments, bq25570 data sheet (SLUSBH2): typical quiescent currents with the buck converter disabled \
          and enabled; thresholds and output as set by the resistors of the evaluation module; efficiency nominal. The boost \
          charger is not part of the model: the rectifier charges the storage directly",

@@ -19,7 +19,7 @@ fn a_chip_gives_the_values_that_are_omitted() {
     let (regulator, chip) = (&spec.regulator["supply"], &CHIP_LIBRARY[0]);
     assert_eq!(
         (regulator.start_v, regulator.idle_a),
-        (chip.start_v, 450e-9)
+        (chip.regulator.start_v, 450e-9)
     );
     let own = SPEC.replacen(
         "chip = \"LTC3588-1\"",
