@@ -2,10 +2,10 @@
 
 use crate::error::Error;
 use crate::harvester::Harvester;
+use crate::record::text_sha256;
 use jounce_analysis::Journal;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
-use sha2::{Digest, Sha256};
 use std::path::Path;
 
 /// Opens the journal of a question in a folder. The spec, the options and the version of jounce
@@ -20,7 +20,6 @@ pub fn open<P: Serialize + DeserializeOwned>(
 ) -> Result<Journal<P>, Error> {
     let options = serde_json::to_string(options).unwrap_or_default();
     let (spec, version) = (harvester.hash_hex(), env!("CARGO_PKG_VERSION"));
-    let digest = Sha256::digest(format!("{spec} {question} {options} {version}"));
-    let key: String = digest.iter().map(|byte| format!("{byte:02x}")).collect();
+    let key = text_sha256(&format!("{spec} {question} {options} {version}"));
     Ok(Journal::open(folder, &key)?)
 }

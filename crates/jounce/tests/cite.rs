@@ -333,3 +333,12 @@ fn the_book_lists_every_publication() {
         .filter(|line| line.starts_with("| `") && line.ends_with(") |"));
     assert_eq!(rows.count(), publications().count());
 }
+
+/// A regulator has no periodic orbits, so nothing on continuation is cited.
+#[test]
+fn a_regulator_admits_no_continuation() {
+    let sine = "{kind = \"base-acceleration\", amplitude = \"0.1 g\", frequency = \"46 Hz\"}";
+    let sensor = example("wireless-sensor/harvester.toml");
+    let sensor = sensor.changed([("drive.base", sine)]).unwrap();
+    assert!(!keys(&sensor.cite()).contains(&"doedel-1991"));
+}

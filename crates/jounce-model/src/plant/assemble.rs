@@ -93,9 +93,9 @@ impl System {
                 drawn_from: None,
             });
         }
-        // The circuits with diodes are bridges, in this order.
-        let rectified = |circuit: &&Circuit| circuit.interface != Interface::Resistor;
-        for (bridge, circuit) in spec.circuit.values().filter(rectified).enumerate() {
+        // The circuits with a scheme are the bridges, in this order.
+        let rectified = spec.circuit.values().filter(|own| scheme(own).is_some());
+        for (bridge, circuit) in rectified.enumerate() {
             if !circuit.regulator.is_empty() {
                 signals.push(Signal {
                     name: circuit.regulator.clone(),

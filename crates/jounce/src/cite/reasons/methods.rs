@@ -12,7 +12,8 @@ pub(super) fn add(spec: &Spec, reasons: &mut Reasons) {
             .drive
             .values()
             .all(|drive| drive.frequency_hz().is_some());
-    if !(is_nonlinear && is_periodic) {
+    // A regulator switches at its own times.
+    if !(is_nonlinear && is_periodic && spec.regulator.is_empty()) {
         return;
     }
     let is_compliant = |law: StopLaw| !matches!(law, StopLaw::Rigid { .. });
