@@ -1,6 +1,6 @@
 //! Results of a search for branches.
 
-use super::events::NotProved;
+use super::events::{NotProved, StepEvents};
 use jounce_linalg::Mat;
 use jounce_orbits::{Orbit, ShootingEvaluation, nearest_turn};
 use serde::Serialize;
@@ -156,13 +156,10 @@ impl Branch {
         }
     }
 
-    /// Adds the events of a step between two values of the key.
-    pub(super) fn add_events(&mut self, events: Vec<Bifurcation>, ends: [f64; 2]) {
-        let doubts = events
-            .iter()
-            .filter_map(|event| NotProved::of_event(event, ends));
-        self.not_proved.extend(doubts);
-        self.bifurcations.extend(events);
+    /// Adds the events of a step.
+    pub(super) fn add_events(&mut self, mut events: StepEvents) {
+        self.not_proved.append(&mut events.not_proved);
+        self.bifurcations.extend(events.bifurcations());
     }
 
     /// Returns the number of drive cycles of all orbits, a measure of the cost of the continuation.

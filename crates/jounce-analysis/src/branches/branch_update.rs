@@ -131,9 +131,8 @@ impl BranchUpdate<'_> {
         for run in updated_points.split(ends).filter(|run| run.len() > 1) {
             let orbit_points: Vec<_> = run.iter().flatten().collect();
             let between = orbit_points.par_windows(2).map(|pair| {
-                tracer
-                    .between(&shooting, pair[0], pair[1])
-                    .unwrap_or_default()
+                let events = tracer.between(&shooting, pair[0], pair[1]);
+                events.unwrap_or_default().bifurcations().collect()
             });
             let bifurcations: Vec<Vec<Bifurcation>> = between.collect();
             updated.branches.push(Branch {

@@ -3,8 +3,11 @@
 use super::orbit_point::{OrbitPoint, point};
 use super::tracer::BranchTracer;
 use crate::branches::branch::{Bifurcation, Branch, BranchKind, BranchPoint};
-use crate::branches::events::{Extremum, extrema};
+use crate::branches::events::{
+    Extremum, NotProved, ProofGap, StepEvents, TestFunction, doubling, extrema, fold, torus,
+};
 use jounce_continuation::{CurvePoint, Metric, Position, locate};
+use jounce_linalg::c64;
 use jounce_orbits::{
     Orbit, OrbitMethod, ShootingEvaluation, determinant_at, multipliers, nearest_pair_to_circle,
     outside_count,
@@ -34,44 +37,19 @@ impl DetectedEvent {
             DetectedEvent::Level(_) => BranchKind::Level,
         }
     }
+
+    /// Returns the test function of an event of the multipliers.
+    pub(super) fn test_function(self) -> Option<TestFunction> {
+        match self {
+            DetectedEvent::PeriodDoubling => Some(doubling),
+            DetectedEvent::NeimarkSacker => Some(torus),
+            DetectedEvent::BranchPoint => Some(fold),
+            _ => None,
+        }
+    }
 }
 
 impl BranchTracer {
-    /// Returns all events between two points, in the order of the curve.
-    ///
-    /// # Errors
-    /// As [`BranchTracer::walk`].
-    pub(in crate::branches) fn between<M: OrbitMethod>(
-        &self,
-        method: &M,
-        a: &OrbitPoint<M>,
-        b: &OrbitPoint<M>,
-    ) -> Result<Vec<Bifurcation>, M::Error> {
-        Ok(self
-            .on_the_way(method, a, b)?
-            .into_iter()
-            .map(|(_, event)| event)
-            .collect())
-    }
-
-    /// Returns the events up to a position between the two points.
-    ///
-    /// # Errors
-    /// As [`BranchTracer::walk`].
-    pub(super) fn until<M: OrbitMethod>(
-        &self,
-        method: &M,
-        (a, b): (&OrbitPoint<M>, &OrbitPoint<M>),
-        end: &Position,
-    ) -> Result<Vec<Bifurcation>, M::Error> {
-        let end = self.along(&a.step, &b.step, end);
-        let events = self
-            .on_the_way(method, a, b)?
-            .into_iter()
-            .filter(|(along, _)| *along <= end);
-        Ok(events.map(|(_, events)| events).collect())
-    }
-
     /// Returns the distance of a position along the chord of a step, in the metric.
     pub(super) fn along<L>(
         &self,
@@ -86,56 +64,70 @@ impl BranchTracer {
         )
     }
 
-    /// Returns the events between two points, each with its distance along the step.
-    fn on_the_way<M: OrbitMethod>(
+    /// Returns the events between two points.
+    ///
+    /// # Errors
+    /// As [`BranchTracer::walk`].
+    pub(in crate::branches) fn between<M: OrbitMethod>(
         &self,
         method: &M,
         a: &OrbitPoint<M>,
         b: &OrbitPoint<M>,
-    ) -> Result<Vec<(f64, Bifurcation)>, M::Error> {
+    ) -> Result<StepEvents, M::Error> {
         let turns = a.step.tangent.parameter * b.step.tangent.parameter < 0.0;
-        let mut events = Vec::new();
+        let ends = [a, b].map(|end| end.point.parameter);
+        let mut events = StepEvents::default();
         for event in crossed_events(&a.point.orbit, &b.point.orbit, turns)
             .into_iter()
             .chain(self.read_between(method, a, b))
         {
-            let Some(located) = self.locate_event(method, event, (a, b)) else {
-                continue;
+            let located = match self.locate_event(method, event, (a, b)) {
+                Some(step) => self.located(method, event, (a, b), step)?,
+                None => None,
             };
-            let at = point(method, &located)?;
-            // Two real multipliers that meet outside the unit circle are no Neimark-Sacker
-            // bifurcation.
-            let on_circle = at
-                .orbit
-                .multipliers
-                .iter()
-                .any(|value| value.im > 1e-9 && (value.norm() - 1.0).abs() < 1e-4);
-            if event == DetectedEvent::NeimarkSacker && !on_circle {
-                continue;
-            }
-            let stops = &method.shot(&located.local)?.kernel.plant.system.stops;
-            let (level, stop) = match event {
-                DetectedEvent::Level(number) => (Some(self.levels[number].text.clone()), None),
-                DetectedEvent::Grazing(turn) => (
-                    None,
-                    stops.get(turn.from.port).map(|stop| stop.name.clone()),
+            match located {
+                Some((along, event)) => events.add(along, event, ends),
+                None => NotProved::add(
+                    &mut events.not_proved,
+                    event.kind(),
+                    ends,
+                    ProofGap::NotLocated,
                 ),
-                _ => (None, None),
-            };
-            events.push((
-                self.along(&a.step, &b.step, &located.position),
-                Bifurcation {
-                    kind: event.kind(),
-                    level,
-                    stop,
-                    at,
-                    parameter_error: self.parameter_error(method, event, (a, b), &located),
-                },
-            ));
+            }
         }
-        // Near a fold the key alone gives no order.
-        events.sort_by(|x, y| x.0.total_cmp(&y.0));
         Ok(events)
+    }
+
+    /// Returns a located event with its distance along the step; `None` for a Neimark-Sacker point
+    /// whose multipliers nearest to the unit circle are real: two of them passed +1 or -1.
+    fn located<M: OrbitMethod>(
+        &self,
+        method: &M,
+        event: DetectedEvent,
+        (a, b): (&OrbitPoint<M>, &OrbitPoint<M>),
+        step: CurvePoint<M::Evaluation>,
+    ) -> Result<Option<(f64, Bifurcation)>, M::Error> {
+        let at = point(method, &step)?;
+        if event == DetectedEvent::NeimarkSacker && !is_pair_nearest(&at.orbit.multipliers) {
+            return Ok(None);
+        }
+        let stops = &method.shot(&step.local)?.kernel.plant.system.stops;
+        let (level, stop) = match event {
+            DetectedEvent::Level(number) => (Some(self.levels[number].text.clone()), None),
+            DetectedEvent::Grazing(turn) => (
+                None,
+                stops.get(turn.from.port).map(|stop| stop.name.clone()),
+            ),
+            _ => (None, None),
+        };
+        let event = Bifurcation {
+            kind: event.kind(),
+            level,
+            stop,
+            at,
+            parameter_error: self.parameter_error(method, event, (a, b), &step),
+        };
+        Ok(Some((self.along(&a.step, &b.step, &step.position), event)))
     }
 
     /// Returns the point where the test function of an event is zero; `None` where it is not
@@ -240,6 +232,15 @@ fn crossed_events(one: &Orbit, two: &Orbit, turns: bool) -> Vec<DetectedEvent> {
         .filter(|(_, is_there)| *is_there)
         .map(|(event, _)| event)
         .collect()
+}
+
+/// True where the multiplier nearest to the unit circle belongs to a complex pair.
+fn is_pair_nearest(multipliers: &[c64]) -> bool {
+    let distance = |value: &&c64| (value.norm() - 1.0).abs();
+    multipliers
+        .iter()
+        .min_by(|a, b| distance(a).total_cmp(&distance(b)))
+        .is_some_and(|value| value.im != 0.0)
 }
 
 /// Returns the function of the multipliers that is zero at a bifurcation between two points.

@@ -31,13 +31,13 @@ impl BranchTracer {
         } else {
             None
         };
-        let events = match return_point.or(merge.as_ref()) {
+        let events = self.between(method, before, after)?;
+        branch.add_events(match return_point.or(merge.as_ref()) {
             // Events beyond the start were listed at the beginning; beyond a merge the other half
             // repeats earlier events.
-            Some(end) => self.until(method, (before, after), end)?,
-            None => self.between(method, before, after)?,
-        };
-        branch.add_events(events, [before, after].map(|at| at.point.parameter));
+            Some(end) => events.until(self.along(&before.step, &after.step, end)),
+            None => events,
+        });
         branch.points.push(after.point.clone());
         if let Some((noncontact, back_at)) = beginning
             .noncontact

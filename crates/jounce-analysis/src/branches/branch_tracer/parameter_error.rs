@@ -7,10 +7,15 @@
 //!
 //! `a` leads to the curve of these integrations, normal to it; `p'` and `f'` are the derivatives of
 //! the key and of the test function along the curve. At a fold `p'` is zero.
+//!
+//! Multipliers of coarse integrations scatter from point to point, and two tolerances may agree by
+//! chance. So the distance by which the located point contradicts the interpolant of the step with
+//! its error bound is added.
 
 use super::detection::DetectedEvent;
 use super::orbit_point::OrbitPoint;
 use super::tracer::BranchTracer;
+use crate::branches::events::contradiction;
 use jounce_continuation::{CurvePoint, Metric};
 use jounce_orbits::OrbitMethod;
 
@@ -40,7 +45,25 @@ impl BranchTracer {
             -value / self.slope(method, event, (a, b), located)? * self.key_slope((a, b), located)
         };
         let resolution = self.resolution * self.parameter_scale();
-        Some((across.parameter + along).abs() + resolution)
+        let contradiction = self.contradiction(method, event, (a, b), located);
+        Some((across.parameter + along).abs() + contradiction + resolution)
+    }
+
+    /// Returns the change of the key over which a located event of the multipliers contradicts their
+    /// interpolants; 0 for other events.
+    fn contradiction<M: OrbitMethod>(
+        &self,
+        method: &M,
+        event: DetectedEvent,
+        (a, b): (&OrbitPoint<M>, &OrbitPoint<M>),
+        located: &CurvePoint<M::Evaluation>,
+    ) -> f64 {
+        let (Some(function), Some(ends)) = (event.test_function(), self.ends(method, a, b)) else {
+            return 0.0;
+        };
+        let length = self.along(&a.step, &b.step, &b.step.position);
+        let at = self.along(&a.step, &b.step, &located.position) / length;
+        contradiction(ends, function, at) * (length * self.key_slope((a, b), located)).abs()
     }
 
     /// Returns the derivative of the test function of an event along the chord. A grazing has

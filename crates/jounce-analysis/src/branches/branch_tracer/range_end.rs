@@ -62,7 +62,7 @@ impl BranchTracer {
                     _ => &points[index - 1],
                 };
                 let events = self.between(method, before, after)?;
-                branch.add_events(events, [before, after].map(|at| at.point.parameter));
+                branch.add_events(events);
                 branch.points.push(after.point.clone());
             }
         } else if self.is_at_edge(&step.position, step.tangent.parameter) {

@@ -47,6 +47,17 @@ impl Interpolant {
         0.125 * (p - q).abs() + 4.0 / 27.0 * (p + q - 2.0 * (to - from)).abs()
     }
 
+    /// Returns by how much a zero at a fraction `t` of the step contradicts the error bound, divided
+    /// by the slope of the chord, as a fraction of the step.
+    pub fn contradiction(&self, t: f64) -> f64 {
+        let ([from, to], [p, q]) = (self.values, self.slopes);
+        let rest = 1.0 - t;
+        let cubic = rest * rest * (from * (1.0 + 2.0 * t) + p * t)
+            + t * t * (to * (1.0 + 2.0 * rest) - q * rest);
+        let bound = 16.0 * self.error() * (t * rest).powi(2);
+        (cubic.abs() - bound).max(0.0) / (to - from).abs()
+    }
+
     /// Returns the number of crossings of zero on the step; `None` where it is not proved.
     pub fn crossings(&self) -> Option<usize> {
         self.crossings_with([0.0; 2])
@@ -259,6 +270,16 @@ mod tests {
             // Zeros a few shortest steps apart are found.
             assert!(distance < 4e-3 || open == 0, "{zeros:?}");
         }
+    }
+
+    /// A zero of the function contradicts nothing, a zero elsewhere does.
+    #[test]
+    fn a_zero_away_from_that_of_the_cubic_is_a_contradiction() {
+        let step = of(|s| s * s * s - 0.3, |s| 3.0 * s * s, (0.0, 1.0));
+        assert_eq!(step.contradiction(0.3_f64.cbrt()), 0.0);
+        let line = of(|s| s - 0.3, |_| 1.0, (0.0, 1.0));
+        assert!((line.contradiction(0.5) - 0.2).abs() < 1e-12);
+        assert!((line.contradiction(0.1) - 0.2).abs() < 1e-12);
     }
 
     /// A kink in the middle of the step that dips below zero, with slopes that show it.

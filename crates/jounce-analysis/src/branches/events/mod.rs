@@ -16,10 +16,13 @@ mod not_proved;
 mod pairing;
 mod rule;
 mod spectrum;
+mod step_events;
 mod test_data;
 mod turning_points;
 
 pub use level::QuantityLevel;
 pub use not_proved::{NotProved, ProofGap};
+pub(super) use spectrum::{TestFunction, contradiction, doubling, fold, torus};
+pub(super) use step_events::StepEvents;
 pub(super) use test_data::TestDataPair;
 pub(super) use turning_points::{Extremum, extrema};

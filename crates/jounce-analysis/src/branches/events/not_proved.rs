@@ -26,6 +26,8 @@ pub enum ProofGap {
     NoMidpoint,
     /// The proof fails on the smallest steps too.
     SmallestSteps,
+    /// An event was seen on a step, and its point was not found.
+    NotLocated,
     /// The error of a located event exceeds the step on which it was seen.
     LargeError,
 }
@@ -35,6 +37,7 @@ impl Display for ProofGap {
         out.write_str(match self {
             ProofGap::NoMidpoint => "no orbit was found at the midpoint of a step",
             ProofGap::SmallestSteps => "not proved on the smallest steps",
+            ProofGap::NotLocated => "the point of an event was not found on its step",
             ProofGap::LargeError => {
                 "the error of a located event exceeds the step on which it was seen"
             }

@@ -11,11 +11,12 @@
 //! origin on a step, and would hide the slow ones.
 
 use super::interpolant::Interpolant;
+use super::linking::linked_pairs;
 use super::test_data::TestDataPair;
 use jounce_linalg::c64;
 
 /// Function of the multipliers of a group.
-pub(super) type TestFunction = fn(&[c64]) -> f64;
+pub(in crate::branches) type TestFunction = fn(&[c64]) -> f64;
 
 /// Group of multipliers, by their indices at the two ends of a step.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -87,6 +88,19 @@ pub(super) fn between(
     }
 }
 
+/// Returns by how much a zero of a test function at a fraction of the step contradicts the
+/// interpolants of the groups whose function changes its sign, as a fraction of the step; the least
+/// of several groups, 0 without one.
+pub(in crate::branches) fn contradiction(ends: [StepEnd; 2], f: TestFunction, at: f64) -> f64 {
+    groups(ends, &linked_pairs(ends), |_, _| false)
+        .iter()
+        .map(|group| between(ends, group, f))
+        .filter(|function| function.values[0] * function.values[1] < 0.0)
+        .map(|function| function.contradiction(at))
+        .min_by(f64::total_cmp)
+        .unwrap_or(0.0)
+}
+
 /// True where the blocks of the group hold it inside the unit circle on the step. Their discs lie
 /// inside it at both ends, and remain inside if they change by the same amount again.
 pub(super) fn is_enclosed([a, b]: [StepEnd; 2], group: &MultiplierGroup) -> bool {
@@ -116,17 +130,17 @@ pub(super) fn changes_sign([a, b]: [StepEnd; 2], group: &MultiplierGroup) -> boo
 }
 
 /// Zero where a member of the group is -1.
-pub(super) fn doubling(values: &[c64]) -> f64 {
+pub(in crate::branches) fn doubling(values: &[c64]) -> f64 {
     values.iter().map(|mu| 1.0 + mu).product::<c64>().re
 }
 
 /// Zero where a member of the group is +1.
-pub(super) fn fold(values: &[c64]) -> f64 {
+pub(in crate::branches) fn fold(values: &[c64]) -> f64 {
     values.iter().map(|mu| 1.0 - mu).product::<c64>().re
 }
 
 /// Zero where the product of two members is one.
-pub(super) fn torus(values: &[c64]) -> f64 {
+pub(in crate::branches) fn torus(values: &[c64]) -> f64 {
     let pairs = (0..values.len()).flat_map(|j| (0..j).map(move |i| values[i] * values[j] - 1.0));
     pairs.product::<c64>().re
 }
@@ -229,7 +243,6 @@ fn may_meet(ends: [StepEnd; 2], one: (usize, usize), two: (usize, usize)) -> boo
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::branches::events::linking::linked_pairs;
     use crate::branches::events::test_data::TestData;
 
     /// Data of multipliers at a point of a curve, and at 1e-6 ahead.
