@@ -43,6 +43,11 @@ impl<'p> Population<'p> {
         }
     }
 
+    /// Returns the number of members.
+    pub fn size(&self) -> usize {
+        self.members.len()
+    }
+
     /// Returns the members.
     pub fn into_members(self) -> Vec<Candidate> {
         self.members

@@ -28,13 +28,13 @@ pub fn search(evaluator: &Evaluator<'_>, budget: &Budget<'_>) -> Result<Found, D
     let mut found = Found::nothing();
     let mut members = screened(
         evaluator,
-        places.take(MEMBERS.min(problem.evaluations)),
+        places.take(MEMBERS.min(problem.evaluations.div_ceil(2))),
         Effort::Screening,
     )?;
     let (mut generation, mut without_change) = (0, 0);
     while without_change < LAST_GENERATIONS {
         // The members of the front are evaluated with all starts in the end.
-        if let Some(end) = budget.end(evaluator.count() + MEMBERS) {
+        if let Some(end) = budget.end(evaluator.count(), 2 * MEMBERS) {
             found.end = end;
             break;
         }

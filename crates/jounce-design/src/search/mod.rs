@@ -56,7 +56,8 @@ impl Found {
     }
 }
 
-/// Budget of a search.
+/// Budget of a search. The search with a smaller budget is the begin of that with a larger one, up to
+/// its last step, so that a larger budget gives no worse a design.
 pub struct Budget<'b> {
     begin: Instant,
     problem: &'b Problem,
@@ -64,12 +65,17 @@ pub struct Budget<'b> {
 }
 
 impl Budget<'_> {
-    /// Returns the reason to end, after a number of evaluations.
-    pub fn end(&self, evaluations: usize) -> Option<SearchEnd> {
+    /// Returns the number of evaluations that are left after some.
+    pub fn left(&self, evaluations: usize) -> usize {
+        self.problem.evaluations.saturating_sub(evaluations)
+    }
+
+    /// Returns the reason to end where a step needs some of the evaluations that are left.
+    pub fn end(&self, evaluations: usize, needed: usize) -> Option<SearchEnd> {
         let seconds = self.begin.elapsed().as_secs_f64();
         if self.control.is_stopped() {
             Some(SearchEnd::Stopped)
-        } else if evaluations >= self.problem.evaluations {
+        } else if self.left(evaluations) < needed {
             Some(SearchEnd::Evaluations)
         } else {
             let is_late = self.problem.seconds.is_some_and(|most| seconds >= most);

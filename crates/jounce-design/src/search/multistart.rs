@@ -26,8 +26,14 @@ const ENOUGH: usize = 5;
 /// Rounds without an orbit after which the search ends.
 const LAST_ROUNDS: usize = 2;
 
-/// Optima of a round that are evaluated with all starts.
-const MAX_EVALUATED: usize = 4;
+/// Designs that are refined before the best of them are evaluated with all starts.
+const BATCH: usize = 8;
+
+/// Evaluations that follow refinements: with few and with all starts, and of the spec as given.
+const FOLLOWING: usize = 3;
+
+/// Followed designs of a refinement, on average, below which fewer designs are refined.
+const LEAST_FOLLOWED: usize = 10;
 
 /// Expected power of the best design, relative to the power of its main orbit, below which an
 /// evolution of the expected power follows.
@@ -36,8 +42,8 @@ const MEASURE: f64 = 0.9;
 /// Relative difference of power below which two optima are the same.
 const SAME_POWER: f64 = 1e-2;
 
-/// Parts of the way from a design to its refined one at which more starts are integrated.
-const PARTS: [f64; 5] = [1.0, 0.9, 0.75, 0.5, 0.25];
+/// Part of the way from a design to its refined one to which a limit is approached.
+const FINEST: f64 = 1.0 / 16.0;
 
 /// A design with its refinement.
 type Pair = (Candidate, Refined);
@@ -47,19 +53,28 @@ pub fn search(evaluator: &Evaluator<'_>, budget: &Budget<'_>) -> Result<Found, D
     let mut places = Places::new(evaluator.problem.free.len(), evaluator.problem.seed);
     let mut found = Found::nothing();
     let (mut powers, mut rounds) = (Vec::new(), 0);
-    while !is_enough(&powers, found.best.as_ref(), rounds) {
-        if let Some(end) = budget.end(evaluator.count()) {
+    while !is_enough(evaluator.problem, &powers, found.best.as_ref(), rounds) {
+        let needed = if rounds == 0 { 1 } else { 2 };
+        if let Some(end) = budget.end(evaluator.count(), needed) {
             found.end = end;
             break;
         }
-        let round = next_round(evaluator, &mut places, found.full.is_empty());
-        let few = screened(evaluator, round, Effort::Probe)?;
-        let pairs = refined(evaluator, few);
-        let searches = pairs.iter().filter(|(_, refined)| refined.designs > 0);
-        powers.extend(searches.map(|(_, refined)| value(refined)));
-        evaluated(evaluator, &pairs, &mut found)?;
+        let round = next_round(evaluator, budget, &mut places, rounds == 0);
+        let mut few = screened(evaluator, round, Effort::Probe)?;
+        few.sort_by(Candidate::rank);
+        let (first, rest) = few.split_at(BATCH.min(few.len()));
+        let mut follow = |batch: &[Candidate], found: &mut Found| {
+            let pairs = refined(evaluator, budget, batch);
+            let searches = pairs.iter().filter(|(_, refined)| refined.designs > 0);
+            powers.extend(searches.map(|(_, refined)| value(refined)));
+            evaluated(evaluator, budget, &pairs, found)
+        };
+        follow(first, &mut found)?;
         if let (0, Some(place)) = (rounds, given(evaluator)) {
             keep(evaluator, place, &mut found)?;
+        }
+        for batch in rest.chunks(BATCH) {
+            follow(batch, &mut found)?;
         }
         rounds += 1;
     }
@@ -86,40 +101,38 @@ fn value(refined: &Refined) -> f64 {
     }
 }
 
-/// True where enough refinements have led to as much as the best design has.
-fn is_enough(values: &[f64], best: Option<&Candidate>, rounds: usize) -> bool {
-    let Some(best) = best.map(|best| &best.evaluation) else {
+/// True where enough refinements have led to as much as the best design has. Where the power of the
+/// orbit is the goal, one that led to more was beyond a limit that it does not see, and says nothing
+/// of designs within all limits.
+fn is_enough(problem: &Problem, values: &[f64], best: Option<&Candidate>, rounds: usize) -> bool {
+    let Some(Candidate { evaluation, .. }) = best else {
         return false;
     };
-    let level = match best.is_feasible() {
-        true => best.goals[0] * (1.0 - SAME_POWER),
-        false => -best.violation * (1.0 + SAME_POWER),
+    let low = match evaluation.is_feasible() {
+        true => evaluation.goals[0] * (1.0 - SAME_POWER),
+        false => -evaluation.violation * (1.0 + SAME_POWER),
     };
-    let reached = values.iter().filter(|value| **value >= level).count();
-    reached >= ENOUGH || (values.is_empty() && rounds >= LAST_ROUNDS)
+    let high = match evaluation.is_feasible() && measures_goal(problem, best) {
+        true => evaluation.orbit.as_ref().map(|orbit| orbit.mean_power_w),
+        false => None,
+    };
+    let high = high.map_or(f64::INFINITY, |power_w| power_w * (1.0 + SAME_POWER));
+    let reached = values.iter().filter(|value| (low..=high).contains(value));
+    reached.count() >= ENOUGH || (values.is_empty() && rounds >= LAST_ROUNDS)
 }
 
-/// Refines designs, the best first, as far as the budget allows, and orders them from the largest
-/// power within the limits on.
-fn refined(evaluator: &Evaluator<'_>, mut few: Vec<Candidate>) -> Vec<Pair> {
-    few.sort_by(Candidate::rank);
-    let left = evaluator
-        .problem
-        .evaluations
-        .saturating_sub(evaluator.count());
-    let mut open = (left / MAX_FOLLOWED).max(1);
-    let chosen = few.into_iter().map(|start| {
-        let is_refined = open > 0 && start.evaluation.orbit.is_some();
-        open -= usize::from(is_refined);
-        (start, is_refined)
-    });
-    let chosen: Vec<(Candidate, bool)> = chosen.collect();
-    let pair = |(start, is_refined): (Candidate, bool)| {
-        let refined = is_refined.then(|| refine(evaluator, &start)).flatten();
-        let refined = refined.unwrap_or_else(|| Refined::at(&start));
-        (start, refined)
+/// Refines designs as far as the budget allows, and orders them from the largest power within the
+/// limits on.
+fn refined(evaluator: &Evaluator<'_>, budget: &Budget<'_>, batch: &[Candidate]) -> Vec<Pair> {
+    let left = budget.left(evaluator.count()).saturating_sub(FOLLOWING);
+    let open = BATCH.min(left.div_ceil(LEAST_FOLLOWED));
+    let most = MAX_FOLLOWED.min(left / open.max(1));
+    let pair = |(index, start): (usize, &Candidate)| {
+        let refined = (index < open).then(|| refine(evaluator, start, most));
+        let refined = refined.flatten().unwrap_or_else(|| Refined::at(start));
+        (start.clone(), refined)
     };
-    let mut pairs: Vec<Pair> = chosen.into_par_iter().map(pair).collect();
+    let mut pairs: Vec<Pair> = batch.par_iter().enumerate().map(pair).collect();
     for (_, refined) in &pairs {
         evaluator.add(refined.designs);
     }
@@ -130,19 +143,19 @@ fn refined(evaluator: &Evaluator<'_>, mut few: Vec<Candidate>) -> Vec<Pair> {
 /// Evaluates the best of the refined designs with all starts; of those with the same power, one.
 fn evaluated(
     evaluator: &Evaluator<'_>,
+    budget: &Budget<'_>,
     pairs: &[Pair],
     found: &mut Found,
 ) -> Result<(), DesignError> {
     let mut last = f64::INFINITY;
-    let mut count = 0;
     for (start, refined) in pairs {
-        if count == MAX_EVALUATED || is_beaten(found, refined) || evaluator.control.is_stopped() {
+        if is_beaten(found, refined) {
             break;
         }
         let value = value(refined);
         if (last - value).abs() > SAME_POWER * value.abs() {
-            on_the_way(evaluator, start, refined, found)?;
-            (last, count) = (value, count + 1);
+            on_the_way(evaluator, budget, (start, refined), found)?;
+            last = value;
         }
     }
     Ok(())
@@ -157,33 +170,37 @@ fn is_beaten(found: &Found, refined: &Refined) -> bool {
     })
 }
 
-/// Evaluates a refined design with all starts or, where too few of them reach its orbit, designs on
-/// the way to it.
+/// Evaluates a refined design with all starts or, where it is beyond a limit that a refinement does
+/// not see, designs on the way to it: the nearest within the limits to a [`FINEST`] part of the way.
 fn on_the_way(
     evaluator: &Evaluator<'_>,
-    start: &Candidate,
-    refined: &Refined,
+    budget: &Budget<'_>,
+    (start, refined): (&Candidate, &Refined),
     found: &mut Found,
 ) -> Result<(), DesignError> {
-    // Beyond the limits everywhere on the way, the refined design is the best of it.
-    let parts = if refined.violation > 0.0 {
-        1
-    } else {
-        PARTS.len()
-    };
-    for part in &PARTS[..parts] {
+    let at = |part: f64| -> Vec<f64> {
         let pairs = start.place.iter().zip(&refined.place);
-        let place: Vec<f64> = pairs.map(|(a, b)| a + part * (b - a)).collect();
-        if found.full.iter().any(|one| one.place == place) {
-            continue;
+        pairs.map(|(a, b)| a + part * (b - a)).collect()
+    };
+    let (mut part, mut step) = (1.0, 0.5);
+    loop {
+        let place = at(part);
+        let needed = if found.best.is_some() { 2 } else { 0 };
+        if budget.end(evaluator.count(), needed).is_some()
+            || found.full.iter().any(|one| one.place == place)
+        {
+            break;
         }
         let few = evaluator.evaluate(&place, Effort::Screening)?;
-        if can_be_better(evaluator.problem, &few, found.best.as_ref()) {
-            let all = keep(evaluator, place, found)?;
-            if all.evaluation.is_feasible() {
-                break;
-            }
+        let is_kept = can_be_better(evaluator.problem, &few, found.best.as_ref())
+            && keep(evaluator, place, found)?.evaluation.is_feasible();
+        // Beyond the limits everywhere on the way, the refined design is the best of it.
+        let ends = refined.violation > 0.0 || refined.designs == 0 || step < FINEST;
+        if ends || (is_kept && part == 1.0) {
+            break;
         }
+        part += if is_kept { step } else { -step };
+        step *= 0.5;
     }
     Ok(())
 }

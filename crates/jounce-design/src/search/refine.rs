@@ -76,9 +76,9 @@ impl Refined {
     }
 }
 
-/// Follows the orbit of a design to its largest power within the limits; `None` where there is
-/// nothing to follow.
-pub fn refine(evaluator: &Evaluator<'_>, start: &Candidate) -> Option<Refined> {
+/// Follows the orbit of a design to its largest power within the limits, over a number of designs at
+/// most; `None` where there is nothing to follow.
+pub fn refine(evaluator: &Evaluator<'_>, start: &Candidate, most: usize) -> Option<Refined> {
     let problem = evaluator.problem;
     let smooth: Vec<usize> = (0..problem.free.len())
         .filter(|index| problem.free[*index].smooth().is_some())
@@ -103,7 +103,7 @@ pub fn refine(evaluator: &Evaluator<'_>, start: &Candidate) -> Option<Refined> {
         points: RefCell::new(Vec::new()),
     };
     refinement.keep(start.place.clone(), Some(first));
-    refinement.minimised();
+    refinement.minimised(most);
     let points = refinement.points.borrow();
     let best = points
         .iter()
@@ -131,7 +131,7 @@ pub fn refine(evaluator: &Evaluator<'_>, start: &Candidate) -> Option<Refined> {
 }
 
 impl Refinement<'_> {
-    fn minimised(&self) {
+    fn minimised(&self, most: usize) {
         let inner: Vec<f64> = self.smooth.iter().map(|k| self.start[*k]).collect();
         let function = |index: usize| {
             move |x: &[f64], gradient: Option<&mut [f64]>, _: &mut ()| {
@@ -157,7 +157,7 @@ impl Refinement<'_> {
             &bounds,
             &constraints,
             (),
-            MAX_FOLLOWED,
+            most,
             Some(tolerances),
         );
     }

@@ -22,11 +22,13 @@ pub fn search(
     let mut places = Places::new(evaluator.problem.free.len(), evaluator.problem.seed);
     let (mut without_gain, mut population) = (0, found.full.clone());
     while without_gain < LAST_ROUNDS {
-        if let Some(end) = budget.end(evaluator.count()) {
+        let is_first = found.best.is_none();
+        let needed = if is_first { 1 } else { 1 + evolution::BEST };
+        if let Some(end) = budget.end(evaluator.count(), needed) {
             found.end = end;
             break;
         }
-        let round = next_round(evaluator, &mut places, found.full.is_empty());
+        let round = next_round(evaluator, budget, &mut places, is_first);
         population.extend(screened(evaluator, round, Effort::Screening)?);
         let before = found.best.clone();
         evolved(evaluator, budget, &mut population, &mut found)?;
@@ -38,16 +40,18 @@ pub fn search(
     Ok(found)
 }
 
-/// Returns the places of the next round within the budget; the first one has the spec as given.
-pub fn next_round(evaluator: &Evaluator<'_>, places: &mut Places, is_first: bool) -> Vec<Vec<f64>> {
-    let left = evaluator
-        .problem
-        .evaluations
-        .saturating_sub(evaluator.count());
-    let mut round = places.take(ROUND.min(left));
-    if is_first {
-        round.extend(given(evaluator));
-    }
+/// Returns the places of the next round, which takes half of the evaluations that are left at most;
+/// the first one has the spec as given.
+pub fn next_round(
+    evaluator: &Evaluator<'_>,
+    budget: &Budget<'_>,
+    places: &mut Places,
+    is_first: bool,
+) -> Vec<Vec<f64>> {
+    let given = is_first.then(|| given(evaluator)).flatten();
+    let left = budget.left(evaluator.count());
+    let mut round = places.take(ROUND.min(left.saturating_sub(1).div_ceil(2)));
+    round.extend(given);
     round
 }
 
@@ -80,7 +84,11 @@ fn evolved(
 ) -> Result<(), DesignError> {
     let members = std::mem::take(population);
     let mut evolution = Population::new(members, evaluator.problem);
-    while !evolution.has_converged() && budget.end(evaluator.count()).is_none() {
+    while !evolution.has_converged()
+        && budget
+            .end(evaluator.count(), evolution.size() + evolution::BEST)
+            .is_none()
+    {
         let trials = screened(evaluator, evolution.trials(), Effort::Screening)?;
         evolution.replace(trials);
     }
@@ -92,7 +100,10 @@ fn evolved(
         .map(|one| one.place.clone())
         .collect();
     for place in best {
-        if !found.full.iter().any(|one| one.place == place) && !evaluator.control.is_stopped() {
+        let needed = usize::from(found.best.is_some());
+        if !found.full.iter().any(|one| one.place == place)
+            && budget.end(evaluator.count(), needed).is_none()
+        {
             keep(evaluator, place, found)?;
         }
     }

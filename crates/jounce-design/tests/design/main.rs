@@ -192,6 +192,21 @@ fn all_faults_of_a_file_are_listed_at_once() {
     assert!(missing.to_string().contains("[free]"), "{missing}");
 }
 
+/// A search keeps its budget: through probes, refinements and generations.
+#[test]
+fn a_search_evaluates_no_more_designs_than_allowed() {
+    let limit = format!("{LOAD}[limits]\n\"patch.m.p.voltage\" = \"5 V\"\n");
+    let sensor = LOAD.replace("expected-power", "mean-power");
+    for text in [LOAD, &limit, &sensor] {
+        for most in [10, 25, 70, 150] {
+            let mut problem = problem(text).unwrap();
+            problem.evaluations = most;
+            let found = design(&problem, &Control::default(), None).unwrap();
+            assert!(found.evaluations <= most, "{} of {most}", found.evaluations);
+        }
+    }
+}
+
 /// A search that a budget interrupts leaves a journal, from which the complete search gives the
 /// result of an uninterrupted one.
 #[test]

@@ -5,7 +5,8 @@ mod random_specs;
 
 use crate::harvesters::bench_with_keys;
 use jounce_analysis::{
-    Bifurcation, Branch, BranchKind, BranchOptions, BranchSearch, Model, OrbitMethodKind, Parameter,
+    Bifurcation, Branch, BranchKind, BranchOptions, BranchPoint, BranchSearch, Model,
+    OrbitMethodKind, Parameter,
 };
 use jounce_orbits::OrbitError;
 use jounce_spec::SpecFile;
@@ -183,16 +184,10 @@ impl Case {
 
     /// True where branches pass the points next to a label on both of its sides.
     fn has_followed(&self, branches: &[Branch], branch: &Branch, label: &Bifurcation) -> bool {
-        let distance = |index: usize| {
-            let (here, there) = (label.at.orbit.start(), branch.points[index].orbit.start());
-            here.iter()
-                .zip(there)
-                .map(|(a, b)| (a - b).powi(2))
-                .sum::<f64>()
-                .sqrt()
-        };
+        let from_label =
+            |index: usize| distance(label.at.orbit.start(), branch.points[index].orbit.start());
         let Some(nearest) =
-            (0..branch.points.len()).min_by(|a, b| distance(*a).total_cmp(&distance(*b)))
+            (0..branch.points.len()).min_by(|a, b| from_label(*a).total_cmp(&from_label(*b)))
         else {
             return false;
         };
@@ -204,36 +199,13 @@ impl Case {
                 (point.parameter - label.at.parameter).abs() > SAME * BESIDE * self.width()
             })
             .collect();
-        let passes = |branch: &Branch, point: &jounce_analysis::BranchPoint| {
-            let size = point
-                .orbit
-                .start()
-                .iter()
-                .map(|u| u * u)
-                .sum::<f64>()
-                .sqrt();
-            branch
-                .crossings(point.parameter)
-                .iter()
-                .any(|(state, power_w)| {
-                    let state_error = state
-                        .iter()
-                        .zip(point.orbit.start())
-                        .map(|(a, b)| (a - b).powi(2))
-                        .sum::<f64>()
-                        .sqrt();
-                    state_error < SAME_POWER * size
-                        && (power_w - point.orbit.mean_power_w).abs()
-                            <= SAME_POWER * point.orbit.mean_power_w
-                })
-        };
         let same_period = |other: &&Branch| other.period_cycles == branch.period_cycles;
         neighbours.len() > 1
             && neighbours.iter().all(|point| {
                 branches
                     .iter()
                     .filter(same_period)
-                    .any(|branch| passes(branch, point))
+                    .any(|other| passes(other, branch, point))
             })
     }
 
@@ -295,6 +267,34 @@ impl Case {
         eprintln!("{report} ({:.1} s)", begin.elapsed().as_secs_f64());
         missing_count
     }
+}
+
+fn distance(one: &[f64], two: &[f64]) -> f64 {
+    one.iter()
+        .zip(two)
+        .map(|(a, b)| (a - b).powi(2))
+        .sum::<f64>()
+        .sqrt()
+}
+
+/// True where a branch of another search passes a point of a branch. Beyond a fold the branch has
+/// another state at the same key; one that ended early before the fold, which is reported, passes
+/// only the first.
+fn passes(other: &Branch, branch: &Branch, point: &BranchPoint) -> bool {
+    let (start, power_w) = (point.orbit.start(), point.orbit.mean_power_w);
+    let sheets = branch.crossings(point.parameter);
+    other
+        .crossings(point.parameter)
+        .iter()
+        .any(|(state, other_w)| {
+            let state_error = distance(state, start);
+            state_error < SAME_POWER * point.orbit.size()
+                && (other_w - power_w).abs() <= SAME_POWER * power_w
+                && (other.is_complete()
+                    || sheets
+                        .iter()
+                        .all(|(sheet, _)| state_error <= distance(state, sheet)))
+        })
 }
 
 fn is_real(kind: BranchKind) -> bool {
