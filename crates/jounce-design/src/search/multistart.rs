@@ -70,7 +70,8 @@ pub fn search(evaluator: &Evaluator<'_>, budget: &Budget<'_>) -> Result<Found, D
             evaluated(evaluator, budget, &pairs, found)
         };
         follow(first, &mut found)?;
-        if let (0, Some(place)) = (rounds, given(evaluator)) {
+        let is_due = rounds == 0 && (found.best.is_none() || budget.left(evaluator.count()) > 0);
+        if let (true, Some(place)) = (is_due, given(evaluator)) {
             keep(evaluator, place, &mut found)?;
         }
         for batch in rest.chunks(BATCH) {
