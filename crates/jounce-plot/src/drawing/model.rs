@@ -70,6 +70,8 @@ pub struct DrawnPlace {
 pub struct DrawnBeam {
     /// Length, m.
     pub length_m: f64,
+    /// Width, m.
+    pub width_m: f64,
     /// Thickness, m.
     pub thickness_m: f64,
     /// Passive layers, under the patches.
@@ -89,6 +91,8 @@ pub struct DrawnPatch {
     pub start_m: f64,
     /// Length, m.
     pub length_m: f64,
+    /// Width, m.
+    pub width_m: f64,
     /// Thickness, m.
     pub thickness_m: f64,
     /// True on the upper face, false on the lower one.

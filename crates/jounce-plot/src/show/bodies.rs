@@ -142,11 +142,17 @@ fn draw_mass(spec: &Spec, index: &Index, name: &str, mass: &Mass) -> DrawnBody {
     }
 }
 
-fn cover(label: &str, [start_m, length_m, thickness_m]: [f64; 3], face: Face) -> DrawnPatch {
+fn cover(
+    label: &str,
+    start_m: f64,
+    [length_m, width_m, thickness_m]: [f64; 3],
+    face: Face,
+) -> DrawnPatch {
     DrawnPatch {
         label: label.to_owned(),
         start_m,
         length_m,
+        width_m,
         thickness_m,
         top: face == Face::Top,
     }
@@ -155,25 +161,31 @@ fn cover(label: &str, [start_m, length_m, thickness_m]: [f64; 3], face: Face) ->
 fn draw_beam(spec: &Spec, name: &str, beam: &Beam) -> DrawnBeam {
     let layers = spec.layer.iter().filter(|(_, layer)| layer.on == name);
     let patches = spec.patch.iter().filter(|(_, patch)| patch.on == name);
+    let starts = patches
+        .clone()
+        .filter(|(_, patch)| patch.start_m > 0.0)
+        .map(|(label, patch)| (label.clone(), patch.start_m));
     DrawnBeam {
         length_m: beam.length_m,
+        width_m: beam.width_m,
         thickness_m: beam.thickness_m,
         layers: layers
-            .map(|(label, l)| cover(label, [l.start_m, l.length_m, l.thickness_m], l.face))
+            .map(|(label, l)| {
+                let size_m = [l.length_m, l.width_m, l.thickness_m];
+                cover(label, l.start_m, size_m, l.face)
+            })
             .collect(),
         patches: patches
             .map(|(label, p)| {
-                cover(
-                    &circuits::marked(spec, label),
-                    [p.start_m, p.length_m, p.total_thickness_m()],
-                    p.face,
-                )
+                let size_m = [p.length_m, p.width_m, p.total_thickness_m()];
+                cover(&circuits::marked(spec, label), p.start_m, size_m, p.face)
             })
             .collect(),
         points: beam
             .point
             .iter()
             .map(|(point, along_m)| (point.clone(), *along_m))
+            .chain(starts)
             .collect(),
     }
 }

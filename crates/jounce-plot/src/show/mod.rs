@@ -176,7 +176,7 @@ mod tests {
             (bond.1 - beam.0).abs() < 0.02 && (patch.1 - bond.0).abs() < 0.02,
             "{beam:?} {bond:?} {patch:?}"
         );
-        assert!(svg.contains("bond: 85 mm"), "{svg}");
+        assert!(svg.contains("bond: 85 × 30 ×"), "{svg}");
     }
 
     /// An open patch is marked on the beam and next to the circuits. A body on a moving base has an

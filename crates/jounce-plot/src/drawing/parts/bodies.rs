@@ -103,11 +103,11 @@ fn beam_body(
     // If another beam lies close to this face, the name goes to the other face.
     let other = (toward.1 != 0.0).then_some((anchor.0, 2.0 * spot.y - anchor.1));
     let mut words = body_drawing.words.clone();
-    words.push(format!(
-        "{} × {}",
-        dimension::length(shape.length_m),
-        dimension::length(shape.thickness_m)
-    ));
+    words.push(dimension::size([
+        shape.length_m,
+        shape.width_m,
+        shape.thickness_m,
+    ]));
     canvas.label_along(anchor, other.into_iter().collect(), toward, words);
 }
 
@@ -208,12 +208,8 @@ fn beam(canvas: &mut Canvas, beam: &DrawnBeam, sign: f64, (x, y): (f64, f64), px
         );
         let (from, to) = (at(cover.start_m), at(cover.start_m + cover.length_m));
         canvas.solid(Rect::between((from, near), (to, far)), style);
-        let words = format!(
-            "{}: {} × {}",
-            cover.label,
-            dimension::length(cover.length_m),
-            dimension::length(cover.thickness_m)
-        );
+        let size = dimension::size([cover.length_m, cover.width_m, cover.thickness_m]);
+        let words = format!("{}: {size}", cover.label);
         // Only the end is visible of a layer under another one.
         let (anchor, toward) = if style == LAYER {
             ((to, 0.5 * (near + far)), (0.5 * sign, side))

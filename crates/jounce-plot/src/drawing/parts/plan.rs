@@ -87,11 +87,10 @@ pub fn draw(svg: &mut Svg, plan: &DrawnPlan, (x, y): (f64, f64)) {
 
 /// Returns the label: name, sizes, and the meaning of the symbols of the edges.
 fn lines(plan: &DrawnPlan) -> Vec<String> {
-    let [length, width, thickness] =
-        [plan.length_m, plan.width_m, plan.thickness_m].map(dimension::length);
+    let size = dimension::size([plan.length_m, plan.width_m, plan.thickness_m]);
     vec![
         format!("{}, seen from above", plan.label),
-        format!("{length} × {width} × {thickness}; hatched: clamped, dashed: simply supported"),
+        format!("{size}; hatched: clamped, dashed: simply supported"),
     ]
 }
 

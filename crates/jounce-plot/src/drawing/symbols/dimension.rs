@@ -14,9 +14,18 @@ pub fn length(length_m: f64) -> String {
         size if size >= 1e-4 => (length_m * 1e3, "mm"),
         _ => (length_m * 1e6, "µm"),
     };
-    // Five digits are enough for a drawing.
-    let rounded: f64 = format!("{value:.4e}").parse().unwrap_or(value);
-    format!("{rounded} {unit}")
+    format!("{} {unit}", rounded(value))
+}
+
+/// Returns length, width and thickness, in millimetres as on the drawings of a workshop.
+pub fn size(size_m: [f64; 3]) -> String {
+    let numbers = size_m.map(|length_m| rounded(length_m * 1e3).to_string());
+    format!("{} mm", numbers.join(" × "))
+}
+
+/// Rounds to five digits, which are enough for a drawing.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.4e}").parse().unwrap_or(value)
 }
 
 /// Returns the largest of 1, 2, 5 times a power of ten that is not larger than `value`.
@@ -83,6 +92,11 @@ pub fn arrow(svg: &mut Svg, x: f64, (from, to): (f64, f64), both: bool) {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn sizes_are_printed_in_millimetres() {
+        assert_eq!(size([0.315, 0.03, 0.98e-3]), "315 × 30 × 0.98 mm");
+    }
 
     #[test]
     fn lengths_are_printed_in_the_most_readable_unit() {
