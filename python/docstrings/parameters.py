@@ -17,15 +17,23 @@ PARAMETERS: Final[dict[str, tuple[str, str]]] = {
     ),
     "from_matrices.length_unit": ("str or quantity (length)", "Unit of displacements in the matrices; the unit of time is the second."),
     "from_matrices.mass_unit": ("str or quantity (mass)", 'Unit of the mass in the matrices, as in ``"1000 kg"`` for tonnes.'),
-    "from_matrices.modes": ("int", "Number of modes, the lowest ones."),
+    "from_matrices.modes": ("int", "Number of modes, the lowest ones; without effect with ``shapes``."),
     "from_matrices.name": ("str", "Name of the structure in the spec."),
     "from_matrices.leakage": ("dict", 'Leakage resistance by electrode, ``{"mfc": "10 Mohm"}``; by default none.'),
-    "from_matrices.mass": ("matrix", "Mass: symmetric, positive definite or zero in massless directions."),
+    "from_matrices.mass": (
+        "matrix",
+        "Mass: symmetric, positive definite or zero in massless directions; or an object with ``M`` and ``K``.",
+    ),
     "from_matrices.points": (
         "dict",
         "Named points: the index of a degree of freedom, from 0, or the displacement of the point per degree of freedom.",
     ),
     "from_matrices.stiffness": ("matrix", "Stiffness: symmetric."),
+    "from_matrices.shapes": (
+        "array",
+        "Shapes of modes, degree of freedom x mode, of any scale, in place of the ``modes`` lowest ones of the matrices.",
+    ),
+    "from_matrices.frequency_hz": ("array", "Frequency of each of the ``shapes``, Hz; by default that of Rayleigh's quotient."),
     "import_matrices.length_unit": ("str or quantity (length)", "Unit of displacements in the matrices; the unit of time is the second."),
     "import_matrices.folder": ("path", "Folder with the files of the matrices."),
     "ax": ("matplotlib Axes", "Axes to draw into; by default new ones."),
@@ -194,6 +202,7 @@ PAGES: Final[dict[str, str]] = {
     "read": "spec.md",
     "read_recordings": "howto/measured.md",
     "reproduce": "validation.md",
+    "restitution": "theory/contact.md",
     "segments": "howto/measured.md",
     "spectra": "howto/measured.md",
 }
