@@ -31,7 +31,7 @@ use jounce_spec::material::{CONTACT, Material, named};
 ///     stop_material: "brass".into(),
 ///     radius_m: Some(5e-3),
 ///     mass_kg: Some(4e-3),
-///     speed_m_s: Some(1.0),
+///     speed_m_s: Some(5.0),
 ///     ..Default::default()
 /// };
 /// let [low, high] = jounce::restitution(&options)?.restitution;
