@@ -34,6 +34,7 @@ PARAMETERS: Final[dict[str, tuple[str, str]]] = {
         "Shapes of modes, degree of freedom x mode, of any scale, in place of the ``modes`` lowest ones of the matrices.",
     ),
     "from_matrices.frequency_hz": ("array", "Frequency of each of the ``shapes``, Hz; by default that of Rayleigh's quotient."),
+    "restitution.speed": ("str or quantity (speed)", 'Speed of approach, as in ``"0.5 m/s"``.'),
     "import_matrices.length_unit": ("str or quantity (length)", "Unit of displacements in the matrices; the unit of time is the second."),
     "import_matrices.folder": ("path", "Folder with the files of the matrices."),
     "ax": ("matplotlib Axes", "Axes to draw into; by default new ones."),

@@ -3,23 +3,30 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 from . import _core
 from ._arguments import optional_si, options
-from ._fields import About
+from ._fields import About, Along, Variable
 from ._result import Floats, Result, make_manifest
+
+if TYPE_CHECKING:
+    from pandas import DataFrame
+    from xarray import Dataset
+
+#: Names of the two values of a range.
+ENDS = ["lowest", "highest"]
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class RestitutionResult(Result):
     """Estimate of the coefficient of restitution; each pair belongs to the lowest and the highest yield strength."""
 
-    restitution: Annotated[Floats, About("coefficient of restitution, lowest and highest of both theories", "1", axes="strength")]
-    perfectly_plastic: Annotated[Floats, About("coefficient with the pressure at the yield limit, Thornton (1997)", "1", axes="strength")]
-    fully_plastic: Annotated[Floats, About("coefficient with the fully plastic pressure, Johnson (1985)", "1", axes="strength")]
-    yield_speed_m_s: Annotated[Floats, About("speed of first yield, below which the coefficient is 1", "m/s", axes="strength")]
-    yield_strength_pa: Annotated[Floats, About("yield strength of the softer body", "Pa", axes="strength")]
+    restitution: Annotated[Floats, Along("strength", "1", "coefficient of restitution, lowest and highest of both theories")]
+    perfectly_plastic: Annotated[Floats, Along("strength", "1", "coefficient with the pressure at the yield limit, Thornton (1997)")]
+    fully_plastic: Annotated[Floats, Along("strength", "1", "coefficient with the fully plastic pressure, Johnson (1985)")]
+    yield_speed_m_s: Annotated[Floats, Along("strength", "m/s", "speed of first yield, below which the coefficient is 1")]
+    yield_strength_pa: Annotated[Floats, Along("strength", "Pa", "yield strength of the softer body")]
     effective_modulus_pa: Annotated[float, About("effective modulus of both bodies", "Pa")]
     effective_radius_m: Annotated[float, About("effective radius of both bodies", "m")]
     effective_mass_kg: Annotated[float, About("effective mass of both bodies", "kg")]
@@ -32,6 +39,14 @@ class RestitutionResult(Result):
 
         lines = [("restitution", text(self.restitution)), ("yield strength", f"{text(self.yield_strength_pa, 1e-6)} MPa")]
         return [*lines, ("first yield at", f"{text(self.yield_speed_m_s)} m/s"), *(("source", source) for source in self.sources)]
+
+    def to_xarray(self) -> Dataset:
+        """Returns an ``xarray.Dataset`` over ``strength``, the lowest and the highest."""
+        return self._dataset(self._variables(), {"strength": Variable(("strength",), ENDS, "", "yield strength of the softer body")})
+
+    def to_pandas(self) -> DataFrame:
+        """Returns a ``pandas.DataFrame`` with a row for the lowest and one for the highest yield strength."""
+        return self._frame(self._columns("strength"))
 
 
 def restitution(
