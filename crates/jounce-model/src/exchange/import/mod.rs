@@ -89,16 +89,7 @@ pub fn import_modes(
         return Err(ExchangeFaults(faults));
     };
     let points = set.matrix.remove("points");
-    for name in DENSE {
-        if let Some(matrix) = set.matrix.get(name)
-            && matrix.rows.saturating_mul(matrix.columns) > MAX_DENSE
-        {
-            faults.push(format!(
-                "{name} is {} x {}, more than {MAX_DENSE} entries; its columns must be electrodes or modes, or 1 for base",
-                matrix.rows, matrix.columns
-            ));
-        }
-    }
+    faults.extend(wide_faults(&set));
     if !faults.is_empty() {
         return Err(ExchangeFaults(faults));
     }
@@ -142,6 +133,22 @@ pub fn import_modes(
         }
     };
     Ok(reduced.in_si(&projection, settings))
+}
+
+/// Returns the faults of matrices with too many columns to be held densely.
+fn wide_faults(set: &MatrixSet) -> Vec<String> {
+    let matrices = DENSE
+        .into_iter()
+        .filter_map(|name| set.matrix.get(name).map(|matrix| (name, matrix)));
+    matrices
+        .filter(|(_, matrix)| matrix.rows.saturating_mul(matrix.columns) > MAX_DENSE)
+        .map(|(name, matrix)| {
+            format!(
+                "{name} is {} x {}, more than {MAX_DENSE} entries; its columns must be electrodes or modes, or 1 for base",
+                matrix.rows, matrix.columns
+            )
+        })
+        .collect()
 }
 
 /// Returns the fault of a matrix that is too large, or its first entry that lies outside it or is

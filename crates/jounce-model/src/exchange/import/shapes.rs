@@ -174,7 +174,7 @@ fn rayleigh_hz(square: Vec<f64>) -> Vec<f64> {
         .enumerate()
         .filter(|(_, pair)| pair[0] <= RIGID_SHARE * pair[1])
         .map(|(mode, _)| mode + 1)
-        .last()
+        .next_back()
         .unwrap_or(0);
     let frequency = |(mode, square): (usize, f64)| match mode < rigid {
         true => 0.0,
