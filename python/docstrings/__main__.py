@@ -26,7 +26,16 @@ from jounce._docstrings import IN_SOURCE
 from jounce._elements import Element
 
 _BOOK = "https://github.com/jounce/jounce/blob/main/book/src"
-_KINDS = {"hz": "frequency", "s": "time", "kg": "mass", "f": "capacitance", "ohm": "resistance", "n": "force"}
+_KINDS = {
+    "hz": "frequency",
+    "s": "time",
+    "kg": "mass",
+    "f": "capacitance",
+    "ohm": "resistance",
+    "n": "force",
+    "m": "length",
+    "pa": "pressure",
+}
 #: Calls that have the options of another question too.
 _SHARED = {"measured_modes": ("measured_frf",)}
 #: Name of the value that a method without arguments returns, in its example.

@@ -79,6 +79,7 @@ if _TYPE_CHECKING:
     from ._recorded_file import ModeShape, RecordedFile, read_recordings
     from ._recording import Channel, Recording
     from ._reproduce import ReproduceResult, reproduce
+    from ._restitution import RestitutionResult, restitution
     from ._run import RunResult
     from ._saved import load
     from ._segments import SegmentsResult, segments
@@ -155,6 +156,7 @@ __all__ = [
     "Reduction",
     "Regulator",
     "ReproduceResult",
+    "RestitutionResult",
     "Run",
     "RunResult",
     "SegmentsResult",
@@ -191,6 +193,7 @@ __all__ = [
     "read",
     "read_recordings",
     "reproduce",
+    "restitution",
     "schema",
     "segments",
     "spectra",
@@ -231,6 +234,7 @@ _MODULES = {
     "_recorded_file": "ModeShape RecordedFile read_recordings",
     "_recording": "Channel Recording",
     "_reproduce": "ReproduceResult reproduce",
+    "_restitution": "RestitutionResult restitution",
     "_run": "RunResult",
     "_saved": "load",
     "_segments": "SegmentsResult segments",

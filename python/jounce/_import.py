@@ -32,14 +32,23 @@ class ImportResult(Result):
     """
 
     frequency_hz: Annotated[Floats, Along("mode", "Hz", "natural frequency, short circuit", detail="0 for a rigid-body mode")]
+    rayleigh_hz: Annotated[Floats, Along("mode", "Hz", "frequency of Rayleigh's quotient of the shape with stiffness and mass")]
     damping_ratio: Annotated[Floats, Along("mode", "1", "damping ratio")]
-    frequency_error: Annotated[Floats, Along("mode", "1", "bound of the relative error of the frequency", detail="without roundoff")]
+    frequency_error: Annotated[
+        Floats, Along("mode", "1", "bound of the relative error of the frequency", detail="without roundoff; NaN for given shapes")
+    ]
     points: Annotated[list[str], About("names of the points")]
     electrodes: Annotated[list[str], About("names of the electrodes, which are the patches of the structure")]
+    has_given_shapes: Annotated[bool, About("True where the shapes were given with the matrices")]
     orthogonality: Annotated[float, About("largest deviation of the mass-normalised shapes from orthonormal ones")]
+    stiffness_orthogonality: Annotated[
+        float, About("largest product of two elastic shapes with the stiffness, relative to the root of the product of their own")
+    ]
     damping_coupling: Annotated[float, About("largest damping between two modes relative to their own; the structure leaves it out")]
     spec: Annotated[str, About("part of a spec, ``[modal.NAME]``")]
-    warnings: Annotated[list[str], About("modes set to 0 Hz, damping left out, shapes that are not orthonormal")]
+    warnings: Annotated[
+        list[str], About("modes set to 0 Hz, damping left out, shapes that are not orthogonal, frequencies that are not theirs")
+    ]
 
     def __len__(self) -> int:
         return len(self.frequency_hz)
@@ -54,6 +63,9 @@ class ImportResult(Result):
         lines = [(f"mode {k + 1}", f"{f:.6g} Hz, damping ratio {z:.4g}") for k, (f, z) in enumerate(modes)]
         named = (("points", self.points), ("electrodes", self.electrodes))
         lines += [(kind, ", ".join(names)) for kind, names in named if names]
+        if self.has_given_shapes:
+            products = f"{100 * self.orthogonality:.3g} % in the mass, {100 * self.stiffness_orthogonality:.3g} % in the stiffness"
+            lines.append(("given shapes", f"orthogonal to {products}"))
         return lines + [("warning", text) for text in self.warnings]
 
     def to_xarray(self) -> Dataset:
@@ -95,8 +107,10 @@ def import_matrices(
 
 def from_matrices(
     mass: Any,
-    stiffness: Any,
+    stiffness: Any = None,
     *,
+    shapes: Any = None,
+    frequency_hz: Any = None,
     damping: Any = None,
     points: Mapping[str, Any] | None = None,
     base: Any = None,
@@ -112,8 +126,12 @@ def from_matrices(
     """Reduces the matrices of a finite-element program to the lowest modes of a structure.
 
     Matrices are sparse ones of scipy or arrays of numpy, vectors have a value for each degree of freedom. Fixed degrees of freedom must
-    be removed first. :func:`import_matrices` reads the same from files.
+    be removed first. :func:`import_matrices` reads the same from files. With ``shapes`` the structure has these modes; how far they are
+    from orthogonal ones is in the result. An object with the attributes ``M`` and ``K``, and perhaps ``shapes`` and ``frequency_hz``,
+    takes the place of ``mass`` and ``stiffness``.
     """
+    if stiffness is None:
+        mass, stiffness, shapes, frequency_hz = _parts_of(mass, shapes, frequency_hz)
     given = _options(name, modes, damping_ratio, mass_unit, length_unit)
     size = int(np.shape(mass)[0]) if np.ndim(mass) == 2 else 0
     square = {"mass": mass, "stiffness": stiffness, "damping": damping}
@@ -126,9 +144,27 @@ def from_matrices(
     if coupling:
         rows = [row_of(f"coupling[{key!r}]", value, size) for key, value in coupling.items()]
         matrices.append(stacked("coupling", rows, size, as_columns=True))
+    if shapes is not None:
+        matrices.append(entries_of("shapes", shapes))
+    if frequency_hz is not None:
+        values = np.asarray(frequency_hz)
+        matrices.append(entries_of("frequency_hz", values.reshape(-1, 1) if values.ndim <= 1 else values))
     matrices += _electrical(list(coupling), capacitance, leakage)
     fields = _core.reduce_matrices(matrices, list(points), list(coupling), options(**given))
     return _result(fields, given)
+
+
+def _parts_of(model: Any, shapes: Any, frequency_hz: Any) -> tuple[Any, Any, Any, Any]:
+    """Returns mass, stiffness, shapes and frequencies of an object; the last two may be given instead."""
+    missing = [name for name in ("M", "K") if getattr(model, name, None) is None]
+    if missing:
+        raise ArgumentError(
+            f"stiffness is missing, and the first argument, of type {type(model).__name__}, has no {' and no '.join(missing)}; "
+            "give two matrices, or an object with M and K"
+        )
+    shapes = getattr(model, "shapes", None) if shapes is None else shapes
+    frequency_hz = getattr(model, "frequency_hz", None) if frequency_hz is None else frequency_hz
+    return model.M, model.K, shapes, frequency_hz
 
 
 def _options(name: str, modes: int, damping_ratio: float | Sequence[float], mass_unit: Any, length_unit: Any) -> dict[str, Any]:

@@ -21,6 +21,9 @@ class Material:
     youngs_modulus_pa: Annotated[float, About("Young's modulus along the beam, at short circuit", "Pa")]
     poisson_ratio: Annotated[float | None, About("Poisson's ratio of contacts and plates; ``None`` where unknown or not isotropic")]
     density_kg_m3: Annotated[float, About("density", "kg/m^3")]
+    yield_strength_pa: Annotated[
+        tuple[float, float] | None, About("yield strength from the softest to the hardest common temper; ``None`` where unknown", "Pa")
+    ]
     strain_limit: Annotated[float | None, About("recommended strain limit; ``None`` where unknown")]
     voltage_limits_v: Annotated[tuple[float, float] | None, About("lowest and highest permitted voltage; ``None`` where unknown", "V")]
     charge_coefficient_m_per_v: Annotated[
@@ -63,8 +66,8 @@ def _material(one: dict[str, Any]) -> Material:
     active = one.pop("active") or dict.fromkeys(
         ("charge_coefficient_m_per_v", "permittivity_f_m", "electrode_spacing_m", "in_plane_poisson_ratio")
     )
-    limits = one.pop("voltage_limits_v")
-    return Material(**one, **active, voltage_limits_v=None if limits is None else (limits[0], limits[1]))
+    pairs = {name: one.pop(name) for name in ("yield_strength_pa", "voltage_limits_v")}
+    return Material(**one, **active, **{name: None if pair is None else (pair[0], pair[1]) for name, pair in pairs.items()})
 
 
 def materials() -> Materials:

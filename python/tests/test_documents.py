@@ -14,7 +14,7 @@ from conftest import ROOT
 
 BLOCK = re.compile(r"^```python\n(.*?)^```", re.MULTILINE | re.DOTALL)
 #: Libraries of recipes that jounce does not need.
-RECIPE_LIBRARY = re.compile(r"^(?:from|import) (pyuff|skfem)\b", re.MULTILINE)
+RECIPE_LIBRARY = re.compile(r"^(?:from|import) (pyuff|sfepy|skfem)\b", re.MULTILINE)
 DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "book/src").rglob("*.md"))]
 
 

@@ -216,3 +216,54 @@ def test_a_solid_of_calculix_bends_as_a_beam(tmp_path):
     beam_kg = 2700.0 * area_m2 * length_m
     assert participation_kg[bending[0]] == pytest.approx(0.6131 * beam_kg, rel=0.01)
     assert abs(modal["point"]["tip"][bending[0]]) == pytest.approx(2.0 / np.sqrt(beam_kg), rel=0.01)
+
+
+def test_given_shapes_are_checked(tmp_path, command_line):
+    golden = (1.0 + np.sqrt(5.0)) / 2.0
+    exact = np.array([[1.0, golden], [golden, -1.0]])
+    computed, given = chain(), chain(shapes=exact)
+    assert given.has_given_shapes and not computed.has_given_shapes and given.warnings == []
+    assert given.orthogonality < 1e-14 and given.stiffness_orthogonality < 1e-14 and np.isnan(given.frequency_error).all()
+    np.testing.assert_allclose(given.frequency_hz, computed.frequency_hz, rtol=1e-14)
+    np.testing.assert_allclose(given.rayleigh_hz, computed.rayleigh_hz, rtol=1e-14)
+    # The second shape contains a tenth of the first: 0.1 / sqrt(1.01) in the mass.
+    mixed = exact + 0.1 * np.outer(exact[:, 0], [0.0, 1.0])
+    first_hz, second_hz = computed.frequency_hz
+    rough = chain(shapes=mixed, frequency_hz=[first_hz, 1.01 * second_hz])
+    assert rough.orthogonality == pytest.approx(0.1 / np.sqrt(1.01), rel=1e-12)
+    mass, stiffness, frequency = rough.warnings
+    assert "in the mass only to 9.95 %" in mass and "in the stiffness only to" in stiffness and "mode 2" in frequency
+    assert "mode 1" not in frequency and "9.95 % in the mass" in repr(rough)
+    np.testing.assert_array_equal(rough.frequency_hz, [first_hz, 1.01 * second_hz])
+
+    class Model:
+        M, K, shapes = MASS_KG * np.eye(2), STIFFNESS, exact
+
+    plain = {"coupling": {}, "capacitance": {}, "leakage": {}, "base": None, "points": {"tip": 1}}
+    assert jounce.from_matrices(Model(), points={"tip": 1}).spec == chain(shapes=exact, **plain).spec
+    with pytest.raises(jounce.ArgumentError, match="of type list, has no M and no K; give two matrices, or an object with M and K"):
+        jounce.from_matrices([])
+    for keywords, message in [
+        ({"shapes": exact[:1]}, "shapes has 1 rows, one per degree of freedom, but must have 2"),
+        ({"shapes": 1j * exact}, "shapes is complex"),
+        ({"frequency_hz": [1.0, 2.0]}, "frequency_hz belongs to shapes, which are missing"),
+        ({"shapes": exact, "frequency_hz": [1.0]}, "frequency_hz is 1 x 1, but must be 2 x 1"),
+    ]:
+        with pytest.raises(jounce.ArgumentError, match=message):
+            chain(**keywords)
+    for name, matrix in {"mass": MASS_KG * np.eye(2), "stiffness": STIFFNESS, "shapes": exact}.items():
+        scipy_io.mmwrite(tmp_path / f"{name}.mtx", matrix, precision=17)
+    expected = command_line("import", tmp_path, spec=None)
+    assert expected["has_given_shapes"] and expected["orthogonality"] < 1e-14
+    assert [mode["frequency_error"] for mode in expected["modes"]] == [None, None]
+
+
+def test_restitution_is_that_of_the_command_line(command_line):
+    arguments = ("--material=steel", "--stop-material=brass", "--radius=5mm", "--mass=4g", "--speed=1m/s", "--stop-radius=-50mm")
+    expected = command_line("restitution", *arguments, spec=None)
+    result = jounce.restitution("steel", "brass", radius="5 mm", mass="4 g", speed="1 m/s", stop_radius="-50 mm")
+    for field in ("restitution", "perfectly_plastic", "fully_plastic", "yield_speed_m_s", "yield_strength_pa"):
+        assert_identical(getattr(result, field), expected[field])
+    assert result.sources == expected["sources"] and "to" in repr(result)
+    with pytest.raises(jounce.ArgumentError, match='stop_material is "gold"; it must be one of aluminium, steel, brass, bronze'):
+        jounce.restitution("steel", "gold", radius="5 mm", mass="4 g", speed="1 m/s")

@@ -3,7 +3,7 @@
 use crate::commands::{
     basins, bifurcations, branch, check, cite, completions, contact, design, diagram, ensemble,
     explore, export, fit, frf, import, materials, modes, new, noise, power, read, reproduce, rerun,
-    rig, run, segments, sensitivity, show, spectra, study, sweep,
+    restitution, rig, run, segments, sensitivity, show, spectra, study, sweep,
 };
 use clap::{Parser, Subcommand};
 
@@ -95,6 +95,8 @@ pub enum Command {
     /// Simulates a hammer test or a shaker test with sensors, so that the true parameters are
     /// known.
     Rig(Box<rig::Rig>),
+    /// Estimates the coefficient of restitution of a ball on a stop from their materials.
+    Restitution(restitution::Restitution),
     /// Lists the materials that a spec can name, with their sources.
     Materials(materials::Materials),
     /// Prints the JSON Schema (draft-07) of a spec, for editors.
@@ -138,6 +140,7 @@ impl Command {
             Command::Contact(command) => command.file.output.json,
             Command::Segments(command) => command.file.output.json,
             Command::Spectra(command) => command.file.output.json,
+            Command::Restitution(command) => command.json,
             Command::Materials(command) => command.json,
             Command::Schema | Command::Keys | Command::Completions(_) => false,
         }

@@ -64,6 +64,8 @@ mod _core {
     #[pymodule_export]
     use super::questions::reproduce::reproduce;
     #[pymodule_export]
+    use super::questions::restitution::restitution;
+    #[pymodule_export]
     use super::questions::rig::rig;
     #[pymodule_export]
     use super::questions::run::run;

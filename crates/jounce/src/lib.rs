@@ -34,6 +34,7 @@
 //! | keys that fit measurements | [`Harvester::fit`] | [`Features`] | [`FitResult`] |
 //! | the model for other programs | [`Harvester::export`] | [`ExportOptions`] | [`ExportResult`] |
 //! | structures of other programs | [`import_matrices`], [`reduce_matrices`] | [`ImportOptions`] | [`ImportResult`] |
+//! | restitution from materials | [`restitution()`] | [`RestitutionOptions`] | [`RestitutionResult`] |
 //! | simulated recordings of sensors | [`Harvester::rig`] | [`RigOptions`] | [`RigResult`] |
 //!
 //! A [`RecordedFile`] lists the recordings in a file of an instrument and converts them; it need
@@ -98,6 +99,7 @@ mod record;
 mod recording;
 mod reference;
 mod reproduce;
+mod restitution;
 mod rig;
 mod run;
 mod segments;
@@ -140,6 +142,7 @@ pub use read::{ConvertOptions, ReadResult, RecordedFile};
 pub use recording::{ReadOptions, Recording};
 pub use reference::{key_reference, materials, schema, starter, starters};
 pub use reproduce::{ReproduceOptions, ReproduceResult, reproduce};
+pub use restitution::{RestitutionOptions, RestitutionResult, restitution};
 pub use rig::{RigOptions, RigResult};
 pub use run::{RunOptions, RunResult};
 pub use segments::{SegmentsOptions, SegmentsResult};

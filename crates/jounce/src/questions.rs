@@ -18,6 +18,7 @@ use crate::options::{OptionDefinition, definitions};
 use crate::power::PowerOptions;
 use crate::recording::ReadOptions;
 use crate::reproduce::ReproduceOptions;
+use crate::restitution::RestitutionOptions;
 use crate::rig::RigOptions;
 use crate::run::RunOptions;
 use crate::segments::SegmentsOptions;
@@ -171,6 +172,11 @@ fn of_many_runs() -> Vec<Question> {
         question::<ReproduceOptions>(
             "tables, figures and claims of the 2019 paper",
             ["reproduce", "reproduce", "reproduce"],
+            None,
+        ),
+        question::<RestitutionOptions>(
+            "coefficient of restitution from materials",
+            ["restitution", "restitution", "restitution"],
             None,
         ),
     ]

@@ -1,7 +1,8 @@
 //! Models that leave as matrices and circuits, and matrices that come in.
 
 use jounce::{
-    BranchOptions, Error, ExportOptions, Harvester, ImportOptions, RunOptions, import_matrices,
+    BasinsOptions, BranchOptions, Error, ExportOptions, Harvester, ImportOptions, RunOptions,
+    import_matrices,
 };
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
@@ -51,7 +52,7 @@ fn exported(harvester: &Harvester, folder: &Path) -> Result<Vec<PathBuf>, Error>
         .files)
 }
 
-/// Mean power of a run and the folds of a branch are those of the original.
+/// Mean power of a run, the powers of a branch and the basins are those of the original.
 #[test]
 fn exported_matrices_are_the_same_harvester() -> Result<(), Error> {
     let folder = tempfile::tempdir().expect("a folder");
@@ -102,6 +103,88 @@ fn exported_matrices_are_the_same_harvester() -> Result<(), Error> {
     for (first, second) in first.iter().zip(&second) {
         assert!((second / first - 1.0).abs() < 1e-10, "{second} for {first}");
     }
+    same_basins(&original, &copy)
+}
+
+/// The attractors of both harvesters have the same powers, and the same starts end in them.
+fn same_basins(original: &Harvester, copy: &Harvester) -> Result<(), Error> {
+    let options = BasinsOptions {
+        starts: 6,
+        ..Default::default()
+    };
+    let basins = |harvester: &Harvester| -> Result<jounce::BasinsResult, Error> {
+        harvester.basins(&options)
+    };
+    let (first, second) = (basins(original)?, basins(copy)?);
+    assert_eq!(first.finished, 6, "{first:?}");
+    assert_eq!(first.attractors.len(), second.attractors.len());
+    for (first, second) in first.attractors.iter().zip(&second.attractors) {
+        assert_eq!(first.period_cycles, second.period_cycles);
+        assert_eq!(first.fraction.to_bits(), second.fraction.to_bits());
+        let ratio = second.mean_power_w / first.mean_power_w;
+        assert!((ratio - 1.0).abs() < 1e-10, "{second:?} for {first:?}");
+    }
+    let end = |result: &jounce::BasinsResult| -> Vec<Option<usize>> {
+        result.points.iter().map(|point| point.attractor).collect()
+    };
+    assert_eq!(end(&first), end(&second));
+    Ok(())
+}
+
+/// Stop, circuit, drive and run of the plate with a stop, on its modes.
+const REST_OF_PLATE: &str = r#"
+[stop.corner]
+at = "h.plate-corner"
+frame = "ground"
+side = "positive"
+gap = "0.2 mm"
+law = "hertz"
+stiffness = "1e6 N/m^1.5"
+
+[circuit.load]
+patch = "h.ceramic"
+resistance = "20 kohm"
+
+[drive.shaker]
+kind = "base-acceleration"
+amplitude = "0.3 g"
+frequency = "55 Hz"
+
+[run]
+duration = "4 s"
+average_over = "2 s"
+"#;
+
+/// A plate takes as many steps as any structure with its modes: the integration knows modes only, so its
+/// time per step and mode is that of beams.
+#[test]
+fn plates_march_as_their_modes() -> Result<(), Error> {
+    let spec = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../examples/plate-de-marqui-2009/stop.toml"
+    );
+    let plate = Harvester::read(spec)?.changed([("run.duration", "4 s")])?;
+    let folder = tempfile::tempdir().expect("a folder");
+    exported(&plate, folder.path())?;
+    let options = ImportOptions {
+        name: "h".to_owned(),
+        modes: 6,
+        ..Default::default()
+    };
+    let modes = import_matrices(folder.path(), &options)?;
+    let copy = Harvester::from_text(&(modes.spec + REST_OF_PLATE), ".")?;
+    let run = |harvester: &Harvester| harvester.run(&RunOptions::default());
+    let (first, second) = (run(&plate)?, run(&copy)?);
+    let steps = |result: &jounce::RunResult| {
+        let work = result.work;
+        work.flight_steps + work.flight_rejections + work.contact_steps + work.contact_rejections
+    };
+    assert!(first.contacts > 50, "{}", first.contacts);
+    assert_eq!(first.contacts, second.contacts);
+    let ratio = steps(&first) as f64 / steps(&second) as f64;
+    assert!((ratio - 1.0).abs() < 0.01, "{ratio}");
+    let power = second.mean_power_w / first.mean_power_w;
+    assert!((power - 1.0).abs() < 1e-9, "{power}");
     Ok(())
 }
 

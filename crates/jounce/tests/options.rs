@@ -5,8 +5,8 @@ use jounce::{
     BasinsOptions, BifurcationsOptions, BranchOptions, ContactOptions, ConvertOptions,
     DiagramOptions, EnsembleOptions, ExportOptions, FrfOptions, ImportOptions, MeasuredFrfOptions,
     MeasuredModesOptions, ModesOptions, NoiseOptions, PowerOptions, ReadOptions, ReproduceOptions,
-    RigOptions, RunOptions, SegmentsOptions, SpectraOptions, StudyOptions, SweepOptions,
-    definitions,
+    RestitutionOptions, RigOptions, RunOptions, SegmentsOptions, SpectraOptions, StudyOptions,
+    SweepOptions, definitions,
 };
 use serde::Serialize;
 use std::fmt::Debug;
@@ -58,6 +58,7 @@ fn options_have_help_and_valid_defaults() {
     check::<MeasuredModesOptions>();
     check::<ModesOptions>();
     check::<ExportOptions>();
+    check::<RestitutionOptions>();
     check::<ImportOptions>();
     check::<FrfOptions>();
     check::<NoiseOptions>();

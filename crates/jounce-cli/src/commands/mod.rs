@@ -14,7 +14,7 @@ pub use linear::{frf, modes, noise};
 pub use orbits::{basins, bifurcations, branch, diagram, sensitivity};
 pub use recordings::{contact, fit, power, read, rig, segments, spectra};
 pub use runs::{design, ensemble, run, study, sweep};
-pub use specs::{check, cite, export, import, materials, new, show};
+pub use specs::{check, cite, export, import, materials, new, restitution, show};
 
 use crate::arguments::Command;
 use crate::failure::Failure;
@@ -52,6 +52,7 @@ pub fn run(command: Command) -> Result<(), Failure> {
         Command::Contact(command) => command.run(),
         Command::Segments(command) => command.run(),
         Command::Spectra(command) => command.run(),
+        Command::Restitution(command) => command.run(),
         Command::Materials(command) => command.run(),
         Command::Completions(command) => command.run(),
         Command::Schema => {

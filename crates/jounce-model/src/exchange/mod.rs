@@ -15,6 +15,8 @@
 //! | `capacitance`, `conductance` | `C`, `G`, both diagonal | electrodes, both |
 //! | `points` | `P`, displacement of each point | points x degrees of freedom |
 //! | `base` | `b`, displacement with the base | degrees of freedom x 1 |
+//! | `shapes` | shapes of modes, in place of those of `M` and `K` | degrees of freedom x modes |
+//! | `frequency_hz` | frequency of each of these modes, Hz | modes x 1 |
 //!
 //! [`Names`] names points and electrodes. Jounce writes modal coordinates, in which `M` is the
 //! identity, and reads any coordinates, which it reduces to modes.
@@ -36,7 +38,7 @@ use jounce_sparse::MatrixEntries;
 use std::collections::BTreeMap;
 
 /// Names of the matrices, without the extension of their files, and what each is.
-pub const MATRICES: [(&str, &str); 8] = [
+pub const MATRICES: [(&str, &str); 10] = [
     ("mass", "mass"),
     ("stiffness", "stiffness"),
     ("damping", "viscous damping"),
@@ -51,6 +53,11 @@ pub const MATRICES: [(&str, &str); 8] = [
         "base",
         "displacement of each degree of freedom with the base",
     ),
+    (
+        "shapes",
+        "displacement of each degree of freedom in each mode",
+    ),
+    ("frequency_hz", "frequency of each mode of the shapes"),
 ];
 
 /// Matrices by name, with the names of points and electrodes.

@@ -143,7 +143,7 @@ pub fn is_unit(text: &str) -> bool {
 }
 
 /// Converts a quantity as text to SI: kind is `time`, `frequency`, `length`, `resistance`,
-/// `capacitance`, `mass` or `force`.
+/// `capacitance`, `mass`, `force`, `speed` or `pressure`.
 #[pyfunction]
 pub fn quantity_si(kind: &str, text: &str) -> PyResult<f64> {
     let value = quantity(kind)?.read(text);
@@ -166,6 +166,8 @@ fn quantity(kind: &str) -> PyResult<Quantity> {
         "capacitance" => Quantity::Capacitance,
         "mass" => Quantity::Mass,
         "force" => Quantity::Force,
+        "speed" => Quantity::Speed,
+        "pressure" => Quantity::Pressure,
         _ => {
             let message = format!("{kind}: unknown kind of quantity");
             return Err(PyValueError::new_err(message));

@@ -13,6 +13,7 @@ pub mod frf;
 pub mod modes;
 pub mod noise;
 pub mod reproduce;
+pub mod restitution;
 pub mod rig;
 pub mod run;
 pub mod sensitivity;

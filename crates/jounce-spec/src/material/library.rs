@@ -47,6 +47,7 @@ pub const LIBRARY: &[Material] = &[
         youngs_modulus_pa: 66e9,
         poisson_ratio: None,
         density_kg_m3: 7800.0,
+        yield_strength_pa: None,
         strain_limit: None,
         voltage_limits_v: None,
         active: Some(Active {
@@ -73,6 +74,7 @@ pub const LIBRARY: &[Material] = &[
         youngs_modulus_pa: 30.336e9,
         poisson_ratio: None,
         density_kg_m3: 5440.0,
+        yield_strength_pa: None,
         strain_limit: Some(600e-6),
         voltage_limits_v: Some([-500.0, 1500.0]),
         active: Some(Active {
@@ -88,6 +90,7 @@ pub const LIBRARY: &[Material] = &[
         youngs_modulus_pa: 30.336e9,
         poisson_ratio: None,
         density_kg_m3: 5440.0,
+        yield_strength_pa: None,
         strain_limit: Some(600e-6),
         voltage_limits_v: Some([-60.0, 360.0]),
         active: Some(Active {
@@ -103,34 +106,41 @@ pub const LIBRARY: &[Material] = &[
         70e9,
         Some(0.33),
         2700.0,
-        "nominal; ASM Handbook vol. 2 (6061: 69 GPa, 0.33, 2700 kg/m^3)",
+        Some([55e6, 275e6]),
+        "nominal; ASM Handbook vol. 2 (6061: 69 GPa, 0.33, 2700 kg/m^3; yield strength of tempers O to T6)",
     ),
     structural(
         "steel",
         200e9,
         Some(0.29),
         7850.0,
-        "nominal; ASM Handbook vol. 1 (carbon steel); Poisson's ratio: Kaye and Laby, Tables of Physical and Chemical Constants, 2.2.2",
+        Some([170e6, 580e6]),
+        "nominal; ASM Handbook vol. 1 (carbon steel); Poisson's ratio: Kaye and Laby, Tables of Physical and Chemical Constants, 2.2.2; \
+         yield strength (hot-rolled 1006 to cold-drawn 1050): SAE Handbook (1986), p. 2.15",
     ),
     structural(
         "brass",
         110e9,
         Some(0.35),
         8530.0,
-        "nominal; ASM Handbook vol. 2 (C26000); Poisson's ratio (70 Cu, 30 Zn): Kaye and Laby, Tables of Physical and Chemical Constants, 2.2.2",
+        Some([75e6, 435e6]),
+        "nominal; ASM Handbook vol. 2 (C26000); Poisson's ratio (70 Cu, 30 Zn): Kaye and Laby, Tables of Physical and Chemical Constants, 2.2.2; \
+         yield strength (annealed to hard): Copper Development Association",
     ),
     structural(
         "bronze",
         110e9,
         Some(0.34),
         8860.0,
-        "nominal; ASM Handbook vol. 2 (phosphor bronze C51000; 0.34)",
+        Some([130e6, 550e6]),
+        "nominal; ASM Handbook vol. 2 (phosphor bronze C51000; 0.34); yield strength (annealed to hard): Copper Development Association",
     ),
     structural(
         "silicon",
         169e9,
         None,
         2329.0,
+        None,
         "beam along <110>; Hopcroft, Nix and Kenny, J. Microelectromech. Syst. 19 (2010) 229",
     ),
 ];
@@ -147,6 +157,7 @@ const fn ceramic(
         youngs_modulus_pa: ceramic.youngs_modulus_pa(),
         poisson_ratio: None,
         density_kg_m3,
+        yield_strength_pa: None,
         strain_limit: None,
         voltage_limits_v: None,
         active: Some(Active {
@@ -164,6 +175,7 @@ const fn structural(
     youngs_modulus_pa: f64,
     poisson_ratio: Option<f64>,
     density_kg_m3: f64,
+    yield_strength_pa: Option<[f64; 2]>,
     source: &'static str,
 ) -> Material {
     Material {
@@ -171,6 +183,7 @@ const fn structural(
         youngs_modulus_pa,
         poisson_ratio,
         density_kg_m3,
+        yield_strength_pa,
         strain_limit: None,
         voltage_limits_v: None,
         active: None,

@@ -32,6 +32,8 @@ pub struct Material {
     pub poisson_ratio: Option<f64>,
     /// Density, kg/m^3.
     pub density_kg_m3: f64,
+    /// Yield strength of a metal, from its softest to its hardest common temper, Pa.
+    pub yield_strength_pa: Option<[f64; 2]>,
     /// Largest recommended strain along the beam, dimensionless.
     pub strain_limit: Option<f64>,
     /// Lowest and highest allowed voltage, V.
@@ -115,6 +117,11 @@ mod tests {
         let isotropic = LIBRARY
             .iter()
             .filter(|material| material.poisson_ratio.is_some());
+        assert!(isotropic.clone().all(|material| {
+            material
+                .yield_strength_pa
+                .is_some_and(|[low, high]| low < high)
+        }));
         assert!(
             isotropic
                 .map(|material| material.name)

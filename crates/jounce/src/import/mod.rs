@@ -4,6 +4,7 @@ mod files;
 mod npz;
 mod options;
 mod result;
+mod warnings;
 
 pub use options::ImportOptions;
 pub use result::{ImportResult, ImportedMode};
@@ -13,17 +14,12 @@ use jounce_model::exchange::{ImportSettings, ImportedModes, MatrixSet, import_mo
 use jounce_spec::Modal;
 use std::path::Path;
 
-/// Deviation from orthonormal shapes above which a warning is given.
-const MAX_ORTHOGONALITY: f64 = 1e-8;
-
-/// Damping between modes, relative to that of the modes, above which a warning is given.
-const MAX_DAMPING_COUPLING: f64 = 1e-3;
-
 /// Reduces the matrices in a folder to a structure given by its modes, `[modal.NAME]` of a spec.
 ///
 /// The folder holds `mass.mtx` and `stiffness.mtx`; optionally `damping.mtx`, `coupling.mtx` with
 /// `capacitance.mtx`, `conductance.mtx`, `points.mtx`, `base.mtx`; and `names.csv`, which names points
-/// and electrodes. Each matrix may also be an archive of SciPy, `mass.npz`.
+/// and electrodes. With `shapes.mtx`, and perhaps `frequency_hz.mtx`, the structure has these modes in
+/// place of those of the eigenproblem. Each matrix may also be an archive of SciPy, `mass.npz`.
 /// [`crate::Harvester::export`] writes such a folder.
 ///
 /// # Errors
@@ -75,64 +71,17 @@ fn result_of(imported: &ImportedModes, name: &str) -> ImportResult {
         frequency_hz: modal.frequency_hz[k],
         damping_ratio: modal.damping_ratio[k],
         frequency_error: imported.frequency_error[k],
+        rayleigh_hz: imported.rayleigh_hz[k],
     };
-    let mut warnings = rigid_warnings(imported);
-    if imported.orthogonality > MAX_ORTHOGONALITY {
-        warnings.push(format!(
-            "the shapes are orthonormal in the mass only to {:.1e}; check the units of the matrices",
-            imported.orthogonality
-        ));
-    }
-    if imported.damping_coupling > MAX_DAMPING_COUPLING {
-        warnings.push(format!(
-            "the damping matrix couples modes, by up to {:.2e} of their own damping; the coupling is left out",
-            imported.damping_coupling
-        ));
-    }
     ImportResult {
         modes: (0..modal.frequency_hz.len()).map(mode).collect(),
         points: modal.point.keys().cloned().collect(),
         electrodes: modal.patch.keys().cloned().collect(),
+        has_given_shapes: imported.has_given_shapes,
         orthogonality: imported.orthogonality,
+        stiffness_orthogonality: imported.stiffness_orthogonality,
         damping_coupling: imported.damping_coupling,
         spec: modal.to_toml(name),
-        warnings,
-    }
-}
-
-/// Warnings about modes that were taken as rigid-body modes.
-fn rigid_warnings(imported: &ImportedModes) -> Vec<String> {
-    let mut warnings = Vec::new();
-    if let Some(largest_hz) = largest(&imported.set_to_zero_hz) {
-        warnings.push(format!(
-            "{} set to 0 Hz as rigid-body motions, because {} far below the first elastic frequency: up to {largest_hz:.3e} Hz in the matrices, \
-             which may be the roundoff of written numbers; for a soft support, import the structure without it and add the support in the spec",
-            modes_in_words(&imported.set_to_zero_hz),
-            if imported.set_to_zero_hz.len() == 1 { "it lies" } else { "they lie" },
-        ));
-    }
-    if let Some(largest_per_s) = largest(&imported.rigid_damping_per_s) {
-        let whose = match &imported.rigid_damping_per_s[..] {
-            [_] => "this rigid-body motion",
-            _ => "these rigid-body motions",
-        };
-        warnings.push(format!(
-            "{} without damping: the damping of {whose} in the matrices, up to {largest_per_s:.3e} 1/s, is left out",
-            modes_in_words(&imported.rigid_damping_per_s),
-        ));
-    }
-    warnings
-}
-
-fn largest(modes: &[(usize, f64)]) -> Option<f64> {
-    modes.iter().map(|mode| mode.1.abs()).reduce(f64::max)
-}
-
-/// Returns `mode 1 is`, or `modes 1, 2 are`.
-fn modes_in_words(modes: &[(usize, f64)]) -> String {
-    let numbers: Vec<String> = modes.iter().map(|mode| (mode.0 + 1).to_string()).collect();
-    match &numbers[..] {
-        [one] => format!("mode {one} is"),
-        _ => format!("modes {} are", numbers.join(", ")),
+        warnings: warnings::of(imported),
     }
 }

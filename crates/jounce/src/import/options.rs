@@ -12,7 +12,7 @@ pub struct ImportOptions {
     /// Name of the structure in the spec.
     #[arg(long, default_value = "structure")]
     pub name: String,
-    /// Number of modes, the lowest ones.
+    /// Number of modes, the lowest ones; without effect if the folder has shapes.
     #[arg(long, default_value_t = 10)]
     pub modes: usize,
     /// Damping ratios of the elastic modes, ascending in frequency; the last one is that of all

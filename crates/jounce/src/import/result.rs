@@ -11,8 +11,13 @@ pub struct ImportResult {
     pub points: Vec<String>,
     /// Names of the electrodes, which are the patches of the structure.
     pub electrodes: Vec<String>,
+    /// Whether the shapes were given with the matrices.
+    pub has_given_shapes: bool,
     /// Largest deviation of the mass-normalised shapes from orthonormal ones.
     pub orthogonality: f64,
+    /// Largest product of two elastic shapes with the stiffness, relative to the root of the product
+    /// of their own.
+    pub stiffness_orthogonality: f64,
     /// Largest damping between two modes relative to their own; the structure leaves it out.
     pub damping_coupling: f64,
     /// The structure as part of a spec, `[modal.NAME]`.
@@ -28,6 +33,9 @@ pub struct ImportedMode {
     pub frequency_hz: f64,
     /// Damping ratio (1 = critical).
     pub damping_ratio: f64,
-    /// Bound of the relative error of the frequency, without that of roundoff.
-    pub frequency_error: f64,
+    /// Bound of the relative error of the frequency, without that of roundoff; `None` for given
+    /// shapes.
+    pub frequency_error: Option<f64>,
+    /// Frequency of Rayleigh's quotient of the shape with stiffness and mass, Hz.
+    pub rayleigh_hz: f64,
 }

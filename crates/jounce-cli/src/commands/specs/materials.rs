@@ -46,6 +46,13 @@ impl Materials {
                     decimals(active.permittivity_f_m * 1e9)
                 ));
             }
+            if let Some([low, high]) = material.yield_strength_pa {
+                line(format!(
+                    "    yield strength {} to {} MPa",
+                    decimals(low / 1e6),
+                    decimals(high / 1e6)
+                ));
+            }
             if let Some(strain) = material.strain_limit {
                 line(format!(
                     "    recommended strain at most {} ppm",

@@ -6,4 +6,5 @@ pub mod export;
 pub mod import;
 pub mod materials;
 pub mod new;
+pub mod restitution;
 pub mod show;

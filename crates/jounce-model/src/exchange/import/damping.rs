@@ -1,6 +1,6 @@
 //! A damping matrix in the coordinates of modes.
 
-use super::reduced::Product;
+use super::reduced::between;
 use jounce_linalg::Mat;
 use jounce_sparse::SymmetricMatrix;
 use std::f64::consts::TAU;
@@ -14,14 +14,7 @@ pub(super) struct ModalDamping(Mat<f64>);
 
 impl ModalDamping {
     pub(super) fn new(damping: &SymmetricMatrix, columns: &[Vec<f64>]) -> Self {
-        let forces: Vec<Product> = columns
-            .iter()
-            .map(|column| Product::new(damping, column))
-            .collect();
-        let modal = Mat::from_fn(columns.len(), columns.len(), |i, j| {
-            forces[j].dot(&columns[i])
-        });
-        Self(modal)
+        Self(between(damping, columns))
     }
 
     /// Ratios `c_ii / (2 w_i)`; 0 for rigid-body modes.

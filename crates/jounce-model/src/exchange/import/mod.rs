@@ -2,12 +2,14 @@
 
 mod damping;
 mod reduced;
+mod shapes;
 
 use super::projection::Projection;
 use super::{ExchangeFaults, MatrixSet};
 use jounce_sparse::{MatrixEntries, SparseError, SymmetricMatrix, lowest_modes};
 use jounce_spec::Modal;
 use reduced::Reduced;
+use shapes::GivenShapes;
 
 /// Accuracy of each eigenvalue.
 const TOLERANCE: f64 = 1e-11;
@@ -15,13 +17,23 @@ const TOLERANCE: f64 = 1e-11;
 /// Largest number of entries of a matrix with one column for each electrode or for the base.
 const MAX_DENSE: usize = 100_000_000;
 
+/// Matrices with few columns.
+const DENSE: [&str; 6] = [
+    "coupling",
+    "capacitance",
+    "conductance",
+    "base",
+    "shapes",
+    "frequency_hz",
+];
+
 /// Largest number of rows or columns.
 const MAX_SIZE: usize = 100_000_000;
 
 /// Number of modes, and the meaning of the numbers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ImportSettings {
-    /// Number of modes, the lowest ones.
+    /// Number of modes, the lowest ones; without effect if the set contains `shapes`.
     pub modes: usize,
     /// Damping ratio of each elastic mode, the last one for all further modes; without effect if the
     /// set contains `damping`.
@@ -37,10 +49,17 @@ pub struct ImportSettings {
 pub struct ImportedModes {
     /// The modes, in SI units.
     pub modal: Modal,
-    /// Bound of the error of each frequency, relative; 0 for a rigid-body mode.
-    pub frequency_error: Vec<f64>,
-    /// Largest entry of `X^T M X - 1`, for the shapes `X`.
+    /// Bound of the error of each frequency, relative; 0 for a rigid-body mode; `None` for given
+    /// shapes.
+    pub frequency_error: Vec<Option<f64>>,
+    /// `sqrt(x^T K x / x^T M x) / (2 pi)` for each shape `x`, Hz: Rayleigh's quotient.
+    pub rayleigh_hz: Vec<f64>,
+    /// Whether the shapes were given with the matrices.
+    pub has_given_shapes: bool,
+    /// Largest entry of `X^T M X - 1`, for the mass-normalised shapes `X`.
     pub orthogonality: f64,
+    /// Largest `|x^T K y| / sqrt(x^T K x  y^T K y)` of two elastic modes.
+    pub stiffness_orthogonality: f64,
     /// Largest entry of the modal damping off its diagonal, which the modes leave out, relative to
     /// the diagonal; 0 without damping matrix, and where it is roundoff.
     pub damping_coupling: f64,
@@ -51,7 +70,7 @@ pub struct ImportedModes {
     pub rigid_damping_per_s: Vec<(usize, f64)>,
 }
 
-/// Reduces matrices to their lowest modes.
+/// Reduces matrices to their lowest modes, or to the modes of the given `shapes`.
 ///
 /// # Errors
 /// All faults of the matrices and of their names; then the first of the eigenproblem.
@@ -70,20 +89,17 @@ pub fn import_modes(
         return Err(ExchangeFaults(faults));
     };
     let points = set.matrix.remove("points");
-    for name in ["coupling", "capacitance", "conductance", "base"] {
-        if let Some(matrix) = set.matrix.get(name)
-            && matrix.rows.saturating_mul(matrix.columns) > MAX_DENSE
-        {
-            faults.push(format!(
-                "{name} is {} x {}, more than {MAX_DENSE} entries; its columns must be electrodes, or 1 for base",
-                matrix.rows, matrix.columns
-            ));
-        }
-    }
+    faults.extend(wide_faults(&set));
     if !faults.is_empty() {
         return Err(ExchangeFaults(faults));
     }
     let dense = |name: &str| set.matrix.get(name).map(MatrixEntries::dense);
+    let shapes = GivenShapes::new(
+        dense("shapes"),
+        dense("frequency_hz"),
+        mass.size(),
+        &mut faults,
+    );
     let projection = Projection {
         damping,
         coupling: dense("coupling"),
@@ -105,10 +121,34 @@ pub fn import_modes(
     if !faults.is_empty() {
         return Err(ExchangeFaults(faults));
     }
-    let modes = lowest_modes(&stiffness, &mass, settings.modes, TOLERANCE);
-    let modes = modes.map_err(|error| error.to_string())?;
-    let reduced = Reduced::new(&modes, &stiffness, &mass);
+    let reduced = match shapes {
+        Some(shapes) => shapes.reduced(&stiffness, &mass)?,
+        None => {
+            let modes = lowest_modes(&stiffness, &mass, settings.modes, TOLERANCE);
+            Reduced::of_lowest(
+                &modes.map_err(|error| error.to_string())?,
+                &stiffness,
+                &mass,
+            )
+        }
+    };
     Ok(reduced.in_si(&projection, settings))
+}
+
+/// Returns the faults of matrices with too many columns to be held densely.
+fn wide_faults(set: &MatrixSet) -> Vec<String> {
+    let matrices = DENSE
+        .into_iter()
+        .filter_map(|name| set.matrix.get(name).map(|matrix| (name, matrix)));
+    matrices
+        .filter(|(_, matrix)| matrix.rows.saturating_mul(matrix.columns) > MAX_DENSE)
+        .map(|(name, matrix)| {
+            format!(
+                "{name} is {} x {}, more than {MAX_DENSE} entries; its columns must be electrodes or modes, or 1 for base",
+                matrix.rows, matrix.columns
+            )
+        })
+        .collect()
 }
 
 /// Returns the fault of a matrix that is too large, or its first entry that lies outside it or is

@@ -3,6 +3,7 @@
 use super::damping::ModalDamping;
 use super::{ImportSettings, ImportedModes};
 use crate::exchange::projection::{Electrode, Projection};
+use jounce_linalg::Mat;
 use jounce_sparse::{LowestModes, SymmetricMatrix};
 use jounce_spec::{Electrodes, Modal, ModalPatch};
 use std::f64::consts::TAU;
@@ -14,70 +15,95 @@ const RIGID_SHARE: f64 = 1e-7;
 const ROUNDOFF: f64 = 100.0 * f64::EPSILON;
 
 /// Modal quantities in units of the matrices.
-pub(super) struct Reduced<'a> {
-    modes: &'a LowestModes,
-    stiffness: &'a SymmetricMatrix,
-    /// Shapes, and the mass times each.
-    pub(super) columns: Vec<Vec<f64>>,
+pub(super) struct Reduced {
+    /// Mass-normalised shapes, and the mass times each.
+    columns: Vec<Vec<f64>>,
     momenta: Vec<Vec<f64>>,
+    frequency_hz: Vec<f64>,
+    frequency_error: Vec<Option<f64>>,
+    has_given_shapes: bool,
+    /// `X^T K X`, without its roundoff.
+    stiffness: Mat<f64>,
 }
 
-impl<'a> Reduced<'a> {
-    pub(super) fn new(
-        modes: &'a LowestModes,
-        stiffness: &'a SymmetricMatrix,
+impl Reduced {
+    /// Returns the modes of shapes with their frequencies, all ascending in frequency.
+    pub(super) fn of_shapes(
+        columns: Vec<Vec<f64>>,
+        frequency_hz: Vec<f64>,
+        stiffness: &SymmetricMatrix,
         mass: &SymmetricMatrix,
     ) -> Self {
-        let columns: Vec<Vec<f64>> = modes
-            .shape
-            .column_iter()
-            .map(|column| column.iter().copied().collect())
-            .collect();
-        let momenta = columns.iter().map(|column| mass.product(column)).collect();
         Self {
-            modes,
-            stiffness,
+            momenta: columns.iter().map(|column| mass.product(column)).collect(),
+            frequency_error: vec![None; columns.len()],
+            has_given_shapes: true,
+            stiffness: between(stiffness, &columns),
             columns,
-            momenta,
+            frequency_hz,
         }
     }
 
-    fn is_rigid(&self, value: f64) -> bool {
-        value <= RIGID_SHARE * -self.modes.shift
-    }
-
-    fn frequency_hz(&self) -> Vec<f64> {
-        let frequency = |value: &f64| {
-            if self.is_rigid(*value) {
-                0.0
-            } else {
-                value.sqrt() / TAU
-            }
-        };
-        self.modes.eigenvalue.iter().map(frequency).collect()
-    }
-
-    /// Half the relative bound of the eigenvalue.
-    fn frequency_error(&self) -> Vec<f64> {
-        let bounds = self.modes.eigenvalue.iter().zip(&self.modes.error_bound);
-        let relative = |(value, bound): (&f64, &f64)| match self.is_rigid(*value) {
+    /// Returns the modes of the eigenproblem.
+    pub(super) fn of_lowest(
+        modes: &LowestModes,
+        stiffness: &SymmetricMatrix,
+        mass: &SymmetricMatrix,
+    ) -> Self {
+        let is_rigid = |value: f64| value <= RIGID_SHARE * -modes.shift;
+        let frequency = |value: &f64| match is_rigid(*value) {
             true => 0.0,
-            false => bound / (2.0 * value),
+            false => value.sqrt() / TAU,
         };
-        bounds.map(relative).collect()
+        // Half the relative bound of the eigenvalue.
+        let error = |(value, bound): (&f64, &f64)| match is_rigid(*value) {
+            true => Some(0.0),
+            false => Some(bound / (2.0 * value)),
+        };
+        let columns = modes.shape.column_iter();
+        let columns = columns.map(|column| column.iter().copied().collect());
+        let bounds = modes.eigenvalue.iter().zip(&modes.error_bound);
+        Self {
+            frequency_error: bounds.map(error).collect(),
+            has_given_shapes: false,
+            ..Self::of_shapes(
+                columns.collect(),
+                modes.eigenvalue.iter().map(frequency).collect(),
+                stiffness,
+                mass,
+            )
+        }
+    }
+
+    /// Frequencies of Rayleigh's quotients.
+    fn rayleigh_hz(&self) -> Vec<f64> {
+        let modes = 0..self.columns.len();
+        modes
+            .map(|mode| self.stiffness[(mode, mode)].max(0.0).sqrt() / TAU)
+            .collect()
     }
 
     /// Modes of 0 Hz whose `x^T K x` is above roundoff, with the frequency of this quotient.
     fn set_to_zero_hz(&self) -> Vec<(usize, f64)> {
-        let rigid = self.modes.eigenvalue.iter().enumerate();
-        rigid
-            .filter(|(_, value)| self.is_rigid(**value))
-            .filter_map(|(mode, _)| {
-                let column = &self.columns[mode];
-                let square = Product::new(self.stiffness, column).dot(column);
-                (square > 0.0).then(|| (mode, square.sqrt() / TAU))
-            })
+        let modes = self.rayleigh_hz().into_iter().enumerate();
+        modes
+            .filter(|(mode, rayleigh_hz)| self.frequency_hz[*mode] == 0.0 && *rayleigh_hz > 0.0)
             .collect()
+    }
+
+    /// Largest entry of `X^T K X` off its diagonal between elastic modes, relative to the root of the
+    /// product of both entries on it.
+    fn stiffness_orthogonality(&self) -> f64 {
+        let mut largest: f64 = 0.0;
+        for i in 0..self.columns.len() {
+            for j in 0..i {
+                let own = self.stiffness[(i, i)] * self.stiffness[(j, j)];
+                if self.frequency_hz[i] > 0.0 && self.frequency_hz[j] > 0.0 && own > 0.0 {
+                    largest = largest.max(self.stiffness[(i, j)].abs() / own.sqrt());
+                }
+            }
+        }
+        largest
     }
 
     /// Largest entry of `X^T M X - 1`.
@@ -98,7 +124,7 @@ impl<'a> Reduced<'a> {
         projection: &Projection,
         settings: &ImportSettings,
     ) -> ImportedModes {
-        let frequency_hz = self.frequency_hz();
+        let frequency_hz = self.frequency_hz.clone();
         let damping = projection
             .damping
             .as_ref()
@@ -131,8 +157,11 @@ impl<'a> Reduced<'a> {
             frequency_hz,
         };
         ImportedModes {
-            frequency_error: self.frequency_error(),
+            frequency_error: self.frequency_error.clone(),
+            rayleigh_hz: self.rayleigh_hz(),
+            has_given_shapes: self.has_given_shapes,
             orthogonality: self.orthogonality(),
+            stiffness_orthogonality: self.stiffness_orthogonality(),
             damping_coupling: damping.as_ref().map_or(0.0, ModalDamping::coupling),
             set_to_zero_hz: self.set_to_zero_hz(),
             rigid_damping_per_s: damping
@@ -140,6 +169,17 @@ impl<'a> Reduced<'a> {
             modal,
         }
     }
+}
+
+/// Returns `X^T A X` without its roundoff.
+pub(super) fn between(matrix: &SymmetricMatrix, columns: &[Vec<f64>]) -> Mat<f64> {
+    let products: Vec<Product> = columns
+        .iter()
+        .map(|column| Product::new(matrix, column))
+        .collect();
+    Mat::from_fn(columns.len(), columns.len(), |i, j| {
+        products[j].dot(&columns[i])
+    })
 }
 
 /// `A y` for a vector `y`, with the magnitudes of its sums.
