@@ -1,5 +1,6 @@
 //! Shapes over plates, in the middles of the cells of a grid.
 
+use jounce_model::structure::{Modes, StructureError, modes_holding};
 use jounce_spec::{Plate, PlatePoint, Spec};
 use std::collections::BTreeMap;
 
@@ -20,6 +21,24 @@ pub struct PlateShapes {
     pub shapes_per_sqrt_kg: Vec<Vec<Vec<f64>>>,
 }
 
+impl PlateShapes {
+    /// Returns the displacement in the middle of each cell, m, for given amplitudes of the modes,
+    /// kg^1/2 m.
+    pub(crate) fn displacement_m(&self, amplitudes: &[f64]) -> Vec<Vec<f64>> {
+        let Some(first) = self.shapes_per_sqrt_kg.first() else {
+            return Vec::new();
+        };
+        let mut sum: Vec<Vec<f64>> = first.iter().map(|own| vec![0.0; own.len()]).collect();
+        for (shape, amplitude) in self.shapes_per_sqrt_kg.iter().zip(amplitudes) {
+            let values = shape.iter().flatten();
+            for (total, value) in sum.iter_mut().flatten().zip(values) {
+                *total += amplitude * value;
+            }
+        }
+        sum
+    }
+}
+
 /// Returns the numbers of cells along the length and the width.
 fn cells(plate: &Plate) -> [usize; 2] {
     let longer_m = plate.length_m.max(plate.width_m);
@@ -34,8 +53,19 @@ fn point(i: usize, j: usize) -> String {
     format!("cell {i} {j}")
 }
 
+/// Returns the modes of a spec with some masses fixed, and their shapes over its plates.
+pub(crate) fn modes_and_plates(
+    spec: &Spec,
+    held: &[String],
+) -> Result<(Modes, Vec<PlateShapes>), StructureError> {
+    let mut modes = modes_holding(&with_cells(spec), held)?;
+    let count = modes.len();
+    let plates = take_cells(spec, &mut modes.shape, count);
+    Ok((modes, plates))
+}
+
 /// Returns the spec with a point in each cell of its plates.
-pub(super) fn with_cells(spec: &Spec) -> Spec {
+fn with_cells(spec: &Spec) -> Spec {
     let mut spec = spec.clone();
     for plate in spec.plate.values_mut() {
         let [columns, rows] = cells(plate);
@@ -53,7 +83,7 @@ pub(super) fn with_cells(spec: &Spec) -> Spec {
 }
 
 /// Takes the points of the cells out of the shapes at all points.
-pub(super) fn take_cells(
+fn take_cells(
     spec: &Spec,
     shape: &mut BTreeMap<String, Vec<f64>>,
     modes: usize,
