@@ -70,13 +70,13 @@ fn into_python<'py>(
 }
 
 /// Returns the shapes over a plate, by mode, column along the length and row across the width.
-fn shapes_over<'py>(
-    py: Python<'py>,
-    plate: &PlateShapes,
-) -> PyResult<Bound<'py, PyArray3<f64>>> {
+fn shapes_over<'py>(py: Python<'py>, plate: &PlateShapes) -> PyResult<Bound<'py, PyArray3<f64>>> {
     let shapes = &plate.shapes_per_sqrt_kg;
     let columns = shapes.first().map_or(0, Vec::len);
-    let rows = shapes.first().and_then(|shape| shape.first()).map_or(0, Vec::len);
+    let rows = shapes
+        .first()
+        .and_then(|shape| shape.first())
+        .map_or(0, Vec::len);
     let values = shapes.iter().flatten().flatten().copied().collect();
     PyArray1::from_vec(py, values).reshape([shapes.len(), columns, rows])
 }
