@@ -24,6 +24,7 @@ export class Modes {
         if (this.wire.ask("modes", { set: this.design.pairs }) === 0) return;
         this.stale.begin();
         this.panel.setAttribute("aria-busy", "true");
+        if (this.figures.children.length === 0) this.words.textContent = "computing the modes";
     }
 
     /** Shapes that are visible follow the design. */

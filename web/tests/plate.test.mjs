@@ -51,7 +51,7 @@ test("the orbit shows the motion of the plate as contours, and no beam", async (
     };
     const drawn = [];
     for (const phase of [0, 250, 500, 750]) drawn.push(await at(phase));
-    assert.ok(drawn.every((own) => own.length > 3) && new Set(drawn.map(String)).size > 1, JSON.stringify(drawn));
+    assert.ok(drawn.every((own) => own.length > 0) && new Set(drawn.flat()).size > 12, JSON.stringify(drawn));
 });
 
 test("the modes are contours with nodal lines, and follow the design", async () => {
@@ -79,7 +79,7 @@ test("the modes are contours with nodal lines, and follow the design", async () 
 test("a narrow page shows the plan and nothing leaves it", async () => {
     await page.setViewportSize({ width: 390, height: 800 });
     const [plan, wide] = [await box("#side .plan"), await page.evaluate(() => document.documentElement.scrollWidth)];
-    assert.ok(plan.width > 200 && wide <= 390, `${plan.width} ${wide}`);
+    assert.ok(plan.width > 200 && plan.x >= 0 && plan.x + plan.width <= 390 && wide <= 390, `${JSON.stringify(plan)} ${wide}`);
     await page.setViewportSize({ width: 1280, height: 800 });
 });
 
