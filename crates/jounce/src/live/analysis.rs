@@ -138,7 +138,7 @@ mod tests {
                 "width = \"20 mm\"\n"
             };
             let text = format!("{text}\n{}{width}", LAYER.replace("PART", part));
-            let mut file = SpecFile::from_text(text).unwrap();
+            let mut file = SpecFile::from_text(text);
             let analysis = LiveAnalysis::default();
             let mut last = analysis.shapes(&file.spec().unwrap()).unwrap();
             for key in keys {
