@@ -53,15 +53,48 @@ fn point(i: usize, j: usize) -> String {
     format!("cell {i} {j}")
 }
 
-/// Returns the modes of a spec with some masses fixed, and their shapes over its plates.
+/// Returns the modes of a spec with some masses fixed, and their shapes over its plates, with the
+/// signs of the modes.
 pub(crate) fn modes_and_plates(
     spec: &Spec,
     held: &[String],
 ) -> Result<(Modes, Vec<PlateShapes>), StructureError> {
-    let mut modes = modes_holding(&with_cells(spec), held)?;
-    let count = modes.len();
-    let plates = take_cells(spec, &mut modes.shape, count);
+    let modes = modes_holding(spec, held)?;
+    if spec.plate.is_empty() {
+        return Ok((modes, Vec::new()));
+    }
+    // The points of a plate decide the signs of its modes, so the points of the cells may turn them.
+    let mut with_cells = modes_holding(&with_cells(spec), held)?;
+    let sign: Vec<f64> = (0..modes.len())
+        .map(|mode| {
+            if agree(&modes, &with_cells, mode) {
+                1.0
+            } else {
+                -1.0
+            }
+        })
+        .collect();
+    let mut plates = take_cells(spec, &mut with_cells.shape, modes.len());
+    for plate in &mut plates {
+        for (shape, sign) in plate.shapes_per_sqrt_kg.iter_mut().zip(&sign) {
+            shape.iter_mut().flatten().for_each(|value| *value *= sign);
+        }
+    }
     Ok((modes, plates))
+}
+
+/// True where a mode has the same sign in both lists: the products of its values at each point and
+/// of its couplings are then positive.
+fn agree(modes: &Modes, others: &Modes, mode: usize) -> bool {
+    let points = modes.shape.iter().map(|(name, own)| {
+        let other = others.shape.get(name).map_or(0.0, |other| other[mode]);
+        own[mode] * other
+    });
+    let patches = modes.patch.iter().map(|(name, own)| {
+        let other = others.patch.get(name);
+        own.coupling_n_per_v[mode] * other.map_or(0.0, |other| other.coupling_n_per_v[mode])
+    });
+    points.chain(patches).sum::<f64>() >= 0.0
 }
 
 /// Returns the spec with a point in each cell of its plates.
