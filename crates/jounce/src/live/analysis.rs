@@ -100,7 +100,7 @@ mod tests {
     use super::*;
     use jounce_spec::SpecFile;
 
-    const LAYER: &str = "[layer.coat]\non = \"PART\"\nstart = \"1 mm\"\nlength = \"60 mm\"\nthickness = \"0.2 mm\"\n\
+    const LAYER: &str = "[layer.coat]\non = \"PART\"\nstart = \"1 mm\"\nlength = \"60 mm\"\nthickness = \"0.2 mm\"\nface = \"bottom\"\n\
         youngs_modulus = \"70 GPa\"\ndensity = \"2700 kg/m^3\"\n";
 
     /// Each change of a key of the bodies gives the shapes that a computation without an earlier
@@ -135,7 +135,7 @@ mod tests {
             let width = if part == "beam" {
                 ""
             } else {
-                "width = \"20 mm\"\n"
+                "width = \"20 mm\"\npoisson_ratio = 0.33\n"
             };
             let text = format!("{text}\n{}{width}", LAYER.replace("PART", part));
             let mut file = SpecFile::from_text(text);
