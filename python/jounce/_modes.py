@@ -6,6 +6,8 @@ import dataclasses
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Annotated, Any
 
+import numpy as np
+
 from ._fields import About, Along, Variable
 from ._format import html_table
 from ._result import Floats, Result
@@ -35,6 +37,10 @@ class ModesResult(Result):
     beams: Annotated[
         dict[str, tuple[Floats, Floats]], About("positions along each beam, m, and the shapes there, kg^-1/2, of shape ``(mode, place)``")
     ]
+    plates: Annotated[
+        dict[str, tuple[Floats, Floats]],
+        About("length and width of each plate, m, and the shapes in an even grid of cells, kg^-1/2, of shape ``(mode, column, row)``"),
+    ]
     held: Annotated[list[str], About("masses that were fixed")]
 
     def __len__(self) -> int:
@@ -54,7 +60,10 @@ class ModesResult(Result):
         return html_table("Modes", ["mode", "frequency [Hz]", "damping ratio", *(f"coupling² {name}" for name in self.patch)], rows)
 
     def to_xarray(self) -> Dataset:
-        """Returns an ``xarray.Dataset`` over ``mode``, ``point`` and ``patch``; shapes along a beam over ``place_BEAM``."""
+        """Returns an ``xarray.Dataset`` over ``mode``, ``point`` and ``patch``.
+
+        Shapes along a beam have the axis ``place_BEAM``, shapes over a plate ``x_PLATE`` and ``y_PLATE``.
+        """
         variables = self._variables()
         coords = {
             "mode": Variable(("mode",), range(1, len(self) + 1), "1", "number of the mode"),
@@ -64,6 +73,12 @@ class ModesResult(Result):
         for name, (position_m, shape) in self.beams.items():
             coords[f"place_{name}"] = Variable((f"place_{name}",), position_m, "m", f"distance from the root of {name}")
             variables[f"shape_{name}"] = Variable(("mode", f"place_{name}"), shape, "kg^-0.5", f"mass-normalised shape along {name}")
+        for name, (size_m, shape) in self.plates.items():
+            for axis, side_m, count in zip("xy", size_m, shape.shape[1:]):
+                middles = (np.arange(count) + 0.5) * side_m / count
+                coords[f"{axis}_{name}"] = Variable((f"{axis}_{name}",), middles, "m", f"{axis} of the middle of a cell of {name}")
+            dims = ("mode", f"x_{name}", f"y_{name}")
+            variables[f"shape_{name}"] = Variable(dims, shape, "kg^-0.5", f"mass-normalised shape over {name}")
         return self._dataset(variables, coords)
 
     def to_pandas(self) -> DataFrame:
@@ -75,7 +90,7 @@ class ModesResult(Result):
         return {"shape": self.plot_modes}
 
     def plot_modes(self, ax: Axes | None = None, modes: int = 4) -> Axes:
-        """Draws the shapes of the first modes along the beams, each scaled to 1."""
+        """Draws the first modes: along the beams, each scaled to 1; without beams over the plates, as contours with nodal lines."""
         from ._plot.modes import plot_modes
 
         return plot_modes(self, ax, modes)

@@ -23,6 +23,7 @@ def plot_functions():
     return {
         "harvester": harvester.plot_harvester,
         "modes": harvester.modes().plot_modes,
+        "modes of a plate": plate().modes().plot_modes,
         "frf": harvester.frf().plot_frf,
         "time history": run.plot_time_history,
         "spectrum": run.plot_spectrum,
@@ -38,6 +39,10 @@ def plot_functions():
         "noise": noisy.noise().plot_noise,
         **measured(harvester),
     }
+
+
+def plate():
+    return jounce.examples()["plate-de-marqui-2009/stop"]
 
 
 def response(harvester):
@@ -79,6 +84,7 @@ def measured(harvester):
 NAMES = [
     "harvester",
     "modes",
+    "modes of a plate",
     "frf",
     "time history",
     "spectrum",
@@ -166,3 +172,25 @@ def test_pictures_without_data_raise_errors(plot_functions):
         plot_functions["noise"](density="mfc.heat")
     with pytest.raises(jounce.ArgumentError, match="no such channel"):
         plot_functions["time history"](channel="temperature")
+
+
+def test_shapes_over_a_plate_are_those_at_its_points():
+    """The corner lies half a cell outside the middle of the last cell; the values around it continue to the corner."""
+    modes = plate().modes()
+    size_m, shapes = modes.plates["plate"]
+    assert size_m.tolist() == pytest.approx([0.1, 0.06]) and shapes.shape[0] == len(modes) and shapes.shape[1] > shapes.shape[2]
+    corner = 2 * shapes[:, -1, -1] - (shapes[:, -2, -1] + shapes[:, -1, -2]) / 2
+    exact = modes.shape[modes.point.index("plate.corner")]
+    assert corner == pytest.approx(exact, abs=2e-3 * np.abs(shapes).max())
+    dataset = modes.to_xarray()
+    assert dataset["shape_plate"].dims == ("mode", "x_plate", "y_plate")
+
+
+def test_a_plate_is_drawn_with_its_nodal_lines():
+    """The first mode of a cantilevered plate has one sign, the second, a twist of a symmetric plate, is zero along the middle."""
+    ax = plate().modes().plot_modes(modes=2)
+    assert [text.get_text()[:2] for text in ax.texts] == ["1:", "2:"]
+    lines = [path.vertices for one in ax.collections if hasattr(one, "levels") for path in one.get_paths() if len(path.vertices)]
+    (line,) = lines
+    assert line[:, 1] == pytest.approx(np.full(len(line), line[:, 1].mean()), abs=1e-6) and np.ptp(line[:, 0]) > 0.09
+    plt.close("all")

@@ -11,6 +11,8 @@ interface Drawn {
     svg: string;
     side: Box;
     cells: Box[];
+    /** Plan views of plates. */
+    plans: Box[];
     grips: Grip[];
 }
 
@@ -41,15 +43,21 @@ export class Drawing {
         const before = this.handles;
         this.handles = new Map();
         const whole = new DOMParser().parseFromString(drawn.svg, "image/svg+xml").documentElement;
-        const sheets = [drawn.side, ...drawn.cells].map((box) => sheet(whole, box));
+        const boxes = [drawn.side, ...drawn.cells, ...drawn.plans];
+        const sheets = boxes.map((box) => sheet(whole, box));
+        const plans = sheets.slice(1 + drawn.cells.length);
         sheets[0].view.setAttribute("aria-label", "Side view to scale");
         sheets.slice(1).forEach(({ view }) => view.setAttribute("aria-label", "Circuit or close-up"));
+        plans.forEach(({ view }) => {
+            view.setAttribute("aria-label", "Plan view of a plate, to scale");
+            view.classList.add("plan");
+        });
         for (const grip of drawn.grips) {
-            const inside = sheets.find((_, k) => holds([drawn.side, ...drawn.cells][k], grip.at)) ?? sheets[0];
+            const inside = sheets.find((_, k) => holds(boxes[k], grip.at)) ?? sheets[0];
             this.offer(inside.page, grip, inside === sheets[0], before);
         }
-        this.side.replaceChildren(sheets[0].view);
-        this.close.replaceChildren(...sheets.slice(1).map(({ view }) => view));
+        this.side.replaceChildren(...[sheets[0], ...plans].map(({ view }) => view));
+        this.close.replaceChildren(...sheets.slice(1, 1 + drawn.cells.length).map(({ view }) => view));
         this.close.hidden = drawn.cells.length === 0;
         if (focused instanceof SVGElement && focused.isConnected) focused.focus();
     }

@@ -9,6 +9,7 @@ import { Drawing } from "./drawing";
 import { Exports } from "./exports";
 import type { Fault, Frame, Head } from "./frame";
 import { Load } from "./load";
+import { Modes } from "./modes";
 import { Orbit } from "./orbit";
 import { Pins } from "./pins";
 import { OperatingPoint } from "./operating";
@@ -38,6 +39,7 @@ const drawing = new Drawing(find("side"), find("close"), controls, design);
 const response = new Response(find("chart-response"), new Readout(find("readout"), find("note"), find("bifurcations-title"), find("bifurcations")));
 const orbit = new Orbit();
 const axes = new Axes(controls);
+const modes = new Modes(wire, design);
 const load = new Load(wire, controls, design);
 const basins = new Basins(wire, design);
 const shake = new Shake(wire, controls, design, () => find("tab-shake").click());
@@ -146,7 +148,7 @@ wire.on("design", (frame) => {
     load.offer();
     shake.offer();
     place();
-    for (const view of [load, basins, shake]) view.designChanged();
+    for (const view of [modes, load, basins, shake]) view.designChanged();
     requests.designTaken(head.drive_frequency_hz !== null);
     kindOfDrive(head.drive_frequency_hz === null);
     point.designTaken(head.drive_frequency_hz);
@@ -208,7 +210,7 @@ wire.onLost = (full) => {
         ? "The server has too many open pages. Close one; this page then connects."
         : "The server has stopped. Start jounce explore again; this page then reconnects.";
     say(full ? "too many pages are open" : "the server has stopped");
-    for (const view of [requests, point, load, basins, shake]) view.forget();
+    for (const view of [requests, point, modes, load, basins, shake]) view.forget();
 };
 
 const act: Record<string, () => void> = {
@@ -263,6 +265,7 @@ for (const [id, name] of [["grazings", "grazings"], ["long-periods", "longPeriod
 find("sweep").onclick = () => requests.sweep(find("sweep"));
 new Tabs(document.querySelector<HTMLElement>("[role=tablist]")!, (id) => {
     if (id === "tab-response") response.chart.redraw();
+    if (id === "tab-modes") modes.run();
     if (id === "tab-load") load.run();
     if (id === "tab-basins") basins.redraw();
     if (id === "tab-shake") shake.redraw();

@@ -1,7 +1,8 @@
-// Slow motion of the beam with its impacts.
+// Slow motion of the beams and plates with their impacts.
 
 import { colour } from "./theme";
 import type { Frame } from "./frame";
+import type { Plates } from "./plates";
 
 interface Beam {
     name: string;
@@ -40,7 +41,7 @@ export class Motion {
     onPhase: (phase: number) => void = () => {};
     readonly frames: number[] = [];
 
-    constructor(private readonly canvas: HTMLCanvasElement) {
+    constructor(private readonly canvas: HTMLCanvasElement, private readonly plates: Plates) {
         this.paused = matchMedia("(prefers-reduced-motion: reduce)").matches;
         requestAnimationFrame((time) => this.tick(time));
     }
@@ -82,6 +83,8 @@ export class Motion {
             for (const value of motion) [lowest, highest] = [Math.min(lowest, value), Math.max(highest, value)];
             return { name, places: frame.array(`place.${name}`), motion, lowest, highest };
         });
+        this.plates.take(frame);
+        this.canvas.hidden = this.beams.length === 0 && (head.plates as unknown[]).length > 0;
         this.largest = Math.max(1e-12, ...this.beams.map((beam) => Math.max(beam.highest, -beam.lowest)));
         this.draw();
     }
@@ -100,6 +103,7 @@ export class Motion {
 
     draw(): void {
         const { canvas } = this;
+        this.plates.show(this.phase);
         const ratio = devicePixelRatio || 1;
         const [width, height] = [canvas.clientWidth * ratio, canvas.clientHeight * ratio];
         if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];

@@ -1,16 +1,17 @@
-// Orbit of the selected point: histories, phase portrait, spectrum, force, multipliers, and the motion of the beam.
+// Orbit of the selected point: histories, phase portrait, spectrum, force, multipliers, and the motion of the beams and plates.
 
 import { AROUND, Chart } from "./chart";
 import { Cursor } from "./cursor";
 import type { Frame } from "./frame";
 import { Motion } from "./motion";
+import { Plates } from "./plates";
 import { colour, nth } from "./theme";
 import { digits, quantity } from "./units";
 
 const find = (id: string) => document.getElementById(id)!;
 
 export class Orbit {
-    readonly motion = new Motion(find("motion") as HTMLCanvasElement);
+    readonly motion = new Motion(find("motion") as HTMLCanvasElement, new Plates(find("plate-motion")));
     private readonly displacement = new Chart(find("chart-displacement"), true);
     private readonly phase = new Chart(find("chart-phase"), true);
     private readonly voltage = new Chart(find("chart-voltage"), true);

@@ -46,7 +46,7 @@ pub use ensemble::{
 };
 pub use journal::{Journal, JournalError};
 pub use key_line::KeyLine;
-pub use model::{AnalysisError, Model};
+pub use model::{AnalysisError, Model, has_same_modes};
 pub use model_at_start::ModelAtStart;
 pub use orbit_derivatives::{
     Derivative, DerivativeAccuracy, DerivativeKey, OrbitDerivatives, orbit_derivatives,

@@ -42,7 +42,7 @@ pub use ready::{
     BifurcationLine, BranchLine, BranchMark, DensityLine, DiagramDots, DiagramView, LineDirection,
     ModeShape, PlateShape, ResponseLine, ShapePatch, SpectrumLine, SweepLine, SweepLook,
     TimeSpectrum, Trace, bifurcations, branches, densities, diagram, ensemble, frequency_responses,
-    mode_shapes, plate_shapes, power_against_resistance, spectra, spectrogram, sweep,
+    mode_shapes, plate_motion, plate_shapes, power_against_resistance, spectra, spectrogram, sweep,
     time_histories,
 };
 pub(crate) use svg::escape;

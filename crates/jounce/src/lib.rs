@@ -132,7 +132,7 @@ pub use jounce_plot::Figure;
 pub use jounce_spec::{Spec, SpecFile};
 pub use measured_frf::{MeasuredFrfOptions, MeasuredFrfResult};
 pub use measured_modes::{MeasuredModesOptions, MeasuredModesResult};
-pub use modes::{ModesOptions, ModesResult};
+pub use modes::{ModesOptions, ModesResult, PlateShapes};
 pub use noise::{NoiseOptions, NoiseResult};
 pub use options::{OptionDefinition, check_tolerance, definitions};
 pub use periodic::check_drives;

@@ -90,3 +90,49 @@ fn a_reversed_range_and_a_key_without_a_number_are_refused() {
             .contains("smaller to a larger")
     );
 }
+
+/// The displacement of a plate, continued from the cells to its corner, is the one towards the stop
+/// there.
+#[test]
+fn a_plate_moves_as_the_point_that_strikes() {
+    let path = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../examples/plate-de-marqui-2009/stop.toml"
+    );
+    let (analysis, control) = (LiveAnalysis::default(), Control::default());
+    let design = Design::new(&Harvester::read(path).unwrap(), &[]).unwrap();
+    let span = KeySpan {
+        over: "drive.shaker.frequency".into(),
+        from: 54.0,
+        to: 55.0,
+    };
+    let options = ResponseOptions {
+        seeds: 0,
+        ..Default::default()
+    };
+    analysis
+        .fine_response(1, &design, &span, &options, &control)
+        .unwrap();
+    let place = BranchPlace {
+        response: 1,
+        branch: 0,
+        point: 0,
+        parameter: None,
+    };
+    let orbit = analysis.orbit(&place, &control).unwrap();
+    assert!(orbit.beams.is_empty() && orbit.period_cycles == 1);
+    let (plate, stop) = (&orbit.plates[0], &orbit.stops[0]);
+    assert_eq!((plate.name.as_str(), plate.size_m), ("plate", [0.1, 0.06]));
+    let ratio = stop.displacement_m.len() / plate.displacement_m.len();
+    let largest_m = plate.max_displacement_m();
+    for (instant, columns) in plate.displacement_m.iter().enumerate() {
+        let (i, j) = (columns.len() - 1, columns[0].len() - 1);
+        let corner_m = 2.0 * columns[i][j] - 0.5 * (columns[i - 1][j] + columns[i][j - 1]);
+        let expected_m = stop.displacement_m[instant * ratio];
+        assert!(
+            (corner_m - expected_m).abs() < 2e-3 * largest_m,
+            "{instant}: {corner_m} {expected_m}"
+        );
+    }
+    assert_eq!(plate.pictures().unwrap().len(), 24);
+}

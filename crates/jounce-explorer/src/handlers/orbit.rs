@@ -4,7 +4,8 @@ use crate::session::Session;
 use crate::session::cancellation::Cancellation;
 use crate::session::fault::RequestFault;
 use crate::session::frame::Frame;
-use jounce::live::{BeamMotion, BranchPlace, OrbitResult, OrbitStop};
+use jounce::Error;
+use jounce::live::{BeamMotion, BranchPlace, OrbitResult, OrbitStop, PlateMotion};
 use serde_json::{Value, json};
 
 /// Sends the orbit of a point.
@@ -20,6 +21,8 @@ pub fn respond(
     let orbit = session.analysis.orbit(place, cancellation.control())?;
     let mut frame = Frame::new(id, "orbit", "done");
     put_head(&mut frame, &orbit);
+    let plates = orbit.plates.iter().map(plate);
+    frame.put("plates", plates.collect::<Result<Vec<_>, _>>()?);
     let multipliers = &orbit.multipliers;
     frame
         .array("multiplier.re", multipliers.iter().map(|(re, _)| *re))
@@ -54,6 +57,11 @@ fn put_head(frame: &mut Frame, orbit: &OrbitResult) {
         .put("warnings", json!(orbit.warnings))
         .put("pictures", orbit.frames)
         .put("stops", orbit.stops.iter().map(stop).collect::<Vec<_>>());
+}
+
+fn plate(own: &PlateMotion) -> Result<Value, Error> {
+    let largest_m = own.max_displacement_m();
+    Ok(json!({ "name": own.name, "largest": largest_m, "pictures": own.pictures()? }))
 }
 
 fn put_histories(frame: &mut Frame, orbit: &OrbitResult) {

@@ -151,6 +151,12 @@ impl Session {
                 self.send(cancellation, frame);
                 Ok(())
             }
+            RequestKind::Modes => {
+                let mut frame = Frame::new(id, "modes", "done");
+                frame.put("figures", json!(design.mode_figures()?));
+                self.send(cancellation, frame);
+                Ok(())
+            }
             RequestKind::Response { span, options } => {
                 response::respond(self, id, design, (span, options), cancellation)
             }

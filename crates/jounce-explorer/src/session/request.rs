@@ -62,6 +62,8 @@ pub enum ExcitationRequest {
 pub enum RequestKind {
     /// Faults, controls and drawing.
     Design,
+    /// Figures of the mode shapes.
+    Modes,
     /// Branches over a key.
     Response {
         /// Range.
@@ -111,6 +113,7 @@ impl RequestKind {
     pub fn name(&self) -> &'static str {
         match self {
             RequestKind::Design => "design",
+            RequestKind::Modes => "modes",
             RequestKind::Response { .. } => "response",
             RequestKind::Orbit(_) => "orbit",
             RequestKind::Sweep { .. } => "sweep",

@@ -4,4 +4,5 @@
 mod attacks;
 mod client;
 mod excitation;
+mod plates;
 mod responses;

@@ -18,6 +18,8 @@ pub struct GripSheet {
     pub circuits: Vec<Rect>,
     /// Close-ups.
     pub looks: Vec<Rect>,
+    /// Plan views of plates.
+    pub plans: Vec<Rect>,
     /// Movable parts.
     pub grips: Vec<Grip>,
 }

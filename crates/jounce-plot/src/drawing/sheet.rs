@@ -52,14 +52,16 @@ pub fn draw_sheet(drawing: &Drawing) -> GripSheet {
     let layout = scale::fitted(drawing);
     let mut svg = Svg::new(WIDTH, &drawing.title);
     let sheet_content = content(&mut svg, drawing, &layout);
-    let plans = sheet_content.cells.len() - drawing.plans.len();
-    let (circuits, close_ups) = sheet_content.cells[..plans].split_at(drawing.circuits.len());
+    let first_plan = sheet_content.cells.len() - drawing.plans.len();
+    let (cells, plans) = sheet_content.cells.split_at(first_plan);
+    let (circuits, close_ups) = cells.split_at(drawing.circuits.len());
     let grips = grips(drawing, &layout, &sheet_content.shifts, close_ups);
     GripSheet {
         svg: svg.finish(sheet_content.height),
         side: sheet_content.side,
         circuits: circuits.to_vec(),
         looks: close_ups.to_vec(),
+        plans: plans.to_vec(),
         grips,
     }
 }

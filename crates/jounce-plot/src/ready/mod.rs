@@ -21,7 +21,7 @@ pub use diagram::{DiagramDots, DiagramView, diagram};
 pub use ensemble::ensemble;
 pub use frequency_response::{ResponseLine, frequency_responses};
 pub use mode_shapes::{ModeShape, ShapePatch, mode_shapes};
-pub use plate_shapes::{PlateShape, plate_shapes};
+pub use plate_shapes::{PlateShape, plate_motion, plate_shapes};
 pub use resistance::power_against_resistance;
 pub use spectrogram::{TimeSpectrum, spectrogram};
 pub use spectrum::{SpectrumLine, spectra};

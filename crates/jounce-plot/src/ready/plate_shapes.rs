@@ -15,36 +15,77 @@ pub struct PlateShape {
 /// Width of the frame of a panel, px, about.
 const FRAME_PX: f64 = 620.0;
 
+/// Height of the frame of a picture of a motion, px, and its largest width.
+const MOTION_PX: (f64, f64) = (110.0, 300.0);
+/// Room next to the frame for its labels, px.
+const LABELS_PX: f64 = 100.0;
+
 /// Draws the shapes over a plate of given length and width, m. Colours go from the largest negative
 /// to the largest positive displacement; the nodal lines are dark.
 pub fn plate_shapes(title: &str, [length_m, width_m]: [f64; 2], shapes: &[PlateShape]) -> Figure {
+    let height_px = (FRAME_PX * width_m / length_m).clamp(40.0, FRAME_PX);
+    let panel = |shape: &PlateShape| {
+        let largest = largest(&shape.columns);
+        panel(
+            "Position along the plate",
+            shape,
+            [length_m, width_m],
+            largest,
+        )
+        .high(height_px)
+    };
+    shapes.iter().fold(Figure::new(title), |figure, shape| {
+        figure.with(panel(shape))
+    })
+}
+
+/// Draws the displacement of a plate at each instant of a motion, as one small figure each. The
+/// colours go from the negative to the positive of the displacement `largest`, the same at all
+/// instants; displacements as in [`PlateShape::columns`].
+pub fn plate_motion(
+    [length_m, width_m]: [f64; 2],
+    instants: &[Vec<Vec<f64>>],
+    largest: f64,
+) -> Vec<Figure> {
+    let px_per_m = (MOTION_PX.0 / width_m).min(MOTION_PX.1 / length_m);
+    let picture = |columns: &Vec<Vec<f64>>| {
+        let shape = PlateShape {
+            label: String::new(),
+            columns: columns.clone(),
+        };
+        let panel = panel("", &shape, [length_m, width_m], largest);
+        let mut figure = Figure::new("").with(panel.high((px_per_m * width_m).max(40.0)));
+        figure.width_px = LABELS_PX + (px_per_m * length_m).max(80.0);
+        figure
+    };
+    instants.iter().map(picture).collect()
+}
+
+fn largest(columns: &[Vec<f64>]) -> f64 {
+    (columns.iter().flatten()).fold(0.0_f64, |max, w| max.max(w.abs()))
+}
+
+/// Returns the filled contours of a shape with its nodal lines.
+fn panel(along: &str, shape: &PlateShape, [length_m, width_m]: [f64; 2], largest: f64) -> Panel {
     let edges = |count: usize, size_m: f64| -> Vec<f64> {
         (0..=count)
             .map(|k| size_m * k as f64 / count as f64)
             .collect()
     };
-    let height_px = (FRAME_PX * width_m / length_m).clamp(40.0, FRAME_PX);
-    let panel = |shape: &PlateShape| {
-        let largest = (shape.columns.iter().flatten()).fold(0.0_f64, |max, w| max.max(w.abs()));
-        let rows = shape.columns.first().map_or(0, Vec::len);
-        let field = Field {
-            x: edges(shape.columns.len(), length_m),
-            y: edges(rows, width_m),
-            columns: shape.columns.clone(),
-            range: (-largest, largest),
-        };
-        let [x, y] = nodal_lines(&shape.columns, [length_m, width_m]);
-        Panel::new(
-            Axis::linear("Position along the plate", "m").between(0.0, length_m),
-            Axis::linear(&shape.label, "m").between(0.0, width_m),
-        )
-        .high(height_px)
-        .field(field)
-        .with(Series::line(x, y).colour(Colour::Ink))
+    let rows = shape.columns.first().map_or(0, Vec::len);
+    let field = Field {
+        x: edges(shape.columns.len(), length_m),
+        y: edges(rows, width_m),
+        columns: shape.columns.clone(),
+        range: (-largest, largest),
     };
-    shapes.iter().fold(Figure::new(title), |figure, shape| {
-        figure.with(panel(shape))
-    })
+    let [x, y] = nodal_lines(&shape.columns, [length_m, width_m]);
+    Panel::new(
+        Axis::linear(along, "m").between(0.0, length_m),
+        Axis::linear(&shape.label, "m").between(0.0, width_m),
+    )
+    .field(field)
+    .with(Series::line(x, y).colour(Colour::Ink))
 }
 
 /// Returns the lines on which a shape is zero, as segments apart from each other by NaN. The shape is
@@ -102,5 +143,17 @@ mod tests {
         };
         let svg = plate_shapes("a", [1.0, 0.5], &[shape]).to_svg().unwrap();
         assert!(svg.contains("1: 8 Hz"));
+    }
+
+    /// The colours of a motion keep their meaning: half the largest displacement has not the colour
+    /// of the largest.
+    #[test]
+    fn all_instants_of_a_motion_have_one_range() {
+        let flat = |w: f64| vec![vec![w; 8]; 12];
+        let figures = plate_motion([0.1, 0.06], &[flat(1.0), flat(0.5), flat(-1.0)], 1.0);
+        let svg: Vec<String> = figures.iter().map(|f| f.to_svg().unwrap()).collect();
+        let has = |k: usize, colour: &str| svg[k].contains(&format!("fill=\"{colour}\""));
+        assert!(has(0, "#fde725") && !has(1, "#fde725") && has(2, "#440154"));
+        assert!(!has(0, "#440154") && !has(2, "#fde725"));
     }
 }

@@ -4,8 +4,8 @@ use crate::conversion::arrays::{PythonDict, matrix};
 use crate::conversion::failure::Failure;
 use crate::conversion::flat;
 use crate::input::spec::Spec;
-use jounce::{ModesOptions, ModesResult};
-use numpy::PyArray1;
+use jounce::{ModesOptions, ModesResult, PlateShapes};
+use numpy::{PyArray1, PyArray3, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -30,6 +30,11 @@ fn into_python<'py>(
         let place = PyArray1::from_slice(py, &beam.place_m);
         let shapes = matrix(py, &beam.shapes_per_sqrt_kg, beam.place_m.len())?;
         beams.set_item(&beam.name, (place, shapes))?;
+    }
+    let plates = PyDict::new(py);
+    for plate in &result.plates {
+        let size = PyArray1::from_slice(py, &plate.size_m);
+        plates.set_item(&plate.name, (size, shapes_over(py, plate)?))?;
     }
     let (points, patches, width) = (&result.points, &result.patches, result.modes.len());
     let mut couplings = [(); 2].map(|()| vec![vec![f64::NAN; width]; patches.len()]);
@@ -58,7 +63,20 @@ fn into_python<'py>(
         .rows("coupling_squared", &coupling_squared, width)?
         .rows("coupling_n_per_v", &coupling.collect::<Vec<_>>(), width)?
         .with("beams", beams)?
+        .with("plates", plates)?
         .with("held", &result.held)?
         .with("manifest", manifest)?;
     Ok(dict.dict())
+}
+
+/// Returns the shapes over a plate, by mode, column along the length and row across the width.
+fn shapes_over<'py>(py: Python<'py>, plate: &PlateShapes) -> PyResult<Bound<'py, PyArray3<f64>>> {
+    let shapes = &plate.shapes_per_sqrt_kg;
+    let columns = shapes.first().map_or(0, Vec::len);
+    let rows = shapes
+        .first()
+        .and_then(|shape| shape.first())
+        .map_or(0, Vec::len);
+    let values = shapes.iter().flatten().flatten().copied().collect();
+    PyArray1::from_vec(py, values).reshape([shapes.len(), columns, rows])
 }

@@ -2,7 +2,8 @@
 
 use super::responses::{LastLinear, StoredResponse, StoredResponses};
 use crate::error::Error;
-use jounce_analysis::{AnalysisError, Model};
+use crate::modes::{PlateShapes, modes_and_plates};
+use jounce_analysis::{AnalysisError, Model, has_same_modes};
 use jounce_control::Control;
 use jounce_model::structure::{BeamShape, shapes_along_beams};
 use jounce_spec::Spec;
@@ -12,15 +13,35 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// Number of positions along a beam at which its motion is drawn.
 const BEAM_POSITIONS: usize = 49;
 
-/// Shapes of the modes along each beam.
-pub(super) type Shapes = Arc<BTreeMap<String, BeamShape>>;
+/// Shapes of the modes along each beam and over each plate.
+#[derive(Debug, PartialEq)]
+pub(super) struct Shapes {
+    pub beams: BTreeMap<String, BeamShape>,
+    pub plates: Vec<PlateShapes>,
+}
+
+impl Shapes {
+    fn of(spec: &Spec) -> Result<Self, Error> {
+        let beams = if spec.beam.is_empty() {
+            BTreeMap::new()
+        } else {
+            shapes_along_beams(spec, &[], BEAM_POSITIONS).map_err(AnalysisError::from)?
+        };
+        let plates = if spec.plate.is_empty() {
+            Vec::new()
+        } else {
+            modes_and_plates(spec, &[]).map_err(AnalysisError::from)?.1
+        };
+        Ok(Self { beams, plates })
+    }
+}
 
 /// Computations on designs that follow one another. It stores only data that speed up the next
 /// computation: the last model, the last responses, and the last curve without contact.
 #[derive(Debug, Default)]
 pub struct LiveAnalysis {
     last_model: Mutex<Option<Arc<Model>>>,
-    shapes: Mutex<Option<(Spec, Shapes)>>,
+    shapes: Mutex<Option<(Spec, Arc<Shapes>)>>,
     pub(super) responses: StoredResponses,
     pub(super) linear: LastLinear,
 }
@@ -51,32 +72,16 @@ impl LiveAnalysis {
         Ok(model.with_control(control)?)
     }
 
-    /// Returns the shapes of the modes along the beams of a design.
-    pub(super) fn shapes(&self, spec: &Spec) -> Result<Shapes, Error> {
-        let has_same_shapes = |cached: &Spec| {
-            (
-                &cached.beam,
-                &cached.plate,
-                &cached.patch,
-                &cached.mass,
-                &cached.modal,
-            ) == (
-                &spec.beam,
-                &spec.plate,
-                &spec.patch,
-                &spec.mass,
-                &spec.modal,
-            ) && cached.reduction == spec.reduction
-        };
+    /// Returns the shapes of the modes along the beams and over the plates of a design.
+    pub(super) fn shapes(&self, spec: &Spec) -> Result<Arc<Shapes>, Error> {
         let mut cached = self.shapes.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some((_, shapes)) = cached
             .as_ref()
-            .filter(|(cached, _)| has_same_shapes(cached))
+            .filter(|(cached, _)| has_same_modes(cached, spec))
         {
             return Ok(Arc::clone(shapes));
         }
-        let shapes = shapes_along_beams(spec, &[], BEAM_POSITIONS).map_err(AnalysisError::from)?;
-        let shapes = Arc::new(shapes);
+        let shapes = Arc::new(Shapes::of(spec)?);
         *cached = Some((spec.clone(), Arc::clone(&shapes)));
         Ok(shapes)
     }
@@ -86,5 +91,74 @@ impl LiveAnalysis {
         self.responses.find(id).ok_or_else(|| {
             Error::option("response", id, "it is no longer stored; compute it again")
         })
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+    use jounce_spec::SpecFile;
+
+    const LAYER: &str = "[layer.coat]\non = \"PART\"\nstart = \"1 mm\"\nlength = \"60 mm\"\nthickness = \"0.2 mm\"\nface = \"bottom\"\nwidth = \"20 mm\"\n\
+        youngs_modulus = \"70 GPa\"\ndensity = \"2700 kg/m^3\"\n";
+
+    /// Each change of a key of the bodies gives the shapes that a computation without an earlier
+    /// one gives; other keys need no new shapes.
+    #[test]
+    fn shapes_follow_every_key_of_the_bodies() {
+        let cases = [
+            (
+                "plate-de-marqui-2009/stop.toml",
+                "plate",
+                [
+                    "layer.coat.thickness",
+                    "patch.ceramic.thickness",
+                    "plate.plate.width",
+                ],
+                "stop.corner.gap",
+            ),
+            (
+                "impact-harvester-2019/harvester.toml",
+                "beam",
+                [
+                    "layer.coat.thickness",
+                    "patch.mfc.thickness",
+                    "mass.table.mass",
+                ],
+                "stop.tip.gap",
+            ),
+        ];
+        for (example, part, keys, other) in cases {
+            let path = format!("{}/../../examples/{example}", env!("CARGO_MANIFEST_DIR"));
+            let text = std::fs::read_to_string(path).unwrap();
+            let own = if part == "beam" {
+                "section = \"thin-skin\"\n"
+            } else {
+                "poisson_ratio = 0.33\n"
+            };
+            let text = format!("{text}\n{}{own}", LAYER.replace("PART", part));
+            let mut file = SpecFile::from_text(text);
+            let analysis = LiveAnalysis::default();
+            let mut last = analysis.shapes(&file.spec().unwrap()).unwrap();
+            for key in keys {
+                let value = 1.3
+                    * file
+                        .numeric_key(key)
+                        .unwrap()
+                        .get(&file.spec().unwrap())
+                        .unwrap();
+                let unit = if key.ends_with("mass") { "kg" } else { "m" };
+                file.set(key, &format!("{value} {unit}")).unwrap();
+                let spec = file.spec().unwrap();
+                let shapes = analysis.shapes(&spec).unwrap();
+                assert_ne!(shapes, last, "{key}");
+                assert_eq!(*shapes, Shapes::of(&spec).unwrap(), "{key}");
+                last = shapes;
+            }
+            file.set(other, "0.3 mm").unwrap();
+            let same = analysis.shapes(&file.spec().unwrap()).unwrap();
+            assert!(Arc::ptr_eq(&same, &last), "{other}");
+        }
     }
 }

@@ -14,6 +14,8 @@ pub struct DesignDrawing {
     pub side: [f64; 4],
     /// Circuits and close-ups, px.
     pub cells: Vec<[f64; 4]>,
+    /// Plan views of plates, px.
+    pub plans: Vec<[f64; 4]>,
     /// Parts that can be dragged.
     pub grips: Vec<Grip>,
 }
@@ -83,6 +85,7 @@ impl Design {
                 .chain(&sheet.looks)
                 .map(extent)
                 .collect(),
+            plans: sheet.plans.iter().map(extent).collect(),
             grips: sheet.grips.iter().filter_map(grip).collect(),
             svg: sheet.svg,
         }

@@ -8,10 +8,11 @@
 //! |---|---|
 //! | every number with its unit and the range of its slider | [`Design::controls`] |
 //! | scale drawing with the keys that move its parts | [`Design::drawing`] |
+//! | mode shapes along its beams and over its plates | [`Design::mode_figures`] |
 //! | the harvester without contact over a key | [`LiveAnalysis::first_response`] |
 //! | branches over a key, carried over from the previous design | [`LiveAnalysis::coarse_response`] |
 //! | all branches over a key; their peak and bandwidth | [`LiveAnalysis::fine_response`], [`LiveAnalysis::bandwidth`] |
-//! | orbit of one point with the motion of its beams | [`LiveAnalysis::orbit`] |
+//! | orbit of one point with the motion of its beams and plates | [`LiveAnalysis::orbit`] |
 //! | points up and down over a key, one by one | [`Design::sweep`] |
 //! | power over the load, without and with contact | [`LiveAnalysis::linear_load`], [`Design::load_sweep`] |
 //! | options of [`crate::Harvester::basins`] for a plane of starts | [`Design::in_plane`] |
@@ -25,6 +26,7 @@ mod drawing;
 mod excitation;
 mod key_span;
 mod load;
+mod mode_figures;
 mod orbits;
 mod plane;
 mod responses;
@@ -39,7 +41,8 @@ pub use drawing::{DesignDrawing, Grip, GripKind};
 pub use excitation::{Excitation, ExcitationResult};
 pub use key_span::KeySpan;
 pub use load::{LinearLoad, LoadOptions};
-pub use orbits::{BeamMotion, BranchPlace, OrbitResult, OrbitStop};
+pub use mode_figures::ModeFigure;
+pub use orbits::{BeamMotion, BranchPlace, OrbitResult, OrbitStop, PlateMotion};
 pub use responses::{
     Draft, DraftOrigin, LinearCurve, ResponseBifurcation, ResponseBranch, ResponseOptions,
     ResponseResult,

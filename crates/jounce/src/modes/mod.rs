@@ -7,12 +7,13 @@ mod result;
 
 pub use options::ModesOptions;
 pub use plates::PlateShapes;
+pub(crate) use plates::modes_and_plates;
 pub use result::{BeamShapes, ModeResult, ModesResult, PatchCoupling, PointShape};
 
 use crate::error::Error;
 use crate::harvester::Harvester;
 use jounce_model::linear::couplings;
-use jounce_model::structure::{BeamShape, Modes, modes_holding, shapes_along_beams};
+use jounce_model::structure::{BeamShape, Modes, shapes_along_beams};
 use jounce_plot::ShapePatch;
 use jounce_spec::Spec;
 use std::f64::consts::TAU;
@@ -38,9 +39,7 @@ impl Harvester {
     pub fn modes(&self, options: &ModesOptions) -> Result<ModesResult, Error> {
         let spec = self.spec();
         let held = held_masses(spec, &options.hold, options.fixed_table);
-        let mut modes = modes_holding(&plates::with_cells(spec), &held)?;
-        let count = modes.len();
-        let plates = plates::take_cells(spec, &mut modes.shape, count);
+        let (modes, plates) = modes_and_plates(spec, &held)?;
         let shapes = shapes_along_beams(spec, &held, PLACES)?;
         let beam = |(name, shape): (String, BeamShape)| BeamShapes {
             patches: patches_on(spec, &name),

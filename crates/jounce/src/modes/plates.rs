@@ -1,5 +1,6 @@
 //! Shapes over plates, in the middles of the cells of a grid.
 
+use jounce_model::structure::{Modes, StructureError, modes_holding};
 use jounce_spec::{Plate, PlatePoint, Spec};
 use std::collections::BTreeMap;
 
@@ -20,6 +21,24 @@ pub struct PlateShapes {
     pub shapes_per_sqrt_kg: Vec<Vec<Vec<f64>>>,
 }
 
+impl PlateShapes {
+    /// Returns the displacement in the middle of each cell, m, for given amplitudes of the modes,
+    /// kg^1/2 m.
+    pub(crate) fn displacement_m(&self, amplitudes: &[f64]) -> Vec<Vec<f64>> {
+        let Some(first) = self.shapes_per_sqrt_kg.first() else {
+            return Vec::new();
+        };
+        let mut sum: Vec<Vec<f64>> = first.iter().map(|own| vec![0.0; own.len()]).collect();
+        for (shape, amplitude) in self.shapes_per_sqrt_kg.iter().zip(amplitudes) {
+            let values = shape.iter().flatten();
+            for (total, value) in sum.iter_mut().flatten().zip(values) {
+                *total += amplitude * value;
+            }
+        }
+        sum
+    }
+}
+
 /// Returns the numbers of cells along the length and the width.
 fn cells(plate: &Plate) -> [usize; 2] {
     let longer_m = plate.length_m.max(plate.width_m);
@@ -34,8 +53,52 @@ fn point(i: usize, j: usize) -> String {
     format!("cell {i} {j}")
 }
 
+/// Returns the modes of a spec with some masses fixed, and their shapes over its plates, with the
+/// signs of the modes.
+pub(crate) fn modes_and_plates(
+    spec: &Spec,
+    held: &[String],
+) -> Result<(Modes, Vec<PlateShapes>), StructureError> {
+    let modes = modes_holding(spec, held)?;
+    if spec.plate.is_empty() {
+        return Ok((modes, Vec::new()));
+    }
+    // The points of a plate decide the signs of its modes, so the points of the cells may turn them.
+    let mut with_cells = modes_holding(&with_cells(spec), held)?;
+    let sign: Vec<f64> = (0..modes.len())
+        .map(|mode| {
+            if agree(&modes, &with_cells, mode) {
+                1.0
+            } else {
+                -1.0
+            }
+        })
+        .collect();
+    let mut plates = take_cells(spec, &mut with_cells.shape, modes.len());
+    for plate in &mut plates {
+        for (shape, sign) in plate.shapes_per_sqrt_kg.iter_mut().zip(&sign) {
+            shape.iter_mut().flatten().for_each(|value| *value *= sign);
+        }
+    }
+    Ok((modes, plates))
+}
+
+/// True where a mode has the same sign in both lists: the products of its values at each point and
+/// of its couplings are then positive.
+fn agree(modes: &Modes, others: &Modes, mode: usize) -> bool {
+    let points = modes.shape.iter().map(|(name, own)| {
+        let other = others.shape.get(name).map_or(0.0, |other| other[mode]);
+        own[mode] * other
+    });
+    let patches = modes.patch.iter().map(|(name, own)| {
+        let other = others.patch.get(name);
+        own.coupling_n_per_v[mode] * other.map_or(0.0, |other| other.coupling_n_per_v[mode])
+    });
+    points.chain(patches).sum::<f64>() >= 0.0
+}
+
 /// Returns the spec with a point in each cell of its plates.
-pub(super) fn with_cells(spec: &Spec) -> Spec {
+fn with_cells(spec: &Spec) -> Spec {
     let mut spec = spec.clone();
     for plate in spec.plate.values_mut() {
         let [columns, rows] = cells(plate);
@@ -53,7 +116,7 @@ pub(super) fn with_cells(spec: &Spec) -> Spec {
 }
 
 /// Takes the points of the cells out of the shapes at all points.
-pub(super) fn take_cells(
+fn take_cells(
     spec: &Spec,
     shape: &mut BTreeMap<String, Vec<f64>>,
     modes: usize,

@@ -5,6 +5,6 @@ mod motion;
 mod orbit;
 mod orbit_stop;
 
-pub use motion::BeamMotion;
+pub use motion::{BeamMotion, PlateMotion};
 pub use orbit::{BranchPlace, OrbitResult};
 pub use orbit_stop::OrbitStop;

@@ -1,7 +1,7 @@
 //! Orbit of a point of a response, sampled over its period.
 
 use super::limits;
-use super::motion::{self, BeamMotion};
+use super::motion::{self, BeamMotion, Motion, PlateMotion};
 use super::orbit_stop::OrbitStop;
 use crate::error::Error;
 use crate::live::LiveAnalysis;
@@ -90,6 +90,8 @@ pub struct OrbitResult {
     pub frames: usize,
     /// Each beam.
     pub beams: Vec<BeamMotion>,
+    /// Each plate.
+    pub plates: Vec<PlateMotion>,
     /// Each limit of a patch with the value that exceeds it most or is nearest to it.
     pub limits: Vec<ExceededLimit>,
     /// Exceeded limits of patches, and deflections too large for a linear beam.
@@ -116,9 +118,9 @@ impl LiveAnalysis {
         let solution = correct_at(&shooting, &CORRECTOR, &metric, position)?;
         let orbit = shooting.orbit(&solution.local, solution.error)?;
         let shapes = self.shapes(&response.spec)?;
-        let beams = motion::of_beams(&solution.local, &shapes);
+        let motion = motion::of_bodies(&solution.local, &shapes);
         let limits = limits::reached(&response.spec, &solution.local);
-        let sampled = sampled(&response, &orbit, &solution, beams)?;
+        let sampled = sampled(&response, &orbit, &solution, motion)?;
         let warnings = limits::warnings(&limits, &sampled.beams);
         Ok(OrbitResult {
             limits,
@@ -165,7 +167,7 @@ fn sampled(
     response: &StoredResponse,
     orbit: &Orbit,
     solution: &CorrectedPoint<ShootingEvaluation>,
-    (frames, beams): (usize, Vec<BeamMotion>),
+    motion: Motion,
 ) -> Result<OrbitResult, Error> {
     let (evaluation, parameter) = (&solution.local, solution.position.parameter);
     let plant = &evaluation.kernel.plant;
@@ -214,8 +216,9 @@ fn sampled(
         spectrum_frequency_hz,
         spectrum_amplitude_peak_v,
         stops: plant.system.stops.iter().enumerate().map(stop).collect(),
-        frames,
-        beams,
+        frames: motion.frames,
+        beams: motion.beams,
+        plates: motion.plates,
         limits: Vec::new(),
         warnings: Vec::new(),
     })
