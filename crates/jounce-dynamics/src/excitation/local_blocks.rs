@@ -219,6 +219,106 @@ fn orders(size: f64) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::flow::layout::StateLayout;
+    use jounce_model::plant::{BlockDiagonal, BlockPair};
+    use jounce_simd::Portable;
+
+    const START: [f64; 6] = [0.3, -0.2, 0.5, 0.1, -0.7, 0.4];
+    const COLUMNS: [[f64; 6]; 2] = [
+        [1.0, -0.4, 0.3, 0.8, 0.5, -1.2],
+        [0.2, 0.9, -0.6, 0.1, 1.1, 0.7],
+    ];
+    const FORCE: [f64; 6] = [-0.5, 0.3, 0.8, -0.1, 0.2, 0.6];
+    const SIZES: [SignalSample; 2] = [[0.7, -300.0], [-1.1, 0.0]];
+    const LENGTH_S: f64 = 1e-3;
+    const IMPULSE: f64 = 0.02;
+
+    fn block() -> BlockDiagonal {
+        let oscillates = BlockPair::Oscillatory {
+            decay: -3.0,
+            frequency: 180.0,
+        };
+        BlockDiagonal {
+            pairs: vec![oscillates, BlockPair::Jordan { rate: -40.0 }],
+            reals: vec![-2.0, 0.0],
+        }
+    }
+
+    /// Integrates state and `int u_k y dt` over half of the step with 1000 steps of the classical
+    /// Runge-Kutta method.
+    fn integrate(block: &BlockDiagonal, from_s: f64, state: &mut [Vec<f64>; 3]) {
+        let h = 0.5 * LENGTH_S / 1000.0;
+        let rate = |t: f64, y: &[f64]| -> [Vec<f64>; 3] {
+            let signals = SIZES.map(|[u, s]| u + s * t);
+            let mut rate = block.apply(y);
+            for (column, u) in COLUMNS.iter().zip(signals) {
+                rate.iter_mut().zip(column).for_each(|(r, b)| *r += b * u);
+            }
+            let products = signals.map(|u| y.iter().map(|y| u * y).collect());
+            let [first, second] = products;
+            [rate, first, second]
+        };
+        let shifted = |y: &[f64], rate: &[f64], by: f64| -> Vec<f64> {
+            y.iter().zip(rate).map(|(y, rate)| y + by * rate).collect()
+        };
+        for k in 0..1000 {
+            let t = from_s + h * f64::from(k);
+            let y = state[0].clone();
+            let one = rate(t, &y);
+            let two = rate(t + 0.5 * h, &shifted(&y, &one[0], 0.5 * h));
+            let three = rate(t + 0.5 * h, &shifted(&y, &two[0], 0.5 * h));
+            let four = rate(t + h, &shifted(&y, &three[0], h));
+            for (part, state) in state.iter_mut().enumerate() {
+                for (i, x) in state.iter_mut().enumerate() {
+                    let middle = two[part][i] + three[part][i];
+                    *x += h / 6.0 * (one[part][i] + 2.0 * middle + four[part][i]);
+                }
+            }
+        }
+    }
+
+    /// Comparison with a Runge-Kutta solution, with an impulse in the middle of the step.
+    #[test]
+    fn a_step_is_that_of_the_differential_equation() {
+        let block = block();
+        let mut wanted = [START.to_vec(), vec![0.0; 6], vec![0.0; 6]];
+        integrate(&block, 0.0, &mut wanted);
+        (wanted[0].iter_mut().zip(FORCE)).for_each(|(y, b)| *y += IMPULSE * b);
+        integrate(&block, 0.5 * LENGTH_S, &mut wanted);
+
+        let layout = StateLayout {
+            pairs: 2,
+            reals: 2,
+            pair_lanes: 1,
+            real_lanes: 1,
+        };
+        let pushed = block.flow(0.5 * LENGTH_S, &FORCE.map(|b| IMPULSE * b));
+        let free = block.flow(LENGTH_S, &START);
+        let sum: Vec<f64> = free.iter().zip(pushed).map(|(y, more)| y + more).collect();
+        let mut y = layout.pack(&sum);
+        let mut sums = vec![vec![F64x8::ZERO; layout.lanes()]; 2];
+        let tables = LocalTables {
+            vectors: vec![(0, F64x8([1.0; LANES])), (1, F64x8([1.0; LANES]))],
+            columns: COLUMNS.map(|column| layout.pack(&column)).to_vec(),
+            forces: vec![layout.pack(&FORCE)],
+            fastest_rad_s: 180.1,
+        };
+        let mut weighted = F64x8::ZERO;
+        weighted.0[3] = IMPULSE;
+        let step = LocalStep {
+            tables: &tables,
+            generator: &Flow::generator(&block, &layout),
+            sizes: &SIZES,
+            nodes: &[(0, [0.5 * LENGTH_S; LANES], weighted)],
+            length_s: LENGTH_S,
+        };
+        step.pass(Portable::new(), &mut y, &mut sums);
+        for (computed, wanted) in [&y, &sums[0], &sums[1]].into_iter().zip(&wanted) {
+            for (a, b) in layout.unpack(computed).iter().zip(wanted) {
+                assert!((a - b).abs() < 1e-12 * b.abs(), "{a} {b}");
+            }
+        }
+    }
 
     #[test]
     fn the_sums_end_where_their_terms_no_longer_count() {

@@ -97,7 +97,10 @@ impl SignalWork {
     ) {
         let (tables, h) = (&self.tables, length_s.unwrap_or(time_s - self.since_s));
         let [change, solved] = &mut self.buffers;
-        let is_pushed = self.forces.iter().any(|(impulse, _)| *impulse != 0.0);
+        let pushed = |(impulse, weighted): &(f64, Vec<f64>)| {
+            *impulse != 0.0 || weighted.iter().any(|product| *product != 0.0)
+        };
+        let is_pushed = self.forces.iter().any(pushed);
         let forces = || tables.forces.iter().zip(&self.forces).filter(|_| is_pushed);
         combine(w, change, [(1.0, state), (-1.0, &self.start)]);
         for (signal, [u, s]) in tables.signals.iter().zip(&self.sizes) {
