@@ -35,7 +35,7 @@ impl Integrator<'_> {
         std::mem::swap(&mut self.y, &mut self.next);
         self.time_s += table.length_s;
         self.excitation
-            .pass(self.kernel, table.length_s, self.time_s, &mut self.y);
+            .pass(w, self.kernel, table.length_s, self.time_s, &mut self.y);
         for tone in &mut self.tones {
             tone.turn *= tone.samples[step.port].end();
         }

@@ -1,9 +1,7 @@
 //! A signal at the current time of an integration.
 
-use crate::flow::layout::StateLayout;
 use jounce_model::drive::{Travel, WavePiece};
-use jounce_model::plant::{Forcing, Signal};
-use jounce_simd::F64x8;
+use jounce_model::plant::Signal;
 use std::sync::Arc;
 
 /// Signal with its current position.
@@ -12,18 +10,13 @@ pub struct SignalCursor {
     pub index: usize,
     pub piece: WavePiece,
     pub travel: Option<Arc<Travel>>,
-    pub column: Vec<F64x8>,
-    pub rest: Vec<F64x8>,
-    pub lag: Vec<F64x8>,
-    pub local: Vec<F64x8>,
 }
 
 impl SignalCursor {
     /// Creates the cursor of a signal at a time; `held_a` are the currents that bridges draw from
     /// their storages, 0 where none is given.
     pub fn at(
-        layout: &StateLayout,
-        (signal, forcing): (&Signal, &Forcing),
+        signal: &Signal,
         travel: Option<Arc<Travel>>,
         (time_s, held_a): (f64, &[f64]),
     ) -> Self {
@@ -33,16 +26,10 @@ impl SignalCursor {
         if let Some(held) = held {
             (piece.size, piece.end_size) = (*held, *held);
         }
-        let [column, rest, lag, local] =
-            [&forcing.column, &forcing.rest, &forcing.lag, &forcing.local].map(|b| layout.pack(b));
         Self {
             index,
             piece,
             travel,
-            column,
-            rest,
-            lag,
-            local,
         }
     }
 }

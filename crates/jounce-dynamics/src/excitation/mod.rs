@@ -10,7 +10,7 @@
 
 mod breakpoints;
 mod cursor;
-mod local_motions;
+mod local_blocks;
 mod port;
 mod repeated_integrals;
 pub(crate) mod row;
@@ -22,8 +22,8 @@ use crate::flow::layout::StateLayout;
 use crate::kernel::Kernel;
 use cursor::SignalCursor;
 use jounce_model::plant::SignalSample;
-use jounce_simd::{F64x8, LANES, Simd};
-use local_motions::LocalMotions;
+use jounce_simd::{F64x8, LANES, Portable, Simd};
+use local_blocks::LocalStep;
 use port::PortExcitation;
 use signal_work::SignalWork;
 use std::sync::Arc;
@@ -37,28 +37,25 @@ pub(super) struct Excitation {
     pub sizes: Vec<SignalSample>,
     /// Earliest breakpoint, s.
     next_s: f64,
-    /// Longest step under signals that are not silent, s.
-    limit_s: f64,
     /// For each port, its row over the signals and its forced motion from the current time on.
     ports: Vec<PortExcitation>,
     /// Work of the bases moved by signals through the contacts since the start, J.
     pub base_work_j: f64,
-    has_local: bool,
-    local_motions: LocalMotions,
+    /// Buffer for a state with its forced part.
+    full: Vec<F64x8>,
     tables: Arc<ExcitationTables>,
     pub signal_work: SignalWork,
 }
 
 impl Excitation {
     pub fn new(kernel: &Kernel, time_s: f64, held_a: &[f64]) -> Self {
-        let (plant, layout) = (&kernel.plant, &kernel.layout);
+        let plant = &kernel.plant;
         let cursors: Vec<SignalCursor> = plant
             .system
             .signals
             .iter()
-            .zip(&plant.forcings)
             .zip(&plant.travels)
-            .map(|(both, travel)| SignalCursor::at(layout, both, travel.clone(), (time_s, held_a)))
+            .map(|(signal, travel)| SignalCursor::at(signal, travel.clone(), (time_s, held_a)))
             .collect();
         let sizes: Vec<SignalSample> = cursors
             .iter()
@@ -68,11 +65,16 @@ impl Excitation {
         let mut forced = Self {
             sizes,
             next_s: 0.0,
-            limit_s: plant.local_limit_s(),
             ports: tables.ports.clone(),
             base_work_j: 0.0,
-            has_local: !cursors.is_empty() && plant.local.contains(&true),
-            local_motions: LocalMotions::default(),
+            full: vec![
+                F64x8::ZERO;
+                if cursors.is_empty() {
+                    0
+                } else {
+                    kernel.layout.lanes()
+                }
+            ],
             signal_work: SignalWork::new(kernel, time_s),
             tables,
             cursors,
@@ -83,10 +85,9 @@ impl Excitation {
     }
 
     /// Starts to count energies: `y` is the state at the start of the integration.
-    pub fn open(&mut self, layout: &StateLayout, y: &[F64x8]) {
+    pub fn open(&mut self, y: &[F64x8]) {
         if !self.is_silent() {
-            self.signal_work
-                .open(&self.sizes, self.full_state(layout, y));
+            self.signal_work.open(&self.sizes, &self.full_lanes(y));
         }
     }
 
@@ -98,23 +99,34 @@ impl Excitation {
 
     /// Returns the state with its forced part.
     pub fn full_state(&self, layout: &StateLayout, y: &[F64x8]) -> Vec<f64> {
-        let mut full_state = y.to_vec();
-        for (cursor, [size, slope]) in self.cursors.iter().zip(&self.sizes) {
-            for (i, lane) in full_state.iter_mut().enumerate() {
-                *lane = lane
-                    .add_scaled(*size, &cursor.rest[i])
-                    .add_scaled(*slope, &cursor.lag[i]);
+        layout.unpack(&self.full_lanes(y))
+    }
+
+    /// Returns the vectors of the state with its forced part.
+    pub fn full_lanes(&self, y: &[F64x8]) -> Vec<F64x8> {
+        let mut full = y.to_vec();
+        self.add_forced(Portable::new(), &mut full);
+        full
+    }
+
+    /// Adds the forced part to a state.
+    #[inline(always)]
+    fn add_forced<W: Simd>(&self, w: W, state: &mut [F64x8]) {
+        for (signal, [size, slope]) in self.tables.signals.iter().zip(&self.sizes) {
+            let (size, slope) = (w.splat(*size), w.splat(*slope));
+            for (lane, (rest, lag)) in state.iter_mut().zip(signal.rest.iter().zip(&signal.lag)) {
+                let by_value = w.fma(size, w.load(rest), w.load(lane));
+                *lane = w.store(w.fma(slope, w.load(lag), by_value));
             }
         }
-        layout.unpack(&full_state)
     }
 
     /// Returns the latest end of a step from a time on, s: a breakpoint, or the limit of the series
     /// of local blocks.
     #[inline(always)]
     pub fn until_s(&self, time_s: f64) -> f64 {
-        if self.limit_s.is_finite() && self.sizes.iter().any(|size| *size != [0.0; 2]) {
-            self.next_s.min(time_s + self.limit_s)
+        if self.tables.limit_s.is_finite() && self.sizes.iter().any(|size| *size != [0.0; 2]) {
+            self.next_s.min(time_s + self.tables.limit_s)
         } else {
             self.next_s
         }
@@ -227,29 +239,35 @@ impl Excitation {
     /// Advances to the end of a step; `y` is the state there and receives the forced motion of
     /// local blocks.
     #[inline(always)]
-    pub fn pass(&mut self, kernel: &Kernel, length_s: f64, time_s: f64, y: &mut [F64x8]) {
+    pub fn pass<W: Simd>(
+        &mut self,
+        w: W,
+        kernel: &Kernel,
+        length_s: f64,
+        time_s: f64,
+        y: &mut [F64x8],
+    ) {
         if self.cursors.is_empty() {
             return;
         }
-        if self.has_local && self.sizes.iter().any(|size| *size != [0.0; 2]) {
-            let local_motion = self.local_motions.over(
-                kernel,
-                self.cursors.iter().map(|cursor| &cursor.local),
-                length_s,
-            );
-            for (by, [size, slope]) in local_motion.iter().zip(&self.sizes) {
-                for (i, y) in y.iter_mut().enumerate() {
-                    *y = y.add_scaled(*size, &by[0][i]).add_scaled(*slope, &by[1][i]);
+        w.out_of_line(
+            #[inline(always)]
+            || {
+                let local = LocalStep {
+                    tables: &self.tables.local,
+                    generator: &kernel.generator,
+                    sizes: &self.sizes,
+                    nodes: &self.signal_work.nodes,
+                    length_s,
+                };
+                local.pass(w, y, &mut self.signal_work.states);
+                self.signal_work.nodes.clear();
+                for (size, cursor) in self.sizes.iter_mut().zip(&self.cursors) {
+                    size[0] = cursor.piece.size_at(time_s);
                 }
-            }
-            self.signal_work
-                .pass_local(kernel, &self.sizes, length_s, y);
-        }
-        self.signal_work.pass();
-        for (size, cursor) in self.sizes.iter_mut().zip(&self.cursors) {
-            size[0] = cursor.piece.size_at(time_s);
-        }
-        self.aim(time_s);
+                self.aim(time_s);
+            },
+        );
     }
 
     fn find_next(&mut self) {

@@ -2,9 +2,12 @@
 
 use jounce_model::plant::{LOCAL_TERMS, SignalSample};
 
+/// Number of powers that the integrals of all orders need.
+const POWERS: usize = LOCAL_TERMS + 2;
+
 /// `1 / k!`.
-const INVERSE_FACTORIALS: [f64; LOCAL_TERMS + 2] = {
-    let mut shares = [1.0; LOCAL_TERMS + 2];
+const INVERSE_FACTORIALS: [f64; POWERS] = {
+    let mut shares = [1.0; POWERS];
     let mut k = 1;
     while k < shares.len() {
         shares[k] = shares[k - 1] / k as f64;
@@ -13,20 +16,49 @@ const INVERSE_FACTORIALS: [f64; LOCAL_TERMS + 2] = {
     shares
 };
 
+/// `1 / k`, 0 for `k = 0`.
+const INVERSES: [f64; POWERS + 2] = {
+    let mut inverses = [0.0; POWERS + 2];
+    let mut k = 1;
+    while k < inverses.len() {
+        inverses[k] = 1.0 / k as f64;
+        k += 1;
+    }
+    inverses
+};
+
+/// `h^k / k!` for `k = 0, 1, ...`.
+#[inline(always)]
+pub fn powers(h: f64) -> [f64; POWERS] {
+    let (mut powers, mut power) = ([1.0; POWERS], 1.0);
+    for (out, share) in powers.iter_mut().zip(&INVERSE_FACTORIALS) {
+        *out = power * share;
+        power *= h;
+    }
+    powers
+}
+
 /// `U_k(t) = u t^k / k! + s t^(k+1) / (k+1)!`.
 #[inline(always)]
 pub fn repeated([u, s]: SignalSample, k: usize, t: f64) -> f64 {
     t.powi(k as i32) * INVERSE_FACTORIALS[k] * (u + s * t / (k + 1) as f64)
 }
 
-/// `int_0^h U_k (v + z t) dt`.
+/// `U_k(h)`, and `int_0^h U_k dt` and `int_0^h U_k t dt`, from the [`powers`] of `h`; `k` is at most
+/// [`LOCAL_TERMS`].
 #[inline(always)]
-pub fn repeated_product([u, s]: SignalSample, [v, z]: SignalSample, k: usize, h: f64) -> f64 {
-    let (n, share) = (k as f64, h.powi(k as i32 + 1) * INVERSE_FACTORIALS[k]);
-    share
-        * (u * v / (n + 1.0)
-            + h * (u * z + s * v / (n + 1.0)) / (n + 2.0)
-            + h * h * s * z / ((n + 1.0) * (n + 3.0)))
+pub fn repeated_products(
+    [u, s]: SignalSample,
+    powers: &[f64; POWERS],
+    k: usize,
+    h: f64,
+) -> [f64; 3] {
+    let change = s * h;
+    [
+        powers[k] * (u + change * INVERSES[k + 1]),
+        powers[k + 1] * (u + change * INVERSES[k + 2]),
+        powers[k + 1] * h * (u * (k + 1) as f64 * INVERSES[k + 2] + change * INVERSES[k + 3]),
+    ]
 }
 
 #[cfg(test)]
@@ -52,10 +84,9 @@ mod tests {
                     < 1e-13
             );
             let product = simpson(&|t| repeated([u, s], k, t) * (v + z * t), h);
-            assert!(
-                (repeated_product([u, s], [v, z], k, h) - product).abs() < 1e-13,
-                "{k}"
-            );
+            let [at_end, by_value, by_slope] = repeated_products([u, s], &powers(h), k, h);
+            assert!((v * by_value + z * by_slope - product).abs() < 1e-13, "{k}");
+            assert!((at_end - repeated([u, s], k, h)).abs() < 1e-15, "{k}");
         }
     }
 }

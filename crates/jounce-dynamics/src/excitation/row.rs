@@ -58,6 +58,13 @@ impl ExcitationRow {
         }
     }
 
+    /// Reads an entry of the physical state.
+    pub fn of_physical(plant: &Plant, state_index: usize) -> Self {
+        let matrix = &plant.diagonal.to_physical;
+        let row: Vec<f64> = (0..plant.len()).map(|j| matrix[(state_index, j)]).collect();
+        Self::of(plant, &row)
+    }
+
     /// Returns the polynomial for given samples of the signals.
     #[inline(always)]
     pub fn series(&self, sizes: &[SignalSample]) -> ExcitationSeries {
@@ -118,6 +125,12 @@ impl ExcitationSeries {
             .fold(0.0, |value, c| value * t + c)
     }
 
+    /// Returns the integral from the current time on.
+    pub fn integral(&self, t: f64) -> f64 {
+        let terms = self.coefficients[..self.used].iter().enumerate().rev();
+        t * terms.fold(0.0, |sum, (j, c)| sum * t + c / (j + 1) as f64)
+    }
+
     /// Returns the second derivative.
     #[inline(always)]
     pub fn curvature(&self, t: f64) -> f64 {
@@ -165,6 +178,10 @@ mod tests {
             "{}",
             series.curvature(0.6)
         );
+        let integral = 0.6 - 0.36 + 0.5 * 0.216 / 3.0 + 3.0 * 0.1296 / 4.0 - 0.07776 / 5.0
+            + 0.2 * 0.046_656 / 6.0
+            + 0.7 * 0.027_993_6 / 7.0;
+        assert!((series.integral(0.6) - integral).abs() < 1e-15);
         let fourth = |t: f64| (-24.0 + 24.0 * t + 252.0 * t * t).abs();
         assert!((0..=60).all(|k| fourth(f64::from(k) / 100.0) <= series.fourth_bound(0.6)));
     }

@@ -89,7 +89,7 @@ impl Integrator<'_> {
     fn fly_without_ports<W: Simd>(&mut self, w: W, end_s: f64) {
         let length_s = self.excitation.remaining_s(self.time_s, end_s);
         self.propagate_to(w, length_s);
-        self.advance_state(length_s, end_s);
+        self.advance_state(w, length_s, end_s);
         self.work.flight_steps += 1;
     }
 
@@ -98,7 +98,7 @@ impl Integrator<'_> {
     #[inline(always)]
     fn strike<W: Simd>(&mut self, w: W, crossing: Crossing, begun_s: f64) -> bool {
         let (after_s, motion) = self.locate(w, 0, crossing);
-        self.advance_state(after_s, self.time_s + after_s);
+        self.advance_state(w, after_s, self.time_s + after_s);
         self.set_motion(0, motion);
         // A point that is past a rigid stop by roundoff and moves out has left it, unless it is
         // pressed back first.
@@ -146,7 +146,7 @@ impl Integrator<'_> {
                 tone.turn *= turn;
             }
             self.excitation
-                .pass(self.kernel, length_s, self.time_s, &mut self.y);
+                .pass(w, self.kernel, length_s, self.time_s, &mut self.y);
             self.set_motion(0, motion);
         }
         verdict
@@ -161,7 +161,7 @@ impl Integrator<'_> {
         let step = self.step_of(w, 0, level, length_s, motion, self.drive_after(0, length_s));
         let verdict = self.judge_flight(0, &step, motion[0]);
         if let FlightVerdict::Clear = verdict {
-            self.advance_state(length_s, end_s);
+            self.advance_state(w, length_s, end_s);
             self.set_motion(0, motion);
         }
         verdict

@@ -12,7 +12,7 @@ use layout::StateLayout;
 
 /// Entries `a, b, c, d` of the 2 x 2 blocks, then the 1 x 1 blocks, in padded vectors: a flow, or
 /// its generator.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct Flow {
     pairs: [Vec<F64x8>; 4],
     reals: Vec<F64x8>,
@@ -74,6 +74,22 @@ impl Flow {
         )
     }
 
+    /// Returns `A^-1`, with 0 for the blocks of omitted states.
+    pub fn inverse(block: &BlockDiagonal, layout: &StateLayout, omitted: &[bool]) -> Self {
+        let unless = |omitted: bool, value: f64| if omitted { 0.0 } else { value };
+        let (paired, single) = omitted.split_at(2 * block.pairs.len());
+        let pairs = block.pairs.iter().zip(paired.chunks_exact(2));
+        let reals = block.reals.iter().zip(single);
+        Self::of(
+            layout,
+            pairs.map(|(pair, omitted)| {
+                let [a, b, c, d] = pair.matrix();
+                [d, -b, -c, a].map(|entry| unless(omitted[0], entry / (a * d - b * c)))
+            }),
+            reals.map(|(rate, omitted)| unless(*omitted, 1.0 / rate)),
+        )
+    }
+
     fn of(
         layout: &StateLayout,
         pairs: impl Iterator<Item = [f64; 4]>,
@@ -107,10 +123,23 @@ impl Flow {
         self.reals[k / LANES].0[k % LANES]
     }
 
+    /// Returns the number of vectors of pairs.
     #[inline(always)]
-    fn entries<W: Simd>(&self, w: W, k: usize) -> [W::Register; 4] {
+    pub(crate) fn pair_lanes(&self) -> usize {
+        self.pairs[0].len()
+    }
+
+    /// Returns the entries `a, b, c, d` of a vector of pairs.
+    #[inline(always)]
+    pub(crate) fn entries<W: Simd>(&self, w: W, k: usize) -> [W::Register; 4] {
         let [a, b, c, d] = &self.pairs;
         [w.load(&a[k]), w.load(&b[k]), w.load(&c[k]), w.load(&d[k])]
+    }
+
+    /// Returns the entries of a vector of reals.
+    #[inline(always)]
+    pub(crate) fn real_entries<W: Simd>(&self, w: W, k: usize) -> W::Register {
+        w.load(&self.reals[k])
     }
 
     /// Applies the blocks to a state.
@@ -125,6 +154,22 @@ impl Flow {
         }
         for (k, rate) in self.reals.iter().enumerate() {
             out[2 * p + k] = w.store(w.mul(w.load(rate), w.load(&y[2 * p + k])));
+        }
+    }
+
+    /// Adds the blocks applied to a state to another state.
+    #[inline(always)]
+    pub fn apply_onto<W: Simd>(&self, w: W, y: &[F64x8], sum: &mut [F64x8]) {
+        let p = self.pair_lanes();
+        for k in 0..p {
+            let (u, v) = (w.load(&y[k]), w.load(&y[p + k]));
+            let [a, b, c, d] = self.entries(w, k);
+            sum[k] = w.store(w.fma(a, u, w.fma(b, v, w.load(&sum[k]))));
+            sum[p + k] = w.store(w.fma(c, u, w.fma(d, v, w.load(&sum[p + k]))));
+        }
+        for (k, rate) in self.reals.iter().enumerate() {
+            let at = &mut sum[2 * p + k];
+            *at = w.store(w.fma(w.load(rate), w.load(&y[2 * p + k]), w.load(at)));
         }
     }
 

@@ -89,13 +89,13 @@ impl Integrator<'_> {
 
     /// Advances to the state in `next`; the ports are not updated.
     #[inline(always)]
-    pub(crate) fn advance_state(&mut self, length_s: f64, end_s: f64) {
+    pub(crate) fn advance_state<W: Simd>(&mut self, w: W, length_s: f64, end_s: f64) {
         self.note(length_s, &[]);
         std::mem::swap(&mut self.y, &mut self.next);
         self.time_s = end_s;
         self.tones.iter_mut().for_each(|tone| tone.set(end_s));
         self.excitation
-            .pass(self.kernel, length_s, end_s, &mut self.y);
+            .pass(w, self.kernel, length_s, end_s, &mut self.y);
     }
 
     /// Sets the motion of a port at the current time.

@@ -139,7 +139,7 @@ impl Integrator<'_> {
         self.time_s += table.length_s;
         self.tones.iter_mut().for_each(|tone| tone.set(self.time_s));
         self.excitation
-            .pass(self.kernel, table.length_s, self.time_s, &mut self.y);
+            .pass(w, self.kernel, table.length_s, self.time_s, &mut self.y);
         self.update_port(w, 0);
         self.observe_rest(0, table.length_s, &lane);
         self.reset_onto_stop(0);

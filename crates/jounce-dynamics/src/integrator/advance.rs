@@ -63,7 +63,9 @@ impl Integrator<'_> {
     #[inline(always)]
     pub(crate) fn next_breakpoint<W: Simd>(&mut self, w: W, end_s: f64) -> f64 {
         if self.excitation.has_breakpoint(self.time_s)
-            && self.excitation.cross(self.kernel, self.time_s, &mut self.y)
+            && self
+                .excitation
+                .cross(w, self.kernel, self.time_s, &mut self.y)
         {
             self.update_ports(w);
         }

@@ -112,7 +112,7 @@ impl<'k> Integrator<'k> {
     fn open_ports(&mut self) {
         let kernel = self.kernel;
         let count = kernel.plant.ports.len();
-        self.excitation.open(&self.layout, &self.y);
+        self.excitation.open(&self.y);
         for (p, stop) in kernel.plant.system.stops.iter().enumerate() {
             self.update_port(Portable::new(), p);
             let roundoffs = self.start_roundoffs(p);

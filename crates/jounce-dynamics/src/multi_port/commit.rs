@@ -63,7 +63,7 @@ impl Integrator<'_> {
         std::mem::swap(&mut self.y, &mut self.next);
         self.time_s += length.seconds();
         self.excitation
-            .pass(self.kernel, length.seconds(), self.time_s, &mut self.y);
+            .pass(w, self.kernel, length.seconds(), self.time_s, &mut self.y);
         let first = steps[0].port;
         for tone in &mut self.tones {
             tone.turn *= tone.samples[first].end();

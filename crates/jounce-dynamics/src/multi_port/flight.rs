@@ -65,7 +65,11 @@ impl Integrator<'_> {
             match self.attempt_all(w, tight, length_s, landing) {
                 StepOutcome::Clear => {
                     let start_s = self.time_s;
-                    self.advance_state(length_s, if landing { end_s } else { start_s + length_s });
+                    self.advance_state(
+                        w,
+                        length_s,
+                        if landing { end_s } else { start_s + length_s },
+                    );
                     for port in self
                         .ports
                         .iter_mut()
@@ -193,7 +197,7 @@ impl Integrator<'_> {
         if strikes.len() > 1 {
             self.propagate_to(w, after_s);
         }
-        self.advance_state(after_s, self.time_s + after_s);
+        self.advance_state(w, after_s, self.time_s + after_s);
         self.join(w, p);
     }
 }

@@ -167,7 +167,7 @@ impl Integrator<'_> {
         self.excitation.signal_work.until(
             self.kernel,
             &self.excitation.sizes,
-            &self.block_state(),
+            &self.excitation.full_lanes(&self.y),
             self.time_s,
         )
     }

@@ -50,6 +50,9 @@ impl TrajectorySegment {
         // The flow over many equal steps is computed once: its roundoff accumulates, without effect
         // on the search for a turning point.
         let inner = (self.length_s / gap_s).ceil().max(1.0);
+        if inner == 1.0 {
+            return;
+        }
         let (flow, mut state) = (
             kernel.plant.diagonal.block.over(self.length_s / inner),
             self.state.clone(),

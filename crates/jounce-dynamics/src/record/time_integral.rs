@@ -9,15 +9,18 @@
 //! Validation: `tests/integrate/time_integral.rs`.
 
 use super::trajectory::{ResponseCache, Trajectory, TrajectorySegment};
+use crate::excitation::row::ExcitationRow;
 use crate::force_response::basis::legendre;
 use crate::kernel::Kernel;
 use jounce_model::plant::BlockDiagonal;
+use std::collections::HashMap;
 
 impl Trajectory {
     /// Returns the integral of one component of the physical state `(q, q', V, i)` over an interval
     /// within the record.
     pub fn integral(&self, kernel: &Kernel, from_s: f64, to_s: f64, state_index: usize) -> f64 {
         let mut cache = ResponseCache::default();
+        let mut forced_rows: HashMap<usize, ExcitationRow> = HashMap::new();
         let mut sum = 0.0;
         for segment in self.segments() {
             let within = [from_s, to_s]
@@ -27,10 +30,16 @@ impl Trajectory {
                 continue;
             };
             if within[1] > within[0] {
+                let plant = &state_kernel.plant;
                 let state = segment.integral(state_kernel, within, &mut cache);
-                sum += state_kernel
-                    .plant
-                    .integral_of(&state, within[1] - within[0], state_index);
+                sum += plant.integral_of(&state, within[1] - within[0], state_index);
+                if !segment.sizes.is_empty() {
+                    let row = forced_rows
+                        .entry(segment.conduction_state)
+                        .or_insert_with(|| ExcitationRow::of_physical(plant, state_index));
+                    let forced = row.series(&segment.sizes);
+                    sum += forced.integral(within[1]) - forced.integral(within[0]);
+                }
             }
         }
         sum
@@ -38,7 +47,8 @@ impl Trajectory {
 }
 
 impl TrajectorySegment {
-    /// Returns the integral of the state in block coordinates, between two times after its start.
+    /// Returns the integral of the state in block coordinates without the forced part of signals,
+    /// between two times after its start.
     fn integral(
         &self,
         kernel: &Kernel,
@@ -47,17 +57,16 @@ impl TrajectorySegment {
     ) -> Vec<f64> {
         let (plant, length_s) = (&kernel.plant, to_s - from_s);
         let block: &BlockDiagonal = &plant.diagonal.block;
-        let mut state = block.integral(length_s, &block.flow(from_s, &self.state));
-        let mut add = |more: Vec<f64>, sign: f64| {
-            state
-                .iter_mut()
-                .zip(more)
-                .for_each(|(sum, more)| *sum += sign * more)
+        let mut state = match from_s == 0.0 {
+            true => block.integral(length_s, &self.state),
+            false => block.integral(length_s, &block.flow(from_s, &self.state)),
         };
-        add(plant.steady_integral(self.start_s + from_s, length_s), 1.0);
-        if !self.sizes.is_empty() {
-            add(plant.forced_integral(&self.sizes, to_s), 1.0);
-            add(plant.forced_integral(&self.sizes, from_s), -1.0);
+        if !plant.tones.is_empty() {
+            let steady = plant.steady_integral(self.start_s + from_s, length_s);
+            state.iter_mut().zip(steady).for_each(|(sum, x)| *sum += x);
+        }
+        if self.forces.is_empty() {
+            return state;
         }
         let [from, to] = [from_s, to_s].map(|time_s| time_s / self.length_s);
         let weights = |count: usize| -> Vec<f64> {

@@ -203,7 +203,9 @@ impl Trajectory {
         mut visit: impl FnMut(&Kernel, usize, TrajectoryState),
     ) {
         let mut cache = ResponseCache::default();
-        let mut index = 0;
+        let first_s = times_s.first().copied().unwrap_or(f64::NEG_INFINITY);
+        let later = |segment: &TrajectorySegment| segment.start_s <= first_s;
+        let mut index = self.segments.partition_point(later).saturating_sub(1);
         for &time_s in times_s {
             while index + 1 < self.segments.len() && self.segments[index + 1].start_s <= time_s {
                 index += 1;

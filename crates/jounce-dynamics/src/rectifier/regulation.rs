@@ -209,8 +209,7 @@ impl Integrator<'_> {
         let signal = (signals.iter()).position(|signal| signal.drawn_from == Some(bridge));
         if let Some(signal) = signal {
             let held = (signal, regulation.band.held_a);
-            self.excitation
-                .hold(self.kernel, held, self.time_s, &mut self.y);
+            self.excitation.hold(held, self.time_s, &mut self.y);
         }
         self.aim_at_band(bridge);
         for p in 0..self.kernel.plant.ports.len() {

@@ -144,44 +144,6 @@ impl Plant {
         state
     }
 
-    /// Returns the integral of [`Self::forced`] since the reset of local blocks.
-    pub fn forced_integral(&self, sizes: &[SignalSample], until_s: f64) -> Vec<f64> {
-        let mut state = vec![0.0; self.len()];
-        if until_s == 0.0 {
-            return state;
-        }
-        for (forcing, [size, slope]) in self.forcings.iter().zip(sizes) {
-            let (constant_s, decayed) = (
-                size * until_s + 0.5 * slope * until_s * until_s,
-                slope * until_s,
-            );
-            for (sum, (rest, lag)) in state.iter_mut().zip(forcing.rest.iter().zip(&forcing.lag)) {
-                *sum += rest * constant_s + lag * decayed;
-            }
-            let (mut power, mut factor) = (forcing.local.clone(), 0.5 * until_s * until_s);
-            let mut series = vec![0.0; self.len()];
-            for j in 1..=LOCAL_TERMS {
-                let weight = factor * (size + slope * until_s / (j + 2) as f64);
-                let most = factor * (size.abs() + slope.abs() * until_s);
-                let mut is_complete = true;
-                for (sum, p) in series.iter_mut().zip(&power) {
-                    is_complete &= most * p.abs() <= NEGLIGIBLE_TERM * f64::abs(*sum);
-                    *sum += weight * p;
-                }
-                if is_complete {
-                    break;
-                }
-                power = self.diagonal.block.apply(&power);
-                factor *= until_s / (j + 2) as f64;
-            }
-            state
-                .iter_mut()
-                .zip(series)
-                .for_each(|(sum, own)| *sum += own);
-        }
-        state
-    }
-
     /// Returns the equilibrium under constant drives alone, in block coordinates; 0 in states
     /// without a restoring effect.
     pub fn resting(&self) -> Vec<f64> {
