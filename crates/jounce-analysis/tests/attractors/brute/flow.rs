@@ -42,6 +42,8 @@ pub const STEP_TOLERANCE: f64 = 2e-14;
 pub struct Flow<'m, const N: usize, const D: usize> {
     pub model: &'m ReferenceModel<N, D>,
     pub tolerance: f64,
+    /// True where steps by Taylor series are taken; otherwise every step is one of Dormand and Prince.
+    pub has_series: bool,
 }
 
 impl<const N: usize, const D: usize> Flow<'_, N, D> {
@@ -70,8 +72,29 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
     pub fn cycle(&self, motion: &mut Motion<D>) {
         let (model, end) = (self.model, self.model.cycle_s);
         let (mut t, mut largest, mut events) = (0.0, 0.0_f64, 0);
-        let mut rate = model.rate(0.0, &motion.state, &motion.phases, NONE);
         while t < end && !motion.is_lost {
+            let by_series = if self.has_series {
+                self.taylor_step(motion, t, end - t)
+            } else {
+                None
+            };
+            if let Some(step) = by_series {
+                t = if step.duration >= end - t {
+                    end
+                } else {
+                    t + step.duration
+                };
+                motion.state = step.state;
+                largest = largest.max(model.weights.square(&motion.state).max(step.middle).sqrt());
+                motion.size = motion.size.max(largest);
+                if let Some(guard) = step.event {
+                    events += 1;
+                    motion.is_lost = events > MOST_EVENTS;
+                    self.change(motion, guard, t);
+                }
+                continue;
+            }
+            let rate = model.rate(t, &motion.state, &motion.phases, NONE);
             let remaining = end - t;
             let is_last = motion.length >= remaining;
             let h = motion.length.min(remaining);
@@ -97,7 +120,7 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
                 Event::Unclear => motion.length = 0.5 * h,
                 Event::None(complete) => {
                     t = if is_last { end } else { t + h };
-                    (motion.state, rate) = (complete.state, complete.rate);
+                    motion.state = complete.state;
                     motion.length = if is_last {
                         motion.length.max(next)
                     } else {
@@ -110,7 +133,6 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
                     motion.is_lost = events > MOST_EVENTS;
                     motion.state = there.state;
                     self.change(motion, guard, t);
-                    rate = model.rate(t, &motion.state, &motion.phases, NONE);
                 }
             }
             largest = largest.max(model.weights.square(&motion.state).sqrt());

@@ -53,8 +53,33 @@ fn refined<const N: usize, const D: usize>(
     model: &ReferenceModel<N, D>,
     starts: &[Vec<f64>],
 ) -> f64 {
-    let [coarse, fine] =
-        [STEP_TOLERANCE, 0.1 * STEP_TOLERANCE].map(|tolerance| Flow { model, tolerance });
+    let [coarse, fine] = [STEP_TOLERANCE, 0.1 * STEP_TOLERANCE].map(|tolerance| Flow {
+        model,
+        tolerance,
+        has_series: true,
+    });
+    between(coarse, fine, starts)
+}
+
+/// Same difference, between steps by series and those of Dormand and Prince.
+fn methods<const N: usize, const D: usize>(
+    model: &ReferenceModel<N, D>,
+    starts: &[Vec<f64>],
+) -> f64 {
+    let [series, runge_kutta] = [true, false].map(|has_series| Flow {
+        model,
+        tolerance: STEP_TOLERANCE,
+        has_series,
+    });
+    between(series, runge_kutta, starts)
+}
+
+fn between<const N: usize, const D: usize>(
+    coarse: Flow<'_, N, D>,
+    fine: Flow<'_, N, D>,
+    starts: &[Vec<f64>],
+) -> f64 {
+    let model = coarse.model;
     let mut largest = 0.0_f64;
     for start in starts {
         let mut motion = coarse.start(model.state(start));
@@ -88,6 +113,17 @@ fn steps_of_a_tenth_of_the_error_change_a_cycle_by_less_than_1e_9() {
     assert!(all[0].0 < 1e-9, "{:?}", &all[..8]);
 }
 
+/// Two methods without a common formula, from event to event.
+#[test]
+fn steps_by_series_equal_those_of_dormand_and_prince() {
+    let mut all: Vec<(f64, u64)> = (0..60)
+        .map(|index| (with_model!(plant(index), methods), index))
+        .collect();
+    all.sort_by(|a, b| b.0.total_cmp(&a.0));
+    eprintln!("{:?}", &all[..8]);
+    assert!(all[0].0 < 1e-9, "{:?}", &all[..8]);
+}
+
 /// Largest differences after a cycle from 20,000 and 160,000 steps of the classical fourth-order
 /// method.
 fn plain<const N: usize, const D: usize>(
@@ -97,6 +133,7 @@ fn plain<const N: usize, const D: usize>(
     let flow = Flow {
         model,
         tolerance: STEP_TOLERANCE,
+        has_series: true,
     };
     let mut largest = [0.0_f64; 2];
     for start in starts {
