@@ -95,22 +95,21 @@ pub struct Series<const D: usize> {
     pub root: Coefficients,
 }
 
-/// Coefficients in both orders, zero where they are not computed yet, so that products are sums over
-/// blocks of four.
+/// Coefficients in both orders, zero where they are not computed yet, so that every product is a sum
+/// of the same number of terms.
 #[derive(Clone, Copy)]
 struct Factor {
-    forward: [f64; BLOCK * BLOCKS],
-    backward: [f64; ORDER + BLOCK],
+    forward: [f64; ORDER],
+    backward: [f64; 2 * ORDER],
 }
 
-/// Terms in a block of a product, and number of blocks.
-const BLOCK: usize = 4;
-const BLOCKS: usize = ORDER.div_ceil(BLOCK);
+/// Number of sums of a product, for vector instructions.
+const SUMS: usize = 8;
 
 impl Factor {
     const ZERO: Self = Self {
-        forward: [0.0; BLOCK * BLOCKS],
-        backward: [0.0; ORDER + BLOCK],
+        forward: [0.0; ORDER],
+        backward: [0.0; 2 * ORDER],
     };
 
     #[inline(always)]
@@ -122,13 +121,14 @@ impl Factor {
     /// Coefficient number `k` of a product.
     #[inline(always)]
     fn times(&self, other: &Self, k: usize) -> f64 {
-        let mut sums = [0.0; BLOCK];
-        let (left, _) = self.forward.as_chunks::<BLOCK>();
-        let (right, _) = other.backward[ORDER - 1 - k..].as_chunks::<BLOCK>();
-        for (a, b) in left.iter().zip(right).take(k / BLOCK + 1) {
-            (0..BLOCK).for_each(|i| sums[i] += a[i] * b[i]);
+        let other = &other.backward[ORDER - 1 - k..][..ORDER];
+        let mut sums = [0.0; SUMS];
+        for block in 0..ORDER / SUMS {
+            for i in 0..SUMS {
+                sums[i] += self.forward[SUMS * block + i] * other[SUMS * block + i];
+            }
         }
-        (sums[0] + sums[1]) + (sums[2] + sums[3])
+        ((sums[0] + sums[4]) + (sums[1] + sums[5])) + ((sums[2] + sums[6]) + (sums[3] + sums[7]))
     }
 }
 
@@ -210,10 +210,18 @@ impl<const D: usize> Products<D> {
             return (self.rate[k], clock);
         }
         let g = &self.speed;
-        let mut state = [0.0; D];
-        for (g, rate) in g.forward[..=k].iter().zip(self.rate[..=k].iter().rev()) {
-            (0..D).for_each(|i| state[i] += g * rate[i]);
+        let (mut even, mut odd) = ([0.0; D], [0.0; D]);
+        for j in (0..=k).step_by(2) {
+            // The second coefficient is zero beyond the last one.
+            let (a, b) = (g.forward[j], if j < k { g.forward[j + 1] } else { 0.0 });
+            let (left, right) = (&self.rate[k - j], &self.rate[k.max(j + 1) - j - 1]);
+            for i in 0..D {
+                even[i] += a * left[i];
+                odd[i] += b * right[i];
+            }
         }
+        let mut state = [0.0; D];
+        (0..D).for_each(|i| state[i] = even[i] + odd[i]);
         let clock = [
             g.times(&self.cosine, k),
             -g.times(&self.sine, k),

@@ -74,68 +74,23 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
     pub fn taylor_step(&self, motion: &Motion<D>, t: f64, remaining: f64) -> Option<TaylorEnd<D>> {
         let model = self.model;
         let force = model.series_force(&motion.phases)?;
-        let root = match force.stop() {
-            None => 0.0,
-            Some(p) => {
-                let stop = &model.stops[p];
-                let [d, speed] = model.depth(stop, &motion.state);
-                if matches!(stop.law, Law::Cubic { .. }) {
-                    d
-                } else if d <= model.roundoff(Guard::Surface(p), &motion.state) {
-                    let roundoff = 8.0
-                        * f64::EPSILON
-                        * (0..N)
-                            .map(|i| (stop.shape[i] * motion.state[N + i]).abs())
-                            .sum::<f64>();
-                    if speed <= CLEAR * roundoff {
-                        return None;
-                    }
-                    0.0
-                } else {
-                    match force {
-                        Force::Root2 { .. } => d.sqrt(),
-                        Force::Root5 { .. } => d.powf(0.2),
-                        _ => d,
-                    }
-                }
-            }
-        };
+        let root = self.start_root(motion, force)?;
         let series = model.series((t, &motion.state), &motion.phases, (force, root));
         let is_time = force.root() == 1.0;
         let longest = if is_time { remaining } else { f64::INFINITY };
-        let mut end = self.length(&series, motion.size, force).min(longest);
-        if !end.is_finite() || end <= 0.0 {
+        let length = self.length(&series, motion.size, force).min(longest);
+        if !length.is_finite() || length <= 0.0 {
             return None;
         }
-        let mut event = None;
-        for guard in model.guards(&motion.phases).iter() {
-            if force
-                .stop()
-                .is_some_and(|p| model.is_closed_by(guard, p, &motion.phases))
-            {
-                continue;
-            }
-            let (polynomial, roundoff) = self.event_series(&series, motion, (guard, force), end);
-            if let Some(at) = first_event(&polynomial, roundoff, end)? {
-                (end, event) = (at, Some(guard));
-            }
-            if end == 0.0 {
-                break;
-            }
-        }
+        let (mut end, mut event) = self.first_event(&series, motion, force, length)?;
         let mut duration = if is_time {
             end
         } else {
             value_and_slope(&series.time, end)[0]
         };
-        if duration >= remaining {
-            if !is_time {
-                end = time_root(&series.time, remaining, end);
-            }
-            // An event at the end of the cycle is found at the start of the next one.
-            if duration > remaining {
-                event = None;
-            }
+        if duration > remaining {
+            // The event lies after the end of the cycle.
+            (end, event) = (time_root(&series.time, remaining, end), None);
             duration = remaining;
         }
         let mut state = vector(&series.state, end);
@@ -146,6 +101,52 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
             event,
             middle: model.weights.square(&vector(&series.state, 0.5 * end)),
         })
+    }
+
+    /// The variable `u` of a force; `None` for a contact that starts at its surface and does not
+    /// clearly enter it.
+    fn start_root(&self, motion: &Motion<D>, force: Force) -> Option<f64> {
+        let Some(p) = force.stop() else {
+            return Some(0.0);
+        };
+        let stop = &self.model.stops[p];
+        let [d, speed] = self.model.depth(stop, &motion.state);
+        let is_at_surface = d <= self.model.roundoff(Guard::Surface(p), &motion.state);
+        match force {
+            Force::Cubic { .. } => Some(d),
+            _ if is_at_surface => {
+                let terms = (0..N).map(|i| (stop.shape[i] * motion.state[N + i]).abs());
+                let roundoff = 8.0 * f64::EPSILON * terms.sum::<f64>();
+                (speed > CLEAR * roundoff).then_some(0.0)
+            }
+            Force::Root2 { .. } => Some(d.sqrt()),
+            Force::Root5 { .. } => Some(d.powf(0.2)),
+            _ => Some(d),
+        }
+    }
+
+    /// End of a step of a given length, and the event that ends it; `None` where an event function
+    /// starts at its zero and does not clearly leave it.
+    fn first_event(
+        &self,
+        series: &Series<D>,
+        motion: &Motion<D>,
+        force: Force,
+        length: f64,
+    ) -> Option<(f64, Option<Guard>)> {
+        let (model, phases) = (self.model, &motion.phases);
+        let (mut end, mut event) = (length, None);
+        for guard in model.guards(phases).iter() {
+            let is_closed = |p| model.is_closed_by(guard, p, phases);
+            if end == 0.0 || force.stop().is_some_and(is_closed) {
+                continue;
+            }
+            let (polynomial, roundoff) = self.event_series(series, motion, (guard, force), end);
+            if let Some(at) = first_zero(&polynomial, roundoff, end)? {
+                (end, event) = (at, Some(guard));
+            }
+        }
+        Some((end, event))
     }
 
     /// Length of a step whose last two terms are below the error of a step.
@@ -209,7 +210,7 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
 }
 
 /// First zero of an event function; `None` where it starts at zero and does not clearly leave it.
-fn first_event(polynomial: &Coefficients, roundoff: f64, end: f64) -> Option<Option<f64>> {
+fn first_zero(polynomial: &Coefficients, roundoff: f64, end: f64) -> Option<Option<f64>> {
     if polynomial[0] > roundoff {
         return first_root(polynomial, end, 0.25 * roundoff).ok();
     }

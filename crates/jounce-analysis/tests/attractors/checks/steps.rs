@@ -47,8 +47,8 @@ fn distance<const N: usize, const D: usize>(
 }
 
 /// Largest difference over one cycle, for 30 cycles of every start, to the same cycle at a tenth of
-/// the error per step. The difference is relative to the size of the motion, and to the growth over
-/// the cycle of a perturbation of 1e-9 of that size.
+/// the error per step. The difference is relative to the size of the motion, that of the energy to
+/// its square, and both to the growth over the cycle of a perturbation of 1e-9 of that size.
 fn refined<const N: usize, const D: usize>(
     model: &ReferenceModel<N, D>,
     starts: &[Vec<f64>],
@@ -94,8 +94,10 @@ fn between<const N: usize, const D: usize>(
             fine.cycle(&mut perturbed);
             let growth = distance(model, &finer.state, &perturbed.state) / initial_distance;
             assert!(!motion.is_lost && !finer.is_lost);
-            largest = largest
-                .max(distance(model, &motion.state, &finer.state) / motion.size / growth.max(1.0));
+            let energy =
+                (motion.state[D - 1] - finer.state[D - 1]).abs() / motion.size / motion.size;
+            let difference = distance(model, &motion.state, &finer.state) / motion.size;
+            largest = largest.max(difference.max(energy) / growth.max(1.0));
         }
     }
     largest
