@@ -7,7 +7,8 @@
 //!
 //! `JOUNCE_DRAWN_FIRST` is the number of the first harvester, default 0; `JOUNCE_DRAWN_CYCLES` the
 //! cycles after which a motion is not periodic, default 20,000. `JOUNCE_DRAWN_RESULTS` is a folder
-//! for the brute-force result of each start, from which an interrupted comparison continues.
+//! for the brute-force result of each start, from which an interrupted comparison continues; delete it
+//! after a change of brute force or of the random harvesters.
 
 use crate::agreement::{Verdict, compare};
 use crate::brute::{Patience, STEP_TOLERANCE};
