@@ -1,11 +1,10 @@
 //! The library's results for the starts of a cloud against brute-force integrations.
 
-use crate::brute::{Ending, Flow, Kind, Patience, ReferenceModel, classify};
+use crate::brute::{Ending, Kind};
+use crate::endings::{Effort, endings};
 use crate::library::{Account, AccountKind, accounts, empty_interval};
 use jounce_analysis::{Cloud, InitialStates, Model};
-use jounce_model::plant::System;
 use jounce_spec::SpecFile;
-use rayon::prelude::*;
 use std::fmt::{self, Display};
 use std::time::Instant;
 
@@ -56,43 +55,6 @@ pub struct Agreement {
     pub other_starts: [usize; 2],
     /// Wall time of the library and of brute force, s.
     pub seconds: [f64; 2],
-}
-
-/// Integrates all starts of a cloud by brute force.
-pub fn endings(
-    system: &System,
-    starts: &[Vec<f64>],
-    patience: Patience,
-    tolerance: f64,
-) -> Vec<Ending> {
-    match system.modes.len() {
-        1 => endings_of::<1, 4>(system, starts, patience, tolerance),
-        2 => endings_of::<2, 6>(system, starts, patience, tolerance),
-        3 => endings_of::<3, 8>(system, starts, patience, tolerance),
-        _ => endings_of::<8, 18>(system, starts, patience, tolerance),
-    }
-}
-
-fn endings_of<const N: usize, const D: usize>(
-    system: &System,
-    starts: &[Vec<f64>],
-    patience: Patience,
-    tolerance: f64,
-) -> Vec<Ending> {
-    let model = ReferenceModel::<N, D>::of(system);
-    starts
-        .par_iter()
-        .map(|start| {
-            classify(
-                Flow {
-                    model: &model,
-                    tolerance,
-                },
-                start,
-                patience,
-            )
-        })
-        .collect()
 }
 
 /// True where the states of two motions are equal up to a shift by some cycles.
@@ -168,12 +130,7 @@ fn groups(endings: &[Ending]) -> Vec<Vec<usize>> {
 }
 
 /// Compares both on one spec.
-pub fn compare(
-    file: &SpecFile,
-    starts: InitialStates,
-    patience: Patience,
-    tolerance: f64,
-) -> Agreement {
+pub fn compare(file: &SpecFile, starts: InitialStates, effort: &Effort) -> Agreement {
     let prepared = Model::new(file.spec().unwrap()).unwrap();
     let plant = &prepared.kernel.plant;
     let drive = &plant.system.drives[0];
@@ -182,14 +139,14 @@ pub fn compare(
         drive.frequency_hz,
     );
     let begin = Instant::now();
-    let results = accounts(file, (&key.0, key.1), starts.clone());
-    let library_s = begin.elapsed().as_secs_f64();
-    let begin = Instant::now();
     let physical: Vec<Vec<f64>> = (0..starts.len())
         .map(|index| starts.start(plant, index))
         .collect();
-    let endings = endings(&plant.system, &physical, patience, tolerance);
+    let endings = endings(&plant.system, &physical, effort);
     let brute_s = begin.elapsed().as_secs_f64();
+    let begin = Instant::now();
+    let results = accounts(file, (&key.0, key.1), starts.clone());
+    let library_s = begin.elapsed().as_secs_f64();
     let of = |index: usize| {
         results
             .iter()
@@ -198,7 +155,7 @@ pub fn compare(
     let recompute = |index: usize, factor: f64| {
         let start = std::slice::from_ref(&physical[index]);
         verdict(
-            &self::endings(&plant.system, start, patience, factor * tolerance)[0],
+            &self::endings(&plant.system, start, &effort.with_larger_error(factor))[0],
             of(index),
         )
     };

@@ -6,14 +6,18 @@
 //! ```
 //!
 //! `JOUNCE_DRAWN_FIRST` is the number of the first harvester, default 0; `JOUNCE_DRAWN_CYCLES` the
-//! cycles after which a motion is not periodic, default 20,000.
+//! cycles after which a motion is not periodic, default 20,000. `JOUNCE_DRAWN_RESULTS` is a folder
+//! for the brute-force result of each start, from which an interrupted comparison continues; delete it
+//! after a change of brute force or of the random harvesters.
 
 use crate::agreement::{Verdict, compare};
 use crate::brute::{Patience, STEP_TOLERANCE};
+use crate::endings::Effort;
 use crate::random_specs::random_spec;
 use jounce_analysis::{Cloud, InitialStates};
 use jounce_spec::SpecFile;
 use std::io::Write;
+use std::path::Path;
 
 /// Seed of the harvesters.
 const SEED: u64 = 22;
@@ -43,11 +47,13 @@ fn a_few_random_harvesters_end_where_brute_force_ends() {
         let agreement = compare(
             &SpecFile::from_text(random_spec(SEED, index)),
             cloud(40),
-            Patience {
-                cycles: 4000,
-                period: 64,
-            },
-            STEP_TOLERANCE,
+            &Effort::new(
+                Patience {
+                    cycles: 4000,
+                    period: 64,
+                },
+                STEP_TOLERANCE,
+            ),
         );
         eprint!("{index:3} {agreement}");
         assert!(
@@ -83,15 +89,22 @@ fn many_random_harvesters_end_where_brute_force_ends() {
         number("JOUNCE_DRAWN_STARTS").unwrap_or(400),
         number("JOUNCE_DRAWN_FIRST").unwrap_or(0),
     );
-    let patience = Patience {
-        cycles: number("JOUNCE_DRAWN_CYCLES").unwrap_or(20_000),
-        period: 64,
-    };
+    let mut effort = Effort::new(
+        Patience {
+            cycles: number("JOUNCE_DRAWN_CYCLES").unwrap_or(20_000),
+            period: 64,
+        },
+        STEP_TOLERANCE,
+    );
+    let folder = std::env::var("JOUNCE_DRAWN_RESULTS").ok();
     let mut failures = Vec::new();
     let (mut checked, mut inside) = (0, 0);
     for index in first..first + systems {
         let file = SpecFile::from_text(random_spec(SEED, index as u64));
-        let agreement = compare(&file, cloud(starts), patience, STEP_TOLERANCE);
+        effort.results = folder
+            .as_ref()
+            .map(|folder| Path::new(folder).join(format!("harvester-{index}.txt")));
+        let agreement = compare(&file, cloud(starts), &effort);
         eprint!("{index:3} {agreement}");
         checked += agreement.other_starts[0];
         inside += agreement.other_starts[1];

@@ -5,6 +5,7 @@
 mod agreement;
 mod brute;
 mod checks;
+mod endings;
 mod harvesters;
 mod library;
 mod random_specs;

@@ -42,6 +42,15 @@ pub const STEP_TOLERANCE: f64 = 2e-14;
 pub struct Flow<'m, const N: usize, const D: usize> {
     pub model: &'m ReferenceModel<N, D>,
     pub tolerance: f64,
+    /// True where steps by Taylor series are taken; otherwise every step is one of Dormand and Prince.
+    pub has_series: bool,
+}
+
+/// Progress within a drive cycle: time, largest norm of the state, and number of events.
+struct Progress {
+    t: f64,
+    largest: f64,
+    events: usize,
 }
 
 impl<const N: usize, const D: usize> Flow<'_, N, D> {
@@ -68,55 +77,90 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
 
     /// Advances by a drive cycle.
     pub fn cycle(&self, motion: &mut Motion<D>) {
-        let (model, end) = (self.model, self.model.cycle_s);
-        let (mut t, mut largest, mut events) = (0.0, 0.0_f64, 0);
-        let mut rate = model.rate(0.0, &motion.state, &motion.phases, NONE);
-        while t < end && !motion.is_lost {
-            let remaining = end - t;
-            let is_last = motion.length >= remaining;
-            let h = motion.length.min(remaining);
-            let Stepped { state, error } = self.step(motion, t, h, &rate);
-            // Steps grow slowly, so they remain as short as the contacts before and after them
-            // need.
-            let next = if error.is_finite() {
-                h * (0.9 * error.max(1e-12).powf(-0.125)).clamp(0.2, 4.0)
-            } else {
-                0.2 * h
-            };
-            // Not a number where a stage diverged because the step was much too long.
-            if (error.is_nan() || error > 1.0) && h > LEAST_STEP * end {
-                motion.length = next;
-                continue;
+        let end = self.model.cycle_s;
+        let mut progress = Progress {
+            t: 0.0,
+            largest: 0.0,
+            events: 0,
+        };
+        while progress.t < end && !motion.is_lost {
+            if !self.has_series || !self.advance_by_series(motion, &mut progress) {
+                self.advance_by_runge_kutta(motion, &mut progress);
             }
-            let complete = End {
-                part: 1.0,
-                state,
-                rate: model.rate(t + h, &state, &motion.phases, NONE),
-            };
-            match self.event(motion, (t, h), &rate, complete) {
-                Event::Unclear => motion.length = 0.5 * h,
-                Event::None(complete) => {
-                    t = if is_last { end } else { t + h };
-                    (motion.state, rate) = (complete.state, complete.rate);
-                    motion.length = if is_last {
-                        motion.length.max(next)
-                    } else {
-                        next
-                    };
-                }
-                Event::At(guard, there) => {
-                    t += there.part * h;
-                    events += 1;
-                    motion.is_lost = events > MOST_EVENTS;
-                    motion.state = there.state;
-                    self.change(motion, guard, t);
-                    rate = model.rate(t, &motion.state, &motion.phases, NONE);
-                }
-            }
-            largest = largest.max(model.weights.square(&motion.state).sqrt());
-            motion.size = motion.size.max(largest);
+            let size = self.model.weights.square(&motion.state).sqrt();
+            progress.largest = progress.largest.max(size);
+            motion.size = motion.size.max(progress.largest);
         }
-        motion.size = largest.max(model.least_size());
+        motion.size = progress.largest.max(self.model.least_size());
+    }
+
+    /// Takes a step by Taylor series; false where this method does not apply.
+    fn advance_by_series(&self, motion: &mut Motion<D>, progress: &mut Progress) -> bool {
+        let remaining = self.model.cycle_s - progress.t;
+        let Some(step) = self.taylor_step(motion, progress.t, remaining) else {
+            return false;
+        };
+        progress.t = if step.duration >= remaining {
+            self.model.cycle_s
+        } else {
+            progress.t + step.duration
+        };
+        motion.state = step.state;
+        progress.largest = progress.largest.max(step.middle.sqrt());
+        if let Some(guard) = step.event {
+            self.pass(motion, guard, progress);
+        }
+        true
+    }
+
+    /// Tries a step of Dormand and Prince, and takes it if its error is small enough.
+    fn advance_by_runge_kutta(&self, motion: &mut Motion<D>, progress: &mut Progress) {
+        let (model, end, t) = (self.model, self.model.cycle_s, progress.t);
+        let rate = model.rate(t, &motion.state, &motion.phases, NONE);
+        let remaining = end - t;
+        let is_last = motion.length >= remaining;
+        let h = motion.length.min(remaining);
+        let Stepped { state, error } = self.step(motion, t, h, &rate);
+        // Steps grow slowly, so they remain as short as the contacts before and after them need.
+        let next = if error.is_finite() {
+            h * (0.9 * error.max(1e-12).powf(-0.125)).clamp(0.2, 4.0)
+        } else {
+            0.2 * h
+        };
+        // Not a number where a stage diverged because the step was much too long.
+        if (error.is_nan() || error > 1.0) && h > LEAST_STEP * end {
+            motion.length = next;
+            return;
+        }
+        let complete = End {
+            part: 1.0,
+            state,
+            rate: model.rate(t + h, &state, &motion.phases, NONE),
+        };
+        match self.event(motion, (t, h), &rate, complete) {
+            Event::Unclear => motion.length = 0.5 * h,
+            Event::None(complete) => {
+                progress.t = if is_last { end } else { t + h };
+                motion.state = complete.state;
+                motion.length = if is_last {
+                    motion.length.max(next)
+                } else {
+                    next
+                };
+            }
+            Event::At(guard, there) => {
+                progress.t += there.part * h;
+                motion.state = there.state;
+                self.pass(motion, guard, progress);
+            }
+        }
+    }
+
+    /// Passes an event at the present state.
+    fn pass(&self, motion: &mut Motion<D>, guard: Guard, progress: &mut Progress) {
+        progress.events += 1;
+        motion.is_lost = progress.events > MOST_EVENTS;
+        self.change(motion, guard, progress.t);
     }
 
     /// Takes a step of length `h` in the current phases; the error is relative to the tolerance.

@@ -55,6 +55,20 @@ impl<const N: usize, const D: usize> ReferenceModel<N, D> {
         guards
     }
 
+    /// True for the surface of an open stop that faces a closed stop `p` at the same point, so that
+    /// it cannot be reached before that one opens.
+    pub fn is_closed_by(&self, guard: Guard, p: usize, phases: &Phases) -> bool {
+        let Guard::Surface(q) = guard else {
+            return false;
+        };
+        let (open, closed) = (&self.stops[q], &self.stops[p]);
+        q != p
+            && phases[q] == Phase::Free
+            && (0..N).all(|i| open.shape[i] == -closed.shape[i])
+            && open.gap + closed.gap >= 0.0
+            && !matches!(closed.law, Law::Cubic { .. })
+    }
+
     /// Value of an event function and its rate; the rate of a holding force is not needed, and NaN.
     #[inline(always)]
     pub fn guard(

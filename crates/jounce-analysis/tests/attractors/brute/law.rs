@@ -112,6 +112,15 @@ impl Law {
         }
     }
 
+    /// Stiffness and damping of a force that is a linear function of the state.
+    pub fn linear(&self) -> Option<[f64; 2]> {
+        match *self {
+            Law::Viscous { k, c } => Some([k, c]),
+            Law::Power { k, n: 1.0, a: 0.0 } => Some([k, 0.0]),
+            _ => None,
+        }
+    }
+
     /// True where the force can vanish past the surface.
     pub fn is_damped(&self) -> bool {
         matches!(*self, Law::Power { a, .. } | Law::Table { a, .. } if a > 0.0)

@@ -3,11 +3,14 @@
 mod classify;
 mod dormand_prince;
 mod events;
+mod first_root;
 mod flow;
 mod guard;
 mod law;
 mod model;
 mod scales;
+mod taylor;
+mod taylor_step;
 
 pub use classify::{Ending, Kind, Patience, classify};
 pub use flow::{Flow, STEP_TOLERANCE};

@@ -28,6 +28,19 @@ pub struct Stop<const N: usize> {
     pub law: Law,
 }
 
+impl<const N: usize> Stop<N> {
+    /// Displacement and velocity of the point towards the stop.
+    #[inline(always)]
+    pub fn along<const D: usize>(&self, y: &[f64; D]) -> [f64; 2] {
+        let (mut displacement, mut velocity) = (0.0, 0.0);
+        for i in 0..N {
+            displacement += self.shape[i] * y[i];
+            velocity += self.shape[i] * y[N + i];
+        }
+        [displacement, velocity]
+    }
+}
+
 /// Parameters of a harvester with up to `N` modes and at most one patch; `D = 2 N + 2`.
 #[derive(Debug, Clone)]
 pub struct ReferenceModel<const N: usize, const D: usize> {
@@ -180,16 +193,7 @@ impl<const N: usize, const D: usize> ReferenceModel<N, D> {
     /// number `released`.
     #[inline(always)]
     pub fn rate(&self, t: f64, y: &[f64; D], phases: &Phases, released: usize) -> [f64; D] {
-        let drive = (self.angular * t + self.phase).sin();
-        let mut rate = [0.0; D];
-        let (voltage, mut current) = (y[2 * N], 0.0);
-        for i in 0..N {
-            rate[i] = y[N + i];
-            let internal = self.damping[i] * y[N + i] + self.stiffness[i] * y[i];
-            rate[N + i] =
-                self.coupling[i] * voltage + self.driven[i] * drive + self.steady[i] - internal;
-            current += self.coupling[i] * y[N + i];
-        }
+        let mut rate = self.linear_rate(y, self.drive_angle(t).sin(), 1.0);
         for (stop, phase) in self.stops.iter().zip(phases) {
             if *phase == Phase::Pushing {
                 let [d, speed] = self.depth(stop, y);
@@ -203,8 +207,41 @@ impl<const N: usize, const D: usize> ReferenceModel<N, D> {
                 (0..N).for_each(|i| rate[N + i] -= stop.shape[i] * force);
             }
         }
+        rate[2 * N + 1] = self.load_power(y[2 * N] * y[2 * N]);
+        rate
+    }
+
+    /// Angle of the drive.
+    pub fn drive_angle(&self, t: f64) -> f64 {
+        self.angular * t + self.phase
+    }
+
+    /// Angular frequency of the drive.
+    pub fn angular(&self) -> f64 {
+        self.angular
+    }
+
+    /// Power in the resistor at the square of the voltage.
+    #[inline(always)]
+    pub fn load_power(&self, square: f64) -> f64 {
+        square * self.conductance
+    }
+
+    /// Rate without contact forces and energy, for a drive signal and a factor on the constant
+    /// forces.
+    #[inline(always)]
+    pub fn linear_rate(&self, y: &[f64; D], drive: f64, constant: f64) -> [f64; D] {
+        let mut rate = [0.0; D];
+        let (voltage, mut current) = (y[2 * N], 0.0);
+        for i in 0..N {
+            rate[i] = y[N + i];
+            let internal = self.damping[i] * y[N + i] + self.stiffness[i] * y[i];
+            rate[N + i] =
+                self.coupling[i] * voltage + self.driven[i] * drive + self.steady[i] * constant
+                    - internal;
+            current += self.coupling[i] * y[N + i];
+        }
         rate[2 * N] = -(voltage * (self.conductance + self.leak) + current) / self.capacitance;
-        rate[2 * N + 1] = voltage * voltage * self.conductance;
         rate
     }
 }

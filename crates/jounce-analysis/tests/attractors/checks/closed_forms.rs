@@ -41,6 +41,7 @@ fn without_contact_the_power_is_that_of_the_linear_harvester() {
         Flow {
             model: &model,
             tolerance: TOLERANCE,
+            has_series: true,
         },
         &[0.0, 0.0, 0.0],
         Patience {
@@ -83,6 +84,7 @@ fn after_collision(law: &str) -> [f64; 2] {
     let flow = Flow {
         model: &model,
         tolerance: TOLERANCE,
+        has_series: true,
     };
     let mut motion = flow.start(model.state(&[0.0, 0.5]));
     flow.cycle(&mut motion);
@@ -174,6 +176,7 @@ fn the_impact_oscillator_stays_on_its_closed_form() {
     let flow = Flow {
         model: &model,
         tolerance: TOLERANCE,
+        has_series: true,
     };
     let mut motion = flow.start(model.state(&oscillator.start(&orbit)));
     for cycle in 1..=50 {
@@ -206,6 +209,7 @@ fn chaos_and_a_period_are_distinguished() {
             Flow {
                 model: &model,
                 tolerance: TOLERANCE,
+                has_series: true,
             },
             &[-0.1, 0.0],
             Patience {
@@ -231,6 +235,7 @@ fn chatter_ends_at_rest() {
     let flow = Flow {
         model: &model,
         tolerance: TOLERANCE,
+        has_series: true,
     };
     let mut motion = flow.start(model.state(&[0.0, 0.0]));
     flow.cycle(&mut motion);

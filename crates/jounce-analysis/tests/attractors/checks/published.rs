@@ -6,8 +6,9 @@
 //! program found 197 ending on period 1, 150 on 3, one each on 7 and 10, and 51 on 18. With the
 //! same modes, brute force finds 201, 153, 1, 1 and 44.
 
-use crate::agreement::{Verdict, compare, endings};
+use crate::agreement::{Verdict, compare};
 use crate::brute::{Kind, Patience};
+use crate::endings::{Effort, endings};
 use jounce_analysis::{Grid, GridAxis, GridSide, InitialStates, Model};
 use jounce_spec::SpecFile;
 use std::io::Write;
@@ -76,7 +77,7 @@ fn starts_end_on_the_published_orbits() {
     let starts: Vec<Vec<f64>> = [25, 100, 150]
         .map(|number| grid().start(&plant, number))
         .to_vec();
-    let endings_found = endings(&plant.system, &starts, PATIENCE, TOLERANCE);
+    let endings_found = endings(&plant.system, &starts, &Effort::new(PATIENCE, TOLERANCE));
     let kinds: Vec<Kind> = endings_found.iter().map(|ending| ending.kind).collect();
     assert_eq!(kinds, [1, 18, 3].map(Kind::Periodic));
     let power_w = endings_found[1].mean_power_w;
@@ -100,8 +101,7 @@ fn the_grid_ends_where_brute_force_ends() {
     let agreement = compare(
         &harvester(file),
         InitialStates::Grid(grid()),
-        PATIENCE,
-        TOLERANCE,
+        &Effort::new(PATIENCE, TOLERANCE),
     );
     eprintln!("{agreement}");
     assert_eq!(

@@ -47,14 +47,39 @@ fn distance<const N: usize, const D: usize>(
 }
 
 /// Largest difference over one cycle, for 30 cycles of every start, to the same cycle at a tenth of
-/// the error per step. The difference is relative to the size of the motion, and to the growth over
-/// the cycle of a perturbation of 1e-9 of that size.
+/// the error per step. The difference is relative to the size of the motion, that of the energy to
+/// its square, and both to the growth over the cycle of a perturbation of 1e-9 of that size.
 fn refined<const N: usize, const D: usize>(
     model: &ReferenceModel<N, D>,
     starts: &[Vec<f64>],
 ) -> f64 {
-    let [coarse, fine] =
-        [STEP_TOLERANCE, 0.1 * STEP_TOLERANCE].map(|tolerance| Flow { model, tolerance });
+    let [coarse, fine] = [STEP_TOLERANCE, 0.1 * STEP_TOLERANCE].map(|tolerance| Flow {
+        model,
+        tolerance,
+        has_series: true,
+    });
+    between(coarse, fine, starts)
+}
+
+/// Same difference, between steps by series and those of Dormand and Prince.
+fn methods<const N: usize, const D: usize>(
+    model: &ReferenceModel<N, D>,
+    starts: &[Vec<f64>],
+) -> f64 {
+    let [series, runge_kutta] = [true, false].map(|has_series| Flow {
+        model,
+        tolerance: STEP_TOLERANCE,
+        has_series,
+    });
+    between(series, runge_kutta, starts)
+}
+
+fn between<const N: usize, const D: usize>(
+    coarse: Flow<'_, N, D>,
+    fine: Flow<'_, N, D>,
+    starts: &[Vec<f64>],
+) -> f64 {
+    let model = coarse.model;
     let mut largest = 0.0_f64;
     for start in starts {
         let mut motion = coarse.start(model.state(start));
@@ -69,8 +94,10 @@ fn refined<const N: usize, const D: usize>(
             fine.cycle(&mut perturbed);
             let growth = distance(model, &finer.state, &perturbed.state) / initial_distance;
             assert!(!motion.is_lost && !finer.is_lost);
-            largest = largest
-                .max(distance(model, &motion.state, &finer.state) / motion.size / growth.max(1.0));
+            let energy =
+                (motion.state[D - 1] - finer.state[D - 1]).abs() / motion.size / motion.size;
+            let difference = distance(model, &motion.state, &finer.state) / motion.size;
+            largest = largest.max(difference.max(energy) / growth.max(1.0));
         }
     }
     largest
@@ -88,6 +115,17 @@ fn steps_of_a_tenth_of_the_error_change_a_cycle_by_less_than_1e_9() {
     assert!(all[0].0 < 1e-9, "{:?}", &all[..8]);
 }
 
+/// Two methods without a common formula, from event to event.
+#[test]
+fn steps_by_series_equal_those_of_dormand_and_prince() {
+    let mut all: Vec<(f64, u64)> = (0..60)
+        .map(|index| (with_model!(plant(index), methods), index))
+        .collect();
+    all.sort_by(|a, b| b.0.total_cmp(&a.0));
+    eprintln!("{:?}", &all[..8]);
+    assert!(all[0].0 < 1e-9, "{:?}", &all[..8]);
+}
+
 /// Largest differences after a cycle from 20,000 and 160,000 steps of the classical fourth-order
 /// method.
 fn plain<const N: usize, const D: usize>(
@@ -97,6 +135,7 @@ fn plain<const N: usize, const D: usize>(
     let flow = Flow {
         model,
         tolerance: STEP_TOLERANCE,
+        has_series: true,
     };
     let mut largest = [0.0_f64; 2];
     for start in starts {
