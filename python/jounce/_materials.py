@@ -66,8 +66,12 @@ def _material(one: dict[str, Any]) -> Material:
     active = one.pop("active") or dict.fromkeys(
         ("charge_coefficient_m_per_v", "permittivity_f_m", "electrode_spacing_m", "in_plane_poisson_ratio")
     )
-    pairs = {name: one.pop(name) for name in ("yield_strength_pa", "voltage_limits_v")}
-    return Material(**one, **active, **{name: None if pair is None else (pair[0], pair[1]) for name, pair in pairs.items()})
+    yield_strength_pa, voltage_limits_v = (_pair(one.pop(name)) for name in ("yield_strength_pa", "voltage_limits_v"))
+    return Material(**one, **active, yield_strength_pa=yield_strength_pa, voltage_limits_v=voltage_limits_v)
+
+
+def _pair(values: list[float] | None) -> tuple[float, float] | None:
+    return None if values is None else (values[0], values[1])
 
 
 def materials() -> Materials:

@@ -204,7 +204,8 @@ def test_results_pickle_compare_and_print(short):
 
 def test_every_class_of_results_is_saved_and_becomes_a_tree(results, tmp_path):
     public = [getattr(jounce, name) for name in jounce.__all__]
-    results = [*results, jounce.examples()["impact-harvester-2019"].cite()]
+    restitution = jounce.restitution("steel", "brass", radius="5 mm", mass="4 g", speed="1 m/s")
+    results = [*results, jounce.examples()["impact-harvester-2019"].cite(), restitution]
     assert {type(result) for result in results} == {one for one in public if isinstance(one, type) and issubclass(one, Result)}
     for result in results:
         result.save(tmp_path / "result.jounce")
