@@ -22,7 +22,7 @@ test("the plan view shows the plate to scale, its patch, its clamped edge and th
     const plan = page.getByLabel("Plan view of a plate, to scale");
     assert.equal(await plan.count(), 1);
     const text = await plan.textContent();
-    for (const words of ["plate, seen from above", "100 mm × 60 mm × 0.5 mm", "ceramic", "corner: stop corner"]) assert.match(text, new RegExp(words));
+    for (const words of ["plate, seen from above", "100 × 60 × 0.5 mm", "ceramic", "corner: stop corner"]) assert.match(text, new RegExp(words));
     // 100 mm by 60 mm, and a patch of 50 mm by 50 mm.
     const [plate, patch] = await plan.locator("rect:not(.jounce-paper)").evaluateAll((all) => all.map((one) => one.getBoundingClientRect()).map(({ x, y, width, height }) => ({ x, y, width, height })));
     assert.ok(plate.width > 60 && Math.abs(plate.height / plate.width - 0.6) < 0.01, JSON.stringify(plate));
@@ -36,7 +36,7 @@ test("the plan view follows the design", async () => {
     await page.getByLabel("plate.plate.width, value", { exact: true }).evaluate((field) => field.closest("details")?.setAttribute("open", ""));
     await page.getByLabel("plate.plate.width, value", { exact: true }).fill("70 mm");
     await page.getByLabel("plate.plate.width, value", { exact: true }).press("Enter");
-    await page.waitForFunction(() => /100 mm × 70 mm/.test(document.getElementById("side").textContent));
+    await page.waitForFunction(() => /100 × 70 ×/.test(document.getElementById("side").textContent));
     await page.locator("#reset").click();
     await ready(page);
 });
