@@ -66,24 +66,25 @@ pub fn voltage_peaks(kernel: &Kernel, result: &RunResult, plan: &RunPlan) -> Vol
             patches_v: none(plant.system.modes.patch.len()),
         };
     };
-    let peak_v = |source: VoltageSource| window.peak_v(kernel, &result.trajectory, source);
-    let patches_v: Vec<f64> = (0..plant.system.modes.patch.len())
-        .map(|patch| peak_v(VoltageSource::Patch(patch)))
-        .collect();
-    let of_load = |load: usize| {
-        // A load across a patch has the voltage of the patch.
+    let patches = plant.system.modes.patch.len();
+    // A load across a patch has the voltage of the patch.
+    let same_patch = |load: usize| {
         let row = VoltageRow::of(plant, VoltageSource::Load(load));
-        let same = (0..patches_v.len())
-            .find(|patch| VoltageRow::of(plant, VoltageSource::Patch(*patch)) == row);
-        same.map_or_else(
-            || peak_v(VoltageSource::Load(load)),
-            |patch| patches_v[patch],
-        )
+        (0..patches).find(|patch| VoltageRow::of(plant, VoltageSource::Patch(*patch)) == row)
     };
-    VoltagePeaks {
-        loads_v: (0..plant.system.loads.len()).map(of_load).collect(),
-        patches_v,
-    }
+    let mut sources: Vec<VoltageSource> = (0..patches).map(VoltageSource::Patch).collect();
+    let of_loads: Vec<usize> = (0..plant.system.loads.len())
+        .map(|load| {
+            same_patch(load).unwrap_or_else(|| {
+                sources.push(VoltageSource::Load(load));
+                sources.len() - 1
+            })
+        })
+        .collect();
+    let mut patches_v = window.peaks_v(kernel, &result.trajectory, &sources);
+    let loads_v = of_loads.into_iter().map(|index| patches_v[index]).collect();
+    patches_v.truncate(patches);
+    VoltagePeaks { loads_v, patches_v }
 }
 
 /// Source of a voltage.
@@ -178,56 +179,74 @@ impl RecordWindow {
         })
     }
 
-    fn peak_v(&self, kernel: &Kernel, trajectory: &Trajectory, source: VoltageSource) -> f64 {
+    /// Returns the peak of each voltage.
+    fn peaks_v(
+        &self,
+        kernel: &Kernel,
+        trajectory: &Trajectory,
+        sources: &[VoltageSource],
+    ) -> Vec<f64> {
         let segments = trajectory.segments();
         // Step in which the window begins.
         let first = segments
             .partition_point(|segment| segment.start_s <= self.begin_s)
             .saturating_sub(1);
-        let row = VoltageRow::of(&kernel.plant, source);
-        let size_v = |time_s: f64| {
+        let rows_of = |plant: &Plant| -> Vec<VoltageRow> {
+            let rows = sources.iter().map(|source| VoltageRow::of(plant, *source));
+            rows.collect()
+        };
+        let rows = rows_of(&kernel.plant);
+        let size_v = |row: &VoltageRow, time_s: f64| {
             trajectory
                 .at(kernel, &[time_s])
                 .first()
                 .map_or(0.0, |at| row.size_v(time_s, &at.state))
         };
-        let mut samples = vec![(self.begin_s, size_v(self.begin_s))];
-        let mut current_row: Option<(&Kernel, VoltageRow)> = None;
+        let mut samples: Vec<Vec<(f64, f64)>> = rows
+            .iter()
+            .map(|row| vec![(self.begin_s, size_v(row, self.begin_s))])
+            .collect();
+        let mut current: Option<(&Kernel, Vec<VoltageRow>)> = None;
         trajectory.walk(
             kernel,
             first,
             self.gap_s,
             &mut |state_kernel, time_s, state| {
-                if current_row
-                    .as_ref()
-                    .is_none_or(|(known, _)| !std::ptr::eq(*known, state_kernel))
-                {
-                    current_row = Some((state_kernel, VoltageRow::of(&state_kernel.plant, source)));
+                let known = current
+                    .take()
+                    .filter(|(known, _)| std::ptr::eq(*known, state_kernel));
+                let (_, rows) = current
+                    .insert(known.unwrap_or_else(|| (state_kernel, rows_of(&state_kernel.plant))));
+                if time_s > self.begin_s {
+                    for (samples, row) in samples.iter_mut().zip(rows) {
+                        samples.push((time_s, row.size_v(time_s, state)));
+                    }
                 }
-                let size_v = current_row
-                    .as_ref()
-                    .map(|(_, reading)| reading.size_v(time_s, state));
-                samples.extend(
-                    size_v
-                        .filter(|_| time_s > self.begin_s)
-                        .map(|size_v| (time_s, size_v)),
-                );
             },
         );
-        samples.push((self.end_s, size_v(self.end_s)));
-        let ends = [samples[0].1, samples[samples.len() - 1].1];
-        let mut tops: Vec<[(f64, f64); 3]> = samples
-            .windows(3)
-            .map(|three| [three[0], three[1], three[2]])
-            .filter(|[a, m, b]| a.1 <= m.1 && m.1 >= b.1)
-            .collect();
-        tops.sort_by(|one, other| other[1].1.total_cmp(&one[1].1));
-        tops.into_iter()
-            .take(REFINED_PEAKS)
-            .map(|top| highest(top, &size_v))
-            .chain(ends)
-            .fold(0.0, f64::max)
+        let peak_v = |(row, mut samples): (&VoltageRow, Vec<(f64, f64)>)| {
+            samples.push((self.end_s, size_v(row, self.end_s)));
+            largest(&samples, &|time_s| size_v(row, time_s))
+        };
+        rows.iter().zip(samples).map(peak_v).collect()
     }
+}
+
+/// Returns the largest of the first and last of some samples `(time, value)` and the refined highest
+/// peaks between them.
+fn largest(samples: &[(f64, f64)], value: &impl Fn(f64) -> f64) -> f64 {
+    let ends = [samples[0].1, samples[samples.len() - 1].1];
+    let mut tops: Vec<[(f64, f64); 3]> = samples
+        .windows(3)
+        .map(|three| [three[0], three[1], three[2]])
+        .filter(|[a, m, b]| a.1 <= m.1 && m.1 >= b.1)
+        .collect();
+    tops.sort_by(|one, other| other[1].1.total_cmp(&one[1].1));
+    tops.into_iter()
+        .take(REFINED_PEAKS)
+        .map(|top| highest(top, value))
+        .chain(ends)
+        .fold(0.0, f64::max)
 }
 
 /// Returns the maximum near the middle of three samples `(time, value)`, where the middle one is

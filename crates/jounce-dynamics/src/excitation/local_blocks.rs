@@ -10,10 +10,10 @@
 //!
 //! Both sums are evaluated from their last term, each vector of blocks in registers.
 
-use super::repeated_integrals::{powers, repeated, repeated_products};
+use super::repeated_integrals::{orders, powers, repeated, repeated_products};
 use super::tables::LocalTables;
 use crate::flow::Flow;
-use jounce_model::plant::{LOCAL_TERMS, NEGLIGIBLE_TERM, SignalSample};
+use jounce_model::plant::{LOCAL_TERMS, SignalSample};
 use jounce_simd::{F64x8, LANES, Simd};
 use smallvec::SmallVec;
 
@@ -200,27 +200,11 @@ fn integral<W: Simd>(
     sum
 }
 
-/// Returns the number of terms after which both sums are complete, for blocks whose `|eigenvalue|`
-/// times the length of the step is at most `size`.
-///
-/// Term `n` of a double rate, the slowest to converge, is at most `2 (n - 1) x^(n-2) / n!` of the
-/// second, which is the first in a state without a force of its own.
-#[inline(always)]
-fn orders(size: f64) -> usize {
-    let (mut orders, mut omitted) = (2, 2.0 / 3.0 * size);
-    while omitted > NEGLIGIBLE_TERM && orders < LOCAL_TERMS {
-        let n = orders as f64;
-        omitted *= (n + 1.0) * size / (n * (n + 2.0));
-        orders += 1;
-    }
-    orders
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::flow::layout::StateLayout;
-    use jounce_model::plant::{BlockDiagonal, BlockPair};
+    use jounce_model::plant::{BlockDiagonal, BlockPair, NEGLIGIBLE_TERM};
     use jounce_simd::Portable;
 
     const START: [f64; 6] = [0.3, -0.2, 0.5, 0.1, -0.7, 0.4];

@@ -279,8 +279,9 @@ impl Excitation {
     /// Sets the forced displacements of the ports from the current time on.
     #[inline(always)]
     fn aim(&mut self, time_s: f64) {
+        let longest_s = self.until_s(time_s) - time_s;
         for excitation in &mut self.ports {
-            excitation.series = excitation.reading.series(&self.sizes);
+            excitation.series = excitation.reading.series(&self.sizes, longest_s);
             if !excitation.approach.is_empty() {
                 excitation.follow(&self.cursors, &self.sizes, time_s);
             }

@@ -1,6 +1,6 @@
 //! Repeated integrals of a signal that is linear in time, `u + s t`.
 
-use jounce_model::plant::{LOCAL_TERMS, SignalSample};
+use jounce_model::plant::{LOCAL_TERMS, NEGLIGIBLE_TERM, SignalSample};
 
 /// Number of powers that the integrals of all orders need.
 const POWERS: usize = LOCAL_TERMS + 2;
@@ -59,6 +59,22 @@ pub fn repeated_products(
         powers[k + 1] * (u + change * INVERSES[k + 2]),
         powers[k + 1] * h * (u * (k + 1) as f64 * INVERSES[k + 2] + change * INVERSES[k + 3]),
     ]
+}
+
+/// Returns the number of terms after which both sums are complete, for blocks whose `|eigenvalue|`
+/// times the length of the step is at most `size`.
+///
+/// Term `n` of a double rate, the slowest to converge, is at most `2 (n - 1) x^(n-2) / n!` of the
+/// second, which is the first in a state without a force of its own.
+#[inline(always)]
+pub(super) fn orders(size: f64) -> usize {
+    let (mut orders, mut omitted) = (2, 2.0 / 3.0 * size);
+    while omitted > NEGLIGIBLE_TERM && orders < LOCAL_TERMS {
+        let n = orders as f64;
+        omitted *= (n + 1.0) * size / (n * (n + 2.0));
+        orders += 1;
+    }
+    orders
 }
 
 #[cfg(test)]

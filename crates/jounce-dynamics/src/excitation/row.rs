@@ -6,55 +6,62 @@
 //!
 //! with `m` over local blocks only; for free bodies alone it is a cubic.
 
+use super::repeated_integrals::orders;
 use jounce_model::plant::{LOCAL_TERMS, Plant, SignalSample};
 
 /// Number of coefficients of a series.
 const SERIES_COEFFICIENTS: usize = LOCAL_TERMS + 1;
 
+/// Coefficients of a series.
+type Coefficients = [f64; SERIES_COEFFICIENTS];
+
 /// Row for all signals.
 #[derive(Debug, Clone)]
 pub(crate) struct ExcitationRow {
-    /// For each signal, `row . rest` and `row . lag`.
-    following: Vec<[f64; 2]>,
-    /// For each signal, `m_j / (j + 1)!`.
-    local: Vec<[f64; LOCAL_TERMS]>,
+    /// For each signal, the coefficients by its value and by its slope.
+    signals: Vec<[Coefficients; 2]>,
     /// Number of coefficients that are not always 0.
     used: usize,
+    /// Largest `|eigenvalue|` of the local blocks, rad/s.
+    fastest_rad_s: f64,
 }
 
 /// Polynomial in the time from the current time on.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ExcitationSeries {
-    coefficients: [f64; SERIES_COEFFICIENTS],
+    coefficients: Coefficients,
     used: usize,
 }
 
 impl ExcitationRow {
     pub fn of(plant: &Plant, row: &[f64]) -> Self {
         let dot = |column: &[f64]| -> f64 { row.iter().zip(column).map(|(r, c)| r * c).sum() };
-        let local = |forcing: &jounce_model::plant::Forcing| {
+        let mut used = 2;
+        let mut coefficients = |forcing: &jounce_model::plant::Forcing| {
+            let mut of = [[0.0; SERIES_COEFFICIENTS]; 2];
+            (of[0][0], of[1][0]) = (dot(&forcing.rest), dot(&forcing.lag));
+            of[1][1] = of[0][0];
             let (mut power, mut factorial) = (forcing.local.clone(), 1.0);
-            std::array::from_fn(|j| {
-                factorial *= (j + 1) as f64;
+            for j in 1..SERIES_COEFFICIENTS {
+                factorial *= j as f64;
                 let moment = dot(&power) / factorial;
                 power = plant.diagonal.block.apply(&power);
-                moment
-            })
+                of[0][j] += moment;
+                if j + 1 < SERIES_COEFFICIENTS {
+                    of[1][j + 1] += moment / (j + 1) as f64;
+                }
+                if moment != 0.0 {
+                    // A slope reaches one power higher than a value.
+                    used = used.max((j + 2).min(SERIES_COEFFICIENTS));
+                }
+            }
+            of
         };
-        let local: Vec<[f64; LOCAL_TERMS]> = plant.forcings.iter().map(local).collect();
-        let last = (0..LOCAL_TERMS)
-            .rev()
-            .find(|j| local.iter().any(|moments| moments[*j] != 0.0));
-        // A slope reaches one power higher than a value.
-        let used = last.map_or(2, |last| (last + 3).min(SERIES_COEFFICIENTS));
+        let signals = plant.forcings.iter().map(&mut coefficients).collect();
         Self {
-            following: plant
-                .forcings
-                .iter()
-                .map(|forcing| [dot(&forcing.rest), dot(&forcing.lag)])
-                .collect(),
-            local,
+            signals,
             used,
+            fastest_rad_s: plant.fastest_local_rad_s(),
         }
     }
 
@@ -65,27 +72,19 @@ impl ExcitationRow {
         Self::of(plant, &row)
     }
 
-    /// Returns the polynomial for given samples of the signals.
+    /// Returns the polynomial for given samples of the signals, complete up to a time from now.
     #[inline(always)]
-    pub fn series(&self, sizes: &[SignalSample]) -> ExcitationSeries {
-        let mut series = ExcitationSeries {
-            used: self.used,
-            ..ExcitationSeries::ZERO
-        };
-        for (([rest, lag], local), [size, slope]) in
-            self.following.iter().zip(&self.local).zip(sizes)
-        {
-            let c = &mut series.coefficients;
-            c[0] += rest * size + lag * slope;
-            c[1] += rest * slope;
-            for j in 1..self.used {
-                c[j] += size * local[j - 1];
-                if j + 1 < self.used {
-                    c[j + 1] += slope * local[j - 1] / (j + 1) as f64;
-                }
+    pub fn series(&self, sizes: &[SignalSample], longest_s: f64) -> ExcitationSeries {
+        let mut coefficients = [0.0; SERIES_COEFFICIENTS];
+        for ([by_value, by_slope], [size, slope]) in self.signals.iter().zip(sizes) {
+            for (sum, (value, rate)) in coefficients.iter_mut().zip(by_value.iter().zip(by_slope)) {
+                *sum += size * value + slope * rate;
             }
         }
-        series
+        ExcitationSeries {
+            coefficients,
+            used: self.used.min(orders(self.fastest_rad_s * longest_s) + 2),
+        }
     }
 }
 

@@ -172,7 +172,7 @@ impl SignalWork {
                 .sum::<f64>();
         }
         for (work_j, readings) in self.works_j.iter_mut().zip(&self.tables.readings) {
-            let series = readings[port].series(sizes);
+            let series = readings[port].series(sizes, length_s);
             *work_j += times_s
                 .iter()
                 .zip(weighted.0)

@@ -110,7 +110,6 @@ impl LocalTables {
             true => (k, is_local[k]),
             false => (k, is_local[first_real + k]),
         });
-        let speeds = plant.diagonal.block.speeds().into_iter();
         Self {
             vectors: vectors.filter(|(_, is)| *is != F64x8::ZERO).collect(),
             columns: (plant.forcings.iter())
@@ -119,9 +118,7 @@ impl LocalTables {
             forces: (plant.ports.iter())
                 .map(|port| local_part(&port.force))
                 .collect(),
-            fastest_rad_s: (speeds.zip(&plant.local).zip(plant.diagonal.block.free()))
-                .filter(|((_, local), is_free)| **local && !is_free)
-                .fold(0.0, |max, ((speed, _), _)| max.max(speed)),
+            fastest_rad_s: plant.fastest_local_rad_s(),
         }
     }
 }

@@ -99,7 +99,7 @@ impl Integrator<'_> {
     pub fn energies(&self) -> Energies {
         let system = &self.kernel.plant.system;
         if !system.bridges.is_empty() {
-            return self.energies_of_all();
+            return self.energies_of_all(&self.physical());
         }
         let mut energies = self.energies_in_conduction_state(&self.signal_integrals());
         energies.leaks_j = energies.loads_j.split_off(system.loads.len());
@@ -191,7 +191,12 @@ impl Integrator<'_> {
     /// displacement of the free plant under sinusoids: a ball at rest on a shaken table has no
     /// other scale.
     fn potential_j(&self) -> f64 {
-        let (plant, x) = (&self.kernel.plant, self.physical());
+        let plant = &self.kernel.plant;
+        let signals = || plant.system.signals.iter();
+        if !signals().any(|signal| matches!(signal.wave, Wave::Constant(_))) {
+            return 0.0;
+        }
+        let x = self.physical();
         let driven = |i: usize| -> f64 {
             let amplitude =
                 |tone: &Tone| dot_row(&plant.diagonal.to_physical, i, &tone.steady).norm();
@@ -212,7 +217,7 @@ impl Integrator<'_> {
             }
             _ => 0.0,
         };
-        plant.system.signals.iter().map(of).sum()
+        signals().map(of).sum()
     }
 
     /// Returns `sum (q'^2 + w^2 q^2) / 2 + sum C V^2 / 2 + energy of the compressed contact`, J.

@@ -37,7 +37,7 @@ impl Trajectory {
                     let row = forced_rows
                         .entry(segment.conduction_state)
                         .or_insert_with(|| ExcitationRow::of_physical(plant, state_index));
-                    let forced = row.series(&segment.sizes);
+                    let forced = row.series(&segment.sizes, within[1]);
                     sum += forced.integral(within[1]) - forced.integral(within[0]);
                 }
             }

@@ -17,9 +17,7 @@ use crate::integrator::Integrator;
 use crate::ports::state::{ContactState, PortState};
 use crate::record::energies::Energies;
 use crate::record::trajectory::ConductionChange;
-use jounce_model::plant::{
-    BridgeChange, BridgeNodes, BridgeState, Conduction, EnergyOutlet, PowerOutput,
-};
+use jounce_model::plant::{BridgeChange, BridgeNodes, BridgeState, Conduction, EnergyOutlet};
 
 /// Largest number of changes of bridges at one instant. A switch may close many times there: where
 /// the voltage that it inverts holds the current at zero from either side, it closes until too
@@ -109,7 +107,7 @@ impl Integrator<'_> {
             }
             let mut x = self.physical();
             self.note_change(guard.change, guard.bridge, &x);
-            self.close_conduction_state();
+            self.close_conduction_state(&x);
             let mut states: Vec<BridgeState> = self
                 .kernel
                 .plant
@@ -277,21 +275,20 @@ impl Integrator<'_> {
     }
 
     /// Adds the conduction state that ends to the previous energies.
-    fn close_conduction_state(&mut self) {
-        let all = self.energies_of_all();
+    fn close_conduction_state(&mut self, x: &[f64]) {
+        let all = self.energies_of_all(x);
         self.switching.earlier = all;
         self.open_regulations();
     }
 
-    /// Returns the energies since the start of the integration.
-    pub(crate) fn energies_of_all(&self) -> Energies {
+    /// Returns the energies since the start of the integration, at the physical state `x`.
+    pub(crate) fn energies_of_all(&self, x: &[f64]) -> Energies {
         let integrals = self.signal_integrals();
         let energies = self.energies_in_conduction_state(&integrals);
         let plant = &self.kernel.plant;
         let drawn_c = self.drawn_c();
         let mut all = self.switching.earlier.clone();
-        let change: Vec<f64> = self
-            .physical()
+        let change: Vec<f64> = x
             .iter()
             .zip(&self.switching.since.1)
             .map(|(x, since)| x - since)
@@ -307,11 +304,7 @@ impl Integrator<'_> {
             .iter_mut()
             .zip(&energies.loads_j)
             .for_each(|(sum, energies)| *sum += energies);
-        let outputs: Vec<PowerOutput> = plant
-            .bridge_outputs()
-            .into_iter()
-            .chain(plant.leak_outputs())
-            .collect();
+        let outputs = &self.kernel.meters().outputs;
         let mut leaks = all.leaks_j.iter_mut();
         for (output, energy_j) in outputs.iter().zip(&energies.loads_j[loads..]) {
             let energy_j = energy_j + charge_balance.standing_j(output);

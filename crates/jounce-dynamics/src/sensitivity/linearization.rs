@@ -79,8 +79,10 @@ impl<'a> Linearization<'a> {
             .map(|index| Phasor::new(&kernel.plant, index, 0.0))
             .collect();
         let packed = vec![F64x8::ZERO; kernel.layout.lanes()];
-        let series =
-            |port: &Port| ExcitationRow::of(&kernel.plant, &port.displacement).series(&sizes);
+        let limit_s = kernel.plant.local_limit_s();
+        let series = |port: &Port| {
+            ExcitationRow::of(&kernel.plant, &port.displacement).series(&sizes, limit_s)
+        };
         let forced = kernel
             .plant
             .ports

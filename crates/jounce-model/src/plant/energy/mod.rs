@@ -20,7 +20,7 @@ pub(super) mod lyapunov;
 pub(super) mod quadratic;
 pub(super) mod signal_meter;
 
-use super::{Plant, PlantError, SignalMeter, Tone};
+use super::{Plant, PlantError, PowerOutput, SignalMeter, Tone};
 use jounce_linalg::c64;
 use quadratic::{Quadratic, Quadratics};
 use std::sync::Arc;
@@ -48,6 +48,8 @@ pub struct Meters {
     /// Energy delivered to each load, J, then to each of [`Plant::bridge_outputs`] and of
     /// [`Plant::leak_outputs`]; computed with the voltages measured from their zeros.
     pub loads: Vec<EnergyMeter>,
+    /// Outputs of the bridges and of the leaks, whose energies follow those of the loads.
+    pub outputs: Vec<PowerOutput>,
     /// Energy lost in modal damping and friction, J.
     pub damping: EnergyMeter,
     /// Energy put in by the drives, J.
@@ -67,8 +69,10 @@ impl Meters {
     pub fn under(quadratics: &Quadratics, plant: &Plant) -> Self {
         let meter = |quadratic: &Arc<Quadratic>| EnergyMeter::squares(plant, quadratic);
         let loads = quadratics.loads.iter().map(meter).collect();
+        let bridges = plant.bridge_outputs().into_iter();
         Self {
             loads,
+            outputs: bridges.chain(plant.leak_outputs()).collect(),
             damping: meter(&quadratics.damping),
             input: EnergyMeter::drive(plant),
         }

@@ -100,22 +100,22 @@ impl Plant {
             .collect()
     }
 
+    /// Returns the largest `|eigenvalue|` of the local blocks, rad/s; 0 where only free bodies are
+    /// local.
+    pub fn fastest_local_rad_s(&self) -> f64 {
+        let block = &self.diagonal.block;
+        let speeds = block.speeds().into_iter().zip(block.free());
+        speeds
+            .zip(&self.local)
+            .filter(|((_, free), local)| **local && !free)
+            .fold(0.0_f64, |max, ((speed, _), _)| max.max(speed))
+    }
+
     /// Returns the longest step that the series of local blocks allows, s.
     pub fn local_limit_s(&self) -> f64 {
-        let speeds = self
-            .diagonal
-            .block
-            .speeds()
-            .into_iter()
-            .zip(self.diagonal.block.free())
-            .zip(&self.local);
-        let fastest = speeds
-            .filter(|((_, free), local)| **local && !free)
-            .fold(0.0_f64, |max, ((speed, _), _)| max.max(speed));
-        if fastest > 0.0 {
-            LOCAL_BLOCK_RATE / fastest
-        } else {
-            f64::INFINITY
+        match self.fastest_local_rad_s() {
+            0.0 => f64::INFINITY,
+            fastest_rad_s => LOCAL_BLOCK_RATE / fastest_rad_s,
         }
     }
 
