@@ -56,8 +56,7 @@ impl Found {
     }
 }
 
-/// Budget of a search. The search with a smaller budget is the begin of that with a larger one, up to
-/// its last step, so that a larger budget gives no worse a design.
+/// Budget of a search.
 pub struct Budget<'b> {
     begin: Instant,
     problem: &'b Problem,

@@ -33,7 +33,7 @@ pub use modes::{Modes, PatchModes};
 
 use assembly::refinement::{refined, relative_change};
 use assembly::solution::{StructureSolution, Structures};
-use jounce_spec::Spec;
+use jounce_spec::{PlatePoint, Spec};
 use modes::assembled::{assembled_modes, mass_modes};
 use modes::damping::damping_ratios;
 use modes::merge::{ModeOrder, merged};
@@ -65,9 +65,22 @@ pub fn modes(spec: &Spec) -> Result<Modes, StructureError> {
 /// As [`modes`]; `CannotHold` for a name that is not a mass, `CannotHoldGiven` for a structure
 /// defined by its modes.
 pub fn modes_holding(spec: &Spec, fixed_masses: &[String]) -> Result<Modes, StructureError> {
+    modes_at(spec, fixed_masses, &PlatePlaces::new())
+}
+
+/// Returns the modes of [`modes_holding`], with their shapes at more places of plates: `PLATE.NAME`
+/// for each name.
+///
+/// # Errors
+/// As [`modes_holding`].
+pub fn modes_at(
+    spec: &Spec,
+    fixed_masses: &[String],
+    places: &PlatePlaces,
+) -> Result<Modes, StructureError> {
     let structures = Structures::new(spec, fixed_masses)?;
     let (solution, error) = refined(&structures, spec.reduction.mesh_tolerance)?;
-    SpecModes::new(spec, fixed_masses, &structures, &solution, error).map(|all| all.modes)
+    SpecModes::new(spec, (fixed_masses, places), &structures, &solution, error).map(|all| all.modes)
 }
 
 /// Returns the modes on a plain mesh of cubic elements of at most `longest_element_m`, as most
@@ -86,7 +99,14 @@ pub fn modes_on_cubic_mesh(
     let (converged, _) = refined(&structures, spec.reduction.mesh_tolerance)?;
     let solution = structures.solve(&structures.cubic_mesh(longest_element_m)?)?;
     let error = relative_change(&solution.frequency_rad_s(), &converged.frequency_rad_s());
-    SpecModes::new(spec, fixed_masses, &structures, &solution, error).map(|all| all.modes)
+    SpecModes::new(
+        spec,
+        (fixed_masses, &PlatePlaces::new()),
+        &structures,
+        &solution,
+        error,
+    )
+    .map(|all| all.modes)
 }
 
 /// Returns the mode shapes along every beam at `samples` equidistant places, with the modes in the
@@ -102,7 +122,8 @@ pub fn shapes_along_beams(
     let structures = Structures::new(spec, fixed_masses)?;
     let (solution, error) = refined(&structures, spec.reduction.mesh_tolerance)?;
     let mut shapes = modes::along::beam_shapes(&solution, samples);
-    let all = SpecModes::new(spec, fixed_masses, &structures, &solution, error)?;
+    let none = PlatePlaces::new();
+    let all = SpecModes::new(spec, (fixed_masses, &none), &structures, &solution, error)?;
     for shape in shapes.values_mut() {
         shape.shape = shape
             .shape
@@ -112,6 +133,9 @@ pub fn shapes_along_beams(
     }
     Ok(shapes)
 }
+
+/// Places of plates with their names, by plate.
+pub type PlatePlaces = BTreeMap<String, Vec<(String, PlatePoint)>>;
 
 /// Modes of a spec, and the origin of each.
 struct SpecModes {
@@ -127,13 +151,13 @@ impl SpecModes {
     /// and adds the modes defined in the spec.
     fn new(
         spec: &Spec,
-        fixed_masses: &[String],
+        (fixed_masses, places): (&[String], &PlatePlaces),
         structures: &Structures,
         solution: &StructureSolution,
         error: Vec<f64>,
     ) -> Result<Self, StructureError> {
         let mut parts = vec![assembled_modes(spec, fixed_masses, solution, error)?];
-        parts.extend(plate::plate_modes(spec, structures.retained)?);
+        parts.extend(plate::plate_modes(spec, structures.retained, places)?);
         let (with_plates, assembled) = merged(&parts);
         let with_plates = with_plates.first(structures.retained);
         let mut assembled = assembled.first(structures.retained);

@@ -1,6 +1,6 @@
 //! Shapes over plates, in the middles of the cells of a grid.
 
-use jounce_model::structure::{Modes, StructureError, modes_holding};
+use jounce_model::structure::{Modes, StructureError, modes_at};
 use jounce_spec::{Plate, PlatePoint, Spec};
 use std::collections::BTreeMap;
 
@@ -53,66 +53,29 @@ fn point(i: usize, j: usize) -> String {
     format!("cell {i} {j}")
 }
 
-/// Returns the modes of a spec with some masses fixed, and their shapes over its plates, with the
-/// signs of the modes.
+/// Returns the modes of a spec with some masses fixed, and their shapes over its plates.
 pub(crate) fn modes_and_plates(
     spec: &Spec,
     held: &[String],
 ) -> Result<(Modes, Vec<PlateShapes>), StructureError> {
-    let modes = modes_holding(spec, held)?;
-    if spec.plate.is_empty() {
-        return Ok((modes, Vec::new()));
-    }
-    // The points of a plate decide the signs of its modes, so the points of the cells may turn them.
-    let mut with_cells = modes_holding(&with_cells(spec), held)?;
-    let sign: Vec<f64> = (0..modes.len())
-        .map(|mode| {
-            if agree(&modes, &with_cells, mode) {
-                1.0
-            } else {
-                -1.0
-            }
-        })
-        .collect();
-    let mut plates = take_cells(spec, &mut with_cells.shape, modes.len());
-    for plate in &mut plates {
-        for (shape, sign) in plate.shapes_per_sqrt_kg.iter_mut().zip(&sign) {
-            shape.iter_mut().flatten().for_each(|value| *value *= sign);
-        }
-    }
+    let places = spec.plate.iter();
+    let places = places.map(|(name, plate)| (name.clone(), middles(plate)));
+    let mut modes = modes_at(spec, held, &places.collect())?;
+    let count = modes.len();
+    let plates = take_cells(spec, &mut modes.shape, count);
     Ok((modes, plates))
 }
 
-/// True where a mode has the same sign in both lists: the products of its values at each point and
-/// of its couplings are then positive.
-fn agree(modes: &Modes, others: &Modes, mode: usize) -> bool {
-    let points = modes.shape.iter().map(|(name, own)| {
-        let other = others.shape.get(name).map_or(0.0, |other| other[mode]);
-        own[mode] * other
-    });
-    let patches = modes.patch.iter().map(|(name, own)| {
-        let other = others.patch.get(name);
-        own.coupling_n_per_v[mode] * other.map_or(0.0, |other| other.coupling_n_per_v[mode])
-    });
-    points.chain(patches).sum::<f64>() >= 0.0
-}
-
-/// Returns the spec with a point in each cell of its plates.
-fn with_cells(spec: &Spec) -> Spec {
-    let mut spec = spec.clone();
-    for plate in spec.plate.values_mut() {
-        let [columns, rows] = cells(plate);
-        for i in 0..columns {
-            for j in 0..rows {
-                let place = PlatePoint {
-                    x_m: plate.length_m * (i as f64 + 0.5) / columns as f64,
-                    y_m: plate.width_m * (j as f64 + 0.5) / rows as f64,
-                };
-                plate.point.insert(point(i, j), place);
-            }
-        }
-    }
-    spec
+/// Returns the middles of the cells of a plate.
+fn middles(plate: &Plate) -> Vec<(String, PlatePoint)> {
+    let [columns, rows] = cells(plate);
+    let middle = |i: usize, j: usize| PlatePoint {
+        x_m: plate.length_m * (i as f64 + 0.5) / columns as f64,
+        y_m: plate.width_m * (j as f64 + 0.5) / rows as f64,
+    };
+    (0..columns)
+        .flat_map(|i| (0..rows).map(move |j| (point(i, j), middle(i, j))))
+        .collect()
 }
 
 /// Takes the points of the cells out of the shapes at all points.

@@ -8,8 +8,9 @@ use jounce_sparse::{LowestModes, SymmetricMatrix};
 use jounce_spec::{Electrodes, Modal, ModalPatch};
 use std::f64::consts::TAU;
 
-/// An eigenvalue below this share of the magnitude of the shift is that of a rigid-body motion.
-const RIGID_SHARE: f64 = 1e-7;
+/// An eigenvalue below this share of the magnitude of the shift, or of the next one, is that of a
+/// rigid-body motion.
+pub(super) const RIGID_SHARE: f64 = 1e-7;
 
 /// Roundoff of `x^T A y` relative to the sum of the magnitudes of its terms.
 const ROUNDOFF: f64 = 100.0 * f64::EPSILON;

@@ -11,7 +11,7 @@
 //!
 //! Source of the orthogonality of modes: D. J. Ewins, Modal Testing (2nd edition, 2000), chapter 2.
 
-use super::reduced::{Product, Reduced};
+use super::reduced::{Product, RIGID_SHARE, Reduced};
 use crate::exchange::ExchangeFaults;
 use jounce_linalg::{Mat, column};
 use jounce_sparse::SymmetricMatrix;
@@ -19,10 +19,6 @@ use std::f64::consts::TAU;
 
 /// Two shapes whose product is closer to 1 than this have no two motions within roundoff.
 const SAME_SHAPE: f64 = 1e-12;
-
-/// An eigenvalue below this share of the next one is that of a rigid-body motion, as those of the
-/// eigenproblem.
-const RIGID_SHARE: f64 = 1e-7;
 
 /// Shapes and perhaps their frequencies.
 pub(super) struct GivenShapes {

@@ -3,6 +3,7 @@
 use super::layout::PlateLayout;
 use super::mesh::{PlateMesh, ProductRow};
 use super::refinement::refined;
+use crate::structure::PlatePlaces;
 use crate::structure::error::StructureError;
 use crate::structure::modes::{Modes, PatchModes};
 use jounce_linalg::Mat;
@@ -25,13 +26,15 @@ pub(super) struct MeshModes {
     shapes: Mat<f64>,
 }
 
-/// Returns the lowest `count` modes of every plate, without damping.
+/// Returns the lowest `count` modes of every plate, without damping, with their values at more
+/// places.
 ///
 /// # Errors
 /// `NotPositive` for a capacitance, and those of [`refined`].
 pub(in crate::structure) fn plate_modes(
     spec: &Spec,
     count: usize,
+    places: &PlatePlaces,
 ) -> Result<Vec<Modes>, StructureError> {
     let of_plate = |(name, plate): (&String, &Plate)| {
         let layout = PlateLayout::new(spec, name, plate);
@@ -40,7 +43,14 @@ pub(in crate::structure) fn plate_modes(
             StructureError::positive(key, patch.clamped_in_plane_capacitance_f())?;
         }
         let (mesh, modes, error) = refined(&layout, count, spec.reduction.mesh_tolerance)?;
-        Ok(modes.converted(spec, &mesh, error))
+        let mut converted = modes.converted(spec, &mesh, error);
+        for (place_name, place) in places.get(name).into_iter().flatten() {
+            let values = modes.modal(&mesh.row(*place, [0, 0]));
+            converted
+                .shape
+                .insert(format!("{name}.{place_name}"), values);
+        }
+        Ok(converted)
     };
     spec.plate.iter().map(of_plate).collect()
 }
