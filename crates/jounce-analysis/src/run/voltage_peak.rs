@@ -202,51 +202,75 @@ impl RecordWindow {
                 .first()
                 .map_or(0.0, |at| row.size_v(time_s, &at.state))
         };
-        let mut samples: Vec<Vec<(f64, f64)>> = rows
+        let mut peaks: Vec<Peaks> = rows
             .iter()
-            .map(|row| vec![(self.begin_s, size_v(row, self.begin_s))])
+            .map(|row| Peaks::from((self.begin_s, size_v(row, self.begin_s))))
             .collect();
-        let mut current: Option<(&Kernel, Vec<VoltageRow>)> = None;
+        let mut known: Vec<(&Kernel, Vec<VoltageRow>)> = Vec::new();
         trajectory.walk(
             kernel,
             first,
             self.gap_s,
             &mut |state_kernel, time_s, state| {
-                let known = current
-                    .take()
-                    .filter(|(known, _)| std::ptr::eq(*known, state_kernel));
-                let (_, rows) = current
-                    .insert(known.unwrap_or_else(|| (state_kernel, rows_of(&state_kernel.plant))));
+                let is_this = |(known, _): &(&Kernel, _)| std::ptr::eq(*known, state_kernel);
+                let index = known.iter().position(is_this).unwrap_or_else(|| {
+                    known.push((state_kernel, rows_of(&state_kernel.plant)));
+                    known.len() - 1
+                });
                 if time_s > self.begin_s {
-                    for (samples, row) in samples.iter_mut().zip(rows) {
-                        samples.push((time_s, row.size_v(time_s, state)));
+                    for (peaks, row) in peaks.iter_mut().zip(&known[index].1) {
+                        peaks.add((time_s, row.size_v(time_s, state)));
                     }
                 }
             },
         );
-        let peak_v = |(row, mut samples): (&VoltageRow, Vec<(f64, f64)>)| {
-            samples.push((self.end_s, size_v(row, self.end_s)));
-            largest(&samples, &|time_s| size_v(row, time_s))
+        let peak_v = |(row, mut peaks): (&VoltageRow, Peaks)| {
+            peaks.add((self.end_s, size_v(row, self.end_s)));
+            peaks.largest(&|time_s| size_v(row, time_s))
         };
-        rows.iter().zip(samples).map(peak_v).collect()
+        rows.iter().zip(peaks).map(peak_v).collect()
     }
 }
 
-/// Returns the largest of the first and last of some samples `(time, value)` and the refined highest
-/// peaks between them.
-fn largest(samples: &[(f64, f64)], value: &impl Fn(f64) -> f64) -> f64 {
-    let ends = [samples[0].1, samples[samples.len() - 1].1];
-    let mut tops: Vec<[(f64, f64); 3]> = samples
-        .windows(3)
-        .map(|three| [three[0], three[1], three[2]])
-        .filter(|[a, m, b]| a.1 <= m.1 && m.1 >= b.1)
-        .collect();
-    tops.sort_by(|one, other| other[1].1.total_cmp(&one[1].1));
-    tops.into_iter()
-        .take(REFINED_PEAKS)
-        .map(|top| highest(top, value))
-        .chain(ends)
-        .fold(0.0, f64::max)
+/// Highest samples `(time, value)` of a series.
+struct Peaks {
+    /// First sample.
+    first: f64,
+    /// Last sample, and the one before it.
+    last: (f64, f64),
+    before: Option<(f64, f64)>,
+    /// Highest local maxima, the highest first, each with its neighbours.
+    tops: Vec<[(f64, f64); 3]>,
+}
+
+impl Peaks {
+    fn from(first: (f64, f64)) -> Self {
+        Self {
+            first: first.1,
+            last: first,
+            before: None,
+            tops: Vec::new(),
+        }
+    }
+
+    fn add(&mut self, sample: (f64, f64)) {
+        let middle = std::mem::replace(&mut self.last, sample);
+        let Some(before) = self.before.replace(middle) else {
+            return;
+        };
+        if before.1 <= middle.1 && middle.1 >= sample.1 {
+            let lower = |top: &[(f64, f64); 3]| top[1].1 >= middle.1;
+            let place = self.tops.partition_point(lower);
+            self.tops.insert(place, [before, middle, sample]);
+            self.tops.truncate(REFINED_PEAKS);
+        }
+    }
+
+    /// Returns the largest of the first and last samples and the refined local maxima.
+    fn largest(self, value: &impl Fn(f64) -> f64) -> f64 {
+        let refined = self.tops.into_iter().map(|top| highest(top, value));
+        refined.fold(self.first.max(self.last.1), f64::max)
+    }
 }
 
 /// Returns the maximum near the middle of three samples `(time, value)`, where the middle one is

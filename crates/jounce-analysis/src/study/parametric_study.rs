@@ -130,7 +130,7 @@ impl Study {
     /// # Errors
     /// [`StudyError::Table`].
     pub fn part(&self, part: usize, control: &Control) -> Result<Option<Table>, StudyError> {
-        let measures = self.quantity.measures();
+        let measures = self.quantity.measures(&self.spec);
         let points: Vec<(usize, Vec<f64>)> = self
             .points(part)
             .map(|index| (index, self.design.point(index)))

@@ -4,6 +4,7 @@
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 mod designs;
+mod devices;
 mod faults;
 mod folders;
 mod quantities;

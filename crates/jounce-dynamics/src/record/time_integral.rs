@@ -12,7 +12,7 @@ use super::trajectory::{ResponseCache, Trajectory, TrajectorySegment};
 use crate::excitation::row::ExcitationRow;
 use crate::force_response::basis::legendre;
 use crate::kernel::Kernel;
-use jounce_model::plant::BlockDiagonal;
+use jounce_model::plant::{BlockDiagonal, Plant};
 use std::collections::HashMap;
 
 impl Trajectory {
@@ -21,6 +21,7 @@ impl Trajectory {
     pub fn integral(&self, kernel: &Kernel, from_s: f64, to_s: f64, state_index: usize) -> f64 {
         let mut cache = ResponseCache::default();
         let mut forced_rows: HashMap<usize, ExcitationRow> = HashMap::new();
+        let mut free_row = FreeRow::default();
         let mut sum = 0.0;
         for segment in self.segments() {
             let within = [from_s, to_s]
@@ -29,45 +30,72 @@ impl Trajectory {
             let Ok(state_kernel) = kernel.in_conduction_state(segment.conduction_state) else {
                 continue;
             };
-            if within[1] > within[0] {
-                let plant = &state_kernel.plant;
-                let state = segment.integral(state_kernel, within, &mut cache);
-                sum += plant.integral_of(&state, within[1] - within[0], state_index);
-                if !segment.sizes.is_empty() {
-                    let row = forced_rows
-                        .entry(segment.conduction_state)
-                        .or_insert_with(|| ExcitationRow::of_physical(plant, state_index));
-                    let forced = row.series(&segment.sizes, within[1]);
-                    sum += forced.integral(within[1]) - forced.integral(within[0]);
-                }
+            let length_s = within[1] - within[0];
+            if length_s <= 0.0 {
+                continue;
+            }
+            let plant = &state_kernel.plant;
+            free_row.choose(plant, (segment.conduction_state, length_s), state_index);
+            sum += match within[0] == 0.0 {
+                true => free_row.times(&segment.state),
+                false => free_row.times(&plant.diagonal.block.flow(within[0], &segment.state)),
+            };
+            let driven = segment.driven_integral(state_kernel, within, &mut cache);
+            sum += plant.integral_of(&driven, length_s, state_index);
+            if !segment.sizes.is_empty() {
+                let row = forced_rows
+                    .entry(segment.conduction_state)
+                    .or_insert_with(|| ExcitationRow::of_physical(plant, state_index));
+                let forced = row.series(&segment.sizes, within[1]);
+                sum += forced.integral(within[1]) - forced.integral(within[0]);
             }
         }
         sum
     }
 }
 
+/// Row whose product with the state at the start of a step is the integral of a component of the
+/// free motion; most steps have the length of the one before.
+#[derive(Default)]
+struct FreeRow {
+    /// Conduction state and length, s.
+    of: Option<(usize, f64)>,
+    row: Vec<f64>,
+}
+
+impl FreeRow {
+    fn choose(&mut self, plant: &Plant, of: (usize, f64), state_index: usize) {
+        if self.of != Some(of) {
+            let block: &BlockDiagonal = &plant.diagonal.block;
+            let matrix = &plant.diagonal.to_physical;
+            let output: Vec<f64> = (0..block.len()).map(|j| matrix[(state_index, j)]).collect();
+            (self.of, self.row) = (Some(of), block.integral_row(of.1, &output));
+        }
+    }
+
+    fn times(&self, state: &[f64]) -> f64 {
+        self.row.iter().zip(state).map(|(r, y)| r * y).sum()
+    }
+}
+
 impl TrajectorySegment {
-    /// Returns the integral of the state in block coordinates without the forced part of signals,
-    /// between two times after its start.
-    fn integral(
+    /// Returns the integral of the part of the state in block coordinates that sinusoids and
+    /// contact forces drive, between two times after its start; empty where nothing drives it.
+    fn driven_integral(
         &self,
         kernel: &Kernel,
         [from_s, to_s]: [f64; 2],
         cache: &mut ResponseCache,
     ) -> Vec<f64> {
-        let (plant, length_s) = (&kernel.plant, to_s - from_s);
-        let block: &BlockDiagonal = &plant.diagonal.block;
-        let mut state = match from_s == 0.0 {
-            true => block.integral(length_s, &self.state),
-            false => block.integral(length_s, &block.flow(from_s, &self.state)),
+        let plant = &kernel.plant;
+        let mut state = match plant.tones.is_empty() {
+            true => Vec::new(),
+            false => plant.steady_integral(self.start_s + from_s, to_s - from_s),
         };
-        if !plant.tones.is_empty() {
-            let steady = plant.steady_integral(self.start_s + from_s, length_s);
-            state.iter_mut().zip(steady).for_each(|(sum, x)| *sum += x);
-        }
         if self.forces.is_empty() {
             return state;
         }
+        state.resize(plant.len(), 0.0);
         let [from, to] = [from_s, to_s].map(|time_s| time_s / self.length_s);
         let weights = |count: usize| -> Vec<f64> {
             let [before, after] = [from, to].map(|x| summed(x, count));

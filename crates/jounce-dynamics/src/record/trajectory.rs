@@ -9,7 +9,6 @@ use crate::force_response::basis::{NODES, legendre};
 use crate::force_response::output_rows::parts;
 use crate::force_response::step_response::StepResponse;
 use crate::kernel::{ForceBasis, Kernel};
-use crate::ports::small_list::SmallList;
 use jounce_model::plant::SignalSample;
 use jounce_simd::F64x8;
 use std::collections::HashMap;
@@ -25,8 +24,9 @@ pub struct TrajectorySegment {
     pub state: Vec<f64>,
     /// Value and slope of each signal at its start.
     pub sizes: Vec<SignalSample>,
-    /// Contact forces; empty in flight.
-    pub forces: SmallList<PortForce>,
+    /// Contact forces; empty in flight. Records are long and mostly of flights, so that no space is
+    /// kept for them.
+    pub forces: Vec<PortForce>,
     /// Conduction state of the bridges; the state is in its block coordinates.
     pub conduction_state: usize,
 }

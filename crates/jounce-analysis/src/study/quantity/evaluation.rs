@@ -1,5 +1,6 @@
 //! One quantity at one point.
 
+use super::devices;
 use super::key_quantities::{bifurcations, diagram, sweep};
 use crate::run::{RunPlan, simulate};
 use crate::study::{Quantity, StudyError};
@@ -151,7 +152,7 @@ fn run(model: &Model, folder: &Path) -> Result<Vec<f64>, AnalysisError> {
     let plan = RunPlan::of(run, 0.0);
     let kernel = model.from_state(&start)?;
     let result = simulate(&kernel, &start, &plan)?;
-    Ok(vec![
+    let own = vec![
         result.mean_power_w,
         result.voltage_rms_v().unwrap_or(f64::NAN),
         result.max_penetration_m,
@@ -165,7 +166,8 @@ fn run(model: &Model, folder: &Path) -> Result<Vec<f64>, AnalysisError> {
             .settlement
             .map_or(0.0, |found| f64::from(found.period_cycles)),
         result.energies.residual_relative(),
-    ])
+    ];
+    Ok([own, devices::of_run(&result.devices)].concat())
 }
 
 fn modes(model: &Model, count: usize) -> Vec<f64> {
@@ -267,13 +269,14 @@ fn ensemble(
     let residual = result.members.iter().fold(0.0_f64, |worst, member| {
         worst.max(member.energy_residual_relative.abs())
     });
-    Ok(vec![
+    let own = vec![
         result.power_w.mean,
         result.power_w.half_width,
         result.contact_rate_hz.mean,
         result.max_impact_velocity_m_s,
         residual,
-    ])
+    ];
+    Ok([own, devices::of_ensemble(&result.devices, members)].concat())
 }
 
 /// Evaluates the noise response at the first load and the first stop; NaN if there is none.

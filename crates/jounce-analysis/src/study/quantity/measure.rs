@@ -1,7 +1,8 @@
 //! Numbers of each quantity, with their names and units.
 
-use super::Quantity;
+use super::{Quantity, devices};
 use jounce_io::table::{Column, Values};
+use jounce_spec::Spec;
 
 /// One number of a quantity.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,7 +20,7 @@ enum MeasureKind {
     Flag,
 }
 
-fn number(name: &str, unit: &'static str, about: &'static str) -> Measure {
+pub(super) fn number(name: &str, unit: &'static str, about: &'static str) -> Measure {
     Measure {
         name: name.to_owned(),
         unit,
@@ -58,10 +59,10 @@ impl Measure {
 }
 
 impl Quantity {
-    /// Returns the descriptions of its numbers, in order.
-    pub(in crate::study) fn measures(&self) -> Vec<Measure> {
+    /// Returns the descriptions of its numbers for a spec, in order.
+    pub(in crate::study) fn measures(&self, spec: &Spec) -> Vec<Measure> {
         match self {
-            Self::Run => run(),
+            Self::Run => [run(), devices::measures(spec)].concat(),
             Self::Modes { count } => modes(*count),
             Self::Frf { unit, .. } => frf(unit),
             Self::Sweep { .. } => sweep(),
@@ -69,7 +70,7 @@ impl Quantity {
             Self::Bifurcations { .. } => bifurcations(),
             Self::Basins { .. } => basins(),
             Self::Branch { .. } => branch(),
-            Self::Ensemble { .. } => ensemble(),
+            Self::Ensemble { .. } => [ensemble(), devices::measures(spec)].concat(),
             Self::Noise => noise(),
         }
     }

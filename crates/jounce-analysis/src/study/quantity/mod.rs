@@ -1,5 +1,6 @@
 //! Quantity computed at each point.
 
+mod devices;
 pub(super) mod evaluation;
 mod key_quantities;
 mod measure;
