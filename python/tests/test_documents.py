@@ -51,7 +51,7 @@ def test_readme_works_in_an_empty_environment(tmp_path):
     assert target.startswith(".["), "README installs this folder with an extra"
     venv.create(tmp_path / "venv", with_pip=True)
     python = tmp_path / "venv" / ("Scripts" if os.name == "nt" else "bin") / "python"
-    installed = [str(python), "-m", "pip", "install", "--quiet", str(Path(wheel).resolve()) + target.removeprefix(".")]
+    installed = [str(python), "-m", "pip", "install", "--quiet", "--no-compile", str(Path(wheel).resolve()) + target.removeprefix(".")]
     subprocess.run(installed, check=True)
     (block,) = blocks(ROOT / "README.md")
     done = run(str(python), block, tmp_path)

@@ -280,8 +280,12 @@ impl Excitation {
     #[inline(always)]
     fn aim(&mut self, time_s: f64) {
         let longest_s = self.until_s(time_s) - time_s;
+        let terms = row::terms(self.tables.local.fastest_rad_s, longest_s);
         for excitation in &mut self.ports {
-            excitation.series = excitation.reading.series(&self.sizes, longest_s);
+            let PortExcitation {
+                reading, series, ..
+            } = excitation;
+            series.follow(reading, &self.sizes, terms);
             if !excitation.approach.is_empty() {
                 excitation.follow(&self.cursors, &self.sizes, time_s);
             }

@@ -12,6 +12,17 @@ use jounce_model::plant::{LOCAL_TERMS, Plant, SignalSample};
 /// Number of coefficients of a series.
 const SERIES_COEFFICIENTS: usize = LOCAL_TERMS + 1;
 
+/// `j (j - 1) (j - 2) (j - 3)`.
+const FOURTH_FACTORS: Coefficients = {
+    let mut factors = [0.0; SERIES_COEFFICIENTS];
+    let mut j = 4;
+    while j < factors.len() {
+        factors[j] = (j * (j - 1) * (j - 2) * (j - 3)) as f64;
+        j += 1;
+    }
+    factors
+};
+
 /// Coefficients of a series.
 type Coefficients = [f64; SERIES_COEFFICIENTS];
 
@@ -73,19 +84,18 @@ impl ExcitationRow {
     }
 
     /// Returns the polynomial for given samples of the signals, complete up to a time from now.
-    #[inline(always)]
     pub fn series(&self, sizes: &[SignalSample], longest_s: f64) -> ExcitationSeries {
-        let mut coefficients = [0.0; SERIES_COEFFICIENTS];
-        for ([by_value, by_slope], [size, slope]) in self.signals.iter().zip(sizes) {
-            for (sum, (value, rate)) in coefficients.iter_mut().zip(by_value.iter().zip(by_slope)) {
-                *sum += size * value + slope * rate;
-            }
-        }
-        ExcitationSeries {
-            coefficients,
-            used: self.used.min(orders(self.fastest_rad_s * longest_s) + 2),
-        }
+        let mut series = ExcitationSeries::ZERO;
+        series.follow(self, sizes, terms(self.fastest_rad_s, longest_s));
+        series
     }
+}
+
+/// Number of coefficients that count up to a time from now, for local blocks whose largest
+/// `|eigenvalue|` is given in rad/s.
+#[inline(always)]
+pub(super) fn terms(fastest_rad_s: f64, longest_s: f64) -> usize {
+    orders(fastest_rad_s * longest_s) + 2
 }
 
 impl ExcitationSeries {
@@ -93,6 +103,21 @@ impl ExcitationSeries {
         coefficients: [0.0; SERIES_COEFFICIENTS],
         used: 0,
     };
+
+    /// Becomes the polynomial of a row for given samples of the signals, with at most `terms`
+    /// coefficients.
+    #[inline(always)]
+    pub(super) fn follow(&mut self, row: &ExcitationRow, sizes: &[SignalSample], terms: usize) {
+        self.used = row.used.min(terms);
+        // All coefficients: loops of constant length have vector instructions.
+        self.coefficients = [0.0; SERIES_COEFFICIENTS];
+        for ([by_value, by_slope], [size, slope]) in row.signals.iter().zip(sizes) {
+            let rates = by_value.iter().zip(by_slope);
+            for (sum, (value, rate)) in self.coefficients.iter_mut().zip(rates) {
+                *sum += size * value + slope * rate;
+            }
+        }
+    }
 
     /// Adds a cubic.
     #[inline(always)]
@@ -141,9 +166,8 @@ impl ExcitationSeries {
     /// Returns a bound on the fourth derivative up to a time.
     #[inline(always)]
     pub fn fourth_bound(&self, t: f64) -> f64 {
-        let factor = |j: usize| (j * (j - 1) * (j - 2) * (j - 3)) as f64;
         (4..self.used).rev().fold(0.0, |sum, j| {
-            sum * t + factor(j) * self.coefficients[j].abs()
+            sum * t + FOURTH_FACTORS[j] * self.coefficients[j].abs()
         })
     }
 }
