@@ -151,6 +151,14 @@ def test_axes_name_their_units(plot_functions):
     plt.close("all")
 
 
+def test_a_range_at_equal_ratios_has_a_logarithmic_axis():
+    short = jounce.examples()["impact-harvester-2019"].changed({"run.duration": "0.4 s", "run.average_over": "0.2 s"})
+    for values, scale in (("10 kohm:1 Mohm:3log", "log"), ("10 kohm:1 Mohm:3x", "linear")):
+        sweep = short.sweep("circuit.load.resistance", values, direction="both", fixed_duration=True)
+        assert sweep.plot_sweep().get_xscale() == scale
+    plt.close("all")
+
+
 def test_a_settled_orbit_is_drawn_as_a_point():
     settled = jounce.examples()["impact-harvester-2019"].changed({"stop.tip.gap": "1 m", "run.start": "linear"}).run(record="2 s")
     history, ax = settled.recorded(), settled.plot_poincare(point="beam.tip")

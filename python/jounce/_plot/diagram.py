@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .style import COLOURS, axes, label
+from .style import COLOURS, axes, has_equal_ratios, label
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -26,7 +26,7 @@ def plot_diagram(result: DiagramResult, ax: Axes | None = None, quantity: str = 
             colour, in_group = COLOURS[number % len(COLOURS)], point_groups == name
             ax.plot(parameter[in_group & is_periodic], values[in_group & is_periodic], "o", markersize=3, color=colour, label=name)
             ax.plot(parameter[in_group & ~is_periodic], values[in_group & ~is_periodic], ".", markersize=1.5, color=colour)
-        label(ax.xaxis, result.key, result.unit)
+        label(ax.xaxis, result.key, result.unit, log=has_equal_ratios(result.parameter))
         label(ax.yaxis, description[0].upper() + description[1:] if len(description) < 30 else quantity.capitalize(), unit)
         ax.legend()
     return ax

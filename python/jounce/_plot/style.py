@@ -12,6 +12,7 @@ import numpy as np
 from .._optional import require
 
 if TYPE_CHECKING:
+    import numpy.typing as npt
     from matplotlib.axes import Axes
 
     from .._fields import Along
@@ -64,6 +65,15 @@ def label(axis: Any, what: str, unit: str, log: bool = False) -> None:
         axis.set_major_locator(ticker.MaxNLocator(nbins=6 if axis.axis_name == "y" else 5))
         unit = ""
     axis.set_label_text(f"{what} [{unit}]" if unit else what)
+
+
+def has_equal_ratios(values: npt.NDArray[np.float64]) -> bool:
+    """Whether at least three values of a parameter, in any order, are at equal ratios and not at equal distances."""
+    steps = np.unique(values)
+    if len(steps) < 3 or steps[0] <= 0.0:
+        return False
+    even, geometric = (np.ptp(np.diff(places)) <= 1e-6 * np.diff(places)[0] for places in (steps, np.log(steps)))
+    return bool(geometric and not even)
 
 
 def label_field(axis: Any, along: Along, is_power: bool) -> None:

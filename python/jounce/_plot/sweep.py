@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from .._fields import dataset_fields
-from .style import axes, label, label_field
+from .style import axes, has_equal_ratios, label, label_field
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -32,7 +32,7 @@ def plot_sweep(result: SweepResult, ax: Axes | None, text: str | None, quantity:
             colour = line.get_color()
             unsettled = ~points.settled
             ax.plot(points.parameter[unsettled], values[unsettled], "o", markersize=9, markerfacecolor="none", color=colour)
-        label(ax.xaxis, result.key, result.unit)
+        label(ax.xaxis, result.key, result.unit, log=has_equal_ratios(result.parameter))
         label_field(ax.yaxis, dataset_fields(type(result))[quantity], quantity == "mean_power_w")
         ax.legend()
     return ax

@@ -61,6 +61,12 @@ impl Axis {
         }
     }
 
+    /// Creates an axis that spans its data, logarithmic where the values of a parameter are at equal
+    /// ratios and not at equal distances.
+    pub fn for_steps(quantity: &str, unit: &str, values: &[f64]) -> Self {
+        Self::of(scale_of_steps(values), quantity, unit)
+    }
+
     /// Sets the range from `low` to `high`.
     #[must_use]
     pub fn between(mut self, low: f64, high: f64) -> Self {
@@ -96,5 +102,57 @@ impl Axis {
     }
 }
 
+/// Relative difference up to which two distances or two ratios are equal: values are rounded.
+const EQUAL_STEPS: f64 = 1e-6;
+
+/// Returns the scale on which values, in any order, are at equal distances; linear where they are
+/// at neither equal distances nor equal ratios.
+fn scale_of_steps(values: &[f64]) -> Scale {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    sorted.dedup();
+    let is_even = |place: fn(f64) -> f64| {
+        let distances: Vec<f64> = sorted
+            .windows(2)
+            .map(|pair| place(pair[1]) - place(pair[0]))
+            .collect();
+        let first = distances[0];
+        distances
+            .iter()
+            .all(|distance| (distance - first).abs() <= EQUAL_STEPS * first)
+    };
+    match sorted.as_slice() {
+        [first, _, _, ..] if *first > 0.0 && !is_even(|x| x) && is_even(f64::ln) => Scale::Log,
+        _ => Scale::Linear,
+    }
+}
+
 /// Larger values cannot be placed without overflow; they are treated as gaps.
 pub(super) const MAX_PLOTTED_VALUE: f64 = 1e300;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_values_at_equal_ratios_have_a_logarithmic_axis() {
+        let decade: Vec<f64> = (0..7)
+            .map(|k| 1e4 * 10_f64.powf(f64::from(k) / 3.0))
+            .collect();
+        let both_ways = [decade.clone(), decade.iter().rev().copied().collect()].concat();
+        for values in [decade, both_ways, vec![1.0, 2.0, 4.0]] {
+            assert_eq!(scale_of_steps(&values), Scale::Log, "{values:?}");
+        }
+        let even: Vec<f64> = (0..9).map(|k| 10.0 + 0.1 * f64::from(k)).collect();
+        for values in [
+            even,
+            vec![],
+            vec![1.0],
+            vec![1.0, 10.0],
+            vec![1.0, 2.0, 5.0],
+            vec![0.0, 1.0, 10.0],
+        ] {
+            assert_eq!(scale_of_steps(&values), Scale::Linear, "{values:?}");
+        }
+    }
+}

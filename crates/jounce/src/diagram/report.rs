@@ -7,27 +7,29 @@ use jounce_plot as picture;
 use jounce_plot::{Axis, BranchLine, DiagramDots, DiagramView, Figure};
 
 impl DiagramResult {
-    /// Returns the figure: displacement at the start of each drive cycle, and mean power, over the
-    /// branches.
+    /// Returns the figure: displacement at the start of each drive cycle, and mean power where there
+    /// is one, over the branches.
     pub fn figure(&self) -> Figure {
-        let views = [
-            DiagramView {
-                value: Axis::linear("Displacement once per cycle", "m"),
-                lines: self.displacement_lines(),
-                dots: self.dots(|point| {
-                    let section = point.section.iter();
-                    section.map(|point| point.displacement_m).collect()
-                }),
-            },
-            DiagramView {
+        let mut views = vec![DiagramView {
+            value: Axis::linear("Displacement once per cycle", "m"),
+            lines: self.displacement_lines(),
+            dots: self.dots(|point| {
+                let section = point.section.iter();
+                section.map(|point| point.displacement_m).collect()
+            }),
+        }];
+        // A harvester without a load has no power to draw.
+        if self.points.iter().any(|point| point.mean_power_w > 0.0) {
+            views.push(DiagramView {
                 value: Axis::log("Mean power", "W"),
                 lines: self.power_lines(),
                 dots: self.dots(|point| vec![point.mean_power_w]),
-            },
-        ];
+            });
+        }
+        let values: Vec<f64> = self.points.iter().map(|point| point.parameter).collect();
         picture::diagram(
             &format!("Bifurcation diagram over {}", self.key),
-            &Axis::linear(&self.key, &self.unit),
+            &Axis::for_steps(&self.key, &self.unit, &values),
             &views,
         )
     }

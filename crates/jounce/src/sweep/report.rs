@@ -79,8 +79,9 @@ impl SweepResult {
             .into_iter()
             .filter_map(|(direction, line)| self.line(direction, line))
             .collect();
+        let values: Vec<f64> = self.points.iter().map(|point| point.parameter).collect();
         let style = SweepLook {
-            parameter: Axis::linear(&self.key, &self.unit),
+            parameter: Axis::for_steps(&self.key, &self.unit, &values),
             value: Axis::log("Mean power", "W"),
         };
         picture::sweep(&format!("Mean power over {}", self.key), &style, &lines)
