@@ -249,6 +249,14 @@ impl Integrator<'_> {
         p: usize,
         crossing: Crossing,
     ) -> (f64, [f64; 2]) {
+        w.out_of_line(
+            #[inline(always)]
+            || self.locate_crossing(w, p, crossing),
+        )
+    }
+
+    #[inline(always)]
+    fn locate_crossing<W: Simd>(&mut self, w: W, p: usize, crossing: Crossing) -> (f64, [f64; 2]) {
         let Crossing {
             mut from_s,
             mut guess_s,

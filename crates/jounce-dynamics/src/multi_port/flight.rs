@@ -44,6 +44,14 @@ impl Integrator<'_> {
     /// Integrates the flight until a port has an impact or until the end.
     #[inline(always)]
     pub(super) fn fly<W: Simd>(&mut self, w: W, end_s: f64) -> Result<(), IntegrationError> {
+        w.out_of_line(
+            #[inline(always)]
+            || self.fly_all_ports(w, end_s),
+        )
+    }
+
+    #[inline(always)]
+    fn fly_all_ports<W: Simd>(&mut self, w: W, end_s: f64) -> Result<(), IntegrationError> {
         let mut grow = LEVELS_PER_OCTAVE;
         while self.time_s < end_s {
             let (level, remaining_s) = (
@@ -82,7 +90,10 @@ impl Integrator<'_> {
                     grow = LEVELS_PER_OCTAVE;
                 }
                 StepOutcome::Strikes(strikes) => {
-                    self.advance_to_first_crossing(w, &strikes);
+                    w.out_of_line(
+                        #[inline(always)]
+                        || self.advance_to_first_crossing(w, &strikes),
+                    );
                     return Ok(());
                 }
                 StepOutcome::Unclear(down) => {

@@ -71,7 +71,10 @@ impl Integrator<'_> {
                         break;
                     }
                     StepOutcome::Strikes(strikes)
-                        if self.end_at_first_impact(w, &ports, &strikes, level) =>
+                        if w.out_of_line(
+                            #[inline(always)]
+                            || self.end_at_first_impact(w, &ports, &strikes, level),
+                        ) =>
                     {
                         break;
                     }
@@ -113,9 +116,10 @@ impl Integrator<'_> {
         is_short: bool,
     ) -> StepOutcome {
         match ports {
-            [(p, shape)] if !self.is_rigid(*p) => {
-                self.attempt_single_port(w, (*p, *shape), length, is_short)
-            }
+            [(p, shape)] if !self.is_rigid(*p) => w.out_of_line(
+                #[inline(always)]
+                || self.attempt_single_port(w, (*p, *shape), length, is_short),
+            ),
             several => self.joint_attempt(w, several, length, is_short),
         }
     }

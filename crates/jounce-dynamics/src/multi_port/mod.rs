@@ -75,7 +75,10 @@ impl Task for AdvanceMultiPort<'_, '_> {
             rounds.count(&integrator.kernel.plant, integrator.time_s)?;
             let until_s = integrator.next_breakpoint(w, end_s);
             if integrator.hits_rigid_stop() {
-                integrator.collide(w)?;
+                w.out_of_line(
+                    #[inline(always)]
+                    || integrator.collide(w),
+                )?;
                 // An impact that inverts the current of a patch is an extremum of its charge.
                 integrator.switching.pending_event = integrator.crossed_event();
             } else if integrator.ports_in(ContactState::Contact).next().is_some() {
