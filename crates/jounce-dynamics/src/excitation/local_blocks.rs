@@ -15,9 +15,13 @@ use super::tables::LocalTables;
 use crate::flow::Flow;
 use jounce_model::plant::{LOCAL_TERMS, SignalSample};
 use jounce_simd::{F64x8, LANES, Simd};
+use smallvec::SmallVec;
 
 /// Forces at the nodes of a contact step: port, times and impulses.
 pub(super) type NodalForces = (usize, [f64; LANES], F64x8);
+
+/// Weights of the terms of `V` for one signal: of `y(h)`, `B_0`, `B_1`.
+type Weights = [[f64; 3]; LOCAL_TERMS];
 
 /// A step of the local blocks.
 pub(super) struct LocalStep<'s> {
@@ -42,48 +46,42 @@ impl LocalStep<'_> {
     /// Adds `P` to the state at the end of the step, and then `V` of each signal to its sum.
     #[inline(always)]
     pub fn pass<W: Simd>(&self, w: W, y: &mut [F64x8], sums: &mut [Vec<F64x8>]) {
-        if self.sizes.iter().all(|size| *size == [0.0; 2]) {
-            return;
-        }
         let orders = orders(self.tables.fastest_rad_s * self.length_s);
         let powers = powers(self.length_s);
-        for (blocks, _) in self.blocks(w) {
-            let columns = blocks.lanes.map(|lane| self.columns(w, lane));
-            let motion = self.motion(w, &blocks, columns, &powers[..orders + 2]);
-            for (lane, motion) in blocks.lanes.iter().zip(motion).take(blocks.count()) {
-                y[*lane] = w.store(w.add(w.load(&y[*lane]), motion));
-            }
-        }
-        for (signal, size) in self.sizes.iter().enumerate() {
-            if *size != [0.0; 2] {
+        let weights: SmallVec<[(usize, Weights); 2]> = (self.sizes.iter().enumerate())
+            .filter(|(_, size)| **size != [0.0; 2])
+            .map(|(signal, size)| {
                 let mut weights = [[0.0; 3]; LOCAL_TERMS];
-                for (k, weights) in weights[..orders].iter_mut().enumerate() {
+                for (k, weights) in weights.iter_mut().enumerate().take(orders) {
                     *weights = repeated_products(*size, &powers, k + 1, self.length_s);
                 }
-                self.add_integral(w, y, (signal, &weights[..orders]), &mut sums[signal]);
-            }
+                (signal, weights)
+            })
+            .collect();
+        if weights.is_empty() {
+            return;
         }
-    }
-
-    /// Adds `V` of a signal to its sum.
-    #[inline(always)]
-    fn add_integral<W: Simd>(
-        &self,
-        w: W,
-        y: &[F64x8],
-        (signal, weights): (usize, &[[f64; 3]]),
-        sums: &mut [F64x8],
-    ) {
         for (blocks, is_local) in self.blocks(w) {
             let columns = blocks.lanes.map(|lane| self.columns(w, lane));
-            let at_end = blocks.lanes.map(|lane| w.mul(w.load(&y[lane]), is_local));
-            let mut sum = integral(w, &blocks, (at_end, columns), weights);
-            if !self.nodes.is_empty() {
-                let forced = self.forced_integral(w, &blocks, (signal, weights.len()));
-                sum = [0, 1].map(|i| w.sub(sum[i], forced[i]));
+            let mut at_end = blocks.lanes.map(|lane| w.load(&y[lane]));
+            let motion = self.motion(w, &blocks, columns, &powers[..orders + 2]);
+            let count = if blocks.is_pair { 2 } else { 1 };
+            for i in 0..count {
+                at_end[i] = w.add(at_end[i], motion[i]);
+                y[blocks.lanes[i]] = w.store(at_end[i]);
+                at_end[i] = w.mul(at_end[i], is_local);
             }
-            for (lane, sum) in blocks.lanes.iter().zip(sum).take(blocks.count()) {
-                sums[*lane] = w.store(w.add(w.load(&sums[*lane]), sum));
+            for (signal, weights) in &weights {
+                let weights = &weights[..orders];
+                let mut sum = integral(w, &blocks, (at_end, columns), weights);
+                if !self.nodes.is_empty() {
+                    let forced = self.forced_integral(w, &blocks, (*signal, orders));
+                    sum = [0, 1].map(|i| w.sub(sum[i], forced[i]));
+                }
+                for i in 0..count {
+                    let out = &mut sums[*signal][blocks.lanes[i]];
+                    *out = w.store(w.add(w.load(out), sum[i]));
+                }
             }
         }
     }
@@ -169,11 +167,6 @@ impl LocalStep<'_> {
 }
 
 impl<R: Copy> Blocks<R> {
-    /// Number of vectors of states.
-    fn count(&self) -> usize {
-        if self.is_pair { 2 } else { 1 }
-    }
-
     /// Returns `A x`.
     #[inline(always)]
     fn apply<W: Simd<Register = R>>(&self, w: W, [u, v]: [R; 2]) -> [R; 2] {
@@ -186,7 +179,7 @@ impl<R: Copy> Blocks<R> {
     }
 }
 
-/// Returns `V` without contact forces; the weights of its terms are those of `y(h)`, `B_0`, `B_1`.
+/// Returns `V` without contact forces.
 #[inline(always)]
 fn integral<W: Simd>(
     w: W,

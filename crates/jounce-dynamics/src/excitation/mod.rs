@@ -282,10 +282,7 @@ impl Excitation {
         let longest_s = self.until_s(time_s) - time_s;
         let terms = row::terms(self.tables.local.fastest_rad_s, longest_s);
         for excitation in &mut self.ports {
-            let PortExcitation {
-                reading, series, ..
-            } = excitation;
-            series.follow(reading, &self.sizes, terms);
+            excitation.series = excitation.reading.first_terms(&self.sizes, terms);
             if !excitation.approach.is_empty() {
                 excitation.follow(&self.cursors, &self.sizes, time_s);
             }

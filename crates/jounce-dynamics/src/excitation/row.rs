@@ -84,15 +84,29 @@ impl ExcitationRow {
     }
 
     /// Returns the polynomial for given samples of the signals, complete up to a time from now.
+    #[inline(always)]
     pub fn series(&self, sizes: &[SignalSample], longest_s: f64) -> ExcitationSeries {
-        let mut series = ExcitationSeries::ZERO;
-        series.follow(self, sizes, terms(self.fastest_rad_s, longest_s));
-        series
+        self.first_terms(sizes, terms(self.fastest_rad_s, longest_s))
+    }
+
+    /// Returns the polynomial with at most a number of terms.
+    #[inline(always)]
+    pub fn first_terms(&self, sizes: &[SignalSample], terms: usize) -> ExcitationSeries {
+        let mut coefficients = [0.0; SERIES_COEFFICIENTS];
+        for ([by_value, by_slope], [size, slope]) in self.signals.iter().zip(sizes) {
+            for (sum, (value, rate)) in coefficients.iter_mut().zip(by_value.iter().zip(by_slope)) {
+                *sum += size * value + slope * rate;
+            }
+        }
+        ExcitationSeries {
+            coefficients,
+            used: self.used.min(terms),
+        }
     }
 }
 
-/// Number of coefficients that count up to a time from now, for local blocks whose largest
-/// `|eigenvalue|` is given in rad/s.
+/// Returns the number of terms that count up to a time from now, for local blocks of at most some
+/// `|eigenvalue|`, rad/s.
 #[inline(always)]
 pub(super) fn terms(fastest_rad_s: f64, longest_s: f64) -> usize {
     orders(fastest_rad_s * longest_s) + 2
@@ -103,21 +117,6 @@ impl ExcitationSeries {
         coefficients: [0.0; SERIES_COEFFICIENTS],
         used: 0,
     };
-
-    /// Becomes the polynomial of a row for given samples of the signals, with at most `terms`
-    /// coefficients.
-    #[inline(always)]
-    pub(super) fn follow(&mut self, row: &ExcitationRow, sizes: &[SignalSample], terms: usize) {
-        self.used = row.used.min(terms);
-        // All coefficients: loops of constant length have vector instructions.
-        self.coefficients = [0.0; SERIES_COEFFICIENTS];
-        for ([by_value, by_slope], [size, slope]) in row.signals.iter().zip(sizes) {
-            let rates = by_value.iter().zip(by_slope);
-            for (sum, (value, rate)) in self.coefficients.iter_mut().zip(rates) {
-                *sum += size * value + slope * rate;
-            }
-        }
-    }
 
     /// Adds a cubic.
     #[inline(always)]
