@@ -55,6 +55,13 @@ pub(crate) enum Slot<T: 'static> {
         /// returns it for writing
         open: fn(&mut T) -> &mut Vec<f64>,
     },
+    /// A list of numbers that is stored as another key; not printed.
+    DerivedNumbers {
+        /// reads it
+        get: fn(&T) -> &Vec<f64>,
+        /// returns it for writing
+        open: fn(&mut T) -> &mut Vec<f64>,
+    },
     /// Quantities by name.
     NamedQuantities {
         /// reads them
