@@ -57,6 +57,8 @@ pub(crate) enum Slot<T: 'static> {
     },
     /// A list of numbers that is stored as another key; not printed.
     DerivedNumbers {
+        /// name of that key
+        of: &'static str,
         /// reads it
         get: fn(&T) -> &Vec<f64>,
         /// returns it for writing

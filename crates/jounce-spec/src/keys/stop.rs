@@ -158,7 +158,7 @@ pub(super) static KEYS: &[Key<Stop>] = &[
         "penetration",
         Kind::Quantities(Quantity::Length),
         "penetrations of the measured points with units, in place of `penetration_m`",
-        Slot::DerivedNumbers { get: |s: &Stop| &s.table.penetration_m, open: |s| &mut s.table.penetration_m },
+        Slot::DerivedNumbers { of: "penetration_m", get: |s: &Stop| &s.table.penetration_m, open: |s| &mut s.table.penetration_m },
     )
     .within(Range::NOT_NEGATIVE)
     .when("law", &["table"])
@@ -176,7 +176,7 @@ pub(super) static KEYS: &[Key<Stop>] = &[
         "force",
         Kind::Quantities(Quantity::Force),
         "forces at the measured points with units, in place of `force_n`",
-        Slot::DerivedNumbers { get: |s: &Stop| &s.table.force_n, open: |s| &mut s.table.force_n },
+        Slot::DerivedNumbers { of: "force_n", get: |s: &Stop| &s.table.force_n, open: |s| &mut s.table.force_n },
     )
     .within(Range::NOT_NEGATIVE)
     .when("law", &["table"])

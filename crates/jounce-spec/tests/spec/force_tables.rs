@@ -242,6 +242,18 @@ fn invalid_tables_are_reported() {
 }
 
 #[test]
+fn a_fault_is_placed_at_the_key_that_was_written() {
+    let keys = "penetration = [\"20 um\", \"10 um\"]\nforce = [\"2 N\", \"1 N\"]";
+    let found = Spec::from_toml(&text(keys)).unwrap_err().to_string();
+    for message in [
+        "line 9, column 15: stop.s.penetration has 0.00001 m as number 2, after 0.00002 m",
+        "line 10, column 9: stop.s.force has 1 N as number 2, after 2 N",
+    ] {
+        assert!(found.contains(message), "{message}\n{found}");
+    }
+}
+
+#[test]
 fn all_faults_of_a_table_are_reported() {
     let keys = "penetration_m = [0, 2e-5, 1e-5, 3e-5]\nforce_n = [1, 3, 2, 2]";
     let found = Spec::from_toml(&text(keys)).unwrap_err().to_string();
