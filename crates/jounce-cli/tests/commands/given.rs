@@ -41,7 +41,7 @@ fn refused(folder: &Path, files: &[(&str, &str)], messages: &[&str]) {
         std::fs::write(folder.join(name), text).unwrap();
     }
     let (code, _, stderr) = jounce(&["import", &folder.display().to_string()]);
-    assert_eq!(code, 2, "{stderr}");
+    assert_eq!(code, 4, "{stderr}");
     for message in messages {
         assert!(stderr.contains(message), "{message}\n{stderr}");
     }
@@ -146,7 +146,7 @@ fn wrong_regulators_are_refused() {
     }
     let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
     let (code, _, stderr) = jounce(&arguments);
-    assert_eq!(code, 2, "{stderr}");
+    assert_eq!(code, 4, "{stderr}");
     for message in [
         "2 V must be above the stop voltage of 3 V",
         "3 V must be at least the output voltage of 3.3 V",

@@ -21,7 +21,7 @@ pub struct ContactOptions {
     pub mass_kg: Option<f64>,
     /// Speed of the hammer before the contact, as in 0.5m/s, for the table of force over
     /// penetration, which also needs the mass. By default that of the fitted law.
-    #[arg(long = "speed", value_name = "SPEED", requires = "mass_kg", value_parser = si(Unit::Speed))]
+    #[arg(long = "speed", value_name = "SPEED", value_parser = si(Unit::Speed))]
     pub speed_m_s: Option<f64>,
 }
 
@@ -40,7 +40,7 @@ impl ContactOptions {
             (Some(speed_m_s), None) => Err(Error::option(
                 "speed",
                 format!("{speed_m_s} m/s"),
-                "give the mass of the hammer too",
+                "give the mass of the hammer, `mass`, too, or omit it",
             )),
             (Some(speed_m_s), Some(_)) => check_above_zero("speed", speed_m_s, "m/s").map(|_| ()),
             (None, _) => Ok(()),

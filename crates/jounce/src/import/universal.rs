@@ -10,9 +10,12 @@
 use super::files::table_of_names;
 use crate::error::Error;
 use jounce_data::read::{self, ModeShape};
+use jounce_io::store::unreadable;
 use jounce_model::exchange::{ExchangeFaults, MatrixSet, NameKind, Names};
 use jounce_sparse::MatrixEntries;
 use std::f64::consts::TAU;
+use std::fs::File;
+use std::io::Read as _;
 use std::path::Path;
 
 /// Directions at a node, in the order of the values of a shape.
@@ -31,7 +34,10 @@ struct Degree {
 /// # Errors
 /// [`Error::Exchange`] with all faults of the file and of the names; those of reading a recording.
 pub(super) fn read(path: &Path, names: Option<&Path>) -> Result<(MatrixSet, usize), Error> {
-    let modes = read::file(path)?.shapes;
+    let modes = match is_universal(path)? {
+        true => read::file(path)?.shapes,
+        false => Vec::new(),
+    };
     if modes.is_empty() {
         let message = format!(
             "{} has no modes (data set 55 of a universal file); give such a file, or a folder of matrices",
@@ -64,6 +70,15 @@ pub(super) fn read(path: &Path, names: Option<&Path>) -> Result<(MatrixSet, usiz
         });
     }
     Ok((set, modes.len()))
+}
+
+/// True for a file whose first line with text is the mark of a data set.
+fn is_universal(path: &Path) -> Result<bool, Error> {
+    let mut head = Vec::new();
+    let read = File::open(path).and_then(|file| file.take(4096).read_to_end(&mut head));
+    read.map_err(|error| ExchangeFaults::from(unreadable(path, &error)))?;
+    let mut lines = head.split(|byte| *byte == b'\n').map(<[u8]>::trim_ascii);
+    Ok(lines.find(|line| !line.is_empty()) == Some(b"-1"))
 }
 
 fn diagonal(values: impl ExactSizeIterator<Item = f64>) -> MatrixEntries {
