@@ -202,7 +202,8 @@ def contact(
     """Fits contact time, exponent and restitution of every hit in a record of force, and stiffnesses with the ``mass`` of the hammer.
 
     With the ``mass``, the loading branch of each pulse gives a table of force over penetration, from the ``speed`` of the hammer before
-    the contact, or from that of the fitted law. Stiffnesses are returned for the fitted exponent, and for the linear spring and Hertz's law where a pulse allows them.
+    the contact, or from that of the fitted law. Stiffnesses are returned for the fitted exponent, and for the linear spring and Hertz's
+    law where a pulse allows them.
     The struck body is assumed to be at rest during a contact.
     """
     input_recording = recording(record, sample_rate_hz)
