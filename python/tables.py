@@ -53,6 +53,9 @@ class Tables:
             return self.table(schema, name)
         if "enum" in schema:
             return f"Literal[{', '.join(json.dumps(one) for one in schema['enum'])}]"
+        if "type" not in schema:
+            # A number, or text with a unit.
+            return "float | str"
         if schema["type"] == "array":
             return "Sequence[str]" if schema["items"]["type"] == "string" else "Numbers"
         if schema["type"] == "string":

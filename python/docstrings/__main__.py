@@ -219,6 +219,8 @@ def table_entries(table: str) -> list[str]:
             kind = "{" + ", ".join(json.dumps(one) for one in value["enum"]) + "}"
         elif "pattern" in value:
             kind = "str or quantity"
+        elif "type" not in value:
+            kind = "float or str"
         else:
             kinds = {"string": "str", "number": "float", "integer": "int", "boolean": "bool", "array": "list of float", "object": "dict"}
             kind = kinds[value["type"]]

@@ -36,7 +36,11 @@ PARAMETERS: Final[dict[str, tuple[str, str]]] = {
     "from_matrices.frequency_hz": ("array", "Frequency of each of the ``shapes``, Hz; by default that of Rayleigh's quotient."),
     "restitution.speed": ("str or quantity (speed)", 'Speed of approach, as in ``"0.5 m/s"``.'),
     "import_matrices.length_unit": ("str or quantity (length)", "Unit of displacements in the matrices; the unit of time is the second."),
-    "import_matrices.folder": ("path", "Folder with the files of the matrices."),
+    "import_matrices.folder": ("path", "Folder with the files of the matrices, or a universal file with modes."),
+    "import_matrices.names": (
+        "path",
+        "Table of the names of points and electrodes; ``names.csv`` in the folder of the other files if omitted.",
+    ),
     "ax": ("matplotlib Axes", "Axes to draw into; by default new ones."),
     "base": ("recording", "Recorded motion that moves the base for its duration, instead of the drives."),
     "browser": ("bool", "``True`` opens the page in the browser, the default outside notebooks and without ``proxy``."),

@@ -18,8 +18,9 @@ if _TYPE_CHECKING:
     from ._basins import BasinsResult
     from ._bifurcations import BifurcationCurve, BifurcationsResult
     from ._branch import Branch, BranchResult
+    from ._chips import Chip, Chips, chips
     from ._cite import Citation, CiteResult
-    from ._contact import ContactResult, Pulse, contact
+    from ._contact import ContactResult, ForceTable, Pulse, contact
     from ._design import DesignResult
     from ._diagram import DiagramResult
     from ._elements import (
@@ -102,6 +103,8 @@ __all__ = [
     "Branch",
     "BranchResult",
     "Channel",
+    "Chip",
+    "Chips",
     "Circuit",
     "Citation",
     "CiteResult",
@@ -123,6 +126,7 @@ __all__ = [
     "FitDeviation",
     "FitError",
     "FitResult",
+    "ForceTable",
     "FrfResult",
     "Gravity",
     "History",
@@ -178,6 +182,7 @@ __all__ = [
     "SweepResult",
     "UnknownKeyError",
     "__version__",
+    "chips",
     "contact",
     "examples",
     "explore",
@@ -207,8 +212,9 @@ _MODULES = {
     "_basins": "BasinsResult",
     "_bifurcations": "BifurcationCurve BifurcationsResult",
     "_branch": "Branch BranchResult",
+    "_chips": "Chip Chips chips",
     "_cite": "Citation CiteResult",
-    "_contact": "ContactResult Pulse contact",
+    "_contact": "ContactResult ForceTable Pulse contact",
     "_design": "DesignResult",
     "_diagram": "DiagramResult",
     "_elements": "Beam Circuit Damping Device Drive Gravity Layer Mass Modal Patch Plate Reduction Regulator Run Source Stop",

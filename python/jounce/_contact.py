@@ -42,6 +42,24 @@ class Pulse(Data):
     law_force_n: Annotated[Floats, About("force of the fitted law", "N", axes="law_sample")]
 
 
+@dataclasses.dataclass(frozen=True, eq=False)
+class ForceTable(Data):
+    """Force over penetration of one pulse, for ``law = "table"`` of a stop; both arrays are empty where there is a reason.
+
+    It holds all force while the hammer is pressed in, that of damping too. Dissipation is not part of it.
+    """
+
+    penetration_m: Annotated[Floats, About("penetrations, ascending", "m", axes="point")]
+    force_n: Annotated[Floats, About("force at each penetration, ascending", "N", axes="point")]
+    speed_m_s: Annotated[float, About("speed of the hammer from which the penetrations follow; NaN without a table", "m/s")]
+    reason: Annotated[str | None, About("reason why there is no table")]
+
+    @property
+    def keys(self) -> dict[str, Any]:
+        """Keys of a stop: ``jounce.Stop(at="ball", gap="1 mm", **table.keys)``."""
+        return {"law": "table", "penetration_m": self.penetration_m.tolist(), "force_n": self.force_n.tolist()}
+
+
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class ContactResult(Result):
     """Hits of a record and the contact law fitted to each; arrays of shape ``(hit,)``, NaN where no law could be fitted."""
@@ -110,6 +128,7 @@ class ContactResult(Result):
     ]
     reason: Annotated[list[str | None], About("reason why no law could be fitted; ``None`` where one was fitted")]
     warnings: Annotated[list[list[str]], About('warnings of each hit: ``"double"``, ``"clipped"``, ``"coarse"``, ``"cut"``')]
+    force_tables: Annotated[list[ForceTable], About("force over penetration of each hit; empty without the mass of the hammer")]
     pulses: Annotated[list[Pulse], About("samples of each pulse")]
     issues: Annotated[list[Issue], About("data-quality issues of the recording")]
 
@@ -177,20 +196,33 @@ class ContactResult(Result):
         return plot_contact(self, ax, hits)
 
 
-def contact(record: Measured, *, sample_rate_hz: Any = None, force: str | None = None, mass: Any = None) -> ContactResult:
+def contact(
+    record: Measured, *, sample_rate_hz: Any = None, force: str | None = None, mass: Any = None, speed: Any = None
+) -> ContactResult:
     """Fits contact time, exponent and restitution of every hit in a record of force, and stiffnesses with the ``mass`` of the hammer.
 
-    Stiffnesses are returned for the fitted exponent, and for the linear spring and Hertz's law where a pulse allows them.
+    With the ``mass``, the loading branch of each pulse gives a table of force over penetration, from the ``speed`` of the hammer before
+    the contact, or from that of the fitted law. Stiffnesses are returned for the fitted exponent, and for the linear spring and Hertz's
+    law where a pulse allows them.
     The struck body is assumed to be at rest during a contact.
     """
     input_recording = recording(record, sample_rate_hz)
     mass_kg = None if mass is None else to_si("mass", mass, "mass")
-    fields = ContactResult._filled(_core.contact(input_recording._core(), options(force=force, mass_kg=mass_kg)))
-    fields["manifest"] = make_manifest("contact", **names_of([input_recording]), mass_kg=mass_kg)
+    speed_m_s = None if speed is None else to_si("speed", speed, "speed")
+    given = options(force=force, mass_kg=mass_kg, speed_m_s=speed_m_s)
+    fields = ContactResult._filled(_core.contact(input_recording._core(), given))
+    fields["manifest"] = make_manifest("contact", **names_of([input_recording]), mass_kg=mass_kg, speed_m_s=speed_m_s)
+    fields["force_tables"] = [_table_of(one) for one in fields["force_tables"]]
     fields["warnings"] = [[kind_of(one) for one in warnings] for warnings in json.loads(fields["warnings"])]
     fields["pulses"] = [Pulse(*one) for one in fields["pulses"]]
     fields["issues"] = [*input_recording.issues, *parse_issues(fields["issues"])]
     return ContactResult(**fields)
+
+
+def _table_of(fields: dict[str, Any]) -> ForceTable:
+    arrays = {name: np.array(fields[name], dtype=np.float64) for name in ("penetration_m", "force_n")}
+    speed_m_s = np.nan if fields["speed_m_s"] is None else fields["speed_m_s"]
+    return ForceTable(**arrays, speed_m_s=speed_m_s, reason=fields["reason"])
 
 
 def kind_of(warning: Any) -> str:

@@ -94,13 +94,16 @@ def import_matrices(
     damping_ratio: float | Sequence[float] = 0.01,
     mass_unit: Any = "1kg",
     length_unit: Any = "1m",
+    names: str | PathLike[str] | None = None,
 ) -> ImportResult:
-    """Reduces the matrices of a folder to the lowest modes of a structure, ``jounce import``.
+    """Reduces the matrices of a folder to the lowest modes of a structure, ``jounce import``; also reads the modes of a universal file.
 
     The folder holds ``mass.mtx`` and ``stiffness.mtx`` in the Matrix Market format, or ``.npz`` of ``scipy.sparse.save_npz``, and the
-    other files of :meth:`Spec.export`, which writes such a folder.
+    other files of :meth:`Spec.export`, which writes such a folder. Instead of a folder, a universal file with modes (data set 55) may be
+    given. ``names`` is the table of the names of points and electrodes, by default ``names.csv`` in the folder of the other files.
     """
     given = _options(name, modes, damping_ratio, mass_unit, length_unit)
+    given["names"] = None if names is None else fspath(names)
     fields = _core.import_matrices(fspath(folder), options(**given))
     return _result(fields, {"folder": Path(folder).name, **given})
 

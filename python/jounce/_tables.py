@@ -94,7 +94,7 @@ class PatchKeys(TypedDict, total=False):
     permittivity: Quantity
     electrodes: Literal["circuit", "open"]
     leakage_resistance: Quantity
-    strain_limit: float
+    strain_limit: float | str
     across_start: Quantity
     poisson_ratio: float
 
@@ -161,7 +161,10 @@ class StopKeys(TypedDict, total=False):
     cubic_stiffness: Quantity
     damping: Quantity
     penetration_m: Numbers
+    penetration: Sequence[str]
     force_n: Numbers
+    force: Sequence[str]
+    file: str
     restitution: float
     radius: Quantity
     shape: Literal["sphere", "cylinder", "ellipsoid"]

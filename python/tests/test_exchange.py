@@ -100,6 +100,18 @@ def test_archives_of_scipy_are_those_of_the_matrix_market(tmp_path, form, compre
     assert archive.spec == market.spec and archive.points == ["tip"]
 
 
+def test_modes_of_a_universal_file_are_those_of_the_command_line(command_line):
+    folder = ROOT / "examples/bouncing-and-impact-oscillators"
+    expected = command_line("import", f"--names={folder / 'chain-names.csv'}", spec=folder / "chain.uff")
+    result = jounce.import_matrices(folder / "chain.uff", names=folder / "chain-names.csv")
+    assert result.spec == expected["spec"] and result.points == ["below", "middle", "tip"]
+    shapes = jounce.read_recordings(folder / "chain.uff").shapes
+    tip = [mode.shape[1, 2].real / np.sqrt(mode.modal_mass) for mode in shapes]
+    np.testing.assert_allclose(np.abs(result.tables["modal"]["structure"]["point"]["tip"]), np.abs(tip), rtol=1e-12)
+    with pytest.raises(jounce.ArgumentError, match="absent.csv"):
+        jounce.import_matrices(folder / "chain.uff", names="absent.csv")
+
+
 def test_faults_of_archives_name_the_file(tmp_path):
     def message(**arrays):
         np.savez(tmp_path / "mass.npz", **arrays)

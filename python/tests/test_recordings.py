@@ -178,6 +178,16 @@ def test_contacts_are_those_of_the_command_line(command_line, tmp_path):
     assert result.exponent == pytest.approx([1.0, 1.0], abs=1e-6) and result.restitution == pytest.approx([1.0, 1.0], abs=1e-8)
     assert result.stiffness == pytest.approx([0.1 * (np.pi / 3e-3) ** 2] * 2, rel=1e-5) and result.allowed_laws == ["linear", "linear"]
     assert result.linear_stiffness == pytest.approx([0.1 * (np.pi / 3e-3) ** 2] * 2, rel=1e-5) and np.isnan(result.hertz_stiffness).all()
+    # So is the table of the loading branch: its force is linear in the penetration, to 2e-3 of the largest force.
+    for table, one, peak in zip(result.force_tables, expected["force_tables"], result.peak_force_n):
+        assert_identical(table.force_n, one["force_n"])
+        assert table.reason is None and np.abs(0.1 * (np.pi / 3e-3) ** 2 * table.penetration_m - table.force_n).max() < 2e-3 * peak
+    stop = jounce.Stop(at="ball", gap="1 mm", **result.force_tables[0].keys)
+    ball = jounce.Mass(on="nothing", mass="0.1 kg")
+    assert jounce.Spec(mass={"ball": ball}, stop={"s": stop})["stop.s.force_n"][0] == result.force_tables[0].force_n[0]
+    assert jounce.contact(recording).force_tables == []
+    fast = jounce.contact(recording, mass="100 g", speed="100 m/s").force_tables[0]
+    assert "times the momentum" in fast.reason and len(fast.force_n) == 0 and np.isnan(fast.speed_m_s)
     assert_identical(result.linear_stiffness_low, [one["linear"]["stiffness_low"] for one in expected["hits"]])
     assert_identical(result.stiffness_high, [one["stiffness_high"] for one in expected["hits"]])
     assert (result.linear_stiffness_low <= result.linear_stiffness).all() and "as a linear spring" in repr(result)

@@ -173,6 +173,11 @@ def test_materials_are_those_of_the_command_line(command_line):
         assert one.charge_coefficient_m_per_v == (expected[name]["active"] or {}).get("charge_coefficient_m_per_v")
 
 
+def test_chips_are_those_of_the_command_line(command_line):
+    expected = {one["name"]: one for one in command_line("materials", spec=None)["chips"]}
+    assert {name: dataclasses.asdict(one) for name, one in jounce.chips().items()} == expected
+
+
 def test_every_example_is_a_spec():
     for name, spec in jounce.examples().items():
         assert spec.modes().frequency_hz[0] >= 0.0, name

@@ -252,7 +252,7 @@ fn indefinite_matrices_and_wrong_entries() {
             .for_each(|entry| entry.2 = -entry.2);
         let error = message(wrong);
         assert!(
-            error.contains(&format!("the {name} matrix has 1 negative eigenvalues")),
+            error.contains(&format!("the {name} matrix has 1 negative eigenvalue;")),
             "{error}"
         );
     }

@@ -16,7 +16,7 @@ mod _core {
     #[pymodule_export]
     use super::input::examples::examples;
     #[pymodule_export]
-    use super::input::materials::materials;
+    use super::input::materials::{chips, materials};
     #[pymodule_export]
     use super::input::spec::{Spec, is_unit, keys, quantities_si, quantity_si, questions, schema};
     #[pymodule_export]

@@ -28,7 +28,7 @@ pub enum SparseError {
     },
     /// An entry differs from that of the transpose by more than roundoff.
     #[error(
-        "the matrix is not symmetric: entry ({0}, {1}) is {value}, but entry ({1}, {0}) is {transposed}",
+        "the matrix is not symmetric: entry ({0}, {1}) is {value}, but entry ({1}, {0}) is {transposed}; leave out gyroscopic and follower-force terms, or write more digits",
         .row + 1,
         .column + 1
     )]
@@ -62,7 +62,8 @@ pub enum SparseError {
     },
     /// The mass has negative eigenvalues.
     #[error(
-        "the mass matrix has {negative} negative eigenvalues; it must be positive definite, or zero in massless directions"
+        "the mass matrix has {}; it must be positive definite, or zero in massless directions: check its signs, and that it is not another matrix",
+        eigenvalues(*.negative)
     )]
     IndefiniteMass {
         /// Number of negative eigenvalues.
@@ -70,7 +71,8 @@ pub enum SparseError {
     },
     /// The stiffness has negative eigenvalues.
     #[error(
-        "the stiffness matrix has {negative} negative eigenvalues; it must be positive definite, or zero in rigid-body motions"
+        "the stiffness matrix has {}; it must be positive definite, or zero in rigid-body motions: check its signs, and leave out a preload beyond buckling",
+        eigenvalues(*.negative)
     )]
     IndefiniteStiffness {
         /// Number of negative eigenvalues.
@@ -107,4 +109,10 @@ pub enum SparseError {
         /// Number of systems solved.
         solves: usize,
     },
+}
+
+/// Returns `1 negative eigenvalue`, or `2 negative eigenvalues`.
+fn eigenvalues(negative: usize) -> String {
+    let plural = if negative == 1 { "" } else { "s" };
+    format!("{negative} negative eigenvalue{plural}")
 }

@@ -13,7 +13,7 @@ use super::overrides::{Override, resolve};
 use super::read::{ReadState, read_keys, read_number};
 use super::read_error::{MAX_SPEC_BYTES, ReadError};
 use super::source::{Lines, Source, SourcePlace, parse};
-use super::{DriveSignal, KeyRange, Quantity, Recording, Spec, validation};
+use super::{DriveSignal, KeyRange, Quantity, Recording, Spec, force_table_file, validation};
 use std::sync::Arc;
 
 /// Text of a spec with overrides.
@@ -123,6 +123,7 @@ impl SpecFile {
         if self.source.complete {
             reading.add_broken(validation::broken(&spec));
             reading.add_broken(self.read_recordings(&mut spec));
+            reading.add_broken(force_table_file::read_all(&self.folder, &mut spec));
         }
         if reading.found.is_empty() && self.source.errors.is_empty() {
             Ok(spec)
@@ -270,7 +271,7 @@ impl SpecFile {
     pub fn numeric_keys(&self, key: &str) -> Result<Vec<NumericKey>, Faults> {
         let info = resolve(&self.source.root, key)
             .map_err(|message| Fault::without_position(&clip(key), message))?;
-        if matches!(info.kind, Kind::Numbers | Kind::NamedNumbers) {
+        if info.kind.is_list_of_numbers() || info.kind == Kind::NamedNumbers {
             let numeric = NumericKey::all_in(&self.spec()?, key)?;
             if !numeric.is_empty() {
                 return Ok(numeric);

@@ -120,7 +120,13 @@ struct DecimalNumber {
 impl DecimalNumber {
     fn read(kind: Kind, text: &str) -> Result<Self, String> {
         let text = text.trim();
-        if let Kind::Quantity(quantity) | Kind::NamedQuantities(quantity) = kind {
+        let has_unit = || Decimal::split(text).is_some_and(|(_, unit)| !unit.is_empty());
+        let quantity = match kind {
+            Kind::Quantity(quantity) | Kind::NamedQuantities(quantity) => Some(quantity),
+            Kind::NumberOr(quantity) if has_unit() => Some(quantity),
+            _ => None,
+        };
+        if let Some(quantity) = quantity {
             let value = quantity.read(text).map_err(|error| error.to_string())?;
             return Ok(Self {
                 value,

@@ -83,6 +83,16 @@ fn holds(kind: Kind) -> String {
             quantity.units().join(", ")
         ),
         Kind::Number => "number".to_owned(),
+        Kind::NumberOr(quantity) => format!(
+            "number, or {}: {}",
+            bare(quantity.kind()),
+            quantity.units().join(", ")
+        ),
+        Kind::Quantities(quantity) => format!(
+            "list, each {}: {}",
+            quantity.kind(),
+            quantity.units().join(", ")
+        ),
         Kind::Count => "whole number".to_owned(),
         Kind::Numbers => "list of numbers".to_owned(),
         Kind::NamedNumbers => "list of numbers by name".to_owned(),

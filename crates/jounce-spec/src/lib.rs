@@ -8,6 +8,7 @@ pub mod bibliography;
 mod fault;
 mod file;
 mod force_curve;
+mod force_table_file;
 pub mod hertz;
 mod key;
 mod key_range;

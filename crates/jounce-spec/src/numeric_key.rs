@@ -90,9 +90,9 @@ impl NumericKey {
     /// another quantity.
     pub fn size_of(&self, unit: &str) -> Option<f64> {
         match self.kind {
-            Kind::Quantity(quantity) | Kind::NamedQuantities(quantity) => {
-                quantity.read(&format!("1 {unit}")).ok()
-            }
+            Kind::Quantity(quantity)
+            | Kind::NamedQuantities(quantity)
+            | Kind::NumberOr(quantity) => quantity.read(&format!("1 {unit}")).ok(),
             _ => None,
         }
     }
@@ -224,7 +224,9 @@ fn segments(path: &str) -> Vec<&str> {
 fn listed(spec: &Spec, path: &str) -> usize {
     let is_listed = |number: &usize| {
         let entry = locate(SPEC, spec, &segments(&format!("{path}.{number}")));
-        entry.is_some_and(|entry| matches!(entry.info.kind, Kind::Numbers | Kind::NamedNumbers))
+        entry.is_some_and(|entry| {
+            entry.info.kind.is_list_of_numbers() || entry.info.kind == Kind::NamedNumbers
+        })
     };
     (1..).take_while(is_listed).count()
 }
@@ -286,7 +288,7 @@ pub(super) fn locate<T>(keys: &[Key<T>], element: &T, path: &[&str]) -> Option<N
         (Slot::NamedQuantities { get, .. }, [name]) => {
             get(element).get(*name).map(|value| numeric(*value))
         }
-        (Slot::Numbers { get, .. }, [number]) => get(element)
+        (Slot::Numbers { get, .. } | Slot::DerivedNumbers { get, .. }, [number]) => get(element)
             .get(list_index(number)?)
             .map(|value| one_of_list(key.info, *value)),
         (Slot::NamedNumbers { get, .. }, [name, number]) => get(element)
@@ -301,7 +303,7 @@ pub(super) fn locate<T>(keys: &[Key<T>], element: &T, path: &[&str]) -> Option<N
 fn one_of_list(info: KeyInfo, value: f64) -> Numeric {
     Numeric {
         info,
-        kind: Kind::Number,
+        kind: info.kind.of_one(),
         value,
     }
 }
@@ -328,7 +330,7 @@ pub(super) fn store<T>(keys: &[Key<T>], element: &mut T, path: &[&str], value: f
             };
             *slot = value;
         }
-        (Slot::Numbers { open, .. }, [number]) => {
+        (Slot::Numbers { open, .. } | Slot::DerivedNumbers { open, .. }, [number]) => {
             return store_in_list(open(element), number, value);
         }
         (Slot::NamedNumbers { open, .. }, [name, number]) => {

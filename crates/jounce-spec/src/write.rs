@@ -119,6 +119,7 @@ fn value<T>(key: &Key<T>, element: &T) -> Option<String> {
         Slot::Texts { get, .. } => (!get(element).is_empty()).then(|| texts(get(element))),
         Slot::Numbers { get, .. } => (!get(element).is_empty()).then(|| list(get(element))),
         Slot::Derived { .. }
+        | Slot::DerivedNumbers { .. }
         | Slot::NamedQuantities { .. }
         | Slot::NamedNumbers { .. }
         | Slot::Inner(_) => None,

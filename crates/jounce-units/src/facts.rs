@@ -34,6 +34,7 @@ impl Quantity {
             Self::Voltage => "a voltage",
             Self::Current => "a current",
             Self::Power => "a power",
+            Self::Strain => "a strain",
         }
     }
 
@@ -69,6 +70,7 @@ impl Quantity {
             Self::Voltage => &["V", "mV", "kV"],
             Self::Current => &["mA", "uA", "nA", "A"],
             Self::Power => &["W", "mW", "uW"],
+            Self::Strain => &["ppm", "ustrain", "%", "um/m"],
         };
         units.iter().map(|unit| (*unit).to_owned()).collect()
     }
@@ -84,6 +86,7 @@ impl Quantity {
             Self::Current => "A".to_owned(),
             Self::Angle => "rad".to_owned(),
             Self::Permittivity => "F/m".to_owned(),
+            Self::Strain => "strain".to_owned(),
             other => other.units().swap_remove(0),
         }
     }
@@ -125,6 +128,7 @@ impl Quantity {
             Self::Voltage => [1, 2, -3, -1, 0],
             Self::Current => [0, 0, 0, 1, 0],
             Self::Power => [1, 2, -3, 0, 0],
+            Self::Strain => [0, 0, 0, 0, 0],
         })
     }
 
@@ -149,6 +153,7 @@ impl Quantity {
             Self::Voltage => &[("mV", -3), ("V", 0), ("kV", 3)],
             Self::Current => &[("nA", -9), ("uA", -6), ("mA", -3), ("A", 0)],
             Self::Power => &[("uW", -6), ("mW", -3), ("W", 0)],
+            Self::Strain => &[("ppm", -6), ("strain", 0)],
             other => return vec![(other.si_unit(), 0)],
         };
         scales

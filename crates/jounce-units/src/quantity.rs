@@ -69,6 +69,8 @@ pub enum Quantity {
     Current,
     /// W
     Power,
+    /// dimensionless
+    Strain,
 }
 
 impl Quantity {
@@ -237,6 +239,12 @@ mod tests {
             (Quantity::AccelerationPsd, "3 (m/s^2)^2/Hz", 3.0),
             (Quantity::AccelerationPsd, "1 g^2/Hz", 9.80665 * 9.80665),
             (Quantity::ForcePsd, "0.5 N^2/Hz", 0.5),
+            (Quantity::Strain, "400 ppm", 400e-6),
+            (Quantity::Strain, "400 ustrain", 400e-6),
+            (Quantity::Strain, "400 \u{b5}strain", 400e-6),
+            (Quantity::Strain, "0.04 %", 400e-6),
+            (Quantity::Strain, "400 um/m", 400e-6),
+            (Quantity::Strain, "4e-4 strain", 400e-6),
         ] {
             assert_eq!(
                 quantity.read(text).unwrap().to_bits(),

@@ -29,7 +29,11 @@ const PREFIXED: &[(&[&str], [i8; 5], i32)] = &[
     (&["ohm", "Ohm", "\u{3a9}", "\u{2126}"], [1, 2, -3, -2, 0], 0),
     (&["S"], [-1, -2, 3, 2, 0], 0),
     (&["H"], [1, 2, -2, -2, 0], 0),
+    (&["strain"], [0, 0, 0, 0, 0], 0),
 ];
+
+/// Parts of one, without prefix: names and the power of ten.
+const PARTS: &[(&str, i32)] = &[("%", -2), ("ppm", -6)];
 
 /// Symbols that take no prefix: names, exponents, `up / down`.
 const PLAIN: &[(&[&str], [i8; 5], f64, f64)] = &[
@@ -89,17 +93,27 @@ impl UnitSymbol {
         let fits = |exponents: &[i8; 5]| dimension.is(Dimension::new(*exponents));
         let prefixed = PREFIXED.iter().filter(|(_, exponents, _)| fits(exponents));
         let plain = PLAIN.iter().filter(|(_, exponents, ..)| fits(exponents));
+        let parts = PARTS.iter().filter(|_| dimension.is(Dimension::NONE));
         (
             prefixed
                 .flat_map(|(names, ..)| names.iter().copied())
                 .collect(),
             plain
                 .flat_map(|(names, ..)| names.iter().copied())
+                .chain(parts.map(|(name, _)| *name))
                 .collect(),
         )
     }
 
     fn bare(name: &str) -> Option<Self> {
+        if let Some((_, power_of_ten)) = PARTS.iter().find(|(part, _)| *part == name) {
+            return Some(Self {
+                power_of_ten: *power_of_ten,
+                up: 1.0,
+                down: 1.0,
+                dimension: Dimension::NONE,
+            });
+        }
         let plain = PLAIN.iter().find(|(names, ..)| names.contains(&name));
         plain
             .map(|&(_, exponents, up, down)| Self {
@@ -137,7 +151,10 @@ mod tests {
         assert_eq!(UnitSymbol::find("kg").unwrap().power_of_ten, 0);
         assert_eq!(UnitSymbol::find("dam").unwrap().power_of_ten, 1);
         assert_eq!(UnitSymbol::find("\u{b5}\u{3a9}").unwrap().power_of_ten, -6);
+        assert_eq!(UnitSymbol::find("ppm").unwrap().power_of_ten, -6);
+        assert_eq!(UnitSymbol::find("ustrain").unwrap().power_of_ten, -6);
         assert!(UnitSymbol::find("kmin").is_none());
+        assert!(UnitSymbol::find("kppm").is_none());
         assert!(UnitSymbol::find("").is_none());
         assert!(UnitSymbol::find("k").is_none());
     }

@@ -40,7 +40,7 @@ impl Quantity {
 mod tests {
     use super::*;
 
-    const QUANTITIES: [Quantity; 8] = [
+    const QUANTITIES: [Quantity; 9] = [
         Quantity::Length,
         Quantity::Mass,
         Quantity::Time,
@@ -49,6 +49,7 @@ mod tests {
         Quantity::Acceleration,
         Quantity::Angle,
         Quantity::Stiffness,
+        Quantity::Strain,
     ];
 
     #[test]

@@ -51,7 +51,7 @@
 //! | contact laws of force pulses | [`Recording::contact`] | [`ContactOptions`] | [`ContactResult`] |
 //! | attractors that a recording shows | [`Recording::segments`] | [`SegmentsOptions`] | [`SegmentsResult`] |
 //!
-//! [`materials`], [`starters`], [`schema`] and [`key_reference`] help to write a spec;
+//! [`materials`], [`chips`], [`starters`], [`schema`] and [`key_reference`] help to write a spec;
 //! [`Harvester::drawing`] draws it; [`reproduce`] recomputes a published paper. [`questions`] lists
 //! all questions with their names on the command line and in Python.
 //!
@@ -140,7 +140,7 @@ pub use power::{PowerOptions, PowerResult};
 pub use questions::{Question, questions};
 pub use read::{ConvertOptions, ReadResult, RecordedFile};
 pub use recording::{ReadOptions, Recording};
-pub use reference::{key_reference, materials, schema, starter, starters};
+pub use reference::{chips, key_reference, materials, schema, starter, starters};
 pub use reproduce::{ReproduceOptions, ReproduceResult, reproduce};
 pub use restitution::{RestitutionOptions, RestitutionResult, restitution};
 pub use rig::{RigOptions, RigResult};

@@ -7,7 +7,7 @@ pub use crate::branch::{
     Termination, TerminationReason, band_limit_text,
 };
 pub use crate::check::DriveIssue;
-pub use crate::contact::{FixedLawResult, HitResult};
+pub use crate::contact::{FixedLawResult, ForceTableResult, HitResult};
 pub use crate::design::DesignJournal;
 pub use crate::diagram::{DiagramDirection, DiagramJournal, DiagramPoint, SectionPoint};
 pub use crate::ensemble::{EnsembleDevice, EnsemblePatch, EnsembleStop, VoltageSpectrum};

@@ -1,9 +1,10 @@
-//! Materials, starter specs, and the keys of a spec.
+//! Materials, chips of regulators, starter specs, and the keys of a spec.
 
 use crate::error::Error;
 use jounce_spec as spec;
 use jounce_spec::material::{LIBRARY, Material};
 use jounce_spec::starter::{STARTERS, Starter};
+use jounce_spec::{CHIP_LIBRARY, Chip};
 
 /// Returns the materials that a spec can name, with their sources.
 ///
@@ -12,6 +13,16 @@ use jounce_spec::starter::{STARTERS, Starter};
 /// ```
 pub fn materials() -> &'static [Material] {
     LIBRARY
+}
+
+/// Returns the integrated circuits that the regulator of a spec can name, with their sources.
+///
+/// ```
+/// let chips = jounce::chips();
+/// assert!(chips.iter().any(|chip| chip.name == "BQ25570" && chip.regulator.stop_v == 2.39));
+/// ```
+pub fn chips() -> &'static [Chip] {
+    CHIP_LIBRARY
 }
 
 /// Returns the commented starter specs, one per kind of harvester.

@@ -4,6 +4,7 @@
 mod attractors;
 mod bifurcations;
 mod cite;
+mod given;
 mod gravity;
 mod hard_cases;
 mod messages;

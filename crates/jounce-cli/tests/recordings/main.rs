@@ -8,6 +8,7 @@ mod drives;
 mod fit_curves;
 mod fit_help;
 mod fits;
+mod force_tables;
 mod hammers;
 mod reading;
 mod two_hammer_points;

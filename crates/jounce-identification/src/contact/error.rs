@@ -25,4 +25,17 @@ pub enum ContactError {
         "no contact law fits this pulse: the fit does not converge; is the pulse a single hit?"
     )]
     NoFit,
+    /// Mass and speed do not go with the impulse.
+    #[error(
+        "the impulse of {impulse_n_s:.4e} N s is not 1 to 2 times the momentum of the hammer, {momentum_n_s:.4e} N s; correct its mass, its speed or the scale of the force"
+    )]
+    Momentum {
+        /// Impulse of the pulse, N s.
+        impulse_n_s: f64,
+        /// Momentum of the hammer before the contact, N s.
+        momentum_n_s: f64,
+    },
+    /// The force does not ascend.
+    #[error("the force does not ascend while the hammer is pressed in; is the pulse a single hit?")]
+    NoLoading,
 }

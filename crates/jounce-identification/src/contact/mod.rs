@@ -19,6 +19,7 @@
 mod contact_fit;
 mod error;
 mod law;
+mod loading;
 mod problem;
 mod pulse;
 mod shape;
@@ -26,5 +27,6 @@ mod shape;
 pub use contact_fit::{AllowedLaws, ContactFit, PulseUnits};
 pub use error::ContactError;
 pub use law::FixedExponentLaw;
+pub use loading::{LoadingCurve, loading_curve};
 pub use pulse::fit;
 pub use shape::PulseShape;

@@ -68,11 +68,27 @@ impl Names {
         text
     }
 
-    /// Reads the table.
+    /// Reads the table of a file, with indices counted from 1.
     ///
     /// # Errors
     /// Every wrong line, and names that stand twice.
-    pub fn read(text: &str) -> Result<Self, ExchangeFaults> {
+    pub fn read(text: &str, file: &str) -> Result<Self, ExchangeFaults> {
+        Self::read_with(text, file, |_, index| {
+            let number: Option<usize> = index.parse().ok().filter(|index| *index > 0);
+            let number = number.map(|number| number - 1);
+            number.ok_or_else(|| format!("the index {index:?} is not a number from 1"))
+        })
+    }
+
+    /// Reads the table of a file, with an index in its own notation for each kind.
+    ///
+    /// # Errors
+    /// Every wrong line, and names that stand twice.
+    pub fn read_with(
+        text: &str,
+        file: &str,
+        mut index_of: impl FnMut(NameKind, &str) -> Result<usize, String>,
+    ) -> Result<Self, ExchangeFaults> {
         let mut names = Self::default();
         let mut seen = HashSet::new();
         let mut faults = Vec::new();
@@ -84,20 +100,20 @@ impl Names {
             if number == 1 {
                 if line.replace(' ', "") != HEAD {
                     faults.push(format!(
-                        "names.csv: the first line is {line:?}; it must be {HEAD:?}"
+                        "{file}: the first line is {line:?}; it must be {HEAD:?}"
                     ));
                 }
                 continue;
             }
-            match name_of(line) {
+            match name_of(line, &mut index_of) {
                 Ok((kind, _, name)) if !seen.insert((kind, name.clone())) => {
                     faults.push(format!(
-                        "names.csv, line {number}: the {} {name} is named twice",
+                        "{file}, line {number}: the {} {name} is named twice",
                         kind.word()
                     ));
                 }
                 Ok(line) => names.lines.push(line),
-                Err(message) => faults.push(format!("names.csv, line {number}: {message}")),
+                Err(message) => faults.push(format!("{file}, line {number}: {message}")),
             }
         }
         if faults.is_empty() {
@@ -108,7 +124,10 @@ impl Names {
     }
 }
 
-fn name_of(line: &str) -> Result<(NameKind, usize, String), String> {
+fn name_of(
+    line: &str,
+    index_of: &mut impl FnMut(NameKind, &str) -> Result<usize, String>,
+) -> Result<(NameKind, usize, String), String> {
     let words: Vec<&str> = line.split(',').map(str::trim).collect();
     let [kind, index, name] = words[..] else {
         return Err(format!("{line:?} has {} columns, not 3", words.len()));
@@ -116,10 +135,9 @@ fn name_of(line: &str) -> Result<(NameKind, usize, String), String> {
     let found = NameKind::ALL.iter().find(|(_, word)| *word == kind);
     let (kind, _) =
         found.ok_or_else(|| format!("the kind {kind:?} is not degree, point or electrode"))?;
-    let place: Option<usize> = index.parse().ok().filter(|index| *index > 0);
-    let place = place.ok_or_else(|| format!("the index {index:?} is not a number from 1"))?;
+    let index = index_of(*kind, index)?;
     check_name(name)?;
-    Ok((*kind, place - 1, name.to_owned()))
+    Ok((*kind, index, name.to_owned()))
 }
 
 fn check_name(name: &str) -> Result<(), String> {
@@ -149,13 +167,13 @@ mod tests {
             names.text(),
             "kind,index,name\npoint,1,beam.tip\npoint,2,table\nelectrode,1,mfc\n"
         );
-        assert_eq!(Names::read(&names.text()).unwrap(), names);
+        assert_eq!(Names::read(&names.text(), "names.csv").unwrap(), names);
     }
 
     #[test]
     fn all_faults_are_listed() {
         let text = "kind,index,name\npoint,0,tip\nplace,1,tip\npoint,1,my tip\npoint,1\npoint,2,a\npoint,3,a\n";
-        let faults = Names::read(text).unwrap_err();
+        let faults = Names::read(text, "names.csv").unwrap_err();
         assert_eq!(faults.0.len(), 5, "{faults}");
         assert!(faults.0[0].contains("line 2: the index \"0\" is not a number from 1"));
         assert!(faults.0[4].contains("line 7: the point a is named twice"));

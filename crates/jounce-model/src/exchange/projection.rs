@@ -151,7 +151,7 @@ impl Projection {
         for (kind, most, what) in kinds {
             for (index, name) in self.names.of(kind).filter(|(index, _)| *index >= most) {
                 faults.push(format!(
-                    "names: {name} has index {}, but there are {most} {what}",
+                    "names: {name} has index {}, but there are {most} {what}; indices count from 1",
                     index + 1
                 ));
             }

@@ -22,7 +22,7 @@ const TEXTS: [&str; 7] = [
 ];
 
 /// Lists that remain lists of dictionaries, unless they are the main list.
-const DICTIONARIES: [&str; 3] = ["attractors", "not_proved", "termination"];
+const DICTIONARIES: [&str; 4] = ["attractors", "force_tables", "not_proved", "termination"];
 
 /// Types in messages on options, and their names in Python.
 const TYPES: [(&str, &str); 4] = [

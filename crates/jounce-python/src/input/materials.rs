@@ -1,4 +1,4 @@
-//! The library of materials.
+//! The libraries of materials and of chips.
 
 use crate::conversion::failure::Failure;
 use pyo3::prelude::*;
@@ -8,4 +8,11 @@ use pyo3::prelude::*;
 pub fn materials() -> PyResult<String> {
     let materials = serde_json::to_string(jounce::materials());
     Ok(materials.map_err(|error| Failure::new("JounceError", error))?)
+}
+
+/// Returns every chip of a regulator as JSON, with SI units in the names.
+#[pyfunction]
+pub fn chips() -> PyResult<String> {
+    let chips = serde_json::to_string(jounce::chips());
+    Ok(chips.map_err(|error| Failure::new("JounceError", error))?)
 }

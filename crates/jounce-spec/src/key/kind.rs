@@ -9,10 +9,14 @@ pub(crate) enum Kind {
     Quantity(Quantity),
     /// A plain number.
     Number,
+    /// A plain number, or `"NUMBER UNIT"`.
+    NumberOr(Quantity),
     /// A whole number.
     Count,
     /// A list of plain numbers, each within the key's range.
     Numbers,
+    /// A list of `"NUMBER UNIT"`, each within the key's range.
+    Quantities(Quantity),
     /// One of these words.
     Choice(&'static [&'static str]),
     /// One of these words, or the path of a file, which has a dot or a slash in it.
@@ -48,8 +52,10 @@ impl Kind {
             self,
             Self::Quantity(_)
                 | Self::Number
+                | Self::NumberOr(_)
                 | Self::Count
                 | Self::Numbers
+                | Self::Quantities(_)
                 | Self::NamedQuantities(_)
                 | Self::NamedNumbers
         )
@@ -66,6 +72,17 @@ impl Kind {
                 )
             }
             Self::Number => "expected a plain number without quotes or unit".to_owned(),
+            Self::NumberOr(quantity) => format!(
+                "expected a plain number without quotes, or {} in quotes with a unit: {}",
+                quantity.kind(),
+                quantity.units().join(", ")
+            ),
+            Self::Quantities(quantity) => format!(
+                "expected a list of texts, each {} with a unit ({}), such as [\"1 {unit}\", \"2 {unit}\"]",
+                quantity.kind(),
+                quantity.units().join(", "),
+                unit = quantity.units()[0]
+            ),
             Self::Count => "expected a whole number without quotes".to_owned(),
             Self::Numbers | Self::NamedNumbers => {
                 "expected a list of plain numbers such as [0.01, 0.02]".to_owned()
@@ -83,6 +100,19 @@ impl Kind {
             }
             Self::Things | Self::Table => "expected a table".to_owned(),
         }
+    }
+
+    /// Returns the kind of one number of a list.
+    pub(crate) fn of_one(self) -> Self {
+        match self {
+            Self::Quantities(quantity) => Self::Quantity(quantity),
+            _ => Self::Number,
+        }
+    }
+
+    /// True for a list of numbers.
+    pub(crate) fn is_list_of_numbers(self) -> bool {
+        matches!(self, Self::Numbers | Self::Quantities(_))
     }
 
     /// Returns a number of this kind with its unit.

@@ -107,6 +107,7 @@ fn default<T>(key: &Key<T>, blank: &T) -> Option<String> {
             .map(|text| format!("\"{text}\"")),
         Slot::Texts { .. }
         | Slot::Numbers { .. }
+        | Slot::DerivedNumbers { .. }
         | Slot::NamedQuantities { .. }
         | Slot::NamedNumbers { .. }
         | Slot::Inner(_) => None,

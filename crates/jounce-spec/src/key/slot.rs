@@ -55,6 +55,15 @@ pub(crate) enum Slot<T: 'static> {
         /// returns it for writing
         open: fn(&mut T) -> &mut Vec<f64>,
     },
+    /// A list of numbers that is stored as another key; not printed.
+    DerivedNumbers {
+        /// name of that key
+        of: &'static str,
+        /// reads it
+        get: fn(&T) -> &Vec<f64>,
+        /// returns it for writing
+        open: fn(&mut T) -> &mut Vec<f64>,
+    },
     /// Quantities by name.
     NamedQuantities {
         /// reads them

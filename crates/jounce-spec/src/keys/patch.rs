@@ -244,7 +244,7 @@ pub(super) static KEYS: &[Key<Patch>] = &[
     .optional(),
     Key::with_slot(
         "strain_limit",
-        Kind::Number,
+        Kind::NumberOr(Quantity::Strain),
         "strain limit in the plane of the patch; runs and orbits warn if the strain exceeds it",
         Slot::Optional { get: |p: &Patch| p.strain_limit, set: |p, x| p.strain_limit = Some(x) },
     )

@@ -22,6 +22,10 @@ const LAWS: &[&str] = &[
 const POWER_LAWS: &[&str] = &["hertz", "hunt-crossley"];
 /// Of a power law, the stiffness or the bodies from which it follows.
 const STIFFNESS: &[&str] = &["stiffness", "radius"];
+/// Penetrations of a table, or the file that has them and the forces.
+const PENETRATION: &[&str] = &["penetration_m", "penetration", "file"];
+/// Forces of a table, or the file.
+const FORCE: &[&str] = &["force_n", "force", "file"];
 const LINEAR_LAWS: &[&str] = &["spring", "kelvin-voigt"];
 
 pub(super) fn blank() -> Stop {
@@ -148,7 +152,17 @@ pub(super) static KEYS: &[Key<Stop>] = &[
         Slot::Numbers { get: |s: &Stop| &s.table.penetration_m, open: |s| &mut s.table.penetration_m },
     )
     .within(Range::NOT_NEGATIVE)
-    .when("law", &["table"]),
+    .when("law", &["table"])
+    .one_of(PENETRATION),
+    Key::with_slot(
+        "penetration",
+        Kind::Quantities(Quantity::Length),
+        "penetrations of the measured points with units, in place of `penetration_m`",
+        Slot::DerivedNumbers { of: "penetration_m", get: |s: &Stop| &s.table.penetration_m, open: |s| &mut s.table.penetration_m },
+    )
+    .within(Range::NOT_NEGATIVE)
+    .when("law", &["table"])
+    .one_of(PENETRATION),
     Key::with_slot(
         "force_n",
         Kind::Numbers,
@@ -156,7 +170,26 @@ pub(super) static KEYS: &[Key<Stop>] = &[
         Slot::Numbers { get: |s: &Stop| &s.table.force_n, open: |s| &mut s.table.force_n },
     )
     .within(Range::NOT_NEGATIVE)
-    .when("law", &["table"]),
+    .when("law", &["table"])
+    .one_of(FORCE),
+    Key::with_slot(
+        "force",
+        Kind::Quantities(Quantity::Force),
+        "forces at the measured points with units, in place of `force_n`",
+        Slot::DerivedNumbers { of: "force_n", get: |s: &Stop| &s.table.force_n, open: |s| &mut s.table.force_n },
+    )
+    .within(Range::NOT_NEGATIVE)
+    .when("law", &["table"])
+    .one_of(FORCE),
+    Key::text(
+        "file",
+        Kind::Path,
+        "measured points in a file that `jounce read` accepts, one column in a unit of length and one in a unit of force; path relative to the spec",
+        |s: &Stop| s.table.file.clone(),
+        |s, x| x.clone_into(&mut s.table.file),
+    )
+    .when("law", &["table"])
+    .one_of(PENETRATION),
     Key::number(
         "restitution",
         "coefficient of restitution: speed after the impact over speed before it",

@@ -1,10 +1,11 @@
 //! `[regulator.NAME]`
 
 /// A voltage regulator between a storage capacitor and a device.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct Regulator {
     /// `chip`: integrated circuit of the library that supplies the values omitted here; empty if
     /// omitted.
+    #[serde(skip)]
     pub chip: String,
     /// `start_voltage`: storage voltage at which the regulator starts, V.
     pub start_v: f64,
@@ -22,11 +23,12 @@ pub struct Regulator {
 }
 
 /// An integrated circuit of the library.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct Chip {
     /// Name in a spec.
     pub name: &'static str,
     /// Its regulator, whose `chip` is empty.
+    #[serde(flatten)]
     pub regulator: Regulator,
     /// Source of the numbers.
     pub source: &'static str,

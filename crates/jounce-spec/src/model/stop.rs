@@ -21,7 +21,8 @@ pub struct Stop {
     /// `radius` and the other keys of the two bodies, from which the stiffness of the law follows;
     /// `None` where `stiffness` is given.
     pub bodies: Option<ContactBodies>,
-    /// `penetration_m` and `force_n`: the points of the law `table`; empty for other laws.
+    /// `penetration_m` and `force_n`, `penetration` and `force`, or `file`: the points of the law
+    /// `table`; empty for other laws.
     pub table: ForceTable,
 }
 
@@ -32,6 +33,8 @@ pub struct ForceTable {
     pub penetration_m: Vec<f64>,
     /// `force_n`, N, one for each penetration.
     pub force_n: Vec<f64>,
+    /// `file`: file with the points, relative to the spec; empty once the points are read.
+    pub file: String,
 }
 
 impl ForceTable {
@@ -99,8 +102,8 @@ pub enum StopLaw {
         cubic_stiffness_n_m3: f64,
     },
     /// `law = "table"`: `F = f(delta) * max(0, 1 + damping * delta')` with a monotone curve `f`
-    /// through the points of [`Stop::table`]; keys `penetration_m`, `force_n`, `damping` (s/m,
-    /// default 0).
+    /// through the points of [`Stop::table`]; keys `penetration_m` and `force_n`, `penetration` and
+    /// `force`, or `file`; `damping` (s/m, default 0).
     Table {
         /// s/m
         damping_s_m: f64,

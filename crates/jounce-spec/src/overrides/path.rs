@@ -105,7 +105,9 @@ fn walk(
             walk(&row.inner, Some(&child.node), rest, &join(&walked, element))
         }
         (Kind::NamedQuantities(_) | Kind::NamedNumbers, [_]) => Ok(row.info),
-        (Kind::Numbers, [number]) => in_list(row.info, below, number, &walked),
+        (Kind::Numbers | Kind::Quantities(_), [number]) => {
+            in_list(row.info, below, number, &walked)
+        }
         (Kind::NamedNumbers, [name, number]) => {
             let list = below
                 .and_then(|below| below.get(name))
@@ -146,7 +148,7 @@ fn in_list(
         }
         Some(Value::List(items)) => match list_index(number).filter(|index| *index < items.len()) {
             Some(_) => Ok(KeyInfo {
-                kind: Kind::Number,
+                kind: info.kind.of_one(),
                 ..info
             }),
             None => Err(PathError::InList(beyond(walked, items.len()))),

@@ -18,6 +18,8 @@ pub(super) struct ReadState {
     pub(super) found: Vec<ReadFault>,
     /// Place of each key that was read, by its dotted path; includes the keys of tables.
     pub(super) positions: HashMap<String, SourcePlace>,
+    /// The key that was written for a key that it is stored as, both by their dotted paths.
+    pub(super) written_as: HashMap<String, String>,
     /// False if lines of the file were skipped; then no key is reported as missing.
     pub(super) complete: bool,
 }
@@ -34,6 +36,7 @@ impl ReadState {
         Self {
             found: Vec::new(),
             positions: HashMap::new(),
+            written_as: HashMap::new(),
             complete,
         }
     }
@@ -59,6 +62,10 @@ impl ReadState {
     pub(super) fn add_broken(&mut self, faults: Vec<(String, String)>) {
         let messages: Vec<String> = self.found.iter().map(|issue| issue.key.clone()).collect();
         for (key, message) in faults {
+            let (key, message) = match self.written_as.get(&key) {
+                Some(written) => (written.clone(), message.replacen(&key, written, 1)),
+                None => (key, message),
+            };
             let below = format!("{key}.");
             let empty = key == super::validation::NO_STRUCTURE && !messages.is_empty();
             if !empty

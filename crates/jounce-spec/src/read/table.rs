@@ -50,6 +50,10 @@ pub(crate) fn read_keys<T>(
             }
             continue;
         };
+        if let Slot::DerivedNumbers { of, .. } = key.slot {
+            let stored = join(path, of);
+            reading.written_as.insert(stored, join(path, info.name));
+        }
         let path = join(path, info.name);
         reading.positions.insert(path.clone(), entry.node.position);
         if let Slot::Inner(inner) = &key.slot {

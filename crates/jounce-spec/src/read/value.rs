@@ -36,7 +36,7 @@ pub(super) fn read_slot<T>(
             let list = texts(&key.info, path, node, reading);
             list.map(|list| *open(element) = list).is_some()
         }
-        Slot::Numbers { open, .. } => {
+        Slot::Numbers { open, .. } | Slot::DerivedNumbers { open, .. } => {
             let list = numbers(&key.info, path, node, reading);
             list.map(|list| *open(element) = list).is_some()
         }
@@ -82,7 +82,10 @@ fn one_number(
 /// Returns a number of any kind within its limits, in SI, or its fault.
 pub(crate) fn read_number(kind: Kind, range: Range, node: &Node) -> Result<f64, String> {
     let (value, printed) = match (kind, &node.value) {
-        (Kind::Quantity(quantity) | Kind::NamedQuantities(quantity), Value::Text(text)) => (
+        (
+            Kind::Quantity(quantity) | Kind::NamedQuantities(quantity) | Kind::NumberOr(quantity),
+            Value::Text(text),
+        ) => (
             quantity.read(text).map_err(|error| error.to_string())?,
             clip(text),
         ),
@@ -94,12 +97,13 @@ pub(crate) fn read_number(kind: Kind, range: Range, node: &Node) -> Result<f64, 
             ));
         }
         (
-            Kind::Number | Kind::Count | Kind::Numbers | Kind::NamedNumbers,
+            Kind::Number | Kind::NumberOr(_) | Kind::Count | Kind::Numbers | Kind::NamedNumbers,
             Value::Integer(value),
         ) => (*value as f64, clip(&node.raw)),
-        (Kind::Number | Kind::Numbers | Kind::NamedNumbers, Value::Float(value)) => {
-            (*value, clip(&node.raw))
-        }
+        (
+            Kind::Number | Kind::NumberOr(_) | Kind::Numbers | Kind::NamedNumbers,
+            Value::Float(value),
+        ) => (*value, clip(&node.raw)),
         (Kind::Numbers | Kind::NamedNumbers, _) => {
             return Err(format!("expected a plain number; found {}", node.found()));
         }
@@ -180,7 +184,7 @@ fn texts(info: &KeyInfo, path: &str, node: &Node, reading: &mut ReadState) -> Op
 fn numbers(info: &KeyInfo, path: &str, node: &Node, reading: &mut ReadState) -> Option<Vec<f64>> {
     let Value::List(items) = &node.value else {
         reading.fault(node.position, path, || {
-            format!("{}; found {}", Kind::Numbers.expectation(), node.found())
+            format!("{}; found {}", info.kind.expectation(), node.found())
         });
         return None;
     };
@@ -191,9 +195,13 @@ fn numbers(info: &KeyInfo, path: &str, node: &Node, reading: &mut ReadState) -> 
         });
         return None;
     }
+    let kind = match info.kind {
+        Kind::Quantities(quantity) => Kind::Quantity(quantity),
+        _ => Kind::Numbers,
+    };
     let mut list = Vec::with_capacity(items.len());
     for (index, item) in items.iter().enumerate() {
-        match read_number(Kind::Numbers, info.range, item) {
+        match read_number(kind, info.range, item) {
             Ok(value) => list.push(value),
             Err(text) => reading.fault(item.position, path, || {
                 sentence(&format!("number {}", index + 1), &text)

@@ -5,9 +5,9 @@ use serde_json::{Map, Value, json};
 mod pattern;
 mod rules;
 
-use super::Spec;
 use super::key::{Kind, Need, Range, Row, rows};
 use super::keys::SPEC;
+use super::{Quantity, Spec};
 use pattern::pattern;
 use rules::rules;
 
@@ -77,8 +77,14 @@ fn property(row: &Row) -> Value {
             }
         }
         Kind::Number => number(row, "number"),
+        Kind::NumberOr(quantity) => {
+            json!({ "anyOf": [number(row, "number"), with_unit(row, quantity)] })
+        }
         Kind::Count => number(row, "integer"),
         Kind::Numbers => numbers(row),
+        Kind::Quantities(quantity) => {
+            json!({ "type": "array", "items": with_unit(row, quantity), "minItems": 1 })
+        }
         Kind::NamedNumbers => by_name(numbers(row)),
         Kind::ChoiceOrPath(words) => {
             json!({ "type": "string", "anyOf": [{ "enum": words }, { "pattern": r"[./\\]" }] })
@@ -94,7 +100,11 @@ fn property(row: &Row) -> Value {
         Kind::Table => table(&row.inner),
     };
     let mut description = info.doc.to_owned();
-    if let Kind::Quantity(quantity) | Kind::NamedQuantities(quantity) = info.kind {
+    if let Kind::Quantity(quantity)
+    | Kind::NamedQuantities(quantity)
+    | Kind::NumberOr(quantity)
+    | Kind::Quantities(quantity) = info.kind
+    {
         description = format!(
             "{description}; {}, in {}",
             quantity.kind(),
@@ -110,6 +120,10 @@ fn property(row: &Row) -> Value {
 
 fn by_name(inner: Value) -> Value {
     json!({ "type": "object", "patternProperties": { NAME: inner }, "additionalProperties": false })
+}
+
+fn with_unit(row: &Row, quantity: Quantity) -> Value {
+    json!({ "type": "string", "pattern": pattern(&row.info.range, Some(quantity)) })
 }
 
 fn number(row: &Row, kind: &str) -> Value {
@@ -129,6 +143,6 @@ fn number(row: &Row, kind: &str) -> Value {
 }
 
 fn numbers(row: &Row) -> Value {
-    let least = usize::from(row.info.need == Need::Required);
+    let least = usize::from(row.info.need != Need::Default);
     json!({ "type": "array", "items": number(row, "number"), "minItems": least })
 }

@@ -19,7 +19,7 @@ pub(super) fn check(spec: &Spec, faults: &mut ValidationFaults) {
 }
 
 /// Returns all faults of a table: the key and one sentence. An empty list is a hole.
-fn faults_of(table: &ForceTable) -> Vec<(&'static str, String)> {
+pub(crate) fn faults_of(table: &ForceTable) -> Vec<(&'static str, String)> {
     let (at, force) = (&table.penetration_m, &table.force_n);
     if at.is_empty() || force.is_empty() {
         return Vec::new();

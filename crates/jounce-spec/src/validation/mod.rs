@@ -7,7 +7,7 @@ mod circuit;
 mod contact_bodies;
 mod drives;
 mod foils;
-mod force_table;
+pub(crate) mod force_table;
 mod geometry;
 mod layers;
 mod modes;

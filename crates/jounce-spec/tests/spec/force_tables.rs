@@ -1,6 +1,6 @@
 //! Tables of force over penetration: reading, sweeps, static penetration and invalid points.
 
-use jounce_spec::{NumericKey, Spec, StopLaw};
+use jounce_spec::{NumericKey, Spec, SpecFile, StopLaw};
 
 fn text(keys: &str) -> String {
     format!(
@@ -41,9 +41,159 @@ fn a_table_is_read_printed_and_swept() {
 }
 
 #[test]
+fn points_with_units_are_those_in_si() {
+    let si = Spec::from_toml(&text("penetration_m = [1e-5, 3e-5]\nforce_n = [2, 8.5]")).unwrap();
+    let keys = "penetration = [\"10 um\", \"0.03 mm\"]\nforce = [\"2 N\", \"8500 mN\"]";
+    let with_units = Spec::from_toml(&text(keys)).unwrap();
+    assert_eq!(with_units, si);
+    let mixed = "penetration = [\"10 um\", \"0.03 mm\"]\nforce_n = [2, 8.5]";
+    assert_eq!(Spec::from_toml(&text(mixed)).unwrap(), si);
+
+    let mut file = SpecFile::from_text(text(keys));
+    file.set("stop.s.force.2", "9 N").unwrap();
+    assert_eq!(file.spec().unwrap().stop["s"].table.force_n, [2.0, 9.0]);
+    let key = file.numeric_key("stop.s.penetration.1").unwrap();
+    assert_eq!(
+        (key.unit().as_str(), key.show(1e-5)),
+        ("m", "10 um".to_owned())
+    );
+    assert_eq!(file.numeric_keys("stop.s.penetration").unwrap().len(), 2);
+    file.set("stop.s.penetration_m", "[1e-5, 4e-5]").unwrap();
+    assert_eq!(
+        file.spec().unwrap().stop["s"].table.penetration_m,
+        [1e-5, 4e-5]
+    );
+}
+
+fn with_file(name: &str, contents: &str) -> Result<Spec, String> {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join(name), contents).unwrap();
+    let file = SpecFile::from_text(text("file = \"contact.csv\"")).in_folder(folder.path());
+    file.spec().map_err(|faults| faults.to_string())
+}
+
+#[test]
+fn points_in_a_file_are_those_in_the_spec() {
+    let si = Spec::from_toml(&text(
+        "penetration_m = [0, 1e-5, 2e-5, 3e-5]\nforce_n = [0, 2, 5, 8.5]",
+    ))
+    .unwrap();
+    for contents in [
+        "penetration [um],force [N]\n0,0\n10,2\n20,5\n30,8.5\n",
+        "penetration_m,force_n\n0,0\n1e-5,2\n2e-5,5\n3e-5,8.5\n",
+        "F (mN);x (mm)\n0;0\n2000;0.01\n5000;0.02\n8500;0.03\n",
+        "point,penetration [um],temperature [degC],force [N]\n1,0,20,0\n2,10,20,2\n3,20,20,5\n4,30,20,8.5\n",
+    ] {
+        let mut read = with_file("contact.csv", contents).unwrap();
+        if contents.starts_with("penetration_m") {
+            assert_eq!(read.hash_hex(), si.hash_hex());
+        }
+        // A factor from the unit of a file may round the last bit.
+        let table = &mut read.stop.get_mut("s").unwrap().table;
+        let expected = &si.stop["s"].table;
+        for (values, expected) in [
+            (&mut table.penetration_m, &expected.penetration_m),
+            (&mut table.force_n, &expected.force_n),
+        ] {
+            for (value, expected) in values.iter_mut().zip(expected) {
+                assert!((*value - expected).abs() <= 3e-16 * expected, "{contents}");
+                *value = *expected;
+            }
+        }
+        assert_eq!(read, si, "{contents}");
+    }
+    // A column that counts 1, 2, 3 is a penetration where it has a unit of length.
+    let contents = "penetration [um],force [N]\n0,0\n1,2\n2,5\n3,8.5\n";
+    let read = with_file("contact.csv", contents).unwrap();
+    assert_eq!(
+        read.stop["s"].table.penetration_m,
+        [0, 1, 2, 3].map(|k| f64::from(k) * 1e-6)
+    );
+}
+
+#[test]
+fn files_without_a_force_table_are_reported() {
+    let cases = [
+        ("other.csv", "a,b\n1,2\n", "stop.s.file: "),
+        ("other.csv", "a,b\n1,2\n", "contact.csv"),
+        ("contact.csv", "", "it is empty"),
+        (
+            "contact.csv",
+            "a,b\n1,2\n2,3\n3,5\n",
+            "contact.csv: no column is in a unit of length; the columns are a, b; write the unit in the header, as in length [mm]",
+        ),
+        (
+            "contact.csv",
+            "x [mm],u [V]\n1,2\n2,3\n3,5\n",
+            "no column is in a unit of force; the columns are x (m), u (V)",
+        ),
+        (
+            "contact.csv",
+            "x [mm],y [mm],F [N]\n1,2,1\n2,3,2\n3,5,4\n",
+            "several columns are in a unit of length: x (m), y (m)",
+        ),
+        (
+            "contact.csv",
+            "x [mm],F [N]\n0,1\n2,3\n3,5\n",
+            "column F has 1 N at zero penetration",
+        ),
+        (
+            "contact.csv",
+            "x [mm],F [N]\n0,0\n2,3\n3,2\n4,7\n",
+            "column F has 2 N as number 3, after 3 N; each number must be at least the one before it; smooth a measured table first",
+        ),
+        (
+            "contact.csv",
+            "x [mm],F [N]\n0,0\n2,3\n1,4\n4,7\n",
+            "column x has 0.001 m as number 3, after 0.002 m; each number must be larger",
+        ),
+        (
+            "contact.csv",
+            "x [mm],F [N]\n-1,0\n2,3\n4,7\n",
+            "column x has -0.001 m as number 1; it must be at least 0",
+        ),
+    ];
+    for (name, contents, message) in cases {
+        let found = with_file(name, contents).unwrap_err();
+        assert!(found.contains(message), "{contents}\n{found}");
+        assert!(found.contains("stop.s.file"), "{found}");
+    }
+    let keys = "file = \"contact.csv\"\nforce_n = [1, 2]";
+    let found = Spec::from_toml(&text(keys)).unwrap_err().to_string();
+    assert!(
+        found.contains("give exactly one of `force_n` or `force` or `file`"),
+        "{found}"
+    );
+}
+
+#[test]
 fn invalid_tables_are_reported() {
     for (keys, message) in [
-        ("", "`penetration_m` is missing"),
+        (
+            "",
+            "one of `penetration_m` or `penetration` or `file` is missing",
+        ),
+        ("", "one of `force_n` or `force` or `file` is missing"),
+        (
+            "penetration = [0.01, 0.03]\nforce_n = [1, 2]",
+            "stop.s.penetration: number 1: 0.01 has no unit; expected a length in quotes with a unit",
+        ),
+        (
+            "penetration = [\"10 um\", \"1 V\"]\nforce = [\"1 N\", \"2 N\"]",
+            "number 2: \"1 V\" is a voltage",
+        ),
+        (
+            "penetration = \"10 um, 30 um\"\nforce_n = [1, 2]",
+            "expected a list of texts, each a length with a unit (mm, um, cm, m), such as [\"1 mm\", \"2 mm\"]",
+        ),
+        (
+            "penetration = [\"10 um\"]\npenetration_m = [1e-5]\nforce_n = [1]",
+            "give exactly one of `penetration_m` or `penetration` or `file`",
+        ),
+        (
+            "penetration = [\"-1 um\"]\nforce_n = [1]",
+            "number 1 is -1 um; it must be at least 0",
+        ),
         ("penetration_m = [1e-5]\nforce_n = []", "the list is empty"),
         (
             "penetration_m = [1e-5]\nforce_n = [1, 2]",
@@ -88,6 +238,18 @@ fn invalid_tables_are_reported() {
     ] {
         let found = Spec::from_toml(&text(keys)).unwrap_err().to_string();
         assert!(found.contains(message), "{keys}\n{found}");
+    }
+}
+
+#[test]
+fn a_fault_is_placed_at_the_key_that_was_written() {
+    let keys = "penetration = [\"20 um\", \"10 um\"]\nforce = [\"2 N\", \"1 N\"]";
+    let found = Spec::from_toml(&text(keys)).unwrap_err().to_string();
+    for message in [
+        "line 9, column 15: stop.s.penetration has 0.00001 m as number 2, after 0.00002 m",
+        "line 10, column 9: stop.s.force has 1 N as number 2, after 2 N",
+    ] {
+        assert!(found.contains(message), "{message}\n{found}");
     }
 }
 

@@ -5,7 +5,7 @@ mod report;
 mod result;
 
 pub use options::ContactOptions;
-pub use result::{ContactResult, FixedLawResult, HitResult};
+pub use result::{ContactResult, FixedLawResult, ForceTableResult, HitResult};
 
 use crate::error::Error;
 use crate::recording::Recording;
@@ -16,7 +16,7 @@ use jounce_signal::spectral::{HitSearch, hits};
 
 impl Recording {
     /// Finds the hits in a force and fits contact time, exponent and restitution of each; with the
-    /// mass of the hammer also speed and stiffness. The struck body is assumed to be at rest during
+    /// mass of the hammer also speed, stiffness and a table of force over penetration. The struck body is assumed to be at rest during
     /// a contact.
     ///
     /// # Errors
@@ -41,17 +41,22 @@ impl Recording {
         let samples = Samples::new(&force.values, record.rate())?;
         let search = HitSearch::default();
         let found = hits(&samples, search)?;
-        let fitted = |hit| {
+        let (mut hits, mut pulses, mut force_tables) = (Vec::new(), Vec::new(), Vec::new());
+        for hit in &found {
             let law = fit(&samples, hit, options.mass_kg);
-            let pulse = PulseFigure::of(&samples, hit, law.as_ref().ok());
-            let result = HitResult::new(hit, law, samples.rate_hz(), search.edge_ratio);
-            (result, pulse)
-        };
-        let (hits, pulses) = found.iter().map(fitted).unzip();
+            pulses.push(PulseFigure::of(&samples, hit, law.as_ref().ok()));
+            if let Some(mass_kg) = options.mass_kg {
+                let body = (mass_kg, options.speed_m_s);
+                force_tables.push(ForceTableResult::of(&samples, hit, &law, body));
+            }
+            let rate_hz = samples.rate_hz();
+            hits.push(HitResult::new(hit, law, rate_hz, search.edge_ratio));
+        }
         Ok(ContactResult {
             channel: force.name.clone(),
             mass_kg: options.mass_kg,
             hits,
+            force_tables,
             issues: record.issues,
             pulses,
         })

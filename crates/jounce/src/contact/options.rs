@@ -19,6 +19,10 @@ pub struct ContactOptions {
     /// them. By default no speed and no stiffness.
     #[arg(long = "mass", value_name = "MASS", value_parser = si(Unit::Mass))]
     pub mass_kg: Option<f64>,
+    /// Speed of the hammer before the contact, as in 0.5m/s, for the table of force over
+    /// penetration, which also needs the mass. By default that of the fitted law.
+    #[arg(long = "speed", value_name = "SPEED", value_parser = si(Unit::Speed))]
+    pub speed_m_s: Option<f64>,
 }
 
 impl Default for ContactOptions {
@@ -29,9 +33,17 @@ impl Default for ContactOptions {
 
 impl ContactOptions {
     pub(super) fn check(&self) -> Result<(), Error> {
-        match self.mass_kg {
-            Some(mass_kg) => check_above_zero("mass", mass_kg, "kg").map(|_| ()),
-            None => Ok(()),
+        if let Some(mass_kg) = self.mass_kg {
+            check_above_zero("mass", mass_kg, "kg")?;
+        }
+        match (self.speed_m_s, self.mass_kg) {
+            (Some(speed_m_s), None) => Err(Error::option(
+                "speed",
+                format!("{speed_m_s} m/s"),
+                "give the mass of the hammer, `mass`, too, or omit it",
+            )),
+            (Some(speed_m_s), Some(_)) => check_above_zero("speed", speed_m_s, "m/s").map(|_| ()),
+            (None, _) => Ok(()),
         }
     }
 }

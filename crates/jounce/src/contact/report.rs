@@ -1,6 +1,6 @@
 //! Table and figure of contact laws.
 
-use super::{ContactResult, FixedLawResult, HitResult};
+use super::{ContactResult, FixedLawResult, ForceTableResult, HitResult};
 use crate::error::Error;
 use jounce_experiment::draw::pulses;
 use jounce_io::table::{Column, Table};
@@ -115,6 +115,26 @@ impl ContactResult {
             hit.speed_m_s
         }))?;
         Ok(())
+    }
+
+    /// Returns the table of force over penetration of each hit that has one, with the number of the
+    /// hit from 1; a stop reads its file as `law = "table"`.
+    ///
+    /// # Errors
+    /// [`Error::Table`].
+    pub fn force_tables(&self) -> Result<Vec<(usize, Table)>, Error> {
+        let has_points = |table: &&ForceTableResult| table.reason.is_none();
+        let numbered = (1..).zip(&self.force_tables);
+        let tables = numbered.filter(|(_, table)| has_points(table));
+        tables
+            .map(|(number, table)| {
+                let about = "penetration during loading";
+                let at = Column::new("penetration_m", "m", about, table.penetration_m.clone());
+                let about = "force during loading, with that of damping";
+                let force = Column::new("force_n", "N", about, table.force_n.clone());
+                Ok((number, Table::new(vec![at, force])?))
+            })
+            .collect()
     }
 
     /// Returns the figure of the first pulses with the laws fitted to them.

@@ -2,7 +2,10 @@
 
 use jounce_data::recording::Issue;
 use jounce_experiment::draw::PulseFigure;
-use jounce_identification::contact::{AllowedLaws, ContactError, ContactFit, FixedExponentLaw};
+use jounce_identification::contact::{
+    AllowedLaws, ContactError, ContactFit, FixedExponentLaw, loading_curve,
+};
+use jounce_signal::Samples;
 use jounce_signal::spectral::{Hit, HitWarning};
 use serde::Serialize;
 
@@ -15,6 +18,8 @@ pub struct ContactResult {
     pub mass_kg: Option<f64>,
     /// Hits in order.
     pub hits: Vec<HitResult>,
+    /// Force over penetration of each hit; empty without a mass.
+    pub force_tables: Vec<ForceTableResult>,
     /// Data-quality issues of the channel and of the times.
     pub issues: Vec<Issue>,
     /// Samples of each hit, with the fitted law.
@@ -75,6 +80,47 @@ pub struct HitResult {
     pub linear: FixedLawResult,
     /// Fit of Hertz's law, stiffness in N/m^1.5.
     pub hertz: FixedLawResult,
+}
+
+/// Force over penetration of one hit, for `law = "table"` of a stop: the loading branch of the pulse,
+/// with the force of damping. Both lists are empty where there is a reason.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct ForceTableResult {
+    /// Penetrations, m, ascending.
+    pub penetration_m: Vec<f64>,
+    /// Force at each of them, N, ascending.
+    pub force_n: Vec<f64>,
+    /// Speed of the hammer from which the penetrations follow, m/s.
+    pub speed_m_s: Option<f64>,
+    /// Reason why there is no table.
+    pub reason: Option<String>,
+}
+
+impl ForceTableResult {
+    /// Integrates the loading branch of a hit; the pulse begins as its fitted law does.
+    pub(super) fn of(
+        force: &Samples<'_>,
+        hit: &Hit,
+        law: &Result<ContactFit, ContactError>,
+        (mass_kg, speed_m_s): (f64, Option<f64>),
+    ) -> Self {
+        let curve = law.as_ref().map_err(|error| *error).and_then(|law| {
+            let speed = speed_m_s.or(law.speed_m_s).unwrap_or(f64::NAN);
+            loading_curve(force, hit, law.units.start_s, mass_kg, speed)
+        });
+        match curve {
+            Ok(curve) => Self {
+                penetration_m: curve.penetration_m,
+                force_n: curve.force_n,
+                speed_m_s: Some(curve.speed_m_s),
+                reason: None,
+            },
+            Err(error) => Self {
+                reason: Some(error.to_string()),
+                ..Self::default()
+            },
+        }
+    }
 }
 
 /// Fit of a law with a given exponent; its numbers are `None` where the pulse does not allow it.

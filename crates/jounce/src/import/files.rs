@@ -12,10 +12,11 @@ use std::path::Path;
 ///
 /// # Errors
 /// [`Error::Exchange`] with all faults.
-pub(super) fn read(folder: &Path) -> Result<MatrixSet, Error> {
+pub(super) fn read(folder: &Path, names: Option<&Path>) -> Result<MatrixSet, Error> {
     if !folder.is_dir() {
         let message = format!(
-            "{} is not a folder of matrices: mass.mtx or mass.npz, stiffness.mtx or stiffness.npz and, for points and electrodes, names.csv",
+            "{} is neither a folder of matrices (mass.mtx or mass.npz, stiffness.mtx or stiffness.npz and, for points and electrodes, names.csv) \
+             nor a universal file with modes",
             folder.display()
         );
         return Err(ExchangeFaults::from(message).into());
@@ -31,20 +32,33 @@ pub(super) fn read(folder: &Path) -> Result<MatrixSet, Error> {
             Err(message) => faults.push(message),
         }
     }
-    let path = folder.join(NAMES_FILE);
-    if path.exists() {
-        let text = std::fs::read_to_string(&path).map_err(|error| store::unreadable(&path, &error));
-        match text.map(|text| Names::read(&text)) {
-            Ok(Ok(names)) => set.names = names,
-            Ok(Err(names)) => faults.extend(names.0),
-            Err(message) => faults.push(message),
-        }
+    match table_of_names(folder, names) {
+        Ok(Some((path, text))) => match Names::read(&text, &path) {
+            Ok(names) => set.names = names,
+            Err(names) => faults.extend(names.0),
+        },
+        Ok(None) => {}
+        Err(message) => faults.push(message),
     }
     if faults.is_empty() {
         Ok(set)
     } else {
         Err(ExchangeFaults(faults).into())
     }
+}
+
+/// Reads the given table of names or, if it exists, that of the folder; returns its name and its text.
+pub(super) fn table_of_names(
+    folder: &Path,
+    names: Option<&Path>,
+) -> Result<Option<(String, String)>, String> {
+    let path = names.map_or_else(|| folder.join(NAMES_FILE), Path::to_path_buf);
+    if names.is_none() && !path.exists() {
+        return Ok(None);
+    }
+    let text = std::fs::read_to_string(&path).map_err(|error| store::unreadable(&path, &error))?;
+    let name = path.file_name().map_or(path.as_os_str(), |name| name);
+    Ok(Some((name.to_string_lossy().into_owned(), text)))
 }
 
 /// Reads the matrix of a name from its file in one of both formats; `None` if it is absent and not

@@ -4,6 +4,7 @@ mod files;
 mod npz;
 mod options;
 mod result;
+mod universal;
 mod warnings;
 
 pub use options::ImportOptions;
@@ -20,7 +21,9 @@ use std::path::Path;
 /// `capacitance.mtx`, `conductance.mtx`, `points.mtx`, `base.mtx`; and `names.csv`, which names points
 /// and electrodes. With `shapes.mtx`, and perhaps `frequency_hz.mtx`, the structure has these modes in
 /// place of those of the eigenproblem. Each matrix may also be an archive of SciPy, `mass.npz`.
-/// [`crate::Harvester::export`] writes such a folder.
+/// [`crate::Harvester::export`] writes such a folder. A universal file with modes (data set 55) may take
+/// its place: frequency, damping ratio, modal mass and shape of each mode are then the structure, and
+/// `names.csv` next to it names points by node and direction, `point,2z,tip`.
 ///
 /// # Errors
 /// [`Error::Exchange`] with all faults of the files; [`Error::Option`].
@@ -41,11 +44,21 @@ use std::path::Path;
 /// # Ok::<(), jounce::Error>(())
 /// ```
 pub fn import_matrices(
-    folder: impl AsRef<Path>,
+    path: impl AsRef<Path>,
     options: &ImportOptions,
 ) -> Result<ImportResult, Error> {
     options.check()?;
-    reduce_matrices(files::read(folder.as_ref())?, options)
+    let (path, names) = (path.as_ref(), options.names.as_deref());
+    if !path.is_file() {
+        return reduce_matrices(files::read(path, names)?, options);
+    }
+    let (set, modes) = universal::read(path, names)?;
+    let modes = modes.min(options.modes);
+    let options = &ImportOptions {
+        modes,
+        ..options.clone()
+    };
+    reduce_matrices(set, options)
 }
 
 /// Reduces matrices in memory to a structure given by its modes, as [`import_matrices`] does those of

@@ -4,6 +4,7 @@ use crate::error::Error;
 use crate::options::{check_above_zero, defaults, si};
 use jounce_spec::Quantity;
 use serde::{Deserialize, Serialize};
+use std::path::PathBuf;
 
 /// Options of [`crate::import_matrices`].
 #[derive(Debug, Clone, PartialEq, clap::Args, Serialize, Deserialize)]
@@ -12,11 +13,13 @@ pub struct ImportOptions {
     /// Name of the structure in the spec.
     #[arg(long, default_value = "structure")]
     pub name: String,
-    /// Number of modes, the lowest ones; without effect if the folder has shapes.
+    /// Number of modes, the lowest ones; at most those of a universal file; without effect if the
+    /// folder has shapes.
     #[arg(long, default_value_t = 10)]
     pub modes: usize,
     /// Damping ratios of the elastic modes, ascending in frequency; the last one is that of all
-    /// further modes; without effect if the folder has a damping matrix.
+    /// further modes; without effect if the folder has a damping matrix, or the universal file damping
+    /// ratios.
     #[arg(long, value_delimiter = ',', default_value = "0.01")]
     pub damping_ratio: Vec<f64>,
     /// Unit of the mass in the matrices, as in 1000kg for tonnes.
@@ -25,6 +28,10 @@ pub struct ImportOptions {
     /// Unit of displacements in the matrices, as in 1mm; the unit of time is the second.
     #[arg(long = "length-unit", value_name = "LENGTH", default_value = "1m", value_parser = si(Quantity::Length))]
     pub length_unit_m: f64,
+    /// Table of the names of points and electrodes; by default names.csv in the folder of the
+    /// matrices or of the universal file.
+    #[arg(long, value_name = "FILE")]
+    pub names: Option<PathBuf>,
 }
 
 impl Default for ImportOptions {

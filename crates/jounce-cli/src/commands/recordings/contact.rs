@@ -31,7 +31,7 @@ impl Contact {
         }
         match self.file.output.json {
             true => print(&output::to_json(&result)?),
-            false => result.hits.iter().for_each(print_hit),
+            false => (0..result.hits.len()).for_each(|hit| print_one(&result, hit)),
         }
         Ok(())
     }
@@ -39,7 +39,30 @@ impl Contact {
     fn write(&self, folder: &Path, result: &ContactResult) -> Result<(), Failure> {
         let manifest = self.file.manifest("contact", &self.options)?;
         output::table(folder, "contact", &result.table()?, &manifest)?;
+        for (hit, table) in result.force_tables()? {
+            output::table(folder, &format!("force-table-{hit}"), &table, &manifest)?;
+        }
         output::figure(folder, "contact-pulses", &result.figure())
+    }
+}
+
+/// Prints a hit and its table of force over penetration.
+fn print_one(result: &ContactResult, hit: usize) {
+    print_hit(&result.hits[hit]);
+    let Some(table) = result.force_tables.get(hit) else {
+        return;
+    };
+    match (
+        &table.reason,
+        table.penetration_m.last(),
+        table.force_n.last(),
+    ) {
+        (Some(reason), ..) => line(format!("  no force table: {reason}")),
+        (None, Some(depth_m), Some(force_n)) => line(format!(
+            "  force table: {} points to {depth_m:.4e} m and {force_n:.4} N",
+            table.force_n.len()
+        )),
+        _ => {}
     }
 }
 

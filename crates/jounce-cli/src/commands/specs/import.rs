@@ -1,4 +1,4 @@
-//! `jounce import FOLDER`
+//! `jounce import PATH`
 
 use crate::failure::Failure;
 use crate::output::{self, print, text, warn};
@@ -9,8 +9,8 @@ use std::path::PathBuf;
 /// Arguments of `import`.
 #[derive(Debug, Args)]
 pub struct Import {
-    /// Folder with mass.mtx, stiffness.mtx and names.csv.
-    folder: PathBuf,
+    /// Folder with mass.mtx, stiffness.mtx and names.csv, or a universal file with modes (data set 55).
+    path: PathBuf,
     #[command(flatten)]
     options: ImportOptions,
     /// Prints one JSON object on stdout; by default the part of a spec.
@@ -21,7 +21,7 @@ pub struct Import {
 impl Import {
     /// Prints the structure as part of a spec.
     pub fn run(&self) -> Result<(), Failure> {
-        let result = import_matrices(&self.folder, &self.options)?;
+        let result = import_matrices(&self.path, &self.options)?;
         warn(&result.warnings);
         match self.json {
             true => print(&output::to_json(&result)?),

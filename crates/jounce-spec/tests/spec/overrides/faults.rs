@@ -10,7 +10,7 @@ const FAULTS: [(&str, &str, &str); 11] = [
     (
         "stop.tip.gpa",
         "1 mm",
-        "--set stop.tip.gpa=1 mm: stop.tip.gpa: unknown key; keys in stop.tip: at, frame, side, gap, law, exponent, stiffness, cubic_stiffness, damping, penetration_m, force_n, restitution, radius and 12 more; the nearest key here is `stop.tip.gap`",
+        "--set stop.tip.gpa=1 mm: stop.tip.gpa: unknown key; keys in stop.tip: at, frame, side, gap, law, exponent, stiffness, cubic_stiffness, damping, penetration_m, penetration, force_n, force and 15 more; the nearest key here is `stop.tip.gap`",
     ),
     (
         "stop.tpi.gap",

@@ -77,6 +77,7 @@ fn table() -> impl Strategy<Value = (StopLaw, ForceTable)> {
         let table = ForceTable {
             penetration_m: sums(|step| step.0),
             force_n: sums(|step| step.1),
+            file: String::new(),
         };
         (StopLaw::Table { damping_s_m }, table)
     })
