@@ -1,6 +1,7 @@
 //! Modes of beams and masses against closed forms, published numbers, and a second method.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
+mod composites;
 mod exact;
 mod faults;
 mod laminates;

@@ -1,0 +1,374 @@
+//! Fibre composites and porous ceramics on plates against closed forms, classical laminate theory
+//! and the beam.
+
+use super::plates::{ceramic, plate, spec};
+use jounce_linalg::Mat;
+use jounce_model::structure::{Modes, modes};
+use jounce_spec::{
+    AcrossFibres, Beam, Edge, OnPlate, Patch, PatchFoils, PatchPores, PlatePoint, Spec,
+};
+use std::f64::consts::PI;
+
+const SIDES_M: [f64; 2] = [0.12, 0.08];
+const PLATE_POISSON: f64 = 0.3;
+const FOIL_M: f64 = 0.06e-3;
+const FOIL_PA: f64 = 2.5e9;
+const FOIL_POISSON: f64 = 0.34;
+const FOIL_KG_M3: f64 = 1420.0;
+const MODULUS_PA: [f64; 2] = [48e9, 16e9];
+const POISSON: f64 = 0.31;
+const SHEAR_PA: f64 = 5.5e9;
+const D33: f64 = 460e-12;
+const D32: f64 = -185e-12;
+const SPACING_M: f64 = 0.5e-3;
+const ACTIVE_M: f64 = 0.18e-3;
+const ACTIVE_KG_M3: f64 = 5540.0;
+
+/// Active layer of a fibre composite between foils, with a field along its fibres.
+fn composite(on: &str, [start_m, length_m]: [f64; 2], width_m: f64) -> Patch {
+    Patch {
+        thickness_m: ACTIVE_M,
+        youngs_modulus_pa: MODULUS_PA[0],
+        density_kg_m3: ACTIVE_KG_M3,
+        d31_m_per_v: None,
+        d33_m_per_v: Some(D33),
+        electrode_spacing_m: Some(SPACING_M),
+        capacitance_f: Some(7e-9),
+        permittivity_f_m: None,
+        foils: PatchFoils {
+            thickness_m: Some(FOIL_M),
+            ..PatchFoils::default()
+        },
+        on_plate: OnPlate {
+            across_start_m: None,
+            poisson_ratio: Some(POISSON),
+        },
+        across: AcrossFibres {
+            youngs_modulus_pa: Some(MODULUS_PA[1]),
+            shear_modulus_pa: Some(SHEAR_PA),
+            d32_m_per_v: Some(D32),
+        },
+        ..ceramic(on, [start_m, length_m], width_m)
+    }
+}
+
+/// Inverse of the compliance in the plane, Pa.
+fn reduced_pa([along, across]: [f64; 2], poisson: f64, shear: f64) -> Mat<f64> {
+    let cross = -poisson / along;
+    let compliance = [1.0 / along, cross, 0.0, cross, 1.0 / across, 0.0, 0.0, 0.0, 1.0 / shear];
+    Mat::from_row_slice(3, 3, &compliance).try_inverse().unwrap()
+}
+
+fn isotropic_pa(modulus: f64, poisson: f64) -> Mat<f64> {
+    reduced_pa([modulus; 2], poisson, modulus / (2.0 * (1.0 + poisson)))
+}
+
+/// `D - B A^-1 B` (N m), the moments of the patch per volt (N/V) and the mass per area of a plate
+/// that the composite covers on top, with heights from the bottom of the plate.
+fn covered_section() -> (Mat<f64>, Mat<f64>, f64) {
+    let of_plate = plate(SIDES_M, PLATE_POISSON, [Edge::SimplySupported; 4]);
+    let h = of_plate.thickness_m;
+    let foil = isotropic_pa(FOIL_PA, FOIL_POISSON);
+    let active = reduced_pa(MODULUS_PA, POISSON, SHEAR_PA);
+    let plies = [
+        (
+            isotropic_pa(of_plate.youngs_modulus_pa, PLATE_POISSON),
+            [0.0, h],
+            of_plate.density_kg_m3,
+        ),
+        (foil.clone(), [h, h + FOIL_M], FOIL_KG_M3),
+        (
+            active.clone(),
+            [h + FOIL_M, h + FOIL_M + ACTIVE_M],
+            ACTIVE_KG_M3,
+        ),
+        (
+            foil,
+            [h + FOIL_M + ACTIVE_M, h + 2.0 * FOIL_M + ACTIVE_M],
+            FOIL_KG_M3,
+        ),
+    ];
+    let moment = |power: i32| {
+        plies
+            .iter()
+            .fold(Mat::zeros(3, 3), |sum: Mat<f64>, (q, [from, to], _)| {
+                sum + q * ((to.powi(power) - from.powi(power)) / f64::from(power))
+            })
+    };
+    let [a, b, d] = [1, 2, 3].map(moment);
+    let inverse = a.try_inverse().unwrap();
+    let mass = plies.iter().map(|(_, [from, to], density)| density * (to - from));
+    // Force and moment of the blocked layer, and the force released.
+    let field = Mat::from_row_slice(3, 1, &[D33, D32, 0.0]) * (1.0 / SPACING_M);
+    let force = active * field * ACTIVE_M;
+    let middle_m = h + FOIL_M + ACTIVE_M / 2.0;
+    let released = &b * &inverse * &force;
+    (
+        d - &b * inverse * &b,
+        force * middle_m - released,
+        mass.sum(),
+    )
+}
+
+/// Wave numbers `(m pi / a, n pi / b)` with the frequency of the orthotropic plate, ascending.
+fn exact_modes(d: &Mat<f64>, mass_kg_m2: f64) -> Vec<([f64; 2], f64)> {
+    let [a, b] = SIDES_M;
+    let of = |m: usize, n: usize| {
+        let [x, y] = [m as f64 * PI / a, n as f64 * PI / b];
+        let mixed = 2.0 * (d[(0, 1)] + 2.0 * d[(2, 2)]) * x * x * y * y;
+        let stiffness = d[(0, 0)] * x.powi(4) + mixed + d[(1, 1)] * y.powi(4);
+        ([x, y], (stiffness / mass_kg_m2).sqrt())
+    };
+    let mut all: Vec<_> = (1..9).flat_map(|m| (1..9).map(move |n| of(m, n))).collect();
+    all.sort_by(|one, other| one.1.total_cmp(&other.1));
+    all
+}
+
+/// Returns `int sin(k x) dx` over a range.
+fn sine(k: f64, [from, to]: [f64; 2]) -> f64 {
+    ((k * from).cos() - (k * to).cos()) / k
+}
+
+/// Where no low mode has a node; the sign of a coupling is that relative to the shape.
+const NEAR_M: [f64; 2] = [0.19 * SIDES_M[0], 0.17 * SIDES_M[1]];
+
+fn supported(patch: Patch) -> Modes {
+    let mut of_plate = plate(SIDES_M, PLATE_POISSON, [Edge::SimplySupported; 4]);
+    let [x_m, y_m] = NEAR_M;
+    of_plate.point = [("near".into(), PlatePoint { x_m, y_m })].into();
+    let mut spec = spec(of_plate, 8);
+    spec.patch = [("fibres".into(), patch)].into();
+    modes(&spec).unwrap()
+}
+
+/// Coupling of a mode with the sign that its exact shape has.
+fn signed_coupling(modes: &Modes, mode: usize, [x, y]: [f64; 2]) -> f64 {
+    let positive = (x * NEAR_M[0]).sin() * (y * NEAR_M[1]).sin();
+    modes.patch["fibres"].coupling_n_per_v[mode]
+        * (modes.shape["plate.near"][mode] * positive).signum()
+}
+
+#[test]
+fn a_plate_covered_by_a_composite_has_the_exact_frequencies_and_couplings() {
+    let (d, moment, mass_kg_m2) = covered_section();
+    let found = supported(composite("plate", [0.0, SIDES_M[0]], SIDES_M[1]));
+    let exact = exact_modes(&d, mass_kg_m2);
+    let [a, b] = SIDES_M;
+    let norm = 2.0 / (mass_kg_m2 * a * b).sqrt();
+    for (mode, (wave @ [x, y], frequency)) in exact.iter().take(8).enumerate() {
+        let error = found.frequency_rad_s[mode] / frequency - 1.0;
+        assert!(error.abs() < 1e-6, "mode {mode}: {error:e}");
+        let curvature = moment[(0, 0)] * x * x + moment[(1, 0)] * y * y;
+        let coupling = -norm * curvature * sine(*x, [0.0, a]) * sine(*y, [0.0, b]);
+        let error = signed_coupling(&found, mode, *wave) - coupling;
+        // Modes with an even number of half waves do not couple.
+        let scale = (norm * curvature / (x * y)).abs();
+        assert!(error.abs() < 1e-6 * scale, "mode {mode}: {error:e}");
+    }
+    // The two directions differ, so that a wrong axis fails.
+    assert!(d[(0, 0)] / d[(1, 1)] > 1.1 && moment[(0, 0)] * moment[(1, 0)] < 0.0);
+}
+
+/// `chi_mn = int gamma_x w_xx + gamma_y w_yy dA` of a patch with neither stiffness nor mass.
+#[test]
+fn a_thin_composite_couples_as_its_closed_form() {
+    let (thin, plate_m) = (1e-9, 1e-3);
+    let (along, across) = ([0.02, 0.055], [0.01, 0.05]);
+    let width_m = across[1] - across[0];
+    let mut patch = composite("plate", [along[0], along[1] - along[0]], width_m);
+    patch.thickness_m = thin;
+    patch.density_kg_m3 = 1e-3;
+    patch.foils = PatchFoils::default();
+    patch.on_plate.across_start_m = Some(across[0]);
+    let found = supported(patch);
+    let [e1, e2] = MODULUS_PA;
+    let share = 1.0 - POISSON * POISSON * e2 / e1;
+    let force = [
+        e1 * (D33 + POISSON * e2 / e1 * D32) / share,
+        e2 * (D32 + POISSON * D33) / share,
+    ];
+    let gamma = force.map(|force| force * thin / SPACING_M * plate_m / 2.0);
+    let bare = isotropic_pa(70e9, PLATE_POISSON) * (plate_m.powi(3) / 12.0);
+    let mass_kg_m2 = 2700.0 * plate_m;
+    let norm = 2.0 / (mass_kg_m2 * SIDES_M[0] * SIDES_M[1]).sqrt();
+    for (mode, (wave @ [x, y], _)) in exact_modes(&bare, mass_kg_m2).iter().take(8).enumerate() {
+        let curvature = gamma[0] * x * x + gamma[1] * y * y;
+        let exact = -norm * curvature * sine(*x, along) * sine(*y, across);
+        let found = signed_coupling(&found, mode, *wave);
+        let error = found / exact - 1.0;
+        assert!(error.abs() < 1e-3, "mode {mode}: {found:e} {exact:e}");
+    }
+}
+
+const BEAM_M: [f64; 3] = [0.1, 0.02, 0.5e-3];
+
+/// A cantilevered plate and the beam of the same dimensions, each with the patch.
+fn plate_and_beam(width_m: f64, poisson_ratio: f64, patch: &Patch) -> [Modes; 2] {
+    let [length_m, _, thickness_m] = BEAM_M;
+    let edges = [Edge::Clamped, Edge::Free, Edge::Free, Edge::Free];
+    let mut wide = plate([length_m, width_m], poisson_ratio, edges);
+    wide.thickness_m = thickness_m;
+    let beam = Beam {
+        material: String::new(),
+        length_m,
+        width_m,
+        thickness_m,
+        youngs_modulus_pa: wide.youngs_modulus_pa,
+        density_kg_m3: wide.density_kg_m3,
+        root: "ground".into(),
+        root_stiffness_n_m_rad: None,
+        point: Default::default(),
+    };
+    let on = |name: &str| Patch {
+        on: name.into(),
+        ..patch.clone()
+    };
+    let mut of_plate = spec(wide, 4);
+    of_plate.patch = [("patch".into(), on("plate"))].into();
+    let mut of_beam = Spec {
+        beam: [("beam".into(), beam)].into(),
+        patch: [("patch".into(), on("beam"))].into(),
+        ..Spec::default()
+    };
+    of_beam.damping.beyond = Some(0.01);
+    of_beam.reduction.modes = 2;
+    [of_plate, of_beam].map(|spec| modes(&spec).unwrap())
+}
+
+/// Relative differences of the first mode of plate and beam: frequency, coupling, largest strain.
+fn differences([wide, narrow]: &[Modes; 2]) -> [f64; 3] {
+    let strain = |modes: &Modes| {
+        let places = modes.patch["patch"].strain.iter();
+        places.map(|place| place.at(&[1.0]).abs()).fold(0.0, f64::max)
+    };
+    let pairs = [
+        [wide, narrow].map(|modes| modes.frequency_rad_s[0]),
+        [wide, narrow].map(|modes| modes.patch["patch"].coupling_n_per_v[0].abs()),
+        [wide, narrow].map(strain),
+    ];
+    pairs.map(|[of_plate, of_beam]| of_plate / of_beam - 1.0)
+}
+
+/// Without contraction, Poisson's ratio of the foils included, a narrow plate is the beam.
+#[test]
+fn a_composite_on_a_narrow_plate_without_contraction_is_that_of_the_beam() {
+    let mut patch = composite("", [0.005, 0.06], BEAM_M[1]);
+    patch.on_plate.poisson_ratio = Some(0.0);
+    patch.foils.poisson_ratio = Some(0.0);
+    let both = plate_and_beam(BEAM_M[1], 0.0, &patch);
+    let [frequency, coupling, strain] = differences(&both);
+    eprintln!("{frequency:e} {coupling:e} {strain:e}");
+    assert!(frequency.abs() < 1e-5 && coupling.abs() < 1e-4, "{frequency:e} {coupling:e}");
+    assert!(strain.abs() < 1e-3, "{strain:e}");
+    assert_eq!(both[0].patch["patch"].capacitance_f, 7e-9);
+    assert_eq!(both[1].patch["patch"].capacitance_f, 7e-9);
+}
+
+/// PZT-5A with 30 % of spherical pores.
+fn porous(porosity: f64) -> Patch {
+    let mut patch = ceramic("", [0.005, 0.06], BEAM_M[1]);
+    let pores = PatchPores {
+        porosity: Some(porosity),
+        ..PatchPores::default()
+    };
+    let of_pores = pores.composite_of("PZT-5A").unwrap();
+    patch.material = "PZT-5A".into();
+    patch.youngs_modulus_pa = of_pores.youngs_modulus_pa;
+    patch.density_kg_m3 = of_pores.density_kg_m3;
+    patch.d31_m_per_v = Some(of_pores.d31_m_per_v);
+    patch.permittivity_f_m = Some(of_pores.permittivity_f_m);
+    patch.on_plate.poisson_ratio = None;
+    patch.pores = PatchPores {
+        composite: Some(of_pores),
+        ..pores
+    };
+    patch
+}
+
+#[test]
+fn porous_ceramic_without_contraction_is_that_of_the_beam() {
+    let mut patch = porous(0.3);
+    patch.on_plate.poisson_ratio = Some(0.0);
+    let [frequency, coupling, strain] = differences(&plate_and_beam(BEAM_M[1], 0.0, &patch));
+    eprintln!("{frequency:e} {coupling:e} {strain:e}");
+    assert!(frequency.abs() < 1e-5 && coupling.abs() < 1e-5, "{frequency:e} {coupling:e}");
+    assert!(strain.abs() < 1e-3, "{strain:e}");
+}
+
+/// A plate with the Poisson's ratio of the porous ceramic contracts freely where it is narrow. The
+/// clamp holds it over a length of its width, so the difference from the beam falls with the width.
+#[test]
+fn porous_ceramic_on_a_narrow_plate_tends_to_that_of_the_beam() {
+    let patch = porous(0.3);
+    let poisson_ratio = patch.poisson_ratio().unwrap();
+    let at = |width_m: f64| {
+        let patch = Patch {
+            width_m,
+            ..patch.clone()
+        };
+        differences(&plate_and_beam(width_m, poisson_ratio, &patch))
+    };
+    let [wide, narrow] = [0.01, 0.005].map(at);
+    for quantity in [0, 1] {
+        let limit = 2.0 * narrow[quantity] - wide[quantity];
+        eprintln!("{wide:?} {narrow:?} {limit:e}");
+        assert!(narrow[quantity].abs() < 0.7 * wide[quantity].abs(), "{wide:?} {narrow:?}");
+        assert!(limit.abs() < 1e-3, "{limit:e}");
+    }
+}
+
+/// Without pores the composite is the dense ceramic with its full constants.
+#[test]
+fn ceramic_of_no_porosity_is_the_dense_one() {
+    use jounce_spec::material::porous::PZT_5A;
+    let empty = porous(0.0);
+    let dense_ceramic = PZT_5A.ceramic();
+    let mut dense = ceramic("", [0.005, 0.06], BEAM_M[1]);
+    dense.youngs_modulus_pa = dense_ceramic.youngs_modulus_pa();
+    dense.density_kg_m3 = empty.density_kg_m3;
+    dense.d31_m_per_v = Some(dense_ceramic.d31_m_per_v);
+    dense.on_plate.poisson_ratio = Some(PZT_5A.in_plane_poisson_ratio());
+    // Plane stress: c33 and e33 act through the free thickness.
+    let stress_free = PZT_5A.permittivity_33_f_m + PZT_5A.e33_c_m2.powi(2) / PZT_5A.c33_pa;
+    dense.permittivity_f_m = Some(stress_free);
+    let [[one, _], [other, _]] =
+        [empty, dense].map(|patch| plate_and_beam(BEAM_M[1], 0.3, &patch));
+    let pair = |read: fn(&Modes) -> f64| read(&one) / read(&other) - 1.0;
+    for error in [
+        pair(|modes| modes.frequency_rad_s[0]),
+        pair(|modes| modes.patch["patch"].coupling_n_per_v[0]),
+        pair(|modes| modes.patch["patch"].capacitance_f),
+    ] {
+        assert!(error.abs() < 1e-10, "{error:e}");
+    }
+}
+
+/// In the corner of a simply supported plate both normal strains vanish, and the twist is largest:
+/// the principal strain there is `h / 2 |w_xy|`. Along the fibres of a composite it is small.
+#[test]
+fn the_twist_of_a_corner_strains_a_ceramic() {
+    let corner_m = [0.004, 0.003];
+    let [x, y] = [PI / SIDES_M[0], PI / SIDES_M[1]];
+    let norm = 2.0 / (2.7 * SIDES_M[0] * SIDES_M[1]).sqrt();
+    let largest = |patch: Patch| {
+        let thin = Patch {
+            thickness_m: 1e-9,
+            density_kg_m3: 1e-3,
+            on_plate: OnPlate {
+                across_start_m: Some(0.0),
+                poisson_ratio: Some(0.35),
+            },
+            foils: PatchFoils::default(),
+            ..patch
+        };
+        let found = supported(thin);
+        let places = found.patch["fibres"].strain.iter();
+        places.map(|place| place.at(&[1.0]).abs()).fold(0.0, f64::max)
+    };
+    let found = largest(ceramic("plate", [0.0, corner_m[0]], corner_m[1]));
+    let exact = 0.5e-3 * norm * x * y;
+    assert!((found / exact - 1.0).abs() < 1e-4, "{found:e} {exact:e}");
+    let found = largest(composite("plate", [0.0, corner_m[0]], corner_m[1]));
+    let exact = 0.5e-3 * norm * x * x * (x * corner_m[0]).sin() * (y * corner_m[1]).sin();
+    assert!((found / exact - 1.0).abs() < 1e-3, "{found:e} {exact:e}");
+}
