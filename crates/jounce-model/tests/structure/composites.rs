@@ -55,8 +55,20 @@ fn composite(on: &str, [start_m, length_m]: [f64; 2], width_m: f64) -> Patch {
 /// Inverse of the compliance in the plane, Pa.
 fn reduced_pa([along, across]: [f64; 2], poisson: f64, shear: f64) -> Mat<f64> {
     let cross = -poisson / along;
-    let compliance = [1.0 / along, cross, 0.0, cross, 1.0 / across, 0.0, 0.0, 0.0, 1.0 / shear];
-    Mat::from_row_slice(3, 3, &compliance).try_inverse().unwrap()
+    let compliance = [
+        1.0 / along,
+        cross,
+        0.0,
+        cross,
+        1.0 / across,
+        0.0,
+        0.0,
+        0.0,
+        1.0 / shear,
+    ];
+    Mat::from_row_slice(3, 3, &compliance)
+        .try_inverse()
+        .unwrap()
 }
 
 fn isotropic_pa(modulus: f64, poisson: f64) -> Mat<f64> {
@@ -97,7 +109,9 @@ fn covered_section() -> (Mat<f64>, Mat<f64>, f64) {
     };
     let [a, b, d] = [1, 2, 3].map(moment);
     let inverse = a.try_inverse().unwrap();
-    let mass = plies.iter().map(|(_, [from, to], density)| density * (to - from));
+    let mass = plies
+        .iter()
+        .map(|(_, [from, to], density)| density * (to - from));
     // Force and moment of the blocked layer, and the force released.
     let field = Mat::from_row_slice(3, 1, &[D33, D32, 0.0]) * (1.0 / SPACING_M);
     let force = active * field * ACTIVE_M;
@@ -223,7 +237,7 @@ fn plate_and_beam(width_m: f64, poisson_ratio: f64, patch: &Patch) -> [Modes; 2]
         on: name.into(),
         ..patch.clone()
     };
-    let mut of_plate = spec(wide, 4);
+    let mut of_plate = spec(wide, 1);
     of_plate.patch = [("patch".into(), on("plate"))].into();
     let mut of_beam = Spec {
         beam: [("beam".into(), beam)].into(),
@@ -231,7 +245,7 @@ fn plate_and_beam(width_m: f64, poisson_ratio: f64, patch: &Patch) -> [Modes; 2]
         ..Spec::default()
     };
     of_beam.damping.beyond = Some(0.01);
-    of_beam.reduction.modes = 2;
+    of_beam.reduction.modes = 1;
     [of_plate, of_beam].map(|spec| modes(&spec).unwrap())
 }
 
@@ -239,7 +253,9 @@ fn plate_and_beam(width_m: f64, poisson_ratio: f64, patch: &Patch) -> [Modes; 2]
 fn differences([wide, narrow]: &[Modes; 2]) -> [f64; 3] {
     let strain = |modes: &Modes| {
         let places = modes.patch["patch"].strain.iter();
-        places.map(|place| place.at(&[1.0]).abs()).fold(0.0, f64::max)
+        places
+            .map(|place| place.at(&[1.0]).abs())
+            .fold(0.0, f64::max)
     };
     let pairs = [
         [wide, narrow].map(|modes| modes.frequency_rad_s[0]),
@@ -258,8 +274,8 @@ fn a_composite_on_a_narrow_plate_without_contraction_is_that_of_the_beam() {
     let both = plate_and_beam(BEAM_M[1], 0.0, &patch);
     let [frequency, coupling, strain] = differences(&both);
     eprintln!("{frequency:e} {coupling:e} {strain:e}");
-    assert!(frequency.abs() < 1e-5 && coupling.abs() < 1e-4, "{frequency:e} {coupling:e}");
-    assert!(strain.abs() < 1e-3, "{strain:e}");
+    assert!(frequency.abs() < 1e-8 && coupling.abs() < 1e-8);
+    assert!(strain.abs() < 1e-6);
     assert_eq!(both[0].patch["patch"].capacitance_f, 7e-9);
     assert_eq!(both[1].patch["patch"].capacitance_f, 7e-9);
 }
@@ -291,8 +307,8 @@ fn porous_ceramic_without_contraction_is_that_of_the_beam() {
     patch.on_plate.poisson_ratio = Some(0.0);
     let [frequency, coupling, strain] = differences(&plate_and_beam(BEAM_M[1], 0.0, &patch));
     eprintln!("{frequency:e} {coupling:e} {strain:e}");
-    assert!(frequency.abs() < 1e-5 && coupling.abs() < 1e-5, "{frequency:e} {coupling:e}");
-    assert!(strain.abs() < 1e-3, "{strain:e}");
+    assert!(frequency.abs() < 1e-8 && coupling.abs() < 1e-8);
+    assert!(strain.abs() < 1e-6);
 }
 
 /// A plate with the Poisson's ratio of the porous ceramic contracts freely where it is narrow. The
@@ -308,12 +324,13 @@ fn porous_ceramic_on_a_narrow_plate_tends_to_that_of_the_beam() {
         };
         differences(&plate_and_beam(width_m, poisson_ratio, &patch))
     };
-    let [wide, narrow] = [0.01, 0.005].map(at);
+    let [wide, narrow] = [0.002, 0.001].map(at);
     for quantity in [0, 1] {
         let limit = 2.0 * narrow[quantity] - wide[quantity];
         eprintln!("{wide:?} {narrow:?} {limit:e}");
-        assert!(narrow[quantity].abs() < 0.7 * wide[quantity].abs(), "{wide:?} {narrow:?}");
-        assert!(limit.abs() < 1e-3, "{limit:e}");
+        let ratio = narrow[quantity] / wide[quantity];
+        assert!((ratio - 0.5).abs() < 0.02, "{ratio}");
+        assert!(limit.abs() < 2e-4, "{limit:e}");
     }
 }
 
@@ -331,8 +348,7 @@ fn ceramic_of_no_porosity_is_the_dense_one() {
     // Plane stress: c33 and e33 act through the free thickness.
     let stress_free = PZT_5A.permittivity_33_f_m + PZT_5A.e33_c_m2.powi(2) / PZT_5A.c33_pa;
     dense.permittivity_f_m = Some(stress_free);
-    let [[one, _], [other, _]] =
-        [empty, dense].map(|patch| plate_and_beam(BEAM_M[1], 0.3, &patch));
+    let [[one, _], [other, _]] = [empty, dense].map(|patch| plate_and_beam(BEAM_M[1], 0.3, &patch));
     let pair = |read: fn(&Modes) -> f64| read(&one) / read(&other) - 1.0;
     for error in [
         pair(|modes| modes.frequency_rad_s[0]),
@@ -343,8 +359,9 @@ fn ceramic_of_no_porosity_is_the_dense_one() {
     }
 }
 
-/// In the corner of a simply supported plate both normal strains vanish, and the twist is largest:
-/// the principal strain there is `h / 2 |w_xy|`. Along the fibres of a composite it is small.
+/// Near the corner of a simply supported plate the curvatures are small against the twist. On a
+/// ceramic there the principal strain is largest at its inner corner; along the fibres of a composite
+/// the strain is small.
 #[test]
 fn the_twist_of_a_corner_strains_a_ceramic() {
     let corner_m = [0.004, 0.003];
@@ -363,12 +380,20 @@ fn the_twist_of_a_corner_strains_a_ceramic() {
         };
         let found = supported(thin);
         let places = found.patch["fibres"].strain.iter();
-        places.map(|place| place.at(&[1.0]).abs()).fold(0.0, f64::max)
+        places
+            .map(|place| place.at(&[1.0]).abs())
+            .fold(0.0, f64::max)
     };
     let found = largest(ceramic("plate", [0.0, corner_m[0]], corner_m[1]));
-    let exact = 0.5e-3 * norm * x * y;
-    assert!((found / exact - 1.0).abs() < 1e-4, "{found:e} {exact:e}");
+    let [at_x, at_y] = [x * corner_m[0], y * corner_m[1]];
+    let sines = at_x.sin() * at_y.sin();
+    let shear = 2.0 * x * y * at_x.cos() * at_y.cos();
+    let [of_x, of_y] = [x * x * sines, y * y * sines];
+    let principal = (of_x + of_y) / 2.0 + (of_x - of_y).hypot(shear) / 2.0;
+    let exact = 0.5e-3 * norm * principal;
+    assert!((found / exact - 1.0).abs() < 1e-5, "{found:e} {exact:e}");
+    assert!(principal > 5.0 * of_x.max(of_y));
     let found = largest(composite("plate", [0.0, corner_m[0]], corner_m[1]));
-    let exact = 0.5e-3 * norm * x * x * (x * corner_m[0]).sin() * (y * corner_m[1]).sin();
+    let exact = 0.5e-3 * norm * of_x;
     assert!((found / exact - 1.0).abs() < 1e-3, "{found:e} {exact:e}");
 }

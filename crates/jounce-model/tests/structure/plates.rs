@@ -206,7 +206,9 @@ fn a_narrow_plate_without_contraction_is_a_beam() {
         let strain = |modes: &Modes, mode: usize| {
             let unit: Vec<f64> = (0..modes.len()).map(|k| f64::from(k == mode)).collect();
             let places = modes.patch["ceramic"].strain.iter();
-            places.map(|place| place.at(&unit).abs()).fold(0.0, f64::max)
+            places
+                .map(|place| place.at(&unit).abs())
+                .fold(0.0, f64::max)
         };
         let [found, expected] = [strain(&wide, of_plate), strain(&narrow, mode)];
         assert!((found / expected - 1.0).abs() < 1e-3, "{found} {expected}");

@@ -2,7 +2,9 @@
 
 use crate::key::{Key, Kind, Range, Slot};
 use crate::material;
-use crate::{AcrossFibres, Electrodes, Face, OnPlate, Patch, PatchFoils, PatchPores, Quantity, Section};
+use crate::{
+    AcrossFibres, Electrodes, Face, OnPlate, Patch, PatchFoils, PatchPores, Quantity, Section,
+};
 
 use super::plate::POISSON;
 use super::{electrodes, pores};

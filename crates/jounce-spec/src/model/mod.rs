@@ -30,8 +30,10 @@ pub use lamina::Lamina;
 pub use layer::Layer;
 pub use mass::Mass;
 pub use modal::{Modal, ModalPatch};
-pub use patch::{AcrossFibres, Composite, Electrodes, Face, Patch, PatchFoils, PatchPores, PoreShape, Section};
 pub(crate) use patch::FIBRE_COMPOSITE_PREFIX;
+pub use patch::{
+    AcrossFibres, Composite, Electrodes, Face, Patch, PatchFoils, PatchPores, PoreShape, Section,
+};
 pub use plate::{Edge, OnPlate, Plate, PlateArea, PlatePoint};
 pub use reduction::Reduction;
 pub use regulator::{CHIP_LIBRARY, CHIPS, Chip, Regulator};

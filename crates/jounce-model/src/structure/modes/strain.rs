@@ -59,6 +59,9 @@ mod tests {
         ] {
             assert_eq!(place(strain).at(&[1.0]), expected, "{strain:?}");
         }
-        assert_eq!(PlaceStrain::Along(vec![2.0, 3.0]).at(&[1.0, -1.0, 9.0]), -1.0);
+        assert_eq!(
+            PlaceStrain::Along(vec![2.0, 3.0]).at(&[1.0, -1.0, 9.0]),
+            -1.0
+        );
     }
 }

@@ -54,8 +54,7 @@ impl Patch {
     /// of an isotropic ceramic; `None` if none is known.
     pub fn shear_modulus_pa(&self) -> Option<f64> {
         let of_material = || material::across_fibres(&self.material).map(|of| of.shear_modulus_pa);
-        let is_isotropic =
-            !self.is_fibre_composite() && self.across.youngs_modulus_pa.is_none();
+        let is_isotropic = !self.is_fibre_composite() && self.across.youngs_modulus_pa.is_none();
         let isotropic = || {
             let poisson_ratio = self.poisson_ratio().filter(|_| is_isotropic)?;
             Some(Lamina::isotropic(self.youngs_modulus_pa, poisson_ratio).shear_modulus_pa)

@@ -1,7 +1,7 @@
 //! `[patch.NAME]`: pores of the material.
 
-use crate::material::{self, VACUUM_PERMITTIVITY_F_M};
 use crate::material::porous::{PoreGeometry, PorosityScheme};
+use crate::material::{self, VACUUM_PERMITTIVITY_F_M};
 
 /// Porosity of a patch and the related keys.
 #[derive(Debug, Clone, PartialEq, Default)]
