@@ -6,6 +6,7 @@ mod exact;
 mod faults;
 mod laminates;
 mod layers;
+mod narrow_plates;
 mod paper;
 mod participation;
 mod plates;
