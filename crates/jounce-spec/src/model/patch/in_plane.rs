@@ -16,11 +16,10 @@ use crate::material;
 
 impl Patch {
     /// True for a composite of fibres along x: a library composite, interdigitated electrodes, or an
-    /// active layer between foils.
+    /// active layer between foils that is no porous ceramic.
     pub fn is_fibre_composite(&self) -> bool {
-        self.is_library_composite()
-            || self.d33_m_per_v.is_some()
-            || self.foils.thickness_m.is_some()
+        let is_between_foils = self.foils.thickness_m.is_some() && self.pores.porosity.is_none();
+        self.is_library_composite() || self.d33_m_per_v.is_some() || is_between_foils
     }
 
     fn is_library_composite(&self) -> bool {
