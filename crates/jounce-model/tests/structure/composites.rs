@@ -250,3 +250,31 @@ fn the_twist_of_a_corner_strains_a_ceramic() {
     let exact = 0.5e-3 * norm * of_x;
     assert!((found / exact - 1.0).abs() < 1e-3, "{found:e} {exact:e}");
 }
+
+/// From the text of a spec. Where the two strains per field of a thickness field are scaled together
+/// the coupling is scaled, and a composite without `d32` is refused.
+#[test]
+fn a_spec_of_a_composite_on_a_plate_has_modes() {
+    let text = "[plate.lid]\nmaterial = \"aluminium\"\nlength = \"60 mm\"\nwidth = \"30 mm\"\nthickness = \"1 mm\"\nleft = \"clamped\"\n\
+        [patch.fibres]\non = \"lid\"\nmaterial = \"MFC-P2\"\nd32 = \"-100 pC/N\"\nstart = \"1 mm\"\nlength = \"25 mm\"\nwidth = \"14 mm\"\n\
+        thickness = \"0.3 mm\"\nelectrodes = \"open\"\n[damping]\nbeyond = 0.01\n\
+        [drive.shaker]\nkind = \"base-acceleration\"\namplitude = \"1 g\"\nfrequency = \"50 Hz\"\n";
+    let coupling = |from: &str, to: &str| {
+        let spec = jounce_spec::Spec::from_toml(&text.replace(from, to)).unwrap();
+        modes(&spec).unwrap().patch["fibres"]
+            .coupling_n_per_v
+            .clone()
+    };
+    let plain = coupling("", "");
+    let twice = coupling("-100 pC/N\"", "-200 pC/N\"\nd31 = \"-340 pC/N\"");
+    for (one, two) in plain.iter().zip(&twice) {
+        assert!((two - 2.0 * one).abs() < 1e-9 * plain[0].abs());
+    }
+    let porous = coupling(
+        "MFC-P2\"\nd32 = \"-100 pC/N",
+        "PZT-5A\"\nporosity = 0.3\n#",
+    );
+    assert!(porous[0].abs() > plain[0].abs());
+    let without = text.replace("d32 = \"-100 pC/N\"\n", "");
+    assert!(jounce_spec::Spec::from_toml(&without).is_err());
+}
