@@ -270,10 +270,7 @@ fn a_spec_of_a_composite_on_a_plate_has_modes() {
     for (one, two) in plain.iter().zip(&twice) {
         assert!((two - 2.0 * one).abs() < 1e-9 * plain[0].abs());
     }
-    let porous = coupling(
-        "MFC-P2\"\nd32 = \"-100 pC/N",
-        "PZT-5A\"\nporosity = 0.3\n#",
-    );
+    let porous = coupling("MFC-P2\"\nd32 = \"-100 pC/N", "PZT-5A\"\nporosity = 0.3\n#");
     assert!(porous[0].abs() > plain[0].abs());
     let without = text.replace("d32 = \"-100 pC/N\"\n", "");
     assert!(jounce_spec::Spec::from_toml(&without).is_err());

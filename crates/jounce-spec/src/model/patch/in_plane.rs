@@ -128,7 +128,8 @@ impl Patch {
         let known = material::named(&self.material)?;
         let active = known.active?;
         let coefficient = active.charge_coefficient_m_per_v;
-        (self.permittivity_f_m == Some(active.permittivity_f_m))
-            .then(|| active.permittivity_f_m + coefficient * coefficient * known.youngs_modulus_pa)
+        (self.permittivity_f_m == Some(active.permittivity_f_m)).then_some(
+            active.permittivity_f_m + coefficient * coefficient * known.youngs_modulus_pa,
+        )
     }
 }
