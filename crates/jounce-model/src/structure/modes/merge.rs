@@ -96,7 +96,7 @@ pub(in crate::structure) fn merged(parts: &[Modes]) -> (ModeOrder, Modes) {
                 patch
                     .strain
                     .iter()
-                    .map(|place| place.mapped(&spread))
+                    .map(|place| place.mapped(spread))
                     .collect(),
             );
             (
