@@ -85,11 +85,13 @@ class PatchKeys(TypedDict, total=False):
     foil_thickness: Quantity
     foil_youngs_modulus: Quantity
     foil_density: Quantity
+    foil_poisson_ratio: float
     youngs_modulus: Quantity
     density: Quantity
     d31: Quantity
     d33: Quantity
     electrode_spacing: Quantity
+    d32: Quantity
     capacitance: Quantity
     permittivity: Quantity
     electrodes: Literal["circuit", "open"]
@@ -97,6 +99,8 @@ class PatchKeys(TypedDict, total=False):
     strain_limit: float | str
     across_start: Quantity
     poisson_ratio: float
+    transverse_youngs_modulus: Quantity
+    shear_modulus: Quantity
 
 
 class LayerKeys(TypedDict, total=False):

@@ -1,7 +1,7 @@
 //! Strain and voltage of the patches in a run, compared with their limits.
 //!
-//! The strain of the outer face is `sum_i strain_i q_i` at several positions of each patch. Strain
-//! and voltage are sampled over the recorded end of the run.
+//! The strain of the outer face is taken at several positions of each patch. Strain and voltage are
+//! sampled over the recorded end of the run.
 
 use jounce_dynamics::{Kernel, Trajectory};
 use jounce_model::plant::Plant;
@@ -17,7 +17,7 @@ const RECORD_SAMPLES: usize = 2048;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum LimitedQuantity {
-    /// Strain along the beam, dimensionless.
+    /// Strain along the beam or the fibres, or larger principal strain on a plate, dimensionless.
     Strain,
     /// Voltage, V.
     Voltage,
@@ -226,13 +226,10 @@ impl PatchLimits {
     /// Returns the limits of the patch with the values of the states that exceed them most.
     fn reached(&self, plant: &Plant, states: &[Vec<f64>]) -> Vec<ExceededLimit> {
         let strained = self.strain.and_then(|limit| {
-            let strain = |x: &Vec<f64>, shape: &Vec<f64>| {
-                shape.iter().zip(x).map(|(s, q)| s * q).sum::<f64>()
-            };
-            let shapes = &plant.system.modes.patch[&self.name].strain;
+            let places = &plant.system.modes.patch[&self.name].strain;
             let strains = states
                 .iter()
-                .flat_map(|x| shapes.iter().map(move |shape| strain(x, shape)));
+                .flat_map(|x| places.iter().map(move |place| place.at(x)));
             extreme(
                 &self.name,
                 LimitedQuantity::Strain,

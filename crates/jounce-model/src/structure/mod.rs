@@ -29,7 +29,7 @@ mod plate;
 pub use beam::section;
 pub use error::StructureError;
 pub use modes::along::BeamShape;
-pub use modes::{Modes, PatchModes};
+pub use modes::{Modes, PatchModes, PlaceStrain};
 
 use assembly::refinement::{refined, relative_change};
 use assembly::solution::{StructureSolution, Structures};

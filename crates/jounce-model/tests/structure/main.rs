@@ -1,10 +1,12 @@
 //! Modes of beams and masses against closed forms, published numbers, and a second method.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
+mod composites;
 mod exact;
 mod faults;
 mod laminates;
 mod layers;
+mod narrow_plates;
 mod paper;
 mod participation;
 mod plates;

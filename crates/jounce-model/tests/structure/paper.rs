@@ -64,6 +64,7 @@ pub fn paper_patch(section: Section) -> Patch {
         pores: Default::default(),
         foils: Default::default(),
         on_plate: Default::default(),
+        across: Default::default(),
     }
 }
 

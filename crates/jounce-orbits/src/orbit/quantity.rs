@@ -43,12 +43,11 @@ impl OrbitQuantity {
             Self::MeanPower => f64::NAN,
             Self::Voltage(patch) => plant.patch_voltages_v(state)[patch].abs(),
             Self::Strain(patch) => {
-                let dot = |shape: &Vec<f64>| shape.iter().zip(state).map(|(s, q)| s * q).sum();
                 let patch = plant.system.modes.patch.values().nth(patch);
-                let shapes = patch.map_or(&[][..], |patch| &patch.strain);
-                shapes
+                let places = patch.map_or(&[][..], |patch| &patch.strain);
+                places
                     .iter()
-                    .map(|shape| f64::abs(dot(shape)))
+                    .map(|place| place.at(state).abs())
                     .fold(0.0, f64::max)
             }
             Self::ContactForce(stop) => at.forces_n[stop],

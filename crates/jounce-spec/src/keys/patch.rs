@@ -2,7 +2,9 @@
 
 use crate::key::{Key, Kind, Range, Slot};
 use crate::material;
-use crate::{Electrodes, Face, OnPlate, Patch, PatchFoils, PatchPores, Quantity, Section};
+use crate::{
+    AcrossFibres, Electrodes, Face, OnPlate, Patch, PatchFoils, PatchPores, Quantity, Section,
+};
 
 use super::plate::POISSON;
 use super::{electrodes, pores};
@@ -33,6 +35,7 @@ pub(super) fn blank() -> Patch {
         pores: PatchPores::default(),
         foils: PatchFoils::default(),
         on_plate: OnPlate::default(),
+        across: AcrossFibres::default(),
     }
 }
 
@@ -164,10 +167,18 @@ pub(super) static KEYS: &[Key<Patch>] = &[
     )
     .within(Range::POSITIVE)
     .optional(),
+    Key::with_slot(
+        "foil_poisson_ratio",
+        Kind::Number,
+        "Poisson's ratio of the foils on a plate; 0.34 (Kapton) if omitted; not used on a beam",
+        Slot::Optional { get: |p: &Patch| p.foils.poisson_ratio, set: |p, x| p.foils.poisson_ratio = Some(x) },
+    )
+    .within(POISSON)
+    .optional(),
     Key::quantity(
         "youngs_modulus",
         Quantity::Pressure,
-        "Young's modulus at short circuit",
+        "Young's modulus at short circuit; of a fibre composite along the fibres, which lie along the beam or along x of the plate",
         |p: &Patch| p.youngs_modulus_pa,
         |p, x| p.youngs_modulus_pa = x,
     )
@@ -195,7 +206,7 @@ pub(super) static KEYS: &[Key<Patch>] = &[
     Key::with_slot(
         "d33",
         Kind::Quantity(Quantity::ChargePerForce),
-        "piezoelectric charge coefficient with its sign, for a field along the beam (interdigitated electrodes)",
+        "piezoelectric charge coefficient with its sign, for a field along the beam or along x of the plate (interdigitated electrodes)",
         Slot::Optional { get: |p: &Patch| p.d33_m_per_v, set: |p, x| (p.d33_m_per_v, p.d31_m_per_v) = (Some(x), None) },
     )
     .one_of(COEFFICIENT)
@@ -203,10 +214,17 @@ pub(super) static KEYS: &[Key<Patch>] = &[
     Key::with_slot(
         "electrode_spacing",
         Kind::Quantity(Quantity::Length),
-        "distance between electrodes along the beam; with `d33`",
+        "distance between electrodes along the beam or along x of the plate; with `d33`",
         Slot::Optional { get: |p: &Patch| p.electrode_spacing_m, set: |p, x| p.electrode_spacing_m = Some(x) },
     )
     .within(Range::POSITIVE)
+    .optional(),
+    Key::with_slot(
+        "d32",
+        Kind::Quantity(Quantity::ChargePerForce),
+        "strain along y of the plate per field, with its sign; a fibre composite on a plate needs it, `d31` if omitted for a ceramic; not used on a beam",
+        Slot::Optional { get: |p: &Patch| p.across.d32_m_per_v, set: |p, x| p.across.d32_m_per_v = Some(x) },
+    )
     .optional(),
     Key::with_slot(
         "capacitance",
@@ -245,7 +263,7 @@ pub(super) static KEYS: &[Key<Patch>] = &[
     Key::with_slot(
         "strain_limit",
         Kind::NumberOr(Quantity::Strain),
-        "strain limit in the plane of the patch; runs and orbits warn if the strain exceeds it",
+        "limit of the strain along the beam or the fibres, of a ceramic on a plate that of the larger principal strain; runs and orbits warn if it is exceeded",
         Slot::Optional { get: |p: &Patch| p.strain_limit, set: |p, x| p.strain_limit = Some(x) },
     )
     .within(Range::POSITIVE)
@@ -261,10 +279,26 @@ pub(super) static KEYS: &[Key<Patch>] = &[
     Key::with_slot(
         "poisson_ratio",
         Kind::Number,
-        "Poisson's ratio in the plane of the plate at short circuit; that of the material if omitted; not used on a beam",
+        "Poisson's ratio in the plane of the plate at short circuit, of a fibre composite that of a stress along the fibres; that of the material if omitted; not used on a beam",
         Slot::Optional { get: |p: &Patch| p.on_plate.poisson_ratio, set: |p, x| p.on_plate.poisson_ratio = Some(x) },
     )
     .within(POISSON)
+    .optional(),
+    Key::with_slot(
+        "transverse_youngs_modulus",
+        Kind::Quantity(Quantity::Pressure),
+        "Young's modulus along y of the plate at short circuit; that of the material if omitted, `youngs_modulus` for a ceramic; not used on a beam",
+        Slot::Optional { get: |p: &Patch| p.across.youngs_modulus_pa, set: |p, x| p.across.youngs_modulus_pa = Some(x) },
+    )
+    .within(Range::POSITIVE)
+    .optional(),
+    Key::with_slot(
+        "shear_modulus",
+        Kind::Quantity(Quantity::Pressure),
+        "shear modulus in the plane of the plate; that of the material if omitted, of an isotropic ceramic `youngs_modulus / (2 + 2 poisson_ratio)`; not used on a beam",
+        Slot::Optional { get: |p: &Patch| p.across.shear_modulus_pa, set: |p, x| p.across.shear_modulus_pa = Some(x) },
+    )
+    .within(Range::POSITIVE)
     .optional(),
 ];
 

@@ -55,6 +55,12 @@ impl Electroelastic {
         }
     }
 
+    /// Returns Poisson's ratio at short circuit in the plane across the poling axis, `-s12 / s11`.
+    pub fn in_plane_poisson_ratio(&self) -> f64 {
+        let compliance = self.compliance();
+        -compliance[(0, 1)] / compliance[(0, 0)]
+    }
+
     /// Returns `d31` and `d33`, m/V, and the permittivity at constant stress along the poling axis,
     /// F/m: `d = e S`, `kappa_T = kappa + d e^T`.
     pub fn free(&self) -> [f64; 3] {

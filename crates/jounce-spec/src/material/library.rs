@@ -1,6 +1,6 @@
 //! Material data: one entry for each material, with its source.
 
-use super::{Active, Ceramic, Material};
+use super::{Across, Active, Ceramic, Material};
 
 /// Names of the patch materials in a spec.
 pub const PIEZOELECTRIC: &[&str] = &["PZT-5A", "PZT-5H", "PSI-5A4E", "PVDF", "MFC-P1", "MFC-P2"];
@@ -15,8 +15,18 @@ pub const CONTACT: &[&str] = &["aluminium", "steel", "brass", "bronze"];
 /// thickness.
 const MFC_THICKNESS_M: f64 = 0.3e-3;
 
-const MFC_SOURCE: &str = "Smart Material Corp., MFC engineering properties (E1, d31 and d33 at low field, capacitance per area, voltage range, \
+/// `E2`, `G12` of a Macro Fiber Composite (MFC engineering properties); the table gives no
+/// coefficient across the fibres.
+const MFC_ACROSS: Across = Across {
+    youngs_modulus_pa: 15.857e9,
+    shear_modulus_pa: 5.515e9,
+};
+
+const MFC_SOURCE: &str = "Smart Material Corp., MFC engineering properties (E1, E2, G12, nu12, d31 and d33 at low field, capacitance per area, voltage range, \
      600 ppm recommended for harvesting); constants are those of the whole 0.3 mm; electrode spacing 0.5 mm: Bilgen et al. (2010)";
+
+/// Fibre composites with their constants across the fibres.
+pub(super) const ACROSS: &[(&str, Across)] = &[("MFC-P1", MFC_ACROSS), ("MFC-P2", MFC_ACROSS)];
 
 /// All materials.
 pub const LIBRARY: &[Material] = &[
@@ -81,7 +91,7 @@ pub const LIBRARY: &[Material] = &[
             charge_coefficient_m_per_v: 400e-12,
             permittivity_f_m: 0.30e-5 * MFC_THICKNESS_M,
             electrode_spacing_m: Some(0.5e-3),
-            in_plane_poisson_ratio: None,
+            in_plane_poisson_ratio: Some(0.31),
         }),
         source: MFC_SOURCE,
     },
@@ -97,7 +107,7 @@ pub const LIBRARY: &[Material] = &[
             charge_coefficient_m_per_v: -170e-12,
             permittivity_f_m: 7.8e-5 * MFC_THICKNESS_M,
             electrode_spacing_m: None,
-            in_plane_poisson_ratio: None,
+            in_plane_poisson_ratio: Some(0.31),
         }),
         source: MFC_SOURCE,
     },

@@ -54,9 +54,18 @@ pub struct Active {
     pub permittivity_f_m: f64,
     /// Distance between interdigitated electrodes, m; `None` for electrodes on the two faces.
     pub electrode_spacing_m: Option<f64>,
-    /// Poisson's ratio in the plane of the electrodes at short circuit, `-s12E / s11E`, for plates;
+    /// Poisson's ratio in the plane of the patch at short circuit, `-s12E / s11E`, for plates;
     /// `None` where it is not known.
     pub in_plane_poisson_ratio: Option<f64>,
+}
+
+/// Constants of a fibre composite across its fibres.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Across {
+    /// Young's modulus `E2` at short circuit, Pa.
+    pub youngs_modulus_pa: f64,
+    /// Shear modulus `G12` in the plane, Pa.
+    pub shear_modulus_pa: f64,
 }
 
 /// Piezoelectric ceramic or film with electrodes on its two faces.
@@ -91,6 +100,12 @@ impl Ceramic {
 /// Returns the material with a name.
 pub fn named(name: &str) -> Option<&'static Material> {
     LIBRARY.iter().find(|material| material.name == name)
+}
+
+/// Returns the constants of a library composite across its fibres; `None` for any other material.
+pub fn across_fibres(name: &str) -> Option<Across> {
+    let known = library::ACROSS.iter().find(|(known, _)| *known == name);
+    known.map(|(_, across)| *across)
 }
 
 /// Returns all electroelastic constants of a library material, if known; they are the basis of a

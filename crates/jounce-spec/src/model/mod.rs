@@ -7,6 +7,7 @@ mod damping;
 mod device;
 mod drive;
 mod gravity;
+mod lamina;
 mod layer;
 mod mass;
 mod modal;
@@ -25,10 +26,14 @@ pub use damping::Damping;
 pub use device::Device;
 pub use drive::{Drive, DriveKind, DriveSignal, FrequencySweep, GROUND};
 pub use gravity::Gravity;
+pub use lamina::Lamina;
 pub use layer::Layer;
 pub use mass::Mass;
 pub use modal::{Modal, ModalPatch};
-pub use patch::{Composite, Electrodes, Face, Patch, PatchFoils, PatchPores, PoreShape, Section};
+pub(crate) use patch::FIBRE_COMPOSITE_PREFIX;
+pub use patch::{
+    AcrossFibres, Composite, Electrodes, Face, Patch, PatchFoils, PatchPores, PoreShape, Section,
+};
 pub use plate::{Edge, OnPlate, Plate, PlateArea, PlatePoint};
 pub use reduction::Reduction;
 pub use regulator::{CHIP_LIBRARY, CHIPS, Chip, Regulator};

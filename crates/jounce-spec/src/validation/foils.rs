@@ -2,10 +2,8 @@
 
 use super::ValidationFaults;
 use crate::Spec;
+use crate::model::FIBRE_COMPOSITE_PREFIX;
 use crate::nearest::clip;
-
-/// Library materials whose constants are those of the composite with its foils.
-const FOIL_COMPOSITE_PREFIX: &str = "MFC-";
 
 pub(super) fn check(spec: &Spec, faults: &mut ValidationFaults) {
     for (name, patch) in &spec.patch {
@@ -14,6 +12,7 @@ pub(super) fn check(spec: &Spec, faults: &mut ValidationFaults) {
             let inputs = [
                 ("foil_youngs_modulus", foils.youngs_modulus_pa),
                 ("foil_density", foils.density_kg_m3),
+                ("foil_poisson_ratio", foils.poisson_ratio),
             ];
             for (key, _) in inputs.into_iter().filter(|(_, value)| value.is_some()) {
                 faults.push(
@@ -21,7 +20,7 @@ pub(super) fn check(spec: &Spec, faults: &mut ValidationFaults) {
                     || "has no effect without `foil_thickness`; give both, or omit both".to_owned(),
                 );
             }
-        } else if patch.material.starts_with(FOIL_COMPOSITE_PREFIX) {
+        } else if patch.material.starts_with(FIBRE_COMPOSITE_PREFIX) {
             let text = || {
                 format!(
                     "does not apply to material \"{}\", whose library constants include the foils; give the constants of the active layer instead of `material`, or omit the foils",

@@ -9,9 +9,6 @@ use crate::material;
 use crate::nearest::clip;
 use crate::{Face, GROUND, Layer, Patch, Plate, PlateArea, Section, Spec};
 
-/// Library materials that are fibre composites.
-const FIBRE_COMPOSITE_PREFIX: &str = "MFC-";
-
 /// A layer or a patch of a plate.
 struct Cover {
     key: String,
@@ -127,23 +124,60 @@ fn check_layer(key: &str, layer: &Layer, faults: &mut ValidationFaults) {
 
 fn check_patch(key: &str, patch: &Patch, faults: &mut ValidationFaults) {
     check_section(key, patch.section, faults);
-    let is_composite = patch.material.starts_with(FIBRE_COMPOSITE_PREFIX)
-        || patch.d33_m_per_v.is_some()
-        || patch.foils.thickness_m.is_some();
-    if is_composite {
-        let text = || {
-            "a fibre composite is not isotropic in its plane, so a plate cannot carry it; give a ceramic with `d31`, or use a [beam.NAME]".to_owned()
-        };
-        faults.push(|| key.to_owned(), text);
+    // A missing material, modulus or porous composite has its own fault.
+    if patch.youngs_modulus_pa.is_nan() || patch.pores.porosity.is_some() {
         return;
     }
-    if patch.pores.porosity.is_some() {
-        let text = || {
-            "does not apply on a plate, because Poisson's ratio of the porous ceramic is not computed; give the constants of the patch".to_owned()
+    let constants = [
+        ("poisson_ratio", patch.poisson_ratio()),
+        ("transverse_youngs_modulus", patch.transverse_modulus_pa()),
+        ("shear_modulus", patch.shear_modulus_pa()),
+        ("d32", patch.transverse_coefficient_m_per_v()),
+    ];
+    let is_ceramic = !patch.is_fibre_composite();
+    // Of a ceramic, `d32` follows from `d31`, which has its own fault.
+    let missing: Vec<String> = constants
+        .iter()
+        .filter(|(name, value)| value.is_none() && !(is_ceramic && *name == "d32"))
+        .map(|(name, _)| format!("`{name}`"))
+        .collect();
+    if is_ceramic && patch.across.youngs_modulus_pa.is_none() {
+        check_poisson_ratio(key, patch.youngs_modulus_pa, patch.poisson_ratio(), faults);
+    } else if !missing.is_empty() {
+        let kind = if is_ceramic {
+            "a patch with `transverse_youngs_modulus`"
+        } else {
+            "a fibre composite on a plate"
         };
-        faults.push(|| format!("{key}.porosity"), text);
+        let [verb, object] = if missing.len() == 1 {
+            ["is", "it"]
+        } else {
+            ["are", "them"]
+        };
+        let text = || {
+            format!(
+                "{} {verb} missing; {kind} has other constants across x than along x, and no library material supplies {object}; take {object} from the data sheet or from a homogenisation of the composite",
+                missing.join(", ")
+            )
+        };
+        faults.push(|| key.to_owned(), text);
     }
-    check_poisson_ratio(key, patch.youngs_modulus_pa, patch.poisson_ratio(), faults);
+    check_contraction(key, patch, faults);
+}
+
+/// A lamina is stable where `nu12 nu21 < 1`.
+fn check_contraction(key: &str, patch: &Patch, faults: &mut ValidationFaults) {
+    let lamina = patch.lamina();
+    if lamina.contraction_product() >= 1.0 {
+        let most = (lamina.youngs_modulus_pa[0] / lamina.youngs_modulus_pa[1]).sqrt();
+        let text = || {
+            format!(
+                "is {}; it must be below {most:.4}, the square root of youngs_modulus / transverse_youngs_modulus, or the layer is unstable",
+                lamina.poisson_ratio
+            )
+        };
+        faults.push(|| format!("{key}.poisson_ratio"), text);
+    }
 }
 
 fn check_section(key: &str, section: Section, faults: &mut ValidationFaults) {

@@ -70,6 +70,13 @@ fn check_composite(name: &str, patch: &Patch, porosity: f64, faults: &mut Valida
                 .is_some_and(|d31| d31 != composite.d31_m_per_v),
         ),
         ("d33", patch.d33_m_per_v.is_some()),
+        ("d32", patch.across.d32_m_per_v.is_some()),
+        ("poisson_ratio", patch.on_plate.poisson_ratio.is_some()),
+        (
+            "transverse_youngs_modulus",
+            patch.across.youngs_modulus_pa.is_some(),
+        ),
+        ("shear_modulus", patch.across.shear_modulus_pa.is_some()),
         ("capacitance", patch.capacitance_f.is_some()),
         (
             "permittivity",

@@ -136,7 +136,49 @@ const BAD_INPUT: &[BadInput] = &[
             CERAMIC,
             "material = \"MFC-P2\"\nstart = \"5 mm\"\nlength = \"40 mm\"",
         )],
-        "a fibre composite is not isotropic in its plane",
+        "patch.cell: `d32` is missing; a fibre composite on a plate has other constants across x than along x",
+    ),
+    (
+        &[(
+            CERAMIC,
+            "material = \"PZT-5A\"\nd33 = \"374 pC/N\"\nelectrode_spacing = \"1 mm\"\nstart = \"5 mm\"\nlength = \"40 mm\"",
+        )],
+        "patch.cell: `poisson_ratio`, `transverse_youngs_modulus`, `shear_modulus`, `d32` are missing; a fibre composite",
+    ),
+    (
+        &[(
+            CERAMIC,
+            "material = \"PZT-5A\"\ntransverse_youngs_modulus = \"40 GPa\"\nstart = \"5 mm\"\nlength = \"40 mm\"",
+        )],
+        "patch.cell: `shear_modulus` is missing; a patch with `transverse_youngs_modulus`",
+    ),
+    (
+        &[(
+            CERAMIC,
+            "material = \"MFC-P2\"\nd32 = \"-100 pC/N\"\npoisson_ratio = 0.4\ntransverse_youngs_modulus = \"200 GPa\"\nstart = \"5 mm\"\nlength = \"40 mm\"",
+        )],
+        "patch.cell.poisson_ratio is 0.4; it must be below 0.3895, the square root of youngs_modulus / transverse_youngs_modulus",
+    ),
+    (
+        &[(
+            CERAMIC,
+            "material = \"PZT-5A\"\nshear_modulus = \"0 Pa\"\nstart = \"5 mm\"\nlength = \"40 mm\"",
+        )],
+        "patch.cell.shear_modulus",
+    ),
+    (
+        &[(
+            CERAMIC,
+            "material = \"PZT-5A\"\nd32 = \"1 mm\"\nstart = \"5 mm\"\nlength = \"40 mm\"",
+        )],
+        "patch.cell.d32",
+    ),
+    (
+        &[(
+            CERAMIC,
+            "material = \"PZT-5A\"\nfoil_poisson_ratio = 0.3\nstart = \"5 mm\"\nlength = \"40 mm\"",
+        )],
+        "patch.cell.foil_poisson_ratio has no effect without `foil_thickness`",
     ),
     (
         &[(
@@ -159,9 +201,16 @@ const BAD_INPUT: &[BadInput] = &[
     (
         &[(
             "material = \"PZT-5A\"",
-            "material = \"PZT-5A\"\nporosity = 0.2",
+            "material = \"PZT-5A\"\nporosity = 0.2\npoisson_ratio = 0.3",
         )],
-        "patch.cell.porosity",
+        "patch.cell.poisson_ratio does not apply with `porosity`, which sets all constants",
+    ),
+    (
+        &[(
+            "material = \"PZT-5A\"",
+            "material = \"PZT-5A\"\nporosity = 0.2\nd32 = \"-100 pC/N\"",
+        )],
+        "patch.cell.d32 does not apply with `porosity`",
     ),
     (
         &[("material = \"aluminium\"", "material = \"silicon\"")],
@@ -214,6 +263,73 @@ fn bad_input_names_the_place_and_the_remedy() {
     for (changes, expected) in BAD_INPUT {
         let faults = faults_of(changes);
         assert!(faults.contains(expected), "{changes:?}: {faults:?}");
+    }
+}
+
+fn cell_of(changes: &[(&str, &str)]) -> jounce_spec::Patch {
+    let mut text = PLATE.to_owned();
+    for (from, to) in changes {
+        text = text.replacen(from, to, 1);
+    }
+    let spec = Spec::from_toml(&text).unwrap();
+    assert_eq!(Spec::from_toml(&spec.to_toml()).unwrap(), spec);
+    spec.patch["cell"].clone()
+}
+
+/// Smart Material Corp.: E1 30.336 GPa, E2 15.857 GPa, G12 5.515 GPa, nu12 0.31, and nu21 0.16.
+#[test]
+fn a_library_composite_needs_only_its_transverse_coefficient() {
+    for (material, d32) in [("MFC-P2", -100e-12), ("MFC-P1", -170e-12)] {
+        let of = format!("material = \"{material}\"\nd32 = \"{} pC/N\"", d32 * 1e12);
+        let cell = cell_of(&[("material = \"PZT-5A\"", &of)]);
+        let lamina = cell.lamina();
+        assert_eq!(lamina.youngs_modulus_pa, [30.336e9, 15.857e9]);
+        assert_eq!(
+            (lamina.poisson_ratio, lamina.shear_modulus_pa),
+            (0.31, 5.515e9)
+        );
+        let published = lamina.contraction_product() / 0.31;
+        assert!((published - 0.16).abs() < 0.005, "{published}");
+        assert_eq!(cell.transverse_coefficient_m_per_v(), Some(d32));
+        // The data sheet states a capacitance per area.
+        let capacitance_f = cell.clamped_capacitance_f();
+        assert_eq!(cell.clamped_in_plane_capacitance_f(), capacitance_f);
+    }
+}
+
+/// Plane stress leaves out the strain along the poling axis: `Q11 = c11 - c13^2 / c33`, `Q12 = c12 -
+/// c13^2 / c33`, `e31 - c13 e33 / c33`, `kappa33 + e33^2 / c33`, with no inverse of the stiffness.
+#[test]
+fn a_porous_ceramic_has_the_constants_of_plane_stress() {
+    use jounce_spec::material::porous::{PZT_5A, PoreGeometry, PorosityScheme};
+    // Foils leave the ceramic between them isotropic.
+    for (porosity, foils) in [(0.0, ""), (0.3, ""), (0.3, "foil_thickness = \"60 um\"")] {
+        let of = format!("material = \"PZT-5A\"\nporosity = {porosity}\n{foils}");
+        let cell = cell_of(&[("material = \"PZT-5A\"", &of)]);
+        let spheres = PoreGeometry::Spheroids(1.0);
+        let all = PZT_5A.porous(porosity, spheres, PorosityScheme::MoriTanaka);
+        let c = all.unwrap();
+        let lost_pa = c.c13_pa * c.c13_pa / c.c33_pa;
+        let charge = c.e31_c_m2 - c.c13_pa * c.e33_c_m2 / c.c33_pa;
+        let permittivity = c.permittivity_33_f_m + c.e33_c_m2 * c.e33_c_m2 / c.c33_pa;
+        let [q11, q12, q22] = cell.lamina().normal_stiffness_pa();
+        let [along, across] = cell.blocked_force_n_m_v();
+        let area_per_m = cell.width_m * cell.length_m / cell.thickness_m;
+        for (found, expected) in [
+            (q11, c.c11_pa - lost_pa),
+            (q12, c.c12_pa - lost_pa),
+            (q22, c.c11_pa - lost_pa),
+            (cell.lamina().shear_modulus_pa, (c.c11_pa - c.c12_pa) / 2.0),
+            (along, charge),
+            (across, charge),
+            (
+                cell.clamped_in_plane_capacitance_f(),
+                permittivity * area_per_m,
+            ),
+        ] {
+            let error = found / expected - 1.0;
+            assert!(error.abs() < 1e-10, "{porosity}: {found:e} {expected:e}");
+        }
     }
 }
 

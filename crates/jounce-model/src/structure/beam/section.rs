@@ -206,6 +206,7 @@ pub(in crate::structure) mod tests {
             pores: Default::default(),
             foils: Default::default(),
             on_plate: Default::default(),
+            across: Default::default(),
         }
     }
 

@@ -7,7 +7,7 @@ use crate::structure::assembly::{Assembly, Row};
 use crate::structure::beam::layout::{PatchedSegment, patched_segments};
 use crate::structure::beam::section::{outer_lever_m, patch_moment_n_m_per_v};
 use crate::structure::error::StructureError;
-use crate::structure::modes::{Modes, PatchModes};
+use crate::structure::modes::{Modes, PatchModes, PlaceStrain};
 use jounce_spec::{GROUND, Patch, Spec};
 
 /// Number of pieces into which each segment of a patch is divided to find its largest strain.
@@ -59,7 +59,11 @@ pub(in crate::structure) fn assembled_modes(
                 coupling_n_per_v: modal(&rows.coupling),
                 capacitance_f: rows.patch.clamped_capacitance_f(),
                 leakage_ohm: rows.patch.leakage_ohm,
-                strain: rows.strain.iter().map(modal).collect(),
+                strain: rows
+                    .strain
+                    .iter()
+                    .map(|row| PlaceStrain::Along(modal(row)))
+                    .collect(),
             };
             modes.patch.insert(rows.name.to_owned(), patch);
         }

@@ -93,7 +93,11 @@ pub(in crate::structure) fn merged(parts: &[Modes]) -> (ModeOrder, Modes) {
         modes.patch.extend(part.patch.iter().map(|(name, patch)| {
             let (coupling_n_per_v, strain) = (
                 spread(&patch.coupling_n_per_v),
-                patch.strain.iter().map(spread).collect(),
+                patch
+                    .strain
+                    .iter()
+                    .map(|place| place.mapped(spread))
+                    .collect(),
             );
             (
                 name.clone(),

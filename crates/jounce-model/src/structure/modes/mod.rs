@@ -19,7 +19,10 @@ pub(super) mod along;
 pub(super) mod assembled;
 pub(super) mod damping;
 pub(super) mod merge;
+mod strain;
 pub(super) mod user;
+
+pub use strain::PlaceStrain;
 
 use jounce_spec::GROUND;
 use std::collections::BTreeMap;
@@ -58,9 +61,8 @@ pub struct PatchModes {
     pub capacitance_f: f64,
     /// Leakage resistance across the capacitance, ohm; `None` without leakage.
     pub leakage_ohm: Option<f64>,
-    /// Strain of the outer face along the beam at several places of the patch, per unit modal
-    /// coordinate (kg^-1/2): one list of modes per place. Empty for modes defined in the spec.
-    pub strain: Vec<Vec<f64>>,
+    /// Strain of the outer face at several places of the patch. Empty for modes defined in the spec.
+    pub strain: Vec<PlaceStrain>,
 }
 
 impl Modes {
@@ -95,7 +97,8 @@ impl Modes {
     /// Returns the first `count` modes.
     pub(super) fn first(mut self, count: usize) -> Self {
         let patch_lists = self.patch.values_mut().flat_map(|patch| {
-            std::iter::once(&mut patch.coupling_n_per_v).chain(patch.strain.iter_mut())
+            let strain = patch.strain.iter_mut().flat_map(PlaceStrain::rows_mut);
+            std::iter::once(&mut patch.coupling_n_per_v).chain(strain)
         });
         let named = self
             .shape

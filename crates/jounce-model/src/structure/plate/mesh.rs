@@ -134,7 +134,7 @@ impl<'l, 'a> PlateMesh<'l, 'a> {
         [x, y]: [&ElementIntegrals; 2],
         [stiffness, mass]: &mut [Vec<Entry>; 2],
     ) {
-        let [d11, d12, d66] = laminate.stiffness_n_m();
+        let bending = laminate.stiffness_n_m;
         let columns = self.y.functions;
         let (in_x, in_y) = (retained(self.x.index(i)), retained(self.y.index(j)));
         let pairs = |of: &[(usize, usize)]| -> Vec<_> {
@@ -151,9 +151,11 @@ impl<'l, 'a> PlateMesh<'l, 'a> {
                 let (ab, cd) = ((a, b), (c, d));
                 let mixed = x.curvature_value[ab] * y.curvature_value[(d, c)]
                     + x.curvature_value[(b, a)] * y.curvature_value[cd];
-                let equal = x.curvatures[ab] * y.values[cd] + x.values[ab] * y.curvatures[cd];
-                let twist = 4.0 * x.slopes[ab] * y.slopes[cd];
-                stiffness.push((row, column, d11 * equal + d12 * mixed + d66 * twist));
+                let along_x = bending.xx * x.curvatures[ab] * y.values[cd];
+                let along_y = bending.yy * x.values[ab] * y.curvatures[cd];
+                let twist = 4.0 * bending.shear * x.slopes[ab] * y.slopes[cd];
+                let energy = along_x + along_y + bending.xy * mixed + twist;
+                stiffness.push((row, column, energy));
                 let value = laminate.mass_kg_m2 * x.values[ab] * y.values[cd];
                 mass.push((row, column, value));
             }

@@ -1,13 +1,13 @@
 //! Modes of rectangular thin plates by finite elements.
 //!
 //! ```text
-//! U = 1/2 int D11 (w_xx^2 + w_yy^2) + 2 D12 w_xx w_yy + 4 D66 w_xy^2 dA     strain energy, J
+//! U = 1/2 int D11 w_xx^2 + D22 w_yy^2 + 2 D12 w_xx w_yy + 4 D66 w_xy^2 dA   strain energy, J
 //! T = 1/2 int m w_t^2 dA + 1/2 sum_j m_j w_t(x_j)^2                         kinetic energy, J
-//! chi = int gamma (w_xx + w_yy) dA,   gamma = e31bar (z_p - zbar)           coupling of a patch, N/V
+//! chi = int gamma_x w_xx + gamma_y w_yy dA                                  coupling of a patch, N/V
 //! ```
 //!
-//! with the laminate stiffnesses `D11`, `D12`, `D66` (N m) and the mass per area `m` (kg/m^2) of
-//! each cell (`laminate`). The displacement `w` (m) is a tensor product of piecewise polynomials
+//! with the laminate stiffnesses `D11`, `D12`, `D22`, `D66` (N m), the mass per area `m` (kg/m^2) and
+//! the moments `gamma` of a patch per volt and length (N/V) of each cell (`laminate`). The displacement `w` (m) is a tensor product of piecewise polynomials
 //! with continuous slope in each direction (`line`). Cubic polynomials give the element of Bogner,
 //! Fox and Schmit with 16 degrees of freedom; higher ones add internal functions. Element matrices
 //! are Kronecker products of integrals along the two directions. Grid lines pass through all edges
@@ -23,6 +23,7 @@ mod layout;
 mod line;
 mod mesh;
 mod modal;
+mod ply;
 mod refinement;
 
 pub(super) use modal::plate_modes;

@@ -5,7 +5,7 @@ use super::mesh::{PlateMesh, ProductRow};
 use super::refinement::refined;
 use crate::structure::PlatePlaces;
 use crate::structure::error::StructureError;
-use crate::structure::modes::{Modes, PatchModes};
+use crate::structure::modes::{Modes, PatchModes, PlaceStrain};
 use jounce_linalg::Mat;
 use jounce_sparse::{SparseError, lowest_modes};
 use jounce_spec::{GROUND, Plate, PlatePoint, Spec};
@@ -201,23 +201,26 @@ impl MeshModes {
                 continue;
             }
             let moment_n_v = laminate.patch_moment_n_v(plate, patch);
-            for curvature in [[2, 0], [0, 2]] {
+            for (curvature, moment_n_v) in [[2, 0], [0, 2]].into_iter().zip(moment_n_v) {
                 mesh.integral([i, j], curvature)
                     .add_to(&mut coupling, moment_n_v);
             }
             for place in strain_places(mesh.x.ends_m(i), mesh.y.ends_m(j)) {
-                let curvature = [[2, 0], [0, 2]].map(|order| self.modal(&mesh.row(place, order)));
-                let strains: Vec<[f64; 2]> = curvature[0]
-                    .iter()
-                    .zip(&curvature[1])
-                    .map(|(x, y)| laminate.outer_strain(plate, patch, [*x, *y]))
+                let curvatures =
+                    [[2, 0], [0, 2], [1, 1]].map(|order| self.modal(&mesh.row(place, order)));
+                let strains: Vec<[f64; 3]> = (0..self.frequency_rad_s.len())
+                    .map(|mode| {
+                        let curvature = [0, 1, 2].map(|k| curvatures[k][mode]);
+                        laminate.outer_strain(plate, patch, curvature)
+                    })
                     .collect();
-                strain.extend([0, 1].map(|axis| {
-                    strains
-                        .iter()
-                        .map(|strain| strain[axis])
-                        .collect::<Vec<_>>()
-                }));
+                let rows = [0, 1, 2].map(|axis| strains.iter().map(|of| of[axis]).collect());
+                strain.push(if patch.is_fibre_composite() {
+                    let [along, ..] = rows;
+                    PlaceStrain::Along(along)
+                } else {
+                    PlaceStrain::InPlane(rows)
+                });
             }
         }
         PatchModes {

@@ -4,6 +4,8 @@
 const KAPTON_PA: f64 = 2.5e9;
 /// Kapton HN, kg/m^3: the same data sheet.
 const KAPTON_KG_M3: f64 = 1420.0;
+/// Poisson's ratio of Kapton: DuPont, Kapton, table of physical properties (mean of three samples).
+const KAPTON_POISSON_RATIO: f64 = 0.34;
 
 /// The two foils that enclose the active layer of a Macro Fiber Composite, with their electrodes.
 ///
@@ -21,6 +23,8 @@ pub struct PatchFoils {
     pub youngs_modulus_pa: Option<f64>,
     /// `foil_density`, kg/m^3; `None`: that of Kapton.
     pub density_kg_m3: Option<f64>,
+    /// `foil_poisson_ratio`, for a patch on a plate; `None`: that of Kapton.
+    pub poisson_ratio: Option<f64>,
 }
 
 impl PatchFoils {
@@ -37,5 +41,10 @@ impl PatchFoils {
     /// Returns the density, kg/m^3.
     pub fn mass_per_volume_kg_m3(&self) -> f64 {
         self.density_kg_m3.unwrap_or(KAPTON_KG_M3)
+    }
+
+    /// Returns Poisson's ratio.
+    pub fn contraction(&self) -> f64 {
+        self.poisson_ratio.unwrap_or(KAPTON_POISSON_RATIO)
     }
 }

@@ -1,15 +1,20 @@
 //! `[patch.NAME]`
 
+mod across;
 mod electrodes;
 mod foils;
+mod in_plane;
 mod pores;
 
 use super::OnPlate;
-use crate::material;
 
+pub use across::AcrossFibres;
 pub use electrodes::Electrodes;
 pub use foils::PatchFoils;
 pub use pores::{Composite, PatchPores, PoreShape};
+
+/// Start of the names of the library materials that are fibre composites with their foils.
+pub(crate) const FIBRE_COMPOSITE_PREFIX: &str = "MFC-";
 
 /// A piezoelectric patch bonded to one face of a beam or a plate.
 #[derive(Debug, Clone, PartialEq)]
@@ -48,17 +53,20 @@ pub struct Patch {
     pub leakage_ohm: Option<f64>,
     /// `electrodes`; by default a circuit names the patch.
     pub electrodes: Electrodes,
-    /// `strain_limit`: largest allowed strain along the beam, dimensionless.
+    /// `strain_limit`: largest allowed strain, dimensionless: along a beam or the fibres, else the
+    /// larger principal strain in the plane of a plate.
     pub strain_limit: Option<f64>,
     /// `section`; default `laminate`.
     pub section: Section,
     /// `porosity`, `pore_shape`, `pore_aspect_ratio`, `porosity_scheme`: the pores of the material.
     pub pores: PatchPores,
-    /// `foil_thickness`, `foil_youngs_modulus`, `foil_density`: foils that enclose the active
-    /// layer.
+    /// `foil_thickness`, `foil_youngs_modulus`, `foil_density`, `foil_poisson_ratio`: foils that
+    /// enclose the active layer.
     pub foils: PatchFoils,
     /// `across_start` and `poisson_ratio`: for a patch on a plate.
     pub on_plate: OnPlate,
+    /// `transverse_youngs_modulus`, `shear_modulus`, `d32`: for a patch on a plate.
+    pub across: AcrossFibres,
 }
 
 impl Patch {
@@ -74,17 +82,6 @@ impl Patch {
             .unwrap_or(f64::NAN)
     }
 
-    /// Returns Poisson's ratio in the plane of the electrodes: as given, or that of the material;
-    /// `None` if neither is known.
-    pub fn poisson_ratio(&self) -> Option<f64> {
-        let of_material = || {
-            material::named(&self.material)?
-                .active?
-                .in_plane_poisson_ratio
-        };
-        self.on_plate.poisson_ratio.or_else(of_material)
-    }
-
     /// Returns the thickness with the foils, m.
     pub fn total_thickness_m(&self) -> f64 {
         self.thickness_m + 2.0 * self.foils.each_m()
@@ -98,25 +95,6 @@ impl Patch {
                 .map(|permittivity| permittivity * self.width_m * self.length_m / self.thickness_m)
         };
         self.capacitance_f.or_else(plate).unwrap_or(f64::NAN)
-    }
-
-    /// Returns the capacitance at constant strain in both directions of its plane, F: on a plate.
-    ///
-    /// The library gives the permittivity at constant strain along a beam, `eps33T - d31^2 / s11E`. In
-    /// the plane of a plate it is `eps33T - 2 d31^2 E_p / (1 - nu_p)`. A given value is used as it is.
-    pub fn clamped_in_plane_capacitance_f(&self) -> f64 {
-        let library = material::named(&self.material)
-            .and_then(|known| Some((known.youngs_modulus_pa, known.active?)))
-            .filter(|(_, active)| Some(active.permittivity_f_m) == self.permittivity_f_m);
-        let (Some((modulus_pa, active)), None) = (library, self.capacitance_f) else {
-            return self.clamped_capacitance_f();
-        };
-        let at_constant_stress =
-            active.permittivity_f_m + active.charge_coefficient_m_per_v.powi(2) * modulus_pa;
-        let (d31, poisson_ratio) = (self.d31_m_per_v, self.poisson_ratio());
-        let softened = 2.0 * d31.unwrap_or(f64::NAN).powi(2) * self.youngs_modulus_pa
-            / (1.0 - poisson_ratio.unwrap_or(f64::NAN));
-        (at_constant_stress - softened) * self.width_m * self.length_m / self.thickness_m
     }
 }
 

@@ -1,7 +1,7 @@
 //! `[patch.NAME]`: pores of the material.
 
-use crate::material;
 use crate::material::porous::{PoreGeometry, PorosityScheme};
+use crate::material::{self, VACUUM_PERMITTIVITY_F_M};
 
 /// Porosity of a patch and the related keys.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -22,14 +22,18 @@ pub struct PatchPores {
 /// Constants of a porous patch.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Composite {
-    /// Young's modulus at short circuit along the beam, Pa.
+    /// Young's modulus at short circuit in the plane of the patch, Pa.
     pub youngs_modulus_pa: f64,
+    /// Poisson's ratio at short circuit in the plane of the patch, `-s12E / s11E`.
+    pub poisson_ratio: f64,
     /// Density, kg/m^3.
     pub density_kg_m3: f64,
     /// `d31`, m/V.
     pub d31_m_per_v: f64,
-    /// Permittivity at constant strain of the layer as a plate capacitor, F/m.
+    /// Permittivity at constant strain along a beam, of the layer as a plate capacitor, F/m.
     pub permittivity_f_m: f64,
+    /// Permittivity at constant stress, F/m.
+    pub free_permittivity_f_m: f64,
 }
 
 /// Shape of pores aligned with the poling direction.
@@ -55,12 +59,15 @@ impl PatchPores {
             PoreShape::Spheroids => PoreGeometry::Spheroids(self.aspect_ratio?),
             PoreShape::Cylinders => PoreGeometry::Cylinders,
         };
-        let ceramic = dense.porous(porosity, pores, self.scheme)?.ceramic();
+        let porous = dense.porous(porosity, pores, self.scheme)?;
+        let ceramic = porous.ceramic();
         Some(Composite {
             youngs_modulus_pa: ceramic.youngs_modulus_pa(),
+            poisson_ratio: porous.in_plane_poisson_ratio(),
             density_kg_m3: (1.0 - porosity) * material.density_kg_m3,
             d31_m_per_v: ceramic.d31_m_per_v,
             permittivity_f_m: ceramic.clamped_permittivity_f_m(),
+            free_permittivity_f_m: ceramic.relative_permittivity * VACUUM_PERMITTIVITY_F_M,
         })
     }
 }

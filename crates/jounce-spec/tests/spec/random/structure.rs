@@ -125,6 +125,7 @@ pub fn patch(beam: (String, Beam)) -> impl Strategy<Value = Patch> {
                     ..PatchFoils::default()
                 },
                 on_plate: Default::default(),
+                across: Default::default(),
             },
         )
 }
