@@ -166,9 +166,16 @@ fn files_without_a_force_table_are_reported() {
     );
 }
 
+fn check_faults(cases: &[(&str, &str)]) {
+    for (keys, message) in cases {
+        let found = Spec::from_toml(&text(keys)).unwrap_err().to_string();
+        assert!(found.contains(message), "{keys}\n{found}");
+    }
+}
+
 #[test]
-fn invalid_tables_are_reported() {
-    for (keys, message) in [
+fn invalid_lists_are_reported() {
+    check_faults(&[
         (
             "",
             "one of `penetration_m` or `penetration` or `file` is missing",
@@ -195,6 +202,20 @@ fn invalid_tables_are_reported() {
             "number 1 is -1 um; it must be at least 0",
         ),
         ("penetration_m = [1e-5]\nforce_n = []", "the list is empty"),
+        (
+            "penetration_m = [\"1 mm\"]\nforce_n = [2]",
+            "expected a plain number",
+        ),
+        (
+            "penetration_m = [1e-5]\nforce_n = [2]\nstiffness = \"1 N/m\"",
+            "stiffness does not apply with law = \"table\"",
+        ),
+    ]);
+}
+
+#[test]
+fn invalid_points_are_reported() {
+    check_faults(&[
         (
             "penetration_m = [1e-5]\nforce_n = [1, 2]",
             "stop.s.force_n has 2 numbers, but penetration_m has 1",
@@ -227,18 +248,7 @@ fn invalid_tables_are_reported() {
             "penetration_m = [1e-5]\nforce_n = [-2]",
             "must be at least 0",
         ),
-        (
-            "penetration_m = [\"1 mm\"]\nforce_n = [2]",
-            "expected a plain number",
-        ),
-        (
-            "penetration_m = [1e-5]\nforce_n = [2]\nstiffness = \"1 N/m\"",
-            "stiffness does not apply with law = \"table\"",
-        ),
-    ] {
-        let found = Spec::from_toml(&text(keys)).unwrap_err().to_string();
-        assert!(found.contains(message), "{keys}\n{found}");
-    }
+    ]);
 }
 
 #[test]
