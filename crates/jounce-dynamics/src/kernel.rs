@@ -7,6 +7,9 @@ use crate::excitation::tables::ExcitationTables;
 use crate::flow::Flow;
 use crate::flow::layout::StateLayout;
 use crate::force_response::basis::BasisFunctions;
+use crate::ports::per_port::PerPort;
+use crate::ports::phasor::Phasor;
+use crate::ports::state::PortRows;
 use crate::ports::vectors::PortVectors;
 use crate::tables::step_tables::{StepTables, levels};
 use jounce_control::Control;
@@ -44,6 +47,8 @@ pub struct Kernel {
     meters: OnceLock<Meters>,
     /// Rows and flows under the signals, computed at the first use.
     excitation: OnceLock<Arc<ExcitationTables>>,
+    /// Rows of each port, and one where there is no port, computed at the first use.
+    rows: OnceLock<PerPort<Arc<PortRows>>>,
     /// Layout of the state in SIMD vectors.
     pub(super) layout: StateLayout,
     /// `A` in SIMD vectors.
@@ -98,6 +103,7 @@ impl Kernel {
             quadratics,
             meters: OnceLock::from(meters),
             excitation: OnceLock::new(),
+            rows: OnceLock::new(),
             plant,
         })
     }
@@ -132,6 +138,7 @@ impl Kernel {
             quadratics: Arc::clone(&self.quadratics),
             meters: OnceLock::new(),
             excitation: OnceLock::new(),
+            rows: OnceLock::new(),
             state_kernels: empty_kernels(&plant),
             kin: Arc::clone(&self.kin),
             plant,
@@ -176,6 +183,7 @@ impl Kernel {
             quadratics: Arc::clone(&self.quadratics),
             meters,
             excitation: OnceLock::new(),
+            rows: OnceLock::new(),
             onset: if fit {
                 Arc::clone(&self.onset)
             } else {
@@ -197,6 +205,17 @@ impl Kernel {
     pub fn meters(&self) -> &Meters {
         self.meters
             .get_or_init(|| Meters::under(&self.quadratics, &self.plant))
+    }
+
+    /// Returns the rows of each port.
+    pub(crate) fn port_rows(&self) -> &PerPort<Arc<PortRows>> {
+        self.rows.get_or_init(|| {
+            let plant = &self.plant;
+            let tones = (0..plant.tones.len()).map(|index| Phasor::new(plant, index, 0.0));
+            let tones: Vec<Phasor> = tones.collect();
+            let rows = |port| Arc::new(PortRows::new(plant, &self.layout, &tones, port));
+            PerPort::new(plant.ports.len(), rows)
+        })
     }
 
     /// Returns the rows and flows under the signals.

@@ -66,7 +66,7 @@ impl<'k> Integrator<'k> {
     {
         let kernel: &'k Kernel = self.kernel;
         let basis = kernel.basis(port, shape);
-        let (mut drive, mut drive_rate) = (w.splat(-self.ports[port].rows.gap_m), w.zero());
+        let (mut drive, mut drive_rate) = (w.splat(-self.ports[port].gap_m), w.zero());
         for tone in &mut self.tones {
             let frequency = tone.angular_frequency_rad_s;
             let z = tone.displacement_m[port] * tone.turn;

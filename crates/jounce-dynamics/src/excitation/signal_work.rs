@@ -192,25 +192,25 @@ impl SignalWork {
         self.nodes.clear();
     }
 
-    /// Returns the integrals up to a time, and for each meter with a quadratic form the work of the
-    /// contact forces on the forced motion of signals, J. The state has its forced part.
-    pub fn until(
-        &self,
+    /// Ends at a time, and returns the integrals up to it, and for each meter with a quadratic form
+    /// the work of the contact forces on the forced motion of signals, J. The state has its forced
+    /// part. The sums are empty afterwards.
+    pub fn end(
+        &mut self,
         kernel: &Kernel,
         sizes: &[SignalSample],
         state: &[F64x8],
         time_s: f64,
     ) -> (SignalIntegrals, Vec<f64>) {
-        let mut closed = self.clone();
         if !sizes.is_empty() {
-            closed.close(Portable::new(), sizes, state, time_s, None);
+            self.close(Portable::new(), sizes, state, time_s, None);
         }
-        let states = closed.states.iter().map(|sum| kernel.layout.unpack(sum));
+        let states = self.states.iter().map(|sum| kernel.layout.unpack(sum));
         let integrals = SignalIntegrals {
             states: states.collect(),
-            tones: closed.tones,
+            tones: std::mem::take(&mut self.tones),
         };
-        (integrals, closed.works_j)
+        (integrals, std::mem::take(&mut self.works_j))
     }
 }
 

@@ -11,7 +11,7 @@ use crate::flow::state::{dot, dot_abs};
 use crate::integrator::Integrator;
 use crate::kernel::Kernel;
 use crate::ports::phasor::Phasor;
-use crate::ports::state::ContactState;
+use crate::ports::state::{ContactState, PortState};
 use crate::tables::step_size::LEVELS_PER_OCTAVE;
 use certificate::FlightStep;
 use crossing::Crossing;
@@ -127,9 +127,9 @@ impl Integrator<'_> {
             let [displacement, speed] = tone.motion_after(0, turn);
             drive = [drive[0] + displacement, drive[1] + speed];
         }
-        let rows = &self.ports[0].rows;
+        let PortState { rows, gap_m, .. } = &self.ports[0];
         let motion = [
-            dot(w, &rows.displacement, &self.next) + drive[0] - rows.gap_m,
+            dot(w, &rows.displacement, &self.next) + drive[0] - gap_m,
             dot(w, &rows.velocity, &self.next) + drive[1],
         ];
         let step = self.step_of(w, 0, level, Kernel::length_s(level), motion, drive);
@@ -196,10 +196,10 @@ impl Integrator<'_> {
         };
         if let Some(fast) = &flight.fast {
             let [displacement, speed] = self.drive(p);
-            let slow = dot(w, &fast.slow_displacement, &self.y) + displacement - port.rows.gap_m;
+            let slow = dot(w, &fast.slow_displacement, &self.y) + displacement - port.gap_m;
             step.distance_m = [
                 slow,
-                dot(w, &fast.slow_displacement, &self.next) + drive[0] - port.rows.gap_m,
+                dot(w, &fast.slow_displacement, &self.next) + drive[0] - port.gap_m,
             ];
             step.speed_m_s = [
                 dot(w, &fast.slow_velocity, &self.y) + speed,

@@ -71,8 +71,8 @@ impl Integrator<'_> {
     /// Returns the size of the motion, to which the uncertainty of the certificate is relative.
     fn scale_m(&self, p: usize, displacement_m: f64) -> f64 {
         let port = &self.ports[p];
-        let gap = if port.rows.gap_m.is_finite() {
-            port.rows.gap_m.abs()
+        let gap = if port.gap_m.is_finite() {
+            port.gap_m.abs()
         } else {
             0.0
         };

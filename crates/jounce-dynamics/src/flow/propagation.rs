@@ -3,6 +3,7 @@
 use super::state::dot;
 use crate::flow::MAX_SERIES_ARGUMENT;
 use crate::integrator::Integrator;
+use crate::ports::state::PortState;
 use jounce_linalg::c64;
 use jounce_simd::Simd;
 
@@ -18,9 +19,9 @@ impl Integrator<'_> {
     /// Returns penetration and rate of a port, m and m/s.
     #[inline(always)]
     pub(crate) fn reading<W: Simd>(&self, w: W, p: usize) -> [f64; 2] {
-        let rows = &self.ports[p].rows;
+        let PortState { rows, gap_m, .. } = &self.ports[p];
         let mut motion = [
-            dot(w, &rows.displacement, &self.y) - rows.gap_m,
+            dot(w, &rows.displacement, &self.y) - gap_m,
             dot(w, &rows.velocity, &self.y),
         ];
         let [displacement, speed] = self.excitation.motion_after(p, 0.0);
@@ -72,9 +73,9 @@ impl Integrator<'_> {
     /// Returns penetration and rate of a port in `next`, `length_s` after the current time.
     #[inline(always)]
     pub(crate) fn motion_after<W: Simd>(&self, w: W, p: usize, length_s: f64) -> [f64; 2] {
-        let rows = &self.ports[p].rows;
+        let PortState { rows, gap_m, .. } = &self.ports[p];
         let mut motion = [
-            dot(w, &rows.displacement, &self.next) - rows.gap_m,
+            dot(w, &rows.displacement, &self.next) - gap_m,
             dot(w, &rows.velocity, &self.next),
         ];
         let [displacement, speed] = self.excitation.motion_after(p, length_s);

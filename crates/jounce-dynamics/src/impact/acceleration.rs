@@ -4,6 +4,7 @@ use crate::flow::state::dot;
 use crate::integrator::Integrator;
 use crate::kernel::Kernel;
 use crate::ports::phasor::Phasor;
+use crate::ports::state::PortState;
 use jounce_linalg::c64;
 use jounce_simd::{F64x8, Portable};
 
@@ -98,12 +99,12 @@ impl Integrator<'_> {
 
     /// Returns the roundoff of the distance of a port from its stop, m.
     pub(crate) fn distance_roundoff_m(&self, p: usize) -> f64 {
-        let rows = &self.ports[p].rows;
+        let PortState { rows, gap_m, .. } = &self.ports[p];
         f64::EPSILON
             * self
                 .terms_of(&rows.displacement)
                 .max(rows.tone_scale_m)
-                .max(rows.gap_m.abs())
+                .max(gap_m.abs())
     }
 
     /// Returns the sum of the magnitudes of the terms of the velocity of a port, m/s.

@@ -75,9 +75,7 @@ impl<'k> Integrator<'k> {
             next: vec![F64x8::ZERO; layout.lanes()],
             from_start: vec![F64x8::ZERO; layout.lanes()],
             odd_tables: OddTables::default(),
-            ports: PerPort::new(count, |port| {
-                PortState::new(plant, &layout, &tones, port, contact_level)
-            }),
+            ports: PerPort::new(count, |port| PortState::new(kernel, port, contact_level)),
             flight_level: start,
             flight_s: f64::INFINITY,
             release_error_factor: RELEASE_ERROR_FACTOR,
@@ -99,7 +97,7 @@ impl<'k> Integrator<'k> {
 
     /// Returns distance (m) and speed (m/s) of a port within which it starts from rest.
     fn start_roundoffs(&self, p: usize) -> [f64; 2] {
-        let by_gap_m = POSITION_ROUNDOFF * self.ports[p].rows.gap_m.abs();
+        let by_gap_m = POSITION_ROUNDOFF * self.ports[p].gap_m.abs();
         let by_terms_m = RESOLVED_ROUNDOFFS * self.distance_roundoff_m(p);
         let by_terms_m_s = RESOLVED_ROUNDOFFS * f64::EPSILON * self.velocity_terms_m_s(p);
         [

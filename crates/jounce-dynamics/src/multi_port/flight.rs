@@ -7,6 +7,7 @@ use crate::flight::verdict::{FlightVerdict, RESOLVED_UNCERTAINTY, by_interpolant
 use crate::flow::state::{dot, dot_of_magnitudes};
 use crate::integrator::Integrator;
 use crate::kernel::Kernel;
+use crate::ports::state::PortState;
 use crate::tables::step_size::LEVELS_PER_OCTAVE;
 use jounce_simd::Simd;
 
@@ -143,9 +144,9 @@ impl Integrator<'_> {
             } else {
                 self.drive_after_level(p, level)
             };
-            let rows = &self.ports[p].rows;
+            let PortState { rows, gap_m, .. } = &self.ports[p];
             let motion = [
-                dot(w, &rows.displacement, &self.next) + drive[0] - rows.gap_m,
+                dot(w, &rows.displacement, &self.next) + drive[0] - gap_m,
                 dot(w, &rows.velocity, &self.next) + drive[1],
             ];
             self.ports[p].motion_at_end = motion;

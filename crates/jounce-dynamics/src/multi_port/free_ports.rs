@@ -10,7 +10,7 @@ use crate::flow::state::{add_force_response, dot};
 use crate::force_response::basis::NODES;
 use crate::integrator::Integrator;
 use crate::ports::small_list::SmallList;
-use crate::ports::state::ContactState;
+use crate::ports::state::{ContactState, PortState};
 use crate::tables::joint::StepLength;
 use jounce_simd::{F64x8, Simd};
 
@@ -77,9 +77,9 @@ impl Integrator<'_> {
         let forced = w.store(forced).0;
         let [rest_m, rest_m_s] = rest_bounds(w, &flights, forces);
         let drive = self.drive_at_end(p, steps[0].port, length);
-        let rows = &self.ports[p].rows;
+        let PortState { rows, gap_m, .. } = &self.ports[p];
         let free = [
-            dot(w, &rows.displacement, &self.next) + drive[0] - rows.gap_m,
+            dot(w, &rows.displacement, &self.next) + drive[0] - gap_m,
             dot(w, &rows.velocity, &self.next) + drive[1],
         ];
         let mut step = self.step_of(w, p, length.level, length.seconds(), free, drive);
@@ -122,10 +122,8 @@ impl Integrator<'_> {
         for (step, solution) in joint.steps.iter().zip(solved) {
             self.push_on(w, step, &nodal(&solution.force));
         }
-        let (rows, drive) = (
-            &self.ports[p].rows,
-            self.drive_at_end(p, joint.steps[0].port, joint.tables.length),
-        );
+        let drive = self.drive_at_end(p, joint.steps[0].port, joint.tables.length);
+        let PortState { rows, gap_m, .. } = &self.ports[p];
         let immediate: f64 = joint
             .steps
             .iter()
@@ -133,7 +131,7 @@ impl Integrator<'_> {
             .map(|(step, solution)| self.kernel.direct_gain(step.port, p) * solution.force.0[NODES])
             .sum();
         [
-            dot(w, &rows.displacement, &self.next) + drive[0] - rows.gap_m,
+            dot(w, &rows.displacement, &self.next) + drive[0] - gap_m,
             dot(w, &rows.velocity, &self.next) + drive[1] + immediate,
         ]
     }

@@ -2,11 +2,13 @@
 
 use super::phasor::Phasor;
 use crate::flow::layout::StateLayout;
+use crate::kernel::Kernel;
 use crate::multi_port::{Clearance, SpeedBound};
 use crate::record::statistics::ContactStatistics;
 use jounce_model::contact::Law;
 use jounce_model::plant::Plant;
 use jounce_simd::F64x8;
+use std::sync::Arc;
 
 /// Contact state of a port.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -44,8 +46,10 @@ pub struct PortState {
     pub contact_duration_s: f64,
     /// Bounds on the motion since the last update.
     pub clearance: Clearance,
+    /// Gap, m; infinite without a stop.
+    pub gap_m: f64,
     /// Rows of the port.
-    pub rows: PortRows,
+    pub rows: Arc<PortRows>,
     /// Statistics since the last reset.
     pub statistics: ContactStatistics,
 }
@@ -57,8 +61,6 @@ pub struct PortRows {
     pub displacement: Vec<F64x8>,
     /// Velocity towards the stop.
     pub velocity: Vec<F64x8>,
-    /// Gap, m; infinite without a stop.
-    pub gap_m: f64,
     /// Velocity lost per unit impulse, 1/kg.
     pub mobility_per_kg: f64,
     /// `sum |S| w^4` over tones: contribution of the drive to the flight bound.
@@ -71,14 +73,9 @@ pub struct PortRows {
 
 impl PortState {
     /// Creates a port in flight that is not yet updated; contacts start at a level.
-    pub fn new(
-        plant: &Plant,
-        layout: &StateLayout,
-        tones: &[Phasor],
-        port: usize,
-        entry_level: i32,
-    ) -> Self {
+    pub fn new(kernel: &Kernel, port: usize, entry_level: i32) -> Self {
         Self {
+            gap_m: (kernel.plant.ports.get(port)).map_or(f64::INFINITY, |port| port.gap_m),
             penetration_m: 0.0,
             rate_m_s: 0.0,
             contact_state: ContactState::Flight,
@@ -91,7 +88,7 @@ impl PortState {
             entered_s: f64::NEG_INFINITY,
             contact_duration_s: 0.0,
             clearance: Clearance::default(),
-            rows: PortRows::new(plant, layout, tones, port),
+            rows: Arc::clone(&kernel.port_rows()[port]),
             statistics: ContactStatistics::default(),
         }
     }
@@ -152,14 +149,14 @@ impl PortState {
 }
 
 impl PortRows {
-    fn new(plant: &Plant, layout: &StateLayout, tones: &[Phasor], index: usize) -> Self {
+    /// Returns the rows of a port, or those of none.
+    pub fn new(plant: &Plant, layout: &StateLayout, tones: &[Phasor], index: usize) -> Self {
         let none = vec![0.0; plant.len()];
         let port = plant.ports.get(index);
         let size = |tone: &Phasor| tone.displacement_m[index].norm();
         Self {
             displacement: layout.pack(port.map_or(&none, |port| &port.displacement)),
             velocity: layout.pack(port.map_or(&none, |port| &port.velocity)),
-            gap_m: port.map_or(f64::INFINITY, |port| port.gap_m),
             mobility_per_kg: port.map_or(1.0, |port| port.mobility_per_kg),
             tone_fourth: tones
                 .iter()

@@ -1,6 +1,7 @@
 //! Energy balance of an integration, from exact integrals (see
 //! [`jounce_model::plant::EnergyMeter`]).
 
+use crate::excitation::Excitation;
 use crate::integrator::Integrator;
 use crate::ports::state::ContactState;
 use crate::rectifier::energies::RectifiedEnergies;
@@ -99,7 +100,7 @@ impl Integrator<'_> {
     pub fn energies(&self) -> Energies {
         let system = &self.kernel.plant.system;
         if !system.bridges.is_empty() {
-            return self.energies_of_all(&self.physical());
+            return self.energies_of_all(&self.physical(), &self.signal_integrals());
         }
         let mut energies = self.energies_in_conduction_state(&self.signal_integrals());
         energies.leaks_j = energies.loads_j.split_off(system.loads.len());
@@ -164,12 +165,18 @@ impl Integrator<'_> {
     /// Returns the integrals of the signals since the start of the current conduction state, and the
     /// work of the contact forces on their forced motion (see [`crate::excitation::signal_work`]).
     pub(crate) fn signal_integrals(&self) -> (SignalIntegrals, Vec<f64>) {
-        self.excitation.signal_work.until(
-            self.kernel,
-            &self.excitation.sizes,
-            &self.excitation.full_lanes(&self.y),
-            self.time_s,
-        )
+        let excitation = &self.excitation;
+        let (sizes, state) = (&excitation.sizes, excitation.full_lanes(&self.y));
+        (excitation.signal_work.clone()).end(self.kernel, sizes, &state, self.time_s)
+    }
+
+    /// Returns the same at the end of a conduction state, whose sums are not needed any more.
+    pub(crate) fn end_signals(&mut self) -> (SignalIntegrals, Vec<f64>) {
+        let state = self.excitation.full_lanes(&self.y);
+        let Excitation {
+            sizes, signal_work, ..
+        } = &mut self.excitation;
+        signal_work.end(self.kernel, sizes, &state, self.time_s)
     }
 
     pub(crate) fn readings(&self) -> MeterReadings {

@@ -235,8 +235,8 @@ impl Integrator<'_> {
         for p in self.limit_ports(bridge) {
             let gap_v = plant.band_gap(&plant.guards[p - plant.system.stops.len()], &band);
             let port = &mut self.ports[p];
-            port.penetration_m += port.rows.gap_m - gap_v;
-            port.rows.gap_m = gap_v;
+            port.penetration_m += port.gap_m - gap_v;
+            port.gap_m = gap_v;
         }
     }
 

@@ -17,7 +17,9 @@ use crate::integrator::Integrator;
 use crate::ports::state::{ContactState, PortState};
 use crate::record::energies::Energies;
 use crate::record::trajectory::ConductionChange;
-use jounce_model::plant::{BridgeChange, BridgeNodes, BridgeState, Conduction, EnergyOutlet};
+use jounce_model::plant::{
+    BridgeChange, BridgeNodes, BridgeState, Conduction, EnergyOutlet, SignalIntegrals,
+};
 
 /// Largest number of changes of bridges at one instant. A switch may close many times there: where
 /// the voltage that it inverts holds the current at zero from either side, it closes until too
@@ -219,7 +221,7 @@ impl Integrator<'_> {
     /// Moves the threshold of an event by its roundoff.
     pub(super) fn shift_threshold(&mut self, p: usize, x: &[f64]) {
         let roundoff = self.roundoff(p, x);
-        self.ports[p].rows.gap_m += roundoff;
+        self.ports[p].gap_m += roundoff;
         self.ports[p].penetration_m -= roundoff;
     }
 
@@ -254,6 +256,7 @@ impl Integrator<'_> {
             };
             next.ports[p] = PortState {
                 rows: updated.rows,
+                gap_m: updated.gap_m,
                 penetration_m,
                 rate_m_s,
                 ..self.ports[p].clone()
@@ -276,15 +279,20 @@ impl Integrator<'_> {
 
     /// Adds the conduction state that ends to the previous energies.
     fn close_conduction_state(&mut self, x: &[f64]) {
-        let all = self.energies_of_all(x);
+        let integrals = self.end_signals();
+        let all = self.energies_of_all(x, &integrals);
         self.switching.earlier = all;
         self.open_regulations();
     }
 
-    /// Returns the energies since the start of the integration, at the physical state `x`.
-    pub(crate) fn energies_of_all(&self, x: &[f64]) -> Energies {
-        let integrals = self.signal_integrals();
-        let energies = self.energies_in_conduction_state(&integrals);
+    /// Returns the energies since the start of the integration, at the physical state `x`, with the
+    /// integrals of the signals since the last change.
+    pub(crate) fn energies_of_all(
+        &self,
+        x: &[f64],
+        integrals: &(SignalIntegrals, Vec<f64>),
+    ) -> Energies {
+        let energies = self.energies_in_conduction_state(integrals);
         let plant = &self.kernel.plant;
         let drawn_c = self.drawn_c();
         let mut all = self.switching.earlier.clone();
