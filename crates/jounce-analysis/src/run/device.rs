@@ -37,6 +37,42 @@ pub struct DeviceResult {
     pub margin_w: f64,
 }
 
+/// Operation of several devices: each measure is that of the device for which it is worst.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WorstOperation {
+    /// Share of the time on, 0 to 1.
+    pub on_fraction: f64,
+    /// Time to the first start, s; infinite where a device never starts.
+    pub cold_start_s: f64,
+    /// Longest time off, s.
+    pub longest_outage_s: f64,
+    /// Available minus needed power, W.
+    pub margin_w: f64,
+}
+
+impl WorstOperation {
+    /// Returns the worst of several devices over a run; `None` without a device.
+    pub fn of(devices: &[DeviceResult]) -> Option<Self> {
+        let each = |device: &DeviceResult| Self {
+            on_fraction: device.on_fraction,
+            cold_start_s: device.cold_start_s.unwrap_or(f64::INFINITY),
+            longest_outage_s: device.longest_outage_s,
+            margin_w: device.margin_w,
+        };
+        devices.iter().map(each).reduce(Self::and)
+    }
+
+    /// Returns the worse value of each measure.
+    pub(crate) fn and(self, other: Self) -> Self {
+        Self {
+            on_fraction: self.on_fraction.min(other.on_fraction),
+            cold_start_s: self.cold_start_s.max(other.cold_start_s),
+            longest_outage_s: self.longest_outage_s.max(other.longest_outage_s),
+            margin_w: self.margin_w.min(other.margin_w),
+        }
+    }
+}
+
 /// Returns the operation of every device from its statistics over the averaging window.
 pub(super) fn devices(
     plant: &Plant,

@@ -15,7 +15,7 @@ mod voltage_peak;
 mod warning;
 
 pub use charge::{ChargeResult, charges};
-pub use device::DeviceResult;
+pub use device::{DeviceResult, WorstOperation};
 pub use error::RunError;
 pub(crate) use error::check_outside;
 pub use limits::{ExceededLimit, LimitedQuantity, Limits, WorstExcess, exceeded};

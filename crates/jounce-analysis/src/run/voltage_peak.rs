@@ -204,7 +204,7 @@ impl RecordWindow {
         };
         let mut peaks: Vec<Peaks> = rows
             .iter()
-            .map(|row| Peaks::from((self.begin_s, size_v(row, self.begin_s))))
+            .map(|row| Peaks::starting_at((self.begin_s, size_v(row, self.begin_s))))
             .collect();
         let mut known: Vec<(&Kernel, Vec<VoltageRow>)> = Vec::new();
         trajectory.walk(
@@ -234,7 +234,7 @@ impl RecordWindow {
 
 /// Highest samples `(time, value)` of a series.
 struct Peaks {
-    /// First sample.
+    /// Value of the first sample.
     first: f64,
     /// Last sample, and the one before it.
     last: (f64, f64),
@@ -244,7 +244,7 @@ struct Peaks {
 }
 
 impl Peaks {
-    fn from(first: (f64, f64)) -> Self {
+    fn starting_at(first: (f64, f64)) -> Self {
         Self {
             first: first.1,
             last: first,

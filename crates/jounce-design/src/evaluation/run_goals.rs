@@ -1,7 +1,7 @@
 //! Goals of a run, under noise or a recording: mean power, and the operation of a device.
 
 use crate::problem::{Goal, Problem};
-use jounce_analysis::run::{RunPlan, RunResult, simulate};
+use jounce_analysis::run::{RunPlan, RunResult, WorstOperation, simulate};
 use jounce_analysis::{AnalysisError, Model};
 use jounce_dynamics::Kernel;
 use jounce_orbits::OrbitQuantity;
@@ -35,10 +35,13 @@ pub(super) fn run(
 /// Returns a goal of a run. A periodic drive whose motion has not settled gives no power.
 pub(super) fn value(goal: Goal, result: &RunResult) -> f64 {
     let is_transient = result.settlement.is_some_and(|found| !found.settled);
-    let devices = result.devices.iter();
+    // A problem with these goals has a device.
+    let of_devices = |measure: fn(WorstOperation) -> f64| {
+        WorstOperation::of(&result.devices).map_or(f64::NAN, measure)
+    };
     match goal {
-        Goal::TimeOn => devices.fold(1.0, |least, device| least.min(device.on_fraction)),
-        Goal::PowerMargin => devices.fold(f64::INFINITY, |least, one| least.min(one.margin_w)),
+        Goal::TimeOn => of_devices(|worst| worst.on_fraction),
+        Goal::PowerMargin => of_devices(|worst| worst.margin_w),
         _ if is_transient => 0.0,
         _ => result.mean_power_w,
     }

@@ -170,8 +170,8 @@ impl Integrator<'_> {
         (excitation.signal_work.clone()).end(self.kernel, sizes, &state, self.time_s)
     }
 
-    /// Returns the same at the end of a conduction state, whose sums are not needed any more.
-    pub(crate) fn end_signals(&mut self) -> (SignalIntegrals, Vec<f64>) {
+    /// Returns these integrals at the end of a conduction state, and empties the sums.
+    pub(crate) fn take_signal_integrals(&mut self) -> (SignalIntegrals, Vec<f64>) {
         let state = self.excitation.full_lanes(&self.y);
         let Excitation {
             sizes, signal_work, ..

@@ -279,7 +279,7 @@ impl Integrator<'_> {
 
     /// Adds the conduction state that ends to the previous energies.
     fn close_conduction_state(&mut self, x: &[f64]) {
-        let integrals = self.end_signals();
+        let integrals = self.take_signal_integrals();
         let all = self.energies_of_all(x, &integrals);
         self.switching.earlier = all;
         self.open_regulations();

@@ -25,7 +25,7 @@ pub enum ContactError {
         "no contact law fits this pulse: the fit does not converge; is the pulse a single hit?"
     )]
     NoFit,
-    /// Mass and speed do not go with the impulse.
+    /// Mass and speed do not match the impulse.
     #[error(
         "the impulse of {impulse_n_s:.4e} N s is not 1 to 2 times the momentum of the hammer, {momentum_n_s:.4e} N s; correct its mass, its speed or the scale of the force"
     )]

@@ -10,8 +10,8 @@
 //! `(d, F)` are the table. Where noise lets the force fall, the points are joined to their mean
 //! (pool adjacent violators), so that the force ascends.
 //!
-//! Limits: the table holds all force during loading, that of damping too, and the work of the
-//! loading, `m v^2 / 2`. Dissipation is not part of it. An error `e` of the start of the pulse shifts
+//! Limits: the table includes the force of damping, and its work is `m v^2 / 2`. It does not describe
+//! the unloading, and so no dissipation. An error `e` of the start of the pulse shifts
 //! the penetrations by `v e`.
 //!
 //! Source: W. Goldsmith, Impact (1960), chapter 4 (equation of motion); R. Barlow et al.,
@@ -52,7 +52,7 @@ struct Pool {
 ///
 /// # Errors
 /// [`ContactError::Mass`] for a mass that is not positive; [`ContactError::Momentum`] for a mass and
-/// a speed that do not go with the impulse; [`ContactError::NoLoading`] for a force that does not
+/// a speed that do not match the impulse; [`ContactError::NoLoading`] for a force that does not
 /// ascend.
 pub fn loading_curve(
     force: &Samples<'_>,
@@ -234,12 +234,6 @@ mod tests {
                 // The last point lies at most one group of samples before the greatest depth.
                 let rest = (deepest - last) * STIFFNESS * deepest.powf(1.5);
                 let energy = 0.5 * MASS_KG * SPEED_M_S * SPEED_M_S;
-                eprintln!(
-                    "{rate_hz:e} Hz, {} points: error {error:.2e}, depth {:.2e}, work {:.2e}",
-                    curve.force_n.len(),
-                    last / deepest - 1.0,
-                    (work + rest) / energy - 1.0
-                );
                 assert!(error < bound, "{error:e}");
                 assert!((last / deepest - 1.0).abs() < 0.02);
                 assert!(((work + rest) / energy - 1.0).abs() < 0.02);
@@ -259,7 +253,6 @@ mod tests {
         assert!(curve.penetration_m[0] > 0.0 && curve.force_n[0] > 0.0);
         assert!(curve.force_n.len() > 20);
         let error = error(&curve);
-        eprintln!("{} points: error {error:.2e}", curve.force_n.len());
         assert!(error < 0.02, "{error:e}");
     }
 

@@ -71,7 +71,7 @@ impl Names {
     /// Reads the table of a file, with indices counted from 1.
     ///
     /// # Errors
-    /// Every wrong line, and names that stand twice.
+    /// Every wrong line, and names given twice.
     pub fn read(text: &str, file: &str) -> Result<Self, ExchangeFaults> {
         Self::read_with(text, file, |_, index| {
             let number: Option<usize> = index.parse().ok().filter(|index| *index > 0);
@@ -83,7 +83,7 @@ impl Names {
     /// Reads the table of a file, with an index in its own notation for each kind.
     ///
     /// # Errors
-    /// Every wrong line, and names that stand twice.
+    /// Every wrong line, and names given twice.
     pub fn read_with(
         text: &str,
         file: &str,

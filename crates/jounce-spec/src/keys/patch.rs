@@ -222,7 +222,7 @@ pub(super) static KEYS: &[Key<Patch>] = &[
     Key::with_slot(
         "d32",
         Kind::Quantity(Quantity::ChargePerForce),
-        "strain along y of the plate per field, with its sign; a fibre composite on a plate needs it, `d31` if omitted for a ceramic; not used on a beam",
+        "strain along y of the plate per field, with its sign; required for a fibre composite on a plate; `d31` if omitted for a ceramic; not used on a beam",
         Slot::Optional { get: |p: &Patch| p.across.d32_m_per_v, set: |p, x| p.across.d32_m_per_v = Some(x) },
     )
     .optional(),
@@ -263,7 +263,7 @@ pub(super) static KEYS: &[Key<Patch>] = &[
     Key::with_slot(
         "strain_limit",
         Kind::NumberOr(Quantity::Strain),
-        "limit of the strain along the beam or the fibres, of a ceramic on a plate that of the larger principal strain; runs and orbits warn if it is exceeded",
+        "strain limit; runs and orbits warn if the strain exceeds it: along the beam or the fibres, or for a ceramic on a plate the larger principal strain",
         Slot::Optional { get: |p: &Patch| p.strain_limit, set: |p, x| p.strain_limit = Some(x) },
     )
     .within(Range::POSITIVE)
@@ -279,7 +279,7 @@ pub(super) static KEYS: &[Key<Patch>] = &[
     Key::with_slot(
         "poisson_ratio",
         Kind::Number,
-        "Poisson's ratio in the plane of the plate at short circuit, of a fibre composite that of a stress along the fibres; that of the material if omitted; not used on a beam",
+        "Poisson's ratio in the plane of the plate at short circuit, for a fibre composite under a stress along the fibres; that of the material if omitted; not used on a beam",
         Slot::Optional { get: |p: &Patch| p.on_plate.poisson_ratio, set: |p, x| p.on_plate.poisson_ratio = Some(x) },
     )
     .within(POISSON)

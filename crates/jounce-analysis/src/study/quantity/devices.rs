@@ -1,9 +1,8 @@
-//! Operation of the devices behind regulators. Of several devices each measure is that of the
-//! device for which it is worst.
+//! Operation of the devices behind regulators, as measures of a study.
 
 use super::measure::{Measure, number};
 use crate::DeviceEstimates;
-use crate::run::DeviceResult;
+use crate::run::{DeviceResult, WorstOperation};
 use jounce_spec::Spec;
 
 /// Returns the measures; none without a regulator.
@@ -37,41 +36,31 @@ pub(super) fn measures(spec: &Spec) -> Vec<Measure> {
 
 /// Returns the values over one run.
 pub(super) fn of_run(devices: &[DeviceResult]) -> Vec<f64> {
-    worst(devices.iter().map(|device| {
-        [
-            device.on_fraction,
-            device.cold_start_s.unwrap_or(f64::INFINITY),
-            device.longest_outage_s,
-            device.margin_w,
-        ]
-    }))
+    values(WorstOperation::of(devices))
 }
 
 /// Returns the values over an ensemble.
 pub(super) fn of_ensemble(devices: &[DeviceEstimates], members: usize) -> Vec<f64> {
-    worst(devices.iter().map(|device| {
-        let starts = device.never_started < members;
-        [
-            device.on_fraction.mean,
-            if starts {
-                device.cold_start_s.mean
-            } else {
-                f64::INFINITY
-            },
-            device.longest_outage_s,
-            device.margin_w.mean,
-        ]
-    }))
+    let each = |device: &DeviceEstimates| WorstOperation {
+        on_fraction: device.on_fraction.mean,
+        cold_start_s: match device.never_started < members {
+            true => device.cold_start_s.mean,
+            false => f64::INFINITY,
+        },
+        longest_outage_s: device.longest_outage_s,
+        margin_w: device.margin_w.mean,
+    };
+    values(devices.iter().map(each).reduce(WorstOperation::and))
 }
 
-fn worst(devices: impl Iterator<Item = [f64; 4]>) -> Vec<f64> {
-    let both = |a: [f64; 4], b: [f64; 4]| {
-        [
-            a[0].min(b[0]),
-            a[1].max(b[1]),
-            a[2].max(b[2]),
-            a[3].min(b[3]),
+fn values(worst: Option<WorstOperation>) -> Vec<f64> {
+    let values = |worst: WorstOperation| {
+        vec![
+            worst.on_fraction,
+            worst.cold_start_s,
+            worst.longest_outage_s,
+            worst.margin_w,
         ]
     };
-    devices.reduce(both).map_or_else(Vec::new, Vec::from)
+    worst.map_or_else(Vec::new, values)
 }

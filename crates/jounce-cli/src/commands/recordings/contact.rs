@@ -31,7 +31,7 @@ impl Contact {
         }
         match self.file.output.json {
             true => print(&output::to_json(&result)?),
-            false => (0..result.hits.len()).for_each(|hit| print_one(&result, hit)),
+            false => (0..result.hits.len()).for_each(|hit| print_hit_and_table(&result, hit)),
         }
         Ok(())
     }
@@ -47,7 +47,7 @@ impl Contact {
 }
 
 /// Prints a hit and its table of force over penetration.
-fn print_one(result: &ContactResult, hit: usize) {
+fn print_hit_and_table(result: &ContactResult, hit: usize) {
     print_hit(&result.hits[hit]);
     let Some(table) = result.force_tables.get(hit) else {
         return;
