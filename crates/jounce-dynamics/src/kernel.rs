@@ -211,8 +211,7 @@ impl Kernel {
     pub(crate) fn port_rows(&self) -> &PerPort<Arc<PortRows>> {
         self.rows.get_or_init(|| {
             let plant = &self.plant;
-            let tones = (0..plant.tones.len()).map(|index| Phasor::new(plant, index, 0.0));
-            let tones: Vec<Phasor> = tones.collect();
+            let tones = Phasor::of_all(plant, 0.0);
             let rows = |port| Arc::new(PortRows::new(plant, &self.layout, &tones, port));
             PerPort::new(plant.ports.len(), rows)
         })

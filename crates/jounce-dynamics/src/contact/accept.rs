@@ -34,8 +34,13 @@ impl Integrator<'_> {
         self.integrate_force(w, step, &force);
         std::mem::swap(&mut self.y, &mut self.next);
         self.time_s += table.length_s;
-        self.excitation
-            .pass(w, self.kernel, table.length_s, self.time_s, &mut self.y);
+        self.excitation.pass(
+            w,
+            self.kernel,
+            table.length_s,
+            self.time_s,
+            (&self.next, &mut self.y),
+        );
         for tone in &mut self.tones {
             tone.turn *= tone.samples[step.port].end();
         }

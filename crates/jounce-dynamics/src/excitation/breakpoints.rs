@@ -51,7 +51,7 @@ impl Excitation {
         }
         self.signal_work.open(&self.sizes, &full);
         self.full = full;
-        self.aim(time_s);
+        self.aim(w, time_s);
     }
 
     /// Holds a signal at another value from now on; `y` is the state without its forced part.

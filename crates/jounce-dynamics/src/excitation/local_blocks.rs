@@ -1,27 +1,32 @@
 //! Local blocks over a step: their motion under the signals, and its integrals with each signal.
 //!
-//! With `B_0 = sum_z b_z u_z` and `B_1 = sum_z b_z s_z` of signals `u_z + s_z t`, and `U_k` the
-//! `k`-th integral of a signal from the start of the step,
+//! With `B_0 = sum_z b_z u_z` and `B_1 = sum_z b_z s_z` of signals `u_z + s_z t`, the derivatives at
+//! the start of a step are
 //!
 //! ```text
-//! P = sum_j A^(j-1) (B_0 h^j / j! + B_1 h^(j+1) / (j+1)!)
-//! V = sum_k (-A)^k (U_(k+1)(h) y(h) - B_0 int U_(k+1) dt - B_1 int U_(k+1) t dt - b int U_(k+1) f dt)
+//! z_0 = y(0),   z_1 = A z_0 + B_0,   z_2 = A z_1 + B_1,   z_(j+1) = A z_j
 //! ```
 //!
-//! Both sums are evaluated from their last term, each vector of blocks in registers.
+//! and the Taylor series integrates to
+//!
+//! ```text
+//! X_0 = int y dt = sum_j z_j h^(j+1) / (j+1)!,   X_1 = int t y dt = sum_j z_j (j+1) h^(j+2) / (j+2)!
+//! V_z = int (u_z + s_z t) y dt = u_z X_0 + s_z X_1
+//! ```
+//!
+//! The motion `P` from rest under the signals follows from its own `X_0` and the differential
+//! equation: `P = A X_0 + B_0 h + B_1 h^2 / 2`. An impulse `p` at the time `t`, with `r = h - t`, adds
+//! `A^j b p r^(j+1) / (j+1)!` to the terms of `X_0`, and `A^j b p (t r^(j+1) / (j+1)! + (j+1) r^(j+2) /
+//! (j+2)!)` to those of `X_1`.
 
-use super::repeated_integrals::{orders, powers, repeated, repeated_products};
 use super::tables::LocalTables;
+use super::taylor_weights::TaylorWeights;
 use crate::flow::Flow;
-use jounce_model::plant::{LOCAL_TERMS, SignalSample};
+use jounce_model::plant::SignalSample;
 use jounce_simd::{F64x8, LANES, Simd};
-use smallvec::SmallVec;
 
 /// Forces at the nodes of a contact step: port, times and impulses.
 pub(super) type NodalForces = (usize, [f64; LANES], F64x8);
-
-/// Weights of the terms of `V` for one signal: of `y(h)`, `B_0`, `B_1`.
-type Weights = [[f64; 3]; LOCAL_TERMS];
 
 /// A step of the local blocks.
 pub(super) struct LocalStep<'s> {
@@ -34,177 +39,140 @@ pub(super) struct LocalStep<'s> {
     pub length_s: f64,
 }
 
-/// A vector of blocks: their rates, and which states it holds.
-struct Blocks<R> {
-    rates: [R; 4],
-    /// Vectors of `u` and of `v`; equal for single rates, whose `v` is not used.
-    lanes: [usize; 2],
-    is_pair: bool,
-}
+/// `X_0` and `X_1` of a vector of blocks with `N` states each.
+type Integrals<R, const N: usize> = [[R; N]; 2];
 
 impl LocalStep<'_> {
     /// Adds `P` to the state at the end of the step, and then `V` of each signal to its sum.
     #[inline(always)]
-    pub fn pass<W: Simd>(&self, w: W, y: &mut [F64x8], sums: &mut [Vec<F64x8>]) {
-        let orders = orders(self.tables.fastest_rad_s * self.length_s);
-        let powers = powers(self.length_s);
-        let weights: SmallVec<[(usize, Weights); 2]> = (self.sizes.iter().enumerate())
-            .filter(|(_, size)| **size != [0.0; 2])
-            .map(|(signal, size)| {
-                let mut weights = [[0.0; 3]; LOCAL_TERMS];
-                for (k, weights) in weights.iter_mut().enumerate().take(orders) {
-                    *weights = repeated_products(*size, &powers, k + 1, self.length_s);
-                }
-                (signal, weights)
-            })
-            .collect();
-        if weights.is_empty() {
+    pub fn pass<W: Simd>(&self, w: W, start: &[F64x8], y: &mut [F64x8], sums: &mut [Vec<F64x8>]) {
+        if self.sizes.iter().all(|size| *size == [0.0; 2]) {
             return;
         }
-        for (blocks, is_local) in self.blocks(w) {
-            let columns = blocks.lanes.map(|lane| self.columns(w, lane));
-            let mut at_end = blocks.lanes.map(|lane| w.load(&y[lane]));
-            let motion = self.motion(w, &blocks, columns, &powers[..orders + 2]);
-            let count = if blocks.is_pair { 2 } else { 1 };
-            for i in 0..count {
-                at_end[i] = w.add(at_end[i], motion[i]);
-                y[blocks.lanes[i]] = w.store(at_end[i]);
-                at_end[i] = w.mul(at_end[i], is_local);
-            }
-            for (signal, weights) in &weights {
-                let weights = &weights[..orders];
-                let mut sum = integral(w, &blocks, (at_end, columns), weights);
-                if !self.nodes.is_empty() {
-                    let forced = self.forced_integral(w, &blocks, (*signal, orders));
-                    sum = [0, 1].map(|i| w.sub(sum[i], forced[i]));
-                }
-                for i in 0..count {
-                    let out = &mut sums[*signal][blocks.lanes[i]];
-                    *out = w.store(w.add(w.load(out), sum[i]));
-                }
+        let weights = TaylorWeights::of(self.tables.fastest_rad_s, self.length_s);
+        let pairs = self.generator.pair_lanes();
+        for (k, is_local) in &self.tables.vectors {
+            let is_local = w.load(is_local);
+            if *k < pairs {
+                let [a, b, c, d] = self.generator.entries(w, *k);
+                let apply =
+                    |[u, v]: [W::Register; 2]| [w.fma(a, u, w.mul(b, v)), w.fma(c, u, w.mul(d, v))];
+                let lanes = [*k, pairs + *k];
+                self.pass_blocks(w, &weights, (lanes, is_local), apply, (start, y, sums));
+            } else {
+                let rate = self.generator.real_entries(w, *k - pairs);
+                let apply = |[u]: [W::Register; 1]| [w.mul(rate, u)];
+                let lanes = [pairs + *k];
+                self.pass_blocks(w, &weights, (lanes, is_local), apply, (start, y, sums));
             }
         }
     }
 
-    /// Iterates over the vectors with local blocks; the second value is 1 for each local one.
+    /// Passes a vector of blocks with states in `lanes`.
     #[inline(always)]
-    fn blocks<W: Simd>(&self, w: W) -> impl Iterator<Item = (Blocks<W::Register>, W::Register)> {
-        let pairs = self.generator.pair_lanes();
-        self.tables.vectors.iter().map(move |(k, is_local)| {
-            let is_pair = *k < pairs;
-            let (rates, lanes) = if is_pair {
-                (self.generator.entries(w, *k), [*k, pairs + *k])
-            } else {
-                let rate = self.generator.real_entries(w, *k - pairs);
-                ([rate, w.zero(), w.zero(), w.zero()], [pairs + *k; 2])
-            };
-            let blocks = Blocks {
-                rates,
-                lanes,
-                is_pair,
-            };
-            (blocks, w.load(is_local))
-        })
+    fn pass_blocks<W: Simd, const N: usize>(
+        &self,
+        w: W,
+        weights: &TaylorWeights,
+        (lanes, is_local): ([usize; N], W::Register),
+        apply: impl Fn([W::Register; N]) -> [W::Register; N],
+        (start, y, sums): (&[F64x8], &mut [F64x8], &mut [Vec<F64x8>]),
+    ) {
+        let length = w.splat(self.length_s);
+        let half = w.splat(0.5 * self.length_s);
+        let [by_value, by_slope] = self.columns(w, lanes);
+        let at_start = lanes.map(|lane| w.mul(is_local, w.load(&start[lane])));
+        let free = free_integrals(w, weights.terms(), at_start, &apply);
+        let first = apply(by_value);
+        let second = add(w, first, by_slope);
+        // The series of the signals begins with `z_1 = B_0` and `z_2 = A B_0 + B_1`.
+        let terms = weights.terms();
+        let driven = free_integrals(w, &terms[2..], second, &apply);
+        let driven = [0, 1].map(|m| scaled(w, terms[1][m], by_value, driven[m]));
+        let motion = apply(driven[0]);
+        for (i, lane) in lanes.into_iter().enumerate() {
+            let by_signals = w.fma(length, w.fma(half, by_slope[i], by_value[i]), motion[i]);
+            y[lane] = w.store(w.add(w.load(&y[lane]), by_signals));
+        }
+        let mut all = [0, 1].map(|m| add(w, free[m], driven[m]));
+        for (port, times_s, impulses) in self.nodes {
+            let force = lanes.map(|lane| w.load(&self.tables.forces[*port][lane]));
+            let weights = TaylorWeights::of_impulses(self.length_s, times_s, &impulses.0);
+            let forced = free_integrals(w, &weights[..terms.len()], force, &apply);
+            all = [0, 1].map(|m| add(w, all[m], forced[m]));
+        }
+        for (sum, [value, slope]) in sums.iter_mut().zip(self.sizes) {
+            let (value, slope) = (w.splat(*value), w.splat(*slope));
+            for (i, lane) in lanes.into_iter().enumerate() {
+                let by_value = w.fma(value, all[0][i], w.load(&sum[lane]));
+                sum[lane] = w.store(w.fma(slope, all[1][i], by_value));
+            }
+        }
     }
 
-    /// Returns `B_0` and `B_1` in a vector of states.
+    /// Returns `B_0` and `B_1` in vectors of states.
     #[inline(always)]
-    fn columns<W: Simd>(&self, w: W, lane: usize) -> [W::Register; 2] {
-        let mut sums = [w.zero(); 2];
-        for (column, size) in self.tables.columns.iter().zip(self.sizes) {
-            let column = w.load(&column[lane]);
-            sums = [0, 1].map(|i| w.fma(w.splat(size[i]), column, sums[i]));
+    fn columns<W: Simd, const N: usize>(&self, w: W, lanes: [usize; N]) -> [[W::Register; N]; 2] {
+        let mut sums = [[w.zero(); N]; 2];
+        for (column, [value, slope]) in self.tables.columns.iter().zip(self.sizes) {
+            let column = lanes.map(|lane| w.load(&column[lane]));
+            sums[0] = scaled(w, *value, column, sums[0]);
+            sums[1] = scaled(w, *slope, column, sums[1]);
         }
         sums
     }
-
-    /// Returns `P`.
-    #[inline(always)]
-    fn motion<W: Simd>(
-        &self,
-        w: W,
-        blocks: &Blocks<W::Register>,
-        columns: [[W::Register; 2]; 2],
-        powers: &[f64],
-    ) -> [W::Register; 2] {
-        let mut sum = [w.zero(); 2];
-        for pair in powers[1..].windows(2).rev() {
-            let (by_value, by_slope) = (w.splat(pair[0]), w.splat(pair[1]));
-            let next = blocks.apply(w, sum);
-            sum = [0, 1].map(|i| {
-                let [value, slope] = columns[i];
-                w.fma(by_value, value, w.fma(by_slope, slope, next[i]))
-            });
-        }
-        sum
-    }
-
-    /// Returns `sum_k (-A)^k b int U_(k+1) f dt` of the contact forces.
-    #[inline(always)]
-    fn forced_integral<W: Simd>(
-        &self,
-        w: W,
-        blocks: &Blocks<W::Register>,
-        (signal, orders): (usize, usize),
-    ) -> [W::Register; 2] {
-        let mut sum = [w.zero(); 2];
-        for order in (1..=orders).rev() {
-            let next = blocks.apply(w, sum);
-            sum = next.map(|next| w.sub(w.zero(), next));
-            for (port, times_s, weighted) in self.nodes {
-                let weighted_force: f64 = (times_s.iter().zip(weighted.0))
-                    .map(|(t, force)| force * repeated(self.sizes[signal], order, *t))
-                    .sum();
-                let force = &self.tables.forces[*port];
-                sum = [0, 1].map(|i| {
-                    let column = w.load(&force[blocks.lanes[i]]);
-                    w.fma(w.splat(weighted_force), column, sum[i])
-                });
-            }
-        }
-        sum
-    }
 }
 
-impl<R: Copy> Blocks<R> {
-    /// Returns `A x`.
-    #[inline(always)]
-    fn apply<W: Simd<Register = R>>(&self, w: W, [u, v]: [R; 2]) -> [R; 2] {
-        let [a, b, c, d] = self.rates;
-        if self.is_pair {
-            [w.fma(a, u, w.mul(b, v)), w.fma(c, u, w.mul(d, v))]
-        } else {
-            [w.mul(a, u), v]
-        }
-    }
-}
-
-/// Returns `V` without contact forces.
+/// Returns `sum_j weights_j A^j state`.
 #[inline(always)]
-fn integral<W: Simd>(
+fn free_integrals<W: Simd, const N: usize>(
     w: W,
-    blocks: &Blocks<W::Register>,
-    (at_end, columns): ([W::Register; 2], [[W::Register; 2]; 2]),
-    weights: &[[f64; 3]],
-) -> [W::Register; 2] {
-    let mut sum = [w.zero(); 2];
-    for weights in weights.iter().rev() {
-        let [end, value, slope] = weights.map(|weight| w.splat(weight));
-        let next = blocks.apply(w, sum);
-        sum = [0, 1].map(|i| {
-            let [by_value, by_slope] = columns[i];
-            let taken = w.fma(value, by_value, w.fma(slope, by_slope, next[i]));
-            w.sub(w.mul(end, at_end[i]), taken)
-        });
+    weights: &[[f64; 2]],
+    mut state: [W::Register; N],
+    apply: impl Fn([W::Register; N]) -> [W::Register; N],
+) -> Integrals<W::Register, N> {
+    let mut sums = [[w.zero(); N]; 2];
+    for [first, second] in weights {
+        sums[0] = scaled(w, *first, state, sums[0]);
+        sums[1] = scaled(w, *second, state, sums[1]);
+        state = apply(state);
+    }
+    sums
+}
+
+/// Returns `sum + factor state`.
+#[inline(always)]
+fn scaled<W: Simd, const N: usize>(
+    w: W,
+    factor: f64,
+    state: [W::Register; N],
+    mut sum: [W::Register; N],
+) -> [W::Register; N] {
+    let factor = w.splat(factor);
+    for i in 0..N {
+        sum[i] = w.fma(factor, state[i], sum[i]);
     }
     sum
+}
+
+/// Returns `a + b`.
+#[inline(always)]
+fn add<W: Simd, const N: usize>(
+    w: W,
+    mut a: [W::Register; N],
+    b: [W::Register; N],
+) -> [W::Register; N] {
+    for i in 0..N {
+        a[i] = w.add(a[i], b[i]);
+    }
+    a
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::flow::layout::StateLayout;
-    use jounce_model::plant::{BlockDiagonal, BlockPair, NEGLIGIBLE_TERM};
+    use jounce_model::plant::{BlockDiagonal, BlockPair};
     use jounce_simd::Portable;
 
     const START: [f64; 6] = [0.3, -0.2, 0.5, 0.1, -0.7, 0.4];
@@ -296,29 +264,11 @@ mod tests {
             nodes: &[(0, [0.5 * LENGTH_S; LANES], weighted)],
             length_s: LENGTH_S,
         };
-        step.pass(Portable::new(), &mut y, &mut sums);
+        step.pass(Portable::new(), &layout.pack(&START), &mut y, &mut sums);
         for (computed, wanted) in [&y, &sums[0], &sums[1]].into_iter().zip(&wanted) {
             for (a, b) in layout.unpack(computed).iter().zip(wanted) {
                 assert!((a - b).abs() < 1e-12 * b.abs(), "{a} {b}");
             }
         }
-    }
-
-    #[test]
-    fn the_sums_end_where_their_terms_no_longer_count() {
-        let omitted = |size: f64, orders: usize| {
-            let factorial: f64 = (1..=orders + 1).map(|n| n as f64).product();
-            2.0 * orders as f64 * size.powi(orders as i32 - 1) / factorial
-        };
-        for size in [0.5, 0.2, 1e-3] {
-            let count = orders(size);
-            assert!(
-                omitted(size, count) <= NEGLIGIBLE_TERM
-                    && omitted(size, count - 1) > NEGLIGIBLE_TERM,
-                "{size}: {count}"
-            );
-        }
-        assert_eq!(orders(0.0), 2);
-        assert!(orders(0.5) <= LOCAL_TERMS);
     }
 }

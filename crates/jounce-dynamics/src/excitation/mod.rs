@@ -12,13 +12,12 @@ mod breakpoints;
 mod cursor;
 mod local_blocks;
 mod port;
-mod repeated_integrals;
 pub(crate) mod row;
 pub(crate) mod signal_work;
 pub(crate) mod tables;
+mod taylor_weights;
 
 use crate::flow::Flow;
-use crate::flow::layout::StateLayout;
 use crate::kernel::Kernel;
 use cursor::SignalCursor;
 use jounce_model::plant::SignalSample;
@@ -48,46 +47,49 @@ pub(super) struct Excitation {
 }
 
 impl Excitation {
-    pub fn new(kernel: &Kernel, time_s: f64, held_a: &[f64]) -> Self {
-        let plant = &kernel.plant;
-        let cursors: Vec<SignalCursor> = plant
-            .system
-            .signals
-            .iter()
-            .zip(&plant.travels)
-            .map(|(signal, travel)| SignalCursor::at(signal, travel.clone(), (time_s, held_a)))
-            .collect();
-        let sizes: Vec<SignalSample> = cursors
-            .iter()
-            .map(|cursor| [cursor.piece.size_at(time_s), cursor.piece.slope])
-            .collect();
-        let tables = kernel.excitation_tables();
+    pub fn new(kernel: &Kernel, time_s: f64) -> Self {
         let mut forced = Self {
-            sizes,
+            cursors: Vec::new(),
+            sizes: Vec::new(),
             next_s: 0.0,
-            ports: tables.ports.clone(),
+            ports: Vec::new(),
             base_work_j: 0.0,
-            full: vec![
-                F64x8::ZERO;
-                if cursors.is_empty() {
-                    0
-                } else {
-                    kernel.layout.lanes()
-                }
-            ],
+            full: Vec::new(),
             signal_work: SignalWork::new(kernel, time_s),
-            tables,
-            cursors,
+            tables: kernel.excitation_tables(),
         };
-        forced.find_next();
-        forced.aim(time_s);
+        forced.enter(kernel, time_s, &[]);
         forced
     }
 
-    /// Starts to count energies: `y` is the state at the start of the integration.
-    pub fn open(&mut self, y: &[F64x8]) {
+    /// Enters a kernel at a time; `held_a` are the currents that the bridges draw from their
+    /// storages. Each conduction state has its own signals, for the offsets of its voltages.
+    pub fn enter(&mut self, kernel: &Kernel, time_s: f64, held_a: &[f64]) {
+        let plant = &kernel.plant;
+        let signals = plant.system.signals.iter().zip(&plant.travels);
+        self.cursors.clear();
+        self.cursors
+            .extend(signals.map(|(signal, travel)| {
+                SignalCursor::at(signal, travel.clone(), (time_s, held_a))
+            }));
+        let sample = |cursor: &SignalCursor| [cursor.piece.size_at(time_s), cursor.piece.slope];
+        self.sizes.clear();
+        self.sizes.extend(self.cursors.iter().map(sample));
+        self.find_next();
+        self.tables = kernel.excitation_tables();
+        self.ports.clone_from(&self.tables.ports);
+        self.base_work_j = 0.0;
         if !self.is_silent() {
-            self.signal_work.open(&self.sizes, &self.full_lanes(y));
+            self.full.resize(kernel.layout.lanes(), F64x8::ZERO);
+        }
+        self.signal_work.restart(kernel, time_s);
+        self.aim(Portable::new(), time_s);
+    }
+
+    /// Starts to count energies in a state with its forced part.
+    pub fn open(&mut self, full: &[F64x8]) {
+        if !self.is_silent() {
+            self.signal_work.open(&self.sizes, full);
         }
     }
 
@@ -95,11 +97,6 @@ impl Excitation {
     #[inline(always)]
     pub fn is_silent(&self) -> bool {
         self.cursors.is_empty()
-    }
-
-    /// Returns the state with its forced part.
-    pub fn full_state(&self, layout: &StateLayout, y: &[F64x8]) -> Vec<f64> {
-        layout.unpack(&self.full_lanes(y))
     }
 
     /// Returns the vectors of the state with its forced part.
@@ -236,8 +233,8 @@ impl Excitation {
         }
     }
 
-    /// Advances to the end of a step; `y` is the state there and receives the forced motion of
-    /// local blocks.
+    /// Advances to the end of a step; the states are those at its start and at its end, which
+    /// receives the forced motion of local blocks.
     #[inline(always)]
     pub fn pass<W: Simd>(
         &mut self,
@@ -245,7 +242,7 @@ impl Excitation {
         kernel: &Kernel,
         length_s: f64,
         time_s: f64,
-        y: &mut [F64x8],
+        (start, y): (&[F64x8], &mut [F64x8]),
     ) {
         if self.cursors.is_empty() {
             return;
@@ -260,12 +257,12 @@ impl Excitation {
                     nodes: &self.signal_work.nodes,
                     length_s,
                 };
-                local.pass(w, y, &mut self.signal_work.states);
+                local.pass(w, start, y, &mut self.signal_work.states);
                 self.signal_work.nodes.clear();
                 for (size, cursor) in self.sizes.iter_mut().zip(&self.cursors) {
                     size[0] = cursor.piece.size_at(time_s);
                 }
-                self.aim(time_s);
+                self.aim(w, time_s);
             },
         );
     }
@@ -278,11 +275,11 @@ impl Excitation {
 
     /// Sets the forced displacements of the ports from the current time on.
     #[inline(always)]
-    fn aim(&mut self, time_s: f64) {
+    fn aim<W: Simd>(&mut self, w: W, time_s: f64) {
         let longest_s = self.until_s(time_s) - time_s;
         let terms = row::terms(self.tables.local.fastest_rad_s, longest_s);
         for excitation in &mut self.ports {
-            excitation.series = excitation.reading.first_terms(&self.sizes, terms);
+            excitation.series = excitation.reading.first_terms(w, &self.sizes, terms);
             if !excitation.approach.is_empty() {
                 excitation.follow(&self.cursors, &self.sizes, time_s);
             }

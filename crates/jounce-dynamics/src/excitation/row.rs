@@ -6,15 +6,16 @@
 //!
 //! with `m` over local blocks only; for free bodies alone it is a cubic.
 
-use super::repeated_integrals::orders;
+use super::taylor_weights::orders;
 use jounce_model::plant::{LOCAL_TERMS, Plant, SignalSample};
+use jounce_simd::{F64x8, LANES, Portable, Simd};
 
 /// Number of coefficients of a series.
 const SERIES_COEFFICIENTS: usize = LOCAL_TERMS + 1;
 
 /// `j (j - 1) (j - 2) (j - 3)`.
 const FOURTH_FACTORS: Coefficients = {
-    let mut factors = [0.0; SERIES_COEFFICIENTS];
+    let mut factors = [0.0; PADDED_COEFFICIENTS];
     let mut j = 4;
     while j < factors.len() {
         factors[j] = (j * (j - 1) * (j - 2) * (j - 3)) as f64;
@@ -23,8 +24,22 @@ const FOURTH_FACTORS: Coefficients = {
     factors
 };
 
-/// Coefficients of a series.
-type Coefficients = [f64; SERIES_COEFFICIENTS];
+/// `1 / (j + 1)`.
+const INTEGRAL_FACTORS: Coefficients = {
+    let mut factors = [0.0; PADDED_COEFFICIENTS];
+    let mut j = 0;
+    while j < factors.len() {
+        factors[j] = 1.0 / (j + 1) as f64;
+        j += 1;
+    }
+    factors
+};
+
+/// Number of coefficients, padded to complete vectors.
+const PADDED_COEFFICIENTS: usize = SERIES_COEFFICIENTS.div_ceil(LANES) * LANES;
+
+/// Coefficients of a series; the padding is 0.
+type Coefficients = [f64; PADDED_COEFFICIENTS];
 
 /// Row for all signals.
 #[derive(Debug, Clone)]
@@ -49,7 +64,7 @@ impl ExcitationRow {
         let dot = |column: &[f64]| -> f64 { row.iter().zip(column).map(|(r, c)| r * c).sum() };
         let mut used = 2;
         let mut coefficients = |forcing: &jounce_model::plant::Forcing| {
-            let mut of = [[0.0; SERIES_COEFFICIENTS]; 2];
+            let mut of = [[0.0; PADDED_COEFFICIENTS]; 2];
             (of[0][0], of[1][0]) = (dot(&forcing.rest), dot(&forcing.lag));
             of[1][1] = of[0][0];
             let (mut power, mut factorial) = (forcing.local.clone(), 1.0);
@@ -84,25 +99,38 @@ impl ExcitationRow {
     }
 
     /// Returns the polynomial for given samples of the signals, complete up to a time from now.
-    #[inline(always)]
     pub fn series(&self, sizes: &[SignalSample], longest_s: f64) -> ExcitationSeries {
-        self.first_terms(sizes, terms(self.fastest_rad_s, longest_s))
+        let terms = terms(self.fastest_rad_s, longest_s);
+        self.first_terms(Portable::new(), sizes, terms)
     }
 
     /// Returns the polynomial with at most a number of terms.
     #[inline(always)]
-    pub fn first_terms(&self, sizes: &[SignalSample], terms: usize) -> ExcitationSeries {
-        let mut coefficients = [0.0; SERIES_COEFFICIENTS];
-        for ([by_value, by_slope], [size, slope]) in self.signals.iter().zip(sizes) {
-            for (sum, (value, rate)) in coefficients.iter_mut().zip(by_value.iter().zip(by_slope)) {
-                *sum += size * value + slope * rate;
+    pub fn first_terms<W: Simd>(
+        &self,
+        w: W,
+        sizes: &[SignalSample],
+        terms: usize,
+    ) -> ExcitationSeries {
+        let (mut coefficients, used) = ([0.0; PADDED_COEFFICIENTS], self.used.min(terms));
+        let vectors = coefficients.as_chunks_mut().0;
+        for (v, out) in vectors[..used.div_ceil(LANES)].iter_mut().enumerate() {
+            let mut sum = w.zero();
+            for ([by_value, by_slope], [value, slope]) in self.signals.iter().zip(sizes) {
+                let [by_value, by_slope] = [by_value, by_slope].map(|c| w.load(&vector(c, v)));
+                sum = w.fma(w.splat(*value), by_value, sum);
+                sum = w.fma(w.splat(*slope), by_slope, sum);
             }
+            *out = w.store(sum).0;
         }
-        ExcitationSeries {
-            coefficients,
-            used: self.used.min(terms),
-        }
+        ExcitationSeries { coefficients, used }
     }
+}
+
+/// Returns a vector of coefficients.
+#[inline(always)]
+fn vector(coefficients: &Coefficients, v: usize) -> F64x8 {
+    F64x8(coefficients.as_chunks().0[v])
 }
 
 /// Returns the number of terms that count up to a time from now, for local blocks of at most some
@@ -114,7 +142,7 @@ pub(super) fn terms(fastest_rad_s: f64, longest_s: f64) -> usize {
 
 impl ExcitationSeries {
     pub const ZERO: Self = Self {
-        coefficients: [0.0; SERIES_COEFFICIENTS],
+        coefficients: [0.0; PADDED_COEFFICIENTS],
         used: 0,
     };
 
@@ -150,8 +178,10 @@ impl ExcitationSeries {
 
     /// Returns the integral from the current time on.
     pub fn integral(&self, t: f64) -> f64 {
-        let terms = self.coefficients[..self.used].iter().enumerate().rev();
-        t * terms.fold(0.0, |sum, (j, c)| sum * t + c / (j + 1) as f64)
+        let terms = self.coefficients[..self.used].iter().zip(&INTEGRAL_FACTORS);
+        t * terms
+            .rev()
+            .fold(0.0, |sum, (c, factor)| sum * t + c * factor)
     }
 
     /// Returns the second derivative.

@@ -44,31 +44,50 @@ pub(crate) struct SignalWork {
 
 impl SignalWork {
     pub fn new(kernel: &Kernel, time_s: f64) -> Self {
-        let (plant, meters) = (&kernel.plant, kernel.meters());
-        let (signals, none) = (plant.forcings.len(), c64::new(0.0, 0.0));
-        let lanes = if signals > 0 {
-            kernel.layout.lanes()
-        } else {
-            0
-        };
-        let zero = || vec![F64x8::ZERO; lanes];
-        Self {
-            states: (0..signals).map(|_| zero()).collect(),
-            tones: vec![vec![none; plant.tones.len()]; signals],
+        let mut work = Self {
+            states: Vec::new(),
+            tones: Vec::new(),
             since_s: time_s,
             sizes: Vec::new(),
-            start: zero(),
-            forces: vec![(0.0, vec![0.0; signals]); plant.ports.len()],
+            start: Vec::new(),
+            forces: Vec::new(),
             nodes: Vec::new(),
-            tones_rad_s: plant
-                .tones
-                .iter()
-                .map(|tone| tone.angular_frequency_rad_s)
-                .collect(),
+            tones_rad_s: Vec::new(),
             tables: kernel.excitation_tables(),
-            works_j: vec![0.0; meters.loads.len() + 1],
-            buffers: [zero(), zero()],
+            works_j: Vec::new(),
+            buffers: [Vec::new(), Vec::new()],
+        };
+        work.restart(kernel, time_s);
+        work
+    }
+
+    /// Empties all sums, and counts in the coordinates of a kernel from a time on.
+    pub fn restart(&mut self, kernel: &Kernel, time_s: f64) {
+        let (plant, none) = (&kernel.plant, c64::new(0.0, 0.0));
+        let signals = plant.forcings.len();
+        let lanes = match signals {
+            0 => 0,
+            _ => kernel.layout.lanes(),
+        };
+        self.states.resize(signals, Vec::new());
+        let buffers = self.buffers.iter_mut().chain([&mut self.start]);
+        for state in self.states.iter_mut().chain(buffers) {
+            state.clear();
+            state.resize(lanes, F64x8::ZERO);
         }
+        self.tones = vec![vec![none; plant.tones.len()]; signals];
+        self.since_s = time_s;
+        self.forces.resize(plant.ports.len(), (0.0, Vec::new()));
+        for (impulse, weighted) in &mut self.forces {
+            *impulse = 0.0;
+            weighted.clear();
+            weighted.resize(signals, 0.0);
+        }
+        self.nodes.clear();
+        let frequencies = (plant.tones.iter()).map(|tone| tone.angular_frequency_rad_s);
+        self.tones_rad_s = frequencies.collect();
+        self.tables = kernel.excitation_tables();
+        self.works_j = vec![0.0; kernel.meters().loads.len() + 1];
     }
 
     /// Returns the start time of the current piece, s.

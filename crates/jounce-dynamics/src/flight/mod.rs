@@ -145,8 +145,13 @@ impl Integrator<'_> {
                 let turn = tone.end(level);
                 tone.turn *= turn;
             }
-            self.excitation
-                .pass(w, self.kernel, length_s, self.time_s, &mut self.y);
+            self.excitation.pass(
+                w,
+                self.kernel,
+                length_s,
+                self.time_s,
+                (&self.next, &mut self.y),
+            );
             self.set_motion(0, motion);
         }
         verdict

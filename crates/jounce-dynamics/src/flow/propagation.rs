@@ -96,7 +96,7 @@ impl Integrator<'_> {
         self.time_s = end_s;
         self.tones.iter_mut().for_each(|tone| tone.set(end_s));
         self.excitation
-            .pass(w, self.kernel, length_s, end_s, &mut self.y);
+            .pass(w, self.kernel, length_s, end_s, (&self.next, &mut self.y));
     }
 
     /// Sets the motion of a port at the current time.

@@ -138,8 +138,13 @@ impl Integrator<'_> {
         std::mem::swap(&mut self.y, &mut self.next);
         self.time_s += table.length_s;
         self.tones.iter_mut().for_each(|tone| tone.set(self.time_s));
-        self.excitation
-            .pass(w, self.kernel, table.length_s, self.time_s, &mut self.y);
+        self.excitation.pass(
+            w,
+            self.kernel,
+            table.length_s,
+            self.time_s,
+            (&self.next, &mut self.y),
+        );
         self.update_port(w, 0);
         self.observe_rest(0, table.length_s, &lane);
         self.reset_onto_stop(0);

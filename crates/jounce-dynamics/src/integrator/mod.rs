@@ -5,6 +5,7 @@
 //! iteration. The loop alternates the two. [`crate::multi_port`] integrates several ports.
 
 mod advance;
+mod full_state;
 mod start;
 
 use crate::contact::step_size_control::RELEASE_ERROR_FACTOR_OF_DERIVATIVE;
@@ -20,8 +21,10 @@ use crate::record::trajectory::{PortForce, Trajectory, TrajectorySegment};
 use crate::rectifier::switching::Switching;
 use crate::tables::odd_tables::OddTables;
 use crate::tables::step_tables::StepTables;
+pub(crate) use full_state::FullState;
 use jounce_model::plant::Stop;
 use jounce_simd::F64x8;
+use smallvec::SmallVec;
 use std::sync::Arc;
 
 /// Integration in progress.
@@ -79,7 +82,7 @@ impl Integrator<'_> {
 
     /// Returns the state in the block coordinates of the current conduction state.
     pub(crate) fn block_state(&self) -> Vec<f64> {
-        self.excitation.full_state(&self.layout, &self.y)
+        self.layout.unpack(&self.excitation.full_lanes(&self.y))
     }
 
     /// Returns the physical state `(q, q', V, i)`.
@@ -143,14 +146,14 @@ impl Integrator<'_> {
     /// Records the next step.
     pub(crate) fn note(&mut self, length_s: f64, forces: &[PortForce]) {
         if let Some(record) = &mut self.record {
-            let sizes = self.excitation.sizes.clone();
-            let state = self.layout.unpack(&self.y);
+            let mut state = SmallVec::with_capacity(self.layout.states());
+            self.layout.unpack_onto(&self.y, &mut state);
             let conduction_state = self.switching.conduction_state;
             record.push(TrajectorySegment {
                 start_s: self.time_s,
                 length_s,
                 state,
-                sizes,
+                sizes: SmallVec::from_slice(&self.excitation.sizes),
                 forces: forces.into(),
                 conduction_state,
             });

@@ -1,6 +1,6 @@
 //! Start of an integration.
 
-use super::Integrator;
+use super::{FullState, Integrator};
 use crate::contact::step_size_control::RELEASE_ERROR_FACTOR;
 use crate::error::IntegrationError;
 use crate::excitation::Excitation;
@@ -8,7 +8,7 @@ use crate::impact::acceleration::RESOLVED_ROUNDOFFS;
 use crate::kernel::Kernel;
 use crate::ports::per_port::PerPort;
 use crate::ports::phasor::Phasor;
-use crate::ports::state::PortState;
+use crate::ports::state::{ContactState, PortState};
 use crate::record::energies::MeterReadings;
 use crate::record::statistics::{ContactIntegrals, WorkCount};
 use crate::rectifier::switching::Switching;
@@ -37,33 +37,16 @@ impl<'k> Integrator<'k> {
         if y.iter().any(|value| !value.is_finite()) {
             return Err(IntegrationError::NotFinite { time_s });
         }
-        let mut integrator = Self::in_one_conduction_state(kernel, y, time_s, tolerance, &[]);
+        let mut integrator = Self::in_one_conduction_state(kernel, y, time_s, tolerance);
         integrator.open_switching()?;
         Ok(integrator)
     }
 
-    /// Creates an integrator in the conduction state of a kernel; `held_a` are the currents that
-    /// the bridges draw from their storages.
-    pub(crate) fn in_one_conduction_state(
-        kernel: &'k Kernel,
-        y: &[f64],
-        time_s: f64,
-        tolerance: f64,
-        held_a: &[f64],
-    ) -> Self {
-        let (plant, layout) = (&kernel.plant, kernel.layout);
-        let tones: Vec<Phasor> = (0..plant.tones.len())
-            .map(|index| Phasor::new(plant, index, time_s))
-            .collect();
-        let start = Kernel::level_within(1.0 / kernel.fastest_rad_s);
-        let contact_level = (start + 3 * LEVELS_PER_OCTAVE).min(Kernel::finest());
-        let forced = Excitation::new(kernel, time_s, held_a);
-        let free: Vec<f64> = y
-            .iter()
-            .zip(plant.forced(&forced.sizes, 0.0))
-            .map(|(y, forced)| y - forced)
-            .collect();
-        let count = plant.ports.len();
+    /// Creates an integrator in the conduction state of a kernel.
+    fn in_one_conduction_state(kernel: &'k Kernel, y: &[f64], time_s: f64, tolerance: f64) -> Self {
+        let layout = kernel.layout;
+        let excitation = Excitation::new(kernel, time_s);
+        let contact_level = contact_level(kernel);
         let mut integrator = Self {
             kernel,
             base: kernel,
@@ -71,28 +54,82 @@ impl<'k> Integrator<'k> {
             layout,
             tolerance,
             time_s,
-            y: layout.pack(&free),
+            y: vec![F64x8::ZERO; layout.lanes()],
             next: vec![F64x8::ZERO; layout.lanes()],
             from_start: vec![F64x8::ZERO; layout.lanes()],
             odd_tables: OddTables::default(),
-            ports: PerPort::new(count, |port| PortState::new(kernel, port, contact_level)),
-            flight_level: start,
+            ports: PerPort::new(kernel.plant.ports.len(), |port| {
+                PortState::new(kernel, port, contact_level)
+            }),
+            flight_level: flight_level(kernel),
             flight_s: f64::INFINITY,
             release_error_factor: RELEASE_ERROR_FACTOR,
-            integrals: ContactIntegrals {
-                loads_j: vec![0.0; kernel.meters().loads.len()],
-                tones_n_s: PerPort::new(count, |_| vec![Default::default(); tones.len()]),
-                ..ContactIntegrals::default()
-            },
-            tones,
-            excitation: forced,
+            integrals: ContactIntegrals::none(kernel),
+            tones: Phasor::of_all(&kernel.plant, time_s),
+            excitation,
             work: WorkCount::default(),
             checks: 0,
             opening: MeterReadings::default(),
             record: None,
         };
+        integrator.set_state(y);
         integrator.open_ports();
         integrator
+    }
+
+    /// Sets the state without its forced part from block coordinates.
+    fn set_state(&mut self, y: &[f64]) {
+        let forced = self.kernel.plant.forced(&self.excitation.sizes, 0.0);
+        let free: Vec<f64> = y.iter().zip(forced).map(|(y, part)| y - part).collect();
+        self.layout.pack_into(&free, &mut self.y);
+    }
+
+    /// Enters the kernel of another conduction state in a physical state; contacts continue
+    /// unchanged. Returns the state in its coordinates.
+    pub(crate) fn enter_kernel(&mut self, kernel: &'k Kernel, x: &[f64]) -> FullState {
+        (self.kernel, self.layout) = (kernel, kernel.layout);
+        self.excitation.enter(kernel, self.time_s, &self.held_a());
+        for lanes in [&mut self.y, &mut self.next, &mut self.from_start] {
+            lanes.clear();
+            lanes.resize(kernel.layout.lanes(), F64x8::ZERO);
+        }
+        let block = kernel.plant.from_physical(x, self.time_s);
+        self.set_state(&block);
+        self.integrals = ContactIntegrals::none(kernel);
+        self.tones = Phasor::of_all(&kernel.plant, self.time_s);
+        self.enter_ports();
+        let state = FullState {
+            lanes: kernel.layout.pack(&block),
+            block,
+            physical: x.to_vec(),
+        };
+        self.excitation.open(&state.lanes);
+        self.opening = self.readings(&state);
+        state
+    }
+
+    /// Gives the ports of the stops the rows of the kernel, and starts those of its event functions.
+    fn enter_ports(&mut self) {
+        let kernel = self.kernel;
+        let stops = kernel.plant.system.stops.len();
+        let contact_level = contact_level(kernel);
+        let ports = PerPort::new(kernel.plant.ports.len(), |p| {
+            let new = PortState::new(kernel, p, contact_level);
+            match p < stops {
+                true => PortState {
+                    rows: new.rows,
+                    gap_m: new.gap_m,
+                    ..self.ports[p].clone()
+                },
+                false => new,
+            }
+        });
+        self.ports = ports;
+        for p in 0..kernel.plant.ports.len() {
+            if self.ports[p].contact_state == ContactState::Flight {
+                self.update_port(Portable::new(), p);
+            }
+        }
     }
 
     /// Returns distance (m) and speed (m/s) of a port within which it starts from rest.
@@ -110,7 +147,8 @@ impl<'k> Integrator<'k> {
     fn open_ports(&mut self) {
         let kernel = self.kernel;
         let count = kernel.plant.ports.len();
-        self.excitation.open(&self.y);
+        let state = self.full_state();
+        self.excitation.open(&state.lanes);
         for (p, stop) in kernel.plant.system.stops.iter().enumerate() {
             self.update_port(Portable::new(), p);
             let roundoffs = self.start_roundoffs(p);
@@ -119,6 +157,16 @@ impl<'k> Integrator<'k> {
         for p in kernel.plant.system.stops.len()..count {
             self.update_port(Portable::new(), p);
         }
-        self.opening = self.readings();
+        self.opening = self.readings(&state);
     }
+}
+
+/// Returns the level of the first flight.
+fn flight_level(kernel: &Kernel) -> i32 {
+    Kernel::level_within(1.0 / kernel.fastest_rad_s)
+}
+
+/// Returns the level of the first step of the first contact.
+fn contact_level(kernel: &Kernel) -> i32 {
+    (flight_level(kernel) + 3 * LEVELS_PER_OCTAVE).min(Kernel::finest())
 }

@@ -62,8 +62,13 @@ impl Integrator<'_> {
         }
         std::mem::swap(&mut self.y, &mut self.next);
         self.time_s += length.seconds();
-        self.excitation
-            .pass(w, self.kernel, length.seconds(), self.time_s, &mut self.y);
+        self.excitation.pass(
+            w,
+            self.kernel,
+            length.seconds(),
+            self.time_s,
+            (&self.next, &mut self.y),
+        );
         let first = steps[0].port;
         for tone in &mut self.tones {
             tone.turn *= tone.samples[first].end();

@@ -34,6 +34,14 @@ pub struct PhasorSamples {
     pub sin: F64x8,
 }
 
+impl Phasor {
+    /// Returns all tones of a plant at a time.
+    pub fn of_all(plant: &Plant, time_s: f64) -> Vec<Self> {
+        let tones = 0..plant.tones.len();
+        tones.map(|index| Self::new(plant, index, time_s)).collect()
+    }
+}
+
 impl PhasorSamples {
     /// Samples a tone over a step of any length.
     pub fn over(angular_frequency_rad_s: f64, basis: &BasisFunctions, length_s: f64) -> Self {

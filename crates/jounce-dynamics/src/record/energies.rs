@@ -2,7 +2,7 @@
 //! [`jounce_model::plant::EnergyMeter`]).
 
 use crate::excitation::Excitation;
-use crate::integrator::Integrator;
+use crate::integrator::{FullState, Integrator};
 use crate::ports::state::ContactState;
 use crate::rectifier::energies::RectifiedEnergies;
 use jounce_linalg::{Mat, c64};
@@ -98,11 +98,12 @@ pub(crate) struct MeterReadings {
 impl Integrator<'_> {
     /// Returns the energies from the start of the integration to the current time.
     pub fn energies(&self) -> Energies {
-        let system = &self.kernel.plant.system;
+        let (system, state) = (&self.kernel.plant.system, self.full_state());
         if !system.bridges.is_empty() {
-            return self.energies_of_all(&self.physical(), &self.signal_integrals());
+            return self.energies_of_all(&state, &self.signal_integrals(&state));
         }
-        let mut energies = self.energies_in_conduction_state(&self.signal_integrals());
+        let mut energies =
+            self.energies_in_conduction_state(&state, &self.signal_integrals(&state));
         energies.leaks_j = energies.loads_j.split_off(system.loads.len());
         energies
     }
@@ -111,9 +112,10 @@ impl Integrator<'_> {
     /// and then the leaks of patches follow the loads.
     pub(crate) fn energies_in_conduction_state(
         &self,
+        state: &FullState,
         (sums, works_j): &(SignalIntegrals, Vec<f64>),
     ) -> Energies {
-        let now = self.readings();
+        let now = self.readings(state);
         let open = &self.opening;
         let meters = self.kernel.meters();
         let ports = self.kernel.plant.ports.len();
@@ -150,7 +152,7 @@ impl Integrator<'_> {
         let scale_j = flows
             .max(now.stored_j.abs())
             .max(open.stored_j.abs())
-            .max(self.potential_j());
+            .max(self.potential_j(&state.physical));
         Energies {
             input_j,
             loads_j,
@@ -164,46 +166,47 @@ impl Integrator<'_> {
 
     /// Returns the integrals of the signals since the start of the current conduction state, and the
     /// work of the contact forces on their forced motion (see [`crate::excitation::signal_work`]).
-    pub(crate) fn signal_integrals(&self) -> (SignalIntegrals, Vec<f64>) {
+    pub(crate) fn signal_integrals(&self, state: &FullState) -> (SignalIntegrals, Vec<f64>) {
         let excitation = &self.excitation;
-        let (sizes, state) = (&excitation.sizes, excitation.full_lanes(&self.y));
-        (excitation.signal_work.clone()).end(self.kernel, sizes, &state, self.time_s)
+        let (sizes, mut signal_work) = (&excitation.sizes, excitation.signal_work.clone());
+        signal_work.end(self.kernel, sizes, &state.lanes, self.time_s)
     }
 
     /// Returns these integrals at the end of a conduction state, and empties the sums.
-    pub(crate) fn take_signal_integrals(&mut self) -> (SignalIntegrals, Vec<f64>) {
-        let state = self.excitation.full_lanes(&self.y);
+    pub(crate) fn take_signal_integrals(
+        &mut self,
+        state: &FullState,
+    ) -> (SignalIntegrals, Vec<f64>) {
         let Excitation {
             sizes, signal_work, ..
         } = &mut self.excitation;
-        signal_work.end(self.kernel, sizes, &state, self.time_s)
+        signal_work.end(self.kernel, sizes, &state.lanes, self.time_s)
     }
 
-    pub(crate) fn readings(&self) -> MeterReadings {
-        let (y, t) = (self.block_state(), self.time_s);
+    pub(crate) fn readings(&self, state: &FullState) -> MeterReadings {
+        let (y, t) = (&state.block, self.time_s);
         let meters = self.kernel.meters();
         MeterReadings {
-            input_j: meters.input.boundary_j(&y, t),
+            input_j: meters.input.boundary_j(y, t),
             loads_j: meters
                 .loads
                 .iter()
-                .map(|meter| meter.boundary_j(&y, t))
+                .map(|meter| meter.boundary_j(y, t))
                 .collect(),
-            damping_j: meters.damping.boundary_j(&y, t),
-            stored_j: self.stored_j(&y),
+            damping_j: meters.damping.boundary_j(y, t),
+            stored_j: self.stored_j(&state.physical),
         }
     }
 
     /// Returns the magnitude of the potential energy of constant drives, J, including the
     /// displacement of the free plant under sinusoids: a ball at rest on a shaken table has no
     /// other scale.
-    fn potential_j(&self) -> f64 {
+    fn potential_j(&self, x: &[f64]) -> f64 {
         let plant = &self.kernel.plant;
         let signals = || plant.system.signals.iter();
         if !signals().any(|signal| matches!(signal.wave, Wave::Constant(_))) {
             return 0.0;
         }
-        let x = self.physical();
         let driven = |i: usize| -> f64 {
             let amplitude =
                 |tone: &Tone| dot_row(&plant.diagonal.to_physical, i, &tone.steady).norm();
@@ -214,7 +217,7 @@ impl Integrator<'_> {
                 let terms = signal
                     .shape
                     .iter()
-                    .zip(&x)
+                    .zip(x)
                     .enumerate()
                     .filter(|(_, (s, _))| **s != 0.0);
                 size.abs()
@@ -228,11 +231,10 @@ impl Integrator<'_> {
     }
 
     /// Returns `sum (q'^2 + w^2 q^2) / 2 + sum C V^2 / 2 + energy of the compressed contact`, J.
-    fn stored_j(&self, y: &[f64]) -> f64 {
+    fn stored_j(&self, x: &[f64]) -> f64 {
         let plant = &self.kernel.plant;
         let modes = &plant.system.modes;
         let n = modes.len();
-        let x = plant.to_physical(y, self.time_s);
         let mechanical: f64 = (0..n)
             .map(|i| 0.5 * (x[n + i].powi(2) + (modes.frequency_rad_s[i] * x[i]).powi(2)))
             .sum();

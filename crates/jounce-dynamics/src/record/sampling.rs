@@ -15,10 +15,11 @@ impl Trajectory {
         gap_s: f64,
         visit: &mut impl FnMut(&'k Kernel, f64, &[f64]),
     ) {
+        let mut full = Vec::new();
         for segment in self.segments().iter().skip(first) {
             // The kernel of a conduction state in the record exists.
             if let Ok(state_kernel) = kernel.in_conduction_state(segment.conduction_state) {
-                segment.walk(state_kernel, gap_s, visit);
+                segment.walk(state_kernel, gap_s, &mut full, visit);
             }
         }
     }
@@ -29,19 +30,14 @@ impl TrajectorySegment {
         &self,
         kernel: &'k Kernel,
         gap_s: f64,
+        full: &mut Vec<f64>,
         visit: &mut impl FnMut(&'k Kernel, f64, &[f64]),
     ) {
-        let mut visit_full = |after_s: f64, state: &[f64]| match self.sizes.is_empty() {
-            true => visit(kernel, self.start_s + after_s, state),
-            false => {
-                let forced = kernel.plant.forced(&self.sizes, after_s);
-                let sum: Vec<f64> = state
-                    .iter()
-                    .zip(forced)
-                    .map(|(y, forced)| y + forced)
-                    .collect();
-                visit(kernel, self.start_s + after_s, &sum);
-            }
+        let mut visit_full = |after_s: f64, state: &[f64]| {
+            full.clear();
+            full.extend_from_slice(state);
+            kernel.plant.add_forced(&self.sizes, after_s, full);
+            visit(kernel, self.start_s + after_s, full);
         };
         visit_full(0.0, &self.state);
         if !self.forces.is_empty() {

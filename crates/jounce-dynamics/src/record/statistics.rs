@@ -1,5 +1,6 @@
 //! Statistics of an integration: contacts, and the contact integrals that the energy meters need.
 
+use crate::kernel::Kernel;
 use crate::ports::per_port::PerPort;
 use jounce_linalg::c64;
 
@@ -90,4 +91,16 @@ pub struct ContactIntegrals {
     pub tones_n_s: PerPort<Vec<c64>>,
     /// Energy lost in the contact law, J.
     pub loss_j: f64,
+}
+
+impl ContactIntegrals {
+    /// Returns the integrals at the start of an integration.
+    pub fn none(kernel: &Kernel) -> Self {
+        let (plant, none) = (&kernel.plant, c64::new(0.0, 0.0));
+        Self {
+            loads_j: vec![0.0; kernel.meters().loads.len()],
+            tones_n_s: PerPort::new(plant.ports.len(), |_| vec![none; plant.tones.len()]),
+            ..Self::default()
+        }
+    }
 }

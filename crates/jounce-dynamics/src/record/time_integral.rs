@@ -13,14 +13,13 @@ use crate::excitation::row::ExcitationRow;
 use crate::force_response::basis::legendre;
 use crate::kernel::Kernel;
 use jounce_model::plant::{BlockDiagonal, Plant};
-use std::collections::HashMap;
 
 impl Trajectory {
     /// Returns the integral of one component of the physical state `(q, q', V, i)` over an interval
     /// within the record.
     pub fn integral(&self, kernel: &Kernel, from_s: f64, to_s: f64, state_index: usize) -> f64 {
         let mut cache = ResponseCache::default();
-        let mut forced_rows: HashMap<usize, ExcitationRow> = HashMap::new();
+        let mut forced_rows: Vec<(usize, ExcitationRow)> = Vec::new();
         let mut free_row = FreeRow::default();
         let mut sum = 0.0;
         for segment in self.segments() {
@@ -43,10 +42,13 @@ impl Trajectory {
             let driven = segment.driven_integral(state_kernel, within, &mut cache);
             sum += plant.integral_of(&driven, length_s, state_index);
             if !segment.sizes.is_empty() {
-                let row = forced_rows
-                    .entry(segment.conduction_state)
-                    .or_insert_with(|| ExcitationRow::of_physical(plant, state_index));
-                let forced = row.series(&segment.sizes, within[1]);
+                let is_this = |(state, _): &(usize, _)| *state == segment.conduction_state;
+                let known = forced_rows.iter().position(is_this).unwrap_or_else(|| {
+                    let row = ExcitationRow::of_physical(plant, state_index);
+                    forced_rows.push((segment.conduction_state, row));
+                    forced_rows.len() - 1
+                });
+                let forced = forced_rows[known].1.series(&segment.sizes, within[1]);
                 sum += forced.integral(within[1]) - forced.integral(within[0]);
             }
         }

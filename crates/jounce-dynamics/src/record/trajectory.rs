@@ -11,6 +11,7 @@ use crate::force_response::step_response::StepResponse;
 use crate::kernel::{ForceBasis, Kernel};
 use jounce_model::plant::SignalSample;
 use jounce_simd::F64x8;
+use smallvec::SmallVec;
 use std::collections::HashMap;
 
 /// Step of a trajectory.
@@ -21,9 +22,9 @@ pub struct TrajectorySegment {
     /// Length, s.
     pub length_s: f64,
     /// State at its start without the forced part of the signals, block coordinates.
-    pub state: Vec<f64>,
+    pub state: SmallVec<[f64; 8]>,
     /// Value and slope of each signal at its start.
-    pub sizes: Vec<SignalSample>,
+    pub sizes: SmallVec<[SignalSample; 2]>,
     /// Contact forces; empty in flight. Records are long and mostly of flights, so that no space is
     /// kept for them.
     pub forces: Vec<PortForce>,
@@ -250,13 +251,7 @@ impl TrajectorySegment {
     fn free_at(&self, kernel: &Kernel, time_s: f64) -> TrajectoryState {
         let after_s = time_s - self.start_s;
         let mut state = kernel.plant.diagonal.block.flow(after_s, &self.state);
-        if !self.sizes.is_empty() {
-            let forced = kernel.plant.forced(&self.sizes, after_s);
-            state
-                .iter_mut()
-                .zip(forced)
-                .for_each(|(y, forced)| *y += forced);
-        }
+        kernel.plant.add_forced(&self.sizes, after_s, &mut state);
         TrajectoryState {
             time_s,
             state,

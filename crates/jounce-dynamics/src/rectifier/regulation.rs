@@ -217,10 +217,10 @@ impl Integrator<'_> {
                 self.update_port(Portable::new(), p);
             }
         }
-        let x = self.physical();
+        let state = self.full_state();
         self.limit_ports(bridge)
             .into_iter()
-            .for_each(|p| self.shift_threshold(p, &x));
+            .for_each(|p| self.shift_threshold(p, &state));
     }
 
     /// Sets the thresholds of the events of a regulator to the limits of its band.

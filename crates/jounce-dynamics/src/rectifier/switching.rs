@@ -13,8 +13,7 @@ use super::energies::RectifiedEnergies;
 use super::regulation::Regulation;
 use super::switch_map::SwitchMap;
 use crate::error::IntegrationError;
-use crate::integrator::Integrator;
-use crate::ports::state::{ContactState, PortState};
+use crate::integrator::{FullState, Integrator};
 use crate::record::energies::Energies;
 use crate::record::trajectory::ConductionChange;
 use jounce_model::plant::{
@@ -107,9 +106,10 @@ impl Integrator<'_> {
                 self.regulate(guard.bridge, guard.change);
                 continue;
             }
-            let mut x = self.physical();
-            self.note_change(guard.change, guard.bridge, &x);
-            self.close_conduction_state(&x);
+            let state = self.full_state();
+            self.note_change(guard.change, guard.bridge, &state.physical);
+            self.close_conduction_state(&state);
+            let mut x = state.physical;
             let mut states: Vec<BridgeState> = self
                 .kernel
                 .plant
@@ -181,14 +181,14 @@ impl Integrator<'_> {
         (stops..self.kernel.plant.ports.len()).find(|p| self.ports[*p].penetration_m > 0.0)
     }
 
-    /// Returns the magnitude below which an event function is roundoff, at the current state `x`.
-    fn roundoff(&self, p: usize, x: &[f64]) -> f64 {
+    /// Returns the magnitude below which an event function is roundoff, in the current state.
+    fn roundoff(&self, p: usize, state: &FullState) -> f64 {
         let (plant, port) = (&self.kernel.plant, &self.ports[p]);
         let guard = &plant.guards[p - plant.system.stops.len()];
         let row = &plant.ports[p].displacement;
         let terms = row
             .iter()
-            .zip(self.block_state())
+            .zip(&state.block)
             .map(|(row, y)| (row * y).abs())
             .sum::<f64>();
         // The free motion and the motion forced by signals may cancel.
@@ -200,7 +200,7 @@ impl Integrator<'_> {
                 plant.electrical.bridges[guard.bridge],
                 2 * plant.system.modes.len(),
             );
-            let node = &plant.electrical.nodes[nodes.terminal];
+            let (node, x) = (&plant.electrical.nodes[nodes.terminal], &state.physical);
             let displaced_c: f64 = node
                 .coupling_n_per_v
                 .iter()
@@ -219,8 +219,8 @@ impl Integrator<'_> {
     }
 
     /// Moves the threshold of an event by its roundoff.
-    pub(super) fn shift_threshold(&mut self, p: usize, x: &[f64]) {
-        let roundoff = self.roundoff(p, x);
+    pub(super) fn shift_threshold(&mut self, p: usize, state: &FullState) {
+        let roundoff = self.roundoff(p, state);
         self.ports[p].gap_m += roundoff;
         self.ports[p].penetration_m -= roundoff;
     }
@@ -229,43 +229,13 @@ impl Integrator<'_> {
     fn change_to(&mut self, states: &[BridgeState], x: &[f64]) -> Result<(), IntegrationError> {
         let conduction_state = self.base.plant.system.conduction_state(states);
         let kernel = self.base.in_conduction_state(conduction_state)?;
-        let mut next = Integrator::in_one_conduction_state(
-            kernel,
-            &kernel.plant.from_physical(x, self.time_s),
-            self.time_s,
-            self.tolerance,
-            &self.held_a(),
-        );
-        next.base = self.base;
-        (next.flight_level, next.release_error_factor) =
-            (self.flight_level, self.release_error_factor);
-        (next.work, next.checks) = (self.work, self.checks);
-        next.record = self.record.take();
-        next.odd_tables = std::mem::take(&mut self.odd_tables);
-        next.switching = std::mem::take(&mut self.switching);
-        next.switching.conduction_state = conduction_state;
-        next.switching.since = (self.time_s, x.to_vec());
-        (0..next.switching.regulations.len()).for_each(|bridge| next.aim_at_band(bridge));
-        // Contacts continue unchanged; only their rows belong to the conduction state.
-        let stops = kernel.plant.system.stops.len();
-        for p in 0..stops {
-            let updated = next.ports[p].clone();
-            let [penetration_m, rate_m_s] = match self.ports[p].contact_state {
-                ContactState::Flight => [updated.penetration_m, updated.rate_m_s],
-                ContactState::Contact => [self.ports[p].penetration_m, self.ports[p].rate_m_s],
-            };
-            next.ports[p] = PortState {
-                rows: updated.rows,
-                gap_m: updated.gap_m,
-                penetration_m,
-                rate_m_s,
-                ..self.ports[p].clone()
-            };
+        let state = self.enter_kernel(kernel, x);
+        self.switching.conduction_state = conduction_state;
+        self.switching.since = (self.time_s, x.to_vec());
+        (0..self.switching.regulations.len()).for_each(|bridge| self.aim_at_band(bridge));
+        for p in kernel.plant.system.stops.len()..kernel.plant.ports.len() {
+            self.shift_threshold(p, &state);
         }
-        for p in stops..kernel.plant.ports.len() {
-            next.shift_threshold(p, x);
-        }
-        *self = next;
         Ok(())
     }
 
@@ -278,26 +248,25 @@ impl Integrator<'_> {
     }
 
     /// Adds the conduction state that ends to the previous energies.
-    fn close_conduction_state(&mut self, x: &[f64]) {
-        let integrals = self.take_signal_integrals();
-        let all = self.energies_of_all(x, &integrals);
+    fn close_conduction_state(&mut self, state: &FullState) {
+        let integrals = self.take_signal_integrals(state);
+        let all = self.energies_of_all(state, &integrals);
         self.switching.earlier = all;
         self.open_regulations();
     }
 
-    /// Returns the energies since the start of the integration, at the physical state `x`, with the
+    /// Returns the energies since the start of the integration, in the current state, with the
     /// integrals of the signals since the last change.
     pub(crate) fn energies_of_all(
         &self,
-        x: &[f64],
+        state: &FullState,
         integrals: &(SignalIntegrals, Vec<f64>),
     ) -> Energies {
-        let energies = self.energies_in_conduction_state(integrals);
+        let energies = self.energies_in_conduction_state(state, integrals);
         let plant = &self.kernel.plant;
         let drawn_c = self.drawn_c();
         let mut all = self.switching.earlier.clone();
-        let change: Vec<f64> = x
-            .iter()
+        let change: Vec<f64> = (state.physical.iter())
             .zip(&self.switching.since.1)
             .map(|(x, since)| x - since)
             .collect();

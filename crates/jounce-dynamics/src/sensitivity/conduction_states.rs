@@ -119,7 +119,7 @@ impl<'a> ConductionRoute<'a> {
             .collect();
         let sizes = segments
             .first()
-            .map_or_else(|| sizes(kernel, end_s), |first| first.sizes.clone());
+            .map_or_else(|| sizes(kernel, end_s), |first| first.sizes.to_vec());
         let forced = kernel.plant.forced(&sizes, 0.0);
         let end: Vec<f64> = end
             .iter()

@@ -89,6 +89,8 @@ pub fn grown(rate: c64, time_s: f64) -> c64 {
     if z == c64::new(0.0, 0.0) {
         return c64::new(time_s, 0.0);
     }
-    let re = z.re.exp_m1() * z.im.cos() - 2.0 * (0.5 * z.im).sin().powi(2);
-    c64::new(re, z.re.exp() * z.im.sin()) / rate
+    // `e^(i b) - 1 = 2 i sin(b / 2) e^(i b / 2)`
+    let (growth, (sin, cos)) = (z.re.exp_m1(), (0.5 * z.im).sin_cos());
+    let turn = c64::new(-2.0 * sin * sin, 2.0 * sin * cos);
+    (turn * (1.0 + growth) + growth) / rate
 }

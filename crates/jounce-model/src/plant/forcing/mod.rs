@@ -123,6 +123,12 @@ impl Plant {
     /// blocks.
     pub fn forced(&self, sizes: &[SignalSample], after_s: f64) -> Vec<f64> {
         let mut state = vec![0.0; self.len()];
+        self.add_forced(sizes, after_s, &mut state);
+        state
+    }
+
+    /// Adds `P` to a state.
+    pub fn add_forced(&self, sizes: &[SignalSample], after_s: f64, state: &mut [f64]) {
         for (forcing, [size, slope]) in self.forcings.iter().zip(sizes) {
             let now = size + slope * after_s;
             for (sum, (rest, lag)) in state.iter_mut().zip(forcing.rest.iter().zip(&forcing.lag)) {
@@ -141,7 +147,6 @@ impl Plant {
                 }
             }
         }
-        state
     }
 
     /// Returns the equilibrium under constant drives alone, in block coordinates; 0 in states
