@@ -180,8 +180,9 @@ impl Integrator<'_> {
             w.load(force),
         );
         self.ports[p].statistics.impulse_n_s += w.sum(weighted);
+        let when = (self.time_s, table.length_s);
         self.excitation
-            .push(p, &basis.positions, table.length_s, &w.store(weighted));
+            .push(p, &basis.positions, when, &w.store(weighted));
         for (sum, tone) in self.integrals.tones_n_s[p].iter_mut().zip(&self.tones) {
             let (cos, sin) = (
                 w.mul(weighted, w.load(&tone.samples[p].cos)),

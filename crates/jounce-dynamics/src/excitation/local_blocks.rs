@@ -19,6 +19,7 @@
 //! `A^j b p r^(j+1) / (j+1)!` to the terms of `X_0`, and `A^j b p (t r^(j+1) / (j+1)! + (j+1) r^(j+2) /
 //! (j+2)!)` to those of `X_1`.
 
+use super::block_sums::{Blocks, Pairs, Reals, add, add_to_signals, columns, load, scaled};
 use super::tables::LocalTables;
 use super::taylor_weights::TaylorWeights;
 use crate::flow::Flow;
@@ -54,16 +55,13 @@ impl LocalStep<'_> {
         for (k, is_local) in &self.tables.vectors {
             let is_local = w.load(is_local);
             if *k < pairs {
-                let [a, b, c, d] = self.generator.entries(w, *k);
-                let apply =
-                    |[u, v]: [W::Register; 2]| [w.fma(a, u, w.mul(b, v)), w.fma(c, u, w.mul(d, v))];
+                let blocks = Pairs(self.generator.entries(w, *k));
                 let lanes = [*k, pairs + *k];
-                self.pass_blocks(w, &weights, (lanes, is_local), apply, (start, y, sums));
+                self.pass_blocks(w, &weights, (lanes, is_local), blocks, (start, y, sums));
             } else {
-                let rate = self.generator.real_entries(w, *k - pairs);
-                let apply = |[u]: [W::Register; 1]| [w.mul(rate, u)];
+                let blocks = Reals(self.generator.real_entries(w, *k - pairs));
                 let lanes = [pairs + *k];
-                self.pass_blocks(w, &weights, (lanes, is_local), apply, (start, y, sums));
+                self.pass_blocks(w, &weights, (lanes, is_local), blocks, (start, y, sums));
             }
         }
     }
@@ -75,51 +73,33 @@ impl LocalStep<'_> {
         w: W,
         weights: &TaylorWeights,
         (lanes, is_local): ([usize; N], W::Register),
-        apply: impl Fn([W::Register; N]) -> [W::Register; N],
+        blocks: impl Blocks<W, N>,
         (start, y, sums): (&[F64x8], &mut [F64x8], &mut [Vec<F64x8>]),
     ) {
         let length = w.splat(self.length_s);
         let half = w.splat(0.5 * self.length_s);
-        let [by_value, by_slope] = self.columns(w, lanes);
+        let [by_value, by_slope] = columns(w, lanes, self.tables.columns.iter(), self.sizes);
         let at_start = lanes.map(|lane| w.mul(is_local, w.load(&start[lane])));
-        let free = free_integrals(w, weights.terms(), at_start, &apply);
-        let first = apply(by_value);
+        let free = free_integrals(w, weights.terms(), at_start, blocks);
+        let first = blocks.apply(w, by_value);
         let second = add(w, first, by_slope);
         // The series of the signals begins with `z_1 = B_0` and `z_2 = A B_0 + B_1`.
         let terms = weights.terms();
-        let driven = free_integrals(w, &terms[2..], second, &apply);
+        let driven = free_integrals(w, &terms[2..], second, blocks);
         let driven = [0, 1].map(|m| scaled(w, terms[1][m], by_value, driven[m]));
-        let motion = apply(driven[0]);
+        let motion = blocks.apply(w, driven[0]);
         for (i, lane) in lanes.into_iter().enumerate() {
             let by_signals = w.fma(length, w.fma(half, by_slope[i], by_value[i]), motion[i]);
             y[lane] = w.store(w.add(w.load(&y[lane]), by_signals));
         }
         let mut all = [0, 1].map(|m| add(w, free[m], driven[m]));
         for (port, times_s, impulses) in self.nodes {
-            let force = lanes.map(|lane| w.load(&self.tables.forces[*port][lane]));
+            let force = load(w, lanes, &self.tables.forces[*port]);
             let weights = TaylorWeights::of_impulses(self.length_s, times_s, &impulses.0);
-            let forced = free_integrals(w, &weights[..terms.len()], force, &apply);
+            let forced = free_integrals(w, &weights[..terms.len()], force, blocks);
             all = [0, 1].map(|m| add(w, all[m], forced[m]));
         }
-        for (sum, [value, slope]) in sums.iter_mut().zip(self.sizes) {
-            let (value, slope) = (w.splat(*value), w.splat(*slope));
-            for (i, lane) in lanes.into_iter().enumerate() {
-                let by_value = w.fma(value, all[0][i], w.load(&sum[lane]));
-                sum[lane] = w.store(w.fma(slope, all[1][i], by_value));
-            }
-        }
-    }
-
-    /// Returns `B_0` and `B_1` in vectors of states.
-    #[inline(always)]
-    fn columns<W: Simd, const N: usize>(&self, w: W, lanes: [usize; N]) -> [[W::Register; N]; 2] {
-        let mut sums = [[w.zero(); N]; 2];
-        for (column, [value, slope]) in self.tables.columns.iter().zip(self.sizes) {
-            let column = lanes.map(|lane| w.load(&column[lane]));
-            sums[0] = scaled(w, *value, column, sums[0]);
-            sums[1] = scaled(w, *slope, column, sums[1]);
-        }
-        sums
+        add_to_signals(w, lanes, all, self.sizes, sums);
     }
 }
 
@@ -129,43 +109,15 @@ fn free_integrals<W: Simd, const N: usize>(
     w: W,
     weights: &[[f64; 2]],
     mut state: [W::Register; N],
-    apply: impl Fn([W::Register; N]) -> [W::Register; N],
+    blocks: impl Blocks<W, N>,
 ) -> Integrals<W::Register, N> {
     let mut sums = [[w.zero(); N]; 2];
     for [first, second] in weights {
         sums[0] = scaled(w, *first, state, sums[0]);
         sums[1] = scaled(w, *second, state, sums[1]);
-        state = apply(state);
+        state = blocks.apply(w, state);
     }
     sums
-}
-
-/// Returns `sum + factor state`.
-#[inline(always)]
-fn scaled<W: Simd, const N: usize>(
-    w: W,
-    factor: f64,
-    state: [W::Register; N],
-    mut sum: [W::Register; N],
-) -> [W::Register; N] {
-    let factor = w.splat(factor);
-    for i in 0..N {
-        sum[i] = w.fma(factor, state[i], sum[i]);
-    }
-    sum
-}
-
-/// Returns `a + b`.
-#[inline(always)]
-fn add<W: Simd, const N: usize>(
-    w: W,
-    mut a: [W::Register; N],
-    b: [W::Register; N],
-) -> [W::Register; N] {
-    for i in 0..N {
-        a[i] = w.add(a[i], b[i]);
-    }
-    a
 }
 
 #[cfg(test)]

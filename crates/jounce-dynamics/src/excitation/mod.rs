@@ -8,8 +8,10 @@
 //! the drive. No step crosses a breakpoint. The motions of bases under signals are additional
 //! cubics (see [`jounce_model::drive::Travel`]).
 
+mod block_sums;
 mod breakpoints;
 mod cursor;
+mod following_blocks;
 mod local_blocks;
 mod port;
 pub(crate) mod row;
@@ -207,13 +209,19 @@ impl Excitation {
         ]
     }
 
-    /// Records the nodal forces of the next step; `weighted` holds force times weight times length,
-    /// N s.
+    /// Records the nodal forces of the next step, which starts at a time; `weighted` holds force times
+    /// weight times length, N s.
     #[inline(always)]
-    pub fn push(&mut self, port: usize, positions: &[f64; LANES], length_s: f64, weighted: &F64x8) {
+    pub fn push(
+        &mut self,
+        port: usize,
+        positions: &[f64; LANES],
+        (time_s, length_s): (f64, f64),
+        weighted: &F64x8,
+    ) {
         if !self.cursors.is_empty() {
             self.signal_work
-                .push(port, &self.sizes, positions, length_s, weighted);
+                .push(port, &self.sizes, positions, (time_s, length_s), weighted);
             let excitation = &self.ports[port];
             if !excitation.approach.is_empty() {
                 self.base_work_j += positions
@@ -226,9 +234,10 @@ impl Excitation {
     }
 
     /// Records an impulse of a rigid stop, N s.
-    pub fn strike_stop(&mut self, port: usize, impulse_n_s: f64) {
+    pub fn strike_stop(&mut self, port: usize, time_s: f64, impulse_n_s: f64) {
         if !self.cursors.is_empty() {
-            self.signal_work.strike_stop(port, &self.sizes, impulse_n_s);
+            self.signal_work
+                .strike_stop(port, &self.sizes, time_s, impulse_n_s);
             self.base_work_j += impulse_n_s * self.ports[port].base_speed_m_s(0.0);
         }
     }

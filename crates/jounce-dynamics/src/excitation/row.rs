@@ -104,6 +104,19 @@ impl ExcitationRow {
         self.first_terms(Portable::new(), sizes, terms)
     }
 
+    /// Returns for each signal the integrals of the polynomials of its value and of its slope.
+    pub fn integrals(&self, from_s: f64, to_s: f64) -> impl Iterator<Item = [f64; 2]> {
+        let between = move |polynomial: &Coefficients| {
+            let at = |t: f64| integral(&polynomial[..self.used], t);
+            match from_s == 0.0 {
+                true => at(to_s),
+                false => at(to_s) - at(from_s),
+            }
+        };
+        (self.signals.iter())
+            .map(move |[by_value, by_slope]| [between(by_value), between(by_slope)])
+    }
+
     /// Returns the polynomial with at most a number of terms.
     #[inline(always)]
     pub fn first_terms<W: Simd>(
@@ -125,6 +138,14 @@ impl ExcitationRow {
         }
         ExcitationSeries { coefficients, used }
     }
+}
+
+/// Returns the integral of a polynomial from 0 on.
+fn integral(coefficients: &[f64], t: f64) -> f64 {
+    let terms = coefficients.iter().zip(&INTEGRAL_FACTORS);
+    t * terms
+        .rev()
+        .fold(0.0, |sum, (c, factor)| sum * t + c * factor)
 }
 
 /// Returns a vector of coefficients.
@@ -176,14 +197,6 @@ impl ExcitationSeries {
             .fold(0.0, |value, c| value * t + c)
     }
 
-    /// Returns the integral from the current time on.
-    pub fn integral(&self, t: f64) -> f64 {
-        let terms = self.coefficients[..self.used].iter().zip(&INTEGRAL_FACTORS);
-        t * terms
-            .rev()
-            .fold(0.0, |sum, (c, factor)| sum * t + c * factor)
-    }
-
     /// Returns the second derivative.
     #[inline(always)]
     pub fn curvature(&self, t: f64) -> f64 {
@@ -230,10 +243,10 @@ mod tests {
             "{}",
             series.curvature(0.6)
         );
-        let integral = 0.6 - 0.36 + 0.5 * 0.216 / 3.0 + 3.0 * 0.1296 / 4.0 - 0.07776 / 5.0
+        let wanted = 0.6 - 0.36 + 0.5 * 0.216 / 3.0 + 3.0 * 0.1296 / 4.0 - 0.07776 / 5.0
             + 0.2 * 0.046_656 / 6.0
             + 0.7 * 0.027_993_6 / 7.0;
-        assert!((series.integral(0.6) - integral).abs() < 1e-15);
+        assert!((integral(&series.coefficients[..7], 0.6) - wanted).abs() < 1e-15);
         let fourth = |t: f64| (-24.0 + 24.0 * t + 252.0 * t * t).abs();
         assert!((0..=60).all(|k| fourth(f64::from(k) / 100.0) <= series.fourth_bound(0.6)));
     }

@@ -1,15 +1,10 @@
 //! Integrals that the energy meters need for signals: `V = integral u y dt` and
 //! `integral u e^{i w t} dt` for each signal `u`.
 //!
-//! On a piece between breakpoints, from `0` to `h`, with `y' = A y + sum_z b_z u_z + b f`, parts of
-//! following blocks are
-//!
-//! ```text
-//! Z = int y = A^-1 ([y] - sum_z b_z int u_z - b int f),    V = A^-1 ([u y] - u' Z - sum_z b_z int u u_z - b int u f)
-//! ```
-//!
-//! and of local blocks, step by step, as in [`super::local_blocks`].
+//! They are sums over the pieces between breakpoints for following blocks (see
+//! [`super::following_blocks`]), and over the steps for local blocks (see [`super::local_blocks`]).
 
+use super::following_blocks::SignalPiece;
 use super::local_blocks::NodalForces;
 use super::tables::ExcitationTables;
 use crate::kernel::Kernel;
@@ -29,8 +24,9 @@ pub(crate) struct SignalWork {
     since_s: f64,
     sizes: Vec<SignalSample>,
     start: Vec<F64x8>,
-    /// For each port, the integral of its force over the piece, and of force times each signal.
-    forces: Vec<(f64, Vec<f64>)>,
+    /// For each port, the integral of its force over the piece, N s, and of the force times the time
+    /// since the start of the piece, N s^2.
+    forces: Vec<[f64; 2]>,
     /// Nodal forces of the current step.
     pub(super) nodes: Vec<NodalForces>,
     /// Angular frequency of each tone, rad/s.
@@ -38,8 +34,6 @@ pub(crate) struct SignalWork {
     tables: Arc<ExcitationTables>,
     /// For each such meter, work of the contact forces on the forced motion of signals, J.
     works_j: Vec<f64>,
-    /// Buffers of [`Self::close`].
-    buffers: [Vec<F64x8>; 2],
 }
 
 impl SignalWork {
@@ -55,7 +49,6 @@ impl SignalWork {
             tones_rad_s: Vec::new(),
             tables: kernel.excitation_tables(),
             works_j: Vec::new(),
-            buffers: [Vec::new(), Vec::new()],
         };
         work.restart(kernel, time_s);
         work
@@ -70,19 +63,18 @@ impl SignalWork {
             _ => kernel.layout.lanes(),
         };
         self.states.resize(signals, Vec::new());
-        let buffers = self.buffers.iter_mut().chain([&mut self.start]);
-        for state in self.states.iter_mut().chain(buffers) {
+        for state in self.states.iter_mut().chain([&mut self.start]) {
             state.clear();
             state.resize(lanes, F64x8::ZERO);
         }
-        self.tones = vec![vec![none; plant.tones.len()]; signals];
-        self.since_s = time_s;
-        self.forces.resize(plant.ports.len(), (0.0, Vec::new()));
-        for (impulse, weighted) in &mut self.forces {
-            *impulse = 0.0;
-            weighted.clear();
-            weighted.resize(signals, 0.0);
+        self.tones.resize(signals, Vec::new());
+        for sums in &mut self.tones {
+            sums.clear();
+            sums.resize(plant.tones.len(), none);
         }
+        self.since_s = time_s;
+        self.forces.clear();
+        self.forces.resize(plant.ports.len(), [0.0; 2]);
         self.nodes.clear();
         let frequencies = (plant.tones.iter()).map(|tone| tone.angular_frequency_rad_s);
         self.tones_rad_s = frequencies.collect();
@@ -114,40 +106,15 @@ impl SignalWork {
         time_s: f64,
         length_s: Option<f64>,
     ) {
-        let (tables, h) = (&self.tables, length_s.unwrap_or(time_s - self.since_s));
-        let [change, solved] = &mut self.buffers;
-        let pushed = |(impulse, weighted): &(f64, Vec<f64>)| {
-            *impulse != 0.0 || weighted.iter().any(|product| *product != 0.0)
+        let piece = SignalPiece {
+            tables: &self.tables,
+            sizes: &self.sizes,
+            forces: &self.forces,
+            length_s: length_s.unwrap_or(time_s - self.since_s),
         };
-        let is_pushed = self.forces.iter().any(pushed);
-        let forces = || tables.forces.iter().zip(&self.forces).filter(|_| is_pushed);
-        combine(w, change, [(1.0, state), (-1.0, &self.start)]);
-        for (signal, [u, s]) in tables.signals.iter().zip(&self.sizes) {
-            add(w, change, -h * (u + 0.5 * s * h), &signal.column);
-        }
-        for (column, (impulse, _)) in forces() {
-            add(w, change, -impulse, column);
-        }
-        tables.inverse.apply(w, change, solved);
-        for (k, ([u, s], [end, _])) in self.sizes.iter().zip(sizes).enumerate() {
-            combine(w, change, [(*end, state), (-u, &self.start)]);
-            add(w, change, -s, solved);
-            for (signal, [v, z]) in tables.signals.iter().zip(&self.sizes) {
-                let both = h * (u * v + h * (0.5 * (u * z + s * v) + h * s * z / 3.0));
-                add(w, change, -both, &signal.column);
-            }
-            for (column, (_, weighted)) in forces() {
-                add(w, change, -weighted[k], column);
-            }
-            tables.inverse.apply_onto(w, change, &mut self.states[k]);
-        }
+        piece.close(w, [&self.start, state], &mut self.states);
         self.turn(sizes, time_s, 1.0);
-        if is_pushed {
-            self.forces.iter_mut().for_each(|(impulse, weighted)| {
-                *impulse = 0.0;
-                weighted.fill(0.0);
-            });
-        }
+        self.forces.fill([0.0; 2]);
         self.since_s = time_s;
     }
 
@@ -164,31 +131,31 @@ impl SignalWork {
     /// Adds an impulse of one signal; `middle` is the mean of the states before and after it, with
     /// their forced part.
     pub fn strike(&mut self, signal: usize, impulse_s: f64, middle: &[F64x8], time_s: f64) {
-        add(Portable::new(), &mut self.states[signal], impulse_s, middle);
+        for (sum, middle) in self.states[signal].iter_mut().zip(middle) {
+            *sum = sum.add_scaled(impulse_s, middle);
+        }
         for (sum, w) in self.tones[signal].iter_mut().zip(&self.tones_rad_s) {
             *sum += c64::cis(w * time_s) * impulse_s;
         }
     }
 
-    /// Adds the nodal forces of the next contact step; the signal samples are those at its start.
+    /// Adds the nodal forces of the next contact step, which starts at a time; the signal samples are
+    /// those at its start.
     #[inline(always)]
     pub fn push(
         &mut self,
         port: usize,
         sizes: &[SignalSample],
         positions: &[f64; LANES],
-        length_s: f64,
+        (time_s, length_s): (f64, f64),
         weighted: &F64x8,
     ) {
         let times_s = positions.map(|position| position * length_s);
-        let (impulse, products) = &mut self.forces[port];
-        *impulse += weighted.0.iter().sum::<f64>();
-        for (product, [u, s]) in products.iter_mut().zip(sizes) {
-            *product += times_s
-                .iter()
-                .zip(weighted.0)
-                .map(|(t, force)| force * (u + s * t))
-                .sum::<f64>();
+        let (since_s, impulses) = (time_s - self.since_s, times_s.iter().zip(weighted.0));
+        let [impulse, turning] = &mut self.forces[port];
+        for (t, force) in impulses {
+            *impulse += force;
+            *turning += force * (since_s + t);
         }
         for (work_j, readings) in self.works_j.iter_mut().zip(&self.tables.readings) {
             let series = readings[port].series(sizes, length_s);
@@ -202,11 +169,17 @@ impl SignalWork {
     }
 
     /// Adds an impulse of a rigid stop.
-    pub fn strike_stop(&mut self, port: usize, sizes: &[SignalSample], impulse_n_s: f64) {
+    pub fn strike_stop(
+        &mut self,
+        port: usize,
+        sizes: &[SignalSample],
+        time_s: f64,
+        impulse_n_s: f64,
+    ) {
         let impulse = F64x8(std::array::from_fn(
             |i| if i == 0 { impulse_n_s } else { 0.0 },
         ));
-        self.push(port, sizes, &[0.0; LANES], 0.0, &impulse);
+        self.push(port, sizes, &[0.0; LANES], (time_s, 0.0), &impulse);
         // It takes no time and does not contribute to integrals over a step.
         self.nodes.clear();
     }
@@ -230,23 +203,5 @@ impl SignalWork {
             tones: std::mem::take(&mut self.tones),
         };
         (integrals, std::mem::take(&mut self.works_j))
-    }
-}
-
-/// Adds a multiple of a state to another.
-#[inline(always)]
-fn add<W: Simd>(w: W, sum: &mut [F64x8], factor: f64, values: &[F64x8]) {
-    let factor = w.splat(factor);
-    for (sum, value) in sum.iter_mut().zip(values) {
-        *sum = w.store(w.fma(factor, w.load(value), w.load(sum)));
-    }
-}
-
-/// Sets a state to a linear combination of two.
-#[inline(always)]
-fn combine<W: Simd>(w: W, out: &mut [F64x8], [(a, one), (b, other)]: [(f64, &[F64x8]); 2]) {
-    let (a, b) = (w.splat(a), w.splat(b));
-    for (out, (one, other)) in out.iter_mut().zip(one.iter().zip(other)) {
-        *out = w.store(w.fma(a, w.load(one), w.mul(b, w.load(other))));
     }
 }

@@ -17,6 +17,39 @@ const INVERSES: [f64; TERMS + 2] = {
     inverses
 };
 
+/// `1 / (j + 1)!` and `(j + 1) / (j + 2)!`.
+const FACTORS: [[f64; 2]; TERMS] = {
+    let (mut factors, mut factorial, mut j) = ([[0.0; 2]; TERMS], 1.0, 0);
+    while j < factors.len() {
+        factorial *= (j + 1) as f64;
+        factors[j] = [
+            1.0 / factorial,
+            (j + 1) as f64 / (factorial * (j + 2) as f64),
+        ];
+        j += 1;
+    }
+    factors
+};
+
+/// Returns `h, h^2, h^3, ...`, without a long chain of products.
+#[inline(always)]
+fn powers(h: f64) -> [f64; TERMS + 1] {
+    let (two, four) = (h * h, (h * h) * (h * h));
+    let eight = four * four;
+    let first = [
+        h,
+        two,
+        two * h,
+        four,
+        four * h,
+        four * two,
+        four * (two * h),
+        eight,
+    ];
+    let factors = [1.0, eight, eight * eight];
+    std::array::from_fn(|k| first[k % first.len()] * factors[k / first.len()])
+}
+
 /// For each term, its weights in `X_0` and in `X_1` (see [`super::local_blocks`]).
 pub struct TaylorWeights {
     weights: [[f64; 2]; TERMS],
@@ -28,11 +61,9 @@ impl TaylorWeights {
     #[inline(always)]
     pub fn of(fastest_rad_s: f64, length_s: f64) -> Self {
         let count = orders(fastest_rad_s * length_s) + 2;
-        let (mut weights, mut power) = ([[0.0; 2]; TERMS], length_s);
-        for (j, weights) in weights.iter_mut().enumerate() {
-            let next = power * length_s * INVERSES[j + 2];
-            *weights = [power, (j + 1) as f64 * next];
-            power = next;
+        let (powers, mut weights) = (powers(length_s), [[0.0; 2]; TERMS]);
+        for (j, ([first, second], factors)) in weights.iter_mut().zip(&FACTORS).enumerate() {
+            (*first, *second) = (powers[j] * factors[0], powers[j + 1] * factors[1]);
         }
         Self { weights, count }
     }
@@ -67,18 +98,50 @@ impl TaylorWeights {
 
 /// Returns the number of terms after which the series is complete, for blocks whose `|eigenvalue|`
 /// times the length of the step is at most `size`.
+#[inline(always)]
+pub fn orders(size: f64) -> usize {
+    let more = LARGEST_SIZES.iter().filter(|largest| size > **largest);
+    MIN_ORDERS + more.count()
+}
+
+/// Smallest number of terms.
+const MIN_ORDERS: usize = 2;
+
+/// For each number of terms from [`MIN_ORDERS`] to one below [`LOCAL_TERMS`], the largest size for
+/// which it is enough.
 ///
 /// Term `n` of a double rate, the slowest to converge, is at most `2 (n - 1) x^(n-2) / n!` of the
 /// second, which is the first in a state without a force of its own.
-#[inline(always)]
-pub fn orders(size: f64) -> usize {
-    let (mut orders, mut omitted) = (2, 2.0 / 3.0 * size);
-    while omitted > NEGLIGIBLE_TERM && orders < LOCAL_TERMS {
-        let n = orders as f64;
-        omitted *= (n + 1.0) * size / (n * (n + 2.0));
-        orders += 1;
+const LARGEST_SIZES: [f64; LOCAL_TERMS - MIN_ORDERS] = {
+    let mut largest = [0.0; LOCAL_TERMS - MIN_ORDERS];
+    let mut index = 0;
+    while index < largest.len() {
+        let orders = index + MIN_ORDERS;
+        let (mut low, mut high) = (0.0, 1.0);
+        let mut bisection = 0;
+        while bisection < 100 {
+            let middle = 0.5 * (low + high);
+            if first_omitted(middle, orders) <= NEGLIGIBLE_TERM {
+                low = middle;
+            } else {
+                high = middle;
+            }
+            bisection += 1;
+        }
+        largest[index] = low;
+        index += 1;
     }
-    orders
+    largest
+};
+
+/// Returns the first omitted term after a number of terms.
+const fn first_omitted(size: f64, orders: usize) -> f64 {
+    let (mut omitted, mut n) = (2.0 / 3.0 * size, MIN_ORDERS);
+    while n < orders {
+        omitted *= (n + 1) as f64 * size / (n * (n + 2)) as f64;
+        n += 1;
+    }
+    omitted
 }
 
 #[cfg(test)]

@@ -129,6 +129,12 @@ impl Flow {
         self.pairs[0].len()
     }
 
+    /// Returns the number of vectors of reals.
+    #[inline(always)]
+    pub(crate) fn real_lanes(&self) -> usize {
+        self.reals.len()
+    }
+
     /// Returns the entries `a, b, c, d` of a vector of pairs.
     #[inline(always)]
     pub(crate) fn entries<W: Simd>(&self, w: W, k: usize) -> [W::Register; 4] {
@@ -154,22 +160,6 @@ impl Flow {
         }
         for (k, rate) in self.reals.iter().enumerate() {
             out[2 * p + k] = w.store(w.mul(w.load(rate), w.load(&y[2 * p + k])));
-        }
-    }
-
-    /// Adds the blocks applied to a state to another state.
-    #[inline(always)]
-    pub fn apply_onto<W: Simd>(&self, w: W, y: &[F64x8], sum: &mut [F64x8]) {
-        let p = self.pair_lanes();
-        for k in 0..p {
-            let (u, v) = (w.load(&y[k]), w.load(&y[p + k]));
-            let [a, b, c, d] = self.entries(w, k);
-            sum[k] = w.store(w.fma(a, u, w.fma(b, v, w.load(&sum[k]))));
-            sum[p + k] = w.store(w.fma(c, u, w.fma(d, v, w.load(&sum[p + k]))));
-        }
-        for (k, rate) in self.reals.iter().enumerate() {
-            let at = &mut sum[2 * p + k];
-            *at = w.store(w.fma(w.load(rate), w.load(&y[2 * p + k]), w.load(at)));
         }
     }
 

@@ -153,7 +153,7 @@ impl Integrator<'_> {
         for (sum, tone) in self.integrals.tones_n_s[p].iter_mut().zip(&self.tones) {
             *sum += tone.turn * impulse_n_s;
         }
-        self.excitation.strike_stop(p, impulse_n_s);
+        self.excitation.strike_stop(p, self.time_s, impulse_n_s);
         self.ports[p].statistics.impulse_n_s += impulse_n_s;
         self.y
             .iter_mut()

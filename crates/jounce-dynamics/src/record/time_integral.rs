@@ -12,15 +12,14 @@ use super::trajectory::{ResponseCache, Trajectory, TrajectorySegment};
 use crate::excitation::row::ExcitationRow;
 use crate::force_response::basis::legendre;
 use crate::kernel::Kernel;
-use jounce_model::plant::{BlockDiagonal, Plant};
+use jounce_model::plant::{Plant, SignalSample};
 
 impl Trajectory {
     /// Returns the integral of one component of the physical state `(q, q', V, i)` over an interval
     /// within the record.
     pub fn integral(&self, kernel: &Kernel, from_s: f64, to_s: f64, state_index: usize) -> f64 {
         let mut cache = ResponseCache::default();
-        let mut forced_rows: Vec<(usize, ExcitationRow)> = Vec::new();
-        let mut free_row = FreeRow::default();
+        let mut step = StepIntegral::of(state_index);
         let mut sum = 0.0;
         for segment in self.segments() {
             let within = [from_s, to_s]
@@ -34,49 +33,73 @@ impl Trajectory {
                 continue;
             }
             let plant = &state_kernel.plant;
-            free_row.choose(plant, (segment.conduction_state, length_s), state_index);
+            step.choose(plant, (segment.conduction_state, within));
             sum += match within[0] == 0.0 {
-                true => free_row.times(&segment.state),
-                false => free_row.times(&plant.diagonal.block.flow(within[0], &segment.state)),
+                true => step.times(&segment.state),
+                false => step.times(&plant.diagonal.block.flow(within[0], &segment.state)),
             };
+            sum += step.of_signals(&segment.sizes);
             let driven = segment.driven_integral(state_kernel, within, &mut cache);
             sum += plant.integral_of(&driven, length_s, state_index);
-            if !segment.sizes.is_empty() {
-                let is_this = |(state, _): &(usize, _)| *state == segment.conduction_state;
-                let known = forced_rows.iter().position(is_this).unwrap_or_else(|| {
-                    let row = ExcitationRow::of_physical(plant, state_index);
-                    forced_rows.push((segment.conduction_state, row));
-                    forced_rows.len() - 1
-                });
-                let forced = forced_rows[known].1.series(&segment.sizes, within[1]);
-                sum += forced.integral(within[1]) - forced.integral(within[0]);
-            }
         }
         sum
     }
 }
 
-/// Row whose product with the state at the start of a step is the integral of a component of the
-/// free motion; most steps have the length of the one before.
-#[derive(Default)]
-struct FreeRow {
-    /// Conduction state and length, s.
-    of: Option<(usize, f64)>,
+/// Integral of a component of the physical state over a part of a step, as a linear function of the
+/// state at its start and of the signals; most steps have the length of the one before.
+struct StepIntegral {
+    state_index: usize,
+    /// Conduction state, and the part of the step, s.
+    of: Option<(usize, [f64; 2])>,
+    /// Factors on the state at the start of the part.
     row: Vec<f64>,
+    /// Factors on the value and the slope of each signal at the start of the step.
+    signals: Vec<[f64; 2]>,
+    /// Row over the signals in each conduction state so far.
+    excited: Vec<(usize, ExcitationRow)>,
 }
 
-impl FreeRow {
-    fn choose(&mut self, plant: &Plant, of: (usize, f64), state_index: usize) {
-        if self.of != Some(of) {
-            let block: &BlockDiagonal = &plant.diagonal.block;
-            let matrix = &plant.diagonal.to_physical;
-            let output: Vec<f64> = (0..block.len()).map(|j| matrix[(state_index, j)]).collect();
-            (self.of, self.row) = (Some(of), block.integral_row(of.1, &output));
+impl StepIntegral {
+    fn of(state_index: usize) -> Self {
+        Self {
+            state_index,
+            of: None,
+            row: Vec::new(),
+            signals: Vec::new(),
+            excited: Vec::new(),
         }
+    }
+
+    fn choose(&mut self, plant: &Plant, of: (usize, [f64; 2])) {
+        if self.of == Some(of) {
+            return;
+        }
+        let (conduction_state, [from_s, to_s]) = of;
+        let (block, matrix) = (&plant.diagonal.block, &plant.diagonal.to_physical);
+        let output = (0..block.len()).map(|j| matrix[(self.state_index, j)]);
+        self.row = block.integral_row(to_s - from_s, &output.collect::<Vec<f64>>());
+        let is_this = |(state, _): &(usize, ExcitationRow)| *state == conduction_state;
+        let known = self.excited.iter().position(is_this).unwrap_or_else(|| {
+            let row = ExcitationRow::of_physical(plant, self.state_index);
+            self.excited.push((conduction_state, row));
+            self.excited.len() - 1
+        });
+        self.signals.clear();
+        self.signals
+            .extend(self.excited[known].1.integrals(from_s, to_s));
+        self.of = Some(of);
     }
 
     fn times(&self, state: &[f64]) -> f64 {
         self.row.iter().zip(state).map(|(r, y)| r * y).sum()
+    }
+
+    fn of_signals(&self, sizes: &[SignalSample]) -> f64 {
+        let terms = self.signals.iter().zip(sizes);
+        terms
+            .map(|(by, size)| by[0] * size[0] + by[1] * size[1])
+            .sum()
     }
 }
 

@@ -24,7 +24,7 @@ pub struct TrajectorySegment {
     /// State at its start without the forced part of the signals, block coordinates.
     pub state: SmallVec<[f64; 8]>,
     /// Value and slope of each signal at its start.
-    pub sizes: SmallVec<[SignalSample; 2]>,
+    pub sizes: SmallVec<[SignalSample; 3]>,
     /// Contact forces; empty in flight. Records are long and mostly of flights, so that no space is
     /// kept for them.
     pub forces: Vec<PortForce>,
