@@ -34,6 +34,9 @@ impl TrajectorySegment {
         visit: &mut impl FnMut(&'k Kernel, f64, &[f64]),
     ) {
         let mut visit_full = |after_s: f64, state: &[f64]| {
+            if self.sizes.is_empty() {
+                return visit(kernel, self.start_s + after_s, state);
+            }
             full.clear();
             full.extend_from_slice(state);
             kernel.plant.add_forced(&self.sizes, after_s, full);
