@@ -8,7 +8,7 @@ use jounce_model::plant::{Plant, System};
 use jounce_model::structure::modes;
 use jounce_spec::{Spec, SpecFile};
 
-const PAPER: &str = include_str!("../../../examples/impact-harvester-2019/harvester.toml");
+const PAPER: &str = include_str!("../specs/harvester.toml");
 
 /// Returns the spec of the paper's harvester with some keys set.
 ///

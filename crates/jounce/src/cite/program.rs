@@ -4,7 +4,7 @@ use super::Citation;
 use jounce_spec::bibliography::PublicationKind;
 
 /// The file that names the title, the version, the authors and the address.
-const FILE: &str = include_str!("../../../../CITATION.cff");
+const FILE: &str = include_str!("../../CITATION.cff");
 
 /// Returns the citation of the program.
 pub(super) fn citation(reasons: Vec<String>) -> Citation {

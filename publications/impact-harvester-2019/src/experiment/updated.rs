@@ -12,7 +12,7 @@ use jounce_experiment::draw::fitted;
 use jounce_experiment::fit::{Features, FitError, FitResult, FittedFeature, fit};
 
 /// Measured values and free keys.
-const MEASURED: &str = include_str!("../../../../examples/impact-harvester-2019/measured.toml");
+const MEASURED: &str = include_str!("../../specs/measured.toml");
 
 /// Model before and after the fit.
 pub(super) struct Updated {
