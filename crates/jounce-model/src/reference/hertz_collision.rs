@@ -6,7 +6,7 @@
 //! ```
 //!
 //! SI units, `k` in N/m^n. `n = 1` gives `t_c = pi sqrt(m / k)`, `n = 3/2` gives
-//! `2.943275184 d_max / v`. Source: energy balance; Hertz, J. reine angew. Math. 92 (1881) 156 for
+//! `2.943275184 d_max / v`. Source: energy balance; Hertz, J. reine angew. Math. 92 (1882) 156 for
 //! `n = 3/2`.
 
 use super::Reference;
@@ -29,7 +29,7 @@ pub struct HertzCollision {
 }
 
 impl Reference for HertzCollision {
-    const SOURCE: &'static str = "energy balance; Hertz, J. reine angew. Math. 92 (1881) 156";
+    const SOURCE: &'static str = "energy balance; Hertz, J. reine angew. Math. 92 (1882) 156";
     const TOLERANCE: f64 = 1e-8;
 }
 

@@ -1,6 +1,7 @@
 //! Publications behind the specs, models and methods of jounce: one entry for each.
 //!
-//! An entry has a DOI only where it is certain.
+//! An entry has a DOI only where it is known. The page `howto/cite.md` of the book names the DOIs
+//! that no other source has confirmed.
 
 mod harvesters;
 mod methods;
@@ -43,7 +44,7 @@ pub struct Publication {
     pub year: u16,
     /// Publisher of a book; empty for an article.
     pub publisher: &'static str,
-    /// DOI; empty where it is not certain.
+    /// DOI; empty where it is not known.
     pub doi: &'static str,
 }
 

@@ -92,7 +92,7 @@ pub(super) const ENTRIES: &[Publication] = &[
         container: "Journal für die reine und angewandte Mathematik",
         volume: "92",
         pages: "156–171",
-        year: 1881,
+        year: 1882,
         doi: "10.1515/crll.1882.92.156",
         ..ARTICLE
     },
