@@ -6,7 +6,6 @@ import sys
 import pytest
 from conftest import ROOT
 
-
 #: The compiled module imports nothing of the package; without this the package and all libraries that it uses would be read too.
 STUBTEST_SETTINGS = "[mypy]\n[mypy-jounce]\nfollow_imports = skip\n"
 
