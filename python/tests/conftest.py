@@ -25,6 +25,15 @@ SHORT = {"drive.shaker.amplitude": "50 N", "drive.shaker.frequency": "11 Hz", "r
 SHORTER = {**SHORT, "run.duration": "1 s", "run.average_over": "0.5 s"}
 
 
+#: Tests that take longest: an environment with every library, and the checks of types.
+LONGEST = ("test_readme_works_in_an_empty_environment", "test_types", "test_pyright_accepts_the_package_and_a_program")
+
+
+def pytest_collection_modifyitems(items):
+    """The longest first, so that at the end no process waits for one of them."""
+    items.sort(key=lambda item: not item.name.startswith(LONGEST))
+
+
 def sine(peak, frequency_hz, rate_hz, seconds):
     """Samples of a sine."""
     return peak * np.sin(2.0 * np.pi * frequency_hz * np.arange(int(rate_hz * seconds)) / rate_hz)

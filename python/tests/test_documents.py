@@ -49,9 +49,10 @@ def test_readme_works_in_an_empty_environment(tmp_path):
     if wheel is None:
         pytest.skip("./test builds the wheel and names it in JOUNCE_WHEEL")
     assert target.startswith(".["), "README installs this folder with an extra"
-    venv.create(tmp_path / "venv", with_pip=True)
+    venv.create(tmp_path / "venv")
     python = tmp_path / "venv" / ("Scripts" if os.name == "nt" else "bin") / "python"
-    installed = [str(python), "-m", "pip", "install", "--quiet", "--no-compile", str(Path(wheel).resolve()) + target.removeprefix(".")]
+    pip = [sys.executable, "-m", "pip", "--python", str(python)]
+    installed = [*pip, "install", "--quiet", "--no-compile", str(Path(wheel).resolve()) + target.removeprefix(".")]
     subprocess.run(installed, check=True)
     (block,) = blocks(ROOT / "README.md")
     done = run(str(python), block, tmp_path)

@@ -9,11 +9,13 @@ mod gravity;
 mod hard_cases;
 mod messages;
 mod names;
+mod new;
 mod orbits;
 mod rerun;
 mod runs;
 mod studies;
 mod two_stops;
+mod virtual_rig;
 mod warnings;
 
 use assert_cmd::Command;

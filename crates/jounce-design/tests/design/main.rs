@@ -3,10 +3,15 @@
 
 mod bistable;
 mod closed_forms;
+mod derivatives;
 mod limits;
 mod measured;
 mod robustness;
 mod sensor;
+
+/// The allocator of the program: small matrices took up to half of the time of these tests with that of the system.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 
 use jounce_analysis::Journal;
 use jounce_control::Control;

@@ -190,7 +190,3 @@ fn encode_error(path: &Path, reason: String) -> TableError {
         reason,
     }
 }
-
-#[cfg(test)]
-#[allow(clippy::unwrap_used, reason = "tests")]
-mod tests;

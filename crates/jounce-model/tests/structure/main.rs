@@ -3,7 +3,9 @@
 
 mod composites;
 mod exact;
+mod exchange;
 mod faults;
+mod given_shapes;
 mod laminates;
 mod layers;
 mod narrow_plates;

@@ -16,6 +16,7 @@ mod recordings;
 mod regulators;
 mod round_trip;
 mod schema;
+mod starters;
 mod strain_limits;
 mod sweeps;
 mod velocities;

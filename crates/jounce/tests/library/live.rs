@@ -1,5 +1,4 @@
 //! The live page against the questions of the command line.
-#![allow(clippy::unwrap_used, reason = "tests")]
 
 use jounce::live::{BranchPlace, Design, KeySpan, LiveAnalysis, ResponseOptions};
 use jounce::{Control, Harvester};

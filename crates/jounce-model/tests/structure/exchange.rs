@@ -1,6 +1,5 @@
 //! A cantilever of cubic elements in t, mm and N, as other programs give it, against closed forms in
 //! SI units.
-#![allow(clippy::unwrap_used, reason = "tests")]
 
 use jounce_model::exchange::{ImportSettings, MatrixSet, NameKind, Names, import_modes};
 use jounce_sparse::MatrixEntries;

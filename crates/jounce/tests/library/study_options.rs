@@ -10,7 +10,7 @@ use jounce_analysis::study::{Quantity, Study};
 use jounce_spec::SpecFile;
 use std::path::Path;
 
-const SPEC: &str = include_str!("../../../examples/impact-harvester-2019/harvester.toml");
+const SPEC: &str = include_str!("../../../../examples/impact-harvester-2019/harvester.toml");
 const OVER: &str = "drive.shaker.frequency=10Hz:14Hz:1Hz";
 
 /// Reads the quantity of a study with the options that are required, and no other.

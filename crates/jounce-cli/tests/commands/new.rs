@@ -1,7 +1,5 @@
 //! `jounce new`: every starter is checked, run and drawn as written; an obstacle is one clear error.
 
-#![allow(clippy::unwrap_used, reason = "a test may panic")]
-
 use assert_cmd::Command;
 use serde_json::Value;
 use std::path::Path;

@@ -1,7 +1,5 @@
 //! Records of the virtual rig, whose truth is known, through the commands that analyse recordings.
 
-#![allow(clippy::unwrap_used, reason = "a test may panic")]
-
 use assert_cmd::Command;
 use serde_json::Value;
 use std::path::Path;

@@ -1,5 +1,4 @@
 //! Shapes that are given with mass and stiffness, against closed forms of two masses on springs.
-#![allow(clippy::unwrap_used, reason = "tests")]
 
 use jounce_model::exchange::{
     ExchangeFaults, ImportSettings, ImportedModes, MatrixSet, NameKind, Names, import_modes,

@@ -1,5 +1,4 @@
 //! Sweeps that are interrupted and continue from their journal.
-#![allow(clippy::unwrap_used, reason = "tests")]
 
 use jounce::{Control, Harvester, SweepOptions};
 

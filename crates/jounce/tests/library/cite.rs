@@ -1,7 +1,5 @@
 //! Publications of specs: the examples cite their sources, and each publication has its reason.
 
-#![allow(clippy::unwrap_used, reason = "tests")]
-
 use jounce::{CiteResult, Harvester};
 use jounce_spec::bibliography::publications;
 use jounce_spec::material::LIBRARY;
@@ -323,7 +321,7 @@ fn a_line_and_an_entry_hold_the_publication() {
 
 #[test]
 fn the_book_lists_every_publication() {
-    let page = include_str!("../../../book/src/howto/cite.md");
+    let page = include_str!("../../../../book/src/howto/cite.md");
     for one in publications() {
         let row = format!("| `{}` | {} ({}) |", one.key, one.title, one.year);
         assert!(page.contains(&row), "book/src/howto/cite.md lacks {row}");

@@ -1,6 +1,6 @@
 //! Tables written and read again, and tables that are refused.
 
-use super::*;
+use jounce_io::table::{Column, Manifest, Table, TableError};
 
 fn awkward() -> Table {
     let floats = vec![

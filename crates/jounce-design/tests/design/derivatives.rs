@@ -1,5 +1,4 @@
 //! Derivatives of the mean power of orbits by keys of the spec, against differences of orbits.
-#![allow(clippy::unwrap_used, reason = "tests")]
 
 use jounce_analysis::{
     BranchKind, BranchSearch, DerivativeAccuracy, DerivativeKey, KeyLine, Model, OrbitMethodKind,

@@ -1,0 +1,140 @@
+//! Files that appear whole or not at all, and what interrupted programs leave.
+
+use jounce_io::store::{clean, create, write};
+use std::fs::{self, File};
+use std::path::Path;
+use std::time::{Duration, SystemTime};
+
+fn names(folder: &Path) -> Vec<String> {
+    let mut names: Vec<_> = fs::read_dir(folder)
+        .unwrap()
+        .map(|e| e.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn file_is_created_then_replaced_without_leftovers() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.csv");
+    write(&path, b"one").unwrap();
+    write(&path, b"two").unwrap();
+    assert_eq!(fs::read(&path).unwrap(), b"two");
+    assert_eq!(names(folder.path()), ["a.csv"]);
+}
+
+#[test]
+fn write_errors_name_path_and_reason() {
+    let folder = tempfile::tempdir().unwrap();
+    let missing = write(&folder.path().join("no/such.csv"), b"x")
+        .unwrap_err()
+        .to_string();
+    assert!(
+        missing.contains("such.csv") && missing.contains("is not a folder"),
+        "{missing}"
+    );
+    let directory = write(folder.path(), b"x").unwrap_err().to_string();
+    assert!(directory.contains("it is a folder"), "{directory}");
+    assert!(
+        write(Path::new(""), b"x")
+            .unwrap_err()
+            .to_string()
+            .contains("names no file")
+    );
+    assert!(names(folder.path()).is_empty());
+}
+
+#[test]
+fn read_only_file_is_not_replaced() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("kept");
+    write(&path, b"old").unwrap();
+    let mut permissions = fs::metadata(&path).unwrap().permissions();
+    permissions.set_readonly(true);
+    fs::set_permissions(&path, permissions).unwrap();
+    assert!(
+        write(&path, b"new")
+            .unwrap_err()
+            .reason
+            .contains("read-only")
+    );
+    assert_eq!(fs::read(&path).unwrap(), b"old");
+}
+
+#[test]
+fn existing_file_is_not_created() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.toml");
+    create(&path, b"one").unwrap();
+    let message = create(&path, b"two").unwrap_err().to_string();
+    assert!(
+        message.contains("a.toml") && message.contains("it is there already"),
+        "{message}"
+    );
+    assert_eq!(
+        (fs::read(&path).unwrap(), names(folder.path())),
+        (b"one".to_vec(), vec!["a.toml".to_owned()])
+    );
+    assert!(
+        create(folder.path(), b"x")
+            .unwrap_err()
+            .reason
+            .contains("there already")
+    );
+    assert!(
+        create(&folder.path().join("no/such"), b"x")
+            .unwrap_err()
+            .reason
+            .contains("is not a folder")
+    );
+    assert!(
+        create(Path::new("/"), b"x")
+            .unwrap_err()
+            .reason
+            .contains("names no file")
+    );
+}
+
+#[cfg(unix)]
+#[test]
+fn a_device_is_refused_and_a_link_is_followed() {
+    assert!(
+        write(Path::new("/dev/null"), b"x")
+            .unwrap_err()
+            .reason
+            .contains("regular file")
+    );
+    let folder = tempfile::tempdir().unwrap();
+    let (real, link) = (folder.path().join("real"), folder.path().join("link"));
+    write(&real, b"old").unwrap();
+    std::os::unix::fs::symlink(&real, &link).unwrap();
+    write(&link, b"new").unwrap();
+    assert_eq!(fs::read(&real).unwrap(), b"new");
+    assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+}
+
+#[test]
+fn only_abandoned_files_are_removed() {
+    let folder = tempfile::tempdir().unwrap();
+    let create_aged = |name: &str, age_s: u64| {
+        let file = File::create(folder.path().join(name)).unwrap();
+        file.set_modified(SystemTime::now() - Duration::from_secs(age_s))
+            .unwrap();
+        file
+    };
+    drop((
+        create_aged(".jounce-left", 60),
+        create_aged(".jounce-young", 0),
+        create_aged("part.parquet", 60),
+    ));
+    let written = create_aged(".jounce-written", 60);
+    written.lock().unwrap();
+    clean(folder.path());
+    let mut names: Vec<_> = fs::read_dir(folder.path())
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name())
+        .collect();
+    names.sort();
+    assert_eq!(names, [".jounce-written", ".jounce-young", "part.parquet"]);
+}

@@ -1,0 +1,11 @@
+//! The library as its users call it; one program, because each links everything.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod cite;
+mod exchange;
+mod live;
+mod options;
+mod restitution;
+mod study_options;
+mod sweep_journal;
+mod universal;
