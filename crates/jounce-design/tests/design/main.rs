@@ -2,11 +2,13 @@
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod bistable;
+mod choices;
 mod closed_forms;
 mod limits;
 mod measured;
 mod robustness;
 mod sensor;
+mod wrong_input;
 
 use jounce_analysis::Journal;
 use jounce_control::Control;
