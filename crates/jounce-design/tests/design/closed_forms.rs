@@ -62,7 +62,8 @@ fn the_best_loads_of_a_bimorph_at_both_resonances_are_those_of_the_closed_form()
     let k2 = theta * theta / (capacitance_f * w * w);
     let open = w * (1.0 + k2).sqrt();
     let at_short = 1.0 / (1.0 + (0.5 * k2 / zeta).powi(2)).sqrt() / (w * capacitance_f);
-    let at_open = (1.0 + k2 * k2 / (4.0 * zeta * zeta * (1.0 + k2))).sqrt() / (open * capacitance_f);
+    let at_open =
+        (1.0 + k2 * k2 / (4.0 * zeta * zeta * (1.0 + k2))).sqrt() / (open * capacitance_f);
     let force = modes.participation_sqrt_kg[0] * 9.81;
     for (drive, best_ohm) in [(w, at_short), (open, at_open)] {
         let mechanical = c64::new(w * w - drive * drive, 2.0 * zeta * w * drive);
@@ -83,8 +84,14 @@ fn the_best_loads_of_a_bimorph_at_both_resonances_are_those_of_the_closed_form()
         let found_ohm: f64 = text.trim_end_matches(" ohm").parse().unwrap();
         let power_w = found.best.mean_power_w;
         eprintln!("{found_ohm} ohm of {best_ohm}, {power_w} W of {expected_w}");
-        assert!((power_w / expected_w - 1.0).abs() < 1e-8, "{power_w} {expected_w}");
-        assert!((found_ohm / best_ohm - 1.0).abs() < 1e-3, "{found_ohm} {best_ohm}");
+        assert!(
+            (power_w / expected_w - 1.0).abs() < 1e-8,
+            "{power_w} {expected_w}"
+        );
+        assert!(
+            (found_ohm / best_ohm - 1.0).abs() < 1e-3,
+            "{found_ohm} {best_ohm}"
+        );
     }
 }
 
