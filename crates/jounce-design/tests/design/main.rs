@@ -6,6 +6,7 @@ mod choices;
 mod closed_forms;
 mod limits;
 mod measured;
+mod paper;
 mod robustness;
 mod sensor;
 mod wrong_input;
