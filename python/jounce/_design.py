@@ -59,6 +59,7 @@ class DesignResult(Result):
     feasible: Annotated[bool, About("True within all limits")]
     violation: Annotated[float, About("sum of the violations of the limits, each from 0 within the limit to 1 for an unknown value")]
     ended_by: Annotated[str, About('reason of the end: ``"converged"``, ``"evaluations"``, ``"seconds"`` or ``"stopped"``')]
+    warnings: Annotated[list[str], About("free keys that change neither a goal nor a limit at the best design, one sentence each")]
     trace_evaluation: Annotated[Floats, Along("step", "", "number of evaluated designs", "evaluation")]
     trace_goal: Annotated[Floats, Along("step", "", "first goal of the best design", "goal")]
     trace_violation: Annotated[Floats, Along("step", "", "sum of its relative violations", "violation")]
@@ -84,7 +85,8 @@ class DesignResult(Result):
             if one["value"] is not None
         ]
         end = f"{self.evaluations} designs, ended by {self.ended_by}{'' if self.feasible else ', beyond the limits'}"
-        return [*goals, *keys, *([("orbit", orbit)] if self.stable else []), *limits, ("search", end)]
+        warnings = [("warning", text) for text in self.warnings]
+        return [*goals, *keys, *([("orbit", orbit)] if self.stable else []), *limits, *warnings, ("search", end)]
 
     def _repr_html_(self) -> str:
         rows = [list(row) for row in zip(self.key, self.value, self.before, self.at_end)]
@@ -101,8 +103,9 @@ class DesignResult(Result):
     def front_to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each design of the front: its goals and its keys."""
         rows = [{**one["goals"], **one["set"]} for one in self.front]
-        names = list(rows[0]) if rows else []
-        return self._frame({name: [row[name] for row in rows] for name in names})
+        # A design has the keys of its choices only.
+        names = list(dict.fromkeys(name for row in rows for name in row))
+        return self._frame({name: [row.get(name, "") for row in rows] for name in names})
 
     def _pictures(self) -> dict[str, Callable[[Any], Any]]:
         pictures: dict[str, Callable[[Any], Any]] = {"trace": self.plot_trace}
@@ -144,7 +147,7 @@ def make_design(result: dict[str, Any], spec: Spec, manifest: dict[str, Any]) ->
     """Returns the design of a result of the library, with the best spec."""
     best, keys, trace = result["best"], result["best"]["keys"], result["trace"]
     of_best = {name: value for name, value in best.items() if name not in ("set", "keys")}
-    names = ("limits", "robust", "front", "feasible", "violation", "ended_by", "evaluations", "seed", "wall_time_s")
+    names = ("limits", "robust", "front", "feasible", "violation", "ended_by", "warnings", "evaluations", "seed", "wall_time_s")
     return DesignResult(
         manifest=manifest,
         key=[one["key"] for one in keys],

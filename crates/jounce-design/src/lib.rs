@@ -26,8 +26,8 @@ mod search;
 pub use error::DesignError;
 pub use evaluation::{Evaluation, Journaled, MainOrbit};
 pub use problem::{
-    Condition, FreeKey, FreeRange, FreeValues, Goal, Limit, LimitedQuantity, Problem, Size,
-    Tolerance,
+    Choice, ChoiceIndex, Condition, FreeKey, FreeRange, FreeValues, Goal, Limit, LimitedQuantity,
+    Problem, Size, Tolerance,
 };
 pub use result::{
     BestDesign, DesignBefore, DesignOutcome, FreeValue, FrontPoint, LimitResult, NearestFold,

@@ -24,6 +24,8 @@ pub struct DesignOutcome {
     pub violation: f64,
     /// Reason of the end of the search.
     pub ended_by: SearchEnd,
+    /// Free keys that change neither a goal nor a limit at the best design, one sentence each.
+    pub warnings: Vec<String>,
     /// Better and better designs.
     pub trace: Vec<TracePoint>,
     /// Number of evaluated designs.

@@ -219,3 +219,28 @@ fn contacts_too_short_for_the_retained_modes_give_a_warning() {
     assert_eq!(more.0, Value::Array(Vec::new()));
     assert!((more.1 / most.1 - 1.0).abs() < 0.02, "{more:?} {most:?}");
 }
+
+/// The strip moves by millimetres, so that no gap of half a metre closes. A goal of orbits under noise
+/// is wrong input.
+#[test]
+fn a_design_warns_of_a_key_that_does_not_matter() {
+    let folder = tempfile::tempdir().unwrap();
+    let stop = "[stop.t]\nat = \"s.end\"\nlaw = \"spring\"\ngap = \"500 mm\"\nstiffness = \"1e4 N/m\"\n";
+    let sine = SINE.replace("20 g", "1 g");
+    write_spec(&folder, &format!("{STRIP}{stop}{sine}"));
+    let design = folder.path().join("design.toml");
+    let text = "spec = \"spec.toml\"\nevaluations = 60\n[free]\n\"circuit.m.resistance\" = \"10kohm:1Mohm:log\"\n\
+        \"stop.t.gap\" = \"400mm:600mm\"\n[goal]\nmaximise = \"stable-power\"\nstarts = 2\n";
+    std::fs::write(&design, text).unwrap();
+    let design = design.to_str().unwrap();
+    let (code, found, stderr) = jounce(&["design", design, "--json"]);
+    let warnings = found["warnings"].as_array().unwrap();
+    assert!(code == 0 && warnings.len() == 1, "{stderr} {found}");
+    assert!(stderr.contains("warning: stop.t.gap: "), "{stderr}");
+    write_spec(&folder, &format!("{STRIP}{stop}{NOISE}"));
+    let (code, _, stderr) = jounce(&["design", design]);
+    assert!(
+        code == 4 && stderr.contains("goal.maximise is \"stable-power\", but drive `b` is not periodic"),
+        "{code} {stderr}"
+    );
+}

@@ -1,6 +1,7 @@
-//! What is known of the best design: its values, the price of its limits, the nearest fold and its
-//! robustness.
+//! What is known of the best design: its values, the price of its limits, the nearest fold, its
+//! robustness, and free keys without an effect.
 
+mod effects;
 mod prices;
 
 use crate::DesignError;
@@ -37,6 +38,7 @@ pub fn examine(
         found.unwrap_or_default()
     });
     Ok(DesignOutcome {
+        warnings: effects::warnings(evaluator, best, followed.as_ref())?,
         limits: limits(problem, best, followed.as_ref()),
         robust: match &followed {
             Some(followed) => robustness(evaluator, followed)?,
@@ -108,9 +110,9 @@ fn best_design(
 
 /// Returns the values of the free keys at a place, as text.
 pub fn settings(problem: &Problem, place: &[f64]) -> BTreeMap<String, String> {
-    let pairs = problem.free.iter().zip(place);
-    pairs
-        .map(|(free, place)| (free.path.clone(), free.text(*place)))
+    let applying = problem.applying(place);
+    applying
+        .flat_map(|(_, free, coordinate)| free.settings(coordinate))
         .collect()
 }
 
@@ -120,13 +122,13 @@ fn goals(problem: &Problem, evaluation: &Evaluation) -> BTreeMap<String, f64> {
 }
 
 fn keys(problem: &Problem, place: &[f64]) -> Vec<FreeValue> {
-    let value = |(free, place): (&FreeKey, &f64)| {
+    let value = |(_, free, place): (usize, &FreeKey, f64)| {
         let is_range = matches!(free.values, FreeValues::Range(_));
         FreeValue {
             key: free.path.clone(),
-            value: free.text(*place),
+            value: free.text(place),
             before: free.given(&problem.spec),
-            at_end: match *place {
+            at_end: match place {
                 _ if !is_range => None,
                 place if place < AT_END => Some("lower"),
                 place if place > 1.0 - AT_END => Some("upper"),
@@ -134,7 +136,7 @@ fn keys(problem: &Problem, place: &[f64]) -> Vec<FreeValue> {
             },
         }
     };
-    problem.free.iter().zip(place).map(value).collect()
+    problem.applying(place).map(value).collect()
 }
 
 /// Evaluates the spec as given.

@@ -1,7 +1,9 @@
 //! The problem: what is free, what is wanted, and what must not be exceeded.
 
+mod combinations;
 mod condition;
 mod free_key;
+mod free_range;
 mod goal;
 mod limit;
 mod limited_quantity;
@@ -10,7 +12,8 @@ mod size;
 mod tolerance;
 
 pub use condition::Condition;
-pub use free_key::{FreeKey, FreeRange, FreeValues};
+pub use free_key::{Choice, ChoiceIndex, FreeKey, FreeValues};
+pub use free_range::FreeRange;
 pub use goal::Goal;
 pub use limit::Limit;
 pub use limited_quantity::LimitedQuantity;
@@ -117,25 +120,12 @@ impl Problem {
         self.variants.iter().map(model).collect()
     }
 
-    /// Returns the index of the combination of choices at a place of the unit cube.
-    pub(crate) fn variant(&self, place: &[f64]) -> usize {
-        let mut stride = 1;
-        let mut index = 0;
-        for (free, place) in self.free.iter().zip(place) {
-            if let FreeValues::Choice(texts) = &free.values {
-                index += stride * free.choice(*place);
-                stride *= texts.len();
-            }
-        }
-        index
-    }
-
     /// Returns the values of the numeric keys at a place of the unit cube, SI.
     pub(crate) fn numbers(&self, place: &[f64]) -> Vec<(&NumericKey, f64)> {
         let mut all = Vec::with_capacity(self.free.len());
-        for (free, place) in self.free.iter().zip(place) {
+        for (_, free, coordinate) in self.applying(place) {
             if let FreeValues::Range(range) = &free.values {
-                all.push((&range.key, range.value(*place)));
+                all.push((&range.key, range.value(coordinate)));
             }
         }
         all
@@ -177,7 +167,7 @@ impl Problem {
         place: &[f64],
     ) -> Vec<DerivativeKey<'_>> {
         let key = |k: &usize| {
-            let range = self.free[*k].smooth()?;
+            let range = self.free[*k].smooth().filter(|_| self.applies(*k, place))?;
             Some(DerivativeKey {
                 key: &range.key,
                 scale: range.slope(place[*k]),

@@ -116,12 +116,13 @@ pub fn design(
             },
         });
     };
+    let evaluations = evaluator.count();
     let mut result = examine(&evaluator, &best, found.end)?;
     if problem.goals.len() > 1 {
         result.front = front(problem, &found.full);
     }
     result.trace = found.trace;
-    result.evaluations = evaluator.count();
+    result.evaluations = evaluations;
     result.wall_time_s = begin.elapsed().as_secs_f64();
     Ok(result)
 }

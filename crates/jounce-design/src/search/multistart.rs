@@ -10,7 +10,7 @@
 //! Source of the method: A. H. G. Rinnooy Kan, G. T. Timmer, Math. Program. 39 (1987) 27, multistart.
 
 use super::refine::{MAX_FOLLOWED, Refined, refine};
-use super::rounds::{self, given, keep, next_round, screened};
+use super::rounds::{self, keep, next_round, screened};
 use super::sampling::Places;
 use super::{Budget, Candidate, Found, GAIN};
 use crate::evaluation::{Effort, Evaluator, SCREENING_STARTS};
@@ -62,6 +62,9 @@ pub fn search(evaluator: &Evaluator<'_>, budget: &Budget<'_>) -> Result<Found, D
         let round = next_round(evaluator, budget, &mut places, rounds == 0);
         let mut few = screened(evaluator, round, Effort::Probe)?;
         few.sort_by(Candidate::rank);
+        if found.failure.is_none() {
+            found.failure = few.iter().find_map(|one| one.evaluation.failure.clone());
+        }
         let (first, rest) = few.split_at(BATCH.min(few.len()));
         let mut follow = |batch: &[Candidate], found: &mut Found| {
             let pairs = refined(evaluator, budget, batch);
@@ -71,7 +74,7 @@ pub fn search(evaluator: &Evaluator<'_>, budget: &Budget<'_>) -> Result<Found, D
         };
         follow(first, &mut found)?;
         let is_due = rounds == 0 && (found.best.is_none() || budget.left(evaluator.count()) > 0);
-        if let (true, Some(place)) = (is_due, given(evaluator)) {
+        if let (true, Some(place)) = (is_due, evaluator.problem.given()) {
             keep(evaluator, place, &mut found)?;
         }
         for batch in rest.chunks(BATCH) {

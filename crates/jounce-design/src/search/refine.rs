@@ -82,6 +82,7 @@ pub fn refine(evaluator: &Evaluator<'_>, start: &Candidate, most: usize) -> Opti
     let problem = evaluator.problem;
     let smooth: Vec<usize> = (0..problem.free.len())
         .filter(|index| problem.free[*index].smooth().is_some())
+        .filter(|index| problem.applies(*index, &start.place))
         .collect();
     if !problem.follows_orbit() || smooth.is_empty() {
         return None;

@@ -48,18 +48,11 @@ pub fn next_round(
     places: &mut Places,
     is_first: bool,
 ) -> Vec<Vec<f64>> {
-    let given = is_first.then(|| given(evaluator)).flatten();
+    let given = is_first.then(|| evaluator.problem.given()).flatten();
     let left = budget.left(evaluator.count());
     let mut round = places.take(ROUND.min(left.saturating_sub(1).div_ceil(2)));
     round.extend(given);
     round
-}
-
-/// Returns the place of the spec as given, if it is within all ranges.
-pub fn given(evaluator: &Evaluator<'_>) -> Option<Vec<f64>> {
-    let problem = evaluator.problem;
-    let places = problem.free.iter().map(|free| free.place(&problem.spec));
-    places.collect()
 }
 
 /// Evaluates places with few starts.

@@ -1,6 +1,11 @@
 //! Designs whose best values have a closed form.
 
 use super::outcome_of;
+use jounce_analysis::Model;
+use jounce_linalg::c64;
+use jounce_spec::SpecFile;
+use std::f64::consts::TAU;
+use std::path::Path;
 
 /// A patch whose stiffness and mass do not matter, from the root of a uniform cantilever at its first
 /// resonance: the power into the optimal load is `slope(L)^2 / L`, with the slope of the mode at the
@@ -29,6 +34,65 @@ fn the_best_patch_covers_the_root_up_to_half_the_mean_strain() {
         (length_m / expected_m - 1.0).abs() < 1e-4,
         "{length_m} {expected_m}"
     );
+}
+
+/// One mode of the bimorph of Erturk and Inman at its short-circuit resonance `w` and its
+/// open-circuit resonance `w_o = w sqrt(1 + k^2)`, with `k^2 = theta^2 / (C w^2)`:
+///
+/// ```text
+/// w C R = 1 / sqrt(1 + (k^2 / 2 zeta)^2),   w_o C R = sqrt(1 + k^4 / (4 zeta^2 (1 + k^2)))
+/// ```
+///
+/// Both are `1 / |Y|` of the electric port, `Y = i W C + i W theta^2 / (w^2 - W^2 + 2 i zeta w W)`.
+///
+/// Source: A. Erturk, D. J. Inman, Smart Mater. Struct. 18 (2009) 025009.
+#[test]
+fn the_best_loads_of_a_bimorph_at_both_resonances_are_those_of_the_closed_form() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../../examples/bimorph-erturk-2009/harvester.toml");
+    let mut file = SpecFile::read(&path).unwrap();
+    file.set("reduction.modes", "1").unwrap();
+    let plant = Model::new(file.spec().unwrap()).unwrap().kernel.plant;
+    let modes = &plant.system.modes;
+    let capacitance_f = plant.electrical.nodes[0].capacitance_f;
+    let (w, zeta) = (modes.frequency_rad_s[0], modes.damping_ratio[0]);
+    // In series each layer has half of the voltage.
+    let of_layer = |name: &str| 0.5 * modes.patch[name].coupling_n_per_v[0].abs();
+    let theta = of_layer("top") + of_layer("bottom");
+    let k2 = theta * theta / (capacitance_f * w * w);
+    let open = w * (1.0 + k2).sqrt();
+    let at_short = 1.0 / (1.0 + (0.5 * k2 / zeta).powi(2)).sqrt() / (w * capacitance_f);
+    let at_open =
+        (1.0 + k2 * k2 / (4.0 * zeta * zeta * (1.0 + k2))).sqrt() / (open * capacitance_f);
+    let force = modes.participation_sqrt_kg[0] * 9.81;
+    for (drive, best_ohm) in [(w, at_short), (open, at_open)] {
+        let mechanical = c64::new(w * w - drive * drive, 2.0 * zeta * w * drive);
+        let i = c64::new(0.0, drive);
+        let admittance = i * capacitance_f + i * (theta * theta) / mechanical;
+        assert!((admittance.norm() * best_ohm - 1.0).abs() < 1e-10);
+        let current = i * (theta * force) / mechanical;
+        let voltage = current / (admittance + 1.0 / best_ohm);
+        let expected_w = 0.5 * voltage.norm_sqr() / best_ohm;
+        file.set("drive.base.frequency", &format!("{:?} Hz", drive / TAU))
+            .unwrap();
+        let found = outcome_of(
+            &file.text(),
+            "[free]\n\"circuit.load.resistance\" = \"1kohm:10Mohm:log\"\n\
+             [goal]\nmaximise = \"expected-power\"\nstarts = 2\n",
+        );
+        let text = &found.best.set["circuit.load.resistance"];
+        let found_ohm: f64 = text.trim_end_matches(" ohm").parse().unwrap();
+        let power_w = found.best.mean_power_w;
+        eprintln!("{found_ohm} ohm of {best_ohm}, {power_w} W of {expected_w}");
+        assert!(
+            (power_w / expected_w - 1.0).abs() < 1e-8,
+            "{power_w} {expected_w}"
+        );
+        assert!(
+            (found_ohm / best_ohm - 1.0).abs() < 1e-3,
+            "{found_ohm} {best_ohm}"
+        );
+    }
 }
 
 /// Returns the length at which the strain of the first mode of a cantilever is half of its mean from

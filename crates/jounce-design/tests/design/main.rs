@@ -2,12 +2,15 @@
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod bistable;
+mod choices;
 mod closed_forms;
 mod derivatives;
 mod limits;
 mod measured;
+mod paper;
 mod robustness;
 mod sensor;
+mod wrong_input;
 
 /// The allocator of the program: small matrices took up to half of the time of these tests with that of the system.
 #[global_allocator]

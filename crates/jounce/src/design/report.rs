@@ -5,6 +5,7 @@ use crate::error::Error;
 use jounce_design::{FreeValue, FrontPoint, Goal, LimitResult, SobolIndex};
 use jounce_io::table::{Column, Table};
 use jounce_plot::{Axis, Figure, Marker, Panel, Series};
+use std::collections::BTreeSet;
 
 impl DesignResult {
     /// Returns the tables with their names: the free keys, the limits, the better and better designs
@@ -169,6 +170,11 @@ impl DesignResult {
         lines.join("\n")
     }
 
+    /// Returns the warnings: free keys that change neither a goal nor a limit at the best design.
+    pub fn warnings(&self) -> Vec<String> {
+        self.outcome.warnings.clone()
+    }
+
     /// Returns the message for a design beyond its limits.
     pub fn violation_text(&self) -> String {
         let limits = self.outcome.limits.iter();
@@ -289,8 +295,11 @@ fn front_table(front: &[FrontPoint]) -> Result<Table, Error> {
         let values: Vec<f64> = front.iter().map(|one| one.goals[name]).collect();
         columns.push(Column::new(name, unit(name), "goal", values));
     }
-    for key in first.set.keys() {
-        let values: Vec<String> = front.iter().map(|one| one.set[key].clone()).collect();
+    // A design has the keys of its choices only.
+    let keys: BTreeSet<&String> = front.iter().flat_map(|one| one.set.keys()).collect();
+    for key in keys {
+        let value = |one: &FrontPoint| one.set.get(key).cloned().unwrap_or_default();
+        let values: Vec<String> = front.iter().map(value).collect();
         columns.push(Column::new(key, "", "free key", values));
     }
     Ok(Table::new(columns)?)

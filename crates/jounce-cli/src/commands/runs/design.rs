@@ -67,6 +67,7 @@ impl Design {
         if let Some(folder) = &self.output.out {
             self.write(folder, &design, &result)?;
         }
+        output::warn(&result.warnings());
         match self.output.json {
             true => print(&output::to_json(&result)?),
             false => line(result.text()),

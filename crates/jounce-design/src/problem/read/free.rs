@@ -1,17 +1,15 @@
-//! Free keys and the specs of their choices.
+//! Free keys.
 
-use crate::problem::{FreeKey, FreeValues};
+use super::choices::choices;
+use crate::problem::{Condition, FreeKey, FreeRange, FreeValues};
 use jounce_analysis::study::FaultCollector;
 use jounce_spec::SpecFile;
-use toml_edit::Item;
+use toml_edit::{Item, Table};
 
 /// Largest number of free keys: a search over more is slower than its user.
 const MAX_FREE: usize = 64;
 
-/// Largest number of combinations of choices.
-const MAX_VARIANTS: usize = 1000;
-
-/// Reads the free keys.
+/// Reads the free keys. A choice stands before the ranges that belong to it.
 pub(super) fn free(
     reader: &mut FaultCollector,
     item: Option<&Item>,
@@ -27,79 +25,89 @@ pub(super) fn free(
     let mut all = Vec::new();
     for (path, item) in table {
         let read = match (item.as_str(), item.as_array()) {
-            (Some(text), _) => FreeKey::range(file, path, text),
-            (None, Some(array)) => {
-                let texts: Vec<String> = array
-                    .iter()
-                    .filter_map(|value| value.as_str().map(str::to_owned))
-                    .collect();
-                match texts.len() == array.len() && texts.len() > 1 {
-                    true => Ok(FreeKey {
-                        path: path.to_owned(),
-                        values: FreeValues::Choice(texts),
-                    }),
-                    false => Err(vec![format!(
-                        "free.{path} must list at least two texts, as in [\"steel\", \"aluminium\"]"
-                    )]),
-                }
-            }
+            (Some(text), _) => FreeRange::read(file, path, text).map(|range| {
+                vec![FreeKey {
+                    path: path.to_owned(),
+                    values: FreeValues::Range(Box::new(range)),
+                    with: None,
+                }]
+            }),
+            (None, Some(array)) => choices(file, path, array, all.len()),
             _ => Err(vec![format!(
-                "free.{path} must be a text, as in \"0.2mm:3mm\", under the whole path as one key, or a list of texts"
+                "free.{path} must be a text, as in \"0.2mm:3mm\", under the whole path as one key, or a list of choices"
             )]),
         };
         match read {
-            Ok(free) => all.push(free),
+            Ok(free) => all.extend(free),
             Err(messages) => messages
                 .into_iter()
                 .for_each(|message| reader.fault(path, item.span(), message)),
         }
     }
-    if table.len() > MAX_FREE {
+    if all.len() > MAX_FREE {
         let message = format!(
             "free has {} keys; at most {MAX_FREE} are allowed",
-            table.len()
+            all.len()
         );
         reader.fault("free", item.and_then(Item::span), message);
     }
     all
 }
 
-/// Returns the spec of each combination of choices.
-pub(super) fn variants(
+/// Checks that no key is set twice: by two free keys, or by a free key and the conditions.
+pub(super) fn check_paths(
     reader: &mut FaultCollector,
+    root: &Table,
     free: &[FreeKey],
-    file: &SpecFile,
-) -> Vec<SpecFile> {
-    let mut variants = vec![file.clone()];
-    for free in free {
-        let FreeValues::Choice(texts) = &free.values else {
-            continue;
-        };
-        if variants.len() * texts.len() > MAX_VARIANTS {
-            let message = format!("free: the choices have more than {MAX_VARIANTS} combinations");
-            reader.fault(&free.path, None, message);
-            return variants;
-        }
-        let mut combined = Vec::with_capacity(variants.len() * texts.len());
-        for text in texts {
-            for variant in &variants {
-                let mut variant = variant.clone();
-                let set = variant.set(&free.path, text);
-                let faults = match set {
-                    Err(fault) => vec![fault],
-                    Ok(()) => variant
-                        .spec()
-                        .err()
-                        .map_or_else(Vec::new, |faults| faults.as_slice().to_vec()),
-                };
-                for fault in faults {
-                    let message = format!("free.{} = \"{text}\": {}", free.path, fault.message);
-                    reader.fault(&free.path, None, message);
-                }
-                combined.push(variant);
+    conditions: &[Condition],
+) {
+    let by_conditions: Vec<&str> = conditions
+        .iter()
+        .flat_map(|condition| &condition.values)
+        .map(|(key, _)| key.path())
+        .collect();
+    let mut set = Vec::new();
+    for one in free {
+        let paths = set_by(one);
+        // The ranges of a choice belong to it, and several of its choices may have the same key.
+        let owner = one.with.map_or(&one.path, |with| &free[with.free].path);
+        for path in paths {
+            let span = span_of(root, owner);
+            let other = set
+                .iter()
+                .find(|(known, by)| *known == path && *by != owner);
+            if other.is_some() {
+                let message = format!(
+                    "free.{path} is set twice: as a key and in the choices of another key; remove one of the two"
+                );
+                reader.fault(path, span, message);
+            } else if by_conditions.contains(&path) {
+                let message = format!(
+                    "free.{path}: the conditions set this key, so that it cannot be free; remove it from [free] or from [[conditions]]"
+                );
+                reader.fault(path, span, message);
             }
+            set.push((path, owner));
         }
-        variants = combined;
     }
-    variants
+}
+
+/// Returns the paths that a free key sets, each once.
+fn set_by(free: &FreeKey) -> Vec<&str> {
+    match &free.values {
+        FreeValues::Range(_) => vec![&free.path],
+        FreeValues::Choice(choices) => {
+            let all = choices.iter().flat_map(|choice| &choice.values);
+            let mut paths: Vec<&str> = all.map(|(path, _)| path.as_str()).collect();
+            paths.sort_unstable();
+            paths.dedup();
+            paths
+        }
+    }
+}
+
+/// Returns the place of a free key in the text.
+pub(super) fn span_of(root: &Table, path: &str) -> Option<std::ops::Range<usize>> {
+    let table = root.get("free")?.as_table()?;
+    table.key(path).and_then(toml_edit::Key::span)
 }

@@ -1,16 +1,12 @@
 //! Goals and the number of starts.
 
 use crate::problem::Goal;
+use jounce_analysis::Model;
 use jounce_analysis::study::FaultCollector;
-use jounce_spec::Spec;
 use toml_edit::{Item, Table};
 
 /// Reads the goals and the number of starts.
-pub(super) fn goals(
-    reader: &mut FaultCollector,
-    item: Option<&Item>,
-    spec: &Spec,
-) -> (Vec<Goal>, usize) {
+pub(super) fn goals(reader: &mut FaultCollector, item: Option<&Item>) -> (Vec<Goal>, usize) {
     let empty = Table::new();
     let table = reader.table("goal", item).unwrap_or(&empty);
     reader.known("goal.", table, &["maximise", "starts"]);
@@ -46,15 +42,6 @@ pub(super) fn goals(
             ),
         }
     }
-    if let Some(goal) = goals.iter().find(|goal| goal.needs_device())
-        && spec.device.is_empty()
-    {
-        let message = format!(
-            "goal.maximise is \"{}\", but the spec has no device; give a [regulator.NAME] and a [device.NAME], or choose \"mean-power\"",
-            goal.name()
-        );
-        reader.fault("goal.maximise", maximise.and_then(Item::span), message);
-    }
     if names.is_empty() {
         let message = format!(
             "goal.maximise is missing; write one of {all}, as in maximise = \"expected-power\" below [goal]"
@@ -62,4 +49,55 @@ pub(super) fn goals(
         reader.fault("goal.maximise", maximise.and_then(Item::span), message);
     }
     (goals, starts)
+}
+
+/// Checks that a harvester can have the goals; `with` says for which choices, or nothing.
+pub(super) fn check_goals(
+    reader: &mut FaultCollector,
+    root: &Table,
+    goals: &[Goal],
+    (model, with): (&Model, &str),
+) {
+    let maximise = root.get("goal").and_then(|goal| goal.get("maximise"));
+    let span = maximise.and_then(Item::span);
+    let verb = match maximise.and_then(Item::as_array) {
+        Some(_) => "lists",
+        None => "is",
+    };
+    for goal in goals {
+        if let Some(reason) = obstacle(*goal, model) {
+            let name = goal.name();
+            let message = format!("goal.maximise {verb} \"{name}\", but {reason}{with}");
+            reader.fault("goal.maximise", span.clone(), message);
+        }
+    }
+}
+
+/// Returns why a harvester cannot have a goal, and what to do.
+fn obstacle(goal: Goal, model: &Model) -> Option<String> {
+    let system = &model.kernel.plant.system;
+    if goal.needs_device() && model.spec.device.is_empty() {
+        return Some(
+            "the spec has no device; give a [regulator.NAME] and a [device.NAME], or choose \"mean-power\""
+                .to_owned(),
+        );
+    }
+    if system.loads.is_empty() && system.bridges.is_empty() {
+        return Some(
+            "no circuit takes power from a patch; add a [circuit.NAME] with patch = \"NAME\" and resistance = \"100 kohm\""
+                .to_owned(),
+        );
+    }
+    if goal.needs_run() {
+        return None;
+    }
+    if let Some(part) = system.aperiodic() {
+        return Some(format!(
+            "{part} is not periodic, so that there are no periodic orbits; choose \"mean-power\", or give every drive signal = \"sine\""
+        ));
+    }
+    system.drives.is_empty().then(|| {
+        "the spec has no sinusoidal drive; add a [drive.NAME] with an amplitude and a frequency, or choose \"mean-power\""
+            .to_owned()
+    })
 }

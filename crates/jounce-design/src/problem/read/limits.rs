@@ -1,5 +1,6 @@
 //! Limits.
 
+use crate::problem::limited_quantity::allowed;
 use crate::problem::{Goal, Limit, LimitedQuantity};
 use jounce_analysis::Model;
 use jounce_analysis::study::FaultCollector;
@@ -46,6 +47,32 @@ pub(super) fn check_together(
                 "limits.{} does not go with the goal \"{}\"; list \"expected-power\" or \"stable-power\" too",
                 limit.name,
                 goal.name()
+            );
+            reader.fault(&limit.name, span, message);
+        }
+    }
+}
+
+/// Checks that the harvester of a combination of choices has all limited quantities.
+pub(super) fn check_limits(
+    reader: &mut FaultCollector,
+    root: &Table,
+    limits: &[Limit],
+    (model, choices): (&Model, &str),
+) {
+    let all = allowed(model);
+    for limit in limits {
+        let is_known = |(name, quantity): (&str, LimitedQuantity)| {
+            name == limit.name && quantity == limit.quantity
+        };
+        if !all
+            .iter()
+            .any(|(name, quantity, ..)| is_known((name, *quantity)))
+        {
+            let span = root.get("limits").and_then(Item::span);
+            let message = format!(
+                "limits.{}: there is no such quantity with {choices}; remove the limit or the choice",
+                limit.name
             );
             reader.fault(&limit.name, span, message);
         }

@@ -10,22 +10,27 @@
 //! "patch.mfc.strain" = "600 ppm"
 //! ```
 
+mod choices;
 mod conditions;
+mod effects;
 mod free;
 mod goals;
 mod limits;
+mod variants;
 
 use super::{Problem, Tolerance, digest};
 use crate::DesignError;
 use conditions::conditions;
-use free::{free, variants};
-use goals::goals;
+use free::{check_paths, free};
+use goals::{check_goals, goals};
 use jounce_analysis::Model;
 use jounce_analysis::study::FaultCollector;
+use jounce_control::Control;
 use jounce_spec::SpecFile;
-use limits::{check_together, limits};
+use limits::{check_limits, check_together, limits};
 use std::path::PathBuf;
-use toml_edit::Item;
+use toml_edit::{Item, Table};
+use variants::{check_keys, variants};
 
 /// Reads a text; `file` finds the spec and its name in messages by the path in the text, `None` if
 /// it names no path.
@@ -57,10 +62,12 @@ pub(super) fn read(
         .map_err(|faults| DesignError::Spec { file: name, faults })?;
     let model = Model::new(spec.clone())?;
     let free = free(&mut reader, root.get("free"), &file);
-    let (goals, starts) = goals(&mut reader, root.get("goal"), &spec);
+    let (goals, starts) = goals(&mut reader, root.get("goal"));
+    check_goals(&mut reader, root, &goals, (&model, ""));
     let limits = limits(&mut reader, root.get("limits"), &model);
     check_together(&mut reader, root, &goals, &limits);
     let conditions = conditions(&mut reader, root.get("conditions"), &file);
+    check_paths(&mut reader, root, &free, &conditions);
     let tolerances = tolerances(&mut reader, root.get("tolerance"), &file);
     let seed = reader.integer("seed", root.get("seed"), (0, 1 << 53), 1);
     let evaluations = root.get("evaluations");
@@ -68,11 +75,11 @@ pub(super) fn read(
     let draws = reader.integer("draws", root.get("draws"), (8, 1 << 20), 128) as usize;
     let seconds = root.get("seconds");
     let seconds = seconds.map(|item| reader.positive("seconds", Some(item), 1.0));
-    let variants = variants(&mut reader, &free, &file);
+    let variants = variants(&mut reader, root, &free, &file);
     if !reader.faults.is_empty() {
         return Err(DesignError::Faults(reader.faults));
     }
-    Ok(Problem {
+    let problem = Problem {
         hash_hex: digest(text, &spec),
         file,
         variants,
@@ -88,7 +95,32 @@ pub(super) fn read(
         seed,
         evaluations,
         seconds,
-    })
+    };
+    check(&mut reader, root, &problem)?;
+    match reader.faults.is_empty() {
+        true => Ok(problem),
+        false => Err(DesignError::Faults(reader.faults)),
+    }
+}
+
+/// Checks the harvesters of all combinations of choices, and the effects of the free keys.
+fn check(reader: &mut FaultCollector, root: &Table, problem: &Problem) -> Result<(), DesignError> {
+    let models = problem.models(&Control::default())?;
+    if models.len() > 1 {
+        for (index, model) in models.iter().enumerate() {
+            let choices = problem.choices_text(index);
+            let with = format!("; this concerns {choices}");
+            check_goals(reader, root, &problem.goals, (model, &with));
+            let (free, conditions) = (&problem.free, &problem.conditions);
+            check_keys(reader, root, free, conditions, (&model.spec, &choices));
+            check_limits(reader, root, &problem.limits, (model, &choices));
+            if !reader.faults.is_empty() {
+                return Ok(());
+            }
+        }
+    }
+    effects::check(reader, root, problem, &models);
+    Ok(())
 }
 
 /// Reads the tolerances.
