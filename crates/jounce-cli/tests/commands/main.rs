@@ -7,12 +7,14 @@ mod cite;
 mod given;
 mod gravity;
 mod hard_cases;
+mod link;
 mod messages;
 mod names;
 mod orbits;
 mod rerun;
 mod runs;
 mod studies;
+mod study_page;
 mod two_stops;
 mod warnings;
 
