@@ -10,9 +10,9 @@ after(() => elsewhere?.close());
 test("the copied link opens spec, changes and axis elsewhere", async () => {
     await type("stop.tip.gap", "0.7 mm");
     await ready(page);
-    await page.locator("#from").fill("12.1");
+    await page.locator("#from").fill("10.5");
     await page.locator("#from").press("Enter");
-    await page.locator("#to").fill("12.9");
+    await page.locator("#to").fill("13.5");
     await page.locator("#to").press("Enter");
     await ready(page);
     await browser.context.grantPermissions(["clipboard-read", "clipboard-write"]);
@@ -28,7 +28,7 @@ test("the copied link opens spec, changes and axis elsewhere", async () => {
     elsewhere = await serve({ link });
     const other = await open(browser.context, elsewhere.address);
     assert.equal(await other.getByLabel("stop.tip.gap, value", { exact: true }).inputValue(), "0.7");
-    assert.deepEqual([await other.locator("#from").inputValue(), await other.locator("#to").inputValue()], ["12.1", "12.9"]);
+    assert.deepEqual([await other.locator("#from").inputValue(), await other.locator("#to").inputValue()], ["10.5", "13.5"]);
     assert.equal(await other.locator("#readout").textContent(), readout);
     assert.match(await other.locator("#close").textContent(), /gap 0\.7 mm/);
     assert.deepEqual(other.faults, []);

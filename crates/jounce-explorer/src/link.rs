@@ -13,12 +13,15 @@ use base64::engine::general_purpose::URL_SAFE_NO_PAD;
 use flate2::Compression;
 use flate2::read::{DeflateDecoder, DeflateEncoder};
 use jounce::live::KeySpan;
-use percent_encoding::{NON_ALPHANUMERIC, percent_decode_str, utf8_percent_encode};
+use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, percent_decode_str, utf8_percent_encode};
 use std::fmt;
 use std::io::Read;
 
 /// Begin of a link.
 const SCHEME: &str = "jounce:?";
+
+/// Letters that are encoded: what remains is safe in addresses and in quotes of every shell.
+const ENCODED: &AsciiSet = &NON_ALPHANUMERIC.remove(b'.').remove(b'-').remove(b'_');
 
 /// Largest spec in a link, bytes.
 const MAX_SPEC_BYTES: u64 = 4 << 20;
@@ -98,10 +101,7 @@ impl fmt::Display for Link {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut fields: Vec<String> = Vec::new();
         let mut add = |name: &str, value: &str| {
-            fields.push(format!(
-                "{name}={}",
-                utf8_percent_encode(value, NON_ALPHANUMERIC)
-            ));
+            fields.push(format!("{name}={}", utf8_percent_encode(value, ENCODED)));
         };
         for (key, value) in &self.set {
             add("set", &format!("{key}={value}"));
