@@ -25,6 +25,7 @@ export class Exports {
     open(head: Head, file: string): void {
         this.spec = head.spec;
         this.stem = file.split(/[\\/]/).pop()!.replace(/\.[^.]*$/, "") || "harvester";
+        find("export-link").textContent = `jounce explore --link '${head.link}'`;
         find("export-shell").textContent = head.shell;
         find("export-python").textContent = head.python;
         if (!this.dialog.open) this.dialog.showModal();
@@ -55,7 +56,8 @@ export function table(result: ResponseResult): string {
     return lines.join("\n") + "\n";
 }
 
-function save(name: string, type: string, content: string | Blob): void {
+/** Downloads a file of the page. */
+export function save(name: string, type: string, content: string | Blob): void {
     const link = document.createElement("a");
     link.href = URL.createObjectURL(content instanceof Blob ? content : new Blob([content], { type }));
     link.download = name;

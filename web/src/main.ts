@@ -45,8 +45,8 @@ const basins = new Basins(wire, design);
 const shake = new Shake(wire, controls, design, () => find("tab-shake").click());
 const exports = new Exports(response, drawing);
 const save = new Save(wire, design);
-/** True while the export is requested to compare the design with its file. */
-let comparing = false;
+/** What the export is requested for. */
+let wanted: "export" | "save" | "link" = "export";
 const status = find("status");
 let file = "";
 let begun = false;
@@ -133,7 +133,8 @@ wire.on("hello", ({ head }) => {
     if (!begun) {
         const kept = fromFragment(location.hash);
         design.begin(kept?.pairs ?? head.set);
-        if (kept?.view) axes.set(kept.view);
+        const view = kept?.view ?? head.view;
+        if (view) axes.set(view);
         begun = true;
     }
     requests.change(performance.now());
@@ -197,7 +198,8 @@ wire.on("file", () => {
 wire.on("export", ({ head }) => {
     if (head.stage === "fault") return fault("export", head.faults);
     fault("export", []);
-    if (comparing) save.open(head, file);
+    if (wanted === "save") save.open(head, file);
+    else if (wanted === "link") copy(head.link);
     else exports.open(head, file);
 });
 wire.onOpen = () => {
@@ -218,16 +220,18 @@ const act: Record<string, () => void> = {
     redo: () => design.redo(),
     reset: () => design.reset(),
     pin: () => pins.add(),
-    share: () => {
-        address();
-        navigator.clipboard?.writeText(location.href).then(() => say("the link was copied"), () => say("copy the link from the address bar"));
-    },
-    export: () => exporting(false),
-    save: () => exporting(true),
+    share: () => exporting("link"),
+    export: () => exporting("export"),
+    save: () => exporting("save"),
 };
-const exporting = (compare: boolean) => {
-    comparing = compare;
+const exporting = (purpose: typeof wanted) => {
+    wanted = purpose;
     if (axes.view) wire.ask("export", { set: design.pairs, ...axes.view });
+};
+/** Copies a link; where the browser refuses, the export shows it. */
+const copy = (link: string) => {
+    const copied = navigator.clipboard?.writeText(link) ?? Promise.reject(new Error("no clipboard"));
+    copied.then(() => say("the link was copied; elsewhere: jounce explore --link LINK"), () => exporting("export"));
 };
 for (const [id, run] of Object.entries(act)) find(id).onclick = run;
 const theme = new Theme(find("theme"), () => {

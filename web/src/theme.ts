@@ -24,6 +24,7 @@ export function shade(index: number): string {
 /** Light or dark: as the system specifies, until the user selects one. */
 export class Theme {
     private readonly system = matchMedia("(prefers-color-scheme: dark)");
+    private chosen = "light";
 
     constructor(private readonly button: HTMLButtonElement, private readonly changed: () => void) {
         this.put(userStorage?.getItem(THEME) ?? (this.system.matches ? "dark" : "light"));
@@ -37,12 +38,19 @@ export class Theme {
         this.set(name);
     }
 
+    /** Shows a theme until the next call without one. */
+    show(name = this.chosen): void {
+        document.documentElement.dataset.theme = name;
+        this.changed();
+    }
+
     private set(name: string): void {
         this.put(name);
         this.changed();
     }
 
     private put(name: string): void {
+        this.chosen = name;
         document.documentElement.dataset.theme = name;
         this.button.setAttribute("aria-pressed", String(name === "dark"));
         this.button.textContent = name === "dark" ? "Light" : "Dark";

@@ -20,7 +20,7 @@ const FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-ru
 /** Kinds of templates that `jounce new` writes. */
 export const templates = () => spawnSync(program, ["new"], { encoding: "utf8" }).stdout.trim().split("\n").map((line) => line.split(" ")[0]);
 
-/** Starts a server on a copy of the paper's spec, of another example, of the template of a kind, or on a text. */
+/** Starts a server on a copy of the paper's spec, of another example, of the template of a kind, on a text, or on a link. */
 export async function serve(options = {}) {
     const folder = await mkdtemp(join(tmpdir(), "explore-"));
     const spec = join(folder, "harvester.toml");
@@ -28,8 +28,9 @@ export async function serve(options = {}) {
     else if (options.kind) spawnSync(program, ["new", options.kind, "--out", spec], { stdio: "inherit" });
     else await cp(`${root}examples/${options.example ?? "impact-harvester-2019/harvester.toml"}`, spec);
     const begin = async (listen) => {
-        const child = spawn(program, ["explore", spec, "--no-browser", "--json", ...(listen ? ["--listen", listen] : [])], {
-            stdio: ["ignore", "pipe", "inherit"], env: { ...process.env, XDG_STATE_HOME: join(folder, "state") },
+        const subject = options.link ? ["--link", options.link] : [spec];
+        const child = spawn(program, ["explore", ...subject, "--no-browser", "--json", ...(listen ? ["--listen", listen] : [])], {
+            cwd: folder, stdio: ["ignore", "pipe", "inherit"], env: { ...process.env, XDG_STATE_HOME: join(folder, "state") },
         });
         const line = await new Promise((resolve, reject) => {
             createInterface({ input: child.stdout }).once("line", resolve);

@@ -8,10 +8,10 @@ use std::path::Path;
 use std::sync::OnceLock;
 
 /// Options that change no number of a table; with a value, except `--json`.
-const WITHOUT_EFFECT: [&str; 3] = ["--out", "--threads", "--save-state"];
+const WITHOUT_EFFECT: [&str; 4] = ["--out", "--threads", "--save-state", "--shard"];
 
 /// Commands whose tables can be made again from their record.
-pub const COMMANDS: [&str; 18] = [
+pub const COMMANDS: [&str; 19] = [
     "basins",
     "bifurcations",
     "branch",
@@ -29,6 +29,7 @@ pub const COMMANDS: [&str; 18] = [
     "segments",
     "sensitivity",
     "spectra",
+    "study",
     "sweep",
 ];
 
@@ -117,6 +118,10 @@ mod tests {
         assert_eq!(
             of("run a.toml --out=x --save-state=/tmp/s.json --set run.duration=1"),
             "run a.toml --set run.duration=1"
+        );
+        assert_eq!(
+            of("study run a.toml --shard 1/2 --out x"),
+            "study run a.toml"
         );
         assert_eq!(
             of("read a.csv --to /home/b.uff --out x"),

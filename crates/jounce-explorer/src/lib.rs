@@ -1,5 +1,5 @@
 //! Interactive page: `jounce explore SPEC` serves it on this machine, and every curve on it follows
-//! the sliders.
+//! the sliders. [`study_page`] writes the charts of a study into a file that needs no server.
 //!
 //! # Contract
 //!
@@ -38,16 +38,23 @@
 //! *Return.* Port and token are saved in a file that only its owner may read. The next server of
 //! the same spec uses them again, so a page that has lost its server reconnects.
 //!
+//! *Share.* The response of `export` has a [`Link`] with the changed keys, the axis and the spec, from which
+//! another machine serves the same page. It holds neither address nor token.
+//!
 //! *Failure.* Faults of a design are returned by key, with the messages of the command line. If the
 //! file changes, the server notifies the page, which repeats its requests.
 
 mod handlers;
+mod link;
 mod server;
 mod session;
 mod source;
+mod study_page;
 
+pub use link::{Link, LinkError};
 pub use server::{
     ExploreError, Explorer, ProxyOrigin, ServerLimits, ServerOptions, Stopper, open_in_browser,
     state_folder,
 };
 pub use source::Source;
+pub use study_page::study_page;

@@ -70,6 +70,7 @@ impl Explorer {
         let server = Server::bind(ServerOptions {
             spec: source,
             set: Vec::new(),
+            view: None,
             listen,
             proxy,
             frames,

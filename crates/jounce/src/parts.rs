@@ -50,7 +50,7 @@ pub use jounce_experiment::segmentation::{
     Candidate, MAX_PERIOD_CYCLES, MergeReason, MergedChange,
 };
 pub use jounce_identification::contact::AllowedLaws;
-pub use jounce_io::store::{unreadable, unwritable_folder};
+pub use jounce_io::store::{unreadable, unwritable_folder, write as write_file};
 pub use jounce_io::table::{
     Column, Manifest, Record, RecordedInput, StoredTable, TableDifference, Values,
 };

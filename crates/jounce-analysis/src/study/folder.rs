@@ -1,13 +1,14 @@
 //! A study on disk: `study.json` identifies the study, `parts/` holds finished parts,
 //! `study.parquet` the merged table.
 
+use super::card::StudyCard;
 use super::lock::Lock;
 use super::{Shard, Study, StudyError};
 use jounce_control::Control;
 use jounce_io::store;
-use jounce_io::table::{Table, TableError};
+use jounce_io::table::{Manifest, Record, Table, TableError};
 use rayon::prelude::*;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use std::path::{Path, PathBuf};
 
 /// The folder of a study.
@@ -15,17 +16,6 @@ use std::path::{Path, PathBuf};
 pub struct Folder {
     path: PathBuf,
     card: StudyCard,
-}
-
-/// Content of `study.json`.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-struct StudyCard {
-    created_by: String,
-    version: String,
-    study_sha256: String,
-    command: String,
-    points: usize,
-    parts: usize,
 }
 
 /// Progress of a study.
@@ -69,21 +59,22 @@ impl Folder {
             command: study.quantity.command().to_owned(),
             points: study.design.len(),
             parts: study.parts(),
+            record: None,
         };
         match Self::open(path) {
-            Ok(folder) if folder.card == card => Ok(folder),
+            Ok(folder) if folder.card.is_of(&card) => Ok(folder),
             Ok(folder) => Err(StudyError::OtherStudy {
                 folder: path.to_owned(),
                 found: short(&folder.card.study_sha256),
                 wanted: short(&card.study_sha256),
             }),
             Err(StudyError::NoStudy { .. }) => {
-                let text = serde_json::to_string_pretty(&card).unwrap_or_default() + "\n";
-                store::write(&path.join(CARD_FILE), text.as_bytes())?;
-                Ok(Self {
+                let folder = Self {
                     path: path.to_owned(),
                     card,
-                })
+                };
+                folder.card.write(path)?;
+                Ok(folder)
             }
             Err(error) => Err(error),
         }
@@ -94,18 +85,23 @@ impl Folder {
     /// # Errors
     /// A folder without a study.
     pub fn open(path: &Path) -> Result<Self, StudyError> {
-        let file = path.join(CARD_FILE);
-        let text = std::fs::read_to_string(&file).map_err(|_| StudyError::NoStudy {
-            folder: path.to_owned(),
-        })?;
-        let damaged = |reason: serde_json::Error| StudyError::Damaged {
-            path: file.clone(),
-            reason: reason.to_string(),
-        };
         Ok(Self {
             path: path.to_owned(),
-            card: serde_json::from_str(&text).map_err(damaged)?,
+            card: StudyCard::read(path)?,
         })
+    }
+
+    /// Stores the command that computes this study, from which `jounce rerun` makes its table again.
+    /// The first command of a folder remains, so that the table does not depend on who joins it.
+    ///
+    /// # Errors
+    /// A folder that cannot be written.
+    pub fn set_record(&mut self, record: &Record) -> Result<(), StudyError> {
+        if self.card.record.is_some() {
+            return Ok(());
+        }
+        self.card.record = Some(record.clone());
+        self.card.write(&self.path)
     }
 
     /// Computes the missing parts of a shard on all threads. `done` receives the number of points
@@ -228,9 +224,22 @@ impl Folder {
         self.clean();
         let (_, mut manifest) = Table::read(&self.file(0))?;
         manifest.options.remove("part");
+        // Another process may have stored it.
+        manifest.record = StudyCard::read(&self.path)?.record;
         let parts = (0..self.card.parts).map(|part| self.part(part));
         Table::write_joined(&self.table(), &manifest, parts)?;
         Ok(self.table())
+    }
+
+    /// Returns the merged table, which is written if it is missing.
+    ///
+    /// # Errors
+    /// Parts that are missing or damaged, a file that cannot be written or read.
+    pub fn merged(&self) -> Result<(Table, Manifest), StudyError> {
+        if !self.table().is_file() {
+            self.merge()?;
+        }
+        Ok(Table::read(&self.table())?)
     }
 
     /// Removes files left by killed processes.
@@ -276,9 +285,6 @@ impl Folder {
             .join(format!("part-{part:06}.parquet"))
     }
 }
-
-/// Name of the file that identifies the study of a folder.
-const CARD_FILE: &str = "study.json";
 
 /// Returns the beginning of a digest, enough to distinguish two.
 fn short(digest: &str) -> String {

@@ -5,6 +5,7 @@
 //! computed by the same operations everywhere, and is written completely or not at all. Any number
 //! of processes, stopped and started in any order, therefore produce the same table.
 
+mod card;
 mod design;
 mod error;
 mod faults;

@@ -1,19 +1,29 @@
-//! `jounce explore SPEC`
+//! `jounce explore SPEC`, `jounce explore --link LINK`
 
 use crate::failure::Failure;
 use crate::output::{line, print};
 use crate::spec_arguments::SpecArguments;
 use clap::Args;
 use jounce_explorer::{
-    ExploreError, Explorer, ServerLimits, ServerOptions, Source, open_in_browser, state_folder,
+    ExploreError, Explorer, Link, ServerLimits, ServerOptions, Source, open_in_browser,
+    state_folder,
 };
 use std::net::SocketAddr;
+use std::path::PathBuf;
 
 /// Arguments of `explore`.
 #[derive(Debug, Args)]
+#[command(
+    mut_arg("spec", |spec| spec.required(false).required_unless_present("link")),
+    mut_arg("set", |set| set.requires("spec"))
+)]
 pub struct Explore {
     #[command(flatten)]
-    spec: SpecArguments,
+    spec: Option<SpecArguments>,
+    /// Opens the design, the axis and the spec of a link, which Copy link of a page copies; with a SPEC
+    /// its file is used. By default the page opens with the values of the spec.
+    #[arg(long, value_name = "LINK")]
+    link: Option<String>,
     /// Listens on this address; by default on a free port that only this machine can reach. Anyone
     /// who has the printed address can use the page.
     #[arg(long, value_name = "ADDRESS:PORT")]
@@ -27,6 +37,40 @@ pub struct Explore {
 }
 
 impl Explore {
+    /// Returns the design of the link; without one, an empty design.
+    fn design(&self) -> Result<Link, Failure> {
+        let Some(text) = &self.link else {
+            return Ok(Link::default());
+        };
+        Link::parse(text).map_err(|error| Failure::usage(format!("--link: {error}")))
+    }
+
+    /// Returns the spec: the file, or the text in the link.
+    fn source(&self, link: &Link) -> Result<Source, Failure> {
+        match (&self.spec, &link.spec) {
+            (Some(arguments), text) => {
+                let file = arguments.spec.clone();
+                let differs = |text: &String| {
+                    std::fs::read_to_string(&file).is_ok_and(|own| own.trim() != text.trim())
+                };
+                if text.as_ref().is_some_and(differs) {
+                    eprintln!(
+                        "warning: {} differs from the spec in the link; without SPEC the page opens that one",
+                        file.display()
+                    );
+                }
+                Ok(Source::File(file))
+            }
+            (None, Some(text)) => Ok(Source::Text {
+                text: text.clone(),
+                folder: PathBuf::new(),
+            }),
+            (None, None) => Err(Failure::usage(
+                "--link: an address of a page holds no spec; give its file too, as in jounce explore SPEC --link LINK, or copy the link with Copy link".to_owned(),
+            )),
+        }
+    }
+
     /// Serves the page until it is interrupted.
     pub fn run(&self) -> Result<(), Failure> {
         let key_and_value = |text: &String| match text.split_once('=') {
@@ -35,15 +79,13 @@ impl Explore {
                 "--set {text}: write KEY=VALUE, as in --set stop.tip.gap=\"0.5 mm\""
             ))),
         };
-        let set = self
-            .spec
-            .set
-            .iter()
-            .map(key_and_value)
-            .collect::<Result<_, _>>()?;
+        let link = self.design()?;
+        let given = self.spec.iter().flat_map(|spec| &spec.set);
+        let given = given.map(key_and_value).collect::<Result<Vec<_>, _>>()?;
         let options = ServerOptions {
-            spec: Source::File(self.spec.spec.clone()),
-            set,
+            spec: self.source(&link)?,
+            set: [link.set, given].concat(),
+            view: link.view,
             listen: self.listen,
             proxy: None,
             frames: false,

@@ -14,6 +14,7 @@
 mod block;
 mod commands;
 mod links;
+mod paper;
 mod pictures;
 mod specs;
 

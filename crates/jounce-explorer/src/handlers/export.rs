@@ -1,11 +1,13 @@
 //! Spec as text, and the commands that give the response on the page.
 
+use crate::link::Link;
 use crate::session::fault::RequestFault;
 use crate::session::frame::Frame;
 use crate::source::Source;
 use jounce::live::{Design, KeySpan};
 
-/// Returns the spec as text, the text of its file, and the commands that give the response over a range.
+/// Returns the spec as text, the text of its file, the link to the page, and the commands that give the
+/// response over a range.
 ///
 /// # Errors
 /// [`RequestFault`]: faults of the range.
@@ -34,11 +36,18 @@ pub fn export(
     let python = format!(
         "import jounce\n\nharvester = jounce.read({path:?})\n{changes}print(harvester.branch({over:?}, {range:?}))\n"
     );
+    let file = source.read()?.text();
+    let link = Link {
+        set: set.to_vec(),
+        view: Some(span.clone()),
+        spec: Some(file.clone()),
+    };
     let mut frame = Frame::new(id, "export", "done");
     frame
         .put("spec", design.harvester().text())
-        .put("file", source.read()?.text())
+        .put("file", file)
         .put("has_file", source.file().is_some())
+        .put("link", link.to_string())
         .put("shell", shell)
         .put("python", python);
     Ok(frame)

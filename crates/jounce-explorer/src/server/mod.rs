@@ -22,6 +22,7 @@ use axum::extract::ws::WebSocketUpgrade;
 use axum::extract::ws::rejection::WebSocketUpgradeRejection;
 use axum::http::{HeaderMap, Method, StatusCode, Uri};
 use axum::response::{IntoResponse as _, Redirect, Response};
+use jounce::live::KeySpan;
 use saved_address::SavedAddress;
 use std::net::{Ipv4Addr, SocketAddr};
 use std::path::{Path, PathBuf};
@@ -39,6 +40,8 @@ pub struct ServerOptions {
     pub spec: Source,
     /// Initial overrides of the page, as in `--set`.
     pub set: Vec<(String, String)>,
+    /// Initial axis of the page; by default the page chooses one.
+    pub view: Option<KeySpan>,
     /// Address to listen on; by default a free port of the loopback interface.
     pub listen: Option<SocketAddr>,
     /// Proxy through which browsers reach the server: requests to it, by its pages, are accepted too.

@@ -66,6 +66,7 @@ impl Session {
         frame
             .put("file", options.spec.name().display().to_string())
             .put("set", json!(options.set))
+            .put("view", json!(options.view))
             .put("jounce", env!("CARGO_PKG_VERSION"));
         self.send_async(frame).await;
     }

@@ -298,6 +298,7 @@ async fn behind_a_proxy_only_its_pages_are_accepted_and_notebooks_may_embed_the_
     let server = TestServer::with_options(ServerOptions {
         spec: Source::File(paper()),
         set: Vec::new(),
+        view: None,
         listen: None,
         proxy: ProxyOrigin::parse(origin),
         frames: true,

@@ -42,6 +42,7 @@ impl TestServer {
         Self::with_options(ServerOptions {
             spec,
             set: Vec::new(),
+            view: None,
             listen: None,
             proxy: None,
             frames: false,

@@ -4,5 +4,6 @@
 mod attacks;
 mod client;
 mod excitation;
+mod link;
 mod plates;
 mod responses;

@@ -5,6 +5,7 @@
 //! | CSV | header = column names (the unit is the suffix: `frequency_hz`); the rest in a sidecar `NAME.manifest.json` | shortest text that reads back to the same bits |
 //! | Parquet | typed columns, snappy; units, descriptions and manifest under the key `jounce` | bit for bit |
 //! | JSON | `columns`, `units`, `about`, `manifest` | shortest text; NaN and infinities become `null` |
+//! | HTML | an element of a page: notes and `values` in JSON | shortest text; NaN and infinities as text |
 //!
 //! Every file is written atomically and contains no time, so the same table gives identical bytes.
 //!
@@ -16,6 +17,7 @@ mod json;
 mod manifest;
 mod named_columns;
 mod notes;
+mod page;
 mod parquet;
 mod record;
 mod stored;

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::{Column, Manifest, TableError, Values};
-use super::{csv, json, parquet};
+use super::{csv, json, page, parquet};
 use crate::store;
 
 /// Table: columns of equal length with unique names.
@@ -112,6 +112,12 @@ impl Table {
             .map_err(|reason| encode_error(Path::new("table.parquet"), reason))
     }
 
+    /// Returns the table and its manifest as an element of an HTML page, from which [`Table::read`]
+    /// reads them: `<script type="application/json" id="table">`.
+    pub fn to_page_element(&self, manifest: &Manifest) -> String {
+        page::encode(self, manifest)
+    }
+
     /// Writes a sequence of tables of the same columns to one file: `.parquet`, one row group for
     /// each table, or `.csv` (with its sidecar).
     ///
@@ -159,7 +165,7 @@ impl Table {
         }
     }
 
-    /// Reads a table and its manifest from a CSV (with its sidecar) or Parquet file of jounce.
+    /// Reads a table and its manifest from a CSV (with its sidecar), Parquet or HTML file of jounce.
     ///
     /// # Errors
     /// The extension is unknown, or the file is missing, damaged or without the notes of jounce.
@@ -167,6 +173,9 @@ impl Table {
         let read = match ending(path) {
             Some("csv") => csv::decode(path),
             Some("parquet") => parquet::decode(path),
+            Some("html") => std::fs::read_to_string(path)
+                .map_err(|fault| fault.to_string())
+                .and_then(|text| page::decode(&text)),
             _ => {
                 return Err(TableError::Format {
                     path: path.to_owned(),

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Record {
     /// Arguments of the program, without those that change no number: `--out`, `--json`,
-    /// `--threads`, `--save-state`.
+    /// `--threads`, `--shard`, `--save-state`.
     pub arguments: Vec<String>,
     /// Name of the table among those of the command, which is the name of its first file without
     /// the extension.

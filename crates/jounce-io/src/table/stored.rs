@@ -39,7 +39,7 @@ pub struct TableDifference {
 }
 
 impl StoredTable {
-    /// Reads a CSV (with its sidecar), Parquet or JSON file of jounce.
+    /// Reads a CSV (with its sidecar), Parquet, JSON or HTML file of jounce.
     ///
     /// # Errors
     /// The extension is unknown, or the file is missing, damaged or without the notes of jounce.

@@ -10,6 +10,7 @@ use crate::error::Error;
 use crate::harvester::Harvester;
 use crate::options::on_threads;
 use jounce_control::Control;
+use jounce_io::table::Record;
 use jounce_spec::Spec;
 use std::path::Path;
 use std::sync::Arc;
@@ -20,6 +21,7 @@ use std::sync::Arc;
 pub struct Study {
     study: Arc<jounce_analysis::study::Study>,
     control: Control,
+    record: Option<Record>,
 }
 
 impl Harvester {
@@ -63,6 +65,17 @@ impl Study {
         Self {
             study: Arc::new(study),
             control: Control::default(),
+            record: None,
+        }
+    }
+
+    /// Returns a copy whose table holds the record of a command, so that `jounce rerun` makes it
+    /// again.
+    #[must_use]
+    pub fn with_record(&self, record: Option<Record>) -> Self {
+        Self {
+            record,
+            ..self.clone()
         }
     }
 
@@ -120,7 +133,10 @@ impl Study {
         folder: impl AsRef<Path>,
         options: &StudyOptions,
     ) -> Result<StudyStatus, Error> {
-        let folder = StudyFolder::of(folder.as_ref(), &self.study)?;
+        let mut folder = StudyFolder::of(folder.as_ref(), &self.study)?;
+        if let Some(record) = &self.record {
+            folder.set_record(record)?;
+        }
         let (shard, control) = (options.shard, &self.control);
         let work = || Ok(folder.run(&self.study, shard, control, &|_| ())?);
         on_threads(options.threads, work)?;

@@ -12,11 +12,14 @@ use mirror::Mirror;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
+/// Extension of a page with the table of a study.
+const PAGE: &str = "html";
+
 /// Arguments of `rerun`.
 #[derive(Debug, Args)]
 pub struct Rerun {
-    /// Table that a command wrote with --out: .csv (with its .manifest.json next to it), .parquet or
-    /// .json. Recordings are looked up in the current folder, as the command named them.
+    /// Table that a command wrote with --out: .csv (with its .manifest.json next to it), .parquet,
+    /// .json, or the .html page of a study. Recordings are looked up in the current folder, as the command named them.
     file: PathBuf,
     /// Prints one JSON object on stdout; by default lines of text.
     #[arg(long)]
@@ -50,6 +53,13 @@ impl Rerun {
         let mirror = Mirror::new(record)?;
         mirror.run(record)?;
         let extension = self.file.extension().unwrap_or_default();
+        // A page holds the table of a study, which is written in Parquet.
+        let is_page = extension == PAGE;
+        let extension = if is_page {
+            "parquet".as_ref()
+        } else {
+            extension
+        };
         let path = mirror.table(&record.table).with_extension(extension);
         let computed = StoredTable::read(&path).map_err(Error::from)?;
         let difference = stored.first_difference(&computed);
@@ -77,9 +87,9 @@ impl Rerun {
             .file
             .extension()
             .and_then(|extension| extension.to_str());
-        if !matches!(extension, Some("csv" | "parquet" | "json")) {
+        if !matches!(extension, Some("csv" | "parquet" | "json" | PAGE)) {
             let text = format!(
-                "{}: only tables have a record of their command: give a .csv, .parquet or .json file that a command wrote with --out",
+                "{}: only tables have a record of their command: give a .csv, .parquet or .json file that a command wrote with --out, or the .html page of a study",
                 self.file.display()
             );
             return Err(Failure::Input(text));

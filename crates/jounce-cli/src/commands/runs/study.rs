@@ -1,14 +1,16 @@
-//! `jounce study run|merge|status`
+//! `jounce study run|merge|status|page`
 
 use crate::failure::{Failure, of_file};
 use crate::interruption;
 use crate::output::{self, line, print};
 use crate::progress;
+use crate::record;
 use crate::spec_arguments::print_recording_issues;
 use clap::{Args, Subcommand};
-use jounce::parts::StudyStatus;
+use jounce::parts::{StudyStatus, write_file};
 use jounce::{Control, Error, StudyFolder, StudyOptions};
-use std::path::PathBuf;
+use jounce_explorer::study_page;
+use std::path::{Path, PathBuf};
 
 /// Arguments of `study`.
 #[derive(Debug, Args)]
@@ -26,6 +28,8 @@ enum Action {
     Merge(Existing),
     /// Reports the progress of a study.
     Status(Existing),
+    /// Writes the table with charts as one HTML file, which needs no server and no net.
+    Page(Page),
 }
 
 /// Arguments of `study run`.
@@ -53,12 +57,24 @@ struct Existing {
     json: bool,
 }
 
+/// Arguments of `study page`.
+#[derive(Debug, Args)]
+struct Page {
+    #[command(flatten)]
+    study: Existing,
+    /// File of the page: a name that ends in .html. By default the name of the folder with .html, in
+    /// the current folder.
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+}
+
 impl Study {
     /// True where the result is printed as JSON.
     pub fn wants_json(&self) -> bool {
         match &self.action {
             Action::Run(run) => run.json,
             Action::Merge(existing) | Action::Status(existing) => existing.json,
+            Action::Page(page) => page.study.json,
         }
     }
 
@@ -78,6 +94,7 @@ impl Study {
                 print_status(&existing.open()?.status(), existing.json);
                 Ok(())
             }
+            Action::Page(page) => page.run(),
         }
     }
 }
@@ -88,12 +105,38 @@ impl Existing {
     }
 }
 
+impl Page {
+    fn run(&self) -> Result<(), Failure> {
+        let folder = self.study.folder.canonicalize();
+        let name = folder.as_deref().ok().and_then(Path::file_name);
+        let name = name.unwrap_or_default().to_string_lossy();
+        let path = match &self.out {
+            Some(path) => path.clone(),
+            None => PathBuf::from(format!("{name}.html")),
+        };
+        if path.extension().is_none_or(|extension| extension != "html") {
+            let path = path.display();
+            let text = format!("--out {path}: give a file whose name ends in .html");
+            return Err(Failure::usage(text));
+        }
+        let page = study_page(&self.study.open()?, &name)?;
+        write_file(&path, page.as_bytes()).map_err(Error::from)?;
+        match self.study.json {
+            true => print(&serde_json::json!({ "page": path })),
+            false => line(path.display()),
+        }
+        Ok(())
+    }
+}
+
 impl Run {
     fn run(&self) -> Result<(), Failure> {
         let control = Control::default();
         let study = jounce::Study::read(&self.study);
         let study = study.map_err(|error| of_file(&self.study, error))?;
-        let study = study.with_control(&control);
+        let study = study
+            .with_control(&control)
+            .with_record(record::of_table("study"));
         print_recording_issues(study.spec());
         interruption::install(&control);
         let work = || study.run(&self.out, &self.options);

@@ -1,0 +1,150 @@
+// The file of a study, opened without a server: chart, read-out, choices, table, print.
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { pathToFileURL } from "node:url";
+import { browse, inked, program } from "./browser.mjs";
+
+const axeSource = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
+const spec = new URL("../../examples/impact-harvester-2019/harvester.toml", import.meta.url).pathname;
+const STUDY = `spec = ${JSON.stringify(spec)}
+[set]
+"run.duration" = "2 s"
+"run.average_over" = "1 s"
+[vary]
+"drive.shaker.frequency" = "10Hz:14Hz:21x"
+"stop.tip.gap" = "0.5mm:1.5mm:3x"
+"circuit.load.resistance" = "100kohm:1Mohm:2log"
+`;
+
+const POINTS = 126;
+
+let folder;
+let browser;
+let page;
+let address;
+const requests = [];
+
+before(async () => {
+    folder = await mkdtemp(join(tmpdir(), "study-"));
+    await writeFile(join(folder, "study.toml"), STUDY);
+    for (const line of ["study run study.toml --out power", "study page power"]) {
+        const { status, stderr } = spawnSync(program, line.split(" "), { cwd: folder, encoding: "utf8" });
+        assert.equal(status, 0, stderr);
+    }
+    address = pathToFileURL(join(folder, "power.html")).href;
+    browser = await browse();
+    page = await browser.context.newPage();
+    page.faults = [];
+    page.on("pageerror", (error) => page.faults.push(String(error)));
+    page.on("console", (message) => ["error", "warning"].includes(message.type()) && page.faults.push(message.text()));
+    page.on("request", (request) => requests.push(request.url()));
+    await page.goto(address);
+});
+after(async () => {
+    await browser?.close();
+    await rm(folder, { recursive: true, force: true });
+});
+
+const data = () => page.evaluate(() => JSON.parse(document.getElementById("table").textContent));
+const chosen = (id) => page.locator(`#${id}`).inputValue();
+
+test("the file opens without a server and shows chart and table", async () => {
+    assert.equal(await page.title(), "power");
+    assert.match(await page.locator("#summary").textContent(), /^126 points over drive\.shaker\.frequency, stop\.tip\.gap, circuit\.load\.resistance\.$/);
+    assert.ok((await inked(page, "#chart canvas")) > 0.003);
+    assert.equal(await page.locator("#rows tbody tr").count(), POINTS);
+    assert.equal(await page.locator("#legend li").count(), 3);
+    assert.equal(await page.locator("#drawn").textContent(), "63 of 126 points drawn");
+    assert.deepEqual(page.faults, []);
+    assert.deepEqual(requests.filter((url) => url.split("#")[0] !== address), []);
+    // The picture of the book: `STUDY_PICTURE=book/src/pictures/study-page.png node web/tests/all.mjs`.
+    if (process.env.STUDY_PICTURE) await page.screenshot({ path: process.env.STUDY_PICTURE });
+});
+
+test("the downloaded table has all digits of the study", async () => {
+    const [download] = await Promise.all([page.waitForEvent("download"), page.locator("#csv").click()]);
+    const path = join(folder, "downloaded.csv");
+    await download.saveAs(path);
+    const [head, ...rows] = (await readFile(path, "utf8")).trimEnd().split("\n").map((line) => line.split(","));
+    const { columns, values } = await data();
+    assert.deepEqual(head, columns.map(({ name }) => name));
+    assert.equal(rows.length, POINTS);
+    rows.forEach((row, k) => row.forEach((cell, column) => {
+        const due = values[column][k];
+        assert.ok(["text", "flag"].includes(columns[column].kind) ? cell === String(due) : Object.is(Number(cell), Number(due)), `${head[column]} ${k}: ${cell} ${due}`);
+    }));
+});
+
+test("the mouse and the arrow keys read the value of a point", async () => {
+    await page.locator("#chart").focus();
+    await page.keyboard.press("ArrowRight");
+    const words = await page.locator("#cursor").textContent();
+    assert.match(words, /^mean power of all loads [\d.]+ .?W, drive\.shaker\.frequency 10 Hz, stop\.tip\.gap 500 µm, circuit\.load\.resistance 100 kΩ$/);
+    const { columns, values } = await data();
+    const power = values[columns.findIndex(({ name }) => name === "mean_power_w")][0];
+    const [, number, unit] = words.match(/loads ([\d.]+) (.?)W/);
+    const shown = Number(number) * { m: 1e-3, µ: 1e-6, n: 1e-9, "": 1 }[unit];
+    assert.ok(Math.abs(shown / power - 1) < 1e-3, `${words}: ${power}`);
+    assert.equal(await page.locator("#rows .marked").getAttribute("data-row"), "0");
+    const dot = await page.locator(".cursor.dot").boundingBox();
+    await page.keyboard.press("ArrowRight");
+    assert.notEqual(await page.locator("#cursor").textContent(), words);
+    await page.mouse.move(dot.x + dot.width / 2, dot.y + dot.height / 2);
+    // The points of other gaps are next to this one.
+    await page.waitForFunction(() => /drive\.shaker\.frequency 10 Hz/.test(document.getElementById("cursor").textContent));
+});
+
+test("quantity, axis, group and the other keys are chosen, and the address keeps them", async () => {
+    await page.locator("#y").selectOption("voltage_rms_v");
+    await page.locator("#x").selectOption("stop.tip.gap");
+    await page.locator("#group").selectOption("circuit.load.resistance");
+    const frequency = page.getByLabel("drive.shaker.frequency", { exact: true });
+    await frequency.selectOption({ label: "12 Hz" });
+    assert.match(await page.locator("#chart").getAttribute("aria-label"), /^voltage.* over stop\.tip\.gap;/);
+    assert.equal(await page.locator("#drawn").textContent(), "6 of 126 points drawn");
+    await frequency.selectOption({ label: "all values" });
+    assert.equal(await page.locator("#drawn").textContent(), "126 of 126 points drawn");
+    await page.locator("#log-y").check();
+    await page.reload();
+    assert.deepEqual([await chosen("y"), await chosen("x"), await chosen("group"), await frequency.inputValue()], ["voltage_rms_v", "stop.tip.gap", "circuit.load.resistance", ""]);
+    assert.ok(await page.locator("#log-y").isChecked());
+    assert.equal(await page.locator("#drawn").textContent(), "126 of 126 points drawn");
+    assert.ok((await inked(page, "#chart canvas")) > 0.003);
+});
+
+test("a click on a name sorts the table", async () => {
+    const name = page.getByRole("button", { name: "mean_power_w" });
+    const { columns, values } = await data();
+    const due = [...values[columns.findIndex(({ name: own }) => own === "mean_power_w")].keys()].sort((a, b) => values[4][a] - values[4][b]);
+    const order = () => page.locator("#rows tbody tr").evaluateAll((rows) => rows.map((row) => Number(row.dataset.row)));
+    await name.click();
+    assert.deepEqual(await order(), due);
+    await name.click();
+    assert.deepEqual(await order(), due.reverse());
+});
+
+test("the origin holds command and files", async () => {
+    await page.locator("#origin summary").click();
+    const text = await page.locator("#origin").textContent();
+    assert.ok(text.includes("jounce study run study.toml --out FOLDER") && text.includes("[vary]") && text.includes("[stop.tip]"), text);
+});
+
+test("no serious issue of axe in light and dark, and paper is light", async () => {
+    for (const look of ["light", "dark"]) {
+        if ((await page.evaluate(() => document.documentElement.dataset.theme)) !== look) await page.locator("#theme").click();
+        await page.evaluate(await readFile(axeSource, "utf8"));
+        const found = await page.evaluate(() => window.axe.run());
+        const serious = found.violations.filter((violation) => ["serious", "critical"].includes(violation.impact));
+        assert.deepEqual(serious.map((violation) => [violation.id, violation.nodes.map((node) => node.html)]), []);
+    }
+    await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+    assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), "light");
+    await page.evaluate(() => dispatchEvent(new Event("afterprint")));
+    assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), "dark");
+    assert.deepEqual(page.faults, []);
+});
