@@ -12,3 +12,7 @@ mod rectified;
 #[expect(dead_code, reason = "rows are checked one by one here")]
 mod rows;
 mod two_parameters;
+
+/// The allocator of the program; with that of the system these tests take a fifth more time.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
