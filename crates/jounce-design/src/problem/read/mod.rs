@@ -18,7 +18,7 @@ mod goals;
 mod limits;
 mod variants;
 
-use super::{Problem, Tolerance, digest};
+use super::{Goal, Limit, Problem, Tolerance, digest};
 use crate::DesignError;
 use conditions::conditions;
 use free::{check_paths, free};
@@ -62,10 +62,7 @@ pub(super) fn read(
         .map_err(|faults| DesignError::Spec { file: name, faults })?;
     let model = Model::new(spec.clone())?;
     let free = free(&mut reader, root.get("free"), &file);
-    let (goals, starts) = goals(&mut reader, root.get("goal"));
-    check_goals(&mut reader, root, &goals, (&model, ""));
-    let limits = limits(&mut reader, root.get("limits"), &model);
-    check_together(&mut reader, root, &goals, &limits);
+    let (goals, starts, limits) = wanted(&mut reader, root, &model);
     let conditions = conditions(&mut reader, root.get("conditions"), &file);
     check_paths(&mut reader, root, &free, &conditions);
     let tolerances = tolerances(&mut reader, root.get("tolerance"), &file);
@@ -101,6 +98,19 @@ pub(super) fn read(
         true => Ok(problem),
         false => Err(DesignError::Faults(reader.faults)),
     }
+}
+
+/// Reads the goals, the number of starts and the limits, and checks that the spec can have them.
+fn wanted(
+    reader: &mut FaultCollector,
+    root: &Table,
+    model: &Model,
+) -> (Vec<Goal>, usize, Vec<Limit>) {
+    let (goals, starts) = goals(reader, root.get("goal"));
+    check_goals(reader, root, &goals, (model, ""));
+    let limits = limits(reader, root.get("limits"), model);
+    check_together(reader, root, &goals, &limits);
+    (goals, starts, limits)
 }
 
 /// Checks the harvesters of all combinations of choices, and the effects of the free keys.
