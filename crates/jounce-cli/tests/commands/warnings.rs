@@ -225,7 +225,8 @@ fn contacts_too_short_for_the_retained_modes_give_a_warning() {
 #[test]
 fn a_design_warns_of_a_key_that_does_not_matter() {
     let folder = tempfile::tempdir().unwrap();
-    let stop = "[stop.t]\nat = \"s.end\"\nlaw = \"spring\"\ngap = \"500 mm\"\nstiffness = \"1e4 N/m\"\n";
+    let stop =
+        "[stop.t]\nat = \"s.end\"\nlaw = \"spring\"\ngap = \"500 mm\"\nstiffness = \"1e4 N/m\"\n";
     let sine = SINE.replace("20 g", "1 g");
     write_spec(&folder, &format!("{STRIP}{stop}{sine}"));
     let design = folder.path().join("design.toml");
@@ -240,7 +241,8 @@ fn a_design_warns_of_a_key_that_does_not_matter() {
     write_spec(&folder, &format!("{STRIP}{stop}{NOISE}"));
     let (code, _, stderr) = jounce(&["design", design]);
     assert!(
-        code == 4 && stderr.contains("goal.maximise is \"stable-power\", but drive `b` is not periodic"),
+        code == 4
+            && stderr.contains("goal.maximise is \"stable-power\", but drive `b` is not periodic"),
         "{code} {stderr}"
     );
 }
