@@ -70,18 +70,13 @@ impl StateLayout {
 
     /// Converts padded vectors to block order.
     pub fn unpack(&self, lanes: &[F64x8]) -> Vec<f64> {
-        let mut values = Vec::with_capacity(self.states());
-        self.unpack_onto(lanes, &mut values);
-        values
-    }
-
-    /// Appends the numbers of padded vectors in block order.
-    pub fn unpack_onto(&self, lanes: &[F64x8], values: &mut impl Extend<f64>) {
         let number = |first: usize, k: usize| lanes[first + k / LANES].0[k % LANES];
+        let mut values = Vec::with_capacity(self.states());
         for k in 0..self.pairs {
             values.extend([number(0, k), number(self.pair_lanes, k)]);
         }
         values.extend((0..self.reals).map(|k| number(2 * self.pair_lanes, k)));
+        values
     }
 
     /// Returns the position of a state in column order `u0, u1, .., v0, v1, .., r0, ..`, in which

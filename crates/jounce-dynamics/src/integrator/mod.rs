@@ -24,7 +24,6 @@ use crate::tables::step_tables::StepTables;
 pub(crate) use full_state::FullState;
 use jounce_model::plant::Stop;
 use jounce_simd::F64x8;
-use smallvec::SmallVec;
 use std::sync::Arc;
 
 /// Integration in progress.
@@ -146,14 +145,12 @@ impl Integrator<'_> {
     /// Records the next step.
     pub(crate) fn note(&mut self, length_s: f64, forces: &[PortForce]) {
         if let Some(record) = &mut self.record {
-            let mut state = SmallVec::with_capacity(self.layout.states());
-            self.layout.unpack_onto(&self.y, &mut state);
             let conduction_state = self.switching.conduction_state;
             record.push(TrajectorySegment {
                 start_s: self.time_s,
                 length_s,
-                state,
-                sizes: SmallVec::from_slice(&self.excitation.sizes),
+                state: self.layout.unpack(&self.y).into(),
+                sizes: self.excitation.sizes.as_slice().into(),
                 forces: forces.into(),
                 conduction_state,
             });

@@ -11,7 +11,6 @@ use crate::force_response::step_response::StepResponse;
 use crate::kernel::{ForceBasis, Kernel};
 use jounce_model::plant::SignalSample;
 use jounce_simd::F64x8;
-use smallvec::SmallVec;
 use std::collections::HashMap;
 
 /// Step of a trajectory.
@@ -22,12 +21,12 @@ pub struct TrajectorySegment {
     /// Length, s.
     pub length_s: f64,
     /// State at its start without the forced part of the signals, block coordinates.
-    pub state: SmallVec<[f64; 8]>,
+    pub state: Box<[f64]>,
     /// Value and slope of each signal at its start.
-    pub sizes: SmallVec<[SignalSample; 3]>,
+    pub sizes: Box<[SignalSample]>,
     /// Contact forces; empty in flight. Records are long and mostly of flights, so that no space is
     /// kept for them.
-    pub forces: Vec<PortForce>,
+    pub forces: Box<[PortForce]>,
     /// Conduction state of the bridges; the state is in its block coordinates.
     pub conduction_state: usize,
 }
