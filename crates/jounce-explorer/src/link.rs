@@ -151,19 +151,17 @@ fn number(name: &str, text: &str) -> Result<f64, LinkError> {
 }
 
 fn spec(text: &str) -> Result<String, LinkError> {
-    let damaged = |reason: &dyn fmt::Display| fault("spec", reason);
-    let compressed = URL_SAFE_NO_PAD
-        .decode(text)
-        .map_err(|error| damaged(&error))?;
+    let incomplete = || fault("spec", "its text is incomplete or changed");
+    let compressed = URL_SAFE_NO_PAD.decode(text).map_err(|_| incomplete())?;
     let mut bytes = Vec::new();
     DeflateDecoder::new(&*compressed)
         .take(MAX_SPEC_BYTES + 1)
         .read_to_end(&mut bytes)
-        .map_err(|error| damaged(&error))?;
+        .map_err(|_| incomplete())?;
     if bytes.len() as u64 > MAX_SPEC_BYTES {
-        return Err(damaged(&"it is larger than 4 MiB"));
+        return Err(fault("spec", "it is larger than 4 MiB"));
     }
-    String::from_utf8(bytes).map_err(|error| damaged(&error))
+    String::from_utf8(bytes).map_err(|_| incomplete())
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use super::lock::Lock;
 use super::{Shard, Study, StudyError};
 use jounce_control::Control;
 use jounce_io::store;
-use jounce_io::table::{Manifest, Record, Table, TableError};
+use jounce_io::table::{Manifest, Record, Table, TableError, Values};
 use rayon::prelude::*;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -169,12 +169,13 @@ impl Folder {
 
     /// Returns the progress of the study.
     pub fn status(&self) -> Status {
-        let (mut finished, mut failed_points, mut damaged) = (0, 0, Vec::new());
+        let (mut finished, mut failed_points, mut unsettled, mut damaged) = (0, 0, 0, Vec::new());
         for part in 0..self.card.parts {
             match self.part(part) {
                 Ok(table) => {
                     finished += 1;
                     failed_points += failures(&table);
+                    unsettled += unsettled_points(&table);
                 }
                 Err(StudyError::Damaged { path, .. }) => damaged.push(path),
                 Err(_) => {}
@@ -186,11 +187,18 @@ impl Folder {
             parts,
             ..
         } = self.card.clone();
-        let warning = format!(
-            "points without a result: {failed_points} of {points}; the column `failure` gives the reasons"
-        );
+        let failures = (failed_points > 0).then(|| {
+            format!(
+                "points without a result: {failed_points} of {points}; the column `failure` gives the reasons"
+            )
+        });
+        let transients = (unsettled > 0).then(|| {
+            format!(
+                "points that had not settled when they were averaged: {unsettled} of {points}; increase run.duration, or compute a quantity of orbits"
+            )
+        });
         Status {
-            warnings: Vec::from_iter((failed_points > 0).then_some(warning)),
+            warnings: failures.into_iter().chain(transients).collect(),
             study_sha256,
             points,
             parts,
@@ -295,8 +303,20 @@ fn short(digest: &str) -> String {
 fn failures(table: &Table) -> usize {
     let texts = table.column("failure").map(|column| &column.values);
     match texts {
-        Some(jounce_io::table::Values::Text(texts)) => {
-            texts.iter().filter(|text| !text.is_empty()).count()
+        Some(Values::Text(texts)) => texts.iter().filter(|text| !text.is_empty()).count(),
+        _ => 0,
+    }
+}
+
+/// Returns the number of points of a table whose runs had not settled, although their drives have a
+/// common period.
+fn unsettled_points(table: &Table) -> usize {
+    let values = |name: &str| table.column(name).map(|column| &column.values);
+    match (values("settled"), values("period_cycles")) {
+        (Some(Values::Flag(settled)), Some(Values::Count(periods))) => {
+            let runs = settled.iter().zip(periods);
+            runs.filter(|(settled, period)| !**settled && **period > 0)
+                .count()
         }
         _ => 0,
     }

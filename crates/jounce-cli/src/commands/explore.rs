@@ -66,7 +66,7 @@ impl Explore {
                 folder: PathBuf::new(),
             }),
             (None, None) => Err(Failure::usage(
-                "--link: an address of a page holds no spec; give its file too, as in jounce explore SPEC --link LINK, or copy the link with Copy link".to_owned(),
+                "--link: this link holds no spec; give its file too, as in jounce explore SPEC --link LINK, or copy the link with Copy link".to_owned(),
             )),
         }
     }

@@ -16,6 +16,11 @@ impl Problem {
         index
     }
 
+    /// Returns the number of combinations of choices; 1 without a choice.
+    pub(crate) fn variant_count(&self) -> usize {
+        self.variants.len()
+    }
+
     /// Returns the index of each choice of a combination, with the index of its free key.
     pub(super) fn choices_of(&self, variant: usize) -> Vec<(usize, usize)> {
         let (mut rest, mut all) = (variant, Vec::new());

@@ -3,7 +3,8 @@
 //! At each place a few starts lead to an orbit, which is refined. From the largest refined power on,
 //! more starts are integrated, and all of them where the result may be the best design so far. The
 //! search ends when several refinements have led to as much power as the best design has: if as many
-//! starts as those of this optimum lead to a better one, it is unlikely that none has been seen. Where
+//! starts as those of this optimum lead to a better one, it is unlikely that none has been seen. Each
+//! combination of choices is a search of its own, which must have found its own optimum as often. Where
 //! the expected power of the best design is far below the power of its orbit, a differential
 //! evolution of the expected power follows.
 //!
@@ -19,7 +20,7 @@ use crate::{DesignError, Evaluation};
 use jounce_analysis::wilson;
 use rayon::prelude::*;
 
-/// Refinements that lead to the power of the best design, after which the search ends: another
+/// Refinements that lead to the best power of a combination of choices, after which its search ends: another
 /// optimum to which as many starts lead has been missed with a probability of 2^-5.
 const ENOUGH: usize = 5;
 
@@ -48,12 +49,20 @@ const FINEST: f64 = 1.0 / 16.0;
 /// A design with its refinement.
 type Pair = (Candidate, Refined);
 
+/// End of a refinement.
+struct Reached {
+    /// Combination of choices.
+    variant: usize,
+    /// Power, W, or the negative of the violation.
+    value: f64,
+}
+
 /// Searches for the best design.
 pub fn search(evaluator: &Evaluator<'_>, budget: &Budget<'_>) -> Result<Found, DesignError> {
     let mut places = Places::new(evaluator.problem.free.len(), evaluator.problem.seed);
     let mut found = Found::nothing();
-    let (mut powers, mut rounds) = (Vec::new(), 0);
-    while !is_enough(evaluator.problem, &powers, found.best.as_ref(), rounds) {
+    let (problem, mut powers, mut rounds) = (evaluator.problem, Vec::new(), 0);
+    while !is_enough(problem, &powers, found.best.as_ref(), rounds) {
         let needed = if rounds == 0 { 1 } else { 2 };
         if let Some(end) = budget.end(evaluator.count(), needed) {
             found.end = end;
@@ -69,7 +78,10 @@ pub fn search(evaluator: &Evaluator<'_>, budget: &Budget<'_>) -> Result<Found, D
         let mut follow = |batch: &[Candidate], found: &mut Found| {
             let pairs = refined(evaluator, budget, batch);
             let searches = pairs.iter().filter(|(_, refined)| refined.designs > 0);
-            powers.extend(searches.map(|(_, refined)| value(refined)));
+            powers.extend(searches.map(|(start, refined)| Reached {
+                variant: problem.variant(&start.place),
+                value: value(refined),
+            }));
             evaluated(evaluator, budget, &pairs, found)
         };
         follow(first, &mut found)?;
@@ -105,24 +117,47 @@ fn value(refined: &Refined) -> f64 {
     }
 }
 
-/// True where enough refinements have led to as much as the best design has. Where the power of the
-/// orbit is the goal, one that led to more was beyond a limit that it does not see, and says nothing
-/// of designs within all limits.
-fn is_enough(problem: &Problem, values: &[f64], best: Option<&Candidate>, rounds: usize) -> bool {
-    let Some(Candidate { evaluation, .. }) = best else {
+/// True where, with each combination of choices, enough refinements have led to as much as its best
+/// design has. Where the power of the orbit is the goal, one that led to more than the best design of
+/// all was beyond a limit that it does not see, and says nothing of designs within all limits.
+fn is_enough(
+    problem: &Problem,
+    reached: &[Reached],
+    best: Option<&Candidate>,
+    rounds: usize,
+) -> bool {
+    let Some(best) = best else {
         return false;
     };
+    let own = problem.variant(&best.place);
+    (0..problem.variant_count()).all(|variant| {
+        let values = reached.iter().filter(|one| one.variant == variant);
+        let values: Vec<f64> = values.map(|one| one.value).collect();
+        let [low, high] = match variant == own {
+            true => range_of_best(problem, best),
+            false => {
+                let largest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+                [largest - SAME_POWER * largest.abs(), largest]
+            }
+        };
+        let near = values.iter().filter(|value| (low..=high).contains(*value));
+        near.count() >= ENOUGH || (values.is_empty() && rounds >= LAST_ROUNDS)
+    })
+}
+
+/// Returns the values of refinements that are those of the best design.
+fn range_of_best(problem: &Problem, best: &Candidate) -> [f64; 2] {
+    let evaluation = &best.evaluation;
     let low = match evaluation.is_feasible() {
         true => evaluation.goals[0] * (1.0 - SAME_POWER),
         false => -evaluation.violation * (1.0 + SAME_POWER),
     };
-    let high = match evaluation.is_feasible() && measures_goal(problem, best) {
+    let high = match evaluation.is_feasible() && measures_goal(problem, Some(best)) {
         true => evaluation.orbit.as_ref().map(|orbit| orbit.mean_power_w),
         false => None,
     };
     let high = high.map_or(f64::INFINITY, |power_w| power_w * (1.0 + SAME_POWER));
-    let reached = values.iter().filter(|value| (low..=high).contains(value));
-    reached.count() >= ENOUGH || (values.is_empty() && rounds >= LAST_ROUNDS)
+    [low, high]
 }
 
 /// Refines designs as far as the budget allows, and orders them from the largest power within the

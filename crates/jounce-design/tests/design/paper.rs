@@ -6,7 +6,7 @@
 
 use super::problem_of;
 use jounce_control::Control;
-use jounce_design::{DesignOutcome, design};
+use jounce_design::{DesignOutcome, SearchEnd, design};
 use jounce_spec::SpecFile;
 use std::f64::consts::TAU;
 use std::path::Path;
@@ -157,4 +157,23 @@ fn ten_seeds_lead_to_the_same_power() {
         assert!(best.expected_power_w > 0.9 * best.mean_power_w, "{best:?}");
         assert!(one.limits[0].value <= 6e-4, "{one:?}");
     }
+}
+
+/// A search converges only where it has found the optimum of each combination of choices as often as
+/// that of the best one: here the laminate with a Hertz stop has 1.96 mW, and a Hunt-Crossley stop,
+/// to which more starts lead, 1.09 mW.
+#[test]
+fn a_search_over_choices_converges_with_all_of_them() {
+    let text = "seed = 3\nevaluations = 1000\n[free]\n\"patch.mfc.section\" = [\"thin-skin\", \"laminate\"]\n\
+        \"stop.tip.gap\" = \"0.2mm:3mm\"\n\"stop.tip\" = [{ law = \"hertz\", stiffness = \"100:1e5:log N/m^1.5\" }, \
+        { law = \"hunt-crossley\", damping = \"0.01:1:log s/m\" }, { law = \"spring\", stiffness = \"2e3 N/m\" }]\n\
+        [goal]\nmaximise = \"stable-power\"\nstarts = 10\n";
+    let problem = problem_of(&paper().text(), text).unwrap();
+    let found = design(&problem, &Control::default(), None).unwrap();
+    let power_w = found.best.mean_power_w;
+    assert!(
+        power_w > 1.9e-3 || found.ended_by != SearchEnd::Converged,
+        "{power_w} {:?}",
+        found.ended_by
+    );
 }

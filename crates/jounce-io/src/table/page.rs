@@ -25,6 +25,9 @@ pub(super) fn encode(table: &Table, manifest: &Manifest) -> String {
 
 /// Reads the table of a page.
 pub(super) fn decode(page: &str) -> Result<(Table, Manifest), String> {
+    if !page.trim_end().ends_with("</html>") {
+        return Err("its end is missing: it is no complete page".to_owned());
+    }
     let data = page.split_once(BEGIN).map(|(_, rest)| rest);
     let data = data.and_then(|rest| Some(rest.split_once(END)?.0));
     let data = data.ok_or("it is no page of jounce with a table")?;
@@ -91,7 +94,10 @@ mod tests {
     #[test]
     fn every_value_reads_back_to_the_same_bits() {
         let manifest = Manifest::new("ab").with("command", "study </script>");
-        let page = format!("<!doctype html>\n{}\n", encode(&table(), &manifest));
+        let page = format!(
+            "<!doctype html>\n{}\n</html>\n",
+            encode(&table(), &manifest)
+        );
         let (read, read_manifest) = decode(&page).unwrap();
         assert_eq!(read_manifest, manifest);
         let texts = |table: &Table| {
@@ -121,9 +127,11 @@ mod tests {
 
     #[test]
     fn other_pages_are_refused() {
-        let element = encode(&table(), &Manifest::new("ab"));
+        let element = encode(&table(), &Manifest::new("ab")) + "</html>";
+        assert!(decode(&element).is_ok());
         let damaged = [
             String::new(),
+            element.replace("</html>", ""),
             "<html></html>".to_owned(),
             element.replace("</script>", ""),
             element.replace("\"values\"", "\"other\""),

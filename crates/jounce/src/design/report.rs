@@ -133,10 +133,12 @@ impl DesignResult {
             let end = key
                 .at_end
                 .map_or_else(String::new, |end| format!(", at its {end} end"));
-            lines.push(format!(
-                "{} = {}, before {}{end}",
-                key.key, key.value, key.before
-            ));
+            let before = match key.before.as_str() {
+                "" => ", new".to_owned(),
+                before if before == key.value => ", as before".to_owned(),
+                before => format!(", before {before}"),
+            };
+            lines.push(format!("{} = {}{before}{end}", key.key, key.value));
         }
         if best.stable {
             lines.push(format!(

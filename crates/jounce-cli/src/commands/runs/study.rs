@@ -107,6 +107,7 @@ impl Existing {
 
 impl Page {
     fn run(&self) -> Result<(), Failure> {
+        let study = self.study.open()?;
         let folder = self.study.folder.canonicalize();
         let name = folder.as_deref().ok().and_then(Path::file_name);
         let name = name.unwrap_or_default().to_string_lossy();
@@ -119,7 +120,7 @@ impl Page {
             let text = format!("--out {path}: give a file whose name ends in .html");
             return Err(Failure::usage(text));
         }
-        let page = study_page(&self.study.open()?, &name)?;
+        let page = study_page(&study, &name)?;
         write_file(&path, page.as_bytes()).map_err(Error::from)?;
         match self.study.json {
             true => print(&serde_json::json!({ "page": path })),

@@ -35,7 +35,7 @@ pub(super) fn check(
                     "free.{path}: no goal and no limit depends on this key; remove it from [free]"
                 ),
                 FreeValues::Choice(_) => format!(
-                    "free.{path}: no goal and no limit depends on this choice, because the spec gives the values that it would set; remove those values from the spec, or the choice from [free]"
+                    "free.{path}: no goal and no limit depends on this choice; remove it from [free], or remove values from the spec that it should set"
                 ),
             };
             reader.fault(path, span_of(root, path), message);

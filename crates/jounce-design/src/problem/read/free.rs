@@ -73,9 +73,13 @@ pub(super) fn check_paths(
         let owner = one.with.map_or(&one.path, |with| &free[with.free].path);
         for path in paths {
             let span = span_of(root, owner);
+            let is_known = set.contains(&(path, owner));
             let other = set
                 .iter()
                 .find(|(known, by)| *known == path && *by != owner);
+            if is_known {
+                continue;
+            }
             if other.is_some() {
                 let message = format!(
                     "free.{path} is set twice: as a key and in the choices of another key; remove one of the two"
