@@ -167,15 +167,21 @@ impl Folder {
             .collect()
     }
 
+    /// Returns the number of finished points whose runs had not settled when they were averaged,
+    /// although their drives have a common period.
+    pub fn unsettled_points(&self) -> usize {
+        let parts = (0..self.card.parts).filter_map(|part| self.part(part).ok());
+        parts.map(|table| unsettled(&table)).sum()
+    }
+
     /// Returns the progress of the study.
     pub fn status(&self) -> Status {
-        let (mut finished, mut failed_points, mut unsettled, mut damaged) = (0, 0, 0, Vec::new());
+        let (mut finished, mut failed_points, mut damaged) = (0, 0, Vec::new());
         for part in 0..self.card.parts {
             match self.part(part) {
                 Ok(table) => {
                     finished += 1;
                     failed_points += failures(&table);
-                    unsettled += unsettled_points(&table);
                 }
                 Err(StudyError::Damaged { path, .. }) => damaged.push(path),
                 Err(_) => {}
@@ -187,18 +193,11 @@ impl Folder {
             parts,
             ..
         } = self.card.clone();
-        let failures = (failed_points > 0).then(|| {
-            format!(
-                "points without a result: {failed_points} of {points}; the column `failure` gives the reasons"
-            )
-        });
-        let transients = (unsettled > 0).then(|| {
-            format!(
-                "points that had not settled when they were averaged: {unsettled} of {points}; increase run.duration, or compute a quantity of orbits"
-            )
-        });
+        let warning = format!(
+            "points without a result: {failed_points} of {points}; the column `failure` gives the reasons"
+        );
         Status {
-            warnings: failures.into_iter().chain(transients).collect(),
+            warnings: Vec::from_iter((failed_points > 0).then_some(warning)),
             study_sha256,
             points,
             parts,
@@ -308,9 +307,8 @@ fn failures(table: &Table) -> usize {
     }
 }
 
-/// Returns the number of points of a table whose runs had not settled, although their drives have a
-/// common period.
-fn unsettled_points(table: &Table) -> usize {
+/// Returns the number of points of a table whose runs had not settled.
+fn unsettled(table: &Table) -> usize {
     let values = |name: &str| table.column(name).map(|column| &column.values);
     match (values("settled"), values("period_cycles")) {
         (Some(Values::Flag(settled)), Some(Values::Count(periods))) => {

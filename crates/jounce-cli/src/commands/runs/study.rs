@@ -91,7 +91,9 @@ impl Study {
                 Ok(())
             }
             Action::Status(existing) => {
-                print_status(&existing.open()?.status(), existing.json);
+                let folder = existing.open()?;
+                warn_of_transients(&folder);
+                print_status(&folder.status(), existing.json);
                 Ok(())
             }
             Action::Page(page) => page.run(),
@@ -149,8 +151,19 @@ impl Run {
             ));
         }
         output::warn(&status.warnings);
+        warn_of_transients(&StudyFolder::open(&self.out).map_err(Error::from)?);
         print_status(&status, self.json);
         Ok(())
+    }
+}
+
+/// Warns of points that had not settled, whose values contain the transient.
+fn warn_of_transients(folder: &StudyFolder) {
+    let (unsettled, points) = (folder.unsettled_points(), folder.status().points);
+    if unsettled > 0 {
+        output::warn(&[format!(
+            "points that had not settled when they were averaged: {unsettled} of {points}; increase run.duration, or compute a quantity of orbits"
+        )]);
     }
 }
 
