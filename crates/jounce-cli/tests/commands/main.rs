@@ -22,6 +22,7 @@ mod warnings;
 
 use assert_cmd::Command;
 use serde_json::Value;
+use std::path::Path;
 
 const SPEC: &str = concat!(
     env!("CARGO_MANIFEST_DIR"),
@@ -31,19 +32,31 @@ const PLANT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../bench/plant.toml
 
 fn jounce(arguments: &[&str]) -> (i32, Value, String) {
     let cache = tempfile::tempdir().unwrap();
-    let output = Command::cargo_bin("jounce")
-        .unwrap()
-        .args(arguments)
-        .env("JOUNCE_CACHE", cache.path())
-        .output()
-        .unwrap();
-    let text = String::from_utf8(output.stdout).unwrap();
-    let json = serde_json::from_str(&text).unwrap_or(Value::Null);
+    let mut command = Command::cargo_bin("jounce").unwrap();
+    command.env("JOUNCE_CACHE", cache.path());
+    with_json(outcome(command.args(arguments)))
+}
+
+fn jounce_in(folder: &Path, arguments: &[&str]) -> (i32, String, String) {
+    let mut command = Command::cargo_bin("jounce").unwrap();
+    outcome(command.current_dir(folder).args(arguments))
+}
+
+/// Returns exit code, stdout and stderr.
+fn outcome(command: &mut Command) -> (i32, String, String) {
+    let output = command.output().unwrap();
+    let text = |bytes| String::from_utf8(bytes).unwrap();
     (
         output.status.code().unwrap(),
-        json,
-        String::from_utf8(output.stderr).unwrap(),
+        text(output.stdout),
+        text(output.stderr),
     )
+}
+
+/// Reads stdout as JSON; null for another text.
+fn with_json((code, stdout, stderr): (i32, String, String)) -> (i32, Value, String) {
+    let json = serde_json::from_str(&stdout).unwrap_or(Value::Null);
+    (code, json, stderr)
 }
 
 fn assert_keys(value: &Value, keys: &[&str]) {

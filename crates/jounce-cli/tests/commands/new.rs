@@ -1,24 +1,8 @@
 //! `jounce new`: every starter is checked, run and drawn as written; an obstacle is one clear error.
 
-use assert_cmd::Command;
+use crate::jounce_in as jounce;
 use serde_json::Value;
 use std::path::Path;
-
-/// Exit code, stdout and stderr.
-fn jounce(folder: &Path, arguments: &[&str]) -> (i32, String, String) {
-    let output = Command::cargo_bin("jounce")
-        .unwrap()
-        .args(arguments)
-        .current_dir(folder)
-        .output()
-        .unwrap();
-    let text = |bytes| String::from_utf8(bytes).unwrap();
-    (
-        output.status.code().unwrap(),
-        text(output.stdout),
-        text(output.stderr),
-    )
-}
 
 fn kinds(folder: &Path) -> Vec<String> {
     let (code, stdout, _) = jounce(folder, &["new", "--json"]);

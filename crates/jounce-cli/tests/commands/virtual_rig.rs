@@ -1,13 +1,9 @@
 //! Records of the virtual rig, whose truth is known, through the commands that analyse recordings.
 
-use assert_cmd::Command;
+use crate::{SPEC, jounce_in, with_json};
 use serde_json::Value;
 use std::path::Path;
 
-const SPEC: &str = concat!(
-    env!("CARGO_MANIFEST_DIR"),
-    "/../../examples/impact-harvester-2019/harvester.toml"
-);
 /// The paper's case of two solutions, where the model has two (20 starts of `basins`): 5.244 uW and period 1, 8.181 uW and period 3.
 const CASE: [&str; 8] = [
     "--set",
@@ -21,19 +17,7 @@ const CASE: [&str; 8] = [
 ];
 
 fn jounce(folder: &Path, arguments: &[&str]) -> (i32, Value, String) {
-    let output = Command::cargo_bin("jounce")
-        .unwrap()
-        .args(arguments)
-        .current_dir(folder)
-        .output()
-        .unwrap();
-    let text = String::from_utf8(output.stdout).unwrap();
-    let json = serde_json::from_str(&text).unwrap_or(Value::Null);
-    (
-        output.status.code().unwrap(),
-        json,
-        String::from_utf8(output.stderr).unwrap(),
-    )
+    with_json(jounce_in(folder, arguments))
 }
 
 fn assert_written(folder: &Path, names: &[&str]) {

@@ -6,7 +6,6 @@ use crate::problem::{FreeKey, FreeValues, Problem};
 use crate::search::{Candidate, Followed};
 use crate::{DesignError, Size};
 use jounce_analysis::{DerivativeAccuracy, DerivativeKey, orbit_derivatives};
-use jounce_orbits::OrbitQuantity;
 
 /// Relative change below which a result is unchanged.
 const UNCHANGED: f64 = 1e-6;
@@ -80,10 +79,7 @@ fn has_slope(problem: &Problem, followed: &Followed, index: usize, place: &[f64]
     let [key] = &keys[..] else {
         return false;
     };
-    let peaks = problem.peaks();
-    let quantities: Vec<OrbitQuantity> = std::iter::once(OrbitQuantity::MeanPower)
-        .chain(peaks.iter().map(|(_, quantity)| *quantity))
-        .collect();
+    let quantities = problem.orbit_quantities();
     let accuracy = DerivativeAccuracy::Rough;
     let found = orbit_derivatives(
         &followed.model,

@@ -14,7 +14,6 @@ use crate::problem::Problem;
 use crate::search::Followed;
 use jounce_analysis::{Derivative, DerivativeAccuracy, DerivativeKey, orbit_derivatives};
 use jounce_linalg::Mat;
-use jounce_orbits::OrbitQuantity;
 
 /// Returns the price of each limit, W per SI unit; `None` for one that does not bind.
 pub fn prices(
@@ -32,9 +31,7 @@ pub fn prices(
         .filter(|k| (super::AT_END..=1.0 - super::AT_END).contains(&place[*k]))
         .collect();
     let keys = problem.derivative_keys(&inner, place);
-    let quantities: Vec<OrbitQuantity> = std::iter::once(OrbitQuantity::MeanPower)
-        .chain(peaks.iter().map(|(_, quantity)| *quantity))
-        .collect();
+    let quantities = problem.orbit_quantities();
     let binding: Vec<usize> = peaks
         .iter()
         .map(|(index, _)| *index)

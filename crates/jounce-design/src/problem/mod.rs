@@ -148,6 +148,14 @@ impl Problem {
         peaks
     }
 
+    /// Returns the mean power and the limited peaks, as quantities of an orbit.
+    pub(crate) fn orbit_quantities(&self) -> Vec<OrbitQuantity> {
+        let peaks = self.peaks().into_iter().map(|(_, quantity)| quantity);
+        std::iter::once(OrbitQuantity::MeanPower)
+            .chain(peaks)
+            .collect()
+    }
+
     /// Returns the limits of sizes with their indices.
     pub(crate) fn sizes(&self) -> Vec<(usize, Size)> {
         let mut sizes = Vec::new();

@@ -28,7 +28,7 @@ fn with(spec: &str, values: &[(&str, &str)]) -> String {
     file.spec().unwrap().to_toml()
 }
 
-/// The best of three laws, one with a range of its own, against a design of each law by itself.
+/// The best of three laws, one with a range of its own, against a design of each law alone.
 #[test]
 fn a_contact_law_with_its_own_keys_is_the_best_of_designs_one_by_one() {
     let spec = impact();
@@ -89,7 +89,7 @@ const CANTILEVER: &str = "[beam.b]\nmaterial = \"steel\"\nlength = \"100 mm\"\nw
     [drive.d]\nat = \"b.end\"\namplitude = \"0.1 N\"\nfrequency = \"20 Hz\"\n[damping]\nbeyond = 0.01\n\
     [reduction]\nmodes = 3\n[run]\nduration = \"1 s\"\naverage_over = \"1 s\"\n";
 
-/// Two choices and a range: every combination computed by itself.
+/// Two choices and a range: every combination computed alone.
 #[test]
 fn materials_of_beam_and_patch_are_the_best_of_all_combinations() {
     let design = |spec: &str, free: &str| {
