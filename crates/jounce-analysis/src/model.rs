@@ -105,6 +105,20 @@ impl Model {
         })
     }
 
+    /// Returns the system of a changed spec; modes are reused when no body changed.
+    ///
+    /// # Errors
+    /// [`AnalysisError::Structure`], [`AnalysisError::Plant`].
+    pub fn system(&self, spec: &Spec) -> Result<System, AnalysisError> {
+        let modes = if has_same_modes(&self.spec, spec) {
+            Arc::clone(&self.modes)
+        } else {
+            Arc::new(structure::modes(spec)?)
+        };
+        let is_stopped = || self.kernel.control.is_stopped();
+        Ok(System::assemble_unless(spec, modes, &is_stopped)?)
+    }
+
     /// Returns the model of a changed spec. Modes are reused when no body changed, step tables when
     /// no circuit changed.
     ///
@@ -114,9 +128,7 @@ impl Model {
         if !has_same_modes(&self.spec, &spec) {
             return Self::watched(spec, &self.kernel.control);
         }
-        let system = System::assemble_unless(&spec, Arc::clone(&self.modes), &|| {
-            self.kernel.control.is_stopped()
-        })?;
+        let system = self.system(&spec)?;
         let signals = system.signals.clone();
         let kernel = match (
             self.spec.circuit == spec.circuit,

@@ -26,4 +26,7 @@ pub use record::trajectory::{
 };
 pub use rectifier::energies::RectifiedEnergies;
 pub use rectifier::regulation::DeviceStatistics;
-pub use sensitivity::{FlowSensitivity, ParameterSensitivity, SensitivityError};
+pub use sensitivity::{
+    FlowSensitivity, OutputDerivatives, ParameterRequest, ParameterSensitivity, SensitivityError,
+    StateDerivative,
+};

@@ -20,13 +20,13 @@ pub use harmonic_balance::{BalanceEvaluation, HarmonicBalance};
 pub use method::OrbitMethod;
 pub use orbit::multipliers::{Eigenbasis, EigenvalueDisc, discs, multipliers};
 pub use orbit::periodic::{Orbit, determinant_at, nearest_pair_to_circle, outside_count};
-pub use orbit::quantity::OrbitQuantity;
+pub use orbit::quantity::{OrbitPeak, OrbitQuantity};
 pub use orbit::turning_points::{
     TurningPoint, displacement_peak_m, nearest_extremum_m, nearest_turn, turns,
 };
 pub use parametric_model::{ModelInstance, ParameterDerivatives, ParametricModel};
-pub use shooting::Shooting;
 pub use shooting::evaluation::ShootingEvaluation;
+pub use shooting::{InstantSensitivity, OrbitInstant, OrbitSensitivity, Shooting};
 pub use tracking::{
     Condition, ExtendedEvaluation, ExtendedProblem, Gradient, GrazingPoint, TwoParameterProblem,
 };

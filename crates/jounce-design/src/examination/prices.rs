@@ -40,7 +40,7 @@ pub fn prices(
     if binding.is_empty() || keys.is_empty() {
         return prices;
     }
-    let accuracy = DerivativeAccuracy::Extrapolated;
+    let accuracy = DerivativeAccuracy::Estimated;
     let found = orbit_derivatives(
         &followed.model,
         &followed.orbit,

@@ -146,7 +146,7 @@ fn compared(cases: &[Case], paths: &[&str]) -> (usize, f64) {
             &case.orbit,
             &wanted,
             &[OrbitQuantity::MeanPower],
-            DerivativeAccuracy::Extrapolated,
+            DerivativeAccuracy::Estimated,
         )
         .unwrap();
         let rows = paths.iter().zip(&wanted).zip(found.by_key);
@@ -168,6 +168,9 @@ fn compared(cases: &[Case], paths: &[&str]) -> (usize, f64) {
         .collect()
     };
     let all: Vec<(String, f64)> = cases.par_iter().flat_map_iter(of_case).collect();
+    for (line, deviation) in all.iter().filter(|(_, deviation)| *deviation > 1e-7) {
+        let _ = writeln!(std::io::stderr(), "{deviation:.1e}: {line}");
+    }
     let worst = all.iter().max_by(|a, b| a.1.total_cmp(&b.1)).unwrap();
     let _ = writeln!(
         std::io::stderr(),

@@ -22,11 +22,18 @@ pub fn factored<W: Simd>(
     basis: &BasisFunctions,
     h: f64,
 ) -> Vec<TridiagonalFactors> {
-    let count = parts
-        .iter()
-        .map(|part| terms(part, basis, h))
-        .max()
-        .unwrap_or(0);
+    let counts = parts.iter().map(|part| terms(part, basis, h));
+    factored_rows(w, parts, h, counts.max().unwrap_or(0))
+}
+
+/// Factors up to eight blocks on a step, with a number of rows.
+#[inline(always)]
+pub fn factored_rows<W: Simd>(
+    w: W,
+    parts: &[BlockOnStep],
+    h: f64,
+    count: usize,
+) -> Vec<TridiagonalFactors> {
     let rates = |read: fn(c64) -> f64| {
         F64x8(std::array::from_fn(|i| {
             parts.get(i).map_or(0.0, |part| h * read(part.rate()))

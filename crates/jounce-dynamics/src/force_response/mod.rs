@@ -2,6 +2,6 @@
 
 pub(crate) mod basis;
 pub(crate) mod duhamel;
-mod factors;
+pub(crate) mod factors;
 pub(crate) mod output_rows;
 pub(crate) mod step_response;

@@ -110,19 +110,59 @@ impl BlockOnStep {
 impl StepResponse {
     /// Computes the responses of all blocks on a step of one length.
     pub fn of_all(block: &BlockDiagonal, basis: &BasisFunctions, length_s: f64) -> Vec<Self> {
+        parts(block)
+            .map(|(_, part)| Self::of_part(&part, basis, length_s))
+            .collect()
+    }
+
+    /// Computes the responses of one block.
+    pub fn of_part(part: &BlockOnStep, basis: &BasisFunctions, length_s: f64) -> Self {
         let w = Portable::new();
-        let solved = |(_, part)| {
-            let mut responses = Self::default();
-            responses.solve(
-                w,
-                &part,
-                basis,
-                length_s,
-                (&factored(w, &[part], basis, length_s), 0),
-            );
-            responses
+        let mut responses = Self::default();
+        let factors = factored(w, &[*part], basis, length_s);
+        responses.solve(w, part, basis, length_s, (&factors, 0));
+        responses
+    }
+
+    /// Returns the series of the states of a block from rest, driven by series of its rates (1/s),
+    /// given the factors of up to eight blocks and the index of the block among them. Each lane is
+    /// a separate motion.
+    #[inline(always)]
+    pub fn to<W: Simd>(
+        w: W,
+        part: &BlockOnStep,
+        h: f64,
+        rates: Vec<Vec<F64x8>>,
+        (factors, index): (&[TridiagonalFactors], usize),
+    ) -> Vec<Vec<F64x8>> {
+        let count = factors.len();
+        let integrated = |series: &[F64x8]| {
+            let scaled: Vec<F64x8> = (series.iter())
+                .map(|lane| w.store(w.mul(w.splat(h), w.load(lane))))
+                .collect();
+            let mut out = vec![F64x8::ZERO; count];
+            integrate(w, &scaled, &mut out);
+            out
         };
-        parts(block).map(solved).collect()
+        let none = || vec![F64x8::ZERO; count];
+        let solved = |first: Vec<F64x8>, second: Vec<F64x8>| {
+            let mut response = Self { first, second };
+            response.sweep(w, factors, index);
+            response
+        };
+        match part {
+            BlockOnStep::Turning(_) => {
+                let response = solved(integrated(&rates[0]), integrated(&rates[1]));
+                vec![response.first, response.second]
+            }
+            BlockOnStep::Double(_) => {
+                let v = solved(integrated(&rates[1]), none()).first;
+                let both = rates[0].iter().zip(&v).map(|(u, v)| u.add_scaled(1.0, v));
+                let u = solved(integrated(&both.collect::<Vec<_>>()), none()).first;
+                vec![u, v]
+            }
+            BlockOnStep::Single(_) => vec![solved(integrated(&rates[0]), none()).first],
+        }
     }
 
     /// Solves one block for one step length, given the factors of up to eight blocks and the index

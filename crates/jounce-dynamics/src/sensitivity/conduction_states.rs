@@ -13,6 +13,7 @@
 //! `dx+ = dx- + (x'- - x'+) s`, because their current jumps there.
 
 use super::linearization::{ConductionSegment, Linearization, LinearizedSegment};
+use super::parameters::Parameters;
 use super::tangents::{Tangents, scale};
 use super::{ParameterSensitivity, SensitivityError};
 use crate::kernel::Kernel;
@@ -37,13 +38,16 @@ pub struct ConductionRoute<'a> {
     pub end_conduction_state: usize,
     /// ... and its state, block coordinates of that conduction state.
     pub end: Vec<f64>,
+    /// Parameters whose derivatives are wanted, for plants without bridges.
+    pub parameters: Option<Parameters<'a>>,
 }
 
 impl<'a> ConductionRoute<'a> {
     /// Returns the derivative of the state at the end, in the block coordinates of the base.
-    pub fn tangents(mut self) -> Result<Tangents, SensitivityError> {
+    pub fn tangents(mut self) -> Result<(Tangents, Option<Parameters<'a>>), SensitivityError> {
         let changes = self.trajectory.changes();
-        let mut tangents = Tangents::identity(self.base.plant.len());
+        let groups = self.parameters.as_ref().map_or(0, Parameters::groups);
+        let mut tangents = Tangents::identity(self.base.plant.len(), groups);
         let first = changes
             .first()
             .map_or(self.end_conduction_state, |change| change.conduction_state);
@@ -71,10 +75,10 @@ impl<'a> ConductionRoute<'a> {
         let kernel = self.kernel(self.end_conduction_state)?;
         let all = self.trajectory.segments().len();
         let end = std::mem::take(&mut self.end);
-        let LinearizedSegment { mut tangents, .. } =
-            self.linearize(kernel, (from, all), (self.end_s, &end), tangents)?;
+        let linearized = self.linearize(kernel, (from, all), (self.end_s, &end), tangents)?;
+        let (mut tangents, parameters) = (linearized.tangents, linearized.parameters);
         self.convert(&mut tangents, self.end_conduction_state, 0)?;
-        Ok(tangents)
+        Ok((tangents, parameters))
     }
 
     fn kernel(&self, conduction_state: usize) -> Result<&'a Kernel, SensitivityError> {
@@ -106,7 +110,7 @@ impl<'a> ConductionRoute<'a> {
         (from, to): (usize, usize),
         (end_s, end): (f64, &[f64]),
         tangents: Tangents,
-    ) -> Result<LinearizedSegment, SensitivityError> {
+    ) -> Result<LinearizedSegment<'a>, SensitivityError> {
         let segments = &self.trajectory.segments()[from..to];
         // An impact that changed a bridge belongs to the steps before it.
         let belongs = |impact: &&Impact| impact.after <= to && (impact.after > from || from == 0);
@@ -139,7 +143,7 @@ impl<'a> ConductionRoute<'a> {
             &mut self.odd_tables,
             segment,
             sizes,
-            tangents,
+            (tangents, self.parameters.take()),
         ))
     }
 

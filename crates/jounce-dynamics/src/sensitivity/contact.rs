@@ -3,6 +3,7 @@
 use super::elimination::NodeSystem;
 use super::linearization::Linearization;
 use super::parameter_sensitivity::DrivenNodeMotion;
+use super::parameters::NodeLaws;
 use super::tangents::add_scaled;
 use crate::flow::state::{add_force_response, columns};
 use crate::force_response::basis::NODES;
@@ -23,9 +24,26 @@ struct LawNodes {
     damping_n_s_m: F64x8,
     /// Force at the nodes and at the end of the step, N.
     force_n: F64x8,
+    /// Penetration (m) and rate (m/s) there.
+    depth_m: F64x8,
+    rate_m_s: F64x8,
 }
 
-impl Linearization<'_> {
+impl LawNodes {
+    /// Returns the law at the nodes for the parameters of a port in contact, by its index.
+    fn at(&self, kernel: &Kernel, (port, shape): (usize, ForceBasis), index: usize) -> NodeLaws {
+        NodeLaws {
+            port,
+            index,
+            positions: kernel.basis(port, shape).positions,
+            slopes: [self.stiffness_n_m, self.damping_n_s_m],
+            depth: self.depth_m,
+            rate: self.rate_m_s,
+        }
+    }
+}
+
+impl Linearization<'_, '_> {
     /// Passes one step in contact; `after` is the state at its end.
     #[inline(always)]
     pub(super) fn contact<W: Simd>(&mut self, w: W, segment: &TrajectorySegment, after: &[f64]) {
@@ -57,6 +75,8 @@ impl Linearization<'_> {
         // Contacts that start at the same instant share the shift of the first: see the limits of the module.
         let entering = ports.iter().find(|(_, shape)| *shape == ForceBasis::Onset);
         let shift_s = entering.and_then(|(port, _)| self.onset_shift(w, segment, *port));
+        let mut parameters = self.parameters.take();
+        let step = (parameters.as_mut()).map(|one| one.step(w, kernel, segment));
         for (index, node_laws) in nodes.iter().enumerate() {
             self.right_sides(w, &tables, index, node_laws);
             self.rows(
@@ -67,8 +87,25 @@ impl Linearization<'_> {
                 shift_s.as_deref(),
             );
         }
+        let of_parameters = parameters.as_mut().zip(step.as_ref());
+        if let Some((parameters, step)) = of_parameters {
+            for (index, node_laws) in nodes.iter().enumerate() {
+                let laws = node_laws.at(kernel, ports[index], index);
+                let plant = &kernel.plant;
+                parameters.add_right_sides(w, plant, segment, step, &laws, &mut self.system);
+            }
+        }
         self.system.solve(w);
+        let of_parameters = parameters.as_mut().zip(step.as_ref());
+        if let Some((parameters, step)) = of_parameters {
+            let (system, shift_s) = (Some(&mut self.system), shift_s.as_deref());
+            parameters.add_outputs(kernel, segment, step, &self.tangents, system, shift_s);
+        }
         self.advance(w, &tables);
+        if let Some((parameters, step)) = parameters.as_ref().zip(step.as_ref()) {
+            parameters.add_end(step, &mut self.tangents);
+        }
+        self.parameters = parameters;
         if let Some(shift_s) = &shift_s {
             let rate = self.rate(segment.start_s + segment.length_s, after, &segment.forces);
             self.tangents.add_product(w, &rate, -1.0, shift_s);
@@ -164,6 +201,8 @@ impl Linearization<'_> {
             stiffness_n_m: F64x8::ZERO,
             damping_n_s_m: F64x8::ZERO,
             force_n,
+            depth_m: depth,
+            rate_m_s: rate,
         };
         for i in 0..NODES {
             // Past the surface the force is zero for every state.

@@ -3,6 +3,7 @@
 use super::SensitivityError;
 use super::elimination::NodeSystem;
 use super::parameter_sensitivity::ParameterSensitivity;
+use super::parameters::Parameters;
 use super::tangents::Tangents;
 use crate::excitation::row::{ExcitationRow, ExcitationSeries};
 use crate::kernel::Kernel;
@@ -29,7 +30,7 @@ pub struct ConductionSegment<'a> {
 }
 
 /// Linearisation of a segment in progress.
-pub struct Linearization<'a> {
+pub struct Linearization<'a, 'p> {
     pub(super) kernel: &'a Kernel,
     pub(super) drift: &'a ParameterSensitivity,
     /// Tables of the lengths that are no levels.
@@ -50,17 +51,21 @@ pub struct Linearization<'a> {
     pub(super) forced: Vec<ExcitationSeries>,
     /// Flight not yet applied, s.
     pending_s: f64,
+    /// Parameters whose derivatives are wanted, next to the one of `drift`.
+    pub(super) parameters: Option<Parameters<'p>>,
 }
 
 /// Result of the linearisation of a segment.
-pub struct LinearizedSegment {
+pub struct LinearizedSegment<'p> {
     /// Derivatives of the state at the end of the segment.
     pub tangents: Tangents,
     /// Delay of an impact at the end of the segment, s.
     pub delay_s: Option<Vec<F64x8>>,
+    /// Parameters with their outputs so far.
+    pub parameters: Option<Parameters<'p>>,
 }
 
-impl<'a> Linearization<'a> {
+impl<'a, 'p> Linearization<'a, 'p> {
     /// Continues with the derivatives of the state at the start of a segment; `sizes` are the
     /// signal samples.
     pub fn new(
@@ -69,7 +74,7 @@ impl<'a> Linearization<'a> {
         odd_tables: &'a mut OddTables,
         segment: ConductionSegment<'a>,
         sizes: Vec<SignalSample>,
-        tangents: Tangents,
+        (tangents, parameters): (Tangents, Option<Parameters<'p>>),
     ) -> Self {
         let (system, factors) = (
             NodeSystem::new(1, tangents.width),
@@ -103,6 +108,7 @@ impl<'a> Linearization<'a> {
             sizes,
             forced,
             pending_s: 0.0,
+            parameters,
         }
     }
 
@@ -116,7 +122,7 @@ impl<'a> Linearization<'a> {
         next: Option<&TrajectorySegment>,
     ) -> Result<(), SensitivityError> {
         if segment.forces.is_empty() {
-            self.pending_s += segment.length_s;
+            self.flight(w, segment);
         } else {
             if let Some(slot) = segment
                 .forces
@@ -150,6 +156,20 @@ impl<'a> Linearization<'a> {
             }
         }
         Ok(())
+    }
+
+    /// Passes one step in flight.
+    #[inline(always)]
+    fn flight<W: Simd>(&mut self, w: W, segment: &TrajectorySegment) {
+        self.pending_s += segment.length_s;
+        if let Some(parameters) = &mut self.parameters {
+            let step = parameters.step(w, self.kernel, segment);
+            parameters.add_outputs(self.kernel, segment, &step, &self.tangents, None, None);
+            self.fly(w);
+            if let Some(parameters) = &self.parameters {
+                parameters.add_end(&step, &mut self.tangents);
+            }
+        }
     }
 
     /// Returns the law of the stop of a port.
@@ -204,8 +224,8 @@ impl<'a> Linearization<'a> {
     }
 }
 
-impl Task for Linearization<'_> {
-    type Output = Result<LinearizedSegment, SensitivityError>;
+impl<'p> Task for Linearization<'_, 'p> {
+    type Output = Result<LinearizedSegment<'p>, SensitivityError>;
 
     #[inline(always)]
     fn run<W: Simd>(mut self, w: W) -> Self::Output {
@@ -227,6 +247,7 @@ impl Task for Linearization<'_> {
         Ok(LinearizedSegment {
             tangents: self.tangents,
             delay_s,
+            parameters: self.parameters,
         })
     }
 }

@@ -36,10 +36,12 @@ mod contact;
 mod elimination;
 mod linearization;
 mod parameter_sensitivity;
+mod parameters;
 mod saltation;
 mod tangents;
 
 pub use parameter_sensitivity::ParameterSensitivity;
+pub use parameters::{OutputDerivatives, ParameterRequest, StateDerivative};
 
 use crate::error::IntegrationError;
 use crate::integrator::Integrator;
@@ -48,6 +50,7 @@ use crate::record::statistics::ContactStatistics;
 use crate::record::trajectory::Trajectory;
 use conduction_states::ConductionRoute;
 use jounce_linalg::Mat;
+use parameters::Parameters;
 
 /// Integrated interval with its derivative.
 #[derive(Debug, Clone, PartialEq)]
@@ -66,6 +69,8 @@ pub struct FlowSensitivity {
     pub delivered_j: Vec<f64>,
     /// Trajectory of the integration.
     pub trajectory: Trajectory,
+    /// Derivatives of outputs by the parameters of a request.
+    pub outputs: OutputDerivatives,
 }
 
 /// Error of a derivative that does not exist or cannot be computed.
@@ -108,6 +113,23 @@ impl FlowSensitivity {
         tolerance: f64,
         drift: &ParameterSensitivity,
     ) -> Result<Self, SensitivityError> {
+        let span_s = (start_s, duration_s);
+        Self::with_parameters(kernel, start, span_s, tolerance, drift, None)
+    }
+
+    /// Does so from a time over a duration, s, and returns the derivatives of outputs by the
+    /// parameters of a request too.
+    ///
+    /// # Errors
+    /// [`SensitivityError`].
+    pub fn with_parameters(
+        kernel: &Kernel,
+        start: &[f64],
+        (start_s, duration_s): (f64, f64),
+        tolerance: f64,
+        drift: &ParameterSensitivity,
+        request: Option<ParameterRequest<'_>>,
+    ) -> Result<Self, SensitivityError> {
         let mut integrator = Integrator::new(kernel, start, start_s, tolerance)?;
         integrator.resolve_derivative();
         integrator.start_record();
@@ -143,9 +165,14 @@ impl FlowSensitivity {
             end_s,
             end_conduction_state,
             end: block_end,
+            parameters: request.map(|request| Parameters::new(kernel, request)),
         };
-        let tangents = route.tangents()?;
+        let (tangents, parameters) = route.tangents()?;
         let n = end.len();
+        let entry = |state: usize, column: usize| tangents.entry(state, column);
+        let outputs = parameters.map_or_else(OutputDerivatives::default, |parameters| {
+            parameters.finish(n, &entry)
+        });
         let jacobian = Mat::from_fn(n, n, |i, j| tangents.entry(i, j));
         let drift = (0..n).map(|i| tangents.entry(i, n)).collect();
         Ok(Self {
@@ -156,6 +183,7 @@ impl FlowSensitivity {
             statistics,
             delivered_j,
             trajectory,
+            outputs,
         })
     }
 }

@@ -44,7 +44,7 @@ pub(super) struct DrivenNodeMotion {
     pub rate_drift_m_s: F64x8,
 }
 
-impl Linearization<'_> {
+impl Linearization<'_, '_> {
     /// Evaluates a port under the drives along a step, of a level or of any length.
     #[inline(always)]
     pub(super) fn driven<W: Simd>(

@@ -6,7 +6,7 @@ use crate::record::trajectory::{Impact, PortForce, TrajectorySegment};
 use jounce_model::contact::Law;
 use jounce_simd::{F64x8, Simd};
 
-impl Linearization<'_> {
+impl Linearization<'_, '_> {
     /// Shifts the time of the tangents to the start of a contact of a port: `Dy = dy + y' s`.
     /// Returns `s`; `None` where the point does not move into the stop.
     #[inline(always)]
@@ -26,10 +26,31 @@ impl Linearization<'_> {
         let mut shift_s = self
             .tangents
             .along(w, &row.displacement, driven.penetration_drift_m);
+        self.add_drifts(port, (segment.start_s, &segment.state), &mut [&mut shift_s]);
         scale(w, &mut shift_s, -1.0 / speed);
         let rate = self.rate(segment.start_s, &segment.state, &segment.forces);
         self.tangents.add_product(w, &rate, 1.0, &shift_s);
         Some(shift_s)
+    }
+
+    /// Adds the changes of the penetration, and of the rate, of a port by the parameters to rows of
+    /// columns; the state is without the forced part of constant signals.
+    fn add_drifts(
+        &self,
+        port: usize,
+        (time_s, state): (f64, &[f64]),
+        rows: &mut [&mut Vec<F64x8>],
+    ) {
+        let Some(parameters) = &self.parameters else {
+            return;
+        };
+        let plant = &self.kernel.plant;
+        let mut full = state.to_vec();
+        plant.add_forced(&self.sizes, 0.0, &mut full);
+        let drifts = parameters.drifts(plant, port, (time_s, &full));
+        for (which, row) in rows.iter_mut().enumerate() {
+            parameters.add_drift(row, &drifts, which);
+        }
     }
 
     /// Returns `y'` at a state without the equilibrium under constant signals, under those signals
@@ -76,9 +97,10 @@ impl Linearization<'_> {
         let row = &plant.ports[port];
         let driven = self.drift.driven(plant, port, time_s);
         let rate = dot(&row.velocity, before) + driven.velocity_m_s;
-        let delay = self
+        let mut delay = self
             .tangents
             .along(w, &row.displacement, driven.penetration_drift_m);
+        self.add_drifts(port, (time_s, before), &mut [&mut delay]);
         self.tangents
             .add_product(w, &row.force, law.force_n(0.0, rate) / rate, &delay);
     }
@@ -116,9 +138,15 @@ impl Linearization<'_> {
         let mut delay = self
             .tangents
             .along(w, &port.displacement, driven.penetration_drift_m);
-        let phase_rate_change = self
+        let mut phase_rate_change = self
             .tangents
             .along(w, &port.velocity, driven.rate_drift_m_s);
+        let drifts = &mut [&mut delay, &mut phase_rate_change];
+        self.add_drifts(impact.port, (time_s, &before), drifts);
+        if let Some(parameters) = &self.parameters {
+            let of_impact = (impact.port, impulse, fast);
+            parameters.add_impulse(plant, of_impact, &mut self.tangents);
+        }
         let kicked = rate_after
             .iter()
             .zip(&rate_before)

@@ -1,5 +1,6 @@
 //! Derivatives of the state by all start states and by the parameter at once.
 
+use super::parameters::first_vector;
 use jounce_linalg::Mat;
 use jounce_simd::{F64x8, LANES, Simd};
 
@@ -17,9 +18,10 @@ pub struct Tangents {
 }
 
 impl Tangents {
-    /// Returns the tangents of the start state.
-    pub fn identity(states: usize) -> Self {
-        let width = (states + 1).div_ceil(LANES);
+    /// Returns the tangents of the start state, with empty columns for a number of groups of further
+    /// parameters.
+    pub fn identity(states: usize, groups: usize) -> Self {
+        let width = first_vector(states) + groups;
         let mut lanes = vec![F64x8::ZERO; states * width];
         (0..states).for_each(|i| lanes[i / LANES * states + i].0[i % LANES] = 1.0);
         Self {

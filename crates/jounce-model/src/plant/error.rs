@@ -36,6 +36,12 @@ pub enum PlantError {
         /// Largest condition number allowed.
         allowed: f64,
     },
+    /// The derivative by a key is not known in closed form.
+    #[error("the derivative of {part} has no closed form")]
+    NoDerivative {
+        /// The part.
+        part: String,
+    },
     /// A circuit with a switch has no frequency response.
     #[error(
         "circuit.{circuit}.interface is not linear, so it has no frequency response; set interface = \"resistor\", or request the open circuit"

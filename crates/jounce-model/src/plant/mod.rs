@@ -17,6 +17,7 @@ mod assemble;
 mod circuit;
 mod coordinates;
 mod coupled_plant;
+mod derivative;
 mod diagonal;
 mod energy;
 mod error;
@@ -33,6 +34,9 @@ pub use circuit::leak::Leak;
 pub use circuit::regulator::{DevicePhase, Regulator, VoltageBand};
 pub use coupled_plant::{Plant, Port};
 pub use coupled_plant::{dot, product};
+pub use derivative::{
+    Coefficients, LoadDerivative, PlantDerivative, PortDerivative, ToneDerivative,
+};
 pub use diagonal::Diagonal;
 pub use diagonal::block_diagonal::BlockDiagonal;
 pub use diagonal::block_pair::BlockPair;

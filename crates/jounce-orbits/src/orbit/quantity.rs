@@ -1,6 +1,6 @@
 //! Quantities of an orbit for which a user may specify a level.
 
-use crate::ShootingEvaluation;
+use crate::{OrbitInstant, ShootingEvaluation};
 use jounce_dynamics::{Trajectory, TrajectoryState};
 use jounce_model::plant::Plant;
 
@@ -30,11 +30,16 @@ pub enum OrbitQuantity {
 impl OrbitQuantity {
     /// Returns the value on an orbit, SI.
     pub fn of(self, evaluation: &ShootingEvaluation) -> f64 {
-        let plant = &evaluation.kernel.plant;
         match self {
             Self::MeanPower => evaluation.loads_w.iter().sum(),
-            _ => largest(evaluation, |state, at| self.at(plant, state, at)),
+            _ => self.peak(evaluation).value,
         }
+    }
+
+    /// Returns the largest magnitude on an orbit, SI, and its instant; NaN for a mean.
+    pub fn peak(self, evaluation: &ShootingEvaluation) -> OrbitPeak {
+        let plant = &evaluation.kernel.plant;
+        largest(evaluation, |state, at| self.at(plant, state, at))
     }
 
     /// Returns the magnitude at an instant with a physical state, SI; NaN for a mean.
@@ -61,15 +66,24 @@ impl OrbitQuantity {
     }
 }
 
+/// Largest magnitude of a quantity on an orbit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OrbitPeak {
+    /// Magnitude, SI.
+    pub value: f64,
+    /// Instant.
+    pub instant: OrbitInstant,
+}
+
 /// Returns the largest value, over the period, of a function of the physical state and the sample of
 /// the trajectory.
 fn largest(
     evaluation: &ShootingEvaluation,
     value: impl Fn(&[f64], &TrajectoryState) -> f64,
-) -> f64 {
+) -> OrbitPeak {
     let plant = &evaluation.kernel.plant;
     let cycle_s = evaluation.period_s / evaluation.trajectories.len() as f64;
-    let of_cycle = |trajectory: &Trajectory| {
+    let of_cycle = |(cycle, trajectory): (usize, &Trajectory)| {
         let at = |times_s: &[f64]| -> Vec<f64> {
             let instants = trajectory.at(&evaluation.kernel, times_s);
             instants
@@ -81,42 +95,67 @@ fn largest(
         let rough = at(&(0..=SAMPLES_PER_CYCLE)
             .map(|k| k as f64 * step_s)
             .collect::<Vec<_>>());
-        let top = (0..rough.len())
-            .max_by(|a, b| rough[*a].total_cmp(&rough[*b]))
-            .unwrap_or(0);
-        let (from, closer_s) = (
+        let top = highest(&rough);
+        let (from_s, closer_s) = (
             top.saturating_sub(1) as f64 * step_s,
             2.0 * step_s / REFINED_SAMPLES as f64,
         );
         let times: Vec<f64> = (0..=REFINED_SAMPLES)
-            .map(|k| (from + k as f64 * closer_s).min(cycle_s))
+            .map(|k| (from_s + k as f64 * closer_s).min(cycle_s))
             .collect();
-        parabola_top(&at(&times)).max(rough[top])
+        let (place, value) = parabola_top(&at(&times));
+        let time_s = (from_s + place * closer_s).min(cycle_s);
+        let (value, time_s) = if value >= rough[top] {
+            (value, time_s)
+        } else {
+            (rough[top], top as f64 * step_s)
+        };
+        OrbitPeak {
+            value,
+            instant: OrbitInstant { cycle, time_s },
+        }
     };
-    evaluation
-        .trajectories
-        .iter()
-        .map(of_cycle)
-        .fold(0.0, f64::max)
+    let start = OrbitPeak {
+        value: 0.0,
+        instant: OrbitInstant {
+            cycle: 0,
+            time_s: 0.0,
+        },
+    };
+    let peaks = evaluation.trajectories.iter().enumerate().map(of_cycle);
+    peaks.fold(
+        start,
+        |best, peak| {
+            if peak.value > best.value { peak } else { best }
+        },
+    )
 }
 
-/// Returns the top of the parabola through the highest of equally spaced values and its two
-/// neighbours.
-fn parabola_top(values: &[f64]) -> f64 {
-    let top = (0..values.len())
+/// Returns the index of the highest value.
+fn highest(values: &[f64]) -> usize {
+    (0..values.len())
         .max_by(|a, b| values[*a].total_cmp(&values[*b]))
-        .unwrap_or(0);
+        .unwrap_or(0)
+}
+
+/// Returns place and height of the top of the parabola through the highest of equally spaced values
+/// and its two neighbours.
+fn parabola_top(values: &[f64]) -> (f64, f64) {
+    let top = highest(values);
     if top == 0 || top + 1 >= values.len() {
-        return values.get(top).copied().unwrap_or(0.0);
+        return (top as f64, values.get(top).copied().unwrap_or(0.0));
     }
     let (slope, bend) = (
         0.5 * (values[top + 1] - values[top - 1]),
         values[top + 1] - 2.0 * values[top] + values[top - 1],
     );
     if bend < 0.0 {
-        values[top] - 0.5 * slope * slope / bend
+        (
+            top as f64 - slope / bend,
+            values[top] - 0.5 * slope * slope / bend,
+        )
     } else {
-        values[top]
+        (top as f64, values[top])
     }
 }
 
@@ -127,7 +166,8 @@ mod tests {
     #[test]
     fn a_parabola_finds_its_own_top() {
         let values: Vec<f64> = (0..5).map(|k| 3.0 - (f64::from(k) - 1.7).powi(2)).collect();
-        assert!((parabola_top(&values) - 3.0).abs() < 1e-14);
-        assert_eq!(parabola_top(&[1.0, 2.0, 3.0]), 3.0);
+        let (place, height) = parabola_top(&values);
+        assert!((height - 3.0).abs() < 1e-14 && (place - 1.7).abs() < 1e-14);
+        assert_eq!(parabola_top(&[1.0, 2.0, 3.0]), (2.0, 3.0));
     }
 }

@@ -11,6 +11,7 @@
 //! otherwise.
 
 mod charges;
+mod derivatives;
 mod estimate;
 pub(crate) mod evaluation;
 mod integrated;
@@ -21,6 +22,7 @@ use super::{
     Orbit, OrbitError, OrbitMethod, ParameterDerivatives, ParametricModel, ShootingEvaluation,
 };
 use charges::{conserved_charges, without_conserved};
+pub use derivatives::{InstantSensitivity, OrbitInstant, OrbitSensitivity};
 use jounce_continuation::Problem;
 use jounce_dynamics::{FlowSensitivity, Kernel, ParameterSensitivity};
 use jounce_linalg::Mat;

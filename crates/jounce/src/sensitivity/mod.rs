@@ -154,7 +154,7 @@ fn sensitivity(
             scale: value(key).abs(),
         })
         .collect();
-    let accuracy = DerivativeAccuracy::Extrapolated;
+    let accuracy = DerivativeAccuracy::Estimated;
     let OrbitDerivatives { values, by_key } =
         orbit_derivatives(base, orbit, &wanted, &quantities, accuracy)?;
     let mut rows = Vec::new();

@@ -47,7 +47,7 @@ fn logarithmic(file: &SpecFile, keys: &[NumericKey]) -> (f64, Vec<[f64; 2]>) {
         .zip(&scales)
         .map(|(key, scale)| DerivativeKey { key, scale: *scale })
         .collect();
-    let accuracy = DerivativeAccuracy::Extrapolated;
+    let accuracy = DerivativeAccuracy::Estimated;
     let quantities = [OrbitQuantity::MeanPower];
     let found = orbit_derivatives(&base, &orbit(&base), &wanted, &quantities, accuracy).unwrap();
     let power_w = found.values[0];

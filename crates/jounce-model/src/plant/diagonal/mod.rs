@@ -27,6 +27,7 @@ mod eigen_refinement;
 pub(super) mod stiff;
 
 use super::{BlockDiagonal, BlockPair, Electrical, PlantError, System};
+pub(super) use component::coupled_rates;
 use component::{ComponentBlock, CoupledMatrix, PieceBlock, components, coupled, single_mode};
 use jounce_linalg::Mat;
 

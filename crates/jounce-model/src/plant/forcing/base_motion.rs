@@ -20,7 +20,7 @@ use std::sync::Arc;
 
 impl Stop {
     /// Displacement towards the stop per displacement of a base.
-    fn share_of(&self, base: Option<&String>) -> f64 {
+    pub(in crate::plant) fn share_of(&self, base: Option<&String>) -> f64 {
         self.bases
             .iter()
             .filter(|(name, _)| Some(name) == base)

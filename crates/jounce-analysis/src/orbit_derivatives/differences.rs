@@ -1,4 +1,5 @@
-//! Derivatives of the results of a periodic orbit with respect to keys of the spec.
+//! Derivatives of the results of a periodic orbit by differences of integrations, where the exact
+//! ones are not known: with rectified circuits.
 //!
 //! An orbit is a zero of `R(u, p) = P(u, p) - u`, with the map `P` over its period. A result `w(u,
 //! p)` on the orbit has the derivative
@@ -13,106 +14,28 @@
 //!
 //! Source: the implicit function theorem; the extrapolation is Richardson's.
 
-use super::{AnalysisError, KeyLine, Model};
+use super::{Derivative, DerivativeAccuracy, DerivativeKey, Failure};
+use crate::{AnalysisError, KeyLine, Model};
 use jounce_continuation::Linearization;
 use jounce_dynamics::Kernel;
-use jounce_orbits::{Orbit, OrbitError, OrbitQuantity, Shooting, ShootingEvaluation};
+use jounce_orbits::{OrbitError, OrbitQuantity, Shooting, ShootingEvaluation};
 use jounce_spec::NumericKey;
-use rayon::prelude::*;
-
-/// Tolerance of the integrations: their error, divided by the step, is the error of a difference.
-const TOLERANCE: f64 = 1e-12;
-
-/// Tolerance of derivatives that only guide a search.
-const ROUGH_TOLERANCE: f64 = 1e-10;
 
 /// Larger one of the two steps of a difference, relative to the scale of the key.
 const STEP: f64 = 2e-4;
 
-/// Derivative of a result with respect to a key, with its estimated error, in SI.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Derivative {
-    /// Value.
-    pub value: f64,
-    /// Estimated error.
-    pub error: f64,
-}
-
-/// A key whose derivatives are wanted.
-#[derive(Debug, Clone, Copy)]
-pub struct DerivativeKey<'k> {
-    /// The key.
-    pub key: &'k NumericKey,
-    /// Size of a change over which results change noticeably, SI: the value, or the width of its
-    /// range.
-    pub scale: f64,
-}
-
-/// Accuracy of derivatives.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum DerivativeAccuracy {
-    /// One step, without an estimate of the error: for a search.
-    Rough,
-    /// Two steps, extrapolated.
-    Extrapolated,
-}
-
-/// Results of an orbit with their derivatives.
-#[derive(Debug)]
-pub struct OrbitDerivatives {
-    /// Results, SI.
-    pub values: Vec<f64>,
-    /// Derivatives of the results, per key; an error where a model with a changed key cannot be
-    /// built or integrated.
-    pub by_key: Vec<Result<Vec<Derivative>, OrbitError<AnalysisError>>>,
-}
-
-type Failure = OrbitError<AnalysisError>;
-
-/// Returns results of an orbit of a model, and their derivatives.
-///
-/// # Errors
-/// The integration of the orbit fails.
-pub fn orbit_derivatives(
-    base: &Model,
-    orbit: &Orbit,
-    keys: &[DerivativeKey<'_>],
-    quantities: &[OrbitQuantity],
-    accuracy: DerivativeAccuracy,
-) -> Result<OrbitDerivatives, Failure> {
-    let line = KeyLine::at(base);
-    let tolerance = match accuracy {
-        DerivativeAccuracy::Rough => ROUGH_TOLERANCE,
-        DerivativeAccuracy::Extrapolated => TOLERANCE,
-    };
-    let shooting = Shooting::new(&line, &base.kernel, orbit.period_cycles, tolerance);
-    let (evaluation, _) = shooting.shoot(orbit.start(), 0.0)?;
-    let differences = Differences {
-        base,
-        shooting: &shooting,
-        evaluation: &evaluation,
-        quantities,
-        accuracy,
-    };
-    let derivatives = |key: &DerivativeKey<'_>| differences.derivatives(*key);
-    Ok(OrbitDerivatives {
-        values: differences.values(&evaluation),
-        by_key: keys.par_iter().map(derivatives).collect(),
-    })
-}
-
 /// Differences of integrations near an orbit.
 #[derive(Clone, Copy)]
-struct Differences<'b, 's> {
-    base: &'b Model,
-    shooting: &'b Shooting<'s, KeyLine<'s>>,
-    evaluation: &'b ShootingEvaluation,
-    quantities: &'b [OrbitQuantity],
-    accuracy: DerivativeAccuracy,
+pub struct Differences<'b, 's> {
+    pub base: &'b Model,
+    pub shooting: &'b Shooting<'s, KeyLine<'s>>,
+    pub evaluation: &'b ShootingEvaluation,
+    pub quantities: &'b [OrbitQuantity],
+    pub accuracy: DerivativeAccuracy,
 }
 
 impl Differences<'_, '_> {
-    fn values(&self, evaluation: &ShootingEvaluation) -> Vec<f64> {
+    pub fn values(&self, evaluation: &ShootingEvaluation) -> Vec<f64> {
         self.quantities
             .iter()
             .map(|quantity| quantity.of(evaluation))
@@ -120,13 +43,13 @@ impl Differences<'_, '_> {
     }
 
     /// Returns the derivatives of the results by a key.
-    fn derivatives(&self, key: DerivativeKey<'_>) -> Result<Vec<Derivative>, Failure> {
+    pub fn derivatives(&self, key: DerivativeKey<'_>) -> Result<Vec<Derivative>, Failure> {
         let step = STEP * key.scale;
         let slopes = |states: &[f64], values: &dyn Fn(&ShootingEvaluation) -> Vec<f64>| {
             let half = self.slope(key.key, 0.5 * step, states, values)?;
             let whole = match self.accuracy {
                 DerivativeAccuracy::Rough => half.clone(),
-                DerivativeAccuracy::Extrapolated => self.slope(key.key, step, states, values)?,
+                DerivativeAccuracy::Estimated => self.slope(key.key, step, states, values)?,
             };
             Ok::<_, Failure>(extrapolated(&whole, &half))
         };

@@ -1,0 +1,329 @@
+//! Outputs of a linearisation whose derivatives are wanted: the energy of the loads, and states at
+//! given times.
+//!
+//! With the voltage of a load as a Legendre series, its energy on a step is
+//! `h sum V_n^2 / ((2 n + 1) R)` (Parseval), so that the derivative is exact for the computed motion.
+
+use super::{ParameterStep, Parameters};
+use crate::force_response::basis::{NODES, legendre};
+use crate::force_response::output_rows::parts;
+use crate::force_response::step_response::StepResponse;
+use crate::kernel::Kernel;
+use crate::record::trajectory::TrajectorySegment;
+use crate::sensitivity::elimination::NodeSystem;
+use crate::sensitivity::tangents::Tangents;
+use jounce_linalg::c64;
+use jounce_model::plant::{BlockDiagonal, Plant};
+use jounce_simd::F64x8;
+
+/// A load that a patch feeds.
+pub struct LoadOutput {
+    /// Row of the voltage, block coordinates.
+    row: Vec<f64>,
+    /// Complex voltage under each tone.
+    steady: Vec<c64>,
+    factor_per_ohm: f64,
+}
+
+/// A state with its tangents.
+pub struct StateTangents {
+    pub time_s: f64,
+    pub state: Vec<f64>,
+    pub by: Vec<Vec<F64x8>>,
+    pub forces_by: Vec<Vec<F64x8>>,
+}
+
+impl LoadOutput {
+    /// Returns the loads of a plant that a patch feeds.
+    pub fn of_all(plant: &Plant) -> Vec<Self> {
+        let loads = plant.system.loads.iter().enumerate();
+        let fed = loads.filter(|(k, _)| plant.electrical.load[*k].is_some());
+        fed.map(|(k, load)| {
+            let row = plant.load_voltage_row(k);
+            Self {
+                steady: plant.steady_output(&row),
+                factor_per_ohm: 1.0 / load.resistance_ohm,
+                row,
+            }
+        })
+        .collect()
+    }
+}
+
+impl Parameters<'_> {
+    /// Adds the outputs on a step: `tangents` at its start, counted from the start of a contact
+    /// that is later by `shift_s`, and the derivatives of the nodal forces in `system`.
+    pub fn add_outputs(
+        &mut self,
+        kernel: &Kernel,
+        segment: &TrajectorySegment,
+        step: &ParameterStep,
+        tangents: &Tangents,
+        mut system: Option<&mut NodeSystem>,
+        shift_s: Option<&[F64x8]>,
+    ) {
+        for index in 0..self.loads.len() {
+            self.add_energy(
+                kernel,
+                step,
+                index,
+                (tangents, system.as_deref_mut()),
+                shift_s,
+            );
+        }
+        let end_s = segment.start_s + segment.length_s;
+        let wanted = self.request.times_s;
+        for time_s in &wanted[self.states.len()..] {
+            if *time_s >= end_s {
+                break;
+            }
+            let system = system.as_deref_mut();
+            let x = ((time_s - segment.start_s) / segment.length_s).max(0.0);
+            self.states
+                .push(self.state(kernel, step, (tangents, system), (*time_s, x), segment));
+        }
+    }
+
+    /// Adds the energy of a load on a step.
+    fn add_energy(
+        &mut self,
+        kernel: &Kernel,
+        step: &ParameterStep,
+        index: usize,
+        (tangents, system): (&Tangents, Option<&mut NodeSystem>),
+        shift_s: Option<&[F64x8]>,
+    ) {
+        let (motion, load) = (&step.motion, &self.loads[index]);
+        let h = motion.length_s;
+        let mut voltage = vec![0.0; motion.terms];
+        for (c, series) in load.row.iter().zip(&motion.states) {
+            voltage
+                .iter_mut()
+                .zip(series)
+                .for_each(|(v, y)| *v += c * y);
+        }
+        for (steady, series) in load.steady.iter().zip(&motion.tones) {
+            voltage
+                .iter_mut()
+                .zip(series)
+                .for_each(|(v, turn)| *v += (steady * turn).re);
+        }
+        let norm = |n: usize| h / (2 * n + 1) as f64;
+        let square: f64 = voltage
+            .iter()
+            .enumerate()
+            .map(|(n, v)| norm(n) * v * v)
+            .sum();
+        self.energy_j += load.factor_per_ohm * square;
+        let weights: Vec<f64> = (voltage.iter().enumerate())
+            .map(|(n, v)| 2.0 * load.factor_per_ohm * norm(n) * v)
+            .collect();
+        let functional = Functional {
+            block: &kernel.plant.diagonal.block,
+            row: &load.row,
+            weights: &weights,
+            length_s: h,
+        };
+        let by_start = functional.of_start(&motion.free);
+        add_rows(&mut self.energy, tangents, &by_start);
+        if let Some(system) = system {
+            for (at, (port, responses, _)) in motion.forces.iter().enumerate() {
+                let by_force = functional.of_force(responses, &kernel.plant.ports[*port].force);
+                for (j, factor) in by_force.into_iter().enumerate() {
+                    let row = system.right(at * NODES + j);
+                    add_scaled(&mut self.energy, factor, row);
+                }
+            }
+        }
+        if let Some(shift_s) = shift_s {
+            // The part of the tones is shifted too; then back to fixed times.
+            let tones = kernel.plant.tones.iter().zip(&load.steady);
+            let moving: f64 = tones
+                .zip(&motion.tones)
+                .map(|((tone, steady), series)| {
+                    let turned: c64 = weights.iter().zip(series).map(|(w, turn)| turn * *w).sum();
+                    (c64::new(0.0, tone.angular_frequency_rad_s) * steady * turned).re
+                })
+                .sum();
+            let alternating = |(n, v): (usize, &f64)| if n % 2 == 0 { *v } else { -v };
+            let start_v: f64 = voltage.iter().enumerate().map(alternating).sum();
+            let end_v: f64 = voltage.iter().sum();
+            let gain = load.factor_per_ohm * (end_v * end_v - start_v * start_v);
+            add_scaled(&mut self.energy, moving - gain, shift_s);
+        }
+        for (g, (group, forced)) in self.groups.iter().zip(&step.forced).enumerate() {
+            let (row, factor) = &group.loads[index];
+            let mut sum = F64x8::ZERO.add_scaled(square, factor);
+            for (state, (c, p)) in load.row.iter().zip(forced).enumerate() {
+                for (weight, p) in weights.iter().zip(p) {
+                    sum = sum.add_scaled(weight * c, p);
+                }
+                sum = sum.add_scaled(product(&weights, &motion.states[state]), &row[state]);
+            }
+            for ((tone, series), by) in kernel
+                .plant
+                .tones
+                .iter()
+                .zip(&motion.tones)
+                .zip(&group.tones)
+            {
+                let turned: c64 = weights.iter().zip(series).map(|(w, turn)| turn * *w).sum();
+                for state in 0..load.row.len() {
+                    let [re, im] = &by.steady[state];
+                    let own = load.row[state];
+                    sum = sum
+                        .add_scaled(own * turned.re, re)
+                        .add_scaled(-own * turned.im, im);
+                    sum = sum.add_scaled((tone.steady[state] * turned).re, &row[state]);
+                }
+            }
+            let lane = &mut self.energy[self.first + g];
+            *lane = lane.add_scaled(1.0, &sum);
+        }
+    }
+
+    /// Returns the state at a place of a step with its tangents.
+    fn state(
+        &self,
+        kernel: &Kernel,
+        step: &ParameterStep,
+        (tangents, system): (&Tangents, Option<&mut NodeSystem>),
+        (time_s, x): (f64, f64),
+        segment: &TrajectorySegment,
+    ) -> StateTangents {
+        let (motion, block) = (&step.motion, &kernel.plant.diagonal.block);
+        let values = legendre(x, motion.terms);
+        let n = kernel.plant.len();
+        let mut by = vec![vec![F64x8::ZERO; tangents.width]; n];
+        let mut forces_by =
+            vec![vec![F64x8::ZERO; tangents.width]; kernel.plant.system.stops.len()];
+        for (state, sum) in by.iter_mut().enumerate() {
+            let unit: Vec<f64> = (0..n).map(|k| f64::from(u8::from(k == state))).collect();
+            let functional = Functional {
+                block,
+                row: &unit,
+                weights: &values,
+                length_s: motion.length_s,
+            };
+            add_rows(sum, tangents, &functional.of_start(&motion.free));
+        }
+        if let Some(system) = system {
+            for (at, (port, responses, _)) in motion.forces.iter().enumerate() {
+                let force = &segment.forces[at];
+                let functions = kernel.basis(force.port, force.shape).at(x.clamp(0.0, 1.0));
+                for (j, function) in functions.into_iter().enumerate() {
+                    add_scaled(
+                        &mut forces_by[*port],
+                        function,
+                        system.right(at * NODES + j),
+                    );
+                }
+                for (state, sum) in by.iter_mut().enumerate() {
+                    let unit: Vec<f64> = (0..n).map(|k| f64::from(u8::from(k == state))).collect();
+                    let functional = Functional {
+                        block,
+                        row: &unit,
+                        weights: &values,
+                        length_s: motion.length_s,
+                    };
+                    let column = &kernel.plant.ports[*port].force;
+                    for (j, factor) in functional
+                        .of_force(responses, column)
+                        .into_iter()
+                        .enumerate()
+                    {
+                        add_scaled(sum, factor, system.right(at * NODES + j));
+                    }
+                }
+            }
+        }
+        for (g, forced) in step.forced.iter().enumerate() {
+            for (sum, p) in by.iter_mut().zip(forced) {
+                let pairs = p.iter().zip(&values);
+                let lane = &mut sum[self.first + g];
+                *lane = pairs.fold(*lane, |sum, (p, value)| sum.add_scaled(*value, p));
+            }
+        }
+        StateTangents {
+            time_s,
+            state: motion
+                .states
+                .iter()
+                .map(|series| product(&values, series))
+                .collect(),
+            by,
+            forces_by,
+        }
+    }
+}
+
+/// Linear functional of the motion on a step: weights of the coefficients of an output row.
+struct Functional<'a> {
+    block: &'a BlockDiagonal,
+    row: &'a [f64],
+    weights: &'a [f64],
+    length_s: f64,
+}
+
+impl Functional<'_> {
+    /// Returns its value for a unit of each state at the start.
+    fn of_start(&self, free: &[StepResponse]) -> Vec<f64> {
+        let mut values = Vec::with_capacity(self.row.len());
+        for ((first, part), response) in parts(self.block).zip(free) {
+            let row = &self.row[first..first + part.states()];
+            let [one, two] = self.sums(response, NODES);
+            let factors = part
+                .free(row, self.length_s)
+                .into_iter()
+                .take(part.states());
+            values.extend(factors.map(|[f, g]| f * one + g * two));
+        }
+        values
+    }
+
+    /// Returns its value for a unit of each nodal force on a column.
+    fn of_force(&self, responses: &[StepResponse], column: &[f64]) -> [f64; NODES] {
+        let mut values = [0.0; NODES];
+        for ((first, part), response) in parts(self.block).zip(responses) {
+            let states = first..first + part.states();
+            let [f, g] = part.forced(&self.row[states.clone()], &column[states], self.length_s);
+            for (j, value) in values.iter_mut().enumerate() {
+                let [one, two] = self.sums(response, j);
+                *value += f * one + g * two;
+            }
+        }
+        values
+    }
+
+    /// Returns the weighted sums of one lane of both series of a response.
+    fn sums(&self, response: &StepResponse, lane: usize) -> [f64; 2] {
+        let rows = response
+            .first
+            .iter()
+            .zip(&response.second)
+            .zip(self.weights);
+        rows.fold([0.0; 2], |[first, second], ((one, two), weight)| {
+            [first + weight * one.0[lane], second + weight * two.0[lane]]
+        })
+    }
+}
+
+/// Adds the tangents of all states, each times a factor, to a row of columns.
+fn add_rows(sum: &mut [F64x8], tangents: &Tangents, factors: &[f64]) {
+    for (lane, group) in sum.iter_mut().zip(tangents.groups()) {
+        let pairs = group.iter().zip(factors);
+        *lane = pairs.fold(*lane, |sum, (tangent, factor)| {
+            sum.add_scaled(*factor, tangent)
+        });
+    }
+}
+
+fn add_scaled(sum: &mut [F64x8], factor: f64, row: &[F64x8]) {
+    for (lane, value) in sum.iter_mut().zip(row) {
+        *lane = lane.add_scaled(factor, value);
+    }
+}
+
+fn product(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
