@@ -126,43 +126,36 @@ impl StepResponse {
 
     /// Returns the series of the states of a block from rest, driven by series of its rates (1/s),
     /// given the factors of up to eight blocks and the index of the block among them. Each lane is
-    /// a separate motion.
+    /// a separate motion; a single rate leaves the second state empty.
     #[inline(always)]
     pub fn to<W: Simd>(
         w: W,
         part: &BlockOnStep,
         h: f64,
-        rates: Vec<Vec<F64x8>>,
+        [first, second]: [Vec<F64x8>; 2],
         (factors, index): (&[TridiagonalFactors], usize),
-    ) -> Vec<Vec<F64x8>> {
-        let count = factors.len();
-        let integrated = |series: &[F64x8]| {
-            let scaled: Vec<F64x8> = (series.iter())
-                .map(|lane| w.store(w.mul(w.splat(h), w.load(lane))))
-                .collect();
-            let mut out = vec![F64x8::ZERO; count];
-            integrate(w, &scaled, &mut out);
-            out
+    ) -> [Vec<F64x8>; 2] {
+        let mut response = Self {
+            first: integrated(w, h, &first, factors.len()),
+            second: integrated(w, h, &second, factors.len()),
         };
-        let none = || vec![F64x8::ZERO; count];
-        let solved = |first: Vec<F64x8>, second: Vec<F64x8>| {
-            let mut response = Self { first, second };
+        if matches!(part, BlockOnStep::Double(_)) {
+            // The second state drives the first one.
+            let mut driving = Self {
+                first: response.second,
+                second: vec![F64x8::ZERO; factors.len()],
+            };
+            driving.sweep(w, factors, index);
+            let by_second = integrated(w, h, &driving.first, factors.len());
+            for (sum, by) in response.first.iter_mut().zip(&by_second) {
+                *sum = w.store(w.add(w.load(sum), w.load(by)));
+            }
+            response.second = vec![F64x8::ZERO; factors.len()];
             response.sweep(w, factors, index);
-            response
-        };
-        match part {
-            BlockOnStep::Turning(_) => {
-                let response = solved(integrated(&rates[0]), integrated(&rates[1]));
-                vec![response.first, response.second]
-            }
-            BlockOnStep::Double(_) => {
-                let v = solved(integrated(&rates[1]), none()).first;
-                let both = rates[0].iter().zip(&v).map(|(u, v)| u.add_scaled(1.0, v));
-                let u = solved(integrated(&both.collect::<Vec<_>>()), none()).first;
-                vec![u, v]
-            }
-            BlockOnStep::Single(_) => vec![solved(integrated(&rates[0]), none()).first],
+            return [response.first, driving.first];
         }
+        response.sweep(w, factors, index);
+        [response.first, response.second]
     }
 
     /// Solves one block for one step length, given the factors of up to eight blocks and the index
@@ -247,6 +240,18 @@ fn integrate<W: Simd>(w: W, series: &[F64x8], out: &mut [F64x8]) {
             add(w, &mut out[n + 1], below(n), g);
         }
     }
+}
+
+/// Returns `h S g` with a number of rows.
+#[inline(always)]
+fn integrated<W: Simd>(w: W, h: f64, series: &[F64x8], count: usize) -> Vec<F64x8> {
+    let mut out = vec![F64x8::ZERO; count];
+    integrate(w, series, &mut out);
+    let h = w.splat(h);
+    for lane in &mut out {
+        *lane = w.store(w.mul(h, w.load(lane)));
+    }
+    out
 }
 
 #[cfg(test)]

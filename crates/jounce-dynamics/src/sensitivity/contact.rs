@@ -76,7 +76,10 @@ impl Linearization<'_, '_> {
         let entering = ports.iter().find(|(_, shape)| *shape == ForceBasis::Onset);
         let shift_s = entering.and_then(|(port, _)| self.onset_shift(w, segment, *port));
         let mut parameters = self.parameters.take();
-        let step = (parameters.as_mut()).map(|one| one.step(w, kernel, segment));
+        let mut step = None;
+        if let Some(parameters) = &mut parameters {
+            step = Some(parameters.step(w, kernel, segment));
+        }
         for (index, node_laws) in nodes.iter().enumerate() {
             self.right_sides(w, &tables, index, node_laws);
             self.rows(

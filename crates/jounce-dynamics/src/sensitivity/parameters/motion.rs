@@ -185,14 +185,17 @@ pub fn forced_by<W: Simd>(
     );
     let mut result = Vec::with_capacity(n);
     let all: Vec<(usize, BlockOnStep)> = parts(block).collect();
+    // Loops over vectors are written out: see [`Tangents`](crate::sensitivity::tangents::Tangents).
     for some in all.chunks(LANES) {
         let blocks: Vec<BlockOnStep> = some.iter().map(|(_, part)| *part).collect();
         let factors = factored_rows(w, &blocks, h, motion.terms);
         for (index, (first, part)) in some.iter().enumerate() {
-            let right: Vec<Vec<F64x8>> = (0..part.states())
-                .map(|s| right_side(w, group, motion, first + s))
-                .collect();
-            result.extend(StepResponse::to(w, part, h, right, (&factors, index)));
+            let mut rates = [Vec::new(), Vec::new()];
+            for (s, rates) in rates.iter_mut().enumerate().take(part.states()) {
+                *rates = right_side(w, group, motion, first + s);
+            }
+            let states = StepResponse::to(w, part, h, rates, (&factors, index));
+            result.extend(states.into_iter().take(part.states()));
         }
     }
     result

@@ -35,14 +35,11 @@ impl Parameters<'_> {
         segment: &TrajectorySegment,
     ) -> ParameterStep {
         let motion = StepMotion::of(kernel, segment, &mut self.known);
-        let forced = self
-            .groups
-            .iter()
-            .map(|group| forced_by(w, kernel, group, &motion));
-        ParameterStep {
-            forced: forced.collect(),
-            motion,
+        let mut forced = Vec::with_capacity(self.groups.len());
+        for group in &self.groups {
+            forced.push(forced_by(w, kernel, group, &motion));
         }
+        ParameterStep { motion, forced }
     }
 
     /// Adds the forced motion at the end of a step to the tangents.
@@ -69,43 +66,28 @@ impl Parameters<'_> {
         let motion = &step.motion;
         let port = &plant.ports[laws.port];
         let has_rate = laws.slopes[1] != F64x8::ZERO;
+        let values: Vec<Vec<f64>> = (0..NODES)
+            .map(|i| legendre(laws.positions[i], motion.terms))
+            .collect();
         for (g, (group, forced)) in self.groups.iter().zip(&step.forced).enumerate() {
             let by = &group.ports[laws.port];
-            let series = |own: &[f64], changed: &[F64x8]| {
-                let mut sum = vec![F64x8::ZERO; motion.terms];
-                for (c, p) in own.iter().zip(forced) {
-                    let c = w.splat(*c);
-                    for (sum, p) in sum.iter_mut().zip(p) {
-                        *sum = w.store(w.fma(c, w.load(p), w.load(sum)));
-                    }
-                }
-                for (by, y) in changed.iter().zip(&motion.states) {
-                    if *by != F64x8::ZERO {
-                        add_series(w, &mut sum, by, y);
-                    }
-                }
-                sum
-            };
-            let depth = series(&port.displacement, &by.rows[0]);
-            let rate = has_rate.then(|| series(&port.velocity, &by.rows[1]));
+            let depth = output(w, motion, forced, (&port.displacement, &by.rows[0]));
+            let mut rate = Vec::new();
+            if has_rate {
+                rate = output(w, motion, forced, (&port.velocity, &by.rows[1]));
+            }
             for i in 0..NODES {
-                let position = laws.positions[i];
-                let values = legendre(position, motion.terms);
-                let at = |series: &[F64x8]| {
-                    let pairs = series.iter().zip(&values);
-                    pairs.fold(F64x8::ZERO, |sum, (c, p)| sum.add_scaled(*p, c))
-                };
-                let time_s = segment.start_s + position * segment.length_s;
+                let time_s = segment.start_s + laws.positions[i] * segment.length_s;
                 let tones = by.of_tones(plant, laws.port, time_s, &group.tones);
-                let penetration = at(&depth)
+                let penetration = value_at(&depth, &values[i])
                     .add_scaled(-1.0, &by.gap_m)
                     .add_scaled(1.0, &tones[0]);
-                let mut right = F64x8::ZERO.add_scaled(laws.slopes[0].0[i], &penetration);
-                if let Some(rate) = &rate {
-                    let moving = at(rate).add_scaled(1.0, &tones[1]);
+                let mut right =
+                    changed_force(&by.laws, laws, i).add_scaled(laws.slopes[0].0[i], &penetration);
+                if has_rate {
+                    let moving = value_at(&rate, &values[i]).add_scaled(1.0, &tones[1]);
                     right = right.add_scaled(laws.slopes[1].0[i], &moving);
                 }
-                right = right.add_scaled(1.0, &changed_force(&by.laws, laws, i));
                 let row = &mut system.right(laws.index * NODES + i)[self.first + g];
                 *row = row.add_scaled(1.0, &right);
             }
@@ -150,6 +132,35 @@ impl Parameters<'_> {
             }
         }
     }
+}
+
+/// Returns the coefficients of `c p + dc y` of an output with the row `c`, changed by `dc`.
+#[inline(always)]
+fn output<W: Simd>(
+    w: W,
+    motion: &StepMotion,
+    forced: &[Vec<F64x8>],
+    (own, changed): (&[f64], &[F64x8]),
+) -> Vec<F64x8> {
+    let mut sum = vec![F64x8::ZERO; motion.terms];
+    for (c, p) in own.iter().zip(forced) {
+        let c = w.splat(*c);
+        for (sum, p) in sum.iter_mut().zip(p) {
+            *sum = w.store(w.fma(c, w.load(p), w.load(sum)));
+        }
+    }
+    for (by, y) in changed.iter().zip(&motion.states) {
+        if *by != F64x8::ZERO {
+            add_series(w, &mut sum, by, y);
+        }
+    }
+    sum
+}
+
+/// Returns the value of a series, given those of the polynomials.
+fn value_at(series: &[F64x8], values: &[f64]) -> F64x8 {
+    let pairs = series.iter().zip(values);
+    pairs.fold(F64x8::ZERO, |sum, (c, p)| sum.add_scaled(*p, c))
 }
 
 /// Returns the change of the force of the laws at a node, N per unit of each parameter.
