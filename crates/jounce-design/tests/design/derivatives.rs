@@ -199,19 +199,11 @@ fn derivatives_are_those_of_followed_orbits() {
     assert!(count >= 6 && worst < 1e-7, "{count} {worst}");
 }
 
-/// The derivatives by 20 keys at `JOUNCE_ORBITS` orbits, such as 60.
 #[test]
-fn derivatives_by_20_keys_at_many_orbits() {
-    let Some(orbits) = std::env::var("JOUNCE_ORBITS").ok() else {
-        let _ = writeln!(
-            std::io::stderr(),
-            "SKIPPED: JOUNCE_ORBITS gives the number of orbits"
-        );
-        return;
-    };
-    let orbits = orbits.parse().unwrap();
-    let cases = cases((11.0, 14.0), orbits);
+#[ignore = "long: 60 orbits, each followed to changed values of 20 keys"]
+fn derivatives_by_20_keys_at_60_orbits() {
+    let cases = cases((11.0, 14.0), 60);
     assert!(cases.iter().any(|case| !case.orbit.is_stable()));
     let (count, worst) = compared(&cases, &KEYS);
-    assert!(count >= 10 * orbits && worst < 1e-7, "{count} {worst}");
+    assert!(count > 800 && worst < 1e-7, "{count} {worst}");
 }

@@ -9,7 +9,11 @@ const SAMPLES_PER_CYCLE: usize = 1024;
 
 /// Samples between two coarse ones about the largest: the top of the parabola through the highest
 /// three is within the integration error.
-const REFINED_SAMPLES: usize = 32;
+const REFINED_SAMPLES: usize = 16;
+
+/// Number of such refinements: derivatives need the instant of the peak, whose error is the root of
+/// that of the value.
+const REFINEMENTS: usize = 3;
 
 /// Quantity of an orbit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -96,20 +100,18 @@ fn largest(
             .map(|k| k as f64 * step_s)
             .collect::<Vec<_>>());
         let top = highest(&rough);
-        let (from_s, closer_s) = (
-            top.saturating_sub(1) as f64 * step_s,
-            2.0 * step_s / REFINED_SAMPLES as f64,
-        );
-        let times: Vec<f64> = (0..=REFINED_SAMPLES)
-            .map(|k| (from_s + k as f64 * closer_s).min(cycle_s))
-            .collect();
-        let (place, value) = parabola_top(&at(&times));
-        let time_s = (from_s + place * closer_s).min(cycle_s);
-        let (value, time_s) = if value >= rough[top] {
-            (value, time_s)
-        } else {
-            (rough[top], top as f64 * step_s)
-        };
+        let (mut value, mut time_s, mut spacing_s) = (rough[top], top as f64 * step_s, step_s);
+        for _ in 0..REFINEMENTS {
+            let (from_s, closer_s) = (time_s - spacing_s, 2.0 * spacing_s / REFINED_SAMPLES as f64);
+            let times: Vec<f64> = (0..=REFINED_SAMPLES)
+                .map(|k| (from_s + k as f64 * closer_s).clamp(0.0, cycle_s))
+                .collect();
+            let (place, height) = parabola_top(&at(&times));
+            if height >= value {
+                (value, time_s) = (height, (from_s + place * closer_s).clamp(0.0, cycle_s));
+            }
+            spacing_s = closer_s;
+        }
         OrbitPeak {
             value,
             instant: OrbitInstant { cycle, time_s },

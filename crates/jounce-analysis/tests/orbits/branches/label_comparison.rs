@@ -1,8 +1,5 @@
 //! Labels that one search has and another lacks.
 
-#[path = "../../attractors/random_specs.rs"]
-mod random_specs;
-
 use crate::harvesters::bench_with_keys;
 use jounce_analysis::{
     Bifurcation, Branch, BranchKind, BranchOptions, BranchPoint, BranchSearch, Model,
@@ -74,7 +71,7 @@ impl Case {
 
     /// Random harvester of this number.
     pub fn random(index: u64) -> Self {
-        let file = SpecFile::from_text(random_specs::random_spec(SEED, index));
+        let file = SpecFile::from_text(super::random_specs::random_spec(SEED, index));
         let key = "drive.d.frequency";
         let centre = file
             .numeric_key(key)

@@ -10,6 +10,8 @@ mod label_errors;
 mod labels;
 mod limits_of_stops;
 mod paper;
+#[path = "../../attractors/random_specs.rs"]
+pub mod random_specs;
 mod same_labels;
 mod sweeps;
 mod widths;

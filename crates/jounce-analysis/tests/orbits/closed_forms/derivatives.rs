@@ -12,6 +12,11 @@ use std::f64::consts::TAU;
 
 /// The stable orbit that the motion from rest reaches.
 fn orbit(model: &Model) -> Orbit {
+    orbit_of(model).unwrap()
+}
+
+/// The stable orbit that the motion from rest reaches, if it reaches one.
+pub fn orbit_of(model: &Model) -> Option<Orbit> {
     let line = KeyLine::at(model);
     let kernel = line.at(0.0).unwrap().kernel;
     let recognizer = Recognizer {
@@ -25,7 +30,7 @@ fn orbit(model: &Model) -> Orbit {
     };
     let start = kernel.plant.resting_physical();
     let end = recognizer.settle(&start, &[]);
-    end.orbit().unwrap().orbit.clone()
+    Some(end.orbit()?.orbit.clone())
 }
 
 fn model(file: &SpecFile, changes: &[(&NumericKey, f64)]) -> Model {

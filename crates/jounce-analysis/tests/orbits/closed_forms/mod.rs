@@ -8,6 +8,7 @@ mod duffing_equation;
 mod interfaces;
 mod multipliers;
 mod oscillators;
+mod random_derivatives;
 mod several_frequencies;
 mod square_root;
 mod sticking_orbits;
