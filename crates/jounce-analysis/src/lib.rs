@@ -49,7 +49,8 @@ pub use key_line::KeyLine;
 pub use model::{AnalysisError, Model, has_same_modes};
 pub use model_at_start::ModelAtStart;
 pub use orbit_derivatives::{
-    Derivative, DerivativeAccuracy, DerivativeKey, OrbitDerivatives, orbit_derivatives,
+    Derivative, DerivativeAccuracy, DerivativeKey, OrbitDerivatives, fold_derivatives,
+    orbit_derivatives,
 };
 pub use parameter::Parameter;
 pub(crate) use recognition::settled_orbits;

@@ -43,6 +43,12 @@ pub enum AnalysisError {
         /// Path of the key.
         key: String,
     },
+    /// The place of a fold has no derivative in closed form.
+    #[error("the derivative of a fold by {key} is not known, because a circuit is rectified")]
+    NoFoldDerivative {
+        /// Path of the key.
+        key: String,
+    },
     /// The ensemble has no drive of noise.
     #[error("an ensemble needs noise: give a drive `signal = \"noise\"`, or compute one run")]
     NoNoise,

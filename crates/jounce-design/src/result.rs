@@ -89,6 +89,9 @@ pub struct NearestFold {
     pub frequency_hz: f64,
     /// Distance from the frequency of the drive, Hz.
     pub distance_hz: f64,
+    /// Standard deviation of the frequency of the fold by the tolerances, to first order, Hz; `null`
+    /// without tolerances.
+    pub scatter_hz: Option<f64>,
 }
 
 /// Limit at the best design.

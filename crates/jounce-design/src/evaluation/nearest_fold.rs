@@ -1,9 +1,14 @@
-//! Nearest fold of an orbit over the frequency of the drive.
+//! Nearest fold of an orbit over the frequency of the drive, and how far the tolerances move it.
 
 use super::MainOrbit;
+use crate::problem::Tolerance;
 use crate::result::NearestFold;
-use jounce_analysis::{BranchKind, KnownOrbit, Model, Parameter, WarmStart};
+use jounce_analysis::{
+    BranchKind, BranchPoint, DerivativeKey, KnownOrbit, Model, Parameter, WarmStart,
+    fold_derivatives,
+};
 use jounce_continuation::StepControl;
+use jounce_orbits::Orbit;
 use jounce_spec::NumericKey;
 
 /// Ends of the range of the frequency, relative to that of the drive.
@@ -26,7 +31,7 @@ pub(super) fn drive_frequency(model: &Model) -> Option<(String, f64)> {
 /// the range without a fold; NaN where the branch cannot be followed.
 pub fn fold_distance_hz(model: &Model, orbit: &MainOrbit) -> f64 {
     match (nearest_fold(model, orbit), farthest_hz(model)) {
-        (Ok(Some(fold)), _) => fold.distance_hz,
+        (Ok(Some((fold, _))), _) => fold.distance_hz,
         (Ok(None), Some(farthest_hz)) => farthest_hz,
         _ => f64::NAN,
     }
@@ -41,9 +46,12 @@ pub fn farthest_hz(model: &Model) -> Option<f64> {
 #[derive(Debug)]
 pub struct NotFollowed;
 
-/// Returns the fold with the smallest distance from the frequency of the drive; `None` where the
-/// branch has no fold within the range.
-pub fn nearest_fold(model: &Model, orbit: &MainOrbit) -> Result<Option<NearestFold>, NotFollowed> {
+/// Returns the fold with the smallest distance from the frequency of the drive, and the orbit there;
+/// `None` where the branch has no fold within the range.
+pub fn nearest_fold(
+    model: &Model,
+    orbit: &MainOrbit,
+) -> Result<Option<(NearestFold, Orbit)>, NotFollowed> {
     let (path, frequency_hz) = drive_frequency(model).ok_or(NotFollowed)?;
     let key = NumericKey::find(&model.spec, &path).map_err(|_| NotFollowed)?;
     let range = (RANGE[0] * frequency_hz, RANGE[1] * frequency_hz);
@@ -66,12 +74,51 @@ pub fn nearest_fold(model: &Model, orbit: &MainOrbit) -> Result<Option<NearestFo
         .iter()
         .flat_map(|branch| &branch.bifurcations)
         .filter(|one| one.kind == BranchKind::Fold)
-        .map(|one| one.at.parameter);
-    let distance = |fold: &f64| (fold - frequency_hz).abs();
-    let nearest_hz = folds.min_by(|a, b| distance(a).total_cmp(&distance(b)));
-    Ok(nearest_hz.map(|frequency_hz| NearestFold {
-        key: path,
-        frequency_hz,
-        distance_hz: distance(&frequency_hz),
+        .map(|one| &one.at);
+    let distance = |fold: &BranchPoint| (fold.parameter - frequency_hz).abs();
+    let nearest = folds.min_by(|a, b| distance(a).total_cmp(&distance(b)));
+    Ok(nearest.map(|point| {
+        let fold = NearestFold {
+            key: path,
+            frequency_hz: point.parameter,
+            distance_hz: distance(point),
+            scatter_hz: None,
+        };
+        (fold, point.orbit.clone())
+    }))
+}
+
+/// Returns the standard deviation of the frequency of a fold by tolerances, to first order; `None`
+/// without tolerances, and where the derivatives are not known.
+pub fn scatter_hz(
+    model: &Model,
+    (fold, orbit): (&NearestFold, &Orbit),
+    tolerances: &[Tolerance],
+) -> Option<f64> {
+    if tolerances.is_empty() {
+        return None;
+    }
+    let frequency = NumericKey::find(&model.spec, &fold.key).ok()?;
+    let mut spec = model.spec.clone();
+    frequency.set(&mut spec, fold.frequency_hz).ok()?;
+    let model = model.changed(spec).ok()?;
+    let key = |tolerance: &'_ Tolerance| (tolerance.key.clone(), tolerance.standard_deviation());
+    let keys: Vec<(NumericKey, f64)> = tolerances.iter().map(key).collect();
+    let wanted: Vec<DerivativeKey<'_>> = keys
+        .iter()
+        .map(|(key, deviation)| {
+            let value = key.get(&model.spec).map_or(0.0, f64::abs);
+            let scale = value.max(*deviation);
+            DerivativeKey { key, scale }
+        })
+        .collect();
+    let over = DerivativeKey {
+        key: &frequency,
+        scale: fold.frequency_hz,
+    };
+    let derivatives = fold_derivatives(&model, orbit, over, &wanted).ok()?;
+    let parts = derivatives.iter().zip(&keys);
+    Some(parts.fold(0.0, |sum: f64, (by, (_, deviation))| {
+        sum.hypot(by * deviation)
     }))
 }

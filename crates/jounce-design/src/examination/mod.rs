@@ -5,7 +5,7 @@ mod effects;
 mod prices;
 
 use crate::DesignError;
-use crate::evaluation::{Evaluation, Evaluator, nearest_fold};
+use crate::evaluation::{Evaluation, Evaluator, nearest_fold, scatter_hz};
 use crate::problem::{FreeKey, FreeValues, Problem};
 use crate::result::{
     BestDesign, DesignBefore, DesignOutcome, FreeValue, LimitResult, NearestFold, SearchEnd,
@@ -34,8 +34,9 @@ pub fn examine(
         .and_then(|orbit| Followed::start(evaluator, &best.place, orbit));
     let orbit = followed.as_ref().zip(evaluation.orbit.as_ref());
     let nearest_fold = orbit.and_then(|(followed, orbit)| {
-        let found = nearest_fold(&followed.model, orbit);
-        found.unwrap_or_default()
+        let (fold, at) = nearest_fold(&followed.model, orbit).ok()??;
+        let scatter_hz = scatter_hz(&followed.model, (&fold, &at), &problem.tolerances);
+        Some(NearestFold { scatter_hz, ..fold })
     });
     Ok(DesignOutcome {
         warnings: effects::warnings(evaluator, best, followed.as_ref())?,

@@ -35,6 +35,14 @@ impl Tolerance {
         Ok(Self { key, width, normal })
     }
 
+    /// Returns the standard deviation, SI.
+    pub fn standard_deviation(&self) -> f64 {
+        match self.normal {
+            true => self.width,
+            false => self.width / 3.0_f64.sqrt(),
+        }
+    }
+
     /// Returns the deviation for a place in (0, 1).
     pub fn deviation(&self, place: f64) -> f64 {
         match self.normal {

@@ -2,7 +2,7 @@
 
 use jounce_analysis::{
     BranchKind, BranchSearch, DerivativeAccuracy, DerivativeKey, KeyLine, Model, OrbitMethodKind,
-    Parameter, orbit_derivatives,
+    Parameter, fold_derivatives, orbit_derivatives,
 };
 use jounce_continuation::{Corrector, Metric, Position, correct_at};
 use jounce_orbits::{Orbit, OrbitMethod, OrbitQuantity, Shooting};
@@ -197,6 +197,77 @@ fn derivatives_are_those_of_followed_orbits() {
         ],
     );
     assert!(count >= 6 && worst < 1e-7, "{count} {worst}");
+}
+
+/// Returns the folds of the paper's harvester between 11.5 and 13.5 Hz, lowest first, and the model.
+fn folds(changed: Option<(&str, f64)>) -> (Model, Vec<(f64, Orbit)>) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../../examples/impact-harvester-2019/harvester.toml");
+    let mut spec = SpecFile::read(&path).unwrap().spec().unwrap();
+    if let Some((path, factor)) = changed {
+        let key = NumericKey::find(&spec, path).unwrap();
+        let value = key.get(&spec).unwrap();
+        key.set(&mut spec, factor * value).unwrap();
+    }
+    let base = Model::new(spec).unwrap();
+    let key = NumericKey::find(&base.spec, FREQUENCY).unwrap();
+    let range = (11.5, 13.5);
+    let parameter = Parameter::new(&base, &key, range.1 - range.0);
+    let search = BranchSearch {
+        base: &base,
+        parameter: &parameter,
+        range,
+        method: OrbitMethodKind::Shooting,
+        tolerance: 1e-11,
+        seeds: 2,
+        longest_period: 1,
+    };
+    let branches = search.run().unwrap();
+    let found = branches.iter().flat_map(|branch| &branch.bifurcations);
+    let mut folds: Vec<(f64, Orbit)> = found
+        .filter(|one| one.kind == BranchKind::Fold)
+        .map(|one| (one.at.parameter, one.at.orbit.clone()))
+        .collect();
+    folds.sort_by(|a, b| a.0.total_cmp(&b.0));
+    (base, folds)
+}
+
+const FREQUENCY: &str = "drive.shaker.frequency";
+
+#[test]
+fn derivatives_of_folds_are_those_of_followed_folds() {
+    let (base, all) = folds(None);
+    let paths = ["stop.tip.gap", "stop.tip.stiffness", "beam.beam.length"];
+    assert!(!all.is_empty());
+    for (index, (frequency_hz, orbit)) in all.iter().enumerate() {
+        let mut spec = base.spec.clone();
+        let frequency = NumericKey::find(&spec, FREQUENCY).unwrap();
+        frequency.set(&mut spec, *frequency_hz).unwrap();
+        let model = base.changed(spec).unwrap();
+        let keys = paths.map(|path| NumericKey::find(&base.spec, path).unwrap());
+        let value = |key: &NumericKey| key.get(&base.spec).unwrap();
+        let wanted = keys.each_ref().map(|key| DerivativeKey {
+            key,
+            scale: value(key),
+        });
+        let over = DerivativeKey {
+            key: &frequency,
+            scale: *frequency_hz,
+        };
+        let found = fold_derivatives(&model, orbit, over, &wanted).unwrap();
+        for ((path, key), found) in paths.iter().zip(&keys).zip(found) {
+            let at = |factor: f64| folds(Some((path, factor))).1[index].0;
+            let slope = |h: f64| (at(1.0 + h) - at(1.0 - h)) / (2.0 * h);
+            let expected = (4.0 * slope(1e-4) - slope(2e-4)) / 3.0;
+            let relative = found * value(key);
+            let deviation = (relative - expected).abs() / expected.abs();
+            eprintln!("fold at {frequency_hz}: {path}: {relative:e}, expected {expected:e}");
+            assert!(
+                deviation < 1e-5,
+                "{path} at {frequency_hz}: {relative:e} {expected:e}"
+            );
+        }
+    }
 }
 
 #[test]

@@ -30,8 +30,6 @@ pub struct OrbitInstant {
 /// Derivatives of an orbit, one value per parameter in each list.
 #[derive(Debug, Clone)]
 pub struct OrbitSensitivity {
-    /// Derivative of the residual of the period map at a fixed state, energy coordinates.
-    pub residual: Vec<Vec<f64>>,
     /// Derivative of the state at the start of the period, energy coordinates.
     pub start: Vec<Vec<f64>>,
     /// Derivative of the mean power of the loads, W.
@@ -68,29 +66,20 @@ impl<H: ParametricModel> Shooting<'_, H> {
         instants: &[OrbitInstant],
     ) -> Result<OrbitSensitivity, OrbitError<H::Error>> {
         let plant = &evaluation.kernel.plant;
-        let cycle_s = cycle_s(plant)?;
-        let cycles = self.linearized_cycles(evaluation, (derivatives, instants), cycle_s)?;
-        let steady: Vec<Vec<f64>> = derivatives
-            .iter()
-            .map(|by| by.steady_at(plant, 0.0))
-            .collect();
+        let cycles = self.linearized_cycles(evaluation, (derivatives, instants))?;
         let mut result = OrbitSensitivity {
-            residual: Vec::new(),
             start: Vec::new(),
             mean_power_w: Vec::new(),
             instants: Vec::new(),
         };
         let mut courses = Vec::with_capacity(derivatives.len());
-        for (k, (by, steady)) in derivatives.iter().zip(&steady).enumerate() {
-            let fixed: Vec<f64> = steady.iter().map(|s| -s).collect();
-            let end = cycles
-                .iter()
-                .fold(fixed, |before, cycle| after(cycle, &before, k));
-            let residual = self.unknown(&product(&plant.diagonal.to_physical, &sum(&end, steady)));
+        for (k, by) in derivatives.iter().enumerate() {
+            let steady = by.steady_at(plant, 0.0);
+            let residual = self.residual_derivative(plant, &cycles, (k, &steady));
             let start = self.closed(evaluation, by, &residual)?;
             let physical: Vec<f64> = start.iter().zip(&self.scale).map(|(u, w)| u / w).collect();
             let mut y = product(&plant.diagonal.from_physical, &physical);
-            y.iter_mut().zip(steady).for_each(|(y, s)| *y -= s);
+            y.iter_mut().zip(&steady).for_each(|(y, s)| *y -= s);
             let mut energy_j = 0.0;
             let mut course = Vec::with_capacity(cycles.len());
             for cycle in &cycles {
@@ -98,7 +87,6 @@ impl<H: ParametricModel> Shooting<'_, H> {
                 let next = after(cycle, &y, k);
                 course.push(std::mem::replace(&mut y, next));
             }
-            result.residual.push(residual);
             result.start.push(start);
             result.mean_power_w.push(energy_j / evaluation.period_s);
             courses.push(course);
@@ -107,13 +95,44 @@ impl<H: ParametricModel> Shooting<'_, H> {
         Ok(result)
     }
 
+    /// Computes the derivative of the residual of the period map at a fixed state by each parameter,
+    /// energy coordinates.
+    ///
+    /// # Errors
+    /// The integration fails.
+    pub fn residual_derivatives(
+        &self,
+        evaluation: &ShootingEvaluation,
+        derivatives: &[PlantDerivative],
+    ) -> Result<Vec<Vec<f64>>, OrbitError<H::Error>> {
+        let plant = &evaluation.kernel.plant;
+        let cycles = self.linearized_cycles(evaluation, (derivatives, &[]))?;
+        let of = |(k, by): (usize, &PlantDerivative)| {
+            self.residual_derivative(plant, &cycles, (k, &by.steady_at(plant, 0.0)))
+        };
+        Ok(derivatives.iter().enumerate().map(of).collect())
+    }
+
+    /// Returns `dR/dp` of one parameter, given the derivative of the steady state at the start.
+    fn residual_derivative(
+        &self,
+        plant: &Plant,
+        cycles: &[FlowSensitivity],
+        (parameter, steady): (usize, &[f64]),
+    ) -> Vec<f64> {
+        // At a fixed state, the difference from the steady part moves opposite to it.
+        let fixed: Vec<f64> = steady.iter().map(|s| -s).collect();
+        let end = (cycles.iter()).fold(fixed, |before, cycle| after(cycle, &before, parameter));
+        self.unknown(&product(&plant.diagonal.to_physical, &sum(&end, steady)))
+    }
+
     /// Linearises each drive cycle.
     fn linearized_cycles(
         &self,
         evaluation: &ShootingEvaluation,
         (derivatives, instants): (&[PlantDerivative], &[OrbitInstant]),
-        cycle_s: f64,
     ) -> Result<Vec<FlowSensitivity>, OrbitError<H::Error>> {
+        let cycle_s = cycle_s(&evaluation.kernel.plant)?;
         let (kernel, none) = (&evaluation.kernel, ParameterSensitivity::default());
         let mut y = kernel
             .plant

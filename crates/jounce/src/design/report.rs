@@ -151,8 +151,12 @@ impl DesignResult {
             ));
         }
         if let Some(fold) = &best.nearest_fold {
+            let in_tolerances = fold.scatter_hz.map_or_else(String::new, |scatter_hz| {
+                let count = fold.distance_hz / scatter_hz;
+                format!(", {count:.1} standard deviations by the tolerances")
+            });
             lines.push(format!(
-                "nearest fold     {} = {:.6} Hz, {:.3e} Hz away",
+                "nearest fold     {} = {:.6} Hz, {:.3e} Hz away{in_tolerances}",
                 fold.key, fold.frequency_hz, fold.distance_hz
             ));
         }
