@@ -125,6 +125,7 @@ class SpecOnRig(SpecText):
         key: str | Sequence[str] = (),
         *,
         at: str | None = None,
+        fold: bool = False,
         starts: int = 50,
         seed: int = 1,
         threads: int | None = None,
@@ -133,7 +134,8 @@ class SpecOnRig(SpecText):
         """Computes the derivatives of the results of a stable periodic orbit with respect to keys; ``jounce sensitivity``.
 
         ``key`` is a key, a list of the spec such as ``"damping.ratios"``, or several; by default all numbers of the spec other than 0. The
-        orbit is the one that most of the ``starts`` of a cloud with a ``seed`` reach, or that of the id ``at`` in :meth:`basins`.
+        orbit is the one that most of the ``starts`` of a cloud with a ``seed`` reach, or that of the id ``at`` in :meth:`basins`. With ``fold``
+        the nearest fold of its branch over the frequency of the drive is another result.
 
         Raises :class:`ArgumentError` for an unknown orbit, :class:`SpecError` for an unknown key.
         """
@@ -141,7 +143,7 @@ class SpecOnRig(SpecText):
         from ._sensitivity import make_sensitivity
 
         check_integers(starts=starts, seed=seed, threads=threads)
-        given = {"key": names(key), "at": at, "starts": starts, "seed": seed}
+        given = {"key": names(key), "at": at, "fold": fold, "starts": starts, "seed": seed}
         with progress_callback(progress) as callback:
             text = result_or_raise(_core.sensitivity(self._spec, options(**given, threads=threads), callback))
         return make_sensitivity(json.loads(text), {**make_manifest("sensitivity", **given), "spec_sha256": self.sha256})

@@ -10,6 +10,7 @@ mod journal;
 mod key_line;
 mod model;
 mod model_at_start;
+mod nearest_fold;
 mod orbit_derivatives;
 mod orbit_limits;
 mod parameter;
@@ -48,6 +49,7 @@ pub use journal::{Journal, JournalError};
 pub use key_line::KeyLine;
 pub use model::{AnalysisError, Model, has_same_modes};
 pub use model_at_start::ModelAtStart;
+pub use nearest_fold::{FoldPlace, NotFollowed, drive_frequency, farthest_hz, nearest_fold};
 pub use orbit_derivatives::{
     Derivative, DerivativeAccuracy, DerivativeKey, OrbitDerivatives, fold_derivatives,
     orbit_derivatives,

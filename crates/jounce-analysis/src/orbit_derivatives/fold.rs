@@ -9,14 +9,18 @@
 //!
 //! Source: Kuznetsov, Elements of Applied Bifurcation Theory, section 10.3 (continuation of folds).
 
-use super::{DerivativeKey, Failure, TOLERANCE, prepared};
+use super::{Derivative, DerivativeKey, Failure, ROUGH_TOLERANCE, TOLERANCE, prepared};
 use crate::{AnalysisError, KeyLine, Model};
-use jounce_linalg::Mat;
+use jounce_linalg::{Mat, norm};
+use jounce_model::plant::{PlantDerivative, product};
 use jounce_orbits::{Orbit, OrbitError, Shooting, null_vector};
 use rayon::prelude::*;
 
 /// Returns the derivatives of the place of a fold over a key by other keys, each in the unit of the
 /// first per unit of the other; `model` and `orbit` are those at the fold.
+///
+/// The error is the difference from an integration with a larger tolerance, plus the derivative times
+/// the length of `l dR/du`, which is 0 at an exact fold.
 ///
 /// # Errors
 /// The derivative of the plant by a key is not known, or the integration fails.
@@ -25,10 +29,9 @@ pub fn fold_derivatives(
     orbit: &Orbit,
     over: DerivativeKey<'_>,
     keys: &[DerivativeKey<'_>],
-) -> Result<Vec<f64>, Failure> {
+) -> Result<Vec<Derivative>, Failure> {
     let line = KeyLine::at(model);
     let shooting = Shooting::new(&line, &model.kernel, orbit.period_cycles, TOLERANCE);
-    let (evaluation, _) = shooting.shoot(orbit.start(), 0.0)?;
     let all: Vec<DerivativeKey<'_>> = std::iter::once(over).chain(keys.iter().copied()).collect();
     let plants = all.par_iter().map(|key| match prepared(model, *key)? {
         Some(exact) => Ok(exact.plant),
@@ -37,7 +40,25 @@ pub fn fold_derivatives(
         })),
     });
     let plants = plants.collect::<Result<Vec<_>, Failure>>()?;
-    let residuals = shooting.residual_derivatives(&evaluation, &plants)?;
+    let (fine, open) = slopes(&shooting, orbit, &plants)?;
+    let (coarse, _) = slopes(&shooting.with_tolerance(ROUGH_TOLERANCE), orbit, &plants)?;
+    let pairs = fine.into_iter().zip(coarse);
+    let derivative = |(value, coarse): (f64, f64)| Derivative {
+        value,
+        error: (value - coarse).abs() + open * value.abs(),
+    };
+    Ok(pairs.map(derivative).collect())
+}
+
+/// Returns the derivatives by the parameters after the first, over which the fold is, and the length
+/// of `l dR/du`.
+fn slopes(
+    shooting: &Shooting<'_, KeyLine<'_>>,
+    orbit: &Orbit,
+    plants: &[PlantDerivative],
+) -> Result<(Vec<f64>, f64), Failure> {
+    let (evaluation, _) = shooting.shoot(orbit.start(), 0.0)?;
+    let residuals = shooting.residual_derivatives(&evaluation, plants)?;
     let map = evaluation.map();
     let transposed = Mat::from_fn(map.nrows(), map.nrows(), |i, j| {
         map[(j, i)] - if i == j { 1.0 } else { 0.0 }
@@ -45,9 +66,9 @@ pub fn fold_derivatives(
     let left = null_vector(&transposed);
     let along =
         |residual: &Vec<f64>| -> f64 { left.iter().zip(residual).map(|(l, r)| l * r).sum() };
-    let by_over = along(&residuals[0]);
-    Ok(residuals[1..]
+    let by_first = along(&residuals[0]);
+    let slopes = residuals[1..]
         .iter()
-        .map(|residual| -along(residual) / by_over)
-        .collect())
+        .map(|residual| -along(residual) / by_first);
+    Ok((slopes.collect(), norm(&product(&transposed, &left))))
 }

@@ -1,11 +1,11 @@
 //! Attractors of a cloud of starts, and the peaks of quantities on them.
 
-use super::nearest_fold::{farthest_hz, fold_distance_hz};
+use super::nearest_fold::fold_distance_hz;
 use super::{Effort, InCondition, MainOrbit, PROBE_STARTS, SCREENING_STARTS};
 use crate::problem::{Goal, LimitedQuantity, Problem};
 use jounce_analysis::{
     AnalysisError, Attractor, Basins, BasinsResult, Cloud, InitialStates, KeyLine, Model,
-    Recognition,
+    Recognition, farthest_hz,
 };
 use jounce_orbits::{Orbit, OrbitQuantity, Shooting};
 

@@ -1,10 +1,9 @@
 //! Half-power bandwidth over the frequency of the first drive.
 
 use super::MainOrbit;
-use super::nearest_fold::drive_frequency;
 use jounce_analysis::{
     AnalysisError, BandwidthSearch, BranchSearch, KnownOrbit, Model, OrbitMethodKind, Parameter,
-    WarmStart,
+    WarmStart, drive_frequency,
 };
 use jounce_continuation::StepControl;
 use jounce_spec::NumericKey;

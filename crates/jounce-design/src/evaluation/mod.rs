@@ -7,7 +7,7 @@ mod nearest_fold;
 mod run_goals;
 
 pub use evaluator::Evaluator;
-pub use nearest_fold::{nearest_fold, scatter_hz};
+pub use nearest_fold::examined_fold;
 
 use crate::problem::Problem;
 use serde::{Deserialize, Serialize};

@@ -5,7 +5,7 @@ mod effects;
 mod prices;
 
 use crate::DesignError;
-use crate::evaluation::{Evaluation, Evaluator, nearest_fold, scatter_hz};
+use crate::evaluation::{Evaluation, Evaluator, examined_fold};
 use crate::problem::{FreeKey, FreeValues, Problem};
 use crate::result::{
     BestDesign, DesignBefore, DesignOutcome, FreeValue, LimitResult, NearestFold, SearchEnd,
@@ -33,11 +33,8 @@ pub fn examine(
         .as_ref()
         .and_then(|orbit| Followed::start(evaluator, &best.place, orbit));
     let orbit = followed.as_ref().zip(evaluation.orbit.as_ref());
-    let nearest_fold = orbit.and_then(|(followed, orbit)| {
-        let (fold, at) = nearest_fold(&followed.model, orbit).ok()??;
-        let scatter_hz = scatter_hz(&followed.model, (&fold, &at), &problem.tolerances);
-        Some(NearestFold { scatter_hz, ..fold })
-    });
+    let nearest_fold = orbit
+        .and_then(|(followed, orbit)| examined_fold(&followed.model, orbit, &problem.tolerances));
     Ok(DesignOutcome {
         warnings: effects::warnings(evaluator, best, followed.as_ref())?,
         limits: limits(problem, best, followed.as_ref()),

@@ -259,7 +259,7 @@ fn derivatives_of_folds_are_those_of_followed_folds() {
             let at = |factor: f64| folds(Some((path, factor))).1[index].0;
             let slope = |h: f64| (at(1.0 + h) - at(1.0 - h)) / (2.0 * h);
             let expected = (4.0 * slope(1e-4) - slope(2e-4)) / 3.0;
-            let relative = found * value(key);
+            let relative = found.value * value(key);
             let deviation = (relative - expected).abs() / expected.abs();
             eprintln!("fold at {frequency_hz}: {path}: {relative:e}, expected {expected:e}");
             assert!(

@@ -15,6 +15,9 @@ pub struct SensitivityOptions {
     /// reach.
     #[arg(long, value_name = "ID")]
     pub at: Option<String>,
+    /// Also the nearest fold of the branch of the orbit over the frequency of the drive.
+    #[arg(long)]
+    pub fold: bool,
     /// Number of starts of the cloud.
     #[arg(long, default_value_t = 50)]
     pub starts: usize,

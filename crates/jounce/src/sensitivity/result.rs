@@ -22,8 +22,8 @@ pub struct SensitivityResult {
 /// A result of an orbit.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct OrbitResult {
-    /// Name: `mean_power`, `voltage.PATCH`, `strain.PATCH`, `contact_force.STOP` or
-    /// `displacement.STOP`.
+    /// Name: `mean_power`, `voltage.PATCH`, `strain.PATCH`, `contact_force.STOP`,
+    /// `displacement.STOP` or `nearest_fold`.
     pub name: String,
     /// SI unit; empty for a strain.
     pub unit: &'static str,

@@ -207,6 +207,9 @@ impl From<&AnalysisError> for ErrorDetails {
                 Self::new("OrbitError").with(json!({ "part": part }))
             }
             AnalysisError::OfRuns { key } => Self::new("ArgumentError").with(json!({ "key": key })),
+            AnalysisError::NoFoldDerivative { key } => {
+                Self::new("OrbitError").with(json!({ "key": key }))
+            }
             AnalysisError::NoNoise => Self::new("ArgumentError"),
         }
     }
