@@ -1,8 +1,9 @@
 //! Derivatives with respect to parameters of the plant, next to those with respect to the start.
 //!
 //! Each parameter is one more column of the tangents. On a step it forces the motion `p` of
-//! [`motion`], as if there were no contact; the contact answers to the penetration `c p + dc y - dg`
-//! and to the change of its law. The events and the contact are those of the other columns.
+//! [`motion`] with the contact force of the unchanged plant. The change `c p + dc y - dg` of the
+//! penetration and the change of the law then enter the equations of the nodes. Events and contact
+//! are those of the other columns.
 //!
 //! Limits: plants without bridges, constant signals, and no rest on a rigid stop.
 
