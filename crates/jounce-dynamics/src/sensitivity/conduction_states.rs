@@ -39,14 +39,14 @@ pub struct ConductionRoute<'a> {
     /// ... and its state, block coordinates of that conduction state.
     pub end: Vec<f64>,
     /// Parameters whose derivatives are wanted, for plants without bridges.
-    pub parameters: Option<Parameters<'a>>,
+    pub parameters: Option<Box<Parameters<'a>>>,
 }
 
 impl<'a> ConductionRoute<'a> {
     /// Returns the derivative of the state at the end, in the block coordinates of the base.
-    pub fn tangents(mut self) -> Result<(Tangents, Option<Parameters<'a>>), SensitivityError> {
+    pub fn tangents(mut self) -> Result<(Tangents, Option<Box<Parameters<'a>>>), SensitivityError> {
         let changes = self.trajectory.changes();
-        let groups = self.parameters.as_ref().map_or(0, Parameters::groups);
+        let groups = self.parameters.as_ref().map_or(0, |one| one.groups());
         let mut tangents = Tangents::identity(self.base.plant.len(), groups);
         let first = changes
             .first()

@@ -52,7 +52,7 @@ pub struct Linearization<'a, 'p> {
     /// Flight not yet applied, s.
     pending_s: f64,
     /// Parameters whose derivatives are wanted, next to the one of `drift`.
-    pub(super) parameters: Option<Parameters<'p>>,
+    pub(super) parameters: Option<Box<Parameters<'p>>>,
 }
 
 /// Result of the linearisation of a segment.
@@ -62,7 +62,7 @@ pub struct LinearizedSegment<'p> {
     /// Delay of an impact at the end of the segment, s.
     pub delay_s: Option<Vec<F64x8>>,
     /// Parameters with their outputs so far.
-    pub parameters: Option<Parameters<'p>>,
+    pub parameters: Option<Box<Parameters<'p>>>,
 }
 
 impl<'a, 'p> Linearization<'a, 'p> {
@@ -74,7 +74,7 @@ impl<'a, 'p> Linearization<'a, 'p> {
         odd_tables: &'a mut OddTables,
         segment: ConductionSegment<'a>,
         sizes: Vec<SignalSample>,
-        (tangents, parameters): (Tangents, Option<Parameters<'p>>),
+        (tangents, parameters): (Tangents, Option<Box<Parameters<'p>>>),
     ) -> Self {
         let (system, factors) = (
             NodeSystem::new(1, tangents.width),

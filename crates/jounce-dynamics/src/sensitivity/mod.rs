@@ -165,7 +165,7 @@ impl FlowSensitivity {
             end_s,
             end_conduction_state,
             end: block_end,
-            parameters: request.map(|request| Parameters::new(kernel, request)),
+            parameters: request.map(|request| Box::new(Parameters::new(kernel, request))),
         };
         let (tangents, parameters) = route.tangents()?;
         let n = end.len();
