@@ -38,7 +38,7 @@ def options() -> argparse.Namespace:
     names = [problem.name for problem in PROBLEMS]
     parser.add_argument("--problem", choices=names, action="append", help="only this problem; can be given several times")
     parser.add_argument("--seeds", type=int, default=5, help="searches of each method, with the seeds 1, 2, and so on")
-    parser.add_argument("--quick", action="store_true", help="one seed and a quarter of the budget, in another folder; DESIGN.md stays as it is")
+    parser.add_argument("--quick", action="store_true", help="one seed, a quarter of the budget; DESIGN.md stays as it is")
     parser.add_argument("--report", action="store_true", help="search nothing; write DESIGN.md and the picture from what is stored")
     parser.add_argument("--keep", action="store_true", help="leave DESIGN.md and the picture as they are")
     return parser.parse_args()
@@ -69,7 +69,8 @@ def by_jounce(problem: Problem, seed: int, evaluations: int) -> Record:
     goals = tuple(found.goals[name] for name in problem.goals)
     front = [[each["goals"][name] for name in problem.goals] for each in found.front]
     point = {"place": place, "goals": goals, "violation": found.violation, "cpu_s": cpu_s, "wall_s": wall_s}
-    record = {"points": [point], "evaluations": found.evaluations, "cpu_s": cpu_s, "wall_s": wall_s, "front": front, "ended_by": found.ended_by}
+    record = {"points": [point], "evaluations": found.evaluations, "cpu_s": cpu_s, "wall_s": wall_s, "front": front}
+    record |= {"ended_by": found.ended_by}
     return record | ({} if front else {"judged": judge(problem, place, seed)})
 
 
@@ -87,7 +88,7 @@ def by_peer(problem: Problem, method: str, seed: int, is_run: bool, budget: int)
 
 
 def judge(problem: Problem, place: tuple[float, ...], seed: int) -> Record:
-    """Returns the evaluation of a design by `Spec.design` over the starts of the search and over fresh ones, and the power of a long run."""
+    """Returns a design's evaluation by `Spec.design` over the starts of the search and over fresh ones, and the power of a long run."""
     own, fresh = design_once(problem, place, seed), design_once(problem, place, JUDGE_SEED, JUDGE_STARTS)
     limits = {each["name"]: each["value"] for each in fresh.limits}
     return {
@@ -107,7 +108,8 @@ def search_all(problem: Problem, folder: Path, seeds: int, share: float) -> None
     for seed in range(1, seeds + 1):
         for most in problem.jounce_evaluations:
             evaluations = max(1, round(share * most))
-            stored(folder / problem.name / f"{report.JOUNCE}-{evaluations}-{seed}.json", lambda seed=seed, n=evaluations: by_jounce(problem, seed, n))
+            path = folder / problem.name / f"{report.JOUNCE}-{evaluations}-{seed}.json"
+            stored(path, lambda seed=seed, evaluations=evaluations: by_jounce(problem, seed, evaluations))
         for method in peers:
             for is_run in (False, True) if problem.name == "hard" else (False,):
                 name = f"{method}{report.OF_RUN if is_run else ''}-{budget}-{seed}.json"

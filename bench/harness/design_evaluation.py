@@ -34,12 +34,6 @@ class Evaluation:
     goals: tuple[float, ...]
     violation: float
 
-    def is_better(self, other: Evaluation | None) -> bool:
-        """True where this one is better in the first goal within the limits, or violates them less (Deb 2000)."""
-        if other is None or self.violation != other.violation:
-            return other is None or self.violation < other.violation
-        return self.goals[0] > other.goals[0]
-
 
 Evaluator = Callable[[tuple[float, ...]], Evaluation]
 
@@ -67,7 +61,10 @@ def strain_ppm(messages: list[str]) -> float:
     return max((float(found) for message in messages for found in STRAIN.findall(message)), default=0.0)
 
 
-def judged(powers_w: list[float], shares: list[float], periods: list[int], least_share: float, strain: tuple[float, float] | None) -> Evaluation:
+Strain = tuple[float, float]  # largest value and limit, ppm
+
+
+def judged(powers_w: list[float], shares: list[float], periods: list[int], least_share: float, strain: Strain | None) -> Evaluation:
     """Returns the evaluation of attractors: a start without a period has no power, and its strain is unknown."""
     proved = [(power * share, share) for power, share, period in zip(powers_w, shares, periods, strict=True) if period > 0]
     main_share = max(proved, default=(0.0, 0.0))[1]

@@ -6,6 +6,7 @@ has none, so an infeasible design has minus its violation as value there, which 
 
 from __future__ import annotations
 
+import contextlib
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
@@ -144,8 +145,6 @@ FRONT_PEERS: dict[str, Search] = {"NSGA-II (pymoo)": pymoo_search}
 def search(method: Search, problem: Problem, evaluate: Evaluator, budget: int, seed: int) -> Counted:
     """Returns all evaluated designs of a search with a budget."""
     counted = Counted(evaluate, budget)
-    try:
+    with contextlib.suppress(BudgetUsedError):
         method(problem, counted, seed)
-    except BudgetUsedError:
-        pass
     return counted

@@ -75,7 +75,7 @@ def panels(row: Any, problem: Problem, runs: list[Run]) -> None:  # noqa: ANN401
             colour = "black" if is_jounce else f"C{number - 1 + (4 if is_front else 0)}"
             if is_jounce:
                 errors = [[m - b for m, b in zip(middle, low, strict=True)], [t - m for m, t in zip(middle, high, strict=True)]]
-                axis.errorbar(places, middle, errors, color=colour, marker="o", markersize=4, capsize=3, linewidth=1.8, label=name, zorder=5)
+                axis.errorbar(places, middle, errors, color=colour, marker="o", markersize=4, capsize=3, label=name, zorder=5)
             else:
                 axis.plot(places, middle, color=colour, drawstyle="steps-post", linewidth=1.3, label=name)
                 axis.fill_between(places, low, high, color=colour, step="post", alpha=0.12, linewidth=0.0)

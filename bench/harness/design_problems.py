@@ -79,7 +79,7 @@ class Key:
 
 @dataclass(frozen=True)
 class Problem:
-    """A design problem with its budgets; `long_run` is the length of the run that checks a design, and the end of it that is averaged, s."""
+    """A design problem with its budgets; `long_run` is the length of the run that checks a design, and its averaged end, s."""
 
     name: str
     title: str
@@ -89,8 +89,8 @@ class Problem:
     given: dict[str, float]
     limits: dict[str, object] = field(default_factory=dict)
     starts: int = 20
-    evaluations: int = 120
-    jounce_evaluations: tuple[int, ...] = (30, 60, 120, 1000)
+    evaluations: int = 80
+    jounce_evaluations: tuple[int, ...] = (20, 40, 80, 1000)
     long_run: tuple[float, float] = (300.0, 10.0)
     spec: Path | None = PAPER
     scale: float = 1e3
@@ -107,7 +107,8 @@ class Problem:
     def design(self, evaluations: int, free: dict[str, str] | None = None, starts: int | None = None) -> dict[str, object]:
         """Returns the problem as `Spec.design` takes it."""
         goal = {"maximise": list(self.goals) if len(self.goals) > 1 else self.goals[0], "starts": starts or self.starts}
-        return {"free": free or {key.path: key.span() for key in self.keys}, "goal": goal, "limits": self.limits, "evaluations": evaluations}
+        free = free or {key.path: key.span() for key in self.keys}
+        return {"free": free, "goal": goal, "limits": self.limits, "evaluations": evaluations}
 
 
 GAP = Key("stop.tip.gap", 0.2e-3, 3e-3, "m")
@@ -140,8 +141,8 @@ PROBLEMS = (
         ("expected-power",),
         {},
         {"drive.d.amplitude": 0.0999, "drive.d.frequency": 0.7786 / math.tau},
-        evaluations=100,
-        jounce_evaluations=(25, 50, 100, 1000),
+        evaluations=60,
+        jounce_evaluations=(15, 30, 60, 1000),
         long_run=(5000.0, 2500.0),
         spec=None,
         scale=10.0,
@@ -155,7 +156,8 @@ PROBLEMS = (
         drive("11 Hz", "50 N"),
         AS_GIVEN,
         STRAIN,
-        jounce_evaluations=(120, 240),
+        evaluations=120,
+        jounce_evaluations=(120,),
         unit="mW Hz",
     ),
 )
