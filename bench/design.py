@@ -129,7 +129,7 @@ def main() -> None:
     if not chosen.report:
         for problem in wanted:
             search_all(problem, folder, 1 if chosen.quick else chosen.seeds, 0.25 if chosen.quick else 1.0)
-    runs = {problem.name: report.read_runs(folder / problem.name) for problem in wanted}
+    runs = {problem.name: report.complete(report.read_runs(folder / problem.name)) for problem in wanted}
     text = report.report(described(), wanted, runs)
     if not (chosen.quick or chosen.keep or chosen.problem):
         from harness import design_picture

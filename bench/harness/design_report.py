@@ -49,6 +49,13 @@ def read_runs(folder: Path) -> list[Run]:
     return sorted(runs, key=lambda run: (run.method != JOUNCE, run.method, run.budget, run.seed))
 
 
+def complete(runs: list[Run]) -> list[Run]:
+    """Returns the searches with the seeds that every method has at every budget: the others are still to come."""
+    seeds = [{run.seed for run in group} for group in groups(runs).values()]
+    common = set.intersection(*seeds) if seeds else set()
+    return [run for run in runs if run.seed in common]
+
+
 def best(points: Points) -> dict[str, Any]:
     """Returns the point with the least violation, of those the one with the largest first goal (Deb 2000)."""
     return min(points, key=lambda point: (point["violation"], -point["goals"][0]))
@@ -195,7 +202,15 @@ def largest_difference(runs: list[Run]) -> float:
 
 def section(problem: Problem, runs: list[Run]) -> list[str]:
     """Returns the section of a problem."""
-    lines = [f"## {problem.title}", "", *(front_table if len(problem.goals) > 1 else power_table)(problem, runs), ""]
+    seeds = len({run.seed for run in runs})
+    lines = [
+        f"## {problem.title}",
+        "",
+        f"{seeds} searches of each method.",
+        "",
+        *(front_table if len(problem.goals) > 1 else power_table)(problem, runs),
+        "",
+    ]
     if len(problem.goals) == 1:
         difference = largest_difference(runs)
         text = "`Spec.design` over the same starts gives the value of each search for its best design, within a relative difference of"
@@ -207,9 +222,8 @@ def section(problem: Problem, runs: list[Run]) -> list[str]:
 
 def report(described: list[str], problems: Sequence[Problem], runs: dict[str, list[Run]]) -> str:
     """Returns the text of DESIGN.md."""
-    seeds = len({run.seed for each in runs.values() for run in each})
     lines = ["# Design", "", "Written by `bench/design.py`; `bench/README.md` explains it.", "", *(f"- {line}" for line in described)]
-    lines += [f"- {seeds} searches of each method; median [least .. largest].", ""]
+    lines += ["- Each cell: median [least .. largest].", ""]
     for problem in problems:
         if runs.get(problem.name):
             lines += section(problem, runs[problem.name])

@@ -17,6 +17,7 @@ from harness.design_report import (
     Run,
     best,
     best_so_far,
+    complete,
     front,
     front_table,
     hypervolume,
@@ -131,6 +132,11 @@ class Tables(unittest.TestCase):
     def test_time_to_the_best_known_value_of_the_same_starts(self) -> None:
         group = [run("a", 1, [point(1e-3, cpu_s=2.0), point(2e-3, cpu_s=4.0)]), run("a", 2, [point(1e-3, cpu_s=3.0)])]
         self.assertEqual(near_s(group, {1: 2.05e-3, 2: 2e-3}), [4.0])
+
+    def test_seeds_that_a_method_lacks_are_left_out(self) -> None:
+        found = complete([run("a", 1, [point(1e-3)]), run("a", 2, [point(1e-3)]), run("b", 2, [point(1e-3)])])
+        self.assertEqual([(each.method, each.seed) for each in found], [("a", 2), ("b", 2)])
+        self.assertEqual(complete([]), [])
 
     def test_a_search_without_a_design_within_the_limits_is_counted(self) -> None:
         rows = power_table(PROBLEMS[0], [run("a", 1, [point(1e-3)]), run("a", 2, [point(9e-3, 0.2)])])
