@@ -4,7 +4,7 @@ Three evaluations:
 
 - `of_basins`: expected power of the proved attractors of the starts, their strain, and the share of the main one, from `Spec.basins`;
 - `of_design`: the same from `Spec.design` with a range of no width, for problems with a bandwidth or with much chaos, where it is cheaper;
-- `of_run`: mean power at the end of one run of 20 s from rest, without limits: the objective that transients mislead.
+- `of_run`: mean power at the end of one run of 20 s from rest, without limits: the objective that transients may mislead.
 """
 
 from __future__ import annotations

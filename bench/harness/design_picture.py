@@ -40,7 +40,7 @@ def draw(problems: Sequence[Problem], runs: dict[str, list[Run]], path: Path) ->
     import matplotlib
 
     matplotlib.use("Agg")
-    matplotlib.rcParams["svg.hashsalt"] = "jounce"
+    matplotlib.rcParams.update({"svg.hashsalt": "jounce", "svg.fonttype": "none"})
     import matplotlib.pyplot as plt
 
     drawn = [problem for problem in problems if runs.get(problem.name)]
