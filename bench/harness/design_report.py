@@ -206,7 +206,7 @@ def section(problem: Problem, runs: list[Run]) -> list[str]:
     lines = [
         f"## {problem.title}",
         "",
-        f"{seeds} searches of each method.",
+        f"Searches of each method: {seeds}.",
         "",
         *(front_table if len(problem.goals) > 1 else power_table)(problem, runs),
         "",
