@@ -53,6 +53,9 @@ def axes(ax: Axes | None, **figure: Any) -> Iterator[Axes]:
     matplotlib = require("matplotlib", "plot")
     with matplotlib.rc_context({**_STYLE, "axes.prop_cycle": matplotlib.cycler(color=COLOURS)}):
         yield require("matplotlib.pyplot", "plot").subplots(**figure)[1] if ax is None else ax
+        is_interactive = matplotlib.is_interactive()
+    # The first figure loads the backend; that of notebooks makes matplotlib interactive, without which they show no later figure.
+    matplotlib.interactive(is_interactive)
 
 
 def label(axis: Any, what: str, unit: str, log: bool = False) -> None:

@@ -1,11 +1,12 @@
-//! Pictures of the gallery and of the tutorial: each is the file that a command of its page writes.
+//! Pictures of the gallery, of the tutorial and of the page on design: each is the file that a command of its page writes.
 
 use super::root;
 use std::path::Path;
 
 /// Pages whose commands draw their pictures, by the begin of the path, and the folder into which the commands write.
-const PAGES: [(&str, &str); 2] = [
+const PAGES: [(&str, &str); 3] = [
     ("book/src/gallery.md", "gallery"),
+    ("book/src/howto/design.md", "best"),
     ("book/src/tutorial/", "tutorial"),
 ];
 

@@ -75,44 +75,49 @@ impl Linearization<'_, '_> {
         // Contacts that start at the same instant share the shift of the first: see the limits of the module.
         let entering = ports.iter().find(|(_, shape)| *shape == ForceBasis::Onset);
         let shift_s = entering.and_then(|(port, _)| self.onset_shift(w, segment, *port));
+        self.solve(w, &tables, segment, &nodes, shift_s.as_deref());
+        if let Some(shift_s) = &shift_s {
+            let rate = self.rate(segment.start_s + segment.length_s, after, &segment.forces);
+            self.tangents.add_product(w, &rate, -1.0, shift_s);
+        }
+    }
+
+    /// Solves the equations of the nodes, and advances the tangents.
+    #[inline(always)]
+    fn solve<W: Simd>(
+        &mut self,
+        w: W,
+        tables: &JointTables,
+        segment: &TrajectorySegment,
+        nodes: &[LawNodes],
+        shift_s: Option<&[F64x8]>,
+    ) {
+        let kernel = self.kernel;
         let mut parameters = self.parameters.take();
         let mut step = None;
         if let Some(parameters) = &mut parameters {
             step = Some(parameters.step(w, kernel, segment));
         }
         for (index, node_laws) in nodes.iter().enumerate() {
-            self.right_sides(w, &tables, index, node_laws);
-            self.rows(
-                w,
-                &tables,
-                (index, ports[index].0),
-                node_laws,
-                shift_s.as_deref(),
-            );
-        }
-        let of_parameters = parameters.as_mut().zip(step.as_ref());
-        if let Some((parameters, step)) = of_parameters {
-            for (index, node_laws) in nodes.iter().enumerate() {
-                let laws = node_laws.at(kernel, ports[index], index);
+            self.right_sides(w, tables, index, node_laws);
+            let port = tables.ports[index].0;
+            self.rows(w, tables, (index, port), node_laws, shift_s);
+            if let Some((parameters, step)) = parameters.as_ref().zip(step.as_ref()) {
+                let laws = node_laws.at(kernel, tables.ports[index], index);
                 let plant = &kernel.plant;
                 parameters.add_right_sides(w, plant, segment, step, &laws, &mut self.system);
             }
         }
         self.system.solve(w);
-        let of_parameters = parameters.as_mut().zip(step.as_ref());
-        if let Some((parameters, step)) = of_parameters {
-            let (system, shift_s) = (Some(&mut self.system), shift_s.as_deref());
+        if let Some((parameters, step)) = parameters.as_mut().zip(step.as_ref()) {
+            let system = Some(&mut self.system);
             parameters.add_outputs(kernel, segment, step, &self.tangents, system, shift_s);
         }
-        self.advance(w, &tables);
+        self.advance(w, tables);
         if let Some((parameters, step)) = parameters.as_ref().zip(step.as_ref()) {
             parameters.add_end(step, &mut self.tangents);
         }
         self.parameters = parameters;
-        if let Some(shift_s) = &shift_s {
-            let rate = self.rate(segment.start_s + segment.length_s, after, &segment.forces);
-            self.tangents.add_product(w, &rate, -1.0, shift_s);
-        }
     }
 
     /// Sets the equations of the nodes of one port, given by its index.

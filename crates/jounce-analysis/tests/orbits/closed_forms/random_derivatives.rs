@@ -107,7 +107,7 @@ fn differences(
 /// Compares all derivatives of a drawn harvester; returns by how much the deviations exceed the stated
 /// error, relative to the value over the key or to the derivative, each with a description.
 fn compared(index: u64) -> Vec<(f64, String)> {
-    let file = SpecFile::from_text(&random_spec(5, index));
+    let file = SpecFile::from_text(random_spec(5, index));
     let model = Model::new(file.spec().unwrap()).unwrap();
     let Some(orbit) = orbit_of(&model).filter(|orbit| !orbit.multipliers.is_empty()) else {
         return Vec::new();

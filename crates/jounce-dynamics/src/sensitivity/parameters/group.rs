@@ -3,7 +3,7 @@
 use jounce_linalg::c64;
 use jounce_model::contact::Law;
 use jounce_model::drive::Wave;
-use jounce_model::plant::{Plant, PlantDerivative, PortDerivative};
+use jounce_model::plant::{Plant, PlantDerivative};
 use jounce_simd::{F64x8, LANES};
 
 /// Changes of the equations by the parameters of a group, block coordinates. Those of rates include
@@ -52,14 +52,6 @@ impl<'a> ParameterGroup<'a> {
     /// Packs up to eight derivatives.
     pub fn of(plant: &Plant, derivatives: &'a [PlantDerivative]) -> Self {
         let n = plant.len();
-        let lanes = |read: &dyn Fn(&PlantDerivative) -> f64| {
-            F64x8(std::array::from_fn(|l| {
-                derivatives.get(l).map_or(0.0, read)
-            }))
-        };
-        let complex = |read: &dyn Fn(&PlantDerivative) -> c64| {
-            [lanes(&|by| read(by).re), lanes(&|by| read(by).im)]
-        };
         let unit = |j: usize| {
             (0..n)
                 .map(|k| f64::from(u8::from(k == j)))
@@ -68,54 +60,51 @@ impl<'a> ParameterGroup<'a> {
         let columns: Vec<Vec<f64>> = (0..n)
             .map(|j| plant.diagonal.block.apply(&unit(j)))
             .collect();
-        let rate = |i: usize, j: usize| lanes(&|by| by.rates[(i, j)] + by.stretch * columns[j][i]);
-        let constant = constant(plant);
-        let port = |index: usize| {
-            let port = |by: &'a PlantDerivative| -> &'a PortDerivative { &by.ports[index] };
-            let list = |read: &dyn Fn(&PlantDerivative, usize) -> f64| -> Vec<F64x8> {
-                (0..n).map(|i| lanes(&|by| read(by, i))).collect()
-            };
-            let force = &plant.ports[index].force;
-            GroupPort {
-                rows: [
-                    list(&|by, i| by.ports[index].displacement[i]),
-                    list(&|by, i| by.ports[index].velocity[i]),
-                ],
-                columns: [
-                    list(&|by, i| by.ports[index].force[i] + by.stretch * force[i]),
-                    list(&|by, i| by.ports[index].force[i]),
-                ],
-                steady_m: (0..plant.tones.len())
-                    .map(|k| complex(&|by| by.ports[index].steady_m[k]))
-                    .collect(),
-                gap_m: lanes(&|by| by.ports[index].gap_m),
-                impulse_kg: lanes(&|by| by.ports[index].impulse_kg),
-                laws: std::array::from_fn(|l| {
-                    derivatives.get(l).map_or(&[][..], |by| &port(by).laws)
-                }),
-            }
+        let rate = |i: usize, j: usize| {
+            lanes(derivatives, |by| {
+                by.rates[(i, j)] + by.stretch * columns[j][i]
+            })
         };
+        let constant = constant(plant);
         let tone = |k: usize| GroupTone {
             steady: (0..n)
-                .map(|i| complex(&|by| by.tones[k].steady[i]))
+                .map(|i| complex(derivatives, |by| by.tones[k].steady[i]))
                 .collect(),
-            angular_frequency_rad_s: lanes(&|by| by.tones[k].angular_frequency_rad_s),
+            angular_frequency_rad_s: lanes(derivatives, |by| by.tones[k].angular_frequency_rad_s),
         };
         let count = derivatives.first().map_or(0, |by| by.loads.len());
         let load = |k: usize| {
-            let row = (0..n).map(|i| lanes(&|by| by.loads[k].row[i])).collect();
-            (row, lanes(&|by| by.loads[k].factor_per_ohm))
+            let row = (0..n).map(|i| lanes(derivatives, |by| by.loads[k].row[i]));
+            let factor = lanes(derivatives, |by| by.loads[k].factor_per_ohm);
+            (row.collect(), factor)
         };
         Self {
             rates: (0..n * n).map(|k| rate(k / n, k % n)).collect(),
             constant: (0..n)
-                .map(|i| lanes(&|by| by.constant[i] + by.stretch * constant[i]))
+                .map(|i| lanes(derivatives, |by| by.constant[i] + by.stretch * constant[i]))
                 .collect(),
-            ports: (0..plant.system.stops.len()).map(port).collect(),
+            ports: (0..plant.system.stops.len())
+                .map(|index| GroupPort::of(plant, derivatives, index))
+                .collect(),
             tones: (0..plant.tones.len()).map(tone).collect(),
             loads: (0..count).map(load).collect(),
         }
     }
+}
+
+/// Returns a number of each derivative.
+fn lanes(derivatives: &[PlantDerivative], read: impl Fn(&PlantDerivative) -> f64) -> F64x8 {
+    F64x8(std::array::from_fn(|l| {
+        derivatives.get(l).map_or(0.0, &read)
+    }))
+}
+
+/// Returns the real and the imaginary parts of a number of each derivative.
+fn complex(derivatives: &[PlantDerivative], read: impl Fn(&PlantDerivative) -> c64) -> [F64x8; 2] {
+    [
+        lanes(derivatives, |by| read(by).re),
+        lanes(derivatives, |by| read(by).im),
+    ]
 }
 
 /// Returns the rate of the state under the constant drives of a plant.
@@ -130,7 +119,34 @@ fn constant(plant: &Plant) -> Vec<f64> {
     sum
 }
 
-impl GroupPort<'_> {
+impl<'a> GroupPort<'a> {
+    /// Packs the changes of a port.
+    fn of(plant: &Plant, derivatives: &'a [PlantDerivative], index: usize) -> Self {
+        let list = |read: &dyn Fn(&PlantDerivative, usize) -> f64| -> Vec<F64x8> {
+            (0..plant.len())
+                .map(|i| lanes(derivatives, |by| read(by, i)))
+                .collect()
+        };
+        let force = &plant.ports[index].force;
+        let laws = |by: &'a PlantDerivative| -> &'a [(f64, Law)] { &by.ports[index].laws };
+        Self {
+            rows: [
+                list(&|by, i| by.ports[index].displacement[i]),
+                list(&|by, i| by.ports[index].velocity[i]),
+            ],
+            columns: [
+                list(&|by, i| by.ports[index].force[i] + by.stretch * force[i]),
+                list(&|by, i| by.ports[index].force[i]),
+            ],
+            steady_m: (0..plant.tones.len())
+                .map(|k| complex(derivatives, |by| by.ports[index].steady_m[k]))
+                .collect(),
+            gap_m: lanes(derivatives, |by| by.ports[index].gap_m),
+            impulse_kg: lanes(derivatives, |by| by.ports[index].impulse_kg),
+            laws: std::array::from_fn(|l| derivatives.get(l).map_or(&[][..], laws)),
+        }
+    }
+
     /// Returns the changes of penetration (m) and rate (m/s) at a fixed part `y` of the state that
     /// the tones do not force.
     pub fn drift(

@@ -7,6 +7,7 @@
 //!
 //! Limits: plants without bridges, constant signals, and no rest on a rigid stop.
 
+mod functional;
 pub mod group;
 pub mod motion;
 mod outputs;

@@ -4,16 +4,15 @@
 //! With the voltage of a load as a Legendre series, its energy on a step is
 //! `h sum V_n^2 / ((2 n + 1) R)` (Parseval), so that the derivative is exact for the computed motion.
 
+use super::functional::Functional;
 use super::{ParameterStep, Parameters};
 use crate::force_response::basis::{NODES, legendre};
-use crate::force_response::output_rows::parts;
-use crate::force_response::step_response::StepResponse;
 use crate::kernel::Kernel;
 use crate::record::trajectory::TrajectorySegment;
 use crate::sensitivity::elimination::NodeSystem;
 use crate::sensitivity::tangents::Tangents;
 use jounce_linalg::c64;
-use jounce_model::plant::{BlockDiagonal, Plant};
+use jounce_model::plant::{Plant, Tone};
 use jounce_simd::F64x8;
 
 /// A load that a patch feeds.
@@ -47,6 +46,28 @@ impl LoadOutput {
             }
         })
         .collect()
+    }
+}
+
+impl LoadOutput {
+    /// Returns the derivative of the energy by a shift of the step in time, at states that the shift
+    /// does not change, back at fixed times, W.
+    fn by_shift(
+        &self,
+        plant: &Plant,
+        step: &ParameterStep,
+        (voltage, weights): (&[f64], &[f64]),
+    ) -> f64 {
+        let tones = plant.tones.iter().zip(&self.steady).zip(&step.motion.tones);
+        let moving = |((tone, steady), series): ((&Tone, &c64), &Vec<c64>)| -> f64 {
+            let turned: c64 = weights.iter().zip(series).map(|(w, turn)| turn * *w).sum();
+            (c64::new(0.0, tone.angular_frequency_rad_s) * steady * turned).re
+        };
+        let alternating = |(n, v): (usize, &f64)| if n % 2 == 0 { *v } else { -v };
+        let start_v: f64 = voltage.iter().enumerate().map(alternating).sum();
+        let end_v: f64 = voltage.iter().sum();
+        let gain = self.factor_per_ohm * (end_v * end_v - start_v * start_v);
+        tones.map(moving).sum::<f64>() - gain
     }
 }
 
@@ -136,50 +157,46 @@ impl Parameters<'_> {
             }
         }
         if let Some(shift_s) = shift_s {
-            // The part of the tones is shifted too; then back to fixed times.
-            let tones = kernel.plant.tones.iter().zip(&load.steady);
-            let moving: f64 = tones
-                .zip(&motion.tones)
-                .map(|((tone, steady), series)| {
-                    let turned: c64 = weights.iter().zip(series).map(|(w, turn)| turn * *w).sum();
-                    (c64::new(0.0, tone.angular_frequency_rad_s) * steady * turned).re
-                })
-                .sum();
-            let alternating = |(n, v): (usize, &f64)| if n % 2 == 0 { *v } else { -v };
-            let start_v: f64 = voltage.iter().enumerate().map(alternating).sum();
-            let end_v: f64 = voltage.iter().sum();
-            let gain = load.factor_per_ohm * (end_v * end_v - start_v * start_v);
-            add_scaled(&mut self.energy, moving - gain, shift_s);
+            let factor = load.by_shift(&kernel.plant, step, (&voltage, &weights));
+            add_scaled(&mut self.energy, factor, shift_s);
         }
-        for (g, (group, forced)) in self.groups.iter().zip(&step.forced).enumerate() {
-            let (row, factor) = &group.loads[index];
-            let mut sum = F64x8::ZERO.add_scaled(square, factor);
-            for (state, (c, p)) in load.row.iter().zip(forced).enumerate() {
-                for (weight, p) in weights.iter().zip(p) {
-                    sum = sum.add_scaled(weight * c, p);
-                }
-                sum = sum.add_scaled(product(&weights, &motion.states[state]), &row[state]);
-            }
-            for ((tone, series), by) in kernel
-                .plant
-                .tones
-                .iter()
-                .zip(&motion.tones)
-                .zip(&group.tones)
-            {
-                let turned: c64 = weights.iter().zip(series).map(|(w, turn)| turn * *w).sum();
-                for state in 0..load.row.len() {
-                    let [re, im] = &by.steady[state];
-                    let own = load.row[state];
-                    sum = sum
-                        .add_scaled(own * turned.re, re)
-                        .add_scaled(-own * turned.im, im);
-                    sum = sum.add_scaled((tone.steady[state] * turned).re, &row[state]);
-                }
-            }
+        for g in 0..self.groups.len() {
+            let sum = self.by_parameters(&kernel.plant, step, (index, g), (&weights, square));
             let lane = &mut self.energy[self.first + g];
             *lane = lane.add_scaled(1.0, &sum);
         }
+    }
+
+    /// Returns the derivatives of the energy of a load by the parameters of a group at fixed forces
+    /// and a fixed start; `square` is the integral of the squared voltage, V^2 s.
+    fn by_parameters(
+        &self,
+        plant: &Plant,
+        step: &ParameterStep,
+        (index, g): (usize, usize),
+        (weights, square): (&[f64], f64),
+    ) -> F64x8 {
+        let (motion, load) = (&step.motion, &self.loads[index]);
+        let (group, forced) = (&self.groups[g], &step.forced[g]);
+        let (row, factor) = &group.loads[index];
+        let mut sum = F64x8::ZERO.add_scaled(square, factor);
+        for (state, (c, p)) in load.row.iter().zip(forced).enumerate() {
+            for (weight, p) in weights.iter().zip(p) {
+                sum = sum.add_scaled(weight * c, p);
+            }
+            sum = sum.add_scaled(product(weights, &motion.states[state]), &row[state]);
+        }
+        for ((tone, series), by) in plant.tones.iter().zip(&motion.tones).zip(&group.tones) {
+            let turned: c64 = weights.iter().zip(series).map(|(w, turn)| turn * *w).sum();
+            let states = load.row.iter().zip(row).zip(&tone.steady).zip(&by.steady);
+            for (((own, row), steady), [re, im]) in states {
+                sum = sum
+                    .add_scaled(own * turned.re, re)
+                    .add_scaled(-own * turned.im, im)
+                    .add_scaled((steady * turned).re, row);
+            }
+        }
+        sum
     }
 
     /// Returns the state at a place of a step with its tangents.
@@ -187,53 +204,46 @@ impl Parameters<'_> {
         &self,
         kernel: &Kernel,
         step: &ParameterStep,
-        (tangents, system): (&Tangents, Option<&mut NodeSystem>),
+        (tangents, mut system): (&Tangents, Option<&mut NodeSystem>),
         (time_s, x): (f64, f64),
         segment: &TrajectorySegment,
     ) -> StateTangents {
-        let (motion, block) = (&step.motion, &kernel.plant.diagonal.block);
+        let motion = &step.motion;
         let values = legendre(x, motion.terms);
         let n = kernel.plant.len();
+        let units: Vec<Vec<f64>> = (0..n)
+            .map(|state| (0..n).map(|k| f64::from(u8::from(k == state))).collect())
+            .collect();
+        let functional = |row| Functional {
+            block: &kernel.plant.diagonal.block,
+            row,
+            weights: &values,
+            length_s: motion.length_s,
+        };
         let mut by = vec![vec![F64x8::ZERO; tangents.width]; n];
-        let mut forces_by =
-            vec![vec![F64x8::ZERO; tangents.width]; kernel.plant.system.stops.len()];
-        for (state, sum) in by.iter_mut().enumerate() {
-            let unit: Vec<f64> = (0..n).map(|k| f64::from(u8::from(k == state))).collect();
-            let functional = Functional {
-                block,
-                row: &unit,
-                weights: &values,
-                length_s: motion.length_s,
-            };
-            add_rows(sum, tangents, &functional.of_start(&motion.free));
+        let none = vec![F64x8::ZERO; tangents.width];
+        let mut forces_by = vec![none; kernel.plant.system.stops.len()];
+        for (unit, sum) in units.iter().zip(&mut by) {
+            add_rows(sum, tangents, &functional(unit).of_start(&motion.free));
         }
-        if let Some(system) = system {
-            for (at, (port, responses, _)) in motion.forces.iter().enumerate() {
-                let force = &segment.forces[at];
-                let functions = kernel.basis(force.port, force.shape).at(x.clamp(0.0, 1.0));
-                for (j, function) in functions.into_iter().enumerate() {
-                    add_scaled(
-                        &mut forces_by[*port],
-                        function,
-                        system.right(at * NODES + j),
-                    );
-                }
-                for (state, sum) in by.iter_mut().enumerate() {
-                    let unit: Vec<f64> = (0..n).map(|k| f64::from(u8::from(k == state))).collect();
-                    let functional = Functional {
-                        block,
-                        row: &unit,
-                        weights: &values,
-                        length_s: motion.length_s,
-                    };
-                    let column = &kernel.plant.ports[*port].force;
-                    for (j, factor) in functional
-                        .of_force(responses, column)
-                        .into_iter()
-                        .enumerate()
-                    {
-                        add_scaled(sum, factor, system.right(at * NODES + j));
-                    }
+        let forces = motion.forces.iter().zip(&segment.forces).enumerate();
+        for (at, ((port, responses, _), force)) in forces {
+            let Some(system) = system.as_deref_mut() else {
+                break;
+            };
+            let functions = kernel.basis(force.port, force.shape).at(x.min(1.0));
+            let column = &kernel.plant.ports[*port].force;
+            for (j, function) in functions.into_iter().enumerate() {
+                add_scaled(
+                    &mut forces_by[*port],
+                    function,
+                    system.right(at * NODES + j),
+                );
+            }
+            for (unit, sum) in units.iter().zip(&mut by) {
+                let factors = functional(unit).of_force(responses, column);
+                for (j, factor) in factors.into_iter().enumerate() {
+                    add_scaled(sum, factor, system.right(at * NODES + j));
                 }
             }
         }
@@ -254,57 +264,6 @@ impl Parameters<'_> {
             by,
             forces_by,
         }
-    }
-}
-
-/// Linear functional of the motion on a step: weights of the coefficients of an output row.
-struct Functional<'a> {
-    block: &'a BlockDiagonal,
-    row: &'a [f64],
-    weights: &'a [f64],
-    length_s: f64,
-}
-
-impl Functional<'_> {
-    /// Returns its value for a unit of each state at the start.
-    fn of_start(&self, free: &[StepResponse]) -> Vec<f64> {
-        let mut values = Vec::with_capacity(self.row.len());
-        for ((first, part), response) in parts(self.block).zip(free) {
-            let row = &self.row[first..first + part.states()];
-            let [one, two] = self.sums(response, NODES);
-            let factors = part
-                .free(row, self.length_s)
-                .into_iter()
-                .take(part.states());
-            values.extend(factors.map(|[f, g]| f * one + g * two));
-        }
-        values
-    }
-
-    /// Returns its value for a unit of each nodal force on a column.
-    fn of_force(&self, responses: &[StepResponse], column: &[f64]) -> [f64; NODES] {
-        let mut values = [0.0; NODES];
-        for ((first, part), response) in parts(self.block).zip(responses) {
-            let states = first..first + part.states();
-            let [f, g] = part.forced(&self.row[states.clone()], &column[states], self.length_s);
-            for (j, value) in values.iter_mut().enumerate() {
-                let [one, two] = self.sums(response, j);
-                *value += f * one + g * two;
-            }
-        }
-        values
-    }
-
-    /// Returns the weighted sums of one lane of both series of a response.
-    fn sums(&self, response: &StepResponse, lane: usize) -> [f64; 2] {
-        let rows = response
-            .first
-            .iter()
-            .zip(&response.second)
-            .zip(self.weights);
-        rows.fold([0.0; 2], |[first, second], ((one, two), weight)| {
-            [first + weight * one.0[lane], second + weight * two.0[lane]]
-        })
     }
 }
 

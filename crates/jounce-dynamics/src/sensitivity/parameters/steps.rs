@@ -76,16 +76,16 @@ impl Parameters<'_> {
             if has_rate {
                 rate = output(w, motion, forced, (&port.velocity, &by.rows[1]));
             }
-            for i in 0..NODES {
+            for (i, values) in values.iter().enumerate() {
                 let time_s = segment.start_s + laws.positions[i] * segment.length_s;
                 let tones = by.of_tones(plant, laws.port, time_s, &group.tones);
-                let penetration = value_at(&depth, &values[i])
+                let penetration = value_at(&depth, values)
                     .add_scaled(-1.0, &by.gap_m)
                     .add_scaled(1.0, &tones[0]);
                 let mut right =
                     changed_force(&by.laws, laws, i).add_scaled(laws.slopes[0].0[i], &penetration);
                 if has_rate {
-                    let moving = value_at(&rate, &values[i]).add_scaled(1.0, &tones[1]);
+                    let moving = value_at(&rate, values).add_scaled(1.0, &tones[1]);
                     right = right.add_scaled(laws.slopes[1].0[i], &moving);
                 }
                 let row = &mut system.right(laws.index * NODES + i)[self.first + g];
