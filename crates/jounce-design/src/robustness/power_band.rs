@@ -2,7 +2,8 @@
 //!
 //! The orbit is followed to each drawn design at the value of the key where it is known, and from
 //! there over the key to both sides, until it is lost. Where several draws still have it, their
-//! quantiles are the band.
+//! quantiles are the band. Newton's method may find another orbit than the one that is followed; a
+//! jump of the power that shorter steps do not divide shows it, and the orbit is lost there too.
 
 use super::quantile;
 use crate::problem::Tolerance;
@@ -14,6 +15,12 @@ use rayon::prelude::*;
 
 /// Shares of the quantiles: the lower end of the band, its middle, and the upper end.
 const SHARES: [f64; 3] = [0.05, 0.5, 0.95];
+
+/// Largest change of the logarithm of the power in one step.
+const LARGEST_STEP: f64 = 0.7;
+
+/// Largest number of times that a step is halved.
+const MAX_HALVINGS: u32 = 4;
 
 /// A band of the power over a key.
 #[derive(Debug)]
@@ -77,47 +84,60 @@ impl PowerBandSearch<'_> {
     fn drawn(&self, start: &Followed, row: &[f64]) -> Vec<Option<f64>> {
         let mut powers_w = vec![None; self.values.len()];
         let known = self.orbit.parameter;
-        let Some(first) = self.followed(start, start, known, row) else {
+        let Some(first) = start.to(&self.values_at(start, known, row)) else {
             return powers_w;
         };
         let middle = self.values.partition_point(|value| *value < known);
         let up: Vec<usize> = (middle..self.values.len()).collect();
         let down: Vec<usize> = (0..middle).rev().collect();
         for side in [up, down] {
-            let mut last: Option<Followed> = None;
+            let (mut last, mut from): (Option<Followed>, f64) = (None, known);
             for index in side {
                 let here = last.as_ref().unwrap_or(&first);
-                let next = self.followed(start, here, self.values[index], row);
-                powers_w[index] = next.as_ref().map(|next| next.orbit.mean_power_w);
-                last = next;
-                if last.is_none() {
+                let to = |value: f64| self.values_at(start, value, row);
+                let Some(next) = followed(here, (from, self.values[index]), &to, MAX_HALVINGS)
+                else {
                     break;
-                }
+                };
+                powers_w[index] = Some(next.orbit.mean_power_w);
+                (last, from) = (Some(next), self.values[index]);
             }
         }
         powers_w
     }
 
-    /// Follows an orbit to a drawn design at a value of the key; `start` has the values from which
+    /// Returns the values of a drawn design at a value of the key; `start` has the values from which
     /// the tolerances deviate.
-    fn followed(
-        &self,
-        start: &Followed,
-        here: &Followed,
-        value: f64,
-        row: &[f64],
-    ) -> Option<Followed> {
+    fn values_at(&self, start: &Followed, value: f64, row: &[f64]) -> Vec<(&NumericKey, f64)> {
         let mut values = vec![(self.key, value)];
         for (tolerance, place) in self.tolerances.iter().zip(row) {
             let deviation = tolerance.deviation(*place);
             match tolerance.key.path() == self.key.path() {
                 true => values[0].1 += deviation,
                 false => {
-                    let nominal = tolerance.key.get(&start.model.spec).ok()?;
-                    values.push((&tolerance.key, nominal + deviation));
+                    let nominal = tolerance.key.get(&start.model.spec);
+                    values.push((&tolerance.key, nominal.unwrap_or(f64::NAN) + deviation));
                 }
             }
         }
-        here.to(&values)
+        values
     }
+}
+
+/// Follows an orbit over a key, in shorter steps where its power changes by much.
+fn followed<'k>(
+    here: &Followed,
+    (from, to): (f64, f64),
+    values_at: &dyn Fn(f64) -> Vec<(&'k NumericKey, f64)>,
+    halvings: u32,
+) -> Option<Followed> {
+    let next = here.to(&values_at(to))?;
+    let step = (next.orbit.mean_power_w / here.orbit.mean_power_w).ln();
+    if step.abs() < LARGEST_STEP {
+        return Some(next);
+    }
+    let halvings = halvings.checked_sub(1)?;
+    let middle = 0.5 * (from + to);
+    let half = followed(here, (from, middle), values_at, halvings)?;
+    followed(&half, (middle, to), values_at, halvings)
 }

@@ -53,7 +53,13 @@ fn problem_of(spec: &str, text: &str) -> Result<Problem, DesignError> {
 }
 
 fn outcome_of(spec: &str, text: &str) -> DesignOutcome {
-    design(&problem_of(spec, text).unwrap(), &Control::default(), None, None).unwrap()
+    design(
+        &problem_of(spec, text).unwrap(),
+        &Control::default(),
+        None,
+        None,
+    )
+    .unwrap()
 }
 
 fn problem(text: &str) -> Result<Problem, DesignError> {
