@@ -26,8 +26,8 @@ mod search;
 pub use error::DesignError;
 pub use evaluation::{Evaluation, Journaled, MainOrbit, OnImprovement};
 pub use problem::{
-    AllowedLimit, Choice, ChoiceIndex, Condition, FreeKey, FreeRange, FreeValues, Goal, Limit, LimitedQuantity,
-    Problem, Size, Tolerance, allowed_limits,
+    AllowedLimit, Choice, ChoiceIndex, Condition, FreeKey, FreeRange, FreeValues, Goal, Limit,
+    LimitedQuantity, Problem, Size, Tolerance, allowed_limits,
 };
 pub use result::{
     BestDesign, DesignBefore, DesignOutcome, FreeValue, FrontPoint, Improvement, LimitResult,

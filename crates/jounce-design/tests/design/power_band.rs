@@ -115,8 +115,7 @@ fn a_band_of_the_impact_harvester_is_that_of_its_branches() {
     assert_eq!(found.found_share, [0.0, 0.0, 1.0, 1.0, 1.0]);
     assert!(found.low_w[0].is_nan());
     for (k, hz) in [(2, 12.85), (3, 13.0), (4, 13.5)] {
-        let mut powers =
-            ["0.955 mm", "1.045 mm"].map(|gap| settled(&file, gap, hz).mean_power_w);
+        let mut powers = ["0.955 mm", "1.045 mm"].map(|gap| settled(&file, gap, hz).mean_power_w);
         powers.sort_by(f64::total_cmp);
         for (value, expected) in [found.low_w[k], found.high_w[k]].into_iter().zip(powers) {
             let error = (value / expected - 1.0).abs();

@@ -117,7 +117,11 @@ fn field(text: &str, fault: &Fault) -> FieldFault {
     let table = names.last().unwrap_or_default();
     let prefix = format!("{table}.");
     FieldFault {
-        key: fault.key.strip_prefix(&prefix).unwrap_or(&fault.key).to_owned(),
+        key: fault
+            .key
+            .strip_prefix(&prefix)
+            .unwrap_or(&fault.key)
+            .to_owned(),
         table,
         message: fault.message.clone(),
     }
@@ -163,7 +167,11 @@ mod tests {
             ("tolerance", "stop.tip.gap"),
         ];
         assert_eq!(places, expected);
-        assert!(faults.iter().all(|one| error.to_string().contains(&one.message)));
+        assert!(
+            faults
+                .iter()
+                .all(|one| error.to_string().contains(&one.message))
+        );
         let none = DesignFields::default();
         let error = harvester.design(&none.text(None)).unwrap_err();
         let faults = none.faults(&error).unwrap();
