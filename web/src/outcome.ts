@@ -3,7 +3,7 @@
 import type { Controls } from "./controls";
 import type { Head } from "./frame";
 import type { Problem } from "./problem";
-import { digits, quantity } from "./units";
+import { digits, quantity, sign } from "./units";
 
 interface Limit {
     name: string;
@@ -62,7 +62,7 @@ export class Outcome {
     private value(key: string, text: string): string {
         const si = Number(text.split(" ")[0]);
         const control = this.controls.find(key);
-        return control && Number.isFinite(si) ? `${digits(si / control.factor, 4)} ${control.unit}`.trim() : text;
+        return control && Number.isFinite(si) ? `${digits(si / control.factor, 4)} ${sign(control.unit)}`.trim() : text;
     }
 
     private limits(limits: Limit[]): HTMLElement[] {

@@ -30,17 +30,17 @@ export class Rows {
 
     /** `make` returns the fields of a key; `what` is a row, "limit". */
     constructor(host: HTMLElement, readonly table: string, private readonly what: string, private readonly make: (key: string, describe: string) => Fields) {
-        const label = document.createElement("label");
-        label.append(`Add a ${what} `, this.select);
+        this.select.setAttribute("aria-label", `Add a ${what}`);
         this.button.type = "button";
         this.button.textContent = "Add";
         this.button.setAttribute("aria-label", `Add this ${what}`);
+        this.button.title = `Add a ${what}`;
         this.button.onclick = () => this.add(this.select.value, true);
         this.general.className = "fault";
         this.general.hidden = true;
         const bar = document.createElement("div");
         bar.className = "bar";
-        bar.append(label, this.button);
+        bar.append(this.select, this.button);
         host.append(this.list, bar, this.general);
         this.list.onchange = () => this.onChange();
     }
@@ -94,7 +94,7 @@ export class Rows {
             this.select.focus();
             this.onChange();
         };
-        element.append(name, ...parts, remove, fault);
+        element.append(name, remove, ...parts, fault);
         this.list.append(element);
         this.rows.set(key, { element, fault, read });
         this.refill();
