@@ -2,6 +2,7 @@
 
 pub(super) mod band;
 pub(super) mod basins;
+pub(super) mod design;
 pub(super) mod design_search;
 pub(super) mod excitation;
 pub(super) mod export;

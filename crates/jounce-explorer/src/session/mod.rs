@@ -9,7 +9,7 @@ pub(super) mod request;
 use crate::handlers::export::export;
 use crate::handlers::save::save;
 use crate::handlers::{
-    band, basins, design_search, excitation, load, operating_point, orbit, response, sweep,
+    band, basins, design, design_search, excitation, load, operating_point, orbit, response, sweep,
 };
 use crate::server::Host;
 use cancellation::Cancellation;
@@ -144,59 +144,49 @@ impl Session {
 
     fn compute(&self, request: &Request, cancellation: &Cancellation) -> Result<(), RequestFault> {
         let source = &self.host.options.spec;
-        let design = &Design::new(&source.read()?, &request.set)?;
+        let own = &Design::new(&source.read()?, &request.set)?;
         let id = request.id;
         match &request.kind {
             RequestKind::Design => {
-                let title = source.name().file_stem().unwrap_or_default();
-                let mut frame = Frame::new(id, "design", "done");
-                frame
-                    .put("drawing", json!(design.drawing(&title.to_string_lossy())))
-                    .put("controls", json!(design.controls()))
-                    .put("drive_frequency_hz", design.drive_frequency_hz().ok());
-                self.send(cancellation, frame);
+                self.send(cancellation, design::describe(id, own, source));
                 Ok(())
             }
             RequestKind::Modes => {
                 let mut frame = Frame::new(id, "modes", "done");
-                frame.put("figures", json!(design.mode_figures()?));
+                frame.put("figures", json!(own.mode_figures()?));
                 self.send(cancellation, frame);
                 Ok(())
             }
             RequestKind::Response { span, options } => {
-                response::respond(self, id, design, (span, options), cancellation)
+                response::respond(self, id, own, (span, options), cancellation)
             }
             RequestKind::Orbit(place) => orbit::respond(self, id, place, cancellation),
             RequestKind::Sweep { span, points } => {
-                sweep::respond(self, id, design, (span, *points), cancellation)
+                sweep::respond(self, id, own, (span, *points), cancellation)
             }
-            RequestKind::Load(options) => load::respond(self, id, design, options, cancellation),
-            RequestKind::Basins(options) => {
-                basins::respond(self, id, design, options, cancellation)
-            }
+            RequestKind::Load(options) => load::respond(self, id, own, options, cancellation),
+            RequestKind::Basins(options) => basins::respond(self, id, own, options, cancellation),
             RequestKind::OperatingPoint(options) => {
-                operating_point::respond(self, id, design, options, cancellation)
+                operating_point::respond(self, id, own, options, cancellation)
             }
             RequestKind::DesignOffer => {
-                let offer = self.analysis.design_offer(design, cancellation.control())?;
-                let mut frame = Frame::new(id, "design-offer", "done");
-                frame.put_all(&json!(offer));
+                let frame = design::offer(self, id, own, cancellation)?;
                 self.send(cancellation, frame);
                 Ok(())
             }
             RequestKind::DesignSearch(fields) => {
                 let problem = (fields, source.name());
-                design_search::respond(self, id, design, problem, cancellation)
+                design_search::respond(self, id, own, problem, cancellation)
             }
-            RequestKind::Band(options) => band::respond(self, id, design, options, cancellation),
-            RequestKind::Shake { by } => excitation::respond(self, id, design, by, cancellation),
+            RequestKind::Band(options) => band::respond(self, id, own, options, cancellation),
+            RequestKind::Shake { by } => excitation::respond(self, id, own, by, cancellation),
             RequestKind::Export(span) => {
-                let frame = export(id, design, span, &request.set, source)?;
+                let frame = export(id, own, span, &request.set, source)?;
                 self.send(cancellation, frame);
                 Ok(())
             }
             RequestKind::Save { before } => {
-                let frame = save(id, design, before, source)?;
+                let frame = save(id, own, before, source)?;
                 self.send(cancellation, frame);
                 Ok(())
             }
