@@ -32,10 +32,7 @@ export class Band {
         this.response.band = undefined;
         this.words.textContent = "";
         this.response.draw();
-        if (!isKnown || wanted === "") {
-            if (this.box.checked) this.words.textContent = "waiting for the branches of the operating point";
-            return;
-        }
+        if (!isKnown || wanted === "") return;
         this.rows.tell([]);
         this.words.textContent = "drawing designs";
         this.wire.ask("band", { set: this.design.pairs, response: result.id, ...place, tolerance: this.rows.pairs });

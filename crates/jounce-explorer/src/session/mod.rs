@@ -144,49 +144,51 @@ impl Session {
 
     fn compute(&self, request: &Request, cancellation: &Cancellation) -> Result<(), RequestFault> {
         let source = &self.host.options.spec;
-        let own = &Design::new(&source.read()?, &request.set)?;
+        let design = &Design::new(&source.read()?, &request.set)?;
         let id = request.id;
         match &request.kind {
             RequestKind::Design => {
-                self.send(cancellation, design::describe(id, own, source));
+                self.send(cancellation, design::describe(id, design, source));
                 Ok(())
             }
             RequestKind::Modes => {
                 let mut frame = Frame::new(id, "modes", "done");
-                frame.put("figures", json!(own.mode_figures()?));
+                frame.put("figures", json!(design.mode_figures()?));
                 self.send(cancellation, frame);
                 Ok(())
             }
             RequestKind::Response { span, options } => {
-                response::respond(self, id, own, (span, options), cancellation)
+                response::respond(self, id, design, (span, options), cancellation)
             }
             RequestKind::Orbit(place) => orbit::respond(self, id, place, cancellation),
             RequestKind::Sweep { span, points } => {
-                sweep::respond(self, id, own, (span, *points), cancellation)
+                sweep::respond(self, id, design, (span, *points), cancellation)
             }
-            RequestKind::Load(options) => load::respond(self, id, own, options, cancellation),
-            RequestKind::Basins(options) => basins::respond(self, id, own, options, cancellation),
+            RequestKind::Load(options) => load::respond(self, id, design, options, cancellation),
+            RequestKind::Basins(options) => {
+                basins::respond(self, id, design, options, cancellation)
+            }
             RequestKind::OperatingPoint(options) => {
-                operating_point::respond(self, id, own, options, cancellation)
+                operating_point::respond(self, id, design, options, cancellation)
             }
             RequestKind::DesignOffer => {
-                let frame = design::offer(self, id, own, cancellation)?;
+                let frame = design::offer(self, id, design, cancellation)?;
                 self.send(cancellation, frame);
                 Ok(())
             }
             RequestKind::DesignSearch(fields) => {
                 let problem = (fields, source.name());
-                design_search::respond(self, id, own, problem, cancellation)
+                design_search::respond(self, id, design, problem, cancellation)
             }
-            RequestKind::Band(options) => band::respond(self, id, own, options, cancellation),
-            RequestKind::Shake { by } => excitation::respond(self, id, own, by, cancellation),
+            RequestKind::Band(options) => band::respond(self, id, design, options, cancellation),
+            RequestKind::Shake { by } => excitation::respond(self, id, design, by, cancellation),
             RequestKind::Export(span) => {
-                let frame = export(id, own, span, &request.set, source)?;
+                let frame = export(id, design, span, &request.set, source)?;
                 self.send(cancellation, frame);
                 Ok(())
             }
             RequestKind::Save { before } => {
-                let frame = save(id, own, before, source)?;
+                let frame = save(id, design, before, source)?;
                 self.send(cancellation, frame);
                 Ok(())
             }
