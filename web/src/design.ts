@@ -41,7 +41,7 @@ export class Design {
     }
 
     get canUndo(): boolean {
-        return this.past.length > 0;
+        return this.past.length > 0 || !this.isSettled;
     }
 
     get canRedo(): boolean {
@@ -85,8 +85,12 @@ export class Design {
         this.onChange(false);
     }
 
+    /** Returns to the last design that was settled, or to the one before. */
     undo(): void {
-        this.travel(this.past, this.future);
+        if (this.isSettled) return this.travel(this.past, this.future);
+        this.future.push(this.present);
+        this.present = new Map(this.settled);
+        this.onChange(false);
     }
 
     redo(): void {
@@ -102,9 +106,12 @@ export class Design {
         this.onChange(false);
     }
 
+    private get isSettled(): boolean {
+        return this.settled.size === this.present.size && this.pairs.every(([key, value]) => this.settled.get(key) === value);
+    }
+
     private settle(): void {
-        const same = this.settled.size === this.present.size && this.pairs.every(([key, value]) => this.settled.get(key) === value);
-        if (same) return;
+        if (this.isSettled) return;
         this.past.push(this.settled);
         this.future.length = 0;
         this.settled = new Map(this.present);

@@ -1,6 +1,7 @@
 // The page: one design, one socket, and the views that follow them.
 
 import { Axes } from "./axes";
+import { Band } from "./band";
 import { Basins } from "./basins";
 import { resultOf } from "./branches";
 import { Controls } from "./controls";
@@ -17,6 +18,7 @@ import { Readout } from "./readout";
 import { Requests } from "./requests";
 import { Response } from "./response";
 import { Save } from "./save";
+import { Search } from "./search";
 import { Shake } from "./shake";
 import { shortcuts } from "./shortcuts";
 import { Tabs } from "./tabs";
@@ -42,6 +44,8 @@ const axes = new Axes(controls);
 const modes = new Modes(wire, design);
 const load = new Load(wire, controls, design);
 const basins = new Basins(wire, design);
+const search = new Search(wire, controls, design, response);
+const band = new Band(wire, design, response, search.problem.tolerance);
 const shake = new Shake(wire, controls, design, () => find("tab-shake").click());
 const exports = new Exports(response, drawing);
 const save = new Save(wire, design);
@@ -113,6 +117,7 @@ point.onChange = () => {
     if (attractor) response.attractor = { power: attractor.mean_power_w, period: attractor.period_cycles };
     requests.searchAgain();
     response.follow();
+    band.follow();
     showOperating();
 };
 const showOperating = () => {
@@ -149,7 +154,7 @@ wire.on("design", (frame) => {
     load.offer();
     shake.offer();
     place();
-    for (const view of [modes, load, basins, shake]) view.designChanged();
+    for (const view of [modes, load, basins, shake, search]) view.designChanged();
     requests.designTaken(head.drive_frequency_hz !== null);
     kindOfDrive(head.drive_frequency_hz === null);
     point.designTaken(head.drive_frequency_hz);
@@ -189,10 +194,12 @@ wire.on("response", (frame) => {
     requests.responseTaken(frame.head, resultOf(frame));
     if (!response.chosen) showOperating();
     pins.mark();
+    band.follow();
 });
 wire.on("file", () => {
     say("the file has changed");
     design.fileChanged();
+    search.fileChanged();
     requests.change(performance.now());
 });
 wire.on("export", ({ head }) => {
@@ -212,7 +219,7 @@ wire.onLost = (full) => {
         ? "The server has too many open pages. Close one; this page then connects."
         : "The server has stopped. Start jounce explore again; this page then reconnects.";
     say(full ? "too many pages are open" : "the server has stopped");
-    for (const view of [requests, point, modes, load, basins, shake]) view.forget();
+    for (const view of [requests, point, modes, load, basins, shake, search, band]) view.forget();
 };
 
 const act: Record<string, () => void> = {
@@ -268,7 +275,10 @@ for (const [id, name] of [["grazings", "grazings"], ["long-periods", "longPeriod
 }
 find("sweep").onclick = () => requests.sweep(find("sweep"));
 new Tabs(document.querySelector<HTMLElement>("[role=tablist]")!, (id) => {
+    // One response: the chart moves to the tab that shows it.
+    if (id === "tab-response" || id === "tab-design") find(id === "tab-design" ? "design-chart" : "response-chart").append(find("response-view"));
     if (id === "tab-response") response.chart.redraw();
+    if (id === "tab-design") search.show();
     if (id === "tab-modes") modes.run();
     if (id === "tab-load") load.run();
     if (id === "tab-basins") basins.redraw();

@@ -17,6 +17,10 @@ export interface Curve {
     dots?: number;
     /** Points as cells of this width and height, in the units of the axes. */
     cell?: [number, number];
+    /** Upper end of an area that is filled from `y` on. */
+    upper?: ArrayLike<number>;
+    /** Opacity of the area at a point, relative to `alpha`; 0 ends it. */
+    fill?: (at: number) => number;
     /** Stems down to the lowest value. */
     stems?: boolean;
 }
@@ -87,7 +91,9 @@ export function drawCurve(plot: uPlot, curve: Curve, ratio: number): void {
     ctx.lineWidth = (curve.width ?? 1.6) * ratio;
     ctx.lineJoin = "round";
     const at = (k: number): [number, number] => [plot.valToPos(curve.x[k], "x", true), plot.valToPos(curve.y[k], "y", true)];
-    if (curve.cell) {
+    if (curve.upper) {
+        area(plot, curve, curve.upper);
+    } else if (curve.cell) {
         cells(plot, curve, curve.cell);
     } else if (curve.dots || curve.stems) {
         for (let k = 0; k < curve.x.length; k++) {
@@ -99,6 +105,26 @@ export function drawCurve(plot: uPlot, curve: Curve, ratio: number): void {
         line(ctx, curve, at, ratio);
     }
     ctx.globalAlpha = 1;
+}
+
+/** Area between two curves: one path for each run of points of one opacity. */
+function area({ ctx, valToPos }: uPlot, curve: Curve, upper: ArrayLike<number>): void {
+    const alpha = ctx.globalAlpha;
+    const opacity = (k: number) => curve.fill?.(k) ?? 1;
+    const at = (k: number, values: ArrayLike<number>): [number, number] => [valToPos(curve.x[k], "x", true), valToPos(values[k], "y", true)];
+    for (let first = 0; first + 1 < curve.x.length; ) {
+        const own = Math.min(opacity(first), opacity(first + 1));
+        let last = first + 1;
+        while (last + 1 < curve.x.length && Math.min(opacity(last), opacity(last + 1)) === own) last++;
+        if (own > 0) {
+            ctx.globalAlpha = alpha * own;
+            ctx.beginPath();
+            for (let k = first; k <= last; k++) ctx.lineTo(...at(k, curve.y));
+            for (let k = last; k >= first; k--) ctx.lineTo(...at(k, upper));
+            ctx.fill();
+        }
+        first = last;
+    }
 }
 
 /** Cells without gaps: each ends at the device pixel where the next begins. */

@@ -19,6 +19,10 @@ const REACH = 40;
 const DRAFT = 0.4;
 /** Change of the logarithm of the power over which a draft is not drawn: such a chord joins two branches. */
 const DRAFT_STEP = 1.5;
+/** Opacity of the start of a design search, and of a band; relative opacity of a band that some drawn designs do not have. */
+const START = 0.35;
+const BAND = 0.3;
+const PARTIAL = 0.45;
 /** Longest period, in drive cycles, that is always shown. */
 const SHORT_PERIOD = 2;
 /** Longest period that is searched for on request. */
@@ -28,6 +32,15 @@ export interface Swept {
     x: number;
     up: boolean;
     values: Partial<Record<Quantity, number>>;
+}
+
+/** Quantiles of the power under tolerances, and the share of the drawn designs that have the orbit. */
+export interface PowerBand {
+    over: string;
+    x: Float64Array;
+    low: Float64Array;
+    high: Float64Array;
+    share: Float64Array;
 }
 
 export interface Pinned {
@@ -42,6 +55,9 @@ export class Response {
     chosen: Place | undefined;
     swept: Swept[] = [];
     pins: Pinned[] = [];
+    /** Response at the start of a design search. */
+    start: ResponseResult | undefined;
+    band: PowerBand | undefined;
     quantity: Quantity = "power";
     log = true;
     range: [number, number] = [0, 1];
@@ -102,8 +118,13 @@ export class Response {
     }
 
     private chooseOperating(): void {
+        if (this.result && this.at !== undefined) this.chosen = this.operatingPlace;
+    }
+
+    /** Point at the present value of the key that has the attractor of the operating point. */
+    get operatingPlace(): Place | undefined {
         const { result, at } = this;
-        if (result && at !== undefined) this.chosen = operating(result, at, this.attractor);
+        return result && at !== undefined ? operating(result, at, this.attractor) : undefined;
     }
 
     private get span(): number {
@@ -136,6 +157,8 @@ export class Response {
         const { words, unit } = QUANTITIES[this.quantity];
         const curves: Curve[] = [];
         if (this.quantity === "power") curves.push({ x: result.linear.x, y: result.linear.power, colour: colour("grey"), width: 1.4 });
+        curves.push(...this.bandArea(result));
+        if (this.start?.over === result.over) curves.push(...this.lines(this.start, () => colour("ink"), START));
         const pins = this.pins.filter((pin) => pin.result.over === result.over);
         pins.forEach((pin) => curves.push(...this.lines(pin.result, () => nth(pin.colour), 0.55)));
         curves.push(...this.lines(result, (branch) => nth(branch.identity), result.draft ? DRAFT : 1));
@@ -144,6 +167,14 @@ export class Response {
         if (this.at !== undefined) rules.push({ at: this.at, along: "x", words: quantity(this.at, result.unit, 5), strong: true });
         this.chart.show({ words: this.words(result.over), unit: result.unit, ends: this.range }, { words, unit, log: this.log }, curves, this.marks(result), rules);
         this.tell();
+    }
+
+    /** The band, paler where only some of the drawn designs have the orbit. */
+    private bandArea(result: ResponseResult): Curve[] {
+        const { band } = this;
+        if (!band || band.over !== result.over || this.quantity !== "power") return [];
+        const fill = (k: number) => (band.share[k] >= 1 ? 1 : band.share[k] >= 0.5 ? PARTIAL : 0);
+        return [{ x: band.x, y: band.low, upper: band.high, fill, colour: colour("green"), alpha: BAND }];
     }
 
     private sweepPoints(): Curve[] {
@@ -201,6 +232,8 @@ export class Response {
         const text = [
             ...(result.draft ? [draftWords(result.draft)] : peakWords(this.widths, result.unit)),
             ...(this.swept.length > 0 && this.sweepIsOld() ? ["The swept points are of an earlier design."] : []),
+            ...(this.start ? ["Pale: the start of the design search."] : []),
+            ...(this.band ? ["Shaded: 5 % to 95 % of the designs drawn from the tolerances."] : []),
             ...(hidden > 0 ? [`${hidden} ${hidden === 1 ? "branch" : "branches"} of a period above ${SHORT_PERIOD} not shown.`] : []),
             ...(result.branches.length === 0 && !result.draft ? ["No periodic orbit was found in this range."] : []),
         ].join(" ");

@@ -24,13 +24,14 @@ mod robustness;
 mod search;
 
 pub use error::DesignError;
-pub use evaluation::{Evaluation, Journaled, MainOrbit};
+pub use evaluation::{Evaluation, Journaled, MainOrbit, OnImprovement};
 pub use problem::{
-    Choice, ChoiceIndex, Condition, FreeKey, FreeRange, FreeValues, Goal, Limit, LimitedQuantity,
-    Problem, Size, Tolerance,
+    AllowedLimit, Choice, ChoiceIndex, Condition, FreeKey, FreeRange, FreeValues, Goal, Limit,
+    LimitedQuantity, Problem, Size, Tolerance, allowed_limits,
 };
 pub use result::{
-    BestDesign, DesignBefore, DesignOutcome, FreeValue, FrontPoint, LimitResult, NearestFold,
-    Quantile, Robustness, SearchEnd, SobolIndex, TracePoint,
+    BestDesign, DesignBefore, DesignOutcome, FreeValue, FrontPoint, Improvement, LimitResult,
+    NearestFold, PowerBand, Quantile, Robustness, SearchEnd, SobolIndex, TracePoint,
 };
+pub use robustness::PowerBandSearch;
 pub use search::design;

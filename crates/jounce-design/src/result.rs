@@ -146,6 +146,21 @@ pub struct Quantile {
     pub mean_power_w: f64,
 }
 
+/// Quantiles of the power of an orbit over a key, under tolerances.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct PowerBand {
+    /// Values of the key, SI.
+    pub parameter: Vec<f64>,
+    /// Power that 5 % of the drawn designs with the orbit do not reach, W; NaN where none has it.
+    pub low_w: Vec<f64>,
+    /// Median, W.
+    pub median_w: Vec<f64>,
+    /// Power that 5 % of the drawn designs with the orbit exceed, W.
+    pub high_w: Vec<f64>,
+    /// Share of the drawn designs that have the orbit.
+    pub found_share: Vec<f64>,
+}
+
 /// Share of the variance of the power that a tolerance causes.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SobolIndex {
@@ -183,6 +198,18 @@ pub struct TracePoint {
     pub goal: f64,
     /// Sum of the relative violations of the limits.
     pub violation: f64,
+}
+
+/// A better design, as soon as a search has found it.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Improvement {
+    /// Value of the first goal and violation of the limits.
+    #[serde(flatten)]
+    pub point: TracePoint,
+    /// Values of the free keys with their units, as `--set` takes them.
+    pub set: BTreeMap<String, String>,
+    /// Limits at the design, without their prices.
+    pub limits: Vec<LimitResult>,
 }
 
 /// Reason of the end of a search.

@@ -24,7 +24,8 @@
 //! The first response over a key is preceded by `first` (the harvester without contact). Each response
 //! is sent as `coarse` (branches continued from the orbits of the previous design), then as `fine`
 //! (the search of `jounce branch`). Work that takes longer than
-//! [`ServerLimits::max_computation_time`] is cancelled with a message.
+//! [`ServerLimits::max_computation_time`] is cancelled with a message; a search for a design may take
+//! [`ServerLimits::max_search_time`].
 //!
 //! *Safety.* By default the server listens on the loopback interface. Every request and every
 //! socket must have the token (128 random bits) in its path and a `Host` that names this server.

@@ -39,8 +39,9 @@ pub use jounce_data::recording::{
     Channel, ChannelError, Grid, Issue, Over, Quantity as MeasuredQuantity,
 };
 pub use jounce_design::{
-    BestDesign, DesignBefore, DesignError, DesignOutcome, FreeValue, FrontPoint, Journaled,
-    LimitResult, NearestFold, Quantile, Robustness, SearchEnd, SobolIndex, TracePoint,
+    AllowedLimit, BestDesign, DesignBefore, DesignError, DesignOutcome, FreeValue, FrontPoint,
+    Improvement, Journaled, LimitResult, NearestFold, OnImprovement, PowerBand, Quantile,
+    Robustness, SearchEnd, SobolIndex, TracePoint,
 };
 pub use jounce_experiment::draw::PulseFigure;
 pub use jounce_experiment::fit::{

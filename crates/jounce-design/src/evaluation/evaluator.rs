@@ -5,11 +5,15 @@ use super::{
 };
 use crate::DesignError;
 use crate::problem::{Condition, Goal, LimitedQuantity, Problem};
+use crate::result::Improvement;
 use jounce_analysis::{AnalysisError, Journal, Model};
 use jounce_control::Control;
 use jounce_spec::NumericKey;
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Function that is called with each better design.
+pub type OnImprovement<'f> = &'f (dyn Fn(&Improvement) + Sync);
 
 /// Evaluates designs, each once.
 pub struct Evaluator<'p> {
@@ -18,6 +22,7 @@ pub struct Evaluator<'p> {
     pub control: Control,
     known: HashMap<(Vec<u64>, Effort), Evaluation>,
     journal: Option<&'p Journal<Journaled>>,
+    pub improved: Option<OnImprovement<'p>>,
     count: AtomicUsize,
 }
 
@@ -38,6 +43,7 @@ impl<'p> Evaluator<'p> {
             control: control.clone(),
             known: known.collect(),
             journal,
+            improved: None,
             count: AtomicUsize::new(0),
         })
     }

@@ -6,7 +6,7 @@ mod evaluator;
 mod nearest_fold;
 mod run_goals;
 
-pub use evaluator::Evaluator;
+pub use evaluator::{Evaluator, OnImprovement};
 pub use nearest_fold::examined_fold;
 
 use crate::problem::Problem;

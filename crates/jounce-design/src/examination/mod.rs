@@ -8,7 +8,8 @@ use crate::DesignError;
 use crate::evaluation::{Evaluation, Evaluator, examined_fold};
 use crate::problem::{FreeKey, FreeValues, Problem};
 use crate::result::{
-    BestDesign, DesignBefore, DesignOutcome, FreeValue, LimitResult, NearestFold, SearchEnd,
+    BestDesign, DesignBefore, DesignOutcome, FreeValue, Improvement, LimitResult, NearestFold,
+    SearchEnd, TracePoint,
 };
 use crate::robustness::robustness;
 use crate::search::{Candidate, Followed};
@@ -53,6 +54,15 @@ pub fn examine(
         wall_time_s: 0.0,
         best: best_design(problem, best, nearest_fold),
     })
+}
+
+/// Returns what is known of a better design before its examination.
+pub fn improvement(problem: &Problem, design: &Candidate, point: TracePoint) -> Improvement {
+    Improvement {
+        point,
+        set: settings(problem, &design.place),
+        limits: limits(problem, design, None),
+    }
 }
 
 /// Returns the value of each limit, with its price where it binds.

@@ -1,5 +1,6 @@
 //! The problem: what is free, what is wanted, and what must not be exceeded.
 
+mod allowed_limit;
 mod combinations;
 mod condition;
 mod free_key;
@@ -11,6 +12,7 @@ mod read;
 mod size;
 mod tolerance;
 
+pub use allowed_limit::{AllowedLimit, allowed_limits};
 pub use condition::Condition;
 pub use free_key::{Choice, ChoiceIndex, FreeKey, FreeValues};
 pub use free_range::FreeRange;

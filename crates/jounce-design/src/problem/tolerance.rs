@@ -19,7 +19,7 @@ impl Tolerance {
     ///
     /// # Errors
     /// A message with the mistake and what is allowed.
-    pub(super) fn read(file: &SpecFile, path: &str, text: &str) -> Result<Self, Vec<String>> {
+    pub fn read(file: &SpecFile, path: &str, text: &str) -> Result<Self, Vec<String>> {
         let key = file.numeric_key(path).map_err(|faults| messages(&faults))?;
         let (width, normal) = match text.trim().strip_suffix("normal") {
             Some(width) => (width.trim(), true),

@@ -3,7 +3,10 @@
 //! The main orbit is followed from the design to each drawn one. Where it is lost, the power is the
 //! expected power of the starts there.
 
+mod power_band;
 mod sobol_indices;
+
+pub use power_band::PowerBandSearch;
 
 use crate::DesignError;
 use crate::evaluation::{Effort, Evaluator};
@@ -101,21 +104,26 @@ fn drawn(
     Ok((evaluation.map_or(0.0, |one| one.expected_power_w[0]), true))
 }
 
-/// Returns the quantiles of some powers, linear between the values in order.
+/// Returns the quantiles of some powers.
 fn quantiles(powers_w: &[f64]) -> Vec<Quantile> {
     let mut sorted = powers_w.to_vec();
     sorted.sort_by(f64::total_cmp);
-    let at = |share: f64| {
-        let position = share * (sorted.len() - 1) as f64;
-        let index = position as usize;
-        let next = sorted[(index + 1).min(sorted.len() - 1)];
-        sorted[index] + (position - index as f64) * (next - sorted[index])
-    };
     SHARES
         .iter()
         .map(|share| Quantile {
             share: *share,
-            mean_power_w: at(*share),
+            mean_power_w: quantile(&sorted, *share),
         })
         .collect()
+}
+
+/// Returns the quantile of a share of some powers in order, linear between them; NaN without any.
+fn quantile(sorted: &[f64], share: f64) -> f64 {
+    let Some(last) = sorted.len().checked_sub(1) else {
+        return f64::NAN;
+    };
+    let position = share * last as f64;
+    let index = position as usize;
+    let next = sorted[(index + 1).min(last)];
+    sorted[index] + (position - index as f64) * (next - sorted[index])
 }

@@ -30,9 +30,14 @@ impl Followed {
     pub fn start(evaluator: &Evaluator<'_>, place: &[f64], orbit: &MainOrbit) -> Option<Self> {
         let condition = evaluator.problem.conditions.first()?;
         let model = evaluator.model(place, condition).ok()?;
+        Self::near(model, orbit.period_cycles, &orbit.state)
+    }
+
+    /// Returns the stable orbit of a model near a state in energy coordinates.
+    pub fn near(model: Model, period_cycles: u32, state: &[f64]) -> Option<Self> {
         let line = KeyLine::at(&model);
-        let physical = shooting(&line, orbit.period_cycles).physical(&orbit.state);
-        let orbit = corrected(&line, orbit.period_cycles, &physical)?;
+        let physical = shooting(&line, period_cycles).physical(state);
+        let orbit = corrected(&line, period_cycles, &physical)?;
         Some(Self { model, orbit })
     }
 

@@ -13,7 +13,7 @@ pub use candidate::Candidate;
 pub use follow::Followed;
 pub use sampling::Places;
 
-use crate::evaluation::Evaluator;
+use crate::evaluation::{Evaluator, OnImprovement};
 use crate::examination::examine;
 use crate::front::front;
 use crate::problem::Problem;
@@ -85,7 +85,7 @@ impl Budget<'_> {
 
 /// Searches for the best design of a problem, and examines it. After a stop by the control, the
 /// best design so far is the result. `journal` keeps the evaluations, from which an interrupted
-/// search resumes.
+/// search resumes. `improved` is called with each better design; the result does not depend on it.
 ///
 /// # Errors
 /// No model can be built, no design can be evaluated, the journal cannot be written, or the search is
@@ -94,9 +94,11 @@ pub fn design(
     problem: &Problem,
     control: &Control,
     journal: Option<&Journal<Journaled>>,
+    improved: Option<OnImprovement<'_>>,
 ) -> Result<DesignOutcome, DesignError> {
     let begin = Instant::now();
-    let evaluator = Evaluator::new(problem, control, journal)?;
+    let mut evaluator = Evaluator::new(problem, control, journal)?;
+    evaluator.improved = improved;
     let budget = Budget {
         begin,
         problem,

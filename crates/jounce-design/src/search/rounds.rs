@@ -7,6 +7,7 @@ use super::sampling::Places;
 use super::{Budget, Candidate, Found, GAIN, ROUND};
 use crate::DesignError;
 use crate::evaluation::{Effort, Evaluator};
+use crate::examination::improvement;
 use crate::result::{SearchEnd, TracePoint};
 use rayon::prelude::*;
 
@@ -118,11 +119,15 @@ pub fn keep(
         found.failure.get_or_insert_with(|| reason.clone());
     } else {
         if candidate.is_better(found.best.as_ref()) {
-            found.trace.push(TracePoint {
+            let point = TracePoint {
                 evaluation: evaluator.count(),
                 goal: candidate.evaluation.goals[0],
                 violation: candidate.evaluation.violation,
-            });
+            };
+            found.trace.push(point);
+            if let Some(improved) = evaluator.improved {
+                improved(&improvement(evaluator.problem, &candidate, point));
+            }
             found.best = Some(candidate.clone());
         }
         found.full.push(candidate.clone());

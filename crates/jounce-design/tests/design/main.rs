@@ -8,6 +8,7 @@ mod derivatives;
 mod limits;
 mod measured;
 mod paper;
+mod power_band;
 mod robustness;
 mod sensor;
 mod wrong_input;
@@ -52,7 +53,13 @@ fn problem_of(spec: &str, text: &str) -> Result<Problem, DesignError> {
 }
 
 fn outcome_of(spec: &str, text: &str) -> DesignOutcome {
-    design(&problem_of(spec, text).unwrap(), &Control::default(), None).unwrap()
+    design(
+        &problem_of(spec, text).unwrap(),
+        &Control::default(),
+        None,
+        None,
+    )
+    .unwrap()
 }
 
 fn problem(text: &str) -> Result<Problem, DesignError> {
@@ -209,7 +216,7 @@ fn a_search_evaluates_no_more_designs_than_allowed() {
         for most in [10, 25, 70, 150] {
             let mut problem = problem(text).unwrap();
             problem.evaluations = most;
-            let found = design(&problem, &Control::default(), None).unwrap();
+            let found = design(&problem, &Control::default(), None, None).unwrap();
             assert!(found.evaluations <= most, "{} of {most}", found.evaluations);
         }
     }
@@ -225,11 +232,11 @@ fn an_interrupted_search_continues_from_its_journal() {
     short.evaluations = 3;
     let open = || Journal::open(folder.path(), "key").unwrap();
     let control = Control::default();
-    let begun = design(&short, &control, Some(&open())).unwrap();
+    let begun = design(&short, &control, Some(&open()), None).unwrap();
     assert_eq!(begun.ended_by, SearchEnd::Evaluations);
     assert!(open().found().len() >= 3);
-    let continued = design(&complete, &control, Some(&open())).unwrap();
-    let expected = design(&complete, &control, None).unwrap();
+    let continued = design(&complete, &control, Some(&open()), None).unwrap();
+    let expected = design(&complete, &control, None, None).unwrap();
     assert_eq!(continued.best, expected.best);
     assert_eq!(continued.trace, expected.trace);
 }
@@ -262,6 +269,6 @@ fn a_choice_is_searched_and_compared_with_the_spec_as_given() {
 fn a_stopped_search_without_a_design_says_so() {
     let control = Control::default();
     control.stop();
-    let stopped = design(&problem(LOAD).unwrap(), &control, None);
+    let stopped = design(&problem(LOAD).unwrap(), &control, None, None);
     assert!(matches!(stopped, Err(DesignError::Stopped)), "{stopped:?}");
 }

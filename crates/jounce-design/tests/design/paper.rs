@@ -27,7 +27,7 @@ fn outcome(file: &SpecFile, drive_hz: f64, text: &str) -> DesignOutcome {
         .unwrap();
     file.set("drive.shaker.amplitude", "50 N").unwrap();
     let problem = problem_of(&file.text(), text).unwrap();
-    design(&problem, &Control::default(), None).unwrap()
+    design(&problem, &Control::default(), None, None).unwrap()
 }
 
 /// Length of the beam, both ends of the patch and the contact point, m.
@@ -169,7 +169,7 @@ fn a_search_over_choices_converges_with_all_of_them() {
         { law = \"hunt-crossley\", damping = \"0.01:1:log s/m\" }, { law = \"spring\", stiffness = \"2e3 N/m\" }]\n\
         [goal]\nmaximise = \"stable-power\"\nstarts = 10\n";
     let problem = problem_of(&paper().text(), text).unwrap();
-    let found = design(&problem, &Control::default(), None).unwrap();
+    let found = design(&problem, &Control::default(), None, None).unwrap();
     let power_w = found.best.mean_power_w;
     assert!(
         power_w > 1.9e-3 || found.ended_by != SearchEnd::Converged,

@@ -132,7 +132,7 @@ fn quantiles_of_the_impact_harvester_are_those_of_drawn_designs() {
         [goal]\nmaximise = \"expected-power\"\nstarts = 20\n\
         [tolerance]\n\"stop.tip.gap\" = \"0.05 mm\"\n\"stop.tip.stiffness\" = \"30 N/m^1.5\"\n";
     let problem = Problem::with_spec(file.clone(), Path::new(""), text).unwrap();
-    let found = design(&problem, &Control::default(), None).unwrap();
+    let found = design(&problem, &Control::default(), None, None).unwrap();
     let (key, value) = found.best.set.first_key_value().unwrap();
     file.set(key, value).unwrap();
     let model = Model::new(file.spec().unwrap()).unwrap();

@@ -144,7 +144,7 @@ fn a_gap_that_no_orbit_closes_has_a_warning() {
 fn a_range_without_a_valid_design_gives_the_reason() {
     let text = "evaluations = 20\n[free]\n\"patch.p.start\" = \"85mm:95mm\"\n[goal]\nmaximise = \"expected-power\"\nstarts = 2\n";
     let problem = problem_of(CANTILEVER, text).unwrap();
-    let error = jounce_design::design(&problem, &jounce_control::Control::default(), None)
+    let error = jounce_design::design(&problem, &jounce_control::Control::default(), None, None)
         .unwrap_err()
         .to_string();
     assert!(error.contains("patch.p"), "{error}");

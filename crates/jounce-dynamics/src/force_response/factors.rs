@@ -73,8 +73,11 @@ fn product<W: Simd>(w: W, [a, b]: [W::Register; 2], [c, d]: [W::Register; 2]) ->
 /// Returns the reciprocals of complex numbers.
 #[inline(always)]
 fn reciprocal<W: Simd>(w: W, [a, b]: [W::Register; 2]) -> [W::Register; 2] {
-    let size = w.store(w.fma(a, a, w.mul(b, b)));
-    let scale = w.load(&F64x8(size.0.map(|size| 1.0 / size)));
+    let mut inverse = w.store(w.fma(a, a, w.mul(b, b)));
+    for lane in &mut inverse.0 {
+        *lane = 1.0 / *lane;
+    }
+    let scale = w.load(&inverse);
     [w.mul(a, scale), w.sub(w.zero(), w.mul(b, scale))]
 }
 

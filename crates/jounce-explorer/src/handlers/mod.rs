@@ -1,6 +1,9 @@
 //! Computation of the result of each kind of request.
 
+pub(super) mod band;
 pub(super) mod basins;
+pub(super) mod design;
+pub(super) mod design_search;
 pub(super) mod excitation;
 pub(super) mod export;
 pub(super) mod load;

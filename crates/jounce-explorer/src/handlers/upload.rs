@@ -40,6 +40,7 @@ mod tests {
             Ok((file, own)) => Ok((std::fs::read_to_string(file).unwrap(), own.channel)),
             Err(RequestFault::Library(error)) => Err(error.to_string()),
             Err(RequestFault::Text(message)) => Err(message),
+            Err(RequestFault::Fields(faults)) => Err(format!("{faults:?}")),
         }
     }
 

@@ -64,6 +64,8 @@ pub struct ServerLimits {
     pub message_bytes: usize,
     /// Longest time of one computation.
     pub max_computation_time: Duration,
+    /// Longest time of a search for a design.
+    pub max_search_time: Duration,
     /// Longest time in which a connection must send the headers of a request.
     pub max_header_time: Duration,
 }
@@ -74,6 +76,7 @@ impl Default for ServerLimits {
             sockets: 64,
             message_bytes: 16 << 20,
             max_computation_time: Duration::from_secs(120),
+            max_search_time: Duration::from_secs(600),
             max_header_time: Duration::from_secs(5),
         }
     }
@@ -134,6 +137,8 @@ pub struct Host {
     pub quick_permits: Arc<Semaphore>,
     /// One permit for each further computation of many integrations, which take all cores.
     pub long_permits: Arc<Semaphore>,
+    /// Permits for searches for a design, of which one runs at a time.
+    pub search_permits: Arc<Semaphore>,
     /// Count of the states of the file.
     pub versions: watch::Receiver<u64>,
     /// True when the server must stop.
@@ -220,6 +225,7 @@ impl Explorer {
             sockets: Arc::new(Semaphore::new(self.options.limits.sockets)),
             quick_permits: Arc::new(Semaphore::new(QUICK_PER_CORE * cores.max(2))),
             long_permits: Arc::new(Semaphore::new(1)),
+            search_permits: Arc::new(Semaphore::new(1)),
             versions: file_watch::start(self.options.spec.file().map(Path::to_path_buf)),
             stop_signal: self.stop.subscribe(),
             options: self.options,

@@ -1,6 +1,7 @@
 //! Reason why a request has no result, as the page shows it.
 
 use jounce::Error;
+use jounce::live::FieldFault;
 use serde_json::{Value, json};
 use std::path::Path;
 
@@ -9,6 +10,8 @@ use std::path::Path;
 pub enum RequestFault {
     /// Error of the library.
     Library(Box<Error>),
+    /// Faults of the fields of a design.
+    Fields(Vec<FieldFault>),
     /// One sentence.
     Text(String),
 }
@@ -23,6 +26,7 @@ impl RequestFault {
                 Error::Spec(faults) | Error::Range { faults, .. } => faults.as_slice(),
                 error => return text(&error.to_string()),
             },
+            Self::Fields(faults) => return json!(faults),
             Self::Text(message) => return text(message),
         };
         let entries = faults.iter().map(|fault| {

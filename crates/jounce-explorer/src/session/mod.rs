@@ -8,7 +8,9 @@ pub(super) mod request;
 
 use crate::handlers::export::export;
 use crate::handlers::save::save;
-use crate::handlers::{basins, excitation, load, operating_point, orbit, response, sweep};
+use crate::handlers::{
+    band, basins, design, design_search, excitation, load, operating_point, orbit, response, sweep,
+};
 use crate::server::Host;
 use cancellation::Cancellation;
 use fault::RequestFault;
@@ -18,7 +20,8 @@ use latest_requests::LatestRequests;
 use request::{Request, RequestKind};
 use serde_json::json;
 use std::sync::Arc;
-use tokio::sync::mpsc;
+use std::time::Duration;
+use tokio::sync::{Semaphore, mpsc};
 
 /// Session of a page.
 pub struct Session {
@@ -76,6 +79,20 @@ impl Session {
         self.latest_requests.stop_all();
     }
 
+    /// Returns the permits for which a request waits, and its longest time.
+    fn share(&self, kind: &RequestKind) -> (&Arc<Semaphore>, Duration) {
+        let (host, limits) = (&self.host, &self.host.options.limits);
+        match kind {
+            RequestKind::DesignSearch(_) => (&host.search_permits, limits.max_search_time),
+            RequestKind::Sweep { .. }
+            | RequestKind::Load(_)
+            | RequestKind::Basins(_)
+            | RequestKind::Band(_)
+            | RequestKind::Shake { .. } => (&host.long_permits, limits.max_computation_time),
+            _ => (&host.quick_permits, limits.max_computation_time),
+        }
+    }
+
     /// Handles a request.
     pub fn handle_request(self: &Arc<Self>, request: Request) {
         if let RequestKind::Stop { what } = &request.kind {
@@ -84,25 +101,13 @@ impl Session {
         let cancellation = self.latest_requests.register(request.kind.name());
         let session = Arc::clone(self);
         tokio::spawn(async move {
-            let is_long = matches!(
-                request.kind,
-                RequestKind::Sweep { .. }
-                    | RequestKind::Load(_)
-                    | RequestKind::Basins(_)
-                    | RequestKind::Shake { .. }
-            );
-            let permits = if is_long {
-                &session.host.long_permits
-            } else {
-                &session.host.quick_permits
-            };
+            let (permits, max_time) = session.share(&request.kind);
             let Ok(_permit) = Arc::clone(permits).acquire_owned().await else {
                 return;
             };
             if cancellation.is_stopped() {
                 return;
             }
-            let max_time = session.host.options.limits.max_computation_time;
             let timeout_cancellation = cancellation.clone();
             let timer = tokio::spawn(async move {
                 tokio::time::sleep(max_time).await;
@@ -143,13 +148,7 @@ impl Session {
         let id = request.id;
         match &request.kind {
             RequestKind::Design => {
-                let title = source.name().file_stem().unwrap_or_default();
-                let mut frame = Frame::new(id, "design", "done");
-                frame
-                    .put("drawing", json!(design.drawing(&title.to_string_lossy())))
-                    .put("controls", json!(design.controls()))
-                    .put("drive_frequency_hz", design.drive_frequency_hz().ok());
-                self.send(cancellation, frame);
+                self.send(cancellation, design::describe(id, design, source));
                 Ok(())
             }
             RequestKind::Modes => {
@@ -172,6 +171,16 @@ impl Session {
             RequestKind::OperatingPoint(options) => {
                 operating_point::respond(self, id, design, options, cancellation)
             }
+            RequestKind::DesignOffer => {
+                let frame = design::offer(self, id, design, cancellation)?;
+                self.send(cancellation, frame);
+                Ok(())
+            }
+            RequestKind::DesignSearch(fields) => {
+                let problem = (fields, source.name());
+                design_search::respond(self, id, design, problem, cancellation)
+            }
+            RequestKind::Band(options) => band::respond(self, id, design, options, cancellation),
             RequestKind::Shake { by } => excitation::respond(self, id, design, by, cancellation),
             RequestKind::Export(span) => {
                 let frame = export(id, design, span, &request.set, source)?;

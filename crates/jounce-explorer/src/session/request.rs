@@ -1,7 +1,7 @@
 //! Requests of the page.
 
 use jounce::BasinsOptions;
-use jounce::live::{BranchPlace, KeySpan, LoadOptions, ResponseOptions};
+use jounce::live::{BandOptions, BranchPlace, DesignFields, KeySpan, LoadOptions, ResponseOptions};
 use serde::Deserialize;
 
 /// Largest number of overrides of a request.
@@ -89,6 +89,12 @@ pub enum RequestKind {
     Basins(BasinsOptions),
     /// Attractors at the present design from a cloud of starts.
     OperatingPoint(BasinsOptions),
+    /// Goals and limits that a design can have.
+    DesignOffer,
+    /// The best design.
+    DesignSearch(DesignFields),
+    /// Band of the power under tolerances.
+    Band(BandOptions),
     /// Response under the drives of the spec, noise or a recording.
     Shake {
         /// Excitation.
@@ -120,6 +126,9 @@ impl RequestKind {
             RequestKind::Load(_) => "load",
             RequestKind::Basins(_) => "basins",
             RequestKind::OperatingPoint(_) => "operating-point",
+            RequestKind::DesignOffer => "design-offer",
+            RequestKind::DesignSearch(_) => "design-search",
+            RequestKind::Band(_) => "band",
             RequestKind::Shake { .. } => "shake",
             RequestKind::Export(_) => "export",
             RequestKind::Save { .. } => "save",

@@ -3,6 +3,7 @@
 
 mod attacks;
 mod client;
+mod design;
 mod excitation;
 mod link;
 mod plates;

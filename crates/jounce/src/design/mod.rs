@@ -10,7 +10,7 @@ use crate::harvester::Harvester;
 use crate::options::on_threads;
 use jounce_analysis::Journal;
 use jounce_control::Control;
-use jounce_design::{DesignOutcome, Journaled, Problem, design};
+use jounce_design::{DesignOutcome, Journaled, OnImprovement, Problem, design};
 use jounce_spec::Spec;
 use serde::Serialize;
 use std::path::Path;
@@ -105,7 +105,20 @@ impl Design {
     /// # Errors
     /// [`Error::Option`] for no evaluations, [`Error::Design`] where no design can be evaluated.
     pub fn run(&self, options: &DesignOptions) -> Result<DesignResult, Error> {
-        self.with_optional_journal(options, None)
+        self.search(options, None, None)
+    }
+
+    /// Searches as [`Design::run`], and calls `improved` with each better design as soon as it is
+    /// found. The result does not depend on it.
+    ///
+    /// # Errors
+    /// As [`Design::run`].
+    pub fn run_and_report(
+        &self,
+        options: &DesignOptions,
+        improved: OnImprovement<'_>,
+    ) -> Result<DesignResult, Error> {
+        self.search(options, None, Some(improved))
     }
 
     /// Searches as [`Design::run`], and keeps every evaluation in a journal, from which an
@@ -118,7 +131,7 @@ impl Design {
         options: &DesignOptions,
         journal: &DesignJournal,
     ) -> Result<DesignResult, Error> {
-        self.with_optional_journal(options, Some(journal))
+        self.search(options, Some(journal), None)
     }
 
     /// Opens the journal of a search in a folder.
@@ -135,13 +148,14 @@ impl Design {
         Ok(Journal::open(folder.as_ref(), &key)?)
     }
 
-    fn with_optional_journal(
+    fn search(
         &self,
         options: &DesignOptions,
         journal: Option<&DesignJournal>,
+        improved: Option<OnImprovement<'_>>,
     ) -> Result<DesignResult, Error> {
         let problem = self.problem_with(options)?;
-        let work = || Ok(design(&problem, &self.control, journal)?);
+        let work = || Ok(design(&problem, &self.control, journal, improved)?);
         let outcome = on_threads(options.threads, work)?;
         let given = Harvester::of(problem.file.clone(), problem.folder.clone())?;
         let pairs = outcome.best.set.iter();

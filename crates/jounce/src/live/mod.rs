@@ -16,6 +16,8 @@
 //! | points up and down over a key, one by one | [`Design::sweep`] |
 //! | power over the load, without and with contact | [`LiveAnalysis::linear_load`], [`Design::load_sweep`] |
 //! | options of [`crate::Harvester::basins`] for a plane of starts | [`Design::in_plane`] |
+//! | the best design, with each better one as soon as it is found | [`Design::search`] |
+//! | band of the power over a key, under tolerances | [`LiveAnalysis::band`] |
 //! | response to noise or to a recording | [`LiveAnalysis::excite`] |
 
 mod analysis;
@@ -30,6 +32,7 @@ mod mode_figures;
 mod orbits;
 mod plane;
 mod responses;
+mod search;
 mod sweep;
 mod time_history;
 
@@ -46,6 +49,10 @@ pub use orbits::{BeamMotion, BranchPlace, OrbitResult, OrbitStop, PlateMotion};
 pub use responses::{
     Draft, DraftOrigin, LinearCurve, ResponseBifurcation, ResponseBranch, ResponseOptions,
     ResponseResult,
+};
+pub use search::{
+    BandOptions, BandResult, BetterDesign, DesignFields, DesignGoal, DesignOffer, FieldFault,
+    FoundDesign,
 };
 pub use sweep::LivePoint;
 pub use time_history::{Extremes, SpectralDensity};

@@ -6,5 +6,6 @@ mod orbit;
 mod orbit_stop;
 
 pub use motion::{BeamMotion, PlateMotion};
+pub(super) use orbit::point_at;
 pub use orbit::{BranchPlace, OrbitResult};
 pub use orbit_stop::OrbitStop;

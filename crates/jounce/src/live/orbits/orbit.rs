@@ -131,7 +131,7 @@ impl LiveAnalysis {
 }
 
 /// Returns the period of a branch in drive cycles and a point of it.
-fn point_at<'r>(
+pub(in crate::live) fn point_at<'r>(
     response: &'r StoredResponse,
     place: &BranchPlace,
 ) -> Result<(u32, &'r BranchPoint), Error> {

@@ -1,0 +1,145 @@
+// The design problem: free keys with their ranges, the goal, limits and tolerances.
+
+import type { Control, Controls } from "./controls";
+import type { Head } from "./frame";
+import { type FieldFault, type Fields, Rows, check, field, put, withUnit } from "./rows";
+import { digits, quantity, sign } from "./units";
+
+/** A limit that the harvester allows. */
+export interface AllowedLimit {
+    name: string;
+    example: string;
+    unit: string;
+    factor: number;
+}
+
+interface Goal {
+    name: string;
+    unit: string;
+    needs_starts: boolean;
+}
+
+const find = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;
+/** Share of a value that is offered as its tolerance. */
+const TOLERANCE = 0.05;
+
+export class Problem {
+    readonly free: Rows;
+    readonly limits: Rows;
+    readonly tolerance: Rows;
+    private readonly goal = find<HTMLSelectElement>("search-goal");
+    private goals: Goal[] = [];
+    private allowed: AllowedLimit[] = [];
+
+    constructor(private readonly controls: Controls) {
+        this.free = new Rows(find("search-free"), "free", "free key", (key, describe) => this.range(key, describe));
+        this.limits = new Rows(find("search-limits"), "limits", "limit", (name, describe) => this.limit(name, describe));
+        this.tolerance = new Rows(find("search-tolerance"), "tolerance", "tolerance", (key, describe) => this.scatter(key, describe));
+        this.goal.onchange = () => this.needStarts();
+    }
+
+    /** Offers the keys of the present design. */
+    offerKeys(): void {
+        const keys = this.controls.all.map(({ key }): [string, string] => [key, this.controls.title(key)]);
+        this.free.offer(keys);
+        this.tolerance.offer(this.controls.all.filter(({ count }) => !count).map(({ key }): [string, string] => [key, this.controls.title(key)]));
+    }
+
+    /** Offers the goals and limits that the harvester can have. */
+    offer({ goals, limits }: Head): void {
+        [this.goals, this.allowed] = [goals, limits];
+        if ([...this.goal.options].map((option) => option.value).join() !== this.goals.map((goal) => goal.name).join()) {
+            this.goal.replaceChildren(...this.goals.map(({ name }) => new Option(name.replaceAll("-", " "), name)));
+        }
+        this.limits.offer(this.allowed.map(({ name }): [string, string] => [name, limitTitle(name)]));
+        this.needStarts();
+    }
+
+    private needStarts(): void {
+        find<HTMLInputElement>("search-starts").disabled = !(this.goals.find((goal) => goal.name === this.goal.value)?.needs_starts ?? true);
+    }
+
+    /** The fields as the server takes them. */
+    get fields(): object {
+        const text = (id: string) => find<HTMLInputElement>(id).value;
+        return {
+            free: this.free.pairs, limits: this.limits.pairs, tolerance: this.tolerance.pairs, maximise: this.goal.value,
+            starts: text("search-starts"), evaluations: text("search-evaluations"), seed: text("search-seed"),
+        };
+    }
+
+    /** Shows faults at their fields, and those of no field above all. */
+    tell(faults: FieldFault[]): void {
+        let rest = faults;
+        for (const rows of [this.free, this.limits, this.tolerance]) rest = rows.tell(rest);
+        const places = { maximise: "goal", starts: "starts", evaluations: "evaluations", seed: "seed" };
+        const goal = rest.filter(({ key }) => key in places);
+        for (const [key, id] of Object.entries(places)) find(`search-${id}`).setAttribute("aria-invalid", String(goal.some((fault) => fault.key === key)));
+        put(find("search-goal-fault"), goal.map(({ message }) => message));
+        put(find("search-faults"), rest.filter((fault) => !goal.includes(fault)).map(({ message }) => message));
+    }
+
+    /** A value of a goal with its unit. */
+    goalText(name: string, value: number): string {
+        return quantity(value, this.goals.find((goal) => goal.name === name)?.unit ?? "W");
+    }
+
+    /** Name of the goal of the fields. */
+    get goalName(): string {
+        return this.goal.value;
+    }
+
+    /** A value of a limit with its unit. */
+    limitText(name: string, value: number): string {
+        const { unit, factor } = this.limitOf(name);
+        return unit === "ppm" ? `${digits(value / factor)} ppm` : quantity(value, unit);
+    }
+
+    /** The price of a limit: power for one more unit of it. */
+    priceText(name: string, price: number): string {
+        const { unit, factor } = this.limitOf(name);
+        return `${quantity(price * factor, "W", 3)} per ${sign(unit) || "unit"}`;
+    }
+
+    private limitOf(name: string): AllowedLimit {
+        return this.allowed.find((limit) => limit.name === name) ?? { name, example: "", unit: "", factor: 1 };
+    }
+
+    private range(key: string, describe: string): Fields {
+        const control = this.controls.find(key)!;
+        const title = this.controls.title(key);
+        const [from, to] = [control.from, control.to].map((end) => digits(end / control.factor, 4));
+        const low = field(`${title}, from`, from, describe, 5);
+        const high = field(`${title}, to`, to, describe, 5);
+        const { label, box } = check("log", `${title}, logarithmic`, control.scale === "log");
+        const ends = () => [low, high].map((end) => withUnit(end.value, control.unit)).join(":");
+        return { parts: [low, words("to"), high, words(sign(control.unit), "unit"), label], read: () => ends() + (box.checked ? ":log" : "") };
+    }
+
+    private limit(name: string, describe: string): Fields {
+        const { example } = this.limitOf(name);
+        const value = field(`${limitTitle(name)}, limit`, example, describe, 10);
+        return { parts: [value], read: () => withUnit(value.value, example.replace(/^[-+.\deE]+\s*/, "")) };
+    }
+
+    private scatter(key: string, describe: string): Fields {
+        const control: Control = this.controls.find(key)!;
+        const title = this.controls.title(key);
+        const value = field(`${title}, tolerance`, digits(Math.abs((TOLERANCE * control.value) / control.factor), 2), describe, 6);
+        const { label, box } = check("normal", `${title}, normal distribution`, false);
+        return { parts: [words("±"), value, words(sign(control.unit), "unit"), label], read: () => withUnit(value.value, control.unit) + (box.checked ? " normal" : "") };
+    }
+}
+
+/** Words of a limit, "patch mfc strain". */
+function limitTitle(name: string): string {
+    const text = name.replaceAll(".", " ").replaceAll("_", " ");
+    return text[0].toUpperCase() + text.slice(1);
+}
+
+function words(text: string, kind = "words"): HTMLElement {
+    const span = document.createElement("span");
+    span.className = kind;
+    span.textContent = text;
+    return span;
+}
