@@ -60,7 +60,7 @@ const FAULTS: [(&str, &str, &str); 11] = [
     (
         "run.average_over",
         "30 s",
-        "--set run.average_over=30 s: run.average_over is 30 s; it must be at most run.duration = 20 s",
+        "--set run.average_over=30 s: run.average_over is 30 s; it must be at most run.duration = 20 s: --set run.average_over=\"20 s\" or --set run.duration=\"30 s\"",
     ),
 ];
 
@@ -89,6 +89,28 @@ fn a_fault_in_the_file_names_the_override_that_causes_it() {
                     .ends_with("; caused by --set beam.beam.length=50 mm"),
             "{fault}"
         );
+    }
+}
+
+/// Each `--set` of the message, next to that of the user, gives a spec without faults.
+#[test]
+fn a_window_longer_than_the_run_names_the_overrides_that_fit() {
+    for (key, value) in [
+        ("run.duration", "1 s"),
+        ("run.duration", "333.333 ms"),
+        ("run.average_over", "0.7 h"),
+    ] {
+        let fault = read_with(&[(key, value)]).unwrap_err();
+        let named: Vec<(&str, &str)> = fault
+            .split("--set ")
+            .filter_map(|words| words.split_once("=\""))
+            .map(|(key, rest)| (key, rest.split('"').next().unwrap()))
+            .collect();
+        let keys: Vec<&str> = named.iter().map(|(key, _)| *key).collect();
+        assert_eq!(keys, ["run.average_over", "run.duration"], "{fault}");
+        for change in named {
+            read_with(&[(key, value), change]).unwrap();
+        }
     }
 }
 
