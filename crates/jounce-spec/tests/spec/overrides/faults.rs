@@ -76,6 +76,28 @@ fn faults_name_the_override_as_their_place() {
 }
 
 #[test]
+fn a_fault_of_a_table_that_the_file_lacks_has_no_place() {
+    let paper = paper();
+    let (before, after) = paper.split_once("[damping]\n").unwrap();
+    let (_, rest) = after.split_once('\n').unwrap();
+    let without_key = format!("{before}[damping]\n{rest}");
+    let line = before.lines().count() + 1;
+    for (text, place) in [
+        (format!("{before}{rest}"), (0, 0)),
+        (without_key, (line, 2)),
+    ] {
+        let faults = SpecFile::from_text(text).spec().unwrap_err();
+        let [fault] = faults.as_slice() else {
+            panic!("{faults}")
+        };
+        assert_eq!((fault.line, fault.column), place, "{fault}");
+        assert_eq!(fault.key, "damping.ratios");
+        let is_said = fault.message.ends_with("; the file has no [damping]");
+        assert_eq!(is_said, place.0 == 0, "{fault}");
+    }
+}
+
+#[test]
 fn a_fault_in_the_file_names_the_override_that_causes_it() {
     let mut file = SpecFile::from_text(paper());
     file.set("beam.beam.length", "50 mm").unwrap();
