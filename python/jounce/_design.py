@@ -26,6 +26,14 @@ else:
     # The module of Spec imports this one, so the name is looked up when a dataset is made.
     Spec = Any
 
+# Reasons of the end of a search, in words.
+_ENDS = {
+    "converged": "ended because no better design is expected",
+    "evaluations": "ended because its number of evaluations was used up",
+    "seconds": "ended because its wall time was used up",
+    "stopped": "stopped",
+}
+
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class DesignResult(Result):
@@ -84,7 +92,7 @@ class DesignResult(Result):
             for one in self.limits
             if one["value"] is not None
         ]
-        end = f"{self.evaluations} designs, ended by {self.ended_by}{'' if self.feasible else ', beyond the limits'}"
+        end = f"{self.evaluations} designs; {_ENDS[self.ended_by]}{'' if self.feasible else '; beyond the limits'}"
         warnings = [("warning", text) for text in self.warnings]
         return [*goals, *keys, *([("orbit", orbit)] if self.stable else []), *limits, *warnings, ("search", end)]
 

@@ -11,6 +11,10 @@ export interface Axis {
     log?: boolean;
     /** Fixed ends; by default those of the curves. */
     ends?: [number, number];
+    /** Divisor and unit of the labels; by default those of the largest value. */
+    scale?: [number, string];
+    /** True where the values are 0 and 1, which the labels call no and yes. */
+    flag?: boolean;
 }
 
 export type Range = [number, number];
@@ -164,8 +168,9 @@ export class Chart {
         }
         if (low > high) return log ? [0.1, 1] : [0, 1];
         if (log) return [low / 1.3, high * 1.5];
-        const room = which === "x" ? 0 : 0.06 * (high - low || Math.abs(high) || 1);
-        return [low - room, high + room || 1];
+        if (low === high) return around(low);
+        const room = which === "x" ? 0 : 0.06 * (high - low);
+        return [low - room, high + room];
     }
 
     private size(): { width: number; height: number } {
@@ -177,7 +182,7 @@ export class Chart {
     }
 
     private axis(axis: Axis, most: number, side: number): uPlot.Axis {
-        const [step, unit] = axisUnit(most, axis.unit);
+        const [step, unit] = axis.scale ?? axisUnit(most, axis.unit);
         const words = unit ? `${axis.words} (${unit})` : axis.words;
         const small = this.compact ? "10px" : "12px";
         return {
@@ -195,7 +200,8 @@ export class Chart {
             ticks: { show: false },
             // uPlot 1.6.32 loops forever where a logarithmic axis begins just below a power of ten.
             ...(axis.log ? { splits: (_: uPlot, __: number, low: number, high: number) => decades(low, high) } : {}),
-            values: (_, splits) => splits.map((value) => (value === null || !isLabelled(value, axis) ? "" : digits(value / step, 5))),
+            ...(axis.flag ? { splits: (_: uPlot, __: number, low: number, high: number) => [0, 1].filter((value) => value >= low && value <= high) } : {}),
+            values: (_, splits) => splits.map((value) => (value === null || !isLabelled(value, axis) ? "" : axis.flag ? (value === 1 ? "yes" : "no") : digits(value / step, 5))),
         };
     }
 
@@ -259,6 +265,12 @@ function steps(low: number, high: number): number[] {
     const ten = 10 ** Math.floor(Math.log10(wanted));
     const size = [1, 2, 5, 10].map((factor) => factor * ten).find((step) => step >= wanted)!;
     return Array.from({ length: Math.floor(high / size) - Math.ceil(low / size) + 1 }, (_, k) => (Math.ceil(low / size) + k) * size);
+}
+
+/** Ends of an axis for a single value, away from 0 if the value is not 0. */
+export function around(value: number): Range {
+    const room = 0.06 * Math.abs(value) || 1;
+    return [value - room, value + room];
 }
 
 /** Ends between which an axis can be divided: finite, further apart than roundoff, and not over too many decades. */

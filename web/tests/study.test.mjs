@@ -16,8 +16,8 @@ const STUDY = `spec = ${JSON.stringify(spec)}
 "run.duration" = "2 s"
 "run.average_over" = "1 s"
 [vary]
-"drive.shaker.frequency" = "10Hz:14Hz:21x"
 "stop.tip.gap" = "0.5mm:1.5mm:3x"
+"drive.shaker.frequency" = "10Hz:14Hz:21x"
 "circuit.load.resistance" = "100kohm:1Mohm:2log"
 `;
 
@@ -55,7 +55,7 @@ const chosen = (id) => page.locator(`#${id}`).inputValue();
 
 test("the file opens without a server and shows chart and table", async () => {
     assert.equal(await page.title(), "power");
-    assert.match(await page.locator("#summary").textContent(), /^126 points over drive\.shaker\.frequency, stop\.tip\.gap, circuit\.load\.resistance\.$/);
+    assert.match(await page.locator("#summary").textContent(), /^126 points over stop\.tip\.gap, drive\.shaker\.frequency, circuit\.load\.resistance\.$/);
     assert.ok((await inked(page, "#chart canvas")) > 0.003);
     assert.equal(await page.locator("#rows tbody tr").count(), POINTS);
     assert.equal(await page.locator("#legend li").count(), 3);
@@ -64,6 +64,32 @@ test("the file opens without a server and shows chart and table", async () => {
     assert.deepEqual(requests.filter((url) => url.split("#")[0] !== address), []);
     // The picture of the book: `STUDY_PICTURE=book/src/pictures/study-page.png node web/tests/all.mjs`.
     if (process.env.STUDY_PICTURE) await page.screenshot({ path: process.env.STUDY_PICTURE });
+});
+
+test("the key with the most values is the horizontal axis, the first other key the group", async () => {
+    assert.deepEqual([await chosen("x"), await chosen("group")], ["drive.shaker.frequency", "stop.tip.gap"]);
+});
+
+test("the table has the units of the axes", async () => {
+    const { columns, values } = await data();
+    const column = columns.findIndex(({ name }) => name === "stop.tip.gap");
+    assert.equal(await page.locator("#rows thead th").nth(column).locator("span").textContent(), "mm");
+    const cells = await page.locator(`#rows tbody td:nth-child(${column + 1})`).allTextContents();
+    assert.deepEqual(cells.map(Number), values[column].map((gap_m) => Number((1e3 * gap_m).toPrecision(6))));
+});
+
+test("the axis of a flag runs from no to yes, also where all points have the same", async () => {
+    const { columns, values } = await data();
+    const settled = values[columns.findIndex(({ name }) => name === "settled")];
+    assert.ok(settled.every((own) => !own), "2 s are too short for each point");
+    await page.locator("#y").selectOption("settled");
+    await page.locator("#chart").focus();
+    await page.keyboard.press("ArrowRight");
+    assert.match(await page.locator("#cursor").textContent(), / no, stop/);
+    const [dot, area] = await Promise.all([".cursor.dot", ".u-over"].map((name) => page.locator(`#chart ${name}`).boundingBox()));
+    const height = (area.y + area.height - dot.y - dot.height / 2) / area.height;
+    assert.ok(Math.abs(height - 0.06 / 1.12) < 0.01, `${height}`);
+    await page.locator("#y").selectOption("mean_power_w");
 });
 
 test("the downloaded table has all digits of the study", async () => {
@@ -84,7 +110,7 @@ test("the mouse and the arrow keys read the value of a point", async () => {
     await page.locator("#chart").focus();
     await page.keyboard.press("ArrowRight");
     const words = await page.locator("#cursor").textContent();
-    assert.match(words, /^mean power of all loads [\d.]+ .?W, drive\.shaker\.frequency 10 Hz, stop\.tip\.gap 500 µm, circuit\.load\.resistance 100 kΩ$/);
+    assert.match(words, /^mean power of all loads [\d.]+ .?W, stop\.tip\.gap 500 µm, drive\.shaker\.frequency 10 Hz, circuit\.load\.resistance 100 kΩ$/);
     const { columns, values } = await data();
     const power = values[columns.findIndex(({ name }) => name === "mean_power_w")][0];
     const [, number, unit] = words.match(/loads ([\d.]+) (.?)W/);

@@ -141,6 +141,11 @@ pub fn figure(folder: &Path, name: &str, figure: &Figure) -> Result<(), Failure>
     Ok(())
 }
 
+/// Creates the folder of a file if it is missing.
+pub fn make_folder_of(file: &Path) -> Result<(), Failure> {
+    file.parent().map_or(Ok(()), make)
+}
+
 fn make(folder: &Path) -> Result<(), Failure> {
     std::fs::create_dir_all(folder)
         .map_err(|error| Failure::Input(unwritable_folder(folder, error)))

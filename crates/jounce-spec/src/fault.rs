@@ -7,7 +7,7 @@ use serde::Serialize;
 /// A single fault of a spec with its place.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 pub struct Fault {
-    /// Line in the file, from 1; 0 if the fault is in an override.
+    /// Line in the file, from 1; 0 if the fault is in an override or in a table that the file lacks.
     pub line: usize,
     /// Column in characters, from 1; 0 if `line` is 0.
     pub column: usize,

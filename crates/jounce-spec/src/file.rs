@@ -184,6 +184,7 @@ impl SpecFile {
                     set: self.overrides.get(index).map(Override::to_string),
                     ..fault
                 },
+                SourcePlace::Nowhere => fault,
             }
         });
         Faults::new(self.with_causes(syntax.chain(read).collect()))

@@ -12,7 +12,11 @@ const MAX_CANDIDATES: usize = 2000;
 /// Largest number of known words in a message.
 const MAX_LISTED_WORDS: usize = 13;
 
-/// Returns the nearest candidate within one edit per three characters, and at least one edit.
+/// Shortest beginning of a word that stands for the word.
+const MIN_PREFIX_LENGTH: usize = 3;
+
+/// Returns the shortest candidate of which the word is the beginning, except for a path below it;
+/// without one, the nearest candidate within one edit per three characters, and at least one edit.
 pub(crate) fn nearest<'c>(
     word: &str,
     candidates: impl IntoIterator<Item = &'c str>,
@@ -21,11 +25,20 @@ pub(crate) fn nearest<'c>(
     if length > MAX_WORD_LENGTH {
         return None;
     }
-    let near = candidates
+    let near: Vec<&str> = candidates
         .into_iter()
         .take(MAX_CANDIDATES)
-        .filter(|candidate| candidate.len() <= MAX_WORD_LENGTH);
+        .filter(|candidate| candidate.len() <= MAX_WORD_LENGTH)
+        .collect();
+    let is_begun = |candidate: &&&str| {
+        let rest = candidate.strip_prefix(word);
+        length >= MIN_PREFIX_LENGTH && rest.is_some_and(|rest| !rest.contains('.'))
+    };
+    if let Some(complete) = near.iter().filter(is_begun).min_by_key(|word| word.len()) {
+        return Some(complete);
+    }
     let (distance, best) = near
+        .into_iter()
         .map(|candidate| (strsim::damerau_levenshtein(word, candidate), candidate))
         .min_by_key(|(distance, _)| *distance)?;
     (distance <= (length / 3).max(1)).then_some(best)
@@ -77,6 +90,16 @@ mod tests {
         assert_eq!(nearest("gpa", keys), Some("gap"));
         assert_eq!(nearest("colour", keys), None);
         assert_eq!(nearest(&"gap".repeat(100), keys), None);
+    }
+
+    #[test]
+    fn the_beginning_of_a_word_finds_it_before_a_word_of_similar_letters() {
+        let keys = ["from", "frequency", "force", "force_n", "stop.tip.gap"];
+        assert_eq!(nearest("freq", keys), Some("frequency"));
+        assert_eq!(nearest("forc", keys), Some("force"));
+        assert_eq!(nearest("fr", keys), None);
+        assert_eq!(nearest("stop", keys), None);
+        assert_eq!(nearest("stop.tip.ga", keys), Some("stop.tip.gap"));
     }
 
     #[test]

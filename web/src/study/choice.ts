@@ -31,8 +31,10 @@ export class Choice {
             select.value = table.find(first.get(name)) ? first.get(name)! : otherwise;
         };
         set(this.y, "y", quantities[0]?.name ?? "");
-        set(this.x, "x", keys[0]?.name ?? "");
-        set(this.group, "group", keys[1]?.name ?? "");
+        // The key with the most values, of several the first.
+        const [over] = [...keys].sort((a, b) => distinct(b).length - distinct(a).length);
+        set(this.x, "x", over?.name ?? "");
+        set(this.group, "group", keys.find(({ name }) => name !== this.x.value)?.name ?? "");
         if (first.get("group") === "") this.group.value = "";
         this.logs[0].checked = first.has("x") ? first.has("log-x") : isWide(table.find(this.x.value));
         this.logs[1].checked = first.has("log-y");

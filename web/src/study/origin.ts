@@ -11,7 +11,7 @@ export function origin({ manifest }: Table, host: HTMLElement): void {
         if (name === "pre") element.tabIndex = 0;
         host.append(element);
     };
-    add("p", `jounce ${version}; study ${options.study_sha256 ?? ""}, spec ${spec_sha256} (SHA-256). Values are in SI units.`);
+    add("p", `jounce ${version}; study ${options.study_sha256 ?? ""}, spec ${spec_sha256} (SHA-256). The downloaded table is in SI units.`);
     if (!record) return;
     add("p", "`jounce rerun FILE`, with the name of this file, computes the table again and compares it bit by bit. It was computed by");
     add("pre", `jounce ${record.arguments.join(" ")} --out FOLDER`);

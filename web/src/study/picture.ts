@@ -1,16 +1,19 @@
 // Chart of the study, with the point under the mouse or chosen by the arrow keys.
 
-import { Chart } from "../chart";
+import { type Axis, Chart, around } from "../chart";
 import type { Curve } from "../paint";
 import { shade } from "../theme";
 import { Zoom } from "../zoom";
 import { type Series, type View, label, words } from "./series";
+import { type Column, scale } from "./table";
 
 /** Distance at which a point is found, CSS pixels. */
 const CATCH = 40;
 const DOT = 2.6;
 /** Share of the horizontal axis beyond the points. */
 const ROOM = 0.01;
+/** Ends of the axis of a flag, 0 or 1. */
+const FLAG: [number, number] = [-0.06, 1.06];
 
 export class Picture {
     readonly chart: Chart;
@@ -39,9 +42,13 @@ export class Picture {
     draw(): void {
         if (!this.view) return;
         const { x, y } = this.view;
-        const axis = (column: View["x"], log: boolean) => ({ words: label(column), unit: column.unit, log });
+        const axis = (column: Column, log: boolean): Axis => {
+            const flag = column.kind === "flag" && !log;
+            return { words: label(column), unit: column.unit, log, scale: scale(column), flag, ends: flag ? FLAG : undefined };
+        };
         const curves = this.series.flatMap((own, k) => this.curves(own, k));
-        this.chart.show({ ...axis(x, this.logs[0]), ends: this.ends(curves) }, axis(y, this.logs[1]), curves);
+        const [over, up] = [axis(x, this.logs[0]), axis(y, this.logs[1])];
+        this.chart.show({ ...over, ends: over.ends ?? this.ends(curves) }, up, curves);
         this.host.setAttribute("aria-label", `${label(y)} over ${label(x)}; the arrow keys select a point`);
     }
 
@@ -51,7 +58,8 @@ export class Picture {
         const values = curves.flatMap(({ x }) => Array.from(x, (value) => (log ? Math.log(value) : value)));
         if (values.length === 0) return undefined;
         const [low, high] = values.reduce(([least, most], value) => [Math.min(least, value), Math.max(most, value)], [Infinity, -Infinity]);
-        const room = ROOM * (high - low);
+        if (low === high && !log) return around(low);
+        const room = low === high ? Math.LN2 : ROOM * (high - low);
         return log ? [Math.exp(low - room), Math.exp(high + room)] : [low - room, high + room];
     }
 

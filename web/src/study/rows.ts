@@ -1,7 +1,7 @@
 // Rows of the table below the chart, sorted by any column.
 
-import { digits, sign } from "../units";
-import type { Column, Table } from "./table";
+import { digits } from "../units";
+import { type Column, type Table, scale } from "./table";
 
 /** Rows that are added at once. */
 const BLOCK = 200;
@@ -11,12 +11,15 @@ export class Rows {
     private shown = BLOCK;
     private sorted: { column: Column; down: boolean } | undefined;
     private order: number[] = [];
+    /** Divisor and unit of each column, as on the axes of the chart. */
+    private readonly scales: Map<Column, [number, string]>;
     private readonly head = document.querySelector<HTMLElement>("#rows thead tr")!;
     private readonly body = document.querySelector<HTMLElement>("#rows tbody")!;
     private readonly host = document.getElementById("scroll")!;
     private readonly more = document.getElementById("more") as HTMLButtonElement;
 
     constructor(private readonly table: Table) {
+        this.scales = new Map(table.columns.map((column) => [column, scale(column)]));
         this.head.replaceChildren(...table.columns.map((column) => this.heading(column)));
         this.more.onclick = () => {
             this.shown += BLOCK;
@@ -39,7 +42,7 @@ export class Rows {
         };
         cell.append(button);
         const unit = document.createElement("span");
-        unit.textContent = sign(column.unit);
+        unit.textContent = this.scales.get(column)![1];
         cell.append(unit);
         return cell;
     }
@@ -74,7 +77,7 @@ export class Rows {
         for (const column of this.table.columns) {
             const cell = document.createElement("td");
             cell.className = looks(column);
-            cell.textContent = text(column, row);
+            cell.textContent = text(column, row, this.scales.get(column)![0]);
             line.append(cell);
         }
         return line;
@@ -95,8 +98,8 @@ function looks({ kind, name }: Column): string {
     return `${kind === "text" ? "words" : ""} ${name === "failure" ? "failure" : ""}`.trim();
 }
 
-function text({ kind, cells, values }: Column, row: number): string {
+function text({ kind, cells, values }: Column, row: number, step: number): string {
     if (kind === "text") return String(cells[row]);
     if (kind === "flag") return cells[row] ? "yes" : "no";
-    return Number.isFinite(values[row]) ? digits(values[row], DIGITS) : Number.isNaN(values[row]) ? "–" : values[row] > 0 ? "∞" : "−∞";
+    return Number.isFinite(values[row]) ? digits(values[row] / step, DIGITS) : Number.isNaN(values[row]) ? "–" : values[row] > 0 ? "∞" : "−∞";
 }

@@ -1,5 +1,7 @@
 // Table of the page: the columns that the program wrote into it, as numbers where they have an order.
 
+import { axisUnit } from "../units";
+
 export interface Column {
     name: string;
     unit: string;
@@ -75,6 +77,11 @@ export class Table {
 function numbers({ kind }: Column, cells: Column["cells"]): number[] {
     if (kind === "text") return [];
     return cells.map((cell) => (typeof cell === "string" ? SPECIAL[cell] ?? Number.NaN : Number(cell)));
+}
+
+/** Divisor and unit in which table and axis show a column. */
+export function scale({ values, unit }: Column): [number, string] {
+    return axisUnit(values.filter(Number.isFinite).reduce((most, value) => Math.max(most, Math.abs(value)), 0), unit);
 }
 
 /** Different values of a column, from the smallest. */

@@ -1,16 +1,11 @@
 //! `jounce cite`: text, BibTeX and JSON.
 
-use crate::{SPEC, jounce};
-use assert_cmd::Command;
+use crate::{SPEC, jounce, outcome, program};
 
 fn text(arguments: &[&str]) -> String {
-    let output = Command::cargo_bin("jounce")
-        .unwrap()
-        .args(arguments)
-        .output()
-        .unwrap();
-    assert!(output.status.success(), "{output:?}");
-    String::from_utf8(output.stdout).unwrap()
+    let (code, text, stderr) = outcome(program().args(arguments));
+    assert_eq!(code, 0, "{stderr}");
+    text
 }
 
 #[test]

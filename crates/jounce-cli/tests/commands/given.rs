@@ -1,6 +1,6 @@
 //! What is known before a prototype: modes of other programs, materials and chips.
 
-use super::jounce;
+use super::{jounce, outcome, program};
 use std::path::Path;
 
 const FOLDER: &str = concat!(
@@ -114,11 +114,7 @@ fn materials_and_chips_are_listed() {
         first
     );
     assert!(chips[1]["source"].as_str().unwrap().contains("SLUSBH2"));
-    let output = assert_cmd::Command::cargo_bin("jounce")
-        .unwrap()
-        .arg("materials")
-        .output();
-    let text = String::from_utf8(output.unwrap().stdout).unwrap();
+    let (_, text, _) = outcome(program().arg("materials"));
     for line in [
         "BQ25570: regulator, starts at 2.8 V, stops at 2.39 V, output 1.8 V, efficiency 0.9",
         "    current off 445 nA at the start voltage, quiescent current on 488 nA",

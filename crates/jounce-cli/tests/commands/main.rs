@@ -12,17 +12,19 @@ mod messages;
 mod names;
 mod new;
 mod orbits;
+#[path = "../program/mod.rs"]
+mod program;
 mod rerun;
 mod runs;
+mod show;
 mod studies;
 mod study_page;
 mod two_stops;
 mod virtual_rig;
 mod warnings;
 
-use assert_cmd::Command;
+use program::{jounce_in, outcome, program, with_json};
 use serde_json::Value;
-use std::path::Path;
 
 const SPEC: &str = concat!(
     env!("CARGO_MANIFEST_DIR"),
@@ -32,31 +34,9 @@ const PLANT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../bench/plant.toml
 
 fn jounce(arguments: &[&str]) -> (i32, Value, String) {
     let cache = tempfile::tempdir().unwrap();
-    let mut command = Command::cargo_bin("jounce").unwrap();
+    let mut command = program();
     command.env("JOUNCE_CACHE", cache.path());
     with_json(outcome(command.args(arguments)))
-}
-
-fn jounce_in(folder: &Path, arguments: &[&str]) -> (i32, String, String) {
-    let mut command = Command::cargo_bin("jounce").unwrap();
-    outcome(command.current_dir(folder).args(arguments))
-}
-
-/// Returns exit code, stdout and stderr.
-fn outcome(command: &mut Command) -> (i32, String, String) {
-    let output = command.output().unwrap();
-    let text = |bytes| String::from_utf8(bytes).unwrap();
-    (
-        output.status.code().unwrap(),
-        text(output.stdout),
-        text(output.stderr),
-    )
-}
-
-/// Reads stdout as JSON; null for another text.
-fn with_json((code, stdout, stderr): (i32, String, String)) -> (i32, Value, String) {
-    let json = serde_json::from_str(&stdout).unwrap_or(Value::Null);
-    (code, json, stderr)
 }
 
 fn assert_keys(value: &Value, keys: &[&str]) {

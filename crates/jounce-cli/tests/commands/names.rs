@@ -1,19 +1,15 @@
 //! The commands have the options of the questions.
 
-use crate::{SPEC, jounce};
-use assert_cmd::Command;
+use crate::{SPEC, jounce, outcome, program};
 use serde_json::Value;
 
 /// Every option of a question is an argument of its command, with its default.
 #[test]
 fn commands_have_the_options_of_the_questions() {
     for question in jounce::questions() {
-        let mut command = Command::cargo_bin("jounce").unwrap();
-        command
-            .args(question.command.split(' '))
-            .arg("--help")
-            .env("COLUMNS", "200");
-        let help = String::from_utf8(command.output().unwrap().stdout).unwrap();
+        let mut command = program();
+        command.args(question.command.split(' ')).arg("--help");
+        let (_, help, _) = outcome(command.env("COLUMNS", "200"));
         for option in &question.options {
             let argument = format!("--{}", option.argument);
             let is_there = help.split_whitespace().any(|word| word == argument);

@@ -1,7 +1,6 @@
 //! `jounce rerun`: tables of every command are made again, and every change is found.
 
-use crate::SPEC;
-use assert_cmd::Command;
+use crate::{SPEC, outcome, program, with_json};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 
@@ -9,15 +8,9 @@ const EXAMPLES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples");
 
 /// Runs the program in a folder; returns the exit code, the JSON on stdout and stderr.
 fn call(folder: &Path, arguments: &[&str]) -> (i32, Value, String) {
-    let mut command = Command::cargo_bin("jounce").unwrap();
-    let command = command.args(arguments).current_dir(folder);
-    let output = command
-        .env("JOUNCE_CACHE", folder.join("cache"))
-        .output()
-        .unwrap();
-    let json = serde_json::from_slice(&output.stdout).unwrap_or(Value::Null);
-    let text = String::from_utf8(output.stderr).unwrap();
-    (output.status.code().unwrap(), json, text)
+    let mut command = program();
+    command.args(arguments).current_dir(folder);
+    with_json(outcome(command.env("JOUNCE_CACHE", folder.join("cache"))))
 }
 
 /// Runs a command line with `--out out`, which must succeed.

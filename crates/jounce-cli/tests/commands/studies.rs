@@ -1,7 +1,6 @@
 //! Studies and ensembles.
 
-use crate::{PLANT, SPEC, assert_keys, jounce};
-use assert_cmd::Command;
+use crate::{PLANT, SPEC, assert_keys, jounce, program};
 #[cfg(unix)]
 use std::time::Duration;
 
@@ -31,11 +30,7 @@ fn a_killed_study_resumes() {
             output_path(name),
         ]
     };
-    Command::cargo_bin("jounce")
-        .unwrap()
-        .args(arguments("whole"))
-        .assert()
-        .success();
+    program().args(arguments("whole")).assert().success();
     let parts = || {
         std::fs::read_dir(output_path("killed").join("parts")).map_or(0, |entries| entries.count())
     };

@@ -25,7 +25,10 @@ fn run(arguments: &[&str]) -> serde_json::Value {
 fn page(folder: &Path, name: &str) -> (String, String) {
     let file = study(folder);
     let text = |path: PathBuf| path.to_str().unwrap().to_owned();
-    let (out, page) = (text(folder.join(name)), text(folder.join("page.html")));
+    let (out, page) = (
+        text(folder.join(name)),
+        text(folder.join("pages/page.html")),
+    );
     run(&["study", "run", &file, "--out", &out]);
     assert_eq!(
         run(&["study", "page", &out, "--out", &page])["page"],

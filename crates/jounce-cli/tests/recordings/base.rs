@@ -1,24 +1,8 @@
 //! What commands on recordings say: responses to a base, warnings in words, issues once, peaks by height.
 
-use super::{csv, jounce, write_switching_recording};
-use assert_cmd::Command;
+use super::{csv, jounce, jounce_in, write_switching_recording};
 use std::f64::consts::TAU;
 use std::path::Path;
-
-fn outputs(folder: &Path, arguments: &[&str]) -> (i32, String, String) {
-    let output = Command::cargo_bin("jounce")
-        .unwrap()
-        .args(arguments)
-        .current_dir(folder)
-        .output()
-        .unwrap();
-    let text = |bytes| String::from_utf8(bytes).unwrap();
-    (
-        output.status.code().unwrap(),
-        text(output.stdout),
-        text(output.stderr),
-    )
-}
 
 /// A base and a voltage of 2 V per m/s^2, both in units of their own, beside a dead channel.
 fn write_shaker_recording(folder: &Path) {
@@ -67,7 +51,7 @@ fn a_base_is_an_input_in_its_own_unit() {
         "{}",
         piezo["re"][112]
     );
-    let (code, text, stderr) = outputs(folder.path(), &measured);
+    let (code, text, stderr) = jounce_in(folder.path(), &measured);
     assert!(
         code == 0 && text.contains("V/(m/s^2) (1.96133e1 V/g)"),
         "{text} {stderr}"
@@ -77,9 +61,9 @@ fn a_base_is_an_input_in_its_own_unit() {
         !stderr.contains("dead") && stderr.contains("note: base: values in g"),
         "{stderr}"
     );
-    let (code, _, stderr) = outputs(folder.path(), &["frf", "--measured", "shaken.csv"]);
+    let (code, _, stderr) = jounce_in(folder.path(), &["frf", "--measured", "shaken.csv"]);
     assert!(code == 4 && stderr.contains("--input"), "{code} {stderr}");
-    let (code, _, stderr) = outputs(
+    let (code, _, stderr) = jounce_in(
         folder.path(),
         &[
             "frf",
@@ -92,7 +76,7 @@ fn a_base_is_an_input_in_its_own_unit() {
         ],
     );
     assert!(code == 2, "{code} {stderr}");
-    let (code, _, stderr) = outputs(folder.path(), &["modes", "spec.toml", "--input", "base"]);
+    let (code, _, stderr) = jounce_in(folder.path(), &["modes", "spec.toml", "--input", "base"]);
     assert!(
         code == 2 && stderr.contains("--measured"),
         "{code} {stderr}"
@@ -104,7 +88,7 @@ fn a_base_is_an_input_in_its_own_unit() {
 fn issues_are_printed_once() {
     let folder = tempfile::tempdir().unwrap();
     write_shaker_recording(folder.path());
-    let (code, _, stderr) = outputs(
+    let (code, _, stderr) = jounce_in(
         folder.path(),
         &[
             "frf",
@@ -128,7 +112,7 @@ fn issues_are_printed_once() {
         (1, 1, 2),
         "{stderr}"
     );
-    let (code, _, stderr) = outputs(
+    let (code, _, stderr) = jounce_in(
         folder.path(),
         &["spectra", "shaken.csv", "--channel", "piezo"],
     );
@@ -160,7 +144,7 @@ fn a_warning_of_a_contact_is_a_sentence() {
         "time [s],hammer [N]",
         (0..10_000).map(row),
     );
-    let (code, text, stderr) = outputs(folder.path(), &["contact", "double.csv"]);
+    let (code, text, stderr) = jounce_in(folder.path(), &["contact", "double.csv"]);
     assert!(
         code == 0 && text.contains("warning: the hit is double: 1") && !text.contains("Double {"),
         "{text} {stderr}"
@@ -206,7 +190,7 @@ fn spectra_take_a_live_channel_and_list_peaks_by_height() {
 fn a_segment_too_short_for_an_interval_does_not_fail_the_others() {
     let folder = tempfile::tempdir().unwrap();
     write_switching_recording(folder.path());
-    let (code, text, stderr) = outputs(
+    let (code, text, stderr) = jounce_in(
         folder.path(),
         &[
             "segments",

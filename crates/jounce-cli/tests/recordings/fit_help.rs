@@ -1,19 +1,14 @@
 //! The help of `jounce fit` and `jounce modes`, and its example.
 
 use super::fits::SPEC;
-use super::jounce;
+use super::{jounce, outcome, program};
 
 /// The example of `fit --help` is a file that can be fitted to: the damping ratio of the first mode follows its measurement, whose deviation of
 /// 0.1 is small beside the 0.5 known before, so that it covers the share `0.5^2 / (0.5^2 + 0.1^2)` of the way, in logarithms.
 #[test]
 fn the_example_of_the_help_is_fitted() {
     let folder = tempfile::tempdir().unwrap();
-    let output = assert_cmd::Command::cargo_bin("jounce")
-        .unwrap()
-        .args(["fit", "--help"])
-        .output()
-        .unwrap();
-    let help = String::from_utf8(output.stdout).unwrap();
+    let (_, help, _) = outcome(program().args(["fit", "--help"]));
     let (_, example) = help.split_once("FEATURES, a small one:").unwrap();
     let (example, following_text) = example.split_once("Deviations are").unwrap();
     assert!(
@@ -64,12 +59,7 @@ fn the_example_of_the_help_is_fitted() {
 #[test]
 fn options_of_fit_and_modes_state_their_defaults() {
     for command in ["fit", "modes"] {
-        let output = assert_cmd::Command::cargo_bin("jounce")
-            .unwrap()
-            .args([command, "--help"])
-            .output()
-            .unwrap();
-        let help = String::from_utf8(output.stdout).unwrap();
+        let (_, help, _) = outcome(program().args([command, "--help"]));
         let options = help
             .split_once("Options:")
             .unwrap()

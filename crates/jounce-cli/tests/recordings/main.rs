@@ -10,29 +10,19 @@ mod fit_help;
 mod fits;
 mod force_tables;
 mod hammers;
+#[path = "../program/mod.rs"]
+mod program;
 mod reading;
 mod two_hammer_points;
 mod wrong_input;
 
-use assert_cmd::Command;
+use program::{jounce_in, outcome, program, with_json};
 use serde_json::Value;
 use std::f64::consts::{PI, TAU};
 use std::path::Path;
 
 fn jounce(folder: &Path, arguments: &[&str]) -> (i32, Value, String) {
-    let output = Command::cargo_bin("jounce")
-        .unwrap()
-        .args(arguments)
-        .current_dir(folder)
-        .output()
-        .unwrap();
-    let text = String::from_utf8(output.stdout).unwrap();
-    let json = serde_json::from_str(&text).unwrap_or(Value::Null);
-    (
-        output.status.code().unwrap(),
-        json,
-        String::from_utf8(output.stderr).unwrap(),
-    )
+    with_json(jounce_in(folder, arguments))
 }
 
 fn assert_keys(value: &Value, keys: &[&str]) {

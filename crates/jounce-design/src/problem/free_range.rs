@@ -3,6 +3,10 @@
 use super::free_key::messages;
 use jounce_spec::{KeyRange, NumericKey, SpecFile};
 
+/// Significant digits of the number of a design: finer than a workshop and the model, short enough to
+/// read.
+const DIGITS: usize = 6;
+
 /// Numbers between two ends.
 #[derive(Debug, Clone)]
 pub struct FreeRange {
@@ -57,16 +61,21 @@ impl FreeRange {
         self.text(self.low)
     }
 
-    /// Returns the number at a place in [0, 1], SI.
+    /// Returns the number of a design at a place in [0, 1], SI: that of [`FreeRange::at`], rounded.
     pub fn value(&self, place: f64) -> f64 {
+        let value = self.at(place);
+        let rounded = match self.key.is_count() {
+            true => value.round(),
+            false => format!("{value:.*e}", DIGITS - 1).parse().unwrap_or(value),
+        };
+        rounded.clamp(self.low, self.high)
+    }
+
+    /// Returns the number at a place in [0, 1], SI, for searches that need a smooth function.
+    pub(crate) fn at(&self, place: f64) -> f64 {
         let value = match self.logarithmic {
             true => self.low * (self.high / self.low).powf(place),
             false => self.low + (self.high - self.low) * place,
-        };
-        let value = if self.key.is_count() {
-            value.round()
-        } else {
-            value
         };
         value.clamp(self.low, self.high)
     }
@@ -82,7 +91,7 @@ impl FreeRange {
     /// Returns the derivative of the number by the place.
     pub(crate) fn slope(&self, place: f64) -> f64 {
         match self.logarithmic {
-            true => self.value(place) * (self.high / self.low).ln(),
+            true => self.at(place) * (self.high / self.low).ln(),
             false => self.high - self.low,
         }
     }
@@ -142,9 +151,20 @@ mod tests {
         }
         for text in ["100:1e5:log N/m^1.5", "100 N/m^1.5:1e5 N/m^1.5:log"] {
             let stiffness = range("stop.s.stiffness", text);
-            assert!((stiffness.value(0.5) / 1e3_f64.powf(0.5) / 100.0 - 1.0).abs() < 1e-12);
+            assert!((stiffness.at(0.5) / 1e3_f64.powf(0.5) / 100.0 - 1.0).abs() < 1e-12);
+            assert_eq!(stiffness.text(stiffness.value(0.5)), "3162.28 N/m^1.5");
             let place = stiffness.place(1000.0);
-            assert!((stiffness.value(place) / 1000.0 - 1.0).abs() < 1e-12);
+            assert!((stiffness.at(place) / 1000.0 - 1.0).abs() < 1e-12);
+            assert_eq!(stiffness.value(place), 1000.0);
+        }
+    }
+
+    #[test]
+    fn a_rounded_number_stays_within_its_range() {
+        let file = SpecFile::from_text(SPEC);
+        let gap = FreeRange::read(&file, "stop.s.gap", "1.23456789mm:1.23456799mm").unwrap();
+        for place in [0.0, 0.3, 0.7, 1.0] {
+            assert!((gap.low..=gap.high).contains(&gap.value(place)));
         }
     }
 

@@ -122,7 +122,7 @@ impl Problem {
         self.variants.iter().map(model).collect()
     }
 
-    /// Returns the values of the numeric keys at a place of the unit cube, SI.
+    /// Returns the values of the numeric keys of the design at a place of the unit cube, SI.
     pub(crate) fn numbers(&self, place: &[f64]) -> Vec<(&NumericKey, f64)> {
         let mut all = Vec::with_capacity(self.free.len());
         for (_, free, coordinate) in self.applying(place) {

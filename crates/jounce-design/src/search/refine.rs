@@ -186,9 +186,12 @@ impl Refinement<'_> {
     }
 
     fn numbers(&self, place: &[f64]) -> Vec<(&NumericKey, f64)> {
-        let mut all = self.problem.numbers(place);
-        all.retain(|(key, _)| !key.is_count());
-        all
+        let applying = self.problem.applying(place);
+        let numbers = applying.filter_map(|(_, free, coordinate)| {
+            let range = free.smooth()?;
+            Some((&range.key, range.at(coordinate)))
+        });
+        numbers.collect()
     }
 
     /// Evaluates a followed design, and keeps it.

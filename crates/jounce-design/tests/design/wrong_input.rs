@@ -102,6 +102,13 @@ fn a_key_without_an_effect_is_refused() {
     assert!(duration.contains("line 4") && duration.contains("free.run.duration"));
     assert!(material.contains("line 5") && material.contains("free.patch.p.material"));
     assert!(lines.iter().all(|line| line.contains("remove")), "{error}");
+    // Also where no duration of the range is as long as the window of 1 s.
+    let short = format!("[free]\n\"run.duration\" = \"0.1s:0.5s\"\n{goal}");
+    let error = error_of(CANTILEVER, &short);
+    assert!(
+        error.contains("line 2") && error.contains("free.run.duration: no goal"),
+        "{error}"
+    );
     // A limit of the mass depends on the density, and a run on its duration.
     let limited = format!(
         "[free]\n\"patch.p.density\" = \"5000:6000 kg/m^3\"\n{goal}[limits]\nmass = \"50 g\"\n"

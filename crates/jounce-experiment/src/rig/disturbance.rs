@@ -62,35 +62,35 @@ impl Disturbance {
     pub(super) fn check(&self) -> Result<(), RigError> {
         let settings = [
             (
-                "the wander of the amplitude",
+                "the relative standard deviation of the drive amplitude",
                 self.amplitude_ratio,
                 0.0,
                 0.3,
                 "from 0 to 0.3",
             ),
             (
-                "the wander of the frequency",
+                "the relative standard deviation of the drive frequency",
                 self.frequency_ratio,
                 0.0,
                 0.1,
                 "from 0 to 0.1",
             ),
             (
-                "the memory of the wander in seconds",
+                "the correlation time of both fluctuations in seconds",
                 self.memory_s,
                 1e-6,
                 1e6,
                 "above 0",
             ),
             (
-                "the drift of the amplitude",
+                "the relative drift of the drive amplitude",
                 self.amplitude_drift,
                 -0.9,
                 10.0,
                 "from -0.9 to 10",
             ),
             (
-                "the drift of the frequency",
+                "the relative drift of the drive frequency",
                 self.frequency_drift,
                 -0.5,
                 0.5,

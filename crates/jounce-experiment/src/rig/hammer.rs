@@ -178,7 +178,7 @@ fn check(test: &HammerTest) -> Result<(), RigError> {
             test.block_s * test.rate_hz,
             64.0,
             4e6,
-            "from 64 to 4000000",
+            "from 64 to 4000000: change the rate or the time between hits",
         ),
         (
             "the contact time in samples",

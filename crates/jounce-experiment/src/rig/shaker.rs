@@ -139,9 +139,9 @@ fn check(test: &ShakerTest) -> Result<usize, RigError> {
     let samples = test.duration_s * test.rate_hz;
     if !(64.0..=4e6).contains(&samples) {
         return Err(RigError::Setting {
-            name: "the number of samples",
+            name: "the number of samples, rate times duration,",
             value: samples,
-            allowed: "from 64 to 4000000",
+            allowed: "from 64 to 4000000: change the rate, or the duration of the record",
         });
     }
     let ordered = test.starts.windows(2).all(|pair| pair[0].0 < pair[1].0);

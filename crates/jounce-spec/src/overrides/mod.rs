@@ -22,7 +22,7 @@ pub(crate) struct Override {
     /// The new value; `None` removes the key.
     node: Option<Node>,
     /// Keys of the same table that this key excludes.
-    excludes: &'static [&'static str],
+    excludes: Vec<&'static str>,
 }
 
 impl Override {
@@ -37,10 +37,10 @@ impl Override {
             Some(node) => node.entries().is_some(),
             None => root.find(&path).is_some(),
         };
-        let mut excludes: &[&str] = &[];
+        let mut excludes = Vec::new();
         if !(is_table && path::is_table(&path)) {
             let info = resolve(root, key)?;
-            excludes = info.need.alternatives();
+            excludes = path::excluded(&path);
             match &mut node {
                 Some(node) if wants_text(info.kind) && !matches!(node.value, Value::Text(_)) => {
                     node.value = Value::Text(value.to_owned());
@@ -77,8 +77,8 @@ impl Override {
             root.remove(&path);
             return;
         };
-        if let Some((name, parents)) = path.split_last() {
-            for other in self.excludes.iter().filter(|other| *other != name) {
+        if let Some((_, parents)) = path.split_last() {
+            for other in &self.excludes {
                 root.remove(&[parents, &[*other]].concat());
             }
         }
@@ -116,7 +116,7 @@ impl Override {
             table.remove(name);
             return;
         }
-        for other in self.excludes.iter().filter(|other| *other != name) {
+        for other in &self.excludes {
             table.remove(other);
         }
         let item = layout::replacement(self.written(), table.get(name));

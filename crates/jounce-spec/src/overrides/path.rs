@@ -31,6 +31,33 @@ fn is_table_in(rows: &[Row], path: &[String]) -> bool {
     }
 }
 
+/// Returns the keys that the key at a path excludes, from every rule of its table that names it.
+pub(super) fn excluded(path: &[String]) -> Vec<&'static str> {
+    excluded_in(&rows(SPEC, Spec::default), path)
+}
+
+fn excluded_in(rows: &[Row], path: &[String]) -> Vec<&'static str> {
+    let Some((name, rest)) = path.split_first() else {
+        return Vec::new();
+    };
+    if rest.is_empty() {
+        let rules = rows.iter().map(|row| row.info.need.alternatives());
+        let rules = rules.filter(|names| names.contains(&name.as_str()));
+        return rules
+            .flatten()
+            .copied()
+            .filter(|other| other != name)
+            .collect();
+    }
+    let row = rows.iter().find(|row| row.info.name == *name);
+    match row.map(|row| (row.info.kind, &row.inner, rest)) {
+        Some((Kind::Table, inner, rest) | (Kind::Things, inner, [_, rest @ ..])) => {
+            excluded_in(inner, rest)
+        }
+        _ => Vec::new(),
+    }
+}
+
 /// Returns the key at a path if the elements on the path exist in the file.
 pub(crate) fn resolve(root: &Node, key: &str) -> Result<KeyInfo, String> {
     let top = rows(SPEC, Spec::default);

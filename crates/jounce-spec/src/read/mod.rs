@@ -74,8 +74,15 @@ impl ReadState {
                     .any(|other| *other == key || other.starts_with(&below))
                 && self.has_room()
             {
+                let position = self.position(&key);
+                let message = match (position, key.split_once('.')) {
+                    (SourcePlace::Nowhere, Some((table, _))) => {
+                        format!("{message}; the file has no [{table}]")
+                    }
+                    _ => message,
+                };
                 self.found.push(ReadFault {
-                    position: self.position(&key),
+                    position,
                     key,
                     message,
                 });
@@ -83,14 +90,14 @@ impl ReadState {
         }
     }
 
-    /// Returns the place of a key, or the place of the table that would contain it.
+    /// Returns the place of a key, or of the nearest table that would contain it.
     fn position(&self, key: &str) -> SourcePlace {
         let mut path = key;
         loop {
             match (self.positions.get(path), path.rsplit_once('.')) {
                 (Some(position), _) => return *position,
                 (None, Some((parent, _))) => path = parent,
-                (None, None) => return SourcePlace::At(0),
+                (None, None) => return SourcePlace::Nowhere,
             }
         }
     }

@@ -12,6 +12,8 @@ pub(crate) enum SourcePlace {
     At(usize),
     /// Override with this index.
     Set(usize),
+    /// The file has no such table.
+    Nowhere,
 }
 
 /// A value and its place.

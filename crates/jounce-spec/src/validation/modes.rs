@@ -26,7 +26,12 @@ pub(super) fn check(spec: &Spec, faults: &mut ValidationFaults) {
             [run.average_over_s, run.duration_s].map(|time| Quantity::Time.write(time));
         faults.push(
             || "run.average_over".to_owned(),
-            || format!("is {window}; it must be at most run.duration = {duration}"),
+            || {
+                format!(
+                    "is {window}; it must be at most run.duration = {duration}: \
+                     --set run.average_over=\"{duration}\" or --set run.duration=\"{window}\""
+                )
+            },
         );
     }
 }

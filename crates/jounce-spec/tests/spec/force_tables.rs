@@ -111,6 +111,32 @@ fn points_in_a_file_are_those_in_the_spec() {
     );
 }
 
+/// Before a file both lists give way, and before a list the file, which has the other list too.
+#[test]
+fn a_file_that_is_set_replaces_both_lists_of_points() {
+    let folder = tempfile::tempdir().unwrap();
+    let points = "penetration_m,force_n\n1e-5,1\n2e-5,3\n";
+    std::fs::write(folder.path().join("contact.csv"), points).unwrap();
+    for lists in [
+        "penetration_m = [1e-5, 3e-5]\nforce_n = [2, 8.5]",
+        "penetration = [\"10 um\"]\nforce = [\"2 N\"]",
+    ] {
+        let mut file = SpecFile::from_text(text(lists)).in_folder(folder.path());
+        file.set("stop.s.file", "contact.csv").unwrap();
+        for file in [&file, &file.written()] {
+            let table = &file.spec().unwrap().stop["s"].table;
+            let read = (&table.penetration_m[..], &table.force_n[..]);
+            assert_eq!(read, (&[1e-5, 2e-5][..], &[1.0, 3.0][..]));
+        }
+        file.set("stop.s.force_n", "[2, 9]").unwrap();
+        let fault = file.spec().unwrap_err().to_string();
+        assert!(
+            fault.contains("one of `penetration_m` or `penetration` or `file` is missing"),
+            "{fault}"
+        );
+    }
+}
+
 #[test]
 fn files_without_a_force_table_are_reported() {
     let cases = [

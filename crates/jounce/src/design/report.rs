@@ -2,7 +2,7 @@
 
 use super::DesignResult;
 use crate::error::Error;
-use jounce_design::{FreeValue, FrontPoint, Goal, LimitResult, SobolIndex};
+use jounce_design::{FreeValue, FrontPoint, Goal, LimitResult, SearchEnd, SobolIndex};
 use jounce_io::table::{Column, Table};
 use jounce_plot::{Axis, Figure, Marker, Panel, Series};
 use std::collections::BTreeSet;
@@ -168,10 +168,11 @@ impl DesignResult {
                 self.outcome.front.len()
             ));
         }
-        let end = format!("{:?}", self.outcome.ended_by).to_lowercase();
         lines.push(format!(
-            "search           {} designs in {:.1} s, ended: {end}",
-            self.outcome.evaluations, self.outcome.wall_time_s
+            "search           {} designs in {:.1} s; {}",
+            self.outcome.evaluations,
+            self.outcome.wall_time_s,
+            end_text(self.outcome.ended_by)
         ));
         lines.join("\n")
     }
@@ -194,6 +195,16 @@ impl DesignResult {
                 false => names.join("; "),
             }
         )
+    }
+}
+
+/// Returns the end of a search in words.
+fn end_text(end: SearchEnd) -> &'static str {
+    match end {
+        SearchEnd::Converged => "ended because no better design is expected",
+        SearchEnd::Evaluations => "ended because its number of evaluations was used up",
+        SearchEnd::Seconds => "ended because its wall time was used up",
+        SearchEnd::Stopped => "stopped",
     }
 }
 

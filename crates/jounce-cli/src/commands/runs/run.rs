@@ -124,10 +124,10 @@ fn print_storage(result: &RunResult, circuit: &RectifiedResult) {
     let current = if circuit.mean_current_a == 0.0 {
         String::new()
     } else {
-        format!(", {:.4e} A", circuit.mean_current_a)
+        format!(", mean current {:.4e} A", circuit.mean_current_a)
     };
     line(format!(
-        "storage            {:.6} V{current}  (circuit {})",
+        "storage, rms       {:.6} V{current}  (circuit {})",
         circuit.voltage_rms_v, circuit.name
     ));
     // A loss of zero may have roundoff of either sign.

@@ -62,8 +62,8 @@ struct Existing {
 struct Page {
     #[command(flatten)]
     study: Existing,
-    /// File of the page: a name that ends in .html. By default the name of the folder with .html, in
-    /// the current folder.
+    /// File of the page: a name that ends in .html; its folder is created if missing. By default the
+    /// name of the folder with .html, in the current folder.
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
 }
@@ -123,6 +123,7 @@ impl Page {
             return Err(Failure::usage(text));
         }
         let page = study_page(&study, &name)?;
+        output::make_folder_of(&path)?;
         write_file(&path, page.as_bytes()).map_err(Error::from)?;
         match self.study.json {
             true => print(&serde_json::json!({ "page": path })),

@@ -1,10 +1,11 @@
 //! `jounce show SPEC`
 
 use crate::failure::Failure;
-use crate::output::{line, print};
+use crate::output::{line, make_folder_of, print};
 use crate::spec_arguments::SpecArguments;
 use clap::Args;
 use jounce::Error;
+use jounce::parts::PictureError;
 use std::path::{Path, PathBuf};
 
 /// Arguments of `show`.
@@ -12,8 +13,8 @@ use std::path::{Path, PathBuf};
 pub struct Show {
     #[command(flatten)]
     spec: SpecArguments,
-    /// File of the drawing: a name that ends in .svg or .png. By default the name of the spec with
-    /// .svg, in the current folder.
+    /// File of the drawing: a name that ends in .svg or .png; its folder is created if missing. By
+    /// default the name of the spec with .svg, in the current folder.
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
     /// Prints one JSON object on stdout.
@@ -30,10 +31,15 @@ impl Show {
             .out
             .clone()
             .unwrap_or_else(|| Path::new(stem).with_extension("svg"));
-        harvester
-            .drawing(&self.title())
-            .write(&path)
-            .map_err(Error::from)?;
+        let drawing = harvester.drawing(&self.title());
+        if let Err(error) = drawing.write(&path) {
+            // A name without a known format leaves no folder.
+            if !matches!(error, PictureError::Store(_)) {
+                return Err(Error::from(error).into());
+            }
+            make_folder_of(&path)?;
+            drawing.write(&path).map_err(Error::from)?;
+        }
         match self.json {
             true => print(&serde_json::json!({ "drawing": path })),
             false => line(path.display()),

@@ -10,6 +10,9 @@ use toml_edit::Table;
 /// Places of a range at which the harvesters are compared, its ends first.
 const PLACES: [f64; 5] = [0.0, 1.0, 0.5, 0.25, 0.75];
 
+/// Table of the spec that only goals of a run depend on.
+const RUN: &str = "run.";
+
 /// Refuses free keys whose values all lead to the same goals and limits: the equations of the
 /// harvester, the limited sizes and, for goals of a run, the run are the same.
 pub(super) fn check(
@@ -26,6 +29,7 @@ pub(super) fn check(
                 stride *= choices.len();
                 choice_has_effect(problem, models, own) || has_ranges(problem, index)
             }
+            FreeValues::Range(_) if free.path.starts_with(RUN) && !has_run(problem) => false,
             FreeValues::Range(range) => range_has_effect(problem, models, (free, range)),
         };
         if !has_effect {
@@ -101,12 +105,16 @@ fn differs(problem: &Problem, model: &Model, range: &FreeRange) -> bool {
 fn is_same(problem: &Problem, one: &Model, other: &Model) -> bool {
     let sizes = problem.sizes();
     let mut sizes = sizes.iter().map(|(_, size)| size);
-    let has_run = problem.goals.iter().any(|goal| goal.needs_run());
     let has_same_run = || {
         let start = |model: &Model| model.start(&problem.folder).ok();
         one.spec.run == other.spec.run && start(one) == start(other)
     };
     one.kernel.plant.system == other.kernel.plant.system
         && sizes.all(|size| size.of(&one.spec) == size.of(&other.spec))
-        && (!has_run || has_same_run())
+        && (!has_run(problem) || has_same_run())
+}
+
+/// True where a goal is one of a run.
+fn has_run(problem: &Problem) -> bool {
+    problem.goals.iter().any(|goal| goal.needs_run())
 }

@@ -221,9 +221,12 @@ fn impossible_tests_are_errors() {
             .unwrap_err()
             .to_string()
     };
-    assert!(with(|t| t.duration_s = 0.01).contains("samples"));
+    assert!(with(|t| t.duration_s = 0.01).contains("change the rate"));
     assert!(with(|t| t.accelerometers = vec!["beam.tpi".to_owned()]).contains("beam.tip"));
-    assert!(with(|t| t.disturbance.amplitude_ratio = f64::NAN).contains("amplitude"));
+    assert!(
+        with(|t| t.disturbance.amplitude_ratio = f64::NAN)
+            .contains("standard deviation of the drive amplitude")
+    );
     for noise_ratio in [-1.0, f64::NAN, f64::INFINITY] {
         let sensor = Sensor {
             noise_ratio,

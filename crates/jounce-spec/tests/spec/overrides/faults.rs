@@ -60,7 +60,7 @@ const FAULTS: [(&str, &str, &str); 11] = [
     (
         "run.average_over",
         "30 s",
-        "--set run.average_over=30 s: run.average_over is 30 s; it must be at most run.duration = 20 s",
+        "--set run.average_over=30 s: run.average_over is 30 s; it must be at most run.duration = 20 s: --set run.average_over=\"20 s\" or --set run.duration=\"30 s\"",
     ),
 ];
 
@@ -72,6 +72,28 @@ fn faults_name_the_override_as_their_place() {
             fault.starts_with("--set") && fault.contains(message),
             "{fault}"
         );
+    }
+}
+
+#[test]
+fn a_fault_of_a_table_that_the_file_lacks_has_no_place() {
+    let paper = paper();
+    let (before, after) = paper.split_once("[damping]\n").unwrap();
+    let (_, rest) = after.split_once('\n').unwrap();
+    let without_key = format!("{before}[damping]\n{rest}");
+    let line = before.lines().count() + 1;
+    for (text, place) in [
+        (format!("{before}{rest}"), (0, 0)),
+        (without_key, (line, 2)),
+    ] {
+        let faults = SpecFile::from_text(text).spec().unwrap_err();
+        let [fault] = faults.as_slice() else {
+            panic!("{faults}")
+        };
+        assert_eq!((fault.line, fault.column), place, "{fault}");
+        assert_eq!(fault.key, "damping.ratios");
+        let is_said = fault.message.ends_with("; the file has no [damping]");
+        assert_eq!(is_said, place.0 == 0, "{fault}");
     }
 }
 
@@ -89,6 +111,28 @@ fn a_fault_in_the_file_names_the_override_that_causes_it() {
                     .ends_with("; caused by --set beam.beam.length=50 mm"),
             "{fault}"
         );
+    }
+}
+
+/// Each `--set` of the message, next to that of the user, gives a spec without faults.
+#[test]
+fn a_window_longer_than_the_run_names_the_overrides_that_fit() {
+    for (key, value) in [
+        ("run.duration", "1 s"),
+        ("run.duration", "333.333 ms"),
+        ("run.average_over", "0.7 h"),
+    ] {
+        let fault = read_with(&[(key, value)]).unwrap_err();
+        let named: Vec<(&str, &str)> = fault
+            .split("--set ")
+            .filter_map(|words| words.split_once("=\""))
+            .map(|(key, rest)| (key, rest.split('"').next().unwrap()))
+            .collect();
+        let keys: Vec<&str> = named.iter().map(|(key, _)| *key).collect();
+        assert_eq!(keys, ["run.average_over", "run.duration"], "{fault}");
+        for change in named {
+            read_with(&[(key, value), change]).unwrap();
+        }
     }
 }
 
