@@ -10,7 +10,8 @@ import { field, page, server, type, until } from "./suite.mjs";
 
 const axeSource = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
 const text = (id) => page.locator(`#${id}`).textContent();
-const label = (name) => page.getByLabel(name, { exact: true });
+/** A control; the group of a row has the same name. */
+const label = (name) => page.getByLabel(name, { exact: true }).and(page.locator("input, select, button"));
 const put = async (name, value) => label(name).fill(value);
 /** Adds a row to a table of the problem. */
 const add = async (what, key) => {
