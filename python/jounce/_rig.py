@@ -134,8 +134,8 @@ class SpecOnRig(SpecText):
         """Computes the derivatives of the results of a stable periodic orbit with respect to keys; ``jounce sensitivity``.
 
         ``key`` is a key, a list of the spec such as ``"damping.ratios"``, or several; by default all numbers of the spec other than 0. The
-        orbit is the one that most of the ``starts`` of a cloud with a ``seed`` reach, or that of the id ``at`` in :meth:`basins`. With ``fold``
-        the nearest fold of its branch over the frequency of the drive is another result.
+        orbit is the one that most of the ``starts`` of a cloud with a ``seed`` reach, or that of the id ``at`` in :meth:`basins`. With
+        ``fold`` the nearest fold of its branch over the frequency of the drive is another result.
 
         Raises :class:`ArgumentError` for an unknown orbit, :class:`SpecError` for an unknown key.
         """

@@ -77,8 +77,9 @@ impl Budget<'_> {
         } else if self.left(evaluations) < needed {
             Some(SearchEnd::Evaluations)
         } else {
+            // The first design is evaluated in any case.
             let is_late = self.problem.seconds.is_some_and(|most| seconds >= most);
-            is_late.then_some(SearchEnd::Seconds)
+            (is_late && evaluations > 0).then_some(SearchEnd::Seconds)
         }
     }
 }

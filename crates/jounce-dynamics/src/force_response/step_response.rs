@@ -124,40 +124,6 @@ impl StepResponse {
         responses
     }
 
-    /// Returns the series of the states of a block from rest, driven by series of its rates (1/s),
-    /// given the factors of up to eight blocks and the index of the block among them. Each lane is
-    /// a separate motion; a single rate leaves the second state empty.
-    #[inline(always)]
-    pub fn to<W: Simd>(
-        w: W,
-        part: &BlockOnStep,
-        h: f64,
-        [first, second]: [Vec<F64x8>; 2],
-        (factors, index): (&[TridiagonalFactors], usize),
-    ) -> [Vec<F64x8>; 2] {
-        let mut response = Self {
-            first: integrated(w, h, &first, factors.len()),
-            second: integrated(w, h, &second, factors.len()),
-        };
-        if matches!(part, BlockOnStep::Double(_)) {
-            // The second state drives the first one.
-            let mut driving = Self {
-                first: response.second,
-                second: vec![F64x8::ZERO; factors.len()],
-            };
-            driving.sweep(w, factors, index);
-            let by_second = integrated(w, h, &driving.first, factors.len());
-            for (sum, by) in response.first.iter_mut().zip(&by_second) {
-                *sum = w.store(w.add(w.load(sum), w.load(by)));
-            }
-            response.second = vec![F64x8::ZERO; factors.len()];
-            response.sweep(w, factors, index);
-            return [response.first, driving.first];
-        }
-        response.sweep(w, factors, index);
-        [response.first, response.second]
-    }
-
     /// Solves one block for one step length, given the factors of up to eight blocks and the index
     /// of the block among them.
     #[inline(always)]
@@ -191,7 +157,7 @@ impl StepResponse {
 
     /// Forward and back substitution for all eight right sides.
     #[inline(always)]
-    fn sweep<W: Simd>(&mut self, w: W, factors: &[TridiagonalFactors], index: usize) {
+    pub(super) fn sweep<W: Simd>(&mut self, w: W, factors: &[TridiagonalFactors], index: usize) {
         let count = factors.len();
         let at = |part: &[F64x8; 2]| [part[0].0[index], part[1].0[index]];
         let (re, im) = (&mut self.first[..count], &mut self.second[..count]);
@@ -225,7 +191,7 @@ impl StepResponse {
 
 /// Returns `S g`, truncated to the available length.
 #[inline(always)]
-fn integrate<W: Simd>(w: W, series: &[F64x8], out: &mut [F64x8]) {
+pub(super) fn integrate<W: Simd>(w: W, series: &[F64x8], out: &mut [F64x8]) {
     let add = |w: W, lane: &mut F64x8, factor: f64, g: W::Register| {
         *lane = w.store(w.fma(w.splat(factor), g, w.load(lane)))
     };
@@ -240,18 +206,6 @@ fn integrate<W: Simd>(w: W, series: &[F64x8], out: &mut [F64x8]) {
             add(w, &mut out[n + 1], below(n), g);
         }
     }
-}
-
-/// Returns `h S g` with a number of rows.
-#[inline(always)]
-fn integrated<W: Simd>(w: W, h: f64, series: &[F64x8], count: usize) -> Vec<F64x8> {
-    let mut out = vec![F64x8::ZERO; count];
-    integrate(w, series, &mut out);
-    let h = w.splat(h);
-    for lane in &mut out {
-        *lane = w.store(w.mul(h, w.load(lane)));
-    }
-    out
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use super::elimination::NodeSystem;
 use super::linearization::Linearization;
 use super::parameter_sensitivity::DrivenNodeMotion;
 use super::parameters::NodeLaws;
-use super::tangents::add_scaled;
+use super::tangents::{NODES_PER_PASS, add_scaled, sums};
 use crate::flow::state::{add_force_response, columns};
 use crate::force_response::basis::NODES;
 use crate::kernel::{ForceBasis, Kernel};
@@ -12,9 +12,6 @@ use crate::record::trajectory::TrajectorySegment;
 use crate::tables::joint::{JointTables, StepLength};
 use jounce_model::contact::{ContactLaw, Slopes};
 use jounce_simd::{F64x8, LANES, Simd};
-
-/// Nodes in one pass over the tangents.
-const NODES_PER_PASS: usize = LANES / 2;
 
 /// Law of a port along a step.
 struct LawNodes {
@@ -96,7 +93,11 @@ impl Linearization<'_, '_> {
         let mut parameters = self.parameters.take();
         let mut step = None;
         if let Some(parameters) = &mut parameters {
-            step = Some(parameters.step(w, kernel, segment));
+            // Out of line: the code without parameters stays small enough to be inlined.
+            step = Some(w.out_of_line(
+                #[inline(always)]
+                || parameters.step(w, kernel, segment),
+            ));
         }
         for (index, node_laws) in nodes.iter().enumerate() {
             self.right_sides(w, tables, index, node_laws);
@@ -105,7 +106,11 @@ impl Linearization<'_, '_> {
             if let Some((parameters, step)) = parameters.as_ref().zip(step.as_ref()) {
                 let laws = node_laws.at(kernel, tables.ports[index], index);
                 let plant = &kernel.plant;
-                parameters.add_right_sides(w, plant, segment, step, &laws, &mut self.system);
+                let system = &mut self.system;
+                w.out_of_line(
+                    #[inline(always)]
+                    || parameters.add_right_sides(w, plant, segment, step, &laws, system),
+                );
             }
         }
         self.system.solve(w);
@@ -316,24 +321,6 @@ impl Linearization<'_, '_> {
             }
         }
     }
-}
-
-/// Sums a group of tangents by the factors of some nodes, from `first` on.
-#[inline(always)]
-fn sums<W: Simd>(
-    w: W,
-    factors: &[F64x8],
-    group: &[F64x8],
-    first: usize,
-) -> [W::Register; NODES_PER_PASS] {
-    let mut sums = [w.zero(); NODES_PER_PASS];
-    for (factor, value) in factors.iter().zip(group) {
-        let value = w.load(value);
-        for (i, sum) in sums.iter_mut().enumerate() {
-            *sum = w.fma(w.splat(factor.0[first + i]), value, *sum);
-        }
-    }
-    sums
 }
 
 /// Returns a row of `-J D - J' D'`.

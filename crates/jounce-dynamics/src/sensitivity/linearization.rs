@@ -163,7 +163,11 @@ impl<'a, 'p> Linearization<'a, 'p> {
     fn flight<W: Simd>(&mut self, w: W, segment: &TrajectorySegment) {
         self.pending_s += segment.length_s;
         if let Some(parameters) = &mut self.parameters {
-            let step = parameters.step(w, self.kernel, segment);
+            let kernel = self.kernel;
+            let step = w.out_of_line(
+                #[inline(always)]
+                || parameters.step(w, kernel, segment),
+            );
             parameters.add_outputs(self.kernel, segment, &step, &self.tangents, None, None);
             self.fly(w);
             if let Some(parameters) = &self.parameters {

@@ -4,6 +4,9 @@ use super::parameters::first_vector;
 use jounce_linalg::Mat;
 use jounce_simd::{F64x8, LANES, Simd};
 
+/// Nodes in one pass over the tangents.
+pub const NODES_PER_PASS: usize = LANES / 2;
+
 /// Columns in groups of eight, one after the other: each group has one vector per state. The first
 /// columns belong to the start states, the next one to the parameter.
 ///
@@ -131,4 +134,22 @@ pub fn scale<W: Simd>(w: W, row: &mut [F64x8], factor: f64) {
     for lane in row {
         *lane = w.store(w.mul(w.splat(factor), w.load(lane)));
     }
+}
+
+/// Sums a group of tangents by the factors of some nodes, from `first` on.
+#[inline(always)]
+pub fn sums<W: Simd>(
+    w: W,
+    factors: &[F64x8],
+    group: &[F64x8],
+    first: usize,
+) -> [W::Register; NODES_PER_PASS] {
+    let mut sums = [w.zero(); NODES_PER_PASS];
+    for (factor, value) in factors.iter().zip(group) {
+        let value = w.load(value);
+        for (i, sum) in sums.iter_mut().enumerate() {
+            *sum = w.fma(w.splat(factor.0[first + i]), value, *sum);
+        }
+    }
+    sums
 }

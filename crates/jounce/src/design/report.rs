@@ -2,7 +2,7 @@
 
 use super::DesignResult;
 use crate::error::Error;
-use jounce_design::{FreeValue, FrontPoint, Goal, LimitResult, SearchEnd, SobolIndex};
+use jounce_design::{FreeValue, FrontPoint, Goal, LimitResult, NearestFold, SearchEnd, SobolIndex};
 use jounce_io::table::{Column, Table};
 use jounce_plot::{Axis, Figure, Marker, Panel, Series};
 use std::collections::BTreeSet;
@@ -151,14 +151,7 @@ impl DesignResult {
             ));
         }
         if let Some(fold) = &best.nearest_fold {
-            let in_tolerances = fold.scatter_hz.map_or_else(String::new, |scatter_hz| {
-                let count = fold.distance_hz / scatter_hz;
-                format!(", {count:.1} standard deviations by the tolerances")
-            });
-            lines.push(format!(
-                "nearest fold     {} = {:.6} Hz, {:.3e} Hz away{in_tolerances}",
-                fold.key, fold.frequency_hz, fold.distance_hz
-            ));
+            lines.push(fold_text(fold));
         }
         lines.extend(self.outcome.limits.iter().map(limit_text));
         lines.extend(self.outcome.robust.iter().flat_map(robust_lines));
@@ -223,6 +216,18 @@ fn axis(goal: &str) -> Axis {
         _ => "Mean power",
     };
     Axis::linear(quantity, unit(goal))
+}
+
+/// Returns the line of the nearest fold.
+fn fold_text(fold: &NearestFold) -> String {
+    let in_tolerances = fold.scatter_hz.map_or_else(String::new, |scatter_hz| {
+        let count = fold.distance_hz / scatter_hz;
+        format!(", {count:.1} standard deviations by the tolerances")
+    });
+    format!(
+        "nearest fold     {} = {:.6} Hz, {:.3e} Hz away{in_tolerances}",
+        fold.key, fold.frequency_hz, fold.distance_hz
+    )
 }
 
 fn limit_text(limit: &LimitResult) -> String {

@@ -5,8 +5,11 @@ use crate::contact::Law;
 use crate::drive::Wave;
 use crate::plant::diagonal::coupled_rates;
 use crate::plant::{Across, Drive, Electrical, ElectricalNode, PlantError, Signal, Stop, System};
-use jounce_linalg::{Mat, c64};
+use jounce_linalg::{Mat, c64, norm};
 use std::f64::consts::TAU;
+
+/// Size of a difference, relative to that of its terms, below which it is roundoff.
+const ROUNDOFF: f64 = 1e-9;
 
 /// Numbers in the equations of a system.
 #[derive(Debug, Clone)]
@@ -110,6 +113,21 @@ impl Coefficients {
             }
         }
         Ok(sum)
+    }
+
+    /// Returns the largest distance of the matrices, and of the shapes, of two sets of numbers,
+    /// relative to their size or, where that is roundoff, to that of `scale`.
+    pub fn distance(&self, other: &Self, scale: &Self) -> f64 {
+        let of = |a: &[f64], b: &[f64], scale: &[f64]| {
+            let apart: Vec<f64> = a.iter().zip(b).map(|(a, b)| a - b).collect();
+            let size = norm(b).max(ROUNDOFF * norm(scale));
+            if size > 0.0 { norm(&apart) / size } else { 0.0 }
+        };
+        let stops = self.stops.iter().zip(&other.stops).zip(&scale.stops);
+        let rates = [self, other, scale].map(|one| one.rates.as_slice());
+        stops
+            .map(|((a, b), scale)| of(&a.shape, &b.shape, &scale.shape))
+            .fold(of(rates[0], rates[1], rates[2]), f64::max)
     }
 
     /// Returns all numbers in a fixed order.

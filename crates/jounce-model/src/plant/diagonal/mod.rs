@@ -23,12 +23,13 @@ pub(super) mod block_diagonal;
 pub(super) mod block_pair;
 mod component;
 mod conduction_path;
+mod coupled_rates;
 mod eigen_refinement;
 pub(super) mod stiff;
 
 use super::{BlockDiagonal, BlockPair, Electrical, PlantError, System};
-pub(super) use component::coupled_rates;
 use component::{ComponentBlock, CoupledMatrix, PieceBlock, components, coupled, single_mode};
+pub(super) use coupled_rates::coupled_rates;
 use jounce_linalg::Mat;
 
 /// Largest accepted condition number of the eigenvectors (in energy coordinates).
