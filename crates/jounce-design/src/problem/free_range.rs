@@ -61,7 +61,7 @@ impl FreeRange {
         self.text(self.low)
     }
 
-    /// Returns the number of a design at a place in [0, 1], SI: that of [`FreeRange::at`], rounded.
+    /// Returns the number of a design at a place in [0, 1], SI: the rounded number of that place.
     pub fn value(&self, place: f64) -> f64 {
         let value = self.at(place);
         let rounded = match self.key.is_count() {

@@ -43,6 +43,10 @@ const MEASURE: f64 = 0.9;
 /// Relative difference of power below which two optima are the same.
 const SAME_POWER: f64 = 1e-2;
 
+/// Distance in the unit cube below which two designs of the same power are the same: along a ridge of
+/// the power the share of the starts changes.
+const SAME_PLACE: f64 = 0.02;
+
 /// Part of the way from a design to its refined one to which a limit is approached.
 const FINEST: f64 = 1.0 / 16.0;
 
@@ -179,25 +183,31 @@ fn refined(evaluator: &Evaluator<'_>, budget: &Budget<'_>, batch: &[Candidate]) 
     pairs
 }
 
-/// Evaluates the best of the refined designs with all starts; of those with the same power, one.
+/// Evaluates the best of the refined designs with all starts; of those with the same power at the same
+/// place, one.
 fn evaluated(
     evaluator: &Evaluator<'_>,
     budget: &Budget<'_>,
     pairs: &[Pair],
     found: &mut Found,
 ) -> Result<(), DesignError> {
-    let mut last = f64::INFINITY;
+    let mut seen: Vec<&Refined> = Vec::new();
     for (start, refined) in pairs {
         if is_beaten(found, refined) {
             break;
         }
-        let value = value(refined);
-        if (last - value).abs() > SAME_POWER * value.abs() {
+        if !seen.iter().any(|one| is_same(one, refined)) {
             on_the_way(evaluator, budget, (start, refined), found)?;
-            last = value;
+            seen.push(refined);
         }
     }
     Ok(())
+}
+
+/// True where two refined designs are the same.
+fn is_same(a: &Refined, b: &Refined) -> bool {
+    (value(a) - value(b)).abs() <= SAME_POWER * value(b).abs()
+        && jounce_linalg::distance(&a.place, &b.place) < SAME_PLACE
 }
 
 /// True where a refined design is no better than the best one.
