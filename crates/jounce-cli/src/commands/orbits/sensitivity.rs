@@ -60,4 +60,19 @@ fn print_lines(result: &SensitivityResult) {
             power.relative, power.relative_error, one.key, one.value, one.unit
         ));
     }
+    let mut quantities = result.quantities.iter();
+    let Some(index) = quantities.position(|one| one.name == "nearest_fold") else {
+        return;
+    };
+    line(format!(
+        "nearest fold {:.6} Hz; 1 % more of a key moves it by",
+        result.quantities[index].value
+    ));
+    for one in &result.keys {
+        let moved = &one.derivatives[index];
+        line(format!(
+            "{:>10.4} %  (+- {:.0e})  {}",
+            moved.relative, moved.relative_error, one.key
+        ));
+    }
 }
