@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::option_names::on_command_line;
 use crate::record;
-use jounce::parts::{Column, Manifest, Values, unwritable_folder};
+use jounce::parts::{Column, Manifest, Record, Values, unwritable_folder};
 use jounce::{Error, Figure, Table};
 use serde::Serialize;
 use std::io::Write;
@@ -121,24 +121,33 @@ pub fn text(text: &str) {
 pub fn table(folder: &Path, name: &str, table: &Table, manifest: &Manifest) -> Result<(), Failure> {
     make(folder)?;
     let manifest = Manifest {
-        record: record::of_table(name),
+        record: record::of_file(name),
         ..manifest.clone()
     };
     for extension in ["csv", "parquet", "json"] {
-        let path = folder.join(name).with_extension(extension);
+        let path = folder.join(format!("{name}.{extension}"));
         table.write(&path, &manifest).map_err(Error::from)?;
     }
     Ok(())
 }
 
-/// Writes a figure as SVG and PNG.
+/// Writes a figure as SVG and PNG, with the record of this call.
 pub fn figure(folder: &Path, name: &str, figure: &Figure) -> Result<(), Failure> {
     make(folder)?;
+    let manifest = origin(record::of_file(name));
     for extension in ["svg", "png"] {
-        let path = folder.join(name).with_extension(extension);
-        figure.write(&path).map_err(Error::from)?;
+        let path = folder.join(format!("{name}.{extension}"));
+        figure.write_with(&path, &manifest).map_err(Error::from)?;
     }
     Ok(())
+}
+
+/// Returns the origin of a picture of this call.
+pub fn origin(record: Option<Record>) -> Manifest {
+    Manifest {
+        record,
+        ..Manifest::new("")
+    }
 }
 
 /// Creates the folder of a file if it is missing.

@@ -1,4 +1,4 @@
-//! Record of this call, which every table carries, so that `jounce rerun` can make it again.
+//! Record of this call, which every file of results carries, so that `jounce rerun` can make it again.
 
 use crate::arguments::Arguments;
 use clap::CommandFactory;
@@ -7,11 +7,11 @@ use std::ffi::OsString;
 use std::path::Path;
 use std::sync::OnceLock;
 
-/// Options that change no number of a table; with a value, except `--json`.
+/// Options that change no result; with a value, except `--json`.
 const WITHOUT_EFFECT: [&str; 4] = ["--out", "--threads", "--save-state", "--shard"];
 
-/// Commands whose tables can be made again from their record.
-pub const COMMANDS: [&str; 19] = [
+/// Commands whose files can be made again from their record.
+pub const COMMANDS: [&str; 22] = [
     "basins",
     "bifurcations",
     "branch",
@@ -25,18 +25,52 @@ pub const COMMANDS: [&str; 19] = [
     "noise",
     "power",
     "read",
+    "reproduce",
+    "rig",
     "run",
     "segments",
     "sensitivity",
+    "show",
     "spectra",
     "study",
     "sweep",
 ];
 
+/// Where a command writes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Destination {
+    /// Files in the folder of `--out`.
+    Folder,
+    /// One file, whose path this option gives.
+    File(&'static str),
+}
+
+impl Destination {
+    /// Returns the destination of a command.
+    pub fn of(command: &str) -> Self {
+        match command {
+            "rig" => Self::File("--to"),
+            "show" => Self::File("--out"),
+            _ => Self::Folder,
+        }
+    }
+
+    /// Returns the option that gives the folder or the file.
+    pub fn option(self) -> &'static str {
+        match self {
+            Self::Folder => "--out",
+            Self::File(option) => option,
+        }
+    }
+}
+
+/// Folder of the recording that `read --to` writes, when the command runs again.
+pub const CONVERTED: &str = "to";
+
 /// Arguments and input files of this call, as they were at its start.
 static CALL: OnceLock<(Vec<String>, Vec<RecordedInput>)> = OnceLock::new();
 
-/// Records a call that writes tables: input files are read before the computation, during which
+/// Records a call that writes results: input files are read before the computation, during which
 /// they may change. A call with arguments that are not text has no record.
 pub fn begin(arguments: impl IntoIterator<Item = OsString>) {
     let texts = arguments.into_iter().map(OsString::into_string);
@@ -50,17 +84,24 @@ pub fn begin(arguments: impl IntoIterator<Item = OsString>) {
     {
         command.get_name().clone_into(first);
     }
-    let is_out = |argument: &String| argument == "--out" || argument.starts_with("--out=");
+    let writes = |argument: &String| {
+        let name = argument
+            .split_once('=')
+            .map_or(&**argument, |(name, _)| name);
+        name == "--out" || name == "--to"
+    };
     let command = arguments.first().map_or("", String::as_str);
-    if arguments.iter().any(is_out) && COMMANDS.contains(&command) {
+    let writes = command == "show" || arguments.iter().any(writes);
+    if writes && COMMANDS.contains(&command) {
         let arguments = essential(&arguments);
         let inputs = recorded_inputs(&arguments);
         let _ = CALL.set((arguments, inputs));
     }
 }
 
-/// Returns the record of a table of this call; `None` for a call that is not recorded.
-pub fn of_table(name: &str) -> Option<Record> {
+/// Returns the record of a file of this call, by its name without extension; `None` for a call that
+/// is not recorded.
+pub fn of_file(name: &str) -> Option<Record> {
     let (arguments, inputs) = CALL.get()?;
     Some(Record {
         arguments: arguments.clone(),
@@ -69,10 +110,23 @@ pub fn of_table(name: &str) -> Option<Record> {
     })
 }
 
-/// Returns arguments without the options that change no number. `--to` of `read` writes a file: it
+/// Returns the record of a file of this call, by its path.
+pub fn of_path(path: &Path) -> Option<Record> {
+    of_file(&path.file_stem()?.to_string_lossy())
+}
+
+/// Returns the record of the recording that `read --to` writes. Its name has a folder, so that it
+/// differs from the tables of the command.
+pub fn of_converted(path: &Path) -> Option<Record> {
+    let stem = path.file_stem()?.to_string_lossy();
+    of_file(&format!("{CONVERTED}/{stem}"))
+}
+
+/// Returns arguments without the options that change no result. `--to` of `read` writes a file: it
 /// keeps the name without the folder.
 pub fn essential(arguments: &[String]) -> Vec<String> {
-    let reads = arguments.first().is_some_and(|command| command == "read");
+    let command = arguments.first().map_or("", String::as_str);
+    let destination = Destination::of(command).option();
     let mut essential: Vec<String> = Vec::new();
     let mut rest = arguments.iter();
     while let Some(argument) = rest.next() {
@@ -80,11 +134,11 @@ pub fn essential(arguments: &[String]) -> Vec<String> {
             Some((name, value)) if name.starts_with("--") => (name, Some(value)),
             _ => (argument.as_str(), None),
         };
-        if WITHOUT_EFFECT.contains(&name) {
+        if name == destination || WITHOUT_EFFECT.contains(&name) {
             if value.is_none() {
                 rest.next();
             }
-        } else if reads && name == "--to" {
+        } else if command == "read" && name == "--to" {
             let path = value.or_else(|| rest.next().map(String::as_str));
             essential.push(name.to_owned());
             essential.extend(path.map(file_name));
@@ -130,6 +184,10 @@ mod tests {
         assert_eq!(
             of("fit a.toml --to /home/f.toml --out x"),
             "fit a.toml --to /home/f.toml"
+        );
+        assert_eq!(
+            of("rig a.toml --to /home/b.csv --seed 2"),
+            "rig a.toml --seed 2"
         );
     }
 }

@@ -201,7 +201,7 @@ fn peaks(folder: &Path, rows: usize, before: u64) -> Vec<(&'static str, u64)> {
         ("to CSV", "c.csv"),
     ] {
         let (peak, ()) = peak_of(before, || {
-            write_surveyed(&summary.recordings[0], &at(file))
+            write_surveyed(&summary.recordings[0], &at(file), None)
                 .unwrap_or_else(|fault| panic!("{fault}"))
         });
         peaks.push((name, peak));

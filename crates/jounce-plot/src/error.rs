@@ -55,6 +55,14 @@ pub enum PictureError {
         /// Message of the renderer.
         reason: String,
     },
+    /// A file that is no picture of jounce with its origin.
+    #[error("{}: {reason}", path.display())]
+    Read {
+        /// Path.
+        path: PathBuf,
+        /// What is wrong.
+        reason: String,
+    },
     /// The file could not be stored.
     #[error(transparent)]
     Store(#[from] StoreError),

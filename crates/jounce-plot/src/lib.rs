@@ -24,6 +24,7 @@ mod raster;
 mod ready;
 pub mod report;
 pub mod show;
+mod stored;
 mod svg;
 mod text;
 
@@ -45,4 +46,5 @@ pub use ready::{
     mode_shapes, plate_motion, plate_shapes, power_against_resistance, spectra, spectrogram, sweep,
     time_histories,
 };
+pub use stored::{PictureDifference, StoredPicture};
 pub(crate) use svg::escape;

@@ -9,9 +9,18 @@ use super::outlines::outlined;
 /// Longest side of a picture, pixels.
 pub(super) const MAX_SIDE: f64 = 20_000.0;
 
-/// Renders an SVG document at `scale` times its size.
+/// Renders an SVG document at `scale` times its size as a PNG file.
 pub(super) fn png(svg: &str, scale: f64) -> Result<Vec<u8>, PictureError> {
-    let render = |reason: String| PictureError::Render { reason };
+    let file = pixels(svg, scale)?.encode_png();
+    file.map_err(|fault| render(fault.to_string()))
+}
+
+fn render(reason: String) -> PictureError {
+    PictureError::Render { reason }
+}
+
+/// Renders an SVG document at `scale` times its size.
+pub(super) fn pixels(svg: &str, scale: f64) -> Result<Pixmap, PictureError> {
     let tree = Tree::from_str(&outlined(svg), &Options::default())
         .map_err(|fault| render(fault.to_string()))?;
     let (width, height) = (
@@ -29,7 +38,5 @@ pub(super) fn png(svg: &str, scale: f64) -> Result<Vec<u8>, PictureError> {
         Transform::from_scale(scale as f32, scale as f32),
         &mut pixels.as_mut(),
     );
-    pixels
-        .encode_png()
-        .map_err(|fault| render(fault.to_string()))
+    Ok(pixels)
 }

@@ -5,6 +5,15 @@ use std::fmt::Write as _;
 
 use super::text::FAMILY;
 
+/// Characters of markup and their escapes; the last one is part of all escapes.
+const ESCAPES: [(char, &str); 5] = [
+    ('<', "&lt;"),
+    ('>', "&gt;"),
+    ('"', "&quot;"),
+    ('\'', "&#39;"),
+    ('&', "&amp;"),
+];
+
 /// A document under construction.
 pub(super) struct Svg {
     width: f64,
@@ -114,12 +123,11 @@ pub(super) fn number(value: f64) -> String {
 pub(crate) fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for letter in text.chars() {
+        if let Some((_, escape)) = ESCAPES.iter().find(|(plain, _)| *plain == letter) {
+            escaped.push_str(escape);
+            continue;
+        }
         match letter {
-            '&' => escaped.push_str("&amp;"),
-            '<' => escaped.push_str("&lt;"),
-            '>' => escaped.push_str("&gt;"),
-            '"' => escaped.push_str("&quot;"),
-            '\'' => escaped.push_str("&#39;"),
             '\t' | '\n' | '\r' => escaped.push(' '),
             letter if letter.is_control() || matches!(letter, '\u{fffe}' | '\u{ffff}') => {
                 escaped.push('\u{fffd}')
@@ -128,6 +136,14 @@ pub(crate) fn escape(text: &str) -> String {
         }
     }
     escaped
+}
+
+/// Returns the text of which [`escape`] gives this one.
+pub(super) fn unescape(text: &str) -> String {
+    let plain = |text: String, (plain, escape): &(char, &str)| {
+        text.replace(escape, plain.encode_utf8(&mut [0; 4]))
+    };
+    ESCAPES.iter().fold(text.to_owned(), plain)
 }
 
 #[cfg(test)]

@@ -59,7 +59,7 @@ pub use jounce_model::exchange::{MatrixSet, NameKind, Names};
 pub use jounce_model::linear::{
     Coupling, Density, RandomLoad, RandomPatch, RandomPoint, RandomStop,
 };
-pub use jounce_plot::{Drawing, PictureError};
+pub use jounce_plot::{Drawing, PictureDifference, PictureError, StoredPicture};
 pub use jounce_signal::spectral::HitWarning;
 pub use jounce_signal::{Samples, SignalError, Spectrum, Window};
 pub use jounce_sparse::MatrixEntries;

@@ -5,7 +5,7 @@ use super::named::{ON_GROUND, ON_TABLE};
 use crate::results::{assumptions, runs};
 use crate::{Chapter, Claim, NamedFigure, NamedTable, ReproduceError, claims, page};
 use jounce_control::Control;
-use jounce_io::table::Manifest;
+use jounce_io::table::{Manifest, Record};
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 
@@ -147,6 +147,19 @@ impl Reproduction {
         &self.chapters
     }
 
+    /// Returns the origin of a file: the command has no option that changes a number, and no input
+    /// file.
+    fn recorded(&self, folder: &str, name: &str) -> Manifest {
+        Manifest {
+            record: Some(Record {
+                arguments: vec!["reproduce".to_owned()],
+                table: format!("{folder}/{name}"),
+                inputs: Vec::new(),
+            }),
+            ..self.manifest.clone()
+        }
+    }
+
     /// Returns the conclusion from Table 2, in one or two sentences.
     pub(super) fn summary(&self) -> &str {
         &self.summary
@@ -168,7 +181,9 @@ impl Reproduction {
         for table in &self.tables {
             for ending in ["csv", "json"] {
                 let path = tables.join(format!("{}.{ending}", table.name));
-                table.table.write(&path, &self.manifest)?;
+                table
+                    .table
+                    .write(&path, &self.recorded("tables", &table.name))?;
                 written.tables.push(path);
             }
         }
@@ -176,9 +191,10 @@ impl Reproduction {
             ["svg", "png"].map(|ending| (figure, figures.join(format!("{}.{ending}", figure.name))))
         });
         let files: Vec<_> = files.collect();
-        files
-            .par_iter()
-            .try_for_each(|(figure, path)| figure.figure.write(path))?;
+        files.par_iter().try_for_each(|(figure, path)| {
+            let manifest = self.recorded("figures", &figure.name);
+            figure.figure.write_with(path, &manifest)
+        })?;
         written.figures = files.into_iter().map(|(_, path)| path).collect();
         Ok(written)
     }

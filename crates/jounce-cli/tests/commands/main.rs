@@ -15,6 +15,7 @@ mod orbits;
 #[path = "../program/mod.rs"]
 mod program;
 mod rerun;
+mod rerun_faults;
 mod runs;
 mod show;
 mod studies;

@@ -1,4 +1,4 @@
-//! `jounce rerun`: tables of every command are made again, and every change is found.
+//! `jounce rerun`: files of every command are made again, and every change is found.
 
 use crate::{SPEC, outcome, program, with_json};
 use serde_json::Value;
@@ -7,56 +7,66 @@ use std::path::{Path, PathBuf};
 const EXAMPLES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples");
 
 /// Runs the program in a folder; returns the exit code, the JSON on stdout and stderr.
-fn call(folder: &Path, arguments: &[&str]) -> (i32, Value, String) {
+pub fn call(folder: &Path, arguments: &[&str]) -> (i32, Value, String) {
     let mut command = program();
     command.args(arguments).current_dir(folder);
     with_json(outcome(command.env("JOUNCE_CACHE", folder.join("cache"))))
 }
 
 /// Runs a command line with `--out out`, which must succeed.
-fn write(folder: &Path, line: &str) {
+pub fn write(folder: &Path, line: &str) {
     let arguments: Vec<&str> = line.split(' ').chain(["--out", "out"]).collect();
     let (code, _, text) = call(folder, &arguments);
     assert_eq!(code, 0, "{line}: {text}");
 }
 
-fn rerun(folder: &Path, file: &str) -> (i32, Value, String) {
+pub fn rerun(folder: &Path, file: &str) -> (i32, Value, String) {
     call(folder, &["rerun", file, "--json"])
 }
 
-/// Returns the tables in a folder, in all formats.
-fn tables(folder: &Path) -> Vec<PathBuf> {
+/// Returns the files of results in a folder with one of these endings.
+fn files(folder: &Path, endings: &[&str]) -> Vec<PathBuf> {
     let files = std::fs::read_dir(folder).unwrap();
     let mut paths: Vec<PathBuf> = files.map(|file| file.unwrap().path()).collect();
     paths.sort();
     let name = |path: &PathBuf| path.file_name().unwrap().to_str().unwrap().to_owned();
-    let endings = [".csv", ".parquet", ".json"];
-    let is_table = |path: &PathBuf| {
+    let is_result = |path: &PathBuf| {
         let name = name(path);
         endings.iter().any(|end| name.ends_with(end)) && !name.ends_with(".manifest.json")
     };
-    paths.retain(is_table);
+    paths.retain(is_result);
     paths
 }
 
-/// Writes the tables of a command and makes one of each name again, in turn in every format.
+/// Makes a file again, which must be equal.
+fn assert_equal(folder: &Path, file: &Path) -> Value {
+    let (code, json, text) = rerun(folder, file.to_str().unwrap());
+    assert_eq!(code, 0, "{}: {text}", file.display());
+    assert_eq!(json["equal"], true, "{json}");
+    json
+}
+
+/// Writes the files of a command and makes one table of each name again, in turn in every format,
+/// and one picture.
 fn assert_equal_again(folder: &Path, line: &str) {
     let _ = std::fs::remove_dir_all(folder.join("out"));
     write(folder, line);
-    let tables = tables(&folder.join("out"));
+    let tables = files(&folder.join("out"), &[".csv", ".parquet", ".json"]);
     assert!(!tables.is_empty(), "{line}");
     for (index, table) in tables.iter().enumerate() {
         if index % 3 == (index / 3) % 3 {
-            let (code, json, text) = rerun(folder, table.to_str().unwrap());
-            assert_eq!(code, 0, "{line}: {}: {text}", table.display());
-            assert_eq!(json["equal"], true, "{json}");
-            assert!(json["columns"].as_u64().unwrap() > 0, "{json}");
+            let json = assert_equal(folder, table);
+            assert!(json["columns"].as_u64().unwrap() > 0, "{line}: {json}");
         }
+    }
+    let pictures = files(&folder.join("out"), &[".svg", ".png"]);
+    if let Some(picture) = pictures.get(line.len() % pictures.len().max(1)) {
+        assert_equal(folder, picture);
     }
 }
 
 /// Returns a folder with a copy of the paper's spec, `a.toml`, with short runs.
-fn folder() -> tempfile::TempDir {
+pub fn folder() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     let text = std::fs::read_to_string(SPEC).unwrap();
     let text = text.replace("duration = \"20 s\"", "duration = \"2 s\"");
@@ -155,6 +165,17 @@ fn designs_and_tests_of_a_rig_are_made_again() {
         let arguments: Vec<&str> = line.split(' ').collect();
         let (code, _, text) = call(folder.path(), &arguments);
         assert_eq!(code, 0, "{line}: {text}");
+        assert_equal(folder.path(), Path::new(arguments[arguments.len() - 1]));
+    }
+    for line in [
+        "read hit.parquet --span 0s:1s --to part.csv",
+        "show a.toml --set stop.tip.gap=2mm --out tip.svg",
+        "show a.toml --out tip.png",
+    ] {
+        let arguments: Vec<&str> = line.split(' ').collect();
+        let (code, _, text) = call(folder.path(), &arguments);
+        assert_eq!(code, 0, "{line}: {text}");
+        assert_equal(folder.path(), Path::new(arguments[arguments.len() - 1]));
     }
     for line in [
         "frf --measured hit.parquet",
@@ -199,103 +220,6 @@ fn a_drive_of_a_recording_is_made_again_from_a_spec_that_is_gone() {
     }
 }
 
-#[test]
-fn a_change_by_hand_is_found_in_every_format() {
-    let folder = folder();
-    write(folder.path(), "modes a.toml");
-    let out = folder.path().join("out");
-    let (_, modes, _) = call(folder.path(), &["modes", "a.toml", "--json"]);
-    let frequency_hz = modes["modes"][0]["frequency_hz"].as_f64().unwrap();
-    for name in ["modes.csv", "modes.json"] {
-        let path = out.join(name);
-        let text = std::fs::read_to_string(&path).unwrap();
-        let digits = frequency_hz.to_string();
-        let (before, last) = digits.split_at(digits.len() - 1);
-        let other = if last == "1" { "2" } else { "1" };
-        assert!(text.contains(&digits), "{text}");
-        std::fs::write(
-            &path,
-            text.replacen(&digits, &format!("{before}{other}"), 1),
-        )
-        .unwrap();
-        let (code, json, text) = rerun(folder.path(), &format!("out/{name}"));
-        assert_eq!(code, 1, "{name}: {text}");
-        assert_eq!(json["difference"]["what"], "value", "{json}");
-        let expected = format!(
-            "different: column frequency_hz, row 1: the file has {before}{other}, computed {digits}"
-        );
-        assert!(text.contains(&expected), "{text}");
-    }
-    let path = out.join("modes.parquet");
-    let mut bytes = std::fs::read(&path).unwrap();
-    let is_value = |window: &[u8]| window == frequency_hz.to_le_bytes();
-    let places: Vec<usize> = (0..bytes.len() - 8)
-        .filter(|&at| is_value(&bytes[at..at + 8]))
-        .collect();
-    assert!(!places.is_empty());
-    places.iter().for_each(|&at| bytes[at] ^= 1);
-    std::fs::write(&path, &bytes).unwrap();
-    let (code, json, text) = rerun(folder.path(), "out/modes.parquet");
-    assert_eq!(
-        (code, json["difference"]["row"].as_u64()),
-        (1, Some(1)),
-        "{text}"
-    );
-    let length = bytes.len();
-    bytes[length - 5] ^= 1;
-    std::fs::write(&path, &bytes).unwrap();
-    let (code, _, text) = rerun(folder.path(), "out/modes.parquet");
-    assert!(code == 4 && text.contains("modes.parquet"), "{text}");
-}
-
-#[test]
-fn files_without_a_record_and_of_other_versions_are_named() {
-    let folder = folder();
-    write(folder.path(), "modes a.toml");
-    let notes = folder.path().join("out/modes.manifest.json");
-    let mut manifest: Value = serde_json::from_slice(&std::fs::read(&notes).unwrap()).unwrap();
-    manifest["manifest"]["version"] = "0.0.9".into();
-    std::fs::write(&notes, manifest.to_string()).unwrap();
-    let (code, json, _) = rerun(folder.path(), "out/modes.csv");
-    assert_eq!((code, json["stored_version"].as_str()), (0, Some("0.0.9")));
-    let mut edited = manifest.clone();
-    edited["manifest"]["record"]["inputs"][0]["text"] = "[mass.a]\n".into();
-    std::fs::write(&notes, edited.to_string()).unwrap();
-    let (code, _, text) = rerun(folder.path(), "out/modes.csv");
-    assert_eq!(code, 4);
-    assert!(text.contains("changed by hand"), "{text}");
-    let mut other = manifest.clone();
-    other["manifest"]["record"]["arguments"] = vec!["explore", "a.toml"].into();
-    std::fs::write(&notes, other.to_string()).unwrap();
-    let (code, _, text) = rerun(folder.path(), "out/modes.csv");
-    assert_eq!(code, 4);
-    assert!(
-        text.contains("its record names the command \"explore\""),
-        "{text}"
-    );
-    manifest["manifest"]
-        .as_object_mut()
-        .unwrap()
-        .remove("record");
-    std::fs::write(&notes, manifest.to_string()).unwrap();
-    let (code, _, text) = rerun(folder.path(), "out/modes.csv");
-    assert_eq!(code, 4);
-    assert!(
-        text.contains("has no record of its command (command \"modes\", jounce 0.0.9)"),
-        "{text}"
-    );
-    std::fs::remove_file(&notes).unwrap();
-    for (file, expected) in [
-        ("out/modes.csv", "its notes"),
-        ("a.toml", "only tables have a record"),
-        ("out/no.csv", "no.csv"),
-    ] {
-        let (code, _, text) = rerun(folder.path(), file);
-        assert_eq!(code, 4, "{file}");
-        assert!(text.contains(expected), "{file}: {text}");
-    }
-}
-
 /// The record holds no folder of results and no number of threads.
 #[test]
 fn equal_results_have_equal_files() {
@@ -322,5 +246,15 @@ fn equal_results_have_equal_files() {
     ] {
         let read = |out: &str| std::fs::read(folder.path().join(out).join(name)).unwrap();
         assert!(read("one") == read("two"), "{name}");
+    }
+}
+
+#[test]
+#[ignore = "computes the paper twice; part of ./test --all"]
+fn files_of_the_reproduction_are_made_again() {
+    let folder = folder();
+    write(folder.path(), "reproduce");
+    for file in ["out/figures/figure-4.svg", "out/tables/table-2.csv"] {
+        assert_equal(folder.path(), Path::new(file));
     }
 }

@@ -4,7 +4,7 @@ use std::io::{self, BufWriter};
 use std::path::{Path, PathBuf};
 
 use jounce_io::store::{self, StoreError};
-use jounce_io::table::{Table, TableError};
+use jounce_io::table::{Manifest, Record, Table, TableError};
 
 use super::{columns, uff58};
 use crate::read::RecordingSummary;
@@ -83,19 +83,27 @@ pub enum WriteError {
 /// Another extension, samples or units that the format does not support, a destination that cannot
 /// be written.
 pub fn write(recording: &Recording, path: &Path) -> Result<(), WriteError> {
-    write_surveyed(&recording.clone().into(), path)
+    write_surveyed(&recording.clone().into(), path, None)
 }
 
-/// Writes a recording whose numbers need not be in memory, piece by piece.
+/// Writes a recording whose numbers need not be in memory, piece by piece, with the record of the
+/// command, for which UFF has no place.
 ///
 /// # Errors
 /// Those of [`write()`], and a scratch file that cannot be read.
-pub fn write_surveyed(recording: &RecordingSummary, path: &Path) -> Result<(), WriteError> {
+pub fn write_surveyed(
+    recording: &RecordingSummary,
+    path: &Path,
+    record: Option<Record>,
+) -> Result<(), WriteError> {
     match path.extension().and_then(|extension| extension.to_str()) {
         Some("uff" | "unv") => uff(recording, path),
         Some(extension @ ("parquet" | "csv")) => Table::write_joined(
             path,
-            &columns::manifest(recording),
+            &Manifest {
+                record,
+                ..columns::manifest(recording)
+            },
             columns::tables(recording, extension == "csv"),
         ),
         _ => Err(WriteError::Format {

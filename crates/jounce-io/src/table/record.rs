@@ -1,18 +1,25 @@
-//! Record of the command that made a table: all that is needed to make it again.
+//! Record of the command that made a file of results: all that is needed to make it again.
 
 use serde::{Deserialize, Serialize};
 
-/// Command of a table, with its input files. Like the manifest it contains no time and no machine.
+/// Command of a file of results, with its input files. Like the manifest it contains no time and no machine.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Record {
     /// Arguments of the program, without those that change no number: `--out`, `--json`,
     /// `--threads`, `--shard`, `--save-state`.
     pub arguments: Vec<String>,
-    /// Name of the table among those of the command, which is the name of its first file without
-    /// the extension.
+    /// Name of the table or the picture among those of the command, which is the name of its file
+    /// without the extension; with its folder where the command writes into several.
     pub table: String,
     /// Input files: those that the arguments name, and those that these files name.
     pub inputs: Vec<RecordedInput>,
+}
+
+impl Record {
+    /// Returns the name of the command.
+    pub fn command(&self) -> &str {
+        self.arguments.first().map_or("", String::as_str)
+    }
 }
 
 /// Input file of a command.

@@ -22,6 +22,7 @@ pub use model::{
 };
 
 use super::{PictureError, file, raster};
+use jounce_io::table::Manifest;
 use std::path::Path;
 
 impl Drawing {
@@ -49,6 +50,15 @@ impl Drawing {
     /// # Errors
     /// As for [`Drawing::to_png`], another extension, a path that cannot be written.
     pub fn write(&self, path: &Path) -> Result<(), PictureError> {
-        file::write(path, || Ok(self.to_svg()))
+        file::write(path, || Ok(self.to_svg()), None)
+    }
+
+    /// Writes the drawing like [`Drawing::write`], with its origin, which
+    /// [`StoredPicture`](crate::StoredPicture) reads.
+    ///
+    /// # Errors
+    /// As for [`Drawing::write`].
+    pub fn write_with(&self, path: &Path, manifest: &Manifest) -> Result<(), PictureError> {
+        file::write(path, || Ok(self.to_svg()), Some(manifest))
     }
 }

@@ -13,6 +13,7 @@ pub use field::Field;
 pub use panel::{Along, Panel, PanelBand, PanelNote, ReferenceLine};
 pub use series::{Line, Marker, Series};
 
+use jounce_io::table::Manifest;
 use std::path::Path;
 
 use super::svg::{Anchor, Svg};
@@ -110,7 +111,16 @@ impl Figure {
     /// # Errors
     /// As for [`Figure::to_png`], another extension, a path that cannot be written.
     pub fn write(&self, path: &Path) -> Result<(), PictureError> {
-        file::write(path, || self.to_svg())
+        file::write(path, || self.to_svg(), None)
+    }
+
+    /// Writes the picture like [`Figure::write`], with its origin, which
+    /// [`StoredPicture`](crate::StoredPicture) reads.
+    ///
+    /// # Errors
+    /// As for [`Figure::write`].
+    pub fn write_with(&self, path: &Path, manifest: &Manifest) -> Result<(), PictureError> {
+        file::write(path, || self.to_svg(), Some(manifest))
     }
 
     fn check(&self) -> Result<(), PictureError> {

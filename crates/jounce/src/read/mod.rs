@@ -11,7 +11,8 @@ use crate::error::Error;
 use crate::recording::{ReadOptions, Recording};
 use jounce_data::read::{FileSummary, summary_with_notes};
 use jounce_data::recording::{Issue, Over};
-use jounce_data::write::{write, write_surveyed};
+use jounce_data::write::write_surveyed;
+use jounce_io::table::Record;
 use std::path::{Path, PathBuf};
 
 /// A file of an instrument with its recordings and mode shapes. Its samples need not be in memory.
@@ -84,6 +85,19 @@ impl RecordedFile {
         to: impl AsRef<Path>,
         options: &ConvertOptions,
     ) -> Result<Conversion, Error> {
+        self.convert_with(to, options, None)
+    }
+
+    /// Converts like [`RecordedFile::convert`], with the record of the command.
+    ///
+    /// # Errors
+    /// Those of [`RecordedFile::convert`].
+    pub fn convert_with(
+        &self,
+        to: impl AsRef<Path>,
+        options: &ConvertOptions,
+        record: Option<Record>,
+    ) -> Result<Conversion, Error> {
         let shapes = self.contents.shapes.len();
         let Some((recording, others)) = self.contents.recordings.split_first() else {
             let path = self.path.clone();
@@ -94,7 +108,7 @@ impl RecordedFile {
             return Err(Error::option("to", to.as_ref().display(), expected));
         }
         let part = options.part(recording)?;
-        write_surveyed(part.as_ref().unwrap_or(recording), to.as_ref())?;
+        write_surveyed(part.as_ref().unwrap_or(recording), to.as_ref(), record)?;
         let issues = part.iter().flat_map(|part| &part.issues);
         let issues = issues.filter(|issue| !recording.issues.contains(issue));
         let others = others.iter().map(|other| other.name.clone());
@@ -150,7 +164,16 @@ impl Recording {
     /// # Errors
     /// [`Error::Write`].
     pub fn write(&self, path: impl AsRef<Path>) -> Result<(), Error> {
-        Ok(write(self.data(), path.as_ref())?)
+        self.write_with(path, None)
+    }
+
+    /// Writes the recording like [`Recording::write`], with the record of the command.
+    ///
+    /// # Errors
+    /// [`Error::Write`].
+    pub fn write_with(&self, path: impl AsRef<Path>, record: Option<Record>) -> Result<(), Error> {
+        let summary = self.data().clone().into();
+        Ok(write_surveyed(&summary, path.as_ref(), record)?)
     }
 
     /// Returns a part of the recording: a span, some channels, or an even grid.

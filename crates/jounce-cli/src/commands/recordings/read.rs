@@ -3,6 +3,7 @@
 use crate::failure::Failure;
 use crate::measured_file::MeasuredFile;
 use crate::output::{self, line, print};
+use crate::record;
 use clap::{Arg, Args};
 use jounce::parts::{Over, RecordingResult};
 use jounce::{ConvertOptions, ReadResult, RecordedFile, definitions};
@@ -51,7 +52,8 @@ impl Read {
 
     /// Writes the first recording to another file; lists the others.
     fn convert(&self, path: &Path, file: &RecordedFile) -> Result<(), Failure> {
-        let written = file.convert(path, &self.options)?;
+        let record = record::of_converted(path);
+        let written = file.convert_with(path, &self.options, record)?;
         let path = path.display();
         for issue in &written.issues {
             eprintln!("{path}: {issue}");

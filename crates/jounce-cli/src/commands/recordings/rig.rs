@@ -3,6 +3,7 @@
 use crate::failure::Failure;
 use crate::measured_file::print_issues;
 use crate::output::{self, line, print};
+use crate::record;
 use crate::spec_arguments::SpecArguments;
 use clap::Args;
 use jounce::parts::BaseMotion;
@@ -40,7 +41,9 @@ impl Rig {
         if let Some(base) = &result.base {
             print_base(base);
         }
-        result.recording.write(&self.to)?;
+        result
+            .recording
+            .write_with(&self.to, record::of_path(&self.to))?;
         result.issues.iter().for_each(|issue| eprintln!("{issue}"));
         if self.json {
             let mut json = output::to_json(&result)?;

@@ -5,7 +5,7 @@
 //! bytes are those of the record.
 
 use crate::failure::Failure;
-use crate::record::essential;
+use crate::record::{CONVERTED, Destination, essential};
 use jounce::parts::{Record, RecordedInput, file_sha256, text_sha256};
 use std::path::{Component, Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -46,9 +46,9 @@ impl Mirror {
         Ok(mirror)
     }
 
-    /// Returns the path of a table without its extension.
-    pub fn table(&self, name: &str) -> PathBuf {
-        self.out().join(name)
+    /// Returns the path of a file of results; `name` may contain a folder.
+    pub fn file(&self, name: &str, extension: &str) -> PathBuf {
+        self.out().join(format!("{name}.{extension}"))
     }
 
     fn out(&self) -> PathBuf {
@@ -81,19 +81,21 @@ impl Mirror {
         }
     }
 
-    /// Runs the command; its messages go to stderr.
-    pub fn run(&self, record: &Record) -> Result<(), Failure> {
+    /// Runs the command, which writes a file with an extension; its messages go to stderr.
+    pub fn run(&self, record: &Record, extension: &str) -> Result<(), Failure> {
         let failed = |text: String| Failure::Input(format!("the command cannot run again: {text}"));
         let program = std::env::current_exe().map_err(|error| failed(error.to_string()))?;
-        let arguments = essential(&record.arguments);
+        let destination = Destination::of(record.command());
+        let out = match destination {
+            Destination::Folder => self.out(),
+            Destination::File(_) => self.file(&record.table, extension),
+        };
+        std::fs::create_dir_all(self.out().join(CONVERTED))
+            .map_err(|error| failed(error.to_string()))?;
         let status = Command::new(program)
-            .args(
-                arguments
-                    .iter()
-                    .map(|argument| self.argument(argument, record)),
-            )
-            .arg("--out")
-            .arg(self.out())
+            .args(self.arguments(record))
+            .arg(destination.option())
+            .arg(out)
             .current_dir(self.inside(Path::new("")))
             // Finished points of an earlier call would be read, not computed.
             .env("JOUNCE_CACHE", self.folder.path().join("cache"))
@@ -105,6 +107,23 @@ impl Mirror {
             Some(INTERRUPTED) | None => Err(Failure::Interrupted("stopped".to_owned())),
             Some(code) => Err(failed(format!("it ended with exit code {code}, see above"))),
         }
+    }
+
+    /// Returns the arguments of the command in the folder. `--to` of `read` has its own folder, so
+    /// that the recording differs from the tables.
+    fn arguments(&self, record: &Record) -> Vec<String> {
+        let arguments = essential(&record.arguments).into_iter();
+        let mut arguments: Vec<String> = arguments
+            .map(|argument| self.argument(&argument, record))
+            .collect();
+        let to = arguments.iter().position(|argument| argument == "--to");
+        if record.command() == "read"
+            && let Some(name) = to.and_then(|to| arguments.get_mut(to + 1))
+        {
+            let path = self.out().join(CONVERTED).join(&*name);
+            *name = path.to_string_lossy().into_owned();
+        }
+        arguments
     }
 
     /// Returns an argument with the absolute path of a text replaced by its path in the folder.

@@ -1,25 +1,23 @@
 //! `jounce rerun FILE`
 
 mod mirror;
+mod stored;
 
 use crate::failure::Failure;
 use crate::output::{self, line, print};
 use crate::record::COMMANDS;
 use clap::Args;
-use jounce::Error;
-use jounce::parts::{Manifest, Record, StoredTable, TableDifference};
+use jounce::parts::{Manifest, Record};
 use mirror::Mirror;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
-
-/// Extension of a page with the table of a study.
-const PAGE: &str = "html";
+use stored::{Difference, Stored};
 
 /// Arguments of `rerun`.
 #[derive(Debug, Args)]
 pub struct Rerun {
-    /// Table that a command wrote with --out: .csv (with its .manifest.json next to it), .parquet,
-    /// .json, or the .html page of a study. Recordings are looked up in the current folder, as the command named them.
+    /// Table or picture that a command wrote: .csv (with its .manifest.json next to it), .parquet,
+    /// .json, .svg, .png, or the .html page of a study. Recordings are looked up in the current folder, as the command named them.
     file: PathBuf,
     /// Prints one JSON object on stdout; by default lines of text.
     #[arg(long)]
@@ -29,52 +27,46 @@ pub struct Rerun {
 /// Result of `rerun`.
 #[derive(Debug, Serialize)]
 struct RerunResult<'a> {
-    /// True where all values are equal, bit by bit.
+    /// True where all values or the pictures are equal, bit by bit.
     equal: bool,
     /// Arguments of the command.
     arguments: &'a [String],
     /// Columns of the stored table.
-    columns: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    columns: Option<usize>,
     /// Rows of the stored table.
-    rows: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    rows: Option<usize>,
     /// Version that wrote the file.
     stored_version: &'a str,
     /// Version that made the result again.
     version: &'static str,
-    /// First difference; `None` where all values are equal.
-    difference: Option<TableDifference>,
+    /// First difference; `None` where all is equal.
+    difference: Option<Difference>,
 }
 
 impl Rerun {
-    /// Makes the table again in a temporary folder and compares.
+    /// Makes the file again in a temporary folder and compares.
     pub fn run(&self) -> Result<(), Failure> {
-        let stored = self.stored()?;
-        let record = self.record(&stored.manifest)?;
+        let stored = Stored::read(&self.file)?;
+        let record = self.record(stored.manifest())?;
+        let extension = Stored::extension(&self.file);
         let mirror = Mirror::new(record)?;
-        mirror.run(record)?;
-        let extension = self.file.extension().unwrap_or_default();
-        // A page holds the table of a study, which is written in Parquet.
-        let is_page = extension == PAGE;
-        let extension = if is_page {
-            "parquet".as_ref()
-        } else {
-            extension
-        };
-        let path = mirror.table(&record.table).with_extension(extension);
-        let computed = StoredTable::read(&path).map_err(Error::from)?;
+        mirror.run(record, extension)?;
+        let computed = Stored::read(&mirror.file(&record.table, extension))?;
         let difference = stored.first_difference(&computed);
         let result = RerunResult {
             equal: difference.is_none(),
             arguments: &record.arguments,
-            columns: stored.width(),
-            rows: stored.rows(),
-            stored_version: &stored.manifest.version,
+            columns: stored.counts().map(|[columns, _]| columns),
+            rows: stored.counts().map(|[_, rows]| rows),
+            stored_version: &stored.manifest().version,
             version: env!("CARGO_PKG_VERSION"),
             difference,
         };
         match self.json {
             true => print(&output::to_json(&result)?),
-            false => result.print(&self.file),
+            false => result.print(&self.file, &stored.size()),
         }
         match result.equal {
             true => Ok(()),
@@ -82,39 +74,24 @@ impl Rerun {
         }
     }
 
-    fn stored(&self) -> Result<StoredTable, Failure> {
-        let extension = self
-            .file
-            .extension()
-            .and_then(|extension| extension.to_str());
-        if !matches!(extension, Some("csv" | "parquet" | "json" | PAGE)) {
-            let text = format!(
-                "{}: only tables have a record of their command: give a .csv, .parquet or .json file that a command wrote with --out, or the .html page of a study",
-                self.file.display()
-            );
-            return Err(Failure::Input(text));
-        }
-        Ok(StoredTable::read(&self.file).map_err(Error::from)?)
-    }
-
-    /// Returns the record of a table, if a command is in it.
+    /// Returns the record of a file, if a command is in it.
     fn record<'a>(&self, manifest: &'a Manifest) -> Result<&'a Record, Failure> {
         let file = self.file.display();
         let Some(record) = &manifest.record else {
             let command = manifest.options.get("command").map_or("", String::as_str);
             let text = format!(
-                "{file}: the file has no record of its command (command \"{command}\", jounce {}); only tables that {} wrote with --out have one",
+                "{file}: the file has no record of its command (command \"{command}\", jounce {}); only files that {} wrote have one",
                 manifest.version,
                 COMMANDS.join(", ")
             );
             return Err(Failure::Input(text));
         };
-        let command = record.arguments.first().map_or("", String::as_str);
+        let command = record.command();
         if COMMANDS.contains(&command) {
             return Ok(record);
         }
         let text = format!(
-            "{file}: its record names the command \"{command}\"; a table comes from {}",
+            "{file}: its record names the command \"{command}\"; a file of results comes from {}",
             COMMANDS.join(", ")
         );
         Err(Failure::Input(text))
@@ -122,8 +99,8 @@ impl Rerun {
 }
 
 impl RerunResult<'_> {
-    /// Prints the command, and that all values are equal.
-    fn print(&self, file: &Path) {
+    /// Prints the command, and that all is equal.
+    fn print(&self, file: &Path, size: &str) {
         line(format!("command   jounce {}", self.arguments.join(" ")));
         if self.stored_version != self.version {
             let (stored, version) = (self.stored_version, self.version);
@@ -132,11 +109,7 @@ impl RerunResult<'_> {
             ));
         }
         if self.equal {
-            let (columns, rows) = (self.columns, self.rows);
-            let file = file.display();
-            line(format!(
-                "equal     {file}: {columns} columns, {rows} rows, bit by bit"
-            ));
+            line(format!("equal     {}: {size}, bit by bit", file.display()));
         }
     }
 
@@ -146,18 +119,6 @@ impl RerunResult<'_> {
         let Some(difference) = &self.difference else {
             return String::new();
         };
-        let TableDifference {
-            what,
-            column,
-            row,
-            first,
-            second,
-        } = difference;
-        let place = match row {
-            Some(row) => format!("column {column}, row {row}"),
-            None if *what == "column" => "name of a column".to_owned(),
-            None => format!("column {column}, {what}"),
-        };
         let version = match self.stored_version == self.version {
             true => String::new(),
             false => format!(
@@ -165,6 +126,6 @@ impl RerunResult<'_> {
                 self.stored_version, self.version
             ),
         };
-        format!("{file}: different: {place}: the file has {first}, computed {second}{version}")
+        format!("{file}: different: {}{version}", difference.text())
     }
 }

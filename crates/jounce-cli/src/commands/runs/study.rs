@@ -140,7 +140,7 @@ impl Run {
         let study = study.map_err(|error| of_file(&self.study, error))?;
         let study = study
             .with_control(&control)
-            .with_record(record::of_table("study"));
+            .with_record(record::of_file("study"));
         print_recording_issues(study.spec());
         interruption::install(&control);
         let work = || study.run(&self.out, &self.options);
