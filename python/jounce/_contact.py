@@ -11,6 +11,7 @@ import numpy as np
 
 from . import _core
 from ._arguments import options, to_si
+from ._call import recorded
 from ._fields import About, Along, Variable
 from ._format import html_table
 from ._inputs import Measured, recording
@@ -196,6 +197,7 @@ class ContactResult(Result):
         return plot_contact(self, ax, hits)
 
 
+@recorded
 def contact(
     record: Measured, *, sample_rate_hz: Any = None, force: str | None = None, mass: Any = None, speed: Any = None
 ) -> ContactResult:

@@ -148,7 +148,7 @@ class PointsWithoutResult(UserWarning):
     """Warning that points of a study have no result; the column ``failure`` of its table gives the reasons."""
 
 
-def warn_not_settled(message: str) -> None:
-    """Warns at the place from which a method of the package was called."""
+def warn_not_settled(message: str, *, frames: int = 1) -> None:
+    """Warns at the place from which a method of the package was called, which has some frames in the package."""
     advice = "give a longer run.duration, or find with basins() whether the motion is a torus or chaos, which has no period"
-    warnings.warn(f"{message}: {advice}", NotSettled, stacklevel=3)
+    warnings.warn(f"{message}: {advice}", NotSettled, stacklevel=frames + 2)

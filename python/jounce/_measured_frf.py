@@ -11,6 +11,7 @@ import numpy as np
 
 from . import _core
 from ._arguments import names, optional_si, options
+from ._call import recorded
 from ._contact import kind_of
 from ._fields import About, Variable
 from ._format import html_table
@@ -168,6 +169,7 @@ def make_frf(inputs: list[Recording], result: dict[str, Any], manifest: dict[str
     )
 
 
+@recorded
 def measured_frf(
     records: Measured,
     *,

@@ -11,6 +11,7 @@ import numpy as np
 
 from . import _core
 from ._arguments import names, optional_range_si, optional_si, options
+from ._call import recorded
 from ._errors import ArgumentError
 from ._fields import About, Along, Variable
 from ._format import html_table, with_uncertainty
@@ -147,6 +148,7 @@ class MeasuredModes(Result):
         return plot_modal_fit(self, ax, self.function.index(name))
 
 
+@recorded
 def measured_modes(
     records: Measured,
     *,

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 from . import _core
 from ._arguments import optional_si, options, to_si
+from ._call import recorded
 from ._fields import About, Along, Variable
 from ._format import html_table, with_uncertainty
 from ._inputs import Measured, recordings
@@ -98,6 +99,7 @@ class PowerResult(Result):
         return plot_spectra(self, ax)
 
 
+@recorded
 def power(
     records: Measured,
     resistance: Any,

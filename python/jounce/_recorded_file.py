@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 from . import _core
 from ._arguments import options, rate_hz
+from ._call import recorded
 from ._errors import ArgumentError
 from ._fields import About, Variable
 from ._format import counted, html_table
@@ -103,6 +104,7 @@ class RecordedFile(Result):
         return self._frame(self._table())
 
 
+@recorded
 def read_recordings(path: str | PathLike[str], *, sample_rate_hz: Any = None) -> RecordedFile:
     """Reads a file of an instrument: CSV and text with any header, Parquet, NPY, NPZ, MAT, HDF5, TDMS, WAV, UFF 55, 58 and 58b, LVM.
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 from . import _core
 from ._arguments import optional_si, options
+from ._call import recorded
 from ._fields import About, Along, Variable
 from ._result import Floats, Result, make_manifest
 
@@ -49,6 +50,7 @@ class RestitutionResult(Result):
         return self._frame(self._columns("strength"))
 
 
+@recorded
 def restitution(
     material: str,
     stop_material: str,

@@ -6,7 +6,7 @@ import dataclasses
 import json
 from collections.abc import Callable, Mapping, Sequence
 from os import PathLike
-from typing import TYPE_CHECKING, Annotated, Any, Self, TypeVar, get_args, get_origin, get_type_hints
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Self, TypeVar, get_args, get_origin, get_type_hints
 
 import numpy as np
 from numpy.typing import NDArray
@@ -101,8 +101,17 @@ class Result(Data):
         assert result is not None, "a call without an error must have a result"
         return result
 
+    #: Call that made the result; no field, so that it takes no part in comparisons.
+    _call: ClassVar[Any] = None
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {name: value for name, value in vars(self).items() if name != "_call"}
+
     def save(self, path: str | PathLike[str]) -> None:
-        """Writes the result with its origin into a file, for :func:`jounce.load`; it replaces a file of that name."""
+        """Writes the result with its origin and its call into a file, for :func:`jounce.load` and :func:`jounce.rerun`.
+
+        It replaces a file of that name.
+        """
         from ._saved import save
 
         save(self, path)

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 from . import _core
 from ._arguments import check_integers, names, options, to_si
+from ._call import recorded
 from ._errors import ArgumentError
 from ._progress import Progress, progress_callback
 from ._quantity import toml
@@ -30,6 +31,7 @@ class SpecOnRig(SpecText):
 
     __slots__ = ()
 
+    @recorded
     def rig(
         self,
         *,
@@ -99,6 +101,7 @@ class SpecOnRig(SpecText):
         result = Recording._from_core_recording(fields, {**make_manifest("rig", **given), "spec_sha256": self.sha256})
         return result if base_recording is None else dataclasses.replace(result, issues=[*base_recording.issues, *result.issues])
 
+    @recorded
     def fit(self, to: str | PathLike[str] | Mapping[str, Any], *, progress: bool | Progress | None = None) -> FitResult:
         """Fits keys to measured features: the path of a file of features, or a dict with the same contents.
 
@@ -120,6 +123,7 @@ class SpecOnRig(SpecText):
         manifest = {**make_manifest("fit", to=source_name), "spec_sha256": self.sha256}
         return make_fit(json.loads(text), cast("Spec", self._from_core(fitted)), manifest)
 
+    @recorded
     def sensitivity(
         self,
         key: str | Sequence[str] = (),
@@ -148,6 +152,7 @@ class SpecOnRig(SpecText):
             text = result_or_raise(_core.sensitivity(self._spec, options(**given, threads=threads), callback))
         return make_sensitivity(json.loads(text), {**make_manifest("sensitivity", **given), "spec_sha256": self.sha256})
 
+    @recorded
     def design(
         self,
         problem: str | PathLike[str] | Mapping[str, Any],

@@ -11,6 +11,7 @@ import numpy as np
 
 from . import _core
 from ._arguments import check_integers, options, to_si
+from ._call import recorded
 from ._errors import ArgumentError
 from ._fields import About, Along, Variable
 from ._format import html_table, with_uncertainty
@@ -130,6 +131,7 @@ class SegmentsResult(Result):
         return plot_segments(self, ax)
 
 
+@recorded
 def segments(
     record: Measured,
     drive: Any,

@@ -11,6 +11,7 @@ import numpy as np
 
 from . import _core
 from ._arguments import rate_hz
+from ._call import recorded
 from ._errors import ArgumentError, FileError
 from ._fields import About, Variable
 from ._quantity import is_quantity, unit_of
@@ -60,6 +61,7 @@ class Spectrum(Result):
         return plot_spectrum(self, ax)
 
 
+@recorded
 def spectrum(values: Any, sample_rate_hz: float | None = None, *, name: str = "signal", unit: str = "") -> Spectrum:
     """Computes the amplitude spectrum of evenly spaced samples, or of a time series in the form of SEP005."""
     row, row_rate_hz = _samples(values, sample_rate_hz)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from . import _core
 from ._arguments import check_integers, frequencies, names, optional_hz, options, to_si
+from ._call import recorded
 from ._errors import ArgumentError, warn_not_settled
 from ._progress import Progress, progress_callback
 from ._ranges import sides, span, values
@@ -44,12 +45,14 @@ class Spec(SpecOnRig):
 
     __slots__ = ()
 
+    @recorded
     def cite(self) -> CiteResult:
         """Lists the publications behind the harvester, its models and the methods that it admits, each with its reasons."""
         from . import CiteResult
 
         return CiteResult._from_core_cite(_core.cite(self._spec))
 
+    @recorded
     def modes(self, hold: str | Sequence[str] = (), *, fixed_table: bool = False) -> ModesResult:
         """Computes natural frequencies, damping ratios, couplings and shapes without contact."""
         from . import ModesResult
@@ -57,6 +60,7 @@ class Spec(SpecOnRig):
         given = options(hold=names(hold), fixed_table=fixed_table)
         return ModesResult._from_core(_core.modes(self._spec, given))
 
+    @recorded
     def frf(
         self,
         frequency: Any = None,
@@ -88,6 +92,7 @@ class Spec(SpecOnRig):
         )
         return FrfResult._from_core_call(_core.frf(self._spec, given))
 
+    @recorded
     def noise(self, *, low: Any = None, high: Any = None, points: int = 1000) -> NoiseResult:
         """Computes the exact response to the noises of the spec without contact: means, mean squares, bandwidths, gap crossing rates."""
         from . import NoiseResult
@@ -96,6 +101,7 @@ class Spec(SpecOnRig):
         given = options(low_hz=optional_hz(low, "low"), high_hz=optional_hz(high, "high"), points=points)
         return NoiseResult._from_core_call(_core.noise(self._spec, given))
 
+    @recorded
     def run(
         self,
         *,
@@ -126,9 +132,10 @@ class Spec(SpecOnRig):
         with progress_callback(progress) as callback:
             result = RunResult._from_core_call(_core.run(self._spec, given, start.json if start else None, callback))
         if result.is_transient:
-            warn_not_settled(f"the run has not settled: its state changes by {result.periodicity_change:.1e} over its period")
+            warn_not_settled(f"the run has not settled: its state changes by {result.periodicity_change:.1e} over its period", frames=2)
         return result
 
+    @recorded
     def sweep(
         self,
         key: str,
@@ -158,9 +165,10 @@ class Spec(SpecOnRig):
         with progress_callback(progress) as callback:
             result = SweepResult._from_core_call(_core.sweep(self._spec, given, callback))
         if result.transient.any():
-            warn_not_settled(f"{int(result.transient.sum())} of {len(result)} points have not settled; `transient` marks them")
+            warn_not_settled(f"{int(result.transient.sum())} of {len(result)} points have not settled; `transient` marks them", frames=2)
         return result
 
+    @recorded
     def branch(
         self,
         key: str,
@@ -201,6 +209,7 @@ class Spec(SpecOnRig):
         with progress_callback(progress) as callback:
             return BranchResult._from_core_call(_core.branch(self._spec, given, callback))
 
+    @recorded
     def bifurcations(
         self,
         key: str,
@@ -239,6 +248,7 @@ class Spec(SpecOnRig):
         with progress_callback(progress) as callback:
             return BifurcationsResult._from_core_call(_core.bifurcations(self._spec, given, callback))
 
+    @recorded
     def basins(
         self,
         *,
@@ -273,6 +283,7 @@ class Spec(SpecOnRig):
         with progress_callback(progress) as callback:
             return BasinsResult._from_core_call(_core.basins(self._spec, given, callback))
 
+    @recorded
     def diagram(
         self,
         key: str,
@@ -313,6 +324,7 @@ class Spec(SpecOnRig):
         with progress_callback(progress) as callback:
             return DiagramResult._from_core_call(_core.diagram(self._spec, given, callback))
 
+    @recorded
     def ensemble(
         self,
         *,

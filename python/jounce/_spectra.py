@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from . import _core
 from ._arguments import optional_si, options
+from ._call import recorded
 from ._fields import About, Along, Variable
 from ._format import html_table
 from ._inputs import Measured, recording
@@ -125,6 +126,7 @@ class SpectraResult(Result):
         return plot_spectrogram(self, ax)
 
 
+@recorded
 def spectra(
     record: Measured,
     *,
