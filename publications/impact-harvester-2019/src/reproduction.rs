@@ -159,7 +159,6 @@ impl Reproduction {
     pub fn write(&self, folder: &Path) -> Result<Written, ReproduceError> {
         let [tables, figures] = folders(folder)?;
         let report = folder.join("report.html");
-        page::page(self)?.write(&report)?;
         let mut written = Written {
             report,
             tables: Vec::new(),
@@ -180,6 +179,8 @@ impl Reproduction {
             .par_iter()
             .try_for_each(|(figure, path)| figure.figure.write(path))?;
         written.figures = files.into_iter().map(|(_, path)| path).collect();
+        // Last: a report is complete, with its tables and figures.
+        page::page(self)?.write(&written.report)?;
         Ok(written)
     }
 }

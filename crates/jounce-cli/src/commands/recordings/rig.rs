@@ -41,7 +41,7 @@ impl Rig {
             print_base(base);
         }
         result.recording.write(&self.to)?;
-        result.issues.iter().for_each(|issue| eprintln!("{issue}"));
+        result.issues.iter().for_each(output::note);
         if self.json {
             let mut json = output::to_json(&result)?;
             json["file"] = self.to.display().to_string().into();
@@ -66,8 +66,8 @@ fn print_base(base: &BaseMotion) {
         true => "retained",
         false => "subtracted",
     };
-    eprintln!(
+    output::note(format!(
         "the base moves as {} of {}; its mean of {:.5} m/s^2 is {mean_treatment}",
         base.channel, base.recording, base.mean_m_s2
-    );
+    ));
 }

@@ -1,11 +1,10 @@
 //! `jounce show SPEC`
 
 use crate::failure::Failure;
-use crate::output::{line, make_folder_of, print};
+use crate::output::{line, print};
 use crate::spec_arguments::SpecArguments;
 use clap::Args;
 use jounce::Error;
-use jounce::parts::PictureError;
 use std::path::{Path, PathBuf};
 
 /// Arguments of `show`.
@@ -32,14 +31,7 @@ impl Show {
             .clone()
             .unwrap_or_else(|| Path::new(stem).with_extension("svg"));
         let drawing = harvester.drawing(&self.title());
-        if let Err(error) = drawing.write(&path) {
-            // A name without a known format leaves no folder.
-            if !matches!(error, PictureError::Store(_)) {
-                return Err(Error::from(error).into());
-            }
-            make_folder_of(&path)?;
-            drawing.write(&path).map_err(Error::from)?;
-        }
+        drawing.write(&path).map_err(Error::from)?;
         match self.json {
             true => print(&serde_json::json!({ "drawing": path })),
             false => line(path.display()),
