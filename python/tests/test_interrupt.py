@@ -30,7 +30,7 @@ def test_a_program_that_loses_work_is_found(program, tmp_path):
     in_place.write_text(f'#!/bin/sh\nmkdir -p disk/out\nprintf partial >disk/out/sweep.csv\nsleep 0.2\nexec {program} "$@"\n')
     for wrong, words in ((loses, "journal"), (in_place, "sweep.csv")):
         wrong.chmod(0o755)
-        script = [sys.executable, str(ROOT / "campaigns" / "interrupt.py"), "--kills=6", "--only=sweep", f"--program={wrong}"]
+        script = [sys.executable, str(ROOT / "campaigns" / "interrupt.py"), "--kills=10", "--only=sweep", f"--program={wrong}"]
         done = subprocess.run(script, capture_output=True, text=True, check=False)
         assert done.returncode == 1 and words in done.stdout, done.stdout + done.stderr
 
