@@ -7,14 +7,14 @@ import importlib
 import io
 import json
 import math
-import os
 from os import PathLike, fspath
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, BinaryIO
 
 import numpy as np
 
 from ._errors import FileError, JounceError
+from ._files import write_whole
 from ._result import Result
 from ._spec_text import SpecText, _rebuild
 
@@ -27,28 +27,19 @@ _STRUCTURE, _FORMAT = "result.json", 1
 
 def save(result: Result, path: str | PathLike[str]) -> None:
     """Writes a result completely or not at all."""
-    import tempfile
     import zipfile
 
     arrays: list[np.ndarray[Any, Any]] = []
     structure = {"format": _FORMAT, "result": _encoded(result, arrays)}
-    target = Path(path)
-    try:
-        with tempfile.NamedTemporaryFile(dir=target.parent, prefix=f".{target.name}.", delete=False) as file:
-            try:
-                with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
-                    archive.writestr(_STRUCTURE, json.dumps(structure))
-                    for number, array in enumerate(arrays):
-                        with archive.open(f"{number}.npy", "w", force_zip64=True) as member:
-                            np.lib.format.write_array(member, array, allow_pickle=False)
-                file.close()
-                os.replace(file.name, target)
-            except BaseException:
-                file.close()
-                os.unlink(file.name)
-                raise
-    except OSError as error:
-        raise FileError(f"the result {target} cannot be written: {error}", {"path": str(target), "errno": error.errno}) from error
+
+    def fill(file: BinaryIO) -> None:
+        with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
+            archive.writestr(_STRUCTURE, json.dumps(structure))
+            for number, array in enumerate(arrays):
+                with archive.open(f"{number}.npy", "w", force_zip64=True) as member:
+                    np.lib.format.write_array(member, array, allow_pickle=False)
+
+    write_whole(path, "the result", fill)
 
 
 def load(path: str | PathLike[str]) -> Any:

@@ -12,8 +12,9 @@ import numpy as np
 from . import _core
 from ._arguments import rate_hz
 from ._call import recorded
-from ._errors import ArgumentError, FileError
+from ._errors import ArgumentError
 from ._fields import About, Variable
+from ._files import write_whole
 from ._quantity import is_quantity, unit_of
 from ._result import Floats, Result, make_manifest
 from ._samples import check_samples
@@ -84,12 +85,9 @@ def write_recording(path: str | PathLike[str], values: Any, sample_rate_hz: floa
     if len(row) < 2:
         raise ArgumentError("a recording needs at least two samples")
     times = np.arange(len(row)) / row_rate_hz
-    try:
-        with open(path, "w", encoding="utf-8", newline="\n") as file:
-            file.write(f"time (s),value ({unit})\n" if unit else "time (s),value\n")
-            file.writelines(f"{time!r},{value!r}\n" for time, value in zip(times.tolist(), row.tolist()))
-    except OSError as error:
-        raise FileError(f"the recording {path} cannot be written: {error}", {"path": str(path), "errno": error.errno}) from error
+    head = f"time (s),value ({unit})" if unit else "time (s),value"
+    lines = (f"{time!r},{value!r}\n" for time, value in zip(times.tolist(), row.tolist()))
+    write_whole(path, "the recording", lambda file: file.write("".join([head, "\n", *lines]).encode()))
 
 
 def _samples(values: Any, sample_rate_hz: float | None) -> tuple[Floats, float]:

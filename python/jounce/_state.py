@@ -8,8 +8,9 @@ from os import PathLike
 from pathlib import Path
 from typing import Annotated, Any, Self
 
-from ._errors import FileError, StartError
+from ._errors import StartError
 from ._fields import About
+from ._files import write_whole
 
 
 @dataclasses.dataclass(frozen=True)
@@ -28,10 +29,7 @@ class State:
 
     def write(self, path: str | PathLike[str]) -> None:
         """Writes a state file."""
-        try:
-            Path(path).write_text(self.json, encoding="utf-8")
-        except OSError as error:
-            raise FileError(f"the state {path} cannot be written: {error}", {"path": str(path), "errno": error.errno}) from error
+        write_whole(path, "the state", lambda file: file.write(self.json.encode()))
 
     def to_dict(self) -> dict[str, Any]:
         """Modal displacements and velocities, voltages and drive angles, SI."""

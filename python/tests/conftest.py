@@ -64,15 +64,21 @@ def short(harvester):
 
 
 @pytest.fixture(scope="session")
-def command_line(tmp_path_factory):
-    """Runs the program on the paper's spec and returns its JSON result."""
+def program():
+    """Path of the program."""
     program_path = os.environ.get("JOUNCE_BIN")
-    program = (
+    found = (
         Path(program_path)
         if program_path
         else next((p for p in (ROOT / "target/release/jounce", ROOT / "target/debug/jounce") if p.exists()), None)
     )
-    assert program is not None, "the program is not built; run `cargo build --release`, or name it in JOUNCE_BIN"
+    assert found is not None, "the program is not built; run `cargo build --release`, or name it in JOUNCE_BIN"
+    return found
+
+
+@pytest.fixture(scope="session")
+def command_line(tmp_path_factory, program):
+    """Runs the program on the paper's spec and returns its JSON result."""
     cache = tmp_path_factory.mktemp("cache")
 
     def run_command(command, *arguments, keys=None, spec=SPEC):

@@ -1,27 +1,37 @@
 //! Finished points on disk, from which an interrupted sweep or diagram resumes.
 //!
-//! Each finished point is appended as one JSON line and flushed. When the journal is read, an
+//! Each finished point is appended as one JSON line. One process at a time holds the journal. When the journal is read, an
 //! incomplete last line is dropped. Numbers read back bit for bit. The journal is removed when its
 //! sweep is complete.
 
 use super::SweepPoint;
+use jounce_io::store;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
-use std::fs::{File, OpenOptions};
-use std::io::{Seek, SeekFrom, Write};
+use std::fs::File;
+use std::io::{ErrorKind, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
 /// Error of reading or writing a journal.
 #[derive(Debug, thiserror::Error, serde::Serialize)]
 #[error(
-    "the journal of finished points {path} cannot be used: {reason}; set JOUNCE_CACHE to a writable folder"
+    "the journal of finished points {path} cannot be used: {reason}; set JOUNCE_CACHE to another folder"
 )]
 pub struct JournalError {
     /// Path of the file.
     pub path: String,
     /// Reason of the failure.
     pub reason: String,
+}
+
+impl JournalError {
+    fn new(path: &Path, reason: impl ToString) -> Self {
+        Self {
+            path: path.display().to_string(),
+            reason: reason.to_string(),
+        }
+    }
 }
 
 /// Journal of one analysis over points `P`.
@@ -36,19 +46,18 @@ impl<P: Serialize + DeserializeOwned> Journal<P> {
     /// Opens or creates the journal of a sweep; `key` (a digest of spec and options) identifies it.
     ///
     /// # Errors
-    /// [`JournalError`].
+    /// [`JournalError`]: a folder that cannot be written, another process that computes the same.
     pub fn open(folder: &Path, key: &str) -> Result<Self, JournalError> {
         let path = folder.join(format!("{key}.jsonl"));
-        let fault = |error: std::io::Error| JournalError {
-            path: path.display().to_string(),
-            reason: error.to_string(),
-        };
+        let fault = |error: std::io::Error| JournalError::new(&path, error);
         std::fs::create_dir_all(folder).map_err(fault)?;
-        let text = match std::fs::read(&path) {
-            Ok(bytes) => String::from_utf8_lossy(&bytes).into_owned(),
-            Err(error) if error.kind() == std::io::ErrorKind::NotFound => String::new(),
-            Err(error) => return Err(fault(error)),
+        let Some(mut file) = store::open_locked(&path).map_err(fault)? else {
+            const BUSY: &str = "another process computes the same; wait for it";
+            return Err(JournalError::new(&path, BUSY));
         };
+        let mut bytes = Vec::new();
+        file.read_to_end(&mut bytes).map_err(fault)?;
+        let text = String::from_utf8_lossy(&bytes);
         let (mut entries, mut complete_bytes) = (Vec::new(), 0);
         for line in text.split_inclusive('\n') {
             match serde_json::from_str::<P>(line) {
@@ -57,14 +66,7 @@ impl<P: Serialize + DeserializeOwned> Journal<P> {
             }
             complete_bytes += line.len();
         }
-        let mut file = OpenOptions::new()
-            .create(true)
-            .truncate(false)
-            .write(true)
-            .open(&path)
-            .map_err(fault)?;
-        file.set_len(complete_bytes as u64).map_err(fault)?;
-        file.seek(SeekFrom::End(0)).map_err(fault)?;
+        cut(&mut file, complete_bytes as u64).map_err(fault)?;
         Ok(Self {
             path,
             file: Mutex::new(file),
@@ -82,16 +84,16 @@ impl<P: Serialize + DeserializeOwned> Journal<P> {
     /// # Errors
     /// [`JournalError`].
     pub fn keep(&self, point: &P) -> Result<(), JournalError> {
-        let fault = |reason: String| JournalError {
-            path: self.path.display().to_string(),
-            reason,
-        };
+        let fault = |reason: String| JournalError::new(&self.path, reason);
         let mut line = serde_json::to_string(point).map_err(|error| fault(error.to_string()))?;
         line.push('\n');
         let mut file = self.file.lock().map_err(|error| fault(error.to_string()))?;
-        file.write_all(line.as_bytes())
-            .and_then(|()| file.flush())
-            .map_err(|error| fault(error.to_string()))
+        let written = file.stream_position().and_then(|length| {
+            let line = file.write_all(line.as_bytes());
+            // Points of other threads must not follow a part of a line, after which none is read.
+            line.inspect_err(|_| drop(cut(&mut file, length)))
+        });
+        written.map_err(|error| fault(error.to_string()))
     }
 
     /// Removes the journal of a complete sweep.
@@ -99,9 +101,17 @@ impl<P: Serialize + DeserializeOwned> Journal<P> {
     /// # Errors
     /// [`JournalError`].
     pub fn finish(self) -> Result<(), JournalError> {
-        std::fs::remove_file(&self.path).map_err(|error| JournalError {
-            path: self.path.display().to_string(),
-            reason: error.to_string(),
-        })
+        match std::fs::remove_file(&self.path) {
+            Err(error) if error.kind() != ErrorKind::NotFound => {
+                Err(JournalError::new(&self.path, error))
+            }
+            _ => Ok(()),
+        }
     }
+}
+
+/// Cuts a file to a length and continues there.
+fn cut(file: &mut File, length: u64) -> std::io::Result<()> {
+    file.set_len(length)?;
+    file.seek(SeekFrom::Start(length)).map(|_| ())
 }

@@ -10,7 +10,8 @@ use clap::{Parser, Subcommand};
 /// Simulates, analyses and designs vibro-impact piezoelectric energy harvesters.
 ///
 /// Exit codes: 0 success, 1 a different result (`rerun`), 2 wrong usage, 3 not converged (`branch` and `bifurcations`: no branch
-/// or curve is complete; `design`: no design keeps the limits), 4 invalid input.
+/// or curve is complete; `design`: no design keeps the limits), 4 invalid input, or an output
+/// that cannot be written, 130 stopped by the user.
 #[derive(Debug, Parser)]
 #[command(name = "jounce", version, max_term_width = 110)]
 pub struct Arguments {

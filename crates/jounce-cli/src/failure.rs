@@ -1,7 +1,7 @@
 //! Failures of commands and their exit codes.
 
 use crate::option_names::on_command_line;
-use crate::output::print;
+use crate::output::{self, print};
 use jounce::parts::{DesignError, Fault, StudyError};
 use jounce::{Error, ErrorKind};
 use std::path::{Path, PathBuf};
@@ -57,19 +57,19 @@ impl Failure {
     pub fn report(self, json: bool) -> ExitCode {
         let (code, text, faults) = match self {
             Failure::Partial(text) => {
-                eprintln!("{text}");
+                output::note(text);
                 return ExitCode::from(INTERRUPTED);
             }
             Failure::Incomplete(text) => {
-                eprintln!("{text}");
+                output::note(text);
                 return ExitCode::from(NOT_CONVERGED);
             }
             Failure::Different(text) => {
-                eprintln!("{text}");
+                output::note(text);
                 return ExitCode::from(DIFFERENT);
             }
             Failure::InvalidSpec(text) => {
-                eprintln!("{text}");
+                output::note(text);
                 return ExitCode::from(INVALID);
             }
             Failure::Usage(text) => (2, text, Vec::new()),
@@ -78,7 +78,7 @@ impl Failure {
             Failure::Interrupted(text) => (INTERRUPTED, text, Vec::new()),
             Failure::Faults(path, faults) => (INVALID, fault_lines(&path, &faults), faults),
         };
-        eprintln!("{text}");
+        output::note(&text);
         if json {
             print(&serde_json::json!({ "error": text, "exit_code": code, "faults": faults }));
         }

@@ -1,5 +1,9 @@
 //! The command line of jounce: it reads arguments, calls the library and prints results. It
 //! computes nothing itself.
+#![deny(
+    clippy::print_stderr,
+    reason = "a full disk behind stderr would end the program"
+)]
 
 mod arguments;
 mod cache;
@@ -34,7 +38,7 @@ fn main() -> ExitCode {
         .unwrap_or_else(|error| value_error::explained(error).exit());
     record::begin(std::env::args_os().skip(1));
     let json = arguments.command.wants_json();
-    match commands::run(arguments.command) {
+    match commands::run(arguments.command).and_then(|()| output::check_printed()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => failure.report(json),
     }

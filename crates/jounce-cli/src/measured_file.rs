@@ -1,6 +1,7 @@
 //! Arguments of commands that read a recording.
 
 use crate::failure::Failure;
+use crate::output;
 use crate::spec_arguments::OutputArguments;
 use clap::Args;
 use jounce::parts::{Issue, Manifest, UsesChannels, file_sha256, unreadable};
@@ -93,8 +94,8 @@ pub fn print_issues<'a>(issues: impl IntoIterator<Item = &'a Issue>) {
     }
     for (text, times) in messages {
         match times {
-            1 => eprintln!("{text}"),
-            _ => eprintln!("{text} (in {times} recordings)"),
+            1 => output::note(text),
+            _ => output::note(format!("{text} (in {times} recordings)")),
         }
     }
 }

@@ -3,15 +3,51 @@
 use crate::failure::Failure;
 use crate::option_names::on_command_line;
 use crate::record;
-use jounce::parts::{Column, Manifest, Record, Values, unwritable_folder};
+use jounce::parts::{Column, Manifest, Record, Values};
 use jounce::{Error, Figure, Table};
 use serde::Serialize;
-use std::io::Write;
+use std::io::{ErrorKind, Write};
 use std::path::Path;
+use std::sync::OnceLock;
 
-/// Prints one JSON value on stdout. A closed stdout is not an error.
+/// First failure to write to stdout.
+static UNPRINTED: OnceLock<String> = OnceLock::new();
+
+/// Prints a text on stdout unchanged. A closed stdout is not an error; others are kept for
+/// [`check_printed`].
+pub fn text(text: &str) {
+    let mut stdout = std::io::stdout().lock();
+    let written = stdout
+        .write_all(text.as_bytes())
+        .and_then(|()| stdout.flush());
+    if let Err(error) = written
+        && error.kind() != ErrorKind::BrokenPipe
+    {
+        let _ = UNPRINTED.set(error.to_string());
+    }
+}
+
+/// Returns an error where a part of the result could not be printed.
+///
+/// # Errors
+/// stdout is a file on a full disk.
+pub fn check_printed() -> Result<(), Failure> {
+    match UNPRINTED.get() {
+        Some(reason) => Err(Failure::Input(format!(
+            "cannot write the result to stdout: {reason}"
+        ))),
+        None => Ok(()),
+    }
+}
+
+/// Prints a line on stderr. A message that cannot be written does not end the work.
+pub fn note(text: impl std::fmt::Display) {
+    let _ = writeln!(std::io::stderr().lock(), "{text}");
+}
+
+/// Prints one JSON value on stdout.
 pub fn print(value: &serde_json::Value) {
-    let _ = writeln!(std::io::stdout().lock(), "{value}");
+    line(value);
 }
 
 /// Returns a result as JSON.
@@ -20,8 +56,8 @@ pub fn to_json(result: &impl Serialize) -> Result<serde_json::Value, Failure> {
 }
 
 /// Prints a line on stdout.
-pub fn line(text: impl std::fmt::Display) {
-    let _ = writeln!(std::io::stdout().lock(), "{text}");
+pub fn line(line: impl std::fmt::Display) {
+    text(&format!("{line}\n"));
 }
 
 /// Prints warnings on stderr. A warning is printed once, with the number of its repetitions.
@@ -33,8 +69,8 @@ pub fn warn(warnings: &[String]) {
         let count = warnings.iter().filter(|other| *other == text).count();
         let text = on_command_line(text);
         match count {
-            1 => eprintln!("warning: {text}"),
-            _ => eprintln!("warning: {text} ({count} times)"),
+            1 => note(format!("warning: {text}")),
+            _ => note(format!("warning: {text} ({count} times)")),
         }
     }
 }
@@ -112,14 +148,8 @@ pub fn with_uncertainty(value: f64, half_width: f64, unit: &str) -> String {
     }
 }
 
-/// Prints a text on stdout unchanged.
-pub fn text(text: &str) {
-    let _ = std::io::stdout().lock().write_all(text.as_bytes());
-}
-
 /// Writes a table as CSV, Parquet and JSON, with the record of this call.
 pub fn table(folder: &Path, name: &str, table: &Table, manifest: &Manifest) -> Result<(), Failure> {
-    make(folder)?;
     let manifest = Manifest {
         record: record::of_file(name),
         ..manifest.clone()
@@ -133,7 +163,6 @@ pub fn table(folder: &Path, name: &str, table: &Table, manifest: &Manifest) -> R
 
 /// Writes a figure as SVG and PNG, with the record of this call.
 pub fn figure(folder: &Path, name: &str, figure: &Figure) -> Result<(), Failure> {
-    make(folder)?;
     let manifest = origin(record::of_file(name));
     for extension in ["svg", "png"] {
         let path = folder.join(format!("{name}.{extension}"));
@@ -148,16 +177,6 @@ pub fn origin(record: Option<Record>) -> Manifest {
         record,
         ..Manifest::new("")
     }
-}
-
-/// Creates the folder of a file if it is missing.
-pub fn make_folder_of(file: &Path) -> Result<(), Failure> {
-    file.parent().map_or(Ok(()), make)
-}
-
-fn make(folder: &Path) -> Result<(), Failure> {
-    std::fs::create_dir_all(folder)
-        .map_err(|error| Failure::Input(unwritable_folder(folder, error)))
 }
 
 #[cfg(test)]

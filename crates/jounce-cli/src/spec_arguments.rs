@@ -1,6 +1,7 @@
 //! Arguments that all commands on a spec share.
 
 use crate::failure::Failure;
+use crate::output;
 use clap::Args;
 use jounce::parts::Manifest;
 use jounce::{Error, Harvester, Spec, SpecFile};
@@ -115,6 +116,6 @@ pub fn print_recording_issues(spec: &Spec) {
         } else {
             "warning"
         };
-        eprintln!("{kind}: drive {drive}: {issue}");
+        output::note(format!("{kind}: drive {drive}: {issue}"));
     }
 }

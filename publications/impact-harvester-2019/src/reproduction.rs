@@ -172,7 +172,6 @@ impl Reproduction {
     pub fn write(&self, folder: &Path) -> Result<Written, ReproduceError> {
         let [tables, figures] = folders(folder)?;
         let report = folder.join("report.html");
-        page::page(self)?.write(&report)?;
         let mut written = Written {
             report,
             tables: Vec::new(),
@@ -196,6 +195,8 @@ impl Reproduction {
             figure.figure.write_with(path, &manifest)
         })?;
         written.figures = files.into_iter().map(|(_, path)| path).collect();
+        // Last: a report is complete, with its tables and figures.
+        page::page(self)?.write(&written.report)?;
         Ok(written)
     }
 }

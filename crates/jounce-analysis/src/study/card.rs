@@ -45,7 +45,10 @@ impl StudyCard {
     /// A folder that cannot be written.
     pub fn write(&self, folder: &Path) -> Result<(), StudyError> {
         let text = serde_json::to_string_pretty(self).unwrap_or_default() + "\n";
-        Ok(store::write(&folder.join(CARD_FILE), text.as_bytes())?)
+        Ok(store::write_in_folder(
+            &folder.join(CARD_FILE),
+            text.as_bytes(),
+        )?)
     }
 
     /// True where both cards are of one study, whichever command began it.

@@ -144,7 +144,8 @@ impl Folder {
                     return Ok(());
                 }
                 if let Some(table) = study.part(part, control)? {
-                    table.write(&self.file(part), &study.part_manifest(part))?;
+                    let bytes = table.to_parquet(&study.part_manifest(part))?;
+                    store::write_in_folder(&self.file(part), &bytes)?;
                     done(table.rows());
                 }
                 Ok(())
@@ -156,7 +157,7 @@ impl Folder {
     /// # Errors
     /// A file that cannot be written, bytes that are not this part.
     pub fn keep(&self, part: usize, bytes: &[u8]) -> Result<(), StudyError> {
-        store::write(&self.file(part), bytes)?;
+        store::write_in_folder(&self.file(part), bytes)?;
         self.part(part).map(|_| ())
     }
 

@@ -1,12 +1,14 @@
 //! Lock of a shard: one process works on it at a time.
 
 use super::{Shard, StudyError};
-use std::fs::{File, OpenOptions, TryLockError};
+use jounce_io::store;
+use std::fs::File;
 use std::path::Path;
 
-/// Lock of a shard; the system releases it when the process ends for any reason.
+/// Lock of a shard. On a file system without locks two processes may compute the same parts, which
+/// are written atomically.
 #[derive(Debug)]
-pub(super) struct Lock(#[expect(dead_code, reason = "the open file is the lock")] Option<File>);
+pub(super) struct Lock(#[expect(dead_code, reason = "the open file is the lock")] File);
 
 impl Lock {
     /// Takes the lock of a shard.
@@ -16,21 +18,12 @@ impl Lock {
             folder: folder.to_owned(),
             reason: reason.to_string(),
         };
-        let file = OpenOptions::new()
-            .create(true)
-            .truncate(false)
-            .write(true)
-            .open(&path)
-            .map_err(unwritable)?;
-        match file.try_lock() {
-            Ok(()) => Ok(Self(Some(file))),
-            Err(TryLockError::WouldBlock) => Err(StudyError::Busy {
+        match store::open_locked(&path).map_err(unwritable)? {
+            Some(file) => Ok(Self(file)),
+            None => Err(StudyError::Busy {
                 folder: folder.to_owned(),
                 shard: shard.to_string(),
             }),
-            // Some network file systems have no locks. Parts are written atomically, so the worst
-            // result is duplicate work.
-            Err(TryLockError::Error(_)) => Ok(Self(None)),
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::arguments::Arguments;
 use crate::failure::Failure;
+use crate::output::text;
 use clap::{Args, CommandFactory};
 
 /// Arguments of `completions`.
@@ -14,12 +15,9 @@ pub struct Completions {
 impl Completions {
     /// Prints the completion script.
     pub fn run(&self) -> Result<(), Failure> {
-        clap_complete::generate(
-            self.shell,
-            &mut Arguments::command(),
-            "jounce",
-            &mut std::io::stdout(),
-        );
+        let mut script = Vec::new();
+        clap_complete::generate(self.shell, &mut Arguments::command(), "jounce", &mut script);
+        text(&String::from_utf8_lossy(&script));
         Ok(())
     }
 }

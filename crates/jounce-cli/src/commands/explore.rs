@@ -1,7 +1,7 @@
 //! `jounce explore SPEC`, `jounce explore --link LINK`
 
 use crate::failure::Failure;
-use crate::output::{line, print};
+use crate::output::{self, line, print};
 use crate::spec_arguments::SpecArguments;
 use clap::Args;
 use jounce_explorer::{
@@ -54,10 +54,8 @@ impl Explore {
                     std::fs::read_to_string(&file).is_ok_and(|own| own.trim() != text.trim())
                 };
                 if text.as_ref().is_some_and(differs) {
-                    eprintln!(
-                        "warning: {} differs from the spec in the link; without SPEC the page opens that one",
-                        file.display()
-                    );
+                    output::note(format!("warning: {} differs from the spec in the link; without SPEC the page opens that one",
+                        file.display()));
                 }
                 Ok(Source::File(file))
             }
@@ -105,9 +103,9 @@ impl Explore {
         if !self.no_browser {
             match open_in_browser(&page) {
                 Ok(file) => page_file = Some(file),
-                Err(error) => {
-                    eprintln!("no browser could be started ({error}); open the address yourself")
-                }
+                Err(error) => output::note(format!(
+                    "no browser could be started ({error}); open the address yourself"
+                )),
             }
         }
         let stopper = explorer.stopper();

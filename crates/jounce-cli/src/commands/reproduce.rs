@@ -18,7 +18,7 @@ pub struct Reproduce {
 impl Reproduce {
     /// Computes and writes everything.
     pub fn run(&self) -> Result<(), Failure> {
-        let stage = |stage: &str| eprintln!("{stage}");
+        let stage = |stage: &str| output::note(stage);
         let result = reproduce(&self.options, &Control::default(), &stage)?;
         if self.json {
             print(&output::to_json(&result)?);

@@ -12,6 +12,7 @@ mod messages;
 mod names;
 mod new;
 mod orbits;
+mod outputs;
 #[path = "../program/mod.rs"]
 mod program;
 mod rerun;

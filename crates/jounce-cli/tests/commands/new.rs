@@ -129,11 +129,11 @@ fn an_existing_file_is_reported_and_not_overwritten() {
     );
     let (code, stdout, stderr) = jounce(
         folder.path(),
-        &["new", "ball", "--json", "--out", "no/such/folder.toml"],
+        &["new", "ball", "--json", "--out", "mine.toml/below.toml"],
     );
     assert!(
         code == 4
-            && stderr.contains("is not a folder; create it first")
+            && stderr.contains("\"mine.toml\" is not a folder")
             && stderr.lines().count() == 1,
         "{code}: {stderr}"
     );

@@ -104,6 +104,8 @@ fn run(arguments: &str, folder: &Path) -> Result<(), String> {
     let output = Command::new("sh")
         .args(["-c", &line])
         .env("JOUNCE", env!("CARGO_BIN_EXE_jounce"))
+        // Two documents may compute the same sweep at the same time, which one journal refuses.
+        .env("JOUNCE_CACHE", folder.join(".cache"))
         .current_dir(folder)
         .output();
     let output = output.map_err(|error| format!("the shell does not start: {error}"))?;

@@ -1,5 +1,6 @@
 //! Atomic writing of files.
 
+use super::clean::clean;
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -26,10 +27,35 @@ impl StoreError {
 /// Prefix of the names of incomplete files.
 pub(super) const PREFIX: &str = ".jounce-";
 
-/// Writes `content` to `path` and replaces an older file atomically. Symbolic links are followed.
+/// A complete file under a temporary name, in the folder of its target. It is removed when it is
+/// dropped.
+#[derive(Debug)]
+pub struct PendingFile {
+    path: PathBuf,
+    target: PathBuf,
+    file: tempfile::NamedTempFile,
+}
+
+impl PendingFile {
+    /// Gives the file its name, and replaces an older file atomically.
+    ///
+    /// # Errors
+    /// The folder has vanished or is not writable.
+    pub fn persist(self) -> Result<(), StoreError> {
+        let (path, target) = (self.path, self.target);
+        self.file
+            .persist(&target)
+            .map_err(|fault| StoreError::new(&path, fault.error))?;
+        flush_name(&target);
+        Ok(())
+    }
+}
+
+/// Writes `content` to `path` and replaces an older file atomically. Creates the folder if it is
+/// missing. Symbolic links are followed.
 ///
 /// # Errors
-/// The folder is missing or not writable, the target is a folder, a device or read-only, or the
+/// The folder cannot be created or written, the target is a folder, a device or read-only, or the
 /// disk is full.
 pub fn write(path: &Path, content: &[u8]) -> Result<(), StoreError> {
     write_from(path, |file| file.write_all(content))
@@ -43,19 +69,43 @@ pub fn write_from(
     path: &Path,
     fill: impl FnOnce(&mut File) -> io::Result<()>,
 ) -> Result<(), StoreError> {
-    let target = target_of(path)?;
-    filled(path, folder_of(&target)?, fill)?
-        .persist(&target)
-        .map_err(|fault| StoreError::new(path, fault.error))?;
-    flush_name(&target);
-    Ok(())
+    prepare(path, fill)?.persist()
 }
 
-/// Writes `content` to a new file at `path`. An existing file or link is unchanged, even if it
-/// appears during the call.
+/// Writes content under a temporary name. Files that belong together are all prepared before the
+/// first gets its name, so that a full disk leaves the older ones.
 ///
 /// # Errors
-/// The path exists, the folder is missing or not writable, or the disk is full.
+/// Those of [`write_from`].
+pub fn prepare(
+    path: &Path,
+    fill: impl FnOnce(&mut File) -> io::Result<()>,
+) -> Result<PendingFile, StoreError> {
+    let target = target_of(path)?;
+    let folder = made_folder_of(&target)?;
+    pending(path, &target, folder, fill)
+}
+
+/// Writes a file of a folder that holds more than this file: the folder must exist, because what it
+/// held is lost where it has vanished.
+///
+/// # Errors
+/// Those of [`write()`], and a missing folder.
+pub fn write_in_folder(path: &Path, content: &[u8]) -> Result<(), StoreError> {
+    let target = target_of(path)?;
+    let folder = folder_of(&target);
+    if !folder.is_dir() {
+        let reason = format!("the folder \"{}\" does not exist", folder.display());
+        return Err(StoreError::new(path, reason));
+    }
+    pending(path, &target, folder, |file| file.write_all(content))?.persist()
+}
+
+/// Writes `content` to a new file at `path`; creates its folder if it is missing. An existing file
+/// or link is unchanged, even if it appears during the call.
+///
+/// # Errors
+/// The path exists, the folder cannot be created or written, or the disk is full.
 pub fn create(path: &Path, content: &[u8]) -> Result<(), StoreError> {
     const TAKEN: &str = "it is there already; choose another name or ask for it to be replaced";
     if path.file_name().is_none() {
@@ -64,7 +114,9 @@ pub fn create(path: &Path, content: &[u8]) -> Result<(), StoreError> {
     if fs::symlink_metadata(path).is_ok() {
         return Err(StoreError::new(path, TAKEN));
     }
-    filled(path, folder_of(path)?, |file| file.write_all(content))?
+    let folder = made_folder_of(path)?;
+    pending(path, path, folder, |file| file.write_all(content))?
+        .file
         .persist_noclobber(path)
         .map_err(|fault| match fault.error.kind() {
             io::ErrorKind::AlreadyExists => StoreError::new(path, TAKEN),
@@ -74,19 +126,27 @@ pub fn create(path: &Path, content: &[u8]) -> Result<(), StoreError> {
     Ok(())
 }
 
-/// Returns the folder of a file, if it exists.
-fn folder_of(path: &Path) -> Result<&Path, StoreError> {
-    let folder = path
-        .parent()
+/// Returns the folder of a file.
+fn folder_of(path: &Path) -> &Path {
+    path.parent()
         .filter(|parent| !parent.as_os_str().is_empty())
-        .unwrap_or(Path::new("."));
-    match folder.is_dir() {
-        true => Ok(folder),
-        false => Err(StoreError::new(
-            path,
-            format!("\"{}\" is not a folder; create it first", folder.display()),
-        )),
-    }
+        .unwrap_or(Path::new("."))
+}
+
+/// Returns the folder of a file; creates it if it is missing, and removes what killed processes
+/// left in it.
+fn made_folder_of(path: &Path) -> Result<&Path, StoreError> {
+    let folder = folder_of(path);
+    fs::create_dir_all(folder).map_err(|fault| {
+        let name = folder.display();
+        let reason = match folder.exists() {
+            true => format!("\"{name}\" is not a folder"),
+            false => format!("the folder \"{name}\" cannot be created: {fault}"),
+        };
+        StoreError::new(path, reason)
+    })?;
+    clean(folder);
+    Ok(folder)
 }
 
 /// Returns the regular file to replace: the end of a chain of links, or the path itself for a new
@@ -117,11 +177,12 @@ fn target_of(path: &Path) -> Result<PathBuf, StoreError> {
 }
 
 /// Creates a temporary file in the folder of the target, with the content, flushed to the disk.
-fn filled(
+fn pending(
     path: &Path,
+    target: &Path,
     folder: &Path,
     fill: impl FnOnce(&mut File) -> io::Result<()>,
-) -> Result<tempfile::NamedTempFile, StoreError> {
+) -> Result<PendingFile, StoreError> {
     let written = || -> io::Result<_> {
         let mut temporary = temporary_file(folder)?;
         // The lock protects the file from `clean`. On a file system without locks, `clean` removes
@@ -131,14 +192,17 @@ fn filled(
         temporary.as_file().sync_all()?;
         Ok(temporary)
     };
-    written().map_err(|fault| StoreError::new(path, fault))
+    let file = written().map_err(|fault| StoreError::new(path, fault))?;
+    Ok(PendingFile {
+        path: path.to_owned(),
+        target: target.to_owned(),
+        file,
+    })
 }
 
 /// Flushes the new name to the disk, if the file system can flush a folder.
 fn flush_name(target: &Path) {
-    if let Ok(folder) = folder_of(target)
-        .and_then(|folder| File::open(folder).map_err(|fault| StoreError::new(target, fault)))
-    {
+    if let Ok(folder) = File::open(folder_of(target)) {
         let _ = folder.sync_all();
     }
 }

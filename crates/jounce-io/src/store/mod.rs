@@ -5,7 +5,9 @@
 //! the old file or the new one, never a part.
 mod atomic;
 mod clean;
+mod lock;
 mod reason;
-pub use atomic::{StoreError, create, write, write_from};
+pub use atomic::{PendingFile, StoreError, create, prepare, write, write_from, write_in_folder};
 pub use clean::clean;
+pub use lock::open_locked;
 pub use reason::{missing, unreadable, unwritable_folder};

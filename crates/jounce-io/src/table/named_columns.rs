@@ -1,10 +1,11 @@
 //! Tables: columns of equal length with unique names.
 
+use std::io::Write;
 use std::path::Path;
 
 use super::{Column, Manifest, TableError, Values};
 use super::{csv, json, page, parquet};
-use crate::store;
+use crate::store::{self, PendingFile};
 
 /// Table: columns of equal length with unique names.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -79,15 +80,10 @@ impl Table {
     pub fn write(&self, path: &Path, manifest: &Manifest) -> Result<(), TableError> {
         match ending(path) {
             Some("csv") => {
-                // The sidecar is written first, so an existing CSV file always has its notes.
-                store::write(
-                    &csv::sidecar_path(path),
-                    csv::sidecar(self, manifest).as_bytes(),
-                )?;
-                store::write(
-                    path,
-                    &csv::encode(self).map_err(|reason| encode_error(path, reason))?,
-                )?;
+                let content = csv::encode(self).map_err(|reason| encode_error(path, reason))?;
+                let notes = notes_file(path, self, manifest)?;
+                let table = store::prepare(path, |file| file.write_all(&content))?;
+                named_after_notes(Some(notes), table)?;
             }
             Some("parquet") => store::write(
                 path,
@@ -130,25 +126,18 @@ impl Table {
         tables: impl IntoIterator<Item = Result<Self, E>>,
     ) -> Result<(), E> {
         let mut tables = tables.into_iter().peekable();
-        match (ending(path), tables.peek()) {
-            // The sidecar is written first, so an existing CSV file always has its notes.
-            (Some("csv"), Some(Ok(first))) => {
-                store::write(
-                    &csv::sidecar_path(path),
-                    csv::sidecar(first, manifest).as_bytes(),
-                )
-                .map_err(TableError::from)?;
-            }
-            (Some("csv" | "parquet"), _) => {}
+        let notes = match (ending(path), tables.peek()) {
+            (Some("csv"), Some(Ok(first))) => Some(notes_file(path, first, manifest)?),
+            (Some("csv" | "parquet"), _) => None,
             _ => {
                 return Err(TableError::Format {
                     path: path.to_owned(),
                 }
                 .into());
             }
-        }
+        };
         let mut failure = None;
-        let stored = store::write_from(path, |file| {
+        let table = store::prepare(path, |file| {
             let refused = |reason: String| E::from(encode_error(path, reason));
             let joined = match ending(path) {
                 Some("csv") => csv::join(file, tables, refused),
@@ -161,7 +150,7 @@ impl Table {
         });
         match failure {
             Some(error) => Err(error),
-            None => stored.map_err(|error| E::from(error.into())),
+            None => Ok(named_after_notes(notes, table.map_err(TableError::from)?)?),
         }
     }
 
@@ -187,6 +176,22 @@ impl Table {
             reason,
         })
     }
+}
+
+/// Prepares the notes of a CSV file.
+fn notes_file(path: &Path, table: &Table, manifest: &Manifest) -> Result<PendingFile, TableError> {
+    let text = csv::sidecar(table, manifest);
+    let notes = csv::sidecar_path(path);
+    Ok(store::prepare(&notes, |file| {
+        file.write_all(text.as_bytes())
+    })?)
+}
+
+/// Names a table and its notes, which are both on the disk: the notes first, so that an existing CSV
+/// file always has them.
+fn named_after_notes(notes: Option<PendingFile>, table: PendingFile) -> Result<(), TableError> {
+    notes.map_or(Ok(()), PendingFile::persist)?;
+    Ok(table.persist()?)
 }
 
 fn ending(path: &Path) -> Option<&str> {

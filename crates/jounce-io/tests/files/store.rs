@@ -1,7 +1,8 @@
 //! Files that appear whole or not at all, and what interrupted programs leave.
 
-use jounce_io::store::{clean, create, write};
+use jounce_io::store::{clean, create, open_locked, prepare, write, write_in_folder};
 use std::fs::{self, File};
+use std::io::Write;
 use std::path::Path;
 use std::time::{Duration, SystemTime};
 
@@ -27,13 +28,17 @@ fn file_is_created_then_replaced_without_leftovers() {
 #[test]
 fn write_errors_name_path_and_reason() {
     let folder = tempfile::tempdir().unwrap();
-    let missing = write(&folder.path().join("no/such.csv"), b"x")
-        .unwrap_err()
-        .to_string();
-    assert!(
-        missing.contains("such.csv") && missing.contains("is not a folder"),
-        "{missing}"
-    );
+    fs::write(folder.path().join("file"), "").unwrap();
+    for name in ["file/such.csv", "file/below/such.csv"] {
+        let path = folder.path().join(name);
+        let fault = write(&path, b"x").unwrap_err().to_string();
+        assert!(
+            fault.contains("such.csv") && fault.contains("folder"),
+            "{fault}"
+        );
+        assert_eq!(create(&path, b"x").unwrap_err().to_string(), fault);
+    }
+    fs::remove_file(folder.path().join("file")).unwrap();
     let directory = write(folder.path(), b"x").unwrap_err().to_string();
     assert!(directory.contains("it is a folder"), "{directory}");
     assert!(
@@ -81,12 +86,6 @@ fn existing_file_is_not_created() {
             .unwrap_err()
             .reason
             .contains("there already")
-    );
-    assert!(
-        create(&folder.path().join("no/such"), b"x")
-            .unwrap_err()
-            .reason
-            .contains("is not a folder")
     );
     assert!(
         create(Path::new("/"), b"x")
@@ -137,4 +136,59 @@ fn only_abandoned_files_are_removed() {
         .collect();
     names.sort();
     assert_eq!(names, [".jounce-written", ".jounce-young", "part.parquet"]);
+}
+
+#[test]
+fn a_missing_folder_is_created_unless_its_content_is_lost_with_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    write(&at("a/b/one"), b"1").unwrap();
+    create(&at("c/two"), b"2").unwrap();
+    assert_eq!(
+        (
+            fs::read(at("a/b/one")).unwrap(),
+            fs::read(at("c/two")).unwrap()
+        ),
+        (b"1".to_vec(), b"2".to_vec())
+    );
+    let vanished = write_in_folder(&at("d/three"), b"3").unwrap_err();
+    assert!(vanished.reason.contains("does not exist"), "{vanished}");
+    assert!(!at("d").exists());
+    write_in_folder(&at("c/three"), b"3").unwrap();
+}
+
+#[test]
+fn a_prepared_file_has_its_name_only_when_it_is_persisted() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a");
+    let prepared = || prepare(&path, |file| file.write_all(b"new"));
+    write(&path, b"old").unwrap();
+    drop(prepared().unwrap());
+    assert_eq!(fs::read(&path).unwrap(), b"old");
+    prepared().unwrap().persist().unwrap();
+    assert_eq!(
+        (fs::read(&path).unwrap(), names(folder.path())),
+        (b"new".to_vec(), vec!["a".to_owned()])
+    );
+}
+
+#[test]
+fn the_next_file_removes_what_a_killed_process_left() {
+    let folder = tempfile::tempdir().unwrap();
+    let left = File::create(folder.path().join(".jounce-left")).unwrap();
+    left.set_modified(SystemTime::now() - Duration::from_secs(60))
+        .unwrap();
+    drop(left);
+    write(&folder.path().join("a"), b"x").unwrap();
+    assert_eq!(names(folder.path()), ["a"]);
+}
+
+#[test]
+fn a_locked_file_is_refused_until_its_holder_ends() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("lock");
+    let held = open_locked(&path).unwrap();
+    assert!(held.is_some() && open_locked(&path).unwrap().is_none());
+    drop(held);
+    assert!(open_locked(&path).unwrap().is_some());
 }

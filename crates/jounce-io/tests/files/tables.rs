@@ -136,8 +136,9 @@ fn unequal_lengths_and_double_names_are_errors() {
 fn unwritable_or_unreadable_path_is_an_error() {
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| folder.path().join(name);
+    std::fs::write(at("file"), b"").unwrap();
     assert!(matches!(
-        awkward().write(&at("no/t.csv"), &manifest()),
+        awkward().write(&at("file/t.csv"), &manifest()),
         Err(TableError::Store(_))
     ));
     assert!(matches!(
@@ -155,4 +156,34 @@ fn unwritable_or_unreadable_path_is_an_error() {
             "{name} is garbage"
         );
     }
+}
+
+/// The notes of a CSV file are a file of their own. Where the table cannot be replaced, they stay
+/// those of the older table.
+#[test]
+fn a_table_and_its_notes_are_replaced_together() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("t.csv");
+    let table = |power_w: f64| {
+        let column = Column::new("power_w", "W", "", vec![power_w]);
+        Table::new(vec![column]).unwrap()
+    };
+    let set_read_only = |is_read_only: bool| {
+        let mut permissions = std::fs::metadata(&path).unwrap().permissions();
+        permissions.set_readonly(is_read_only);
+        std::fs::set_permissions(&path, permissions).unwrap();
+    };
+    table(1.0).write(&path, &Manifest::new("old")).unwrap();
+    set_read_only(true);
+    let new = Manifest::new("new");
+    assert!(table(2.0).write(&path, &new).is_err());
+    let joined = [Ok::<_, TableError>(table(2.0))];
+    assert!(Table::write_joined(&path, &new, joined).is_err());
+    let failing = [Ok(table(2.0)), Err(TableError::Name { column: "a".into() })];
+    assert!(Table::write_joined(&path, &new, failing).is_err());
+    let (stored, notes) = Table::read(&path).unwrap();
+    assert_eq!((stored, notes.spec_sha256.as_str()), (table(1.0), "old"));
+    set_read_only(false);
+    table(2.0).write(&path, &new).unwrap();
+    assert_eq!(Table::read(&path).unwrap(), (table(2.0), new));
 }

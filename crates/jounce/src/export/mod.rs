@@ -9,7 +9,7 @@ pub use result::ExportResult;
 use crate::error::Error;
 use crate::harvester::Harvester;
 use jounce_io::store;
-use jounce_model::exchange::{ExchangeFaults, MatrixSet, NameKind, modal_matrices, netlist};
+use jounce_model::exchange::{MatrixSet, NameKind, modal_matrices, netlist};
 use jounce_sparse::{write_market_array, write_market_symmetric};
 use std::path::{Path, PathBuf};
 
@@ -70,8 +70,6 @@ impl Harvester {
 
 /// Writes each matrix and the names into a folder.
 fn write_matrices(set: &MatrixSet, folder: &Path) -> Result<Vec<PathBuf>, Error> {
-    std::fs::create_dir_all(folder)
-        .map_err(|error| ExchangeFaults::from(store::unwritable_folder(folder, error)))?;
     let mut files = Vec::new();
     let mut write = |name: &str, text: String| -> Result<(), Error> {
         let path = folder.join(name);

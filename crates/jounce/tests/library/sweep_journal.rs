@@ -43,10 +43,19 @@ fn an_interrupted_sweep_continues_with_the_same_bits() {
         ..five.clone()
     });
     assert_eq!(journal.found().len(), 2);
+    let busy = harvester.sweep_journal(&five, folder.path()).unwrap_err();
+    assert!(busy.to_string().contains("another process"), "{busy}");
     let result = harvester.sweep_with_journal(&five, &journal).unwrap();
     assert_eq!(result, expected);
     assert_eq!(harvester.control().progress(), (10, 10));
     journal.finish().unwrap();
     let again = harvester.sweep_journal(&five, folder.path()).unwrap();
     assert!(again.found().is_empty());
+    // A cache that vanishes is no error of a complete sweep.
+    std::fs::remove_dir_all(folder.path()).unwrap();
+    assert_eq!(
+        harvester.sweep_with_journal(&five, &again).unwrap(),
+        expected
+    );
+    again.finish().unwrap();
 }

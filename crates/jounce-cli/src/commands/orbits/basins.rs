@@ -36,7 +36,9 @@ impl Basins {
                 return Err(Failure::NotConverged(text));
             }
             let (start, reason) = (first_failure.start, &first_failure.reason);
-            eprintln!("{failed} of {finished} runs failed; start {start}: {reason}");
+            output::note(format!(
+                "{failed} of {finished} runs failed; start {start}: {reason}"
+            ));
         }
         output::warn(&result.warnings());
         if let Some(folder) = &self.output.out {

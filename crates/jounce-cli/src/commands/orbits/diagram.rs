@@ -9,7 +9,7 @@ use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
 use jounce::parts::{AttractorTrack, DiagramPoint, Transition};
-use jounce::{Control, DiagramOptions, DiagramResult, Error, Harvester};
+use jounce::{Control, DiagramOptions, DiagramResult, Harvester};
 use std::path::Path;
 
 /// Arguments of `diagram`.
@@ -32,7 +32,10 @@ impl Diagram {
         let journal = harvester.diagram_journal(&self.options, cache::folder());
         let journal = journal.map_err(failure)?;
         if !journal.found().is_empty() {
-            eprintln!("continuing after {} finished runs", journal.found().len());
+            output::note(format!(
+                "continuing after {} finished runs",
+                journal.found().len()
+            ));
         }
         interruption::install(&control);
         let work = || harvester.diagram_with_journal(&self.options, &journal);
@@ -43,9 +46,9 @@ impl Diagram {
                 "stopped after {finished} of {expected} runs; the same command continues from there"
             )));
         }
-        journal.finish().map_err(Error::from)?;
         let warnings = result.warnings();
         if result.points.iter().all(DiagramPoint::is_lost) {
+            cache::finish(journal)?;
             return Err(Failure::NotConverged(on_command_line(&warnings.join("\n"))));
         }
         output::warn(&warnings);
@@ -58,7 +61,8 @@ impl Diagram {
         }
         interruption::end(&control, || {
             "all runs, and the attractor histories and branches that were finished".to_owned()
-        })
+        })?;
+        cache::finish(journal)
     }
 
     fn write(

@@ -29,7 +29,10 @@ impl Sensitivity {
         let result = progress::with_progress(&control, work);
         let result = result.map_err(|error| self.spec.failure(error))?;
         for failed in &result.failed {
-            eprintln!("{} has no derivative: {}", failed.key, failed.reason);
+            output::note(format!(
+                "{} has no derivative: {}",
+                failed.key, failed.reason
+            ));
         }
         if let Some(folder) = &self.output.out {
             let manifest = self

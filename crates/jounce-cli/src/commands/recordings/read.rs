@@ -56,11 +56,11 @@ impl Read {
         let written = file.convert_with(path, &self.options, record)?;
         let path = path.display();
         for issue in &written.issues {
-            eprintln!("{path}: {issue}");
+            output::note(format!("{path}: {issue}"));
         }
         if !written.left_out.is_empty() {
             let (name, left_out) = (&written.recording, written.left_out.join(", "));
-            eprintln!("{path}: {name} is written; left out: {left_out}");
+            output::note(format!("{path}: {name} is written; left out: {left_out}"));
         }
         Ok(())
     }

@@ -44,7 +44,7 @@ impl Rig {
         result
             .recording
             .write_with(&self.to, record::of_path(&self.to))?;
-        result.issues.iter().for_each(|issue| eprintln!("{issue}"));
+        result.issues.iter().for_each(output::note);
         if self.json {
             let mut json = output::to_json(&result)?;
             json["file"] = self.to.display().to_string().into();
@@ -69,8 +69,8 @@ fn print_base(base: &BaseMotion) {
         true => "retained",
         false => "subtracted",
     };
-    eprintln!(
+    output::note(format!(
         "the base moves as {} of {}; its mean of {:.5} m/s^2 is {mean_treatment}",
         base.channel, base.recording, base.mean_m_s2
-    );
+    ));
 }

@@ -57,7 +57,10 @@ impl Design {
         let journal = design.journal(&self.options, cache::folder());
         let journal = journal.map_err(failure)?;
         if !journal.found().is_empty() {
-            eprintln!("continuing after {} evaluations", journal.found().len());
+            output::note(format!(
+                "continuing after {} evaluations",
+                journal.found().len()
+            ));
         }
         interruption::install(&control);
         let evaluated = || control.progress().0;
@@ -76,7 +79,7 @@ impl Design {
             let text = "stopped; this is the best design so far; the same command continues";
             return Err(Failure::Partial(text.to_owned()));
         }
-        journal.finish().map_err(Error::from)?;
+        cache::finish(journal)?;
         match result.outcome.feasible {
             true => Ok(()),
             false => Err(Failure::Incomplete(result.violation_text())),

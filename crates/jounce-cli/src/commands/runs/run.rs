@@ -63,7 +63,7 @@ impl Run {
         for warning in &result.warnings {
             // Issues of recordings are printed when the spec is read.
             if !matches!(warning, Warning::Recording { .. }) {
-                eprintln!("warning: {warning}");
+                output::note(format!("warning: {warning}"));
             }
         }
         match self.output.json {

@@ -123,7 +123,6 @@ impl Page {
             return Err(Failure::usage(text));
         }
         let page = study_page(&study, &name)?;
-        output::make_folder_of(&path)?;
         write_file(&path, page.as_bytes()).map_err(Error::from)?;
         match self.study.json {
             true => print(&serde_json::json!({ "page": path })),

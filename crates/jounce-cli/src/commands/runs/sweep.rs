@@ -7,7 +7,7 @@ use crate::output::{self, line, print};
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
-use jounce::{Control, Error, Harvester, SweepOptions, SweepResult};
+use jounce::{Control, Harvester, SweepOptions, SweepResult};
 use std::path::Path;
 
 /// Arguments of `sweep`.
@@ -30,7 +30,10 @@ impl Sweep {
         let journal = harvester.sweep_journal(&self.options, cache::folder());
         let journal = journal.map_err(failure)?;
         if !journal.found().is_empty() {
-            eprintln!("continuing after {} finished points", journal.found().len());
+            output::note(format!(
+                "continuing after {} finished points",
+                journal.found().len()
+            ));
         }
         interruption::install(&control);
         let work = || harvester.sweep_with_journal(&self.options, &journal);
@@ -43,7 +46,7 @@ impl Sweep {
             return Err(Failure::Interrupted(text));
         }
         if let Some(text) = result.unsettled() {
-            eprintln!("{text}");
+            output::note(text);
         }
         output::warn(&result.warnings());
         if let Some(folder) = &self.output.out {
@@ -53,7 +56,7 @@ impl Sweep {
             true => print(&output::to_json(&result)?),
             false => print_lines(&result),
         }
-        Ok(journal.finish().map_err(Error::from)?)
+        cache::finish(journal)
     }
 
     fn write(

@@ -1,12 +1,11 @@
 //! `jounce show SPEC`
 
 use crate::failure::Failure;
-use crate::output::{line, make_folder_of, origin, print};
+use crate::output::{line, origin, print};
 use crate::record;
 use crate::spec_arguments::SpecArguments;
 use clap::Args;
 use jounce::Error;
-use jounce::parts::PictureError;
 use std::path::{Path, PathBuf};
 
 /// Arguments of `show`.
@@ -34,14 +33,7 @@ impl Show {
             .unwrap_or_else(|| Path::new(stem).with_extension("svg"));
         let drawing = harvester.drawing(&self.title());
         let manifest = origin(record::of_path(&path));
-        if let Err(error) = drawing.write_with(&path, &manifest) {
-            // A name without a known format leaves no folder.
-            if !matches!(error, PictureError::Store(_)) {
-                return Err(Error::from(error).into());
-            }
-            make_folder_of(&path)?;
-            drawing.write_with(&path, &manifest).map_err(Error::from)?;
-        }
+        drawing.write_with(&path, &manifest).map_err(Error::from)?;
         match self.json {
             true => print(&serde_json::json!({ "drawing": path })),
             false => line(path.display()),

@@ -1,0 +1,118 @@
+//! Where results are written: missing folders are created, and an output that cannot be written is an
+//! error after which the same command continues.
+
+use crate::{SPEC, jounce_in, outcome, program};
+use std::path::Path;
+
+const SHORT: [&str; 3] = [
+    "--set=run.duration=1s",
+    "--set=run.average_over=0.5s",
+    "--set=reduction.modes=3",
+];
+
+fn assert_succeeds(folder: &Path, arguments: &[&str]) {
+    let (code, _, stderr) = jounce_in(folder, arguments);
+    assert_eq!(code, 0, "{arguments:?}: {stderr}");
+}
+
+#[test]
+fn every_output_creates_its_folder() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    let rig = "--hammer=beam.tip --at=beam.tip --hold=table --hits=2 --block=4s --contact=8ms --rate=512Hz --to=b/hits.csv";
+    let state = ["run", SPEC, "--save-state=a/b/state.json"];
+    assert_succeeds(at, &[&state[..], &SHORT].concat());
+    assert_succeeds(at, &["new", "ball", "--out=new/ball.toml"]);
+    let rig: Vec<&str> = ["rig", SPEC].into_iter().chain(rig.split(' ')).collect();
+    assert_succeeds(at, &rig);
+    assert_succeeds(at, &["read", "b/hits.csv", "--to=c/d/hits.uff"]);
+    let matrices = ["export", SPEC, "--matrices=e/f", "--spice=g/h.cir"];
+    assert_succeeds(at, &matrices);
+    for file in [
+        "a/b/state.json",
+        "new/ball.toml",
+        "c/d/hits.uff",
+        "e/f/mass.mtx",
+        "g/h.cir",
+    ] {
+        assert!(at.join(file).is_file(), "{file}");
+    }
+}
+
+/// A finished run of a diagram is computed once, also where its table cannot be written at first.
+#[test]
+fn a_diagram_that_cannot_be_written_continues() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    std::fs::write(at("out"), "").unwrap();
+    let diagram = || {
+        let mut command = program();
+        command.args(["diagram", SPEC, "--no-branches", "--out=out"]);
+        command.args(["--over=drive.shaker.frequency=12Hz:13Hz:2x"]);
+        command.args(SHORT).current_dir(folder.path());
+        outcome(command.env("JOUNCE_CACHE", at("cache")))
+    };
+    let (code, _, stderr) = diagram();
+    assert!(
+        code == 4 && stderr.contains("\"out\" is not a folder"),
+        "{code}: {stderr}"
+    );
+    std::fs::remove_file(at("out")).unwrap();
+    let (code, _, stderr) = diagram();
+    assert!(
+        code == 0 && stderr.contains("continuing after 4 finished runs"),
+        "{code}: {stderr}"
+    );
+    assert!(at("out/diagram.csv").is_file());
+    assert_eq!(std::fs::read_dir(at("cache")).unwrap().count(), 0);
+}
+
+#[cfg(target_os = "linux")]
+mod full_disk {
+    use super::{SHORT, SPEC};
+    use std::fs::{File, OpenOptions};
+    use std::path::Path;
+    use std::process::{Command, Stdio};
+
+    fn full() -> File {
+        OpenOptions::new().write(true).open("/dev/full").unwrap()
+    }
+
+    fn sweep(cache: &Path) -> Command {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_jounce"));
+        command.args(["sweep", SPEC, "--over=drive.shaker.frequency=12Hz:13Hz:2x"]);
+        command.args(SHORT).arg("--fixed-duration");
+        command.env("JOUNCE_CACHE", cache);
+        command
+    }
+
+    #[test]
+    fn a_result_that_cannot_be_printed_is_an_error_and_keeps_its_points() {
+        let cache = tempfile::tempdir().unwrap();
+        let output = sweep(cache.path()).stdout(full()).output().unwrap();
+        let stderr = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(4), "{stderr}");
+        let reason = "cannot write the result to stdout: No space left on device";
+        assert!(stderr.contains(reason), "{stderr}");
+        let again = sweep(cache.path()).output().unwrap();
+        let stderr = String::from_utf8(again.stderr).unwrap();
+        assert!(stderr.contains("continuing after 2 finished"), "{stderr}");
+        let mut script = Command::new(env!("CARGO_BIN_EXE_jounce"));
+        let script = script.args(["completions", "bash"]).stdout(full());
+        assert_eq!(script.output().unwrap().status.code(), Some(4));
+    }
+
+    #[test]
+    fn messages_that_cannot_be_printed_do_not_end_the_work() {
+        let cache = tempfile::tempdir().unwrap();
+        let warned = sweep(cache.path()).stderr(full()).output().unwrap();
+        assert_eq!(warned.status.code(), Some(0));
+        assert!(!warned.stdout.is_empty());
+        let mut wrong = sweep(cache.path());
+        let wrong = wrong.arg("--set=no.key=1").stderr(full());
+        assert_eq!(
+            wrong.stdout(Stdio::null()).status().unwrap().code(),
+            Some(4)
+        );
+    }
+}

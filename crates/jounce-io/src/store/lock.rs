@@ -1,0 +1,29 @@
+//! Files that one process at a time works on.
+
+use std::fs::{File, OpenOptions, TryLockError};
+use std::io;
+use std::path::Path;
+
+/// Opens a file for reading and writing, creates it if it is missing, and locks it; `None` if another
+/// process holds the lock. The system releases the lock when the process ends for any reason.
+///
+/// Some network file systems have no locks; the file is then not locked.
+///
+/// # Errors
+/// The file cannot be opened.
+pub fn open_locked(path: &Path) -> io::Result<Option<File>> {
+    loop {
+        let file = OpenOptions::new()
+            .create(true)
+            .truncate(false)
+            .read(true)
+            .write(true)
+            .open(path)?;
+        match file.try_lock() {
+            // The process that held the lock may have removed the file.
+            Ok(()) if !path.exists() => {}
+            Ok(()) | Err(TryLockError::Error(_)) => return Ok(Some(file)),
+            Err(TryLockError::WouldBlock) => return Ok(None),
+        }
+    }
+}
