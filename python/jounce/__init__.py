@@ -82,7 +82,7 @@ if _TYPE_CHECKING:
     from ._reproduce import ReproduceResult, reproduce
     from ._restitution import RestitutionResult, restitution
     from ._run import RunResult
-    from ._saved import load
+    from ._saved import load, rerun
     from ._segments import SegmentsResult, segments
     from ._sensitivity import SensitivityResult
     from ._signal import Spectrum, spectrum, write_recording
@@ -198,6 +198,7 @@ __all__ = [
     "read",
     "read_recordings",
     "reproduce",
+    "rerun",
     "restitution",
     "schema",
     "segments",
@@ -242,7 +243,7 @@ _MODULES = {
     "_reproduce": "ReproduceResult reproduce",
     "_restitution": "RestitutionResult restitution",
     "_run": "RunResult",
-    "_saved": "load",
+    "_saved": "load rerun",
     "_segments": "SegmentsResult segments",
     "_sensitivity": "SensitivityResult",
     "_signal": "Spectrum spectrum write_recording",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 import importlib
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from os import PathLike, fspath
 from pathlib import Path
@@ -74,10 +74,10 @@ def _kept(value: Any) -> Any:
     """Returns a copy of what can change."""
     if isinstance(value, SpecText):
         return value.copy()
-    if isinstance(value, Mapping):
+    if type(value) is dict:
         return {key: _kept(one) for key, one in value.items()}
-    if isinstance(value, (list, tuple)):
-        return type(value)([_kept(one) for one in value])
+    if type(value) in (list, tuple):
+        return type(value)(_kept(one) for one in value)
     return value
 
 

@@ -15,7 +15,7 @@ import numpy as np
 
 from ._errors import FileError, JounceError
 from ._files import write_whole
-from ._result import Result
+from ._result import Result, _equal
 from ._spec_text import SpecText, _rebuild
 
 if TYPE_CHECKING:
@@ -30,7 +30,14 @@ def save(result: Result, path: str | PathLike[str]) -> None:
     import zipfile
 
     arrays: list[np.ndarray[Any, Any]] = []
-    structure = {"format": _FORMAT, "result": _encoded(result, arrays)}
+    structure = {"format": _FORMAT, "result": _encoded(result, arrays), "call": None}
+    if result._call is not None:
+        counted = len(arrays)
+        try:
+            structure["call"] = _encoded(result._call, arrays)
+        except TypeError:
+            # An argument, such as a quantity of pint, has no form in a file.
+            del arrays[counted:]
 
     def fill(file: BinaryIO) -> None:
         with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
@@ -70,6 +77,8 @@ def load(path: str | PathLike[str]) -> Any:
             if structure["format"] != _FORMAT:
                 raise ValueError(f"its format is {structure['format']}, and this version of jounce reads {_FORMAT}")
             result = _decoded(structure["result"], archive)
+            call = structure.get("call")
+            object.__setattr__(result, "_call", None if call is None else _decoded(call, archive))
     except OSError as error:
         raise FileError(f"the result {fspath(path)} cannot be read: {error}", {"path": fspath(path), "errno": error.errno}) from error
     except (zipfile.BadZipFile, KeyError, TypeError, ValueError, AttributeError, ImportError, JounceError) as error:
@@ -77,6 +86,46 @@ def load(path: str | PathLike[str]) -> Any:
     if not isinstance(result, Result):
         raise FileError(f"{fspath(path)} holds no result", {"path": fspath(path)})
     return result
+
+
+def rerun(path: str | PathLike[str]) -> Any:
+    """Makes a saved result again from the call in its file, and compares all values bit by bit.
+
+    Calls of specs, harvesters and recordings are in the file, with their arguments and the recordings themselves; files among the arguments
+    must still exist, and be the same. A result of which a part was saved, and one of a study or of :func:`reproduce`, has no call.
+
+    Returns
+    -------
+    Result
+        The new result, equal to the saved one.
+
+    Raises
+    ------
+    FileError
+        For a file without a call, a changed input file, and a result that differs; then ``details["field"]`` names the first different field.
+
+    Examples
+    --------
+    >>> modes = jounce.examples()["impact-harvester-2019"].modes()
+    >>> modes.save("modes.jounce")
+    >>> jounce.rerun("modes.jounce") == modes
+    True
+    """
+    import warnings
+
+    saved = load(path)
+    if saved._call is None:
+        reason = "only a result as a method of a spec or a function returned it, with arguments that have a form in a file, has one"
+        raise FileError(f"{fspath(path)}: the file has no record of its call; {reason}", {"path": fspath(path)})
+    with warnings.catch_warnings():
+        # The saved result has had its warnings.
+        warnings.simplefilter("ignore")
+        again = saved._call.repeat()
+    if again == saved:
+        return again
+    names = [field.name for field in dataclasses.fields(saved) if field.compare]
+    differs = next((name for name in names if not _equal(getattr(saved, name), getattr(again, name))), "")
+    raise FileError(f"{fspath(path)}: different: {differs}; computed with {saved._call}", {"path": fspath(path), "field": differs})
 
 
 def _encoded(value: Any, arrays: list[np.ndarray[Any, Any]]) -> Any:

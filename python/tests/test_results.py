@@ -5,6 +5,7 @@ import json
 import os
 import pickle
 import subprocess
+from pathlib import Path
 
 import numpy as np
 import pint
@@ -216,3 +217,52 @@ def test_every_class_of_results_is_saved_and_becomes_a_tree(results, tmp_path):
         result.save(tmp_path / "result.jounce")
         assert jounce.load(tmp_path / "result.jounce") == result
         assert json.loads(result.to_datatree().attrs["manifest"]) == result.manifest
+        if result._call is not None:
+            assert jounce.rerun(tmp_path / "result.jounce") == result, result._call
+
+
+def test_a_saved_result_is_made_again_from_its_call(short, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    harvester = jounce.Spec(short)
+    run = harvester.run(record="0.5 s", progress=False)
+    harvester["stop.tip.gap"] = "2 mm"
+    run.save("run.jounce")
+    assert jounce.rerun("run.jounce") == run, "a later change of the spec does not change the call"
+    start = harvester.run(start=run.end)
+    start.save("start.jounce")
+    assert jounce.rerun("start.jounce") == start
+    recording = harvester.rig(at="beam.tip", seed=3)
+    recording.save("rig.jounce")
+    assert jounce.rerun("rig.jounce") == recording
+    recording.write("rec.csv")
+    power = jounce.read_recordings("rec.csv").over_time.power("100 kohm")
+    power.save("power.jounce")
+    assert jounce.rerun("power.jounce") == power, "the recording is in the file"
+    channels = jounce.read_recordings("rec.csv")
+    channels.save("channels.jounce")
+    assert jounce.rerun("channels.jounce") == channels
+
+
+def test_results_that_cannot_be_made_again_are_named(short, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    run = short.run(record="0.5 s")
+    run.history.save("history.jounce")
+    with pytest.raises(jounce.FileError, match=r"history\.jounce: the file has no record of its call"):
+        jounce.rerun("history.jounce")
+    modes = short.modes()
+    other = dataclasses.replace(modes, frequency_hz=2 * modes.frequency_hz)
+    object.__setattr__(other, "_call", modes._call)
+    other.save("other.jounce")
+    with pytest.raises(jounce.FileError, match=r"different: frequency_hz; computed with jounce\.Spec\.modes\(Spec\)") as caught:
+        jounce.rerun("other.jounce")
+    assert caught.value.details["field"] == "frequency_hz"
+    short.rig().write("rec.csv")
+    file = jounce.read_recordings("rec.csv")
+    file.save("file.jounce")
+    with Path("rec.csv").open("a") as added:
+        added.write("\n")
+    with pytest.raises(jounce.FileError, match=r"rec\.csv: the file has changed"):
+        jounce.rerun("file.jounce")
+    Path("rec.csv").unlink()
+    with pytest.raises(jounce.FileError, match=r"rec\.csv: there is no such file"):
+        jounce.rerun("file.jounce")

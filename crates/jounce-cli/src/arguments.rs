@@ -70,7 +70,7 @@ pub enum Command {
     Design(design::Design),
     /// Computes the tables, figures and claims of the 2019 impact-harvester paper.
     Reproduce(reproduce::Reproduce),
-    /// Makes a stored table again from its record and compares it bit by bit.
+    /// Makes a stored table or picture again from its record and compares it bit by bit.
     Rerun(rerun::Rerun),
     /// Writes the model for other programs: as matrices, or as an equivalent circuit for SPICE.
     Export(export::Export),

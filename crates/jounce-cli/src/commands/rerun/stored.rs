@@ -41,7 +41,7 @@ impl Stored {
                 Ok(Self::Picture(picture))
             }
             _ => Err(Failure::Input(format!(
-                "{}: only tables and pictures have a record of their command: give a .csv, .parquet, .json, .svg or .png file that a command wrote, or the .html page of a study",
+                "{}: only tables and pictures have a record of their command: give a .csv, .parquet, .json, .svg or .png file that a command wrote, or the .html page of a study; in Python, jounce.rerun takes what `save` wrote",
                 path.display()
             ))),
         }
