@@ -130,6 +130,7 @@ class SpecOnRig(SpecText):
         *,
         at: str | None = None,
         fold: bool = False,
+        peak: bool = False,
         starts: int = 50,
         seed: int = 1,
         threads: int | None = None,
@@ -139,7 +140,8 @@ class SpecOnRig(SpecText):
 
         ``key`` is a key, a list of the spec such as ``"damping.ratios"``, or several; by default all numbers of the spec other than 0. The
         orbit is the one that most of the ``starts`` of a cloud with a ``seed`` reach, or that of the id ``at`` in :meth:`basins`. With
-        ``fold`` the nearest fold of its branch over the frequency of the drive is another result.
+        ``fold`` the nearest fold of its branch over the frequency of the drive is another result, with ``peak`` the nearest peak of the mean
+        power, its frequency and its power.
 
         Raises :class:`ArgumentError` for an unknown orbit, :class:`SpecError` for an unknown key.
         """
@@ -147,7 +149,7 @@ class SpecOnRig(SpecText):
         from ._sensitivity import make_sensitivity
 
         check_integers(starts=starts, seed=seed, threads=threads)
-        given = {"key": names(key), "at": at, "fold": fold, "starts": starts, "seed": seed}
+        given = {"key": names(key), "at": at, "fold": fold, "peak": peak, "starts": starts, "seed": seed}
         with progress_callback(progress) as callback:
             text = result_or_raise(_core.sensitivity(self._spec, options(**given, threads=threads), callback))
         return make_sensitivity(json.loads(text), {**make_manifest("sensitivity", **given), "spec_sha256": self.sha256})

@@ -6,11 +6,13 @@ mod bifurcations;
 mod branches;
 mod diagram;
 mod ensemble;
+mod frequency_branch;
 mod journal;
 mod key_line;
 mod model;
 mod model_at_start;
 mod nearest_fold;
+mod nearest_peak;
 mod orbit_derivatives;
 mod orbit_limits;
 mod parameter;
@@ -45,11 +47,13 @@ pub use ensemble::{
     ContactCount, DeviceCount, DeviceEstimates, Ensemble, EnsembleResult, Estimate, IntervalOver,
     Member, MemberDevice, MemberStop, StopEstimates, VoltageSpectrum,
 };
+pub use frequency_branch::{NotFollowed, drive_frequency, farthest_hz};
 pub use journal::{Journal, JournalError};
 pub use key_line::KeyLine;
 pub use model::{AnalysisError, Model, has_same_modes};
 pub use model_at_start::ModelAtStart;
-pub use nearest_fold::{FoldPlace, NotFollowed, drive_frequency, farthest_hz, nearest_fold};
+pub use nearest_fold::{FoldPlace, nearest_fold};
+pub use nearest_peak::{PeakDerivative, PeakPlace, nearest_peak};
 pub use orbit_derivatives::{
     Derivative, DerivativeAccuracy, DerivativeKey, OrbitDerivatives, fold_derivatives,
     orbit_derivatives,

@@ -8,6 +8,7 @@ mod derivatives;
 mod limits;
 mod measured;
 mod paper;
+mod peaks;
 mod power_band;
 mod robustness;
 mod sensor;

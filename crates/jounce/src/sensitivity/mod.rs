@@ -1,5 +1,6 @@
 //! Sensitivities: derivatives of the results of an orbit with respect to keys of the spec.
 
+mod along_branch;
 mod options;
 mod report;
 mod result;
@@ -15,7 +16,7 @@ use crate::options::on_threads;
 use crate::periodic;
 use jounce_analysis::{
     Attractor, Basins, Derivative, DerivativeAccuracy, DerivativeKey, InitialStates, Model,
-    OrbitDerivatives, Recognition, nearest_fold, orbit_derivatives,
+    OrbitDerivatives, Recognition, orbit_derivatives,
 };
 use jounce_model::contact::Law;
 use jounce_model::plant::Plant;
@@ -63,7 +64,10 @@ impl Harvester {
             let (attractor, orbit) = chosen(&found.attractors, options.at.as_deref())?;
             let mut result = sensitivity(&base, attractor, orbit, &keys, &mut failed)?;
             if options.fold {
-                add_fold(&mut result, &base, orbit, &keys)?;
+                along_branch::add_fold(&mut result, &base, orbit, &keys)?;
+            }
+            if options.peak {
+                along_branch::add_peak(&mut result, &base, orbit, &keys)?;
             }
             Ok(result)
         };
@@ -195,53 +199,6 @@ fn sensitivity(
         keys: rows,
         failed: Vec::new(),
     })
-}
-
-/// Adds the nearest fold of the branch of an orbit to its results.
-fn add_fold(
-    result: &mut SensitivityResult,
-    base: &Model,
-    orbit: &Orbit,
-    keys: &[NumericKey],
-) -> Result<(), Error> {
-    let none = || {
-        let expected =
-            "the branch of this orbit has no fold within 30 % of the frequency of the drive";
-        Error::option("fold", "true", expected.to_owned())
-    };
-    let fold = nearest_fold(base, orbit.period_cycles, orbit.start()).map_err(|_| none())?;
-    let fold = fold.ok_or_else(none)?;
-    // The place of the fold does not depend on the frequency over which it is found.
-    let named = |row: &KeySensitivity| keys.iter().find(|key| key.path() == row.key);
-    let moving = |row: &&mut KeySensitivity| row.key != fold.key;
-    for row in result.keys.iter_mut().filter(|row| !moving(row)) {
-        row.derivatives.push(KeyDerivative {
-            derivative: 0.0,
-            relative: 0.0,
-            relative_error: 0.0,
-        });
-    }
-    let mut rows: Vec<&mut KeySensitivity> = result.keys.iter_mut().filter(moving).collect();
-    let wanted = rows.iter().filter_map(|row| {
-        Some(DerivativeKey {
-            key: named(row)?,
-            scale: row.value.abs(),
-        })
-    });
-    let derivatives = fold.derivatives(base, &wanted.collect::<Vec<_>>())?;
-    for (row, derivative) in rows.iter_mut().zip(derivatives) {
-        row.derivatives.push(KeyDerivative {
-            derivative: derivative.value,
-            relative: derivative.value * row.value / fold.frequency_hz,
-            relative_error: (derivative.error * row.value / fold.frequency_hz).abs(),
-        });
-    }
-    result.quantities.push(OrbitResult {
-        name: "nearest_fold".to_owned(),
-        unit: "Hz",
-        value: fold.frequency_hz,
-    });
-    Ok(())
 }
 
 /// Returns the results of an orbit with their names and units.

@@ -18,6 +18,9 @@ pub struct SensitivityOptions {
     /// Also the nearest fold of the branch of the orbit over the frequency of the drive.
     #[arg(long)]
     pub fold: bool,
+    /// Also the nearest peak of the mean power on this branch: its frequency and its power.
+    #[arg(long)]
+    pub peak: bool,
     /// Number of starts of the cloud.
     #[arg(long, default_value_t = 50)]
     pub starts: usize,

@@ -23,7 +23,7 @@ pub struct SensitivityResult {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct OrbitResult {
     /// Name: `mean_power`, `voltage.PATCH`, `strain.PATCH`, `contact_force.STOP`,
-    /// `displacement.STOP` or `nearest_fold`.
+    /// `displacement.STOP`, `nearest_fold`, `nearest_peak` or `peak_power`.
     pub name: String,
     /// SI unit; empty for a strain.
     pub unit: &'static str,
@@ -45,7 +45,7 @@ pub struct KeySensitivity {
 }
 
 /// Derivative of a result with respect to a key.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
 pub struct KeyDerivative {
     /// Derivative, SI.
     pub derivative: f64,

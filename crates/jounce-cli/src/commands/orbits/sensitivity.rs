@@ -6,7 +6,15 @@ use crate::output::{self, line, print};
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
+use jounce::parts::OrbitResult;
 use jounce::{Control, SensitivityOptions, SensitivityResult};
+
+/// Results along the branch: name, title, and what a key does to it.
+const ALONG_BRANCH: [(&str, &str, &str); 3] = [
+    ("nearest_fold", "nearest fold", "moves"),
+    ("nearest_peak", "nearest peak", "moves"),
+    ("peak_power", "mean power at this peak", "changes"),
+];
 
 /// Arguments of `sensitivity`.
 #[derive(Debug, Args)]
@@ -63,19 +71,22 @@ fn print_lines(result: &SensitivityResult) {
             power.relative, power.relative_error, one.key, one.value, one.unit
         ));
     }
-    let mut quantities = result.quantities.iter();
-    let Some(index) = quantities.position(|one| one.name == "nearest_fold") else {
-        return;
-    };
-    line(format!(
-        "nearest fold {:.6} Hz; 1 % more of a key moves it by",
-        result.quantities[index].value
-    ));
-    for one in &result.keys {
-        let moved = &one.derivatives[index];
+    for (name, title, changes) in ALONG_BRANCH {
+        let mut quantities = result.quantities.iter();
+        let Some(index) = quantities.position(|one| one.name == name) else {
+            continue;
+        };
+        let OrbitResult { value, unit, .. } = &result.quantities[index];
+        let value = output::key_value(*value);
         line(format!(
-            "{:>10.4} %  (+- {:.0e})  {}",
-            moved.relative, moved.relative_error, one.key
+            "{title} {value} {unit}; 1 % more of a key {changes} it by"
         ));
+        for one in &result.keys {
+            let change = &one.derivatives[index];
+            line(format!(
+                "{:>10.4} %  (+- {:.0e})  {}",
+                change.relative, change.relative_error, one.key
+            ));
+        }
     }
 }
