@@ -188,12 +188,33 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
         let (Guard::Surface(p) | Guard::Push(p) | Guard::Hold(p)) = guard;
         let is_rigid = matches!(self.model.stops[p].law, Law::Rigid { .. });
         self.note_passage(motion, guard, t);
+        self.note_push(motion, guard);
         motion.phases[p] = match (guard, motion.phases[p]) {
             (Guard::Surface(_), Phase::Free) if is_rigid => return self.impact(motion, p, t),
             (Guard::Surface(_), Phase::Free) | (Guard::Push(_), Phase::Slack) => Phase::Pushing,
             (Guard::Push(_), _) => Phase::Slack,
             (Guard::Surface(_) | Guard::Hold(_), _) => Phase::Free,
         };
+    }
+
+    /// Updates the damped stops that yield after an impact on another stop, which changes their speeds.
+    fn push_after_impact(&self, motion: &mut Motion<D>, rigid: usize) {
+        for (p, stop) in self.model.stops.iter().enumerate() {
+            let phase = motion.phases[p];
+            if p == rigid || !matches!(phase, Phase::Pushing | Phase::Slack) {
+                continue;
+            }
+            let [d, rate] = self.model.depth(stop, &motion.state);
+            let is_pushing = stop.law.push(d, rate) >= 0.0;
+            if is_pushing != (phase == Phase::Pushing) {
+                self.note_push(motion, Guard::Push(p));
+                motion.phases[p] = if is_pushing {
+                    Phase::Pushing
+                } else {
+                    Phase::Slack
+                };
+            }
+        }
     }
 
     /// Applies an impact on a rigid stop; the point sticks where its acceleration ends the bounces
@@ -226,5 +247,6 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
         if rests {
             motion.phases[p] = Phase::Resting;
         }
+        self.push_after_impact(motion, p);
     }
 }

@@ -222,7 +222,7 @@ impl<const N: usize, const D: usize> ReferenceModel<N, D> {
         }
         work.leak_j = y[2 * N] * y[2 * N] * self.leak;
         for (stop, phase) in self.stops.iter().zip(phases) {
-            if matches!(phase, Phase::Pushing | Phase::Slack) {
+            if *phase == Phase::Pushing {
                 let [d, speed] = self.depth(stop, y);
                 let force = stop.law.force(*phase, d, speed);
                 work.contact_j += (force - stop.law.elastic(d)) * speed;
@@ -231,14 +231,15 @@ impl<const N: usize, const D: usize> ReferenceModel<N, D> {
         work
     }
 
-    /// Energy stored in a state, J, including that of the compressed stops.
+    /// Energy stored in a state, J, including that of the stops that push. That of a stop that no longer
+    /// pushes is lost.
     pub fn stored(&self, y: &[f64; D], phases: &Phases) -> f64 {
         let mechanical: f64 = (0..N)
             .map(|i| y[N + i] * y[N + i] + self.stiffness[i] * y[i] * y[i])
             .sum();
         let closed = self.stops.iter().zip(phases);
         let compressed: f64 = closed
-            .filter(|(_, phase)| **phase != Phase::Free)
+            .filter(|(_, phase)| **phase == Phase::Pushing)
             .map(|(stop, _)| stop.law.stored(self.depth(stop, y)[0]))
             .sum();
         0.5 * (mechanical + self.capacitance * y[2 * N] * y[2 * N]) + compressed

@@ -20,7 +20,7 @@ pub struct Peak {
 
 impl<const N: usize, const D: usize> Flow<'_, N, D> {
     /// Returns the peaks of the displacement towards a stop, without any stop, from a state at time
-    /// zero and for a duration.
+    /// zero and for a duration, and its end, without acceleration.
     pub fn free_peaks(&self, stop: usize, state: [f64; D], duration_s: f64) -> Vec<Peak> {
         let (model, free) = (self.model, [Phase::Free; STOPS]);
         let (mut t, mut y, mut peaks) = (0.0, state, Vec::new());
@@ -51,6 +51,11 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
             y = vector(&series.state, end);
             t += end;
         }
+        peaks.push(Peak {
+            time_s: t,
+            displacement_m: model.stops[stop].along(&y)[0],
+            acceleration_m_s2: 0.0,
+        });
         peaks
     }
 }

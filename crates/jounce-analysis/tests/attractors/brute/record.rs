@@ -84,11 +84,39 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
         }
     }
 
-    /// Notes that a point passes the surface of a stop that yields, if contacts are recorded.
-    pub fn note_passage(&self, motion: &mut Motion<D>, guard: Guard, t: f64) {
-        let Guard::Surface(p) = guard else { return };
+    /// Notes that a stop starts or ends to push while the point is past its surface, if energies are
+    /// recorded: the energy of a stop that no longer pushes is lost.
+    pub fn note_push(&self, motion: &mut Motion<D>, guard: Guard) {
+        let Guard::Push(p) = guard else { return };
         let stop = &self.model.stops[p];
-        if matches!(stop.law, Law::Rigid { .. }) {
+        let stored_j = stop.law.stored(self.model.depth(stop, &motion.state)[0]);
+        let sign = if motion.phases[p] == Phase::Slack {
+            -1.0
+        } else {
+            1.0
+        };
+        if let Some(record) = &mut motion.record {
+            record.work.contact_j += sign * stored_j;
+        }
+    }
+
+    /// Energy of the stops that a point has passed and that do not push, J.
+    pub fn slack_j(&self, motion: &Motion<D>) -> f64 {
+        let stops = self.model.stops.iter().zip(&motion.phases);
+        let slack = stops.filter(|(_, phase)| **phase == Phase::Slack);
+        slack
+            .map(|(stop, _)| stop.law.stored(self.model.depth(stop, &motion.state)[0]))
+            .sum()
+    }
+
+    /// Notes that a point passes the surface of a stop that yields, or leaves a rigid one on which it
+    /// sticks, if contacts are recorded.
+    pub fn note_passage(&self, motion: &mut Motion<D>, guard: Guard, t: f64) {
+        let (Guard::Surface(p) | Guard::Hold(p)) = guard else {
+            return;
+        };
+        let stop = &self.model.stops[p];
+        if matches!(stop.law, Law::Rigid { .. }) && motion.phases[p] != Phase::Resting {
             return;
         }
         let speed_m_s = self.model.depth(stop, &motion.state)[1].abs();

@@ -7,7 +7,7 @@ use std::io::Write;
 use std::path::Path;
 
 /// Harvesters of a portion.
-const PORTION: u64 = 10_000;
+const PORTION: u64 = 1_000;
 
 /// Compares harvesters `first` to `first + count`, without the portions in a file, and appends the
 /// counts of each portion to it. Returns the numbers of the harvesters that disagree.

@@ -18,8 +18,6 @@ impl Drawn {
     /// Keeps the first stop alone and sets its gap to one of the highest peaks of the free motion,
     /// less a part `depth` of it.
     pub fn graze(&mut self, mut system: System, depth: f64) -> Result<(), String> {
-        system.stops.truncate(1);
-        self.merged.stops.truncate(1);
         let duration_s = self.cycles.min(3) as f64 / self.merged.drives[0].frequency_hz;
         let peaks = with_model!(&self.merged, free_peaks, &self.start, duration_s);
         let acts_on_both_sides = matches!(self.merged.stops[0].law, Law::Cubic(_));
@@ -27,7 +25,9 @@ impl Drawn {
             .iter()
             .copied()
             .max_by(|a, b| a.displacement_m.total_cmp(&b.displacement_m));
-        let Some(peak) = highest.filter(|_| !acts_on_both_sides) else {
+        // The last one is the end of the motion.
+        let is_inside = |peak: &Peak| peak.acceleration_m_s2 < 0.0;
+        let Some(peak) = highest.filter(|peak| is_inside(peak) && !acts_on_both_sides) else {
             return Ok(());
         };
         let start_m: f64 = (self.merged.stops[0].shape.iter().zip(&self.start))
@@ -37,6 +37,8 @@ impl Drawn {
             return Ok(());
         }
         let gap_m = peak.displacement_m * (1.0 - depth);
+        system.stops.truncate(1);
+        self.merged.stops.truncate(1);
         system.stops[0].gap_m = gap_m;
         self.merged.stops[0].gap_m = gap_m;
         self.plant = plant(&system)?;

@@ -14,7 +14,7 @@ pub struct Contact {
 }
 
 /// Fraction of a drive cycle after the start within which a begin is a contact of the start.
-pub const AT_START: f64 = 1e-9;
+pub const AT_START: f64 = 1e-6;
 
 /// A run by brute force.
 pub struct Run {
@@ -29,6 +29,8 @@ pub struct Run {
     pub energies: Energies,
     /// True where the integration was ended.
     pub is_lost: bool,
+    /// Begins and ends of all contacts.
+    pub passages: Vec<Passage>,
 }
 
 /// Energies of a run, J.
@@ -64,30 +66,37 @@ pub struct Start<'a> {
     pub drive: f64,
 }
 
+/// Integrates as [`run`] with another error per step.
+pub fn run_at(system: &System, start: &Start, cycles: usize, tolerance: f64) -> Run {
+    with_model!(system, run_of, system, start, (cycles, tolerance))
+}
+
 /// Integrates a system for some cycles.
 pub fn run(system: &System, start: &Start, cycles: usize) -> Run {
     if start.drive == 1.0 {
-        return with_model!(system, run_of, system, start, cycles);
+        return run_at(system, start, cycles, STEP_TOLERANCE);
     }
     let mut system = system.clone();
     system.drives[0].amplitude_n *= start.drive;
-    with_model!(&system, run_of, &system, start, cycles)
+    run_at(&system, start, cycles, STEP_TOLERANCE)
 }
 
 fn run_of<const N: usize, const D: usize>(
     model: &ReferenceModel<N, D>,
     system: &System,
     start: &Start,
-    cycles: usize,
+    (cycles, tolerance): (usize, f64),
 ) -> Run {
     let flow = Flow {
         model,
-        tolerance: STEP_TOLERANCE,
+        tolerance,
         has_series: true,
     };
     let mut motion = flow.start(model.state(start.physical));
-    let begin = model.stored(&motion.state, &motion.phases);
-    motion.record = Some(Record::default());
+    let begin_j = model.stored(&motion.state, &motion.phases) + flow.slack_j(&motion);
+    let mut record = Record::default();
+    record.work.contact_j = flow.slack_j(&motion);
+    motion.record = Some(record);
     let mut strobe = vec![model.energy_coordinates(&motion.state)];
     let mut size = motion.size;
     for _ in 0..cycles {
@@ -95,7 +104,10 @@ fn run_of<const N: usize, const D: usize>(
         size = size.max(motion.size);
         strobe.push(model.energy_coordinates(&motion.state));
     }
-    let record = motion.record.take().unwrap_or_default();
+    let mut record = motion.record.take().unwrap_or_default();
+    // The library counts the energy of a stop as stored until the point has left it.
+    let slack_j = flow.slack_j(&motion);
+    record.work.contact_j -= slack_j;
     let end_s = cycles as f64 * model.cycle_s;
     let at_start_s = AT_START * model.cycle_s;
     let of = |p: usize| {
@@ -130,11 +142,12 @@ fn run_of<const N: usize, const D: usize>(
         energies: Energies {
             work: record.work,
             load_j: motion.state[D - 1],
-            stored_j: model.stored(&motion.state, &motion.phases) - begin,
+            stored_j: model.stored(&motion.state, &motion.phases) + slack_j - begin_j,
         },
         strobe,
         size,
         is_lost: motion.is_lost,
+        passages: record.passages.clone(),
     }
 }
 

@@ -239,3 +239,14 @@ pub fn drawn(index: u64) -> Result<Drawn, String> {
 pub fn plant(system: &System) -> Result<Plant, String> {
     Plant::new(system.clone()).map_err(|error| error.to_string())
 }
+
+impl Drawn {
+    /// True where two stops on opposite sides of one point leave no play between them.
+    pub fn has_no_play(&self) -> bool {
+        let [a, b] = &self.merged.stops[..] else {
+            return false;
+        };
+        let is_opposite = a.shape.iter().zip(&b.shape).all(|(a, b)| *a == -b);
+        is_opposite && a.gap_m + b.gap_m == 0.0
+    }
+}
