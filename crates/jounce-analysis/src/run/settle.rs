@@ -6,6 +6,7 @@
 
 use jounce_dynamics::{Kernel, Trajectory};
 use serde::Serialize;
+use std::f64::consts::TAU;
 
 /// Steady-state test at the end of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -14,7 +15,7 @@ pub struct Settlement {
     pub settled: bool,
     /// Period of the orbit in drive cycles, up to the longest tested period.
     pub period_cycles: u32,
-    /// Relative change of the state (energy norm) over the last period of the orbit.
+    /// Relative change of the state (energy norm, free displacements times the drive frequency) over the last period of the orbit.
     pub change: f64,
     /// Estimated relative distance to the periodic orbit; infinite if the changes do not decrease.
     pub distance: f64,
@@ -48,9 +49,13 @@ pub(super) fn settled(
         .collect();
     let plant = &kernel.plant;
     let frequencies = &plant.system.modes.frequency_rad_s;
+    // The displacement of a free body has no energy: its scale is the drive frequency.
     let mechanical = frequencies
         .iter()
-        .copied()
+        .map(|w| match *w > 0.0 {
+            true => *w,
+            false => TAU / period_s,
+        })
         .chain(std::iter::repeat_n(1.0, frequencies.len()));
     let scales: Vec<f64> = mechanical.chain(plant.electrical.energy_scale()).collect();
     let states: Vec<Vec<f64>> = (trajectory.at(kernel, &times).iter())

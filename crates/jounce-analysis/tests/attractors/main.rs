@@ -5,6 +5,7 @@
 mod agreement;
 mod brute;
 mod checks;
+mod drawn;
 mod endings;
 mod harvesters;
 mod library;

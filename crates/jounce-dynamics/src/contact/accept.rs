@@ -1,6 +1,7 @@
 //! Acceptance of a solved contact step: state, energy meters and statistics at its end.
 
 use super::peak::interpolated_peak;
+use super::separation::separation;
 use super::step::{ContactStep, SolvedStep};
 use crate::flow::row::FlowRow;
 use crate::flow::state::{add_spread_response, dot, spread};
@@ -97,9 +98,9 @@ impl Integrator<'_> {
         let port = &mut self.ports[step.port];
         let (end_m, end_m_s) = (port.penetration_m, port.rate_m_s);
         let has_separated = !law.acts_on_both_sides() && end_m < 0.0;
-        // A point that has left the stop has continued at its last speed.
-        let since_s = if has_separated && end_m_s < 0.0 {
-            (end_m / end_m_s).min(length_s)
+        let since_s = if has_separated {
+            let start = [started.0, started.1 * length_s];
+            length_s * (1.0 - separation(start, &step.basis.positions, &solved.penetration))
         } else {
             0.0
         };

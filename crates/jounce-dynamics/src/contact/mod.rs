@@ -5,6 +5,7 @@
 
 mod accept;
 mod peak;
+mod separation;
 pub(crate) mod solve;
 pub(crate) mod step;
 pub(crate) mod step_size_control;

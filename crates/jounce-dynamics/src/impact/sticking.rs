@@ -36,9 +36,10 @@ impl Integrator<'_> {
             };
             let table = tables.contact(self.kernel, (0, ForceBasis::Smooth));
             let sticking = tables.sticking(self.kernel, 0);
-            let (force, mismatch_n) = self.holding_force(table, sticking);
+            let (force, [end_n, mismatch_n]) = self.holding_force(table, sticking);
             let error_n = self.force_error_n(&force);
-            let pulls = force.iter().any(|f| *f < -error_n);
+            // The last node lies before the end of the step.
+            let pulls = force.iter().any(|f| *f < -error_n) || end_n < -error_n;
             let negligible = force_now * table.length_s
                 <= 1e-3 * self.tolerance * self.speed_m_s(0) / self.ports[0].rows.mobility_per_kg;
             if (pulls && !negligible) || mismatch_n > error_n {
@@ -81,12 +82,13 @@ impl Integrator<'_> {
         (self.tolerance.max(1e-12) * 1e-2 * size_n).max(roundoff_n)
     }
 
-    /// Returns the nodal forces that hold the point, and their mismatch at the end of the step, N.
+    /// Returns the nodal forces that hold the point, and at the end of the step this force and its
+    /// mismatch, N.
     fn holding_force(
         &mut self,
         table: &ContactTable,
         sticking: &StickingTable,
-    ) -> ([f64; NODES], f64) {
+    ) -> ([f64; NODES], [f64; 2]) {
         let w = Portable::new();
         let mut free = w.store(columns(
             w,
@@ -118,10 +120,8 @@ impl Integrator<'_> {
             + (0..NODES)
                 .map(|j| sticking.acceleration.push[j].0[NODES] * force[j])
                 .sum::<f64>();
-        (
-            force,
-            (end_by_nodes - end_acceleration / self.ports[0].rows.mobility_per_kg).abs(),
-        )
+        let end_n = end_acceleration / self.ports[0].rows.mobility_per_kg;
+        (force, [end_by_nodes, (end_by_nodes - end_n).abs()])
     }
 
     /// Takes a step under given nodal forces and resets the point onto the stop to roundoff.

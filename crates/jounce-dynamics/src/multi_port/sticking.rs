@@ -181,7 +181,9 @@ impl StickingPorts {
             let allowed = (self.allowed * mobility * size)
                 .max(integrator.acceleration_roundoff_m_s2(joint.tables.ports[*index].0));
             let error_n = allowed / mobility;
-            let pulls = solved[*index].force.0.iter().any(|f| *f < -error_n);
+            // The last node lies before the end of the step.
+            let forces = solved[*index].force.0.iter().chain([&at_end[*index]]);
+            let pulls = forces.into_iter().any(|f| *f < -error_n);
             let is_good = mismatch.abs() <= allowed && !pulls;
             solved[*index].error_n_s = if is_good || negligible {
                 0.0

@@ -50,10 +50,15 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
         let mut event = None;
         // Each event function is checked over the part of the step before the events found so far.
         for guard in self.model.guards(phases).iter() {
-            let start = self.model.guard(guard, phases, t, (&motion.state, rate));
-            let last = self
+            let start = self
                 .model
-                .guard(guard, phases, t + end.part * h, (&end.state, &end.rate));
+                .guard_with_rate(guard, phases, t, (&motion.state, rate));
+            let last = self.model.guard_with_rate(
+                guard,
+                phases,
+                t + end.part * h,
+                (&end.state, &end.rate),
+            );
             let roundoff = self.model.roundoff(guard, &motion.state);
             let is_negative = last[0] < -roundoff;
             let negative = if is_negative {
@@ -112,7 +117,6 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
         rate: &[f64; D],
         (guard, start, last, part): (Guard, &[f64; 2], &[f64; 2], f64),
     ) -> Option<f64> {
-        // A holding force has no rate here, and both comparisons are false.
         let falls_and_rises = start[1] < 0.0 && last[1] > 0.0;
         if !falls_and_rises || cubic_minimum(start, last, part * h) > NEAR * start[0].max(last[0]) {
             return None;
@@ -129,9 +133,12 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
                 middle
             };
             let end = self.state_at_fraction(motion, (t, h), rate, at);
-            let [value, slope] =
-                self.model
-                    .guard(guard, &motion.phases, t + at * h, (&end.state, &end.rate));
+            let [value, slope] = self.model.guard_with_rate(
+                guard,
+                &motion.phases,
+                t + at * h,
+                (&end.state, &end.rate),
+            );
             if value < -self.model.roundoff(guard, &motion.state) {
                 return Some(at);
             }

@@ -6,6 +6,7 @@ use super::events::{End, Event, LEAST_STEP};
 use super::guard::Guard;
 use super::law::{Law, Phase};
 use super::model::{Phases, ReferenceModel};
+use super::record::Record;
 
 /// Marks the absence of a stop.
 pub const NONE: usize = usize::MAX;
@@ -30,6 +31,8 @@ pub struct Motion<const D: usize> {
     pub size: f64,
     /// True when the last cycle had more than [`MOST_EVENTS`] events and the integration was ended.
     pub is_lost: bool,
+    /// Contacts and energies since the start; `None` where they are not recorded.
+    pub record: Option<Record>,
     length: f64,
 }
 
@@ -64,6 +67,7 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
             phases,
             size,
             is_lost: false,
+            record: None,
             length: model.cycle_s / 64.0,
         };
         for p in 0..model.stops.len() {
@@ -92,6 +96,9 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
             motion.size = motion.size.max(progress.largest);
         }
         motion.size = progress.largest.max(self.model.least_size());
+        if let Some(record) = &mut motion.record {
+            record.start_s += end;
+        }
     }
 
     /// Takes a step by Taylor series; false where this method does not apply.
@@ -106,6 +113,9 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
             progress.t + step.duration
         };
         motion.state = step.state;
+        if let (Some(record), Some(work)) = (&mut motion.record, step.work) {
+            record.work = record.work.plus(&work, 1.0);
+        }
         progress.largest = progress.largest.max(step.middle.sqrt());
         if let Some(guard) = step.event {
             self.pass(motion, guard, progress);
@@ -140,6 +150,7 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
         match self.event(motion, (t, h), &rate, complete) {
             Event::Unclear => motion.length = 0.5 * h,
             Event::None(complete) => {
+                self.add_work(motion, (t, h), &rate);
                 progress.t = if is_last { end } else { t + h };
                 motion.state = complete.state;
                 motion.length = if is_last {
@@ -149,6 +160,7 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
                 };
             }
             Event::At(guard, there) => {
+                self.add_work(motion, (t, there.part * h), &rate);
                 progress.t += there.part * h;
                 motion.state = there.state;
                 self.pass(motion, guard, progress);
@@ -175,12 +187,34 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
     fn change(&self, motion: &mut Motion<D>, guard: Guard, t: f64) {
         let (Guard::Surface(p) | Guard::Push(p) | Guard::Hold(p)) = guard;
         let is_rigid = matches!(self.model.stops[p].law, Law::Rigid { .. });
+        self.note_passage(motion, guard, t);
+        self.note_push(motion, guard);
         motion.phases[p] = match (guard, motion.phases[p]) {
             (Guard::Surface(_), Phase::Free) if is_rigid => return self.impact(motion, p, t),
             (Guard::Surface(_), Phase::Free) | (Guard::Push(_), Phase::Slack) => Phase::Pushing,
             (Guard::Push(_), _) => Phase::Slack,
             (Guard::Surface(_) | Guard::Hold(_), _) => Phase::Free,
         };
+    }
+
+    /// Updates the damped stops that yield after an impact on another stop, which changes their speeds.
+    fn push_after_impact(&self, motion: &mut Motion<D>, rigid: usize) {
+        for (p, stop) in self.model.stops.iter().enumerate() {
+            let phase = motion.phases[p];
+            if p == rigid || !matches!(phase, Phase::Pushing | Phase::Slack) {
+                continue;
+            }
+            let [d, rate] = self.model.depth(stop, &motion.state);
+            let is_pushing = stop.law.push(d, rate) >= 0.0;
+            if is_pushing != (phase == Phase::Pushing) {
+                self.note_push(motion, Guard::Push(p));
+                motion.phases[p] = if is_pushing {
+                    Phase::Pushing
+                } else {
+                    Phase::Slack
+                };
+            }
+        }
     }
 
     /// Applies an impact on a rigid stop; the point sticks where its acceleration ends the bounces
@@ -199,6 +233,13 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
             && 2.0 * after <= CHATTER_CYCLES * self.model.cycle_s * pressed * (1.0 - e)
             && pressed > 0.0;
         let change = if rests { before } else { before + after };
+        if let Some(record) = &mut motion.record {
+            let kept = if rests { 0.0 } else { after };
+            record.work.contact_j += 0.5 * (before * before - kept * kept) / stop.square;
+            if before > 0.0 {
+                record.begin(p, t, before);
+            }
+        }
         for i in 0..N {
             motion.state[i] -= depth * stop.shape[i] / stop.square;
             motion.state[N + i] -= change * stop.shape[i] / stop.square;
@@ -206,5 +247,6 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
         if rests {
             motion.phases[p] = Phase::Resting;
         }
+        self.push_after_impact(motion, p);
     }
 }

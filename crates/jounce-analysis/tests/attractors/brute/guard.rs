@@ -14,6 +14,9 @@ pub enum Guard {
     Hold(usize),
 }
 
+/// Fraction of a cycle for differences of a holding force.
+const HOLD_DIFFERENCE: f64 = 1e-6;
+
 /// List of event functions without allocation.
 #[derive(Debug, Clone, Copy)]
 pub struct Guards {
@@ -105,6 +108,27 @@ impl<const N: usize, const D: usize> ReferenceModel<N, D> {
                 [self.depth(&self.stops[p], &free)[1], f64::NAN]
             }
         }
+    }
+
+    /// Value of an event function and its rate, which for a holding force is a difference over the
+    /// motion.
+    pub fn guard_with_rate(
+        &self,
+        guard: Guard,
+        phases: &Phases,
+        t: f64,
+        (y, rate): (&[f64; D], &[f64; D]),
+    ) -> [f64; 2] {
+        let [value, slope] = self.guard(guard, phases, t, (y, rate));
+        if !matches!(guard, Guard::Hold(_)) {
+            return [value, slope];
+        }
+        let apart = HOLD_DIFFERENCE * self.cycle_s;
+        let [before, after] = [-apart, apart].map(|s| {
+            let near = std::array::from_fn(|i| y[i] + s * rate[i]);
+            self.guard(guard, phases, t + s, (&near, rate))[0]
+        });
+        [value, 0.5 * (after - before) / apart]
     }
 
     /// Roundoff of an event function; zero for a holding force, of which only the sign is used.

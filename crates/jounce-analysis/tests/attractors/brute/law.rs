@@ -112,6 +112,30 @@ impl Law {
         }
     }
 
+    /// Part of the force, N, that stores energy; zero off the stop.
+    pub fn elastic(&self, d: f64) -> f64 {
+        match *self {
+            Law::Cubic { k, k3 } => d * (k + k3 * d * d),
+            Law::Rigid { .. } => 0.0,
+            _ if d <= 0.0 => 0.0,
+            Law::Power { k, n, .. } => k * power(d, n),
+            Law::Viscous { k, .. } => k * d,
+            Law::Table { f, .. } => f.force_n(d),
+        }
+    }
+
+    /// Energy stored at a penetration, J.
+    pub fn stored(&self, d: f64) -> f64 {
+        match *self {
+            Law::Cubic { k, k3 } => 0.5 * d * d * (k + 0.5 * k3 * d * d),
+            Law::Rigid { .. } => 0.0,
+            _ if d <= 0.0 => 0.0,
+            Law::Power { k, n, .. } => k * d * power(d, n) / (n + 1.0),
+            Law::Viscous { k, .. } => 0.5 * k * d * d,
+            Law::Table { f, .. } => f.energy_j(d),
+        }
+    }
+
     /// Stiffness and damping of a force that is a linear function of the state.
     pub fn linear(&self) -> Option<[f64; 2]> {
         match *self {

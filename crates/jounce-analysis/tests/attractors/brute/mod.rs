@@ -8,10 +8,15 @@ mod flow;
 mod guard;
 mod law;
 mod model;
+mod peaks;
+mod record;
 mod scales;
 mod taylor;
 mod taylor_step;
 
 pub use classify::{Ending, Kind, Patience, classify};
 pub use flow::{Flow, STEP_TOLERANCE};
+pub use law::Phase;
 pub use model::ReferenceModel;
+pub use peaks::Peak;
+pub use record::{Passage, Record, Work};

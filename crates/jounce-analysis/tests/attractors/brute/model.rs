@@ -8,6 +8,7 @@
 //! ```
 
 use super::law::{Law, Phase};
+use super::record::Work;
 use super::scales::Weights;
 use jounce_model::drive::Wave;
 use jounce_model::plant::System;
@@ -209,6 +210,39 @@ impl<const N: usize, const D: usize> ReferenceModel<N, D> {
         }
         rate[2 * N + 1] = self.load_power(y[2 * N] * y[2 * N]);
         rate
+    }
+
+    /// Powers at a state, W: input, modal damping, leakage, and loss in the contacts.
+    pub fn powers(&self, t: f64, y: &[f64; D], phases: &Phases) -> Work {
+        let (drive, mut work) = (self.drive_angle(t).sin(), Work::default());
+        for i in 0..N {
+            let speed = y[N + i];
+            work.input_j += (self.driven[i] * drive + self.steady[i]) * speed;
+            work.damping_j += self.damping[i] * speed * speed;
+        }
+        work.leak_j = y[2 * N] * y[2 * N] * self.leak;
+        for (stop, phase) in self.stops.iter().zip(phases) {
+            if *phase == Phase::Pushing {
+                let [d, speed] = self.depth(stop, y);
+                let force = stop.law.force(*phase, d, speed);
+                work.contact_j += (force - stop.law.elastic(d)) * speed;
+            }
+        }
+        work
+    }
+
+    /// Energy stored in a state, J, including that of the stops that push. That of a stop that no longer
+    /// pushes is lost.
+    pub fn stored(&self, y: &[f64; D], phases: &Phases) -> f64 {
+        let mechanical: f64 = (0..N)
+            .map(|i| y[N + i] * y[N + i] + self.stiffness[i] * y[i] * y[i])
+            .sum();
+        let closed = self.stops.iter().zip(phases);
+        let compressed: f64 = closed
+            .filter(|(_, phase)| **phase == Phase::Pushing)
+            .map(|(stop, _)| stop.law.stored(self.depth(stop, y)[0]))
+            .sum();
+        0.5 * (mechanical + self.capacitance * y[2 * N] * y[2 * N]) + compressed
     }
 
     /// Angle of the drive.

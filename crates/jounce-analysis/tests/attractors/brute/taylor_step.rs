@@ -4,6 +4,8 @@ use super::first_root::{first_root, value_and_slope};
 use super::flow::{Flow, Motion};
 use super::guard::Guard;
 use super::law::{Law, Phase};
+use super::model::Phases;
+use super::record::Work;
 use super::taylor::{Coefficients, Force, ORDER, Series};
 
 /// An event function must grow by this many times its roundoff over a step that starts at its zero.
@@ -18,10 +20,12 @@ pub struct TaylorEnd<const D: usize> {
     pub event: Option<Guard>,
     /// Square of the norm in the middle of the step.
     pub middle: f64,
+    /// Energies of the step, where they are recorded.
+    pub work: Option<Work>,
 }
 
 /// Value of a polynomial vector.
-fn vector<const D: usize>(series: &[[f64; D]; ORDER + 1], s: f64) -> [f64; D] {
+pub fn vector<const D: usize>(series: &[[f64; D]; ORDER + 1], s: f64) -> [f64; D] {
     let mut y = series[ORDER];
     for k in (0..ORDER).rev() {
         (0..D).for_each(|i| y[i] = y[i] * s + series[k][i]);
@@ -100,7 +104,24 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
             duration,
             event,
             middle: model.weights.square(&vector(&series.state, 0.5 * end)),
+            work: (motion.record.is_some()).then(|| self.work(t, &series, end, &motion.phases)),
         })
+    }
+
+    /// Energies of a step from a time.
+    fn work(&self, t: f64, series: &Series<D>, end: f64, phases: &Phases) -> Work {
+        let half = 0.5 * end;
+        let mut work = Work::default();
+        for [node, weight] in GAUSS {
+            for at in [half * (1.0 - node), half * (1.0 + node)] {
+                let [after, speed] = value_and_slope(&series.time, at);
+                let powers = self
+                    .model
+                    .powers(t + after, &vector(&series.state, at), phases);
+                work = work.plus(&powers, half * weight * speed);
+            }
+        }
+        work
     }
 
     /// The variable `u` of a force; `None` for a contact that starts at its surface and does not
@@ -150,7 +171,7 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
     }
 
     /// Length of a step whose last two terms are below the error of a step.
-    fn length(&self, series: &Series<D>, size: f64, force: Force) -> f64 {
+    pub fn length(&self, series: &Series<D>, size: f64, force: Force) -> f64 {
         let model = self.model;
         let error = self.tolerance * size;
         let fastest = (0..N)
