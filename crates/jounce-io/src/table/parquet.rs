@@ -17,6 +17,7 @@ use parquet::schema::types::Type;
 
 use super::notes::Notes;
 use super::{Column, Manifest, Table, Values};
+use crate::parquet_check;
 
 const KEY: &str = "jounce";
 
@@ -26,7 +27,10 @@ pub(super) fn encode(table: &Table, manifest: &Manifest) -> Result<Vec<u8>, Stri
 
 pub(super) fn decode(path: &Path) -> Result<(Table, Manifest), String> {
     let file = File::open(path).map_err(|fault| fault.to_string())?;
+    parquet_check::footer(&file)?;
+    let pages = file.try_clone().map_err(|fault| fault.to_string())?;
     let reader = SerializedFileReader::new(file).map_err(|fault| fault.to_string())?;
+    parquet_check::page_headers(&pages, reader.metadata())?;
     let notes = notes_of(&reader)?;
     let columns = reader
         .metadata()

@@ -6,6 +6,7 @@ mod pages;
 use std::fs::File;
 use std::path::Path;
 
+use jounce_io::parquet_check;
 use parquet::basic::Type;
 use parquet::column::reader::{ColumnReader, ColumnReaderImpl, get_column_reader};
 use parquet::data_type::DataType;
@@ -39,8 +40,12 @@ pub(in crate::read) fn read(path: &Path, store: &SampleStore) -> Result<FormatCo
         .metadata()
         .map_err(|fault| parquet_error(&fault))?
         .len();
+    parquet_check::footer(&file).map_err(|fault| parquet_error(&fault))?;
+    let pages = file.try_clone().map_err(|fault| parquet_error(&fault))?;
     let reader = SerializedFileReader::new(file).map_err(|fault| parquet_error(&fault))?;
     check_places(&reader, size)?;
+    parquet_check::page_headers(&pages, reader.metadata())
+        .map_err(|fault| parquet_error(&fault))?;
     let notes = notes(&reader);
     let (mut columns, mut issues) = (Vec::new(), Vec::new());
     let schema = reader.metadata().file_metadata().schema_descr_ptr();
