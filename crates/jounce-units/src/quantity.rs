@@ -227,6 +227,7 @@ mod tests {
             (contact, "1 kN m^-1.5", 1000.0),
             (Quantity::Frequency, "13Hz", 13.0),
             (Quantity::Frequency, "600 1/min", 10.0),
+            (Quantity::Frequency, "600 rpm", 10.0),
             (Quantity::Frequency, "4 /s", 4.0),
             (Quantity::Time, "20 min", 1200.0),
             (Quantity::Angle, "180 deg", std::f64::consts::PI),

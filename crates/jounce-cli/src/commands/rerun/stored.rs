@@ -32,6 +32,9 @@ pub enum Difference {
 impl Stored {
     /// Reads a file of results.
     pub fn read(path: &Path) -> Result<Self, Failure> {
+        if !path.exists() {
+            return Err(Failure::Input(format!("{} does not exist", path.display())));
+        }
         match path.extension().and_then(|extension| extension.to_str()) {
             Some("csv" | "parquet" | "json" | PAGE) => {
                 Ok(Self::Table(StoredTable::read(path).map_err(Error::from)?))
