@@ -50,8 +50,7 @@ impl Differences {
 
     fn check(&mut self, name: &str, difference: f64, bound: f64) {
         self.ratio = self.ratio.max(difference / bound);
-        // Also where the difference is not a number.
-        if !(difference <= bound) {
+        if difference > bound || difference.is_nan() {
             self.messages
                 .push(format!("{name}: {difference:.3e} above {bound:.3e}"));
         }

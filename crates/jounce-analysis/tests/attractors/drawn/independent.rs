@@ -109,30 +109,19 @@ fn run_of<const N: usize, const D: usize>(
     let slack_j = flow.slack_j(&motion);
     record.work.contact_j -= slack_j;
     let end_s = cycles as f64 * model.cycle_s;
-    let at_start_s = AT_START * model.cycle_s;
     let of = |p: usize| {
         record
             .passages
             .iter()
             .filter(move |passage| passage.stop == p)
     };
-    let contacts = |p: usize| {
-        let begins = of(p).filter(|passage| passage.begins && passage.time_s > at_start_s);
-        let contact = |passage: &Passage| Contact {
-            time_s: passage.time_s,
-            speed_m_s: passage.speed_m_s,
-        };
-        begins.map(contact).collect()
-    };
+    let contacts = |p: usize| begins(of(p), AT_START * model.cycle_s);
     let contact_s = |p: usize| match system.stops[p].law {
         Law::Cubic(_) | Law::Rigid(_) => None,
         _ => {
-            let ends = of(p).map(|passage| {
-                let sign = if passage.begins { -1.0 } else { 1.0 };
-                sign * passage.time_s
-            });
             let is_open = motion.phases[p] == Phase::Free;
-            Some(ends.sum::<f64>() + if is_open { 0.0 } else { end_s })
+            let ended_s: f64 = of(p).map(signed_time_s).sum();
+            Some(ended_s + if is_open { 0.0 } else { end_s })
         }
     };
     let stops = 0..system.stops.len();
@@ -148,6 +137,26 @@ fn run_of<const N: usize, const D: usize>(
         size,
         is_lost: motion.is_lost,
         passages: record.passages.clone(),
+    }
+}
+
+/// Contacts that begin after a time.
+fn begins<'a>(passages: impl Iterator<Item = &'a Passage>, after_s: f64) -> Vec<Contact> {
+    passages
+        .filter(|passage| passage.begins && passage.time_s > after_s)
+        .map(|passage| Contact {
+            time_s: passage.time_s,
+            speed_m_s: passage.speed_m_s,
+        })
+        .collect()
+}
+
+/// Time of an end, and minus that of a begin.
+fn signed_time_s(passage: &Passage) -> f64 {
+    if passage.begins {
+        -passage.time_s
+    } else {
+        passage.time_s
     }
 }
 

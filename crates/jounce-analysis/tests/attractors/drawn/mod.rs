@@ -6,7 +6,8 @@
 //! ```
 //!
 //! `JOUNCE_DRAWN_FIRST` is the number of the first harvester, default 0. `JOUNCE_DRAWN_RESULTS` is a file
-//! for the counts of each portion, from which an interrupted comparison continues.
+//! for the counts of each portion, from which an interrupted comparison continues. `JOUNCE_DRAWN_SHOW` is
+//! the number of a harvester that `one_random_run_is_shown` prints with both runs.
 
 mod campaign;
 mod circuit;
@@ -16,6 +17,7 @@ mod independent;
 mod law;
 mod library;
 mod settled;
+mod show;
 mod system;
 mod tally;
 mod verdict;
@@ -35,6 +37,7 @@ macro_rules! with_model {
 use with_model;
 
 use campaign::campaign;
+use show::show;
 use std::io::Write;
 use std::path::Path;
 use tally::Tally;
@@ -48,10 +51,10 @@ fn number(name: &str) -> Option<u64> {
 
 #[test]
 fn random_runs_agree_with_brute_force() {
-    let tally = Tally::of(0, 300);
+    let tally = Tally::of(0, 150);
     eprintln!("{tally}");
     assert!(tally.disagree.is_empty(), "{tally}");
-    assert!(tally.agree > 200, "{tally}");
+    assert!(tally.agree > 130, "{tally}");
 }
 
 #[test]
@@ -72,68 +75,9 @@ fn many_random_runs_agree_with_brute_force() {
     );
 }
 
-/// Shows one harvester that disagrees.
 #[test]
 fn one_random_run_is_shown() {
-    let Some(index) = number("JOUNCE_DRAWN_SHOW") else {
-        return;
-    };
-    let drawn = system::drawn(index).unwrap();
-    let (cycles, tolerance, graze) = (drawn.cycles, drawn.tolerance, drawn.graze);
-    eprintln!("{:#?}\n{:?}", drawn.merged, drawn.start);
-    eprintln!("{cycles} cycles, tolerance {tolerance:e}, {graze:?}");
-    let start = independent::Start {
-        physical: &drawn.start,
-        drive: 1.0,
-    };
-    let own = independent::run(&drawn.merged, &start, drawn.cycles);
-    eprintln!(
-        "{:?}\n{:?}\n{:?}",
-        own.contacts, own.contact_s, own.energies
-    );
-    eprintln!("{:?}\n{:?}", own.size, own.strobe);
-    let ends = own.passages.iter().filter(|passage| !passage.begins);
-    ends.for_each(|passage| eprintln!("brute force leaves {passage:?}"));
-    let segments = library::run(&drawn).unwrap().result.trajectory;
-    for p in 0..drawn.merged.stops.len() {
-        let mut held = false;
-        for segment in segments.segments() {
-            let force = segment.forces.iter().find(|force| force.port == p);
-            if force.is_some() != held {
-                let (at, length, word) = (
-                    segment.start_s,
-                    segment.length_s,
-                    if held { "leaves" } else { "holds" },
-                );
-                eprintln!("library {word} {p} {at:.15} {length:.3e} {force:?}");
-            }
-            held = force.is_some();
-        }
+    if let Some(index) = number("JOUNCE_DRAWN_SHOW") {
+        show(index);
     }
-    let last = own.strobe.last().unwrap();
-    for tolerance in [1e-16, 1e-15, 1e-13, 1e-12] {
-        let other = independent::run_at(&drawn.merged, &start, cycles, tolerance);
-        let distance = independent::distance(last, other.strobe.last().unwrap()) / own.size;
-        eprintln!("brute force with {tolerance:e}: state {distance:.2e}");
-    }
-    for tolerance in [1e-6, 1e-8, 1e-10, 1e-12] {
-        let drawn = system::Drawn {
-            tolerance,
-            ..system::drawn(index).unwrap()
-        };
-        let library = library::run(&drawn).unwrap();
-        let end = independent::energy_coordinates(&drawn.merged, &library.end);
-        let distance = independent::distance(last, &end) / own.size;
-        eprintln!(
-            "tolerance {tolerance:e}: state {distance:.2e}, {:?}",
-            library.result.work
-        );
-    }
-    let library = library::run(&drawn).unwrap();
-    let result = &library.result;
-    eprintln!(
-        "{:?}\n{:?}\n{:?}",
-        library.contacts, result.stops, result.energies
-    );
-    eprintln!("{:?}\n{:?}", result.work, result.settlement);
 }
