@@ -10,6 +10,7 @@ mod writers;
 
 use crate::readers::quantities::KINDS;
 use crate::scratch;
+use jounce_io::table::{Column, Manifest, Table};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -46,6 +47,7 @@ pub fn write() {
             .for_each(|reader| add(reader, &text));
     }
     written();
+    table();
     dictionaries();
 }
 
@@ -96,6 +98,18 @@ fn dictionaries() {
         let lines: String = words.iter().map(|word| format!("\"{word}\"\n")).collect();
         fs::write(corpus().join(format!("{reader}.dict")), lines).expect("a file");
     }
+}
+
+/// A table of jounce in Parquet.
+fn table() {
+    let columns = vec![
+        Column::new("x", "m", "a place", vec![0.1, f64::NAN]),
+        Column::new("n", "", "a count", vec![1_u64, 2]),
+        Column::new("t", "", "a text", vec!["a".to_owned(), "b".to_owned()]),
+    ];
+    let table = Table::new(columns).expect("columns of equal length");
+    let bytes = table.to_parquet(&Manifest::new("").with("command", "run"));
+    add("table-parquet", &bytes.expect("a table"));
 }
 
 /// Inputs that no example has.

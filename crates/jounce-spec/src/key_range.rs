@@ -162,10 +162,9 @@ fn stepped(
     step: &DecimalNumber,
 ) -> Result<Vec<f64>, String> {
     let steps = ((to.value - from.value) / step.value * (1.0 + 1e-12) + 1e-9).floor();
+    let too_long = || format!("the range has more than {MAX_POINTS} points; make the step larger");
     if steps.is_nan() || steps >= MAX_POINTS as f64 {
-        return Err(format!(
-            "the range has more than {MAX_POINTS} points; make the step larger"
-        ));
+        return Err(too_long());
     }
     let exponent = [from, to, step]
         .iter()
@@ -184,6 +183,10 @@ fn stepped(
     if let Some((exponent, from, length, step)) = digits
         && step > 0
     {
+        // Ends that are equal as doubles may be far apart as decimals.
+        if length / step >= MAX_POINTS as i128 {
+            return Err(too_long());
+        }
         let nearest = |digits: i128| {
             format!("{digits}e{exponent}")
                 .parse::<f64>()
@@ -203,8 +206,10 @@ fn linear(from: f64, to: f64, count: usize) -> Vec<f64> {
     let inner = (0..count).map(|index| {
         if index + 1 == count && count > 1 {
             to
-        } else {
+        } else if (to - from).is_finite() {
             from + (to - from) * part(index)
+        } else {
+            from * (1.0 - part(index)) + to * part(index)
         }
     });
     inner.collect()
@@ -214,7 +219,8 @@ fn logarithmic(from: f64, to: f64, count: usize) -> Result<Vec<f64>, String> {
     if from <= 0.0 {
         return Err("a logarithmic range must start above 0".to_owned());
     }
-    let ratio = (to / from).ln();
+    let quotient = to / from;
+    let ratio = quotient.ln();
     let exponents = linear(0.0, 1.0, count);
     let inner = exponents
         .into_iter()
@@ -222,7 +228,8 @@ fn logarithmic(from: f64, to: f64, count: usize) -> Result<Vec<f64>, String> {
         .map(|(index, part)| match index {
             0 => from,
             _ if index + 1 == count => to,
-            _ => from * (ratio * part).exp(),
+            _ if quotient.is_finite() => from * (ratio * part).exp(),
+            _ => (from.ln() * (1.0 - part) + to.ln() * part).exp(),
         });
     Ok(inner.collect())
 }

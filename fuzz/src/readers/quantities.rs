@@ -90,6 +90,10 @@ pub fn check(text: &str, values: &[f64], read: impl Fn(&str) -> Option<f64>) {
         .find_map(|end| spacing.strip_suffix(end));
     let Some(count) = count else {
         let step = read(spacing).expect("a step");
+        // Ends that differ by few units in the last place hold more decimals than doubles.
+        if step < 1e-9 * from.abs().max(to.abs()) {
+            return;
+        }
         let expected = (to - from) / step + 1.0;
         let difference = expected - values.len() as f64;
         assert!(

@@ -59,7 +59,7 @@ fn counts_and_lists_hit_their_ends() {
 }
 
 /// Range, and a part of the refusal.
-const WRONG_RANGES: [(&str, &str); 20] = [
+const WRONG_RANGES: [(&str, &str); 21] = [
     (
         "drive.shaker.frequency=4Hz:20Hz:0.1mm",
         "\"0.1mm\" is a length; expected a frequency",
@@ -83,6 +83,11 @@ const WRONG_RANGES: [(&str, &str); 20] = [
     ),
     (
         "drive.shaker.frequency=4Hz:20Hz:1e-30Hz",
+        "the range has more than 1000000 points; make the step larger",
+    ),
+    // Both ends are the same double.
+    (
+        "drive.shaker.frequency=10Hz:10.00000000000000001Hz:1e-29Hz",
         "the range has more than 1000000 points; make the step larger",
     ),
     (
@@ -226,4 +231,15 @@ fn a_number_is_set_100_000_times_quickly() {
     assert_eq!(key.get(&spec).unwrap(), 4.0 + 1e-5 * 99_999.0);
     // Measured: 0.1 s.
     assert!(start.elapsed().as_secs() < 10, "{:?}", start.elapsed());
+}
+
+/// Differences and quotients of the ends are no doubles.
+#[test]
+fn ranges_over_all_doubles_are_finite() {
+    let range = |text: &str| jounce_spec::quantity_range(jounce_spec::Quantity::Force, text);
+    let values = range("-1e308 N:1e308 N:3x").expect("a range");
+    assert_eq!(values, [-1e308, 0.0, 1e308]);
+    let values = range("1e-300 N:1e300 N:3log").expect("a range");
+    assert_eq!((values[0], values[2]), (1e-300, 1e300));
+    assert!((values[1] - 1.0).abs() < 1e-12, "{values:?}");
 }
