@@ -3,7 +3,7 @@
 
 Usage: campaigns/interrupt.py [--kills 1000] [--seed 1] [--only NAME] [--program PATH] [--mount] [--reproduce]
 
-Each trial runs a command in a new folder, interrupts it up to three times, then lets it end, and compares every file with
+Each trial runs a command in a new folder, interrupts it up to six times, then lets it end, and compares every file with
 those of an uninterrupted run, byte by byte. Interruptions are SIGKILL, SIGTERM and SIGINT; a disk that becomes full (with
 `--mount` a small tmpfs, else a limit of the file size); a folder that vanishes: removed, renamed, replaced by a file, made read-only.
 Half of them come at a random time, half just after a file has appeared or grown. Prints a table; the exit code is 1 after a
@@ -12,9 +12,11 @@ violation. Needs Linux or macOS, and Python 3.11 or newer.
 
 import argparse
 import collections
+import contextlib
 import json
 import os
 import random
+import re
 import shutil
 import signal
 import subprocess
@@ -26,6 +28,8 @@ from pathlib import Path
 from scenarios import REPRODUCE, ROOT, SCENARIOS
 from trial import BUSY, Trial, Violation
 
+SIGNALS = ("SIGKILL", "SIGTERM", "SIGINT")
+PROGRESS = re.compile(r"^continuing after| so far$| left$")
 FULL = ("No space left on device", "File too large")
 
 
@@ -87,7 +91,7 @@ def kill(trial, rng, reference, count):
 def check_message(trial, ends, reference, words):
     """An error is one line, and exit code 4."""
     for code, text in ends:
-        lines = [line for line in text.splitlines() if line not in reference.lines and not line.startswith("continuing after")]
+        lines = [line for line in text.splitlines() if line not in reference.lines and not PROGRESS.search(line)]
         if code == 4 and BUSY not in text and not (len(lines) == 1 and any(word in lines[0] for word in words)):
             raise Violation(f"the message is {lines}")
     check_files(trial, reference)
@@ -139,7 +143,7 @@ def vanish(trial, rng, reference, count):
 
 def run_trial(trial, reference, rng, count, faults):
     """Interrupts a command, then lets it end and compares its result."""
-    for _ in range(rng.randint(1, 3)):
+    for _ in range(rng.randint(1, 6)):
         parts, lines, files = trial.parts(), trial.journal(), reference.files
         fault = rng.choices([kill, fill, vanish], faults)[0]
         fault(trial, rng, reference, count)
@@ -186,27 +190,31 @@ def arguments():
     return parser.parse_args()
 
 
-def main():
-    """Runs the campaign and prints its table."""
-    options = arguments()
-    rng, counts, references, violations = random.Random(options.seed), {}, {}, collections.Counter()
+def run_trials(options, folder, counts, violations):
+    """Runs trials until there are enough signals."""
+    rng, references = random.Random(options.seed), {}
     scenarios = [one for one in SCENARIOS + [REPRODUCE] * options.reproduce if not options.only or options.only in one.name]
-    total = collections.Counter()
-    with tempfile.TemporaryDirectory(prefix="jounce-interrupt-") as folder:
-        while total["kills"] < options.kills:
-            scenario = rng.choices(scenarios, [one.weight for one in scenarios])[0]
-            place, count = Path(folder) / "trial", counts.setdefault(scenario.name, collections.Counter())
-            seed = rng.random()
-            if scenario.name not in references:
-                references[scenario.name] = Reference(scenario, options.program.resolve(), place)
-            try:
-                with Trial(scenario, options.program.resolve(), place, options.mount and seed < 0.5) as trial:
-                    run_trial(trial, references[scenario.name], random.Random(seed), count, [8, 1, 1])
-            except (Violation, OSError, ValueError, KeyError, subprocess.SubprocessError) as violation:
-                violations[scenario.name] += 1
-                print(f"{scenario.name}: {type(violation).__name__}: {violation}", flush=True)
-            total["kills"] = sum(one[name] for one in counts.values() for name in ("SIGKILL", "SIGTERM", "SIGINT"))
-    heads = ["SIGKILL", "SIGTERM", "SIGINT", "full disk", "vanished"]
+    program, place = options.program.resolve(), Path(folder) / "trial"
+    while sum(count[name] for count in counts.values() for name in SIGNALS) < options.kills:
+        scenario, seed = rng.choices(scenarios, [one.weight for one in scenarios])[0], rng.random()
+        if scenario.name not in references:
+            references[scenario.name] = Reference(scenario, program, place)
+        count = counts.setdefault(scenario.name, collections.Counter())
+        try:
+            with Trial(scenario, program, place, options.mount and seed < 0.5) as trial:
+                run_trial(trial, references[scenario.name], random.Random(seed), count, [8, 1, 1])
+        except (Violation, OSError, ValueError, KeyError, subprocess.SubprocessError) as violation:
+            violations[scenario.name] += 1
+            print(f"{scenario.name}: {type(violation).__name__}: {violation}", flush=True)
+
+
+def main():
+    """Runs the campaign, until Ctrl-C if that is earlier, and prints its table."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # Shells let background jobs ignore it.
+    options, counts, violations = arguments(), {}, collections.Counter()
+    with tempfile.TemporaryDirectory(prefix="jounce-interrupt-") as folder, contextlib.suppress(KeyboardInterrupt):
+        run_trials(options, folder, counts, violations)
+    heads = [*SIGNALS, "full disk", "vanished"]
     print(f"{'scenario':22}  " + "  ".join(f"{head:>9}" for head in [*heads, "violation"]))
     for name, count in [*counts.items(), ("all", sum(counts.values(), collections.Counter()))]:
         wrong = violations.total() if name == "all" else violations[name]

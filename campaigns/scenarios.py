@@ -72,7 +72,7 @@ SCENARIOS = [
     one("design", "design", "design.toml", "--out=disk/out", keeps="journal", partial=True, weight=6),
     one("basins", "basins", "spec.toml", "--starts=8", "--out=disk/out", partial=True, weight=4),
     one("branch", "branch", "spec.toml", f"{OVER}12Hz:13Hz", "--seeds=0", "--out=disk/out", partial=True, weight=3),
-    one("bifurcations", "bifurcations", "spec.toml", *PLANE, "--out=disk/out", partial=True),
+    one("bifurcations", "bifurcations", "spec.toml", *PLANE, "--out=disk/out", partial=True, weight=1),
     one("ensemble", *ENSEMBLE, "--out=disk/out", partial=True),
     one("run, state", *RUN, weight=6),
     one("run from a state", *RUN, "--start=state.json", before=(("run", "spec.toml", "--save-state=state.json"),)),
