@@ -57,11 +57,11 @@ impl<P: Serialize + DeserializeOwned> Journal<P> {
         };
         let mut bytes = Vec::new();
         file.read_to_end(&mut bytes).map_err(fault)?;
-        let text = String::from_utf8_lossy(&bytes);
         let (mut entries, mut complete_bytes) = (Vec::new(), 0);
-        for line in text.split_inclusive('\n') {
-            match serde_json::from_str::<P>(line) {
-                Ok(point) if line.ends_with('\n') => entries.push(point),
+        // A damaged byte ends the journal: in place of it, a character would have another length.
+        for line in bytes.split_inclusive(|byte| *byte == b'\n') {
+            match serde_json::from_slice::<P>(line) {
+                Ok(point) if line.ends_with(b"\n") => entries.push(point),
                 _ => break,
             }
             complete_bytes += line.len();
@@ -114,4 +114,22 @@ impl<P: Serialize + DeserializeOwned> Journal<P> {
 fn cut(file: &mut File, length: u64) -> std::io::Result<()> {
     file.set_len(length)?;
     file.seek(SeekFrom::Start(length)).map(|_| ())
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_journal_continues_after_a_damaged_byte() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("key.jsonl");
+        std::fs::write(&path, b"\"a\"\n\"\xff\"\n\"c\"\n").unwrap();
+        let open = || Journal::<String>::open(folder.path(), "key").unwrap();
+        let journal = open();
+        assert_eq!(journal.found(), ["a"]);
+        journal.keep(&"b".to_owned()).unwrap();
+        assert_eq!(open().found(), ["a", "b"]);
+    }
 }
