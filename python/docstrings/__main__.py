@@ -84,6 +84,8 @@ def option_text(option: Mapping[str, Any], is_flag: bool) -> str:
 
 def parameters(call: str, function: Any, options: Options, written: Mapping[str, tuple[str, str]]) -> Iterator[str]:
     """Yields the lines of the parameters of a call."""
+    # The decorator of calls that are recorded has parameters of its own.
+    function = inspect.unwrap(function)
     code, hints = function.__code__, function.__annotations__
     count = code.co_argcount + code.co_kwonlyargcount
     names = [name for name in code.co_varnames[:count] if name not in ("self", "cls")]
@@ -187,7 +189,8 @@ def document_class(name: str, kind: type, options: Options, public: Mapping[str,
     completed: Sections = dict(sections)
     if dataclasses.is_dataclass(kind):
         hints = {field: hint for base in reversed(kind.__mro__) for field, hint in vars(base).get("__annotations__", {}).items()}
-        fields = {field: str(hint) for field, hint in hints.items() if field in kind.__dataclass_fields__}
+        names_of_fields = [field.name for field in dataclasses.fields(kind)]
+        fields = {field: str(hint) for field, hint in hints.items() if field in names_of_fields}
         completed["Attributes"] = [line for field, hint in fields.items() for line in field_entry(field, hint)]
     if issubclass(kind, Element):
         others = {call.partition(".")[2]: one for call, one in PARAMETERS.items() if call.startswith(f"{name}.")}

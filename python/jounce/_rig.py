@@ -140,8 +140,8 @@ class SpecOnRig(SpecText):
 
         ``key`` is a key, a list of the spec such as ``"damping.ratios"``, or several; by default all numbers of the spec other than 0. The
         orbit is the one that most of the ``starts`` of a cloud with a ``seed`` reach, or that of the id ``at`` in :meth:`basins`. With
-        ``fold`` the nearest fold of its branch over the frequency of the drive is another result, with ``peak`` the nearest peak of the mean
-        power, its frequency and its power.
+        ``fold`` the nearest fold of its branch over the frequency of the drive is another result, with ``peak`` the nearest peak of the
+        mean power: its frequency and its power.
 
         Raises :class:`ArgumentError` for an unknown orbit, :class:`SpecError` for an unknown key.
         """

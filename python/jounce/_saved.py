@@ -102,7 +102,8 @@ def rerun(path: str | PathLike[str]) -> Any:
     Raises
     ------
     FileError
-        For a file without a call, a changed input file, and a result that differs; then ``details["field"]`` names the first different field.
+        For a file without a call, a changed input file, and a result that differs; then ``details["field"]`` names the first field that
+        differs.
 
     Examples
     --------
