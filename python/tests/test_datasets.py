@@ -186,7 +186,7 @@ def test_a_file_that_is_no_result_is_named(results, tmp_path):
         with pytest.raises(jounce.FileError, match=re.escape(str(path))):
             jounce.load(path)
     with pytest.raises(jounce.FileError, match="cannot be written"):
-        results["run"].save(tmp_path / "missing" / "run.jounce")
+        results["run"].save(other / "run.jounce")
 
 
 def test_bifurcation_curves_pass_through_the_bifurcations_and_peaks_of_a_branch(results):

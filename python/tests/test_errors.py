@@ -213,20 +213,21 @@ def test_errors_of_arguments_and_recordings_contain_the_limits(harvester):
 
 
 def test_files_that_cannot_be_read_or_written(harvester, tmp_path):
-    missing = tmp_path / "no-such-file.toml"
+    missing, file = tmp_path / "no-such-file.toml", tmp_path / "file"
+    file.write_text("")
     with pytest.raises(jounce.FileError, match="does not exist") as excinfo:
         jounce.read(missing)
     assert (excinfo.value.details["path"], excinfo.value.errno) == (str(missing), errno.ENOENT)
     restored = pickle.loads(pickle.dumps(excinfo.value))
     assert (str(restored), restored.errno) == (str(excinfo.value), errno.ENOENT)
-    for call in (lambda: jounce.read_recordings(missing), lambda: harvester.write(tmp_path / "no" / "folder.toml")):
+    for call in (lambda: jounce.read_recordings(missing), lambda: harvester.write(file / "no" / "folder.toml")):
         with pytest.raises(jounce.FileError) as excinfo:
             call()
         assert str(tmp_path) in excinfo.value.details["path"]
     with pytest.raises(jounce.FileError, match="not a folder"):
-        harvester.write(tmp_path / "no" / "such" / "folder.toml")
+        harvester.write(file / "folder.toml")
     with pytest.raises(jounce.FileError):
-        jounce.write_recording(tmp_path / "no/a.csv", [1.0, 2.0], 1.0)
+        jounce.write_recording(file / "a.csv", [1.0, 2.0], 1.0)
     with pytest.raises(jounce.StartError):
         jounce.State.read(tmp_path / "none.json")
     with pytest.raises(jounce.StartError, match="not one that a run has saved"):

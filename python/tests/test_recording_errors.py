@@ -110,9 +110,9 @@ def test_files_of_recordings_that_cannot_be_read_or_written(tmp_path):
         (lambda: jounce.read_recordings(tmp_path / "cut.uff"), jounce.FileError, "is the file truncated"),
         (lambda: jounce.power(tmp_path / "empty.csv", "1 ohm"), jounce.FileError, "it is empty"),
         (lambda: recording.write(tmp_path / "a.xyz"), jounce.FileError, "the extension must be"),
-        (lambda: recording.write(tmp_path / "no/such/a.csv"), jounce.FileError, "not a folder"),
+        (lambda: recording.write(tmp_path / "empty.csv/a.csv"), jounce.FileError, "not a folder"),
         (lambda: recording.write(tmp_path / "a.uff"), jounce.RecordingError, "sample 1 of signal is NaN"),
-        (lambda: jounce.State("{}").write(tmp_path / "no/state.json"), jounce.FileError, "cannot be written"),
+        (lambda: jounce.State("{}").write(tmp_path / "empty.csv/state.json"), jounce.FileError, "cannot be written"),
     ]
     for call, kind, words in invalid_calls:
         with pytest.raises(kind, match=words):

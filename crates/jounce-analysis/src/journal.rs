@@ -130,6 +130,7 @@ mod tests {
         let journal = open();
         assert_eq!(journal.found(), ["a"]);
         journal.keep(&"b".to_owned()).unwrap();
+        drop(journal);
         assert_eq!(open().found(), ["a", "b"]);
     }
 }
