@@ -22,9 +22,10 @@ _WITHOUT_EFFECT = ("progress", "threads")
 
 @dataclass(frozen=True)
 class Call:
-    """A method of a spec or a recording, or a function of the package, with its arguments; the object of a method is the first one."""
+    """A function of the package, or a method, whose object is the first argument, with its arguments."""
 
     function: str
+    is_method: bool
     arguments: list[Any]
     keywords: dict[str, Any]
     #: SHA-256 of the files among the arguments.
@@ -32,8 +33,9 @@ class Call:
 
     def __str__(self) -> str:
         is_ours = [type(value).__module__.startswith("jounce.") for value in self.arguments]
-        names = [type(value).__name__ if ours else repr(value) for value, ours in zip(self.arguments, is_ours)]
-        return f"jounce.{self.function}({', '.join([*names, *(f'{name}={value!r}' for name, value in self.keywords.items())])})"
+        given = [type(value).__name__ if ours else repr(value) for value, ours in zip(self.arguments, is_ours)]
+        owner = f"{type(self.arguments[0]).__name__}." if self.is_method else ""
+        return f"jounce.{owner}{self.function}({', '.join([*given, *(f'{name}={value!r}' for name, value in self.keywords.items())])})"
 
     def repeat(self) -> Any:
         """Calls again; raises FileError where a file has changed since."""
@@ -44,16 +46,14 @@ class Call:
                 raise FileError(f"{path}: there is no such file; run in the folder of the call, which held it", {"path": path})
             if digest_of(path) != digest:
                 raise FileError(f"{path}: the file has changed since the result was computed: its SHA-256 differs", {"path": path})
-        function: Any = importlib.import_module("jounce")
-        for name in self.function.split("."):
-            function = getattr(function, name)
-        return function(*self.arguments, **self.keywords)
+        if self.is_method:
+            return getattr(self.arguments[0], self.function)(*self.arguments[1:], **self.keywords)
+        return getattr(importlib.import_module("jounce"), self.function)(*self.arguments, **self.keywords)
 
 
 def recorded(function: Callable[P, R]) -> Callable[P, R]:
     """Returns a function whose results keep their call. An argument that changes later does not change the call."""
-    # A method may be defined in a base of the public class.
-    name = function.__qualname__.replace("SpecOnRig.", "Spec.")
+    name, is_method = function.__name__, "." in function.__qualname__
 
     @functools.wraps(function)
     def call(*arguments: P.args, **keywords: P.kwargs) -> R:
@@ -64,7 +64,7 @@ def recorded(function: Callable[P, R]) -> Callable[P, R]:
         files = {path: digest_of(path) for path in _files([*kept, *named.values()])}
         result = function(*arguments, **keywords)
         # The call is no field: it takes no part in comparisons.
-        object.__setattr__(result, "_call", Call(name, kept, named, files))
+        object.__setattr__(result, "_call", Call(name, is_method, kept, named, files))
         return result
 
     return call

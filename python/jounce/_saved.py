@@ -36,7 +36,7 @@ def save(result: Result, path: str | PathLike[str]) -> None:
         try:
             structure["call"] = _encoded(result._call, arrays)
         except TypeError:
-            # An argument, such as a quantity of pint, has no form in a file.
+            # An argument, such as a quantity of pint, cannot be stored.
             del arrays[counted:]
 
     def fill(file: BinaryIO) -> None:
@@ -91,8 +91,8 @@ def load(path: str | PathLike[str]) -> Any:
 def rerun(path: str | PathLike[str]) -> Any:
     """Makes a saved result again from the call in its file, and compares all values bit by bit.
 
-    Calls of specs, harvesters and recordings are in the file, with their arguments and the recordings themselves; files among the arguments
-    must still exist, and be the same. A result of which a part was saved, and one of a study or of :func:`reproduce`, has no call.
+    The file holds the call with its arguments: the spec, and the recordings themselves. Files that the arguments name must be unchanged. A
+    part of a result has no call, nor has a result of a study or of :func:`reproduce`.
 
     Returns
     -------
@@ -116,8 +116,8 @@ def rerun(path: str | PathLike[str]) -> Any:
 
     saved = load(path)
     if saved._call is None:
-        reason = "only a result as a method of a spec or a function returned it, with arguments that have a form in a file, has one"
-        raise FileError(f"{fspath(path)}: the file has no record of its call; {reason}", {"path": fspath(path)})
+        remedy = "save the complete result of a call, whose arguments can be stored in a file"
+        raise FileError(f"{fspath(path)}: the file has no record of its call; {remedy}", {"path": fspath(path)})
     with warnings.catch_warnings():
         # The saved result has had its warnings.
         warnings.simplefilter("ignore")

@@ -8,12 +8,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from . import _core
-from ._arguments import check_integers, frequencies, names, optional_hz, options, to_si
+from ._arguments import check_integers, names, optional_hz, options, to_si
 from ._call import recorded
 from ._errors import ArgumentError, warn_not_settled
+from ._linear import LinearSpec
 from ._progress import Progress, progress_callback
 from ._ranges import sides, span, values
-from ._rig import SpecOnRig
 
 if TYPE_CHECKING:
     from ._basins import BasinsResult
@@ -22,15 +22,12 @@ if TYPE_CHECKING:
     from ._cite import CiteResult
     from ._diagram import DiagramResult
     from ._ensemble import EnsembleResult
-    from ._frf import FrfResult
-    from ._modes import ModesResult
-    from ._noise import NoiseResult
     from ._run import RunResult
     from ._state import State
     from ._sweep import SweepResult
 
 
-class Spec(SpecOnRig):
+class Spec(LinearSpec):
     """Harvester, always valid: an invalid change raises :class:`jounce.SpecError` with every fault, and changes nothing.
 
     Parameters
@@ -51,55 +48,6 @@ class Spec(SpecOnRig):
         from . import CiteResult
 
         return CiteResult._from_core_cite(_core.cite(self._spec))
-
-    @recorded
-    def modes(self, hold: str | Sequence[str] = (), *, fixed_table: bool = False) -> ModesResult:
-        """Computes natural frequencies, damping ratios, couplings and shapes without contact."""
-        from . import ModesResult
-
-        given = options(hold=names(hold), fixed_table=fixed_table)
-        return ModesResult._from_core(_core.modes(self._spec, given))
-
-    @recorded
-    def frf(
-        self,
-        frequency: Any = None,
-        *,
-        unit: Any = None,
-        low: Any = None,
-        high: Any = None,
-        points: int | None = None,
-        input: str | None = None,
-        base: bool = False,
-        hold: str | Sequence[str] = (),
-        fixed_table: bool = False,
-        open_circuit: bool = False,
-    ) -> FrfResult:
-        """Computes frequency responses without contact, per newton on ``input``, or per m/s^2 of the ``base``."""
-        from . import FrfResult
-
-        check_integers(points=points)
-        given = options(
-            frequency_hz=frequencies(frequency, unit),
-            low_hz=optional_hz(low, "low"),
-            high_hz=optional_hz(high, "high"),
-            points=points,
-            input=input,
-            base=base,
-            hold=names(hold),
-            fixed_table=fixed_table,
-            open_circuit=open_circuit,
-        )
-        return FrfResult._from_core_call(_core.frf(self._spec, given))
-
-    @recorded
-    def noise(self, *, low: Any = None, high: Any = None, points: int = 1000) -> NoiseResult:
-        """Computes the exact response to the noises of the spec without contact: means, mean squares, bandwidths, gap crossing rates."""
-        from . import NoiseResult
-
-        check_integers(points=points)
-        given = options(low_hz=optional_hz(low, "low"), high_hz=optional_hz(high, "high"), points=points)
-        return NoiseResult._from_core_call(_core.noise(self._spec, given))
 
     @recorded
     def run(

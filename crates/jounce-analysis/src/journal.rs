@@ -1,8 +1,8 @@
 //! Finished points on disk, from which an interrupted sweep or diagram resumes.
 //!
-//! Each finished point is appended as one JSON line. One process at a time holds the journal. When the journal is read, an
-//! incomplete last line is dropped. Numbers read back bit for bit. The journal is removed when its
-//! sweep is complete.
+//! Each finished point is appended as one JSON line. One process at a time holds the journal. When
+//! it is read, an incomplete last line is dropped. Numbers read back bit for bit. The journal is
+//! removed when its sweep is complete.
 
 use super::SweepPoint;
 use jounce_io::store;
@@ -58,7 +58,8 @@ impl<P: Serialize + DeserializeOwned> Journal<P> {
         let mut bytes = Vec::new();
         file.read_to_end(&mut bytes).map_err(fault)?;
         let (mut entries, mut complete_bytes) = (Vec::new(), 0);
-        // A damaged byte ends the journal: in place of it, a character would have another length.
+        // The bytes are read, not a text: in a text a damaged byte becomes a character of another
+        // length, and the cut below would be at a wrong place.
         for line in bytes.split_inclusive(|byte| *byte == b'\n') {
             match serde_json::from_slice::<P>(line) {
                 Ok(point) if line.ends_with(b"\n") => entries.push(point),

@@ -106,8 +106,8 @@ fn peaks(model: &Model, followed: &FrequencyBranch, branch: &Branch) -> Vec<Peak
             let noise_w = TOLERANCE * ends[0].orbit.mean_power_w;
             let point = piece.maximum((0.0, 1.0), noise_w)?.point;
             let orbits = (0..=2 * SIDE).map(|place| {
-                let beside = piece.at(point.x + DISTANCE * (place as f64 - SIDE as f64))?;
-                Some((beside.parameter(), piece.orbit(&beside)?))
+                let near = piece.at(point.x + DISTANCE * (place as f64 - SIDE as f64))?;
+                Some((near.parameter(), piece.orbit(&near)?))
             });
             Some(PeakPlace {
                 key: followed.key.path().to_owned(),
@@ -121,7 +121,7 @@ fn peaks(model: &Model, followed: &FrequencyBranch, branch: &Branch) -> Vec<Peak
     highest.filter_map(peak).collect()
 }
 
-/// Powers and their derivatives at one frequency: by the frequency, then by the keys.
+/// Derivatives of the mean power of an orbit: by the frequency, then by the keys.
 type Slopes = Vec<Derivative>;
 
 impl PeakPlace {
@@ -145,7 +145,7 @@ impl PeakPlace {
                 .map(|(k, weight)| weight * (value(SIDE + k) - value(SIDE - k)))
                 .sum()
         };
-        // Errors of the slopes, and of the truncation.
+        // The error is that of the truncation, and of the slopes.
         let second = |index: usize| {
             let [fine, coarse] = [0, 1].map(|order| difference(index, &WEIGHTS[order]));
             let noise = slopes

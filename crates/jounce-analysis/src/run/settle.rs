@@ -15,7 +15,8 @@ pub struct Settlement {
     pub settled: bool,
     /// Period of the orbit in drive cycles, up to the longest tested period.
     pub period_cycles: u32,
-    /// Relative change of the state (energy norm, free displacements times the drive frequency) over the last period of the orbit.
+    /// Relative change of the state over the last period of the orbit, in the energy norm; a free
+    /// displacement counts times the drive frequency.
     pub change: f64,
     /// Estimated relative distance to the periodic orbit; infinite if the changes do not decrease.
     pub distance: f64,

@@ -2,7 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Command of a file of results, with its input files. Like the manifest it contains no time and no machine.
+/// Command of a file of results, with its input files. Like the manifest it contains no time and no
+/// machine.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Record {
     /// Arguments of the program, without those that change no number: `--out`, `--json`,
