@@ -4,7 +4,7 @@
 //! to the orbit is about `d_2 r / (1 - r)`, `r = d_2 / d_1`: a slow mode changes little in a period
 //! and may still be far from its orbit.
 
-use jounce_dynamics::{Kernel, Trajectory};
+use jounce_dynamics::{Kernel, Trajectory, TrajectorySegment};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
@@ -35,13 +35,22 @@ pub const SETTLED_DISTANCE: f64 = 1e-4;
 /// Motion, relative to the forced response without contact, below which a body counts as at rest.
 const REST_MOTION_SHARE: f64 = 1e-9;
 
+/// Error of the integration over a period, in the energy norm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Noise {
+    /// Relative to the motion or, in contact, to the largest impact so far.
+    pub relative: f64,
+    /// Size of that impact; 0 without contact.
+    pub largest_impact: f64,
+}
+
 /// Applies the steady-state test to the state at each period of the drives at the end of the run.
 pub(super) fn settled(
     kernel: &Kernel,
     trajectory: &Trajectory,
     end_s: f64,
     period_s: f64,
-    noise: f64,
+    noise: Noise,
 ) -> Settlement {
     let times: Vec<f64> = (0..STROBE_STATES)
         .rev()
@@ -79,6 +88,17 @@ pub(super) fn settled(
         };
         norm((0..plant.len()).map(|i| scales[i] * amplitude(i).norm()))
     });
+    let begin_s = times.first().copied().unwrap_or(end_s);
+    let touches = |segment: &TrajectorySegment| {
+        segment.start_s + segment.length_s > begin_s && !segment.forces.is_empty()
+    };
+    let noise = match trajectory.segments().iter().any(touches) {
+        true => noise,
+        false => Noise {
+            largest_impact: 0.0,
+            ..noise
+        },
+    };
     settlement(
         &states,
         noise,
@@ -90,7 +110,7 @@ pub(super) fn settled(
 ///
 /// Changes below `noise` are errors of the integration, so their ratio is meaningless. Changes are
 /// relative to the norm of the last state, or to `least` if it is smaller.
-pub(super) fn settlement(states: &[Vec<f64>], noise: f64, least: f64) -> Settlement {
+fn settlement(states: &[Vec<f64>], noise: Noise, least: f64) -> Settlement {
     let mut best: Option<Settlement> = None;
     for period in 1..=MAX_PERIOD_CYCLES {
         let Some(first) = states.len().checked_sub(2 * period + 1) else {
@@ -102,12 +122,13 @@ pub(super) fn settlement(states: &[Vec<f64>], noise: f64, least: f64) -> Settlem
             &states[first + 2 * period],
         );
         let size = norm(last.iter().copied());
-        let change = |a: &[f64], b: &[f64]| {
-            norm(a.iter().zip(b).map(|(a, b)| a - b)) / size.max(least).max(f64::MIN_POSITIVE)
-        };
+        let scale = size.max(least).max(f64::MIN_POSITIVE);
+        let change = |a: &[f64], b: &[f64]| norm(a.iter().zip(b).map(|(a, b)| a - b)) / scale;
+        let is_error =
+            |change: f64| change * scale < noise.relative * scale.max(noise.largest_impact);
         let (before, now) = (change(middle, old), change(last, middle));
         let ratio = now / before;
-        let distance = match now < noise {
+        let distance = match is_error(now) {
             true => now,
             false if ratio < 1.0 => now * (ratio / (1.0 - ratio)).max(1.0),
             false => f64::INFINITY,
@@ -141,12 +162,17 @@ pub(super) fn norm(values: impl Iterator<Item = f64>) -> f64 {
 mod tests {
     use super::*;
 
+    const EXACT: Noise = Noise {
+        relative: 1e-12,
+        largest_impact: 0.0,
+    };
+
     #[test]
     fn a_slow_decay_is_not_settled_though_it_changes_little() {
         let states: Vec<Vec<f64>> = (0..STROBE_STATES)
             .map(|k| vec![1.0 + 0.05 * 0.999_f64.powi(k as i32)])
             .collect();
-        let result = settlement(&states, 1e-12, 0.0);
+        let result = settlement(&states, EXACT, 0.0);
         assert!(
             !result.settled
                 && result.change < 1e-4
@@ -160,7 +186,22 @@ mod tests {
         let states: Vec<Vec<f64>> = (0..STROBE_STATES)
             .map(|k| vec![1.0, if k % 2 == 0 { 0.1 } else { -0.1 }])
             .collect();
-        let result = settlement(&states, 1e-12, 0.0);
+        let result = settlement(&states, EXACT, 0.0);
         assert!(result.settled && result.period_cycles == 2, "{result:?}");
+    }
+
+    /// States that repeat to 9e-9 of the largest impact, and to 9e-6 of themselves.
+    #[test]
+    fn errors_relative_to_the_largest_impact_do_not_hide_steady_state() {
+        let errors = [1e-9, 3e-9, 0.0, 2e-9, 1e-9, 3e-9, 2e-9, 0.0, 9e-9];
+        let states: Vec<Vec<f64>> = errors.map(|error| vec![1e-3, error]).to_vec();
+        let noise = |largest_impact| Noise {
+            relative: 1e-7,
+            largest_impact,
+        };
+        let quiet = settlement(&states, noise(0.0), 0.0);
+        let struck = settlement(&states, noise(1.0), 0.0);
+        assert!(!quiet.settled && struck.settled, "{quiet:?} {struck:?}");
+        assert_eq!(struck.period_cycles, 1);
     }
 }

@@ -2,7 +2,7 @@
 
 use super::device::devices;
 use super::error::{check, check_outside};
-use super::settle::{STROBE_STATES, settled};
+use super::settle::{Noise, STROBE_STATES, settled};
 use super::{
     LeakResult, LoadResult, RectifiedResult, RunError, RunPlan, RunResult, StartState, StopResult,
 };
@@ -41,7 +41,10 @@ pub fn simulate(
     let wall_time = clock.elapsed();
     kernel.control.add_wall_time(wall_time);
     let trajectory = integrator.take_record();
-    let noise = 10.0 * plan.tolerance.max(1e-13);
+    let noise = Noise {
+        relative: 10.0 * plan.tolerance.max(1e-13),
+        largest_impact: integrator.largest_impact_sqrt_j(),
+    };
     let settlement = period_s.map(|period_s| settled(kernel, &trajectory, end_s, period_s, noise));
     let energies = integrator.energies();
     let statistics = integrator.statistics();

@@ -226,6 +226,30 @@ mod tests {
         assert!(!step.is_clear(), "a point that stays is not clear");
     }
 
+    /// `g = 2.6e-21 - 1e-10 t + t^2` has its minimum, above zero, at `t = 5e-11`.
+    #[test]
+    fn a_point_that_turns_back_before_it_leaves_its_stop_impacts() {
+        let (past_m, out_m_s) = (2.6e-21, 1e-10);
+        let mut step = FlightStep {
+            length_s: 1.0,
+            distance_m: [past_m, past_m - out_m_s + 1.0],
+            speed_m_s: [-out_m_s, 2.0 - out_m_s],
+            fourth_bound: 0.0,
+            fast_m: 0.0,
+            fast_bound_m: 0.0,
+            fast_bound_m_s: 0.0,
+        };
+        let turns_s = step.crossing_s().unwrap_or(1.0);
+        assert!((turns_s / 5e-11 - 1.0).abs() < 1e-3, "{turns_s}");
+        step.distance_m[1] = past_m - out_m_s;
+        step.speed_m_s[1] = -out_m_s;
+        assert_eq!(
+            step.crossing_s(),
+            None,
+            "a point that leaves does not impact"
+        );
+    }
+
     #[test]
     fn finds_the_first_of_two_crossings() {
         // (x - 0.2)(x - 0.6)(x - 1.5) rises through 0.2

@@ -65,13 +65,16 @@ impl FlightStep {
     pub fn crossing_s(&self) -> Option<f64> {
         let [p0, p1, p2, p3] = self.cubic().map(|p| p + self.fast_m);
         // Between its turning points the cubic is monotone: search each interval in order. A point
-        // past its stop by roundoff impacts at once if it moves in, and only after it has left if
-        // it moves out.
+        // past its stop by roundoff impacts at once if it moves in. If it moves out, it impacts
+        // after it has left, or where it turns back before that.
         let mut interval = (0.0, if p1 < p0 { p0 } else { p0.min(0.0) });
         for x in self.turning_points().into_iter().flatten().chain([1.0]) {
             let at = bezier([p0, p1, p2, p3], x);
             if at > 0.0 && interval.1 <= 0.0 {
                 return Some(self.length_s * self.zero_between(interval.0, x));
+            }
+            if at > interval.1 && interval.1 > 0.0 {
+                return Some(self.length_s * interval.0);
             }
             interval = (x, at);
         }

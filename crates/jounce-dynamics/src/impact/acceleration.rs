@@ -18,22 +18,17 @@ pub(crate) const RESOLVED_ROUNDOFFS: f64 = 4.0;
 impl Integrator<'_> {
     /// True where the motion presses a touching point onto its stop.
     pub(super) fn is_pressed(&self, p: usize) -> bool {
-        self.presses(p, self.acceleration_m_s2(p), || self.jerk_m_s3(p))
+        self.presses(p, self.pressing_acceleration_m_s2(p))
     }
 
     /// True where an acceleration towards the stop presses a touching point: at present, or, where
     /// it is roundoff or changes its sign within the shortest step, in the next moment.
-    pub(crate) fn presses(
-        &self,
-        p: usize,
-        acceleration_m_s2: f64,
-        jerk_m_s3: impl FnOnce() -> f64,
-    ) -> bool {
+    pub(crate) fn presses(&self, p: usize, acceleration_m_s2: f64) -> bool {
         let roundoff_m_s2 = self.acceleration_roundoff_m_s2(p);
         if acceleration_m_s2 > roundoff_m_s2 {
             return true;
         }
-        let jerk_m_s3 = jerk_m_s3();
+        let jerk_m_s3 = self.jerk_m_s3(p) - self.jerk_by_stops_m_s3(p);
         let next_m_s2 = acceleration_m_s2 + jerk_m_s3 * Kernel::length_s(Kernel::finest());
         jerk_m_s3 > 0.0 && next_m_s2 >= -roundoff_m_s2
     }
@@ -51,7 +46,7 @@ impl Integrator<'_> {
     }
 
     /// Returns the rate of the acceleration towards the stop without contact force, m/s^3.
-    pub(crate) fn jerk_m_s3(&self, p: usize) -> f64 {
+    fn jerk_m_s3(&self, p: usize) -> f64 {
         let row = self.layout.pack(
             &self
                 .kernel

@@ -71,7 +71,7 @@ impl Integrator<'_> {
         if rebound == 0.0 && self.ports[p].contact_state == ContactState::Contact {
             // The omitted bounces, a geometric series, do not count as sticking.
             let omitted_s = 2.0 * law.restitution * before
-                / ((1.0 - law.restitution) * self.acceleration_m_s2(p));
+                / ((1.0 - law.restitution) * self.pressing_acceleration_m_s2(p));
             self.ports[p].statistics.sticking_s -= if omitted_s.is_finite() {
                 omitted_s
             } else {
@@ -104,7 +104,8 @@ impl Integrator<'_> {
             MIN_HOP_HEIGHT * self.distance_roundoff_m(p) + MIN_HOP_PAST_STOP * depth_m.max(0.0);
         // Where the pressing acceleration is roundoff the point leaves: sticking would release it
         // at once.
-        rate_m_s * rate_m_s <= 2.0 * self.acceleration_m_s2(p) * least_m && self.is_pressed(p)
+        rate_m_s * rate_m_s <= 2.0 * self.pressing_acceleration_m_s2(p) * least_m
+            && self.is_pressed(p)
     }
 
     /// Sets a point that leaves an impact at a speed: it flies, or sticks where it has no speed and

@@ -122,6 +122,14 @@ impl Integrator<'_> {
             .collect()
     }
 
+    /// Returns the largest impact so far in the energy norm, sqrt(J): the tolerance is relative to
+    /// it in contact.
+    pub fn largest_impact_sqrt_j(&self) -> f64 {
+        let size = |port: &PortState| port.impact_velocity_m_s / port.rows.mobility_per_kg.sqrt();
+        let stops = self.kernel.plant.system.stops.len();
+        self.ports.iter().take(stops).map(size).fold(0.0, f64::max)
+    }
+
     /// Resets the contact statistics, not the energies.
     pub fn reset_statistics(&mut self) {
         let stops = &self.kernel.plant.system.stops;

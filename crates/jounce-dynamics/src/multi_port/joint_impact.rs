@@ -14,7 +14,7 @@
 //!
 //! Source: J. J. Moreau, Unilateral contact and dry friction in finite freedom dynamics, 1988.
 
-use super::sticking::MIN_RELATIVE_MOBILITY;
+use super::holding::MIN_RELATIVE_MOBILITY;
 use crate::integrator::Integrator;
 use jounce_linalg::Mat;
 use jounce_model::contact::Law;

@@ -21,12 +21,13 @@
 //! - *A port too far off* for an impact within a step is not monitored (see [`clearance`]).
 //! - *An impact during a contact* ends the step there, by Newton on its length, so that the new
 //!   contact starts on its own onset.
-//! - *Rigid stops*: see [`impacts`], [`joint_impact`] and [`sticking`].
+//! - *Rigid stops*: see [`impacts`], [`joint_impact`], [`sticking`] and [`holding`].
 
 mod clearance;
 mod commit;
 mod flight;
 mod free_ports;
+mod holding;
 mod impacts;
 mod joint_contact;
 mod joint_impact;

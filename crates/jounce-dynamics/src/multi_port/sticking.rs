@@ -12,12 +12,10 @@
 use super::joint_solve::{JointStep, PortIterate};
 use crate::contact::IMPULSE_ERROR_SHARE;
 use crate::contact::step::SolvedStep;
-use crate::error::IntegrationError;
 use crate::flow::state::columns;
 use crate::force_response::basis::{NODES, SMOOTH_BASIS};
 use crate::impact::acceleration::acceleration;
 use crate::integrator::Integrator;
-use crate::ports::state::ContactState;
 use crate::tables::contact::StickingTable;
 use crate::tables::joint::JointTables;
 use jounce_linalg::{Mat, c64};
@@ -25,10 +23,6 @@ use jounce_simd::{F64x8, LANES, Portable, Simd};
 
 /// Largest accepted relative mismatch of a holding force at the end of a step, times the tolerance.
 const HOLDING_FORCE_TOLERANCE: f64 = 1e-2;
-
-/// Remaining mobility of a second sticking port, relative to its own, below which both constrain
-/// the same motion.
-pub(super) const MIN_RELATIVE_MOBILITY: f64 = 1e-10;
 
 /// Sticking ports on a step.
 pub struct StickingPorts {
@@ -237,91 +231,5 @@ impl Integrator<'_> {
             *free += self.excitation.acceleration_after(port, node * length_s);
         }
         free
-    }
-
-    /// Releases sticking ports whose stop would have to pull, starting with the largest pull.
-    ///
-    /// # Errors
-    /// [`IntegrationError::RestsTwice`] where two stops constrain the same motion.
-    pub(super) fn release(&mut self) -> Result<(), IntegrationError> {
-        loop {
-            let resting: Vec<usize> = self
-                .ports_in(ContactState::Contact)
-                .filter(|p| self.is_rigid(*p))
-                .collect();
-            let Some(forces) = self.holding_forces(&resting)? else {
-                return Ok(());
-            };
-            let weakest = (0..resting.len()).min_by(|a, b| forces[*a].total_cmp(&forces[*b]));
-            match weakest.filter(|index| self.pulls(resting[*index], forces[*index])) {
-                // It leaves from rest, whatever the roundoff of its motion.
-                Some(index) => {
-                    self.set_motion(resting[index], [0.0, 0.0]);
-                    self.ports[resting[index]].contact_state = ContactState::Flight;
-                }
-                None => return Ok(()),
-            }
-        }
-    }
-
-    /// True where a holding force would have to pull.
-    fn pulls(&self, p: usize, force_n: f64) -> bool {
-        let acceleration_m_s2 = force_n * self.ports[p].rows.mobility_per_kg;
-        !self.presses(p, acceleration_m_s2, || {
-            self.jerk_m_s3(p) - self.jerk_by_stops_m_s3(p)
-        })
-    }
-
-    /// Returns the rate of the acceleration of a port by the forces of the compliant stops in
-    /// contact, m/s^3; their damping contributes by the acceleration without forces.
-    fn jerk_by_stops_m_s3(&self, p: usize) -> f64 {
-        self.ports_in(ContactState::Contact)
-            .filter(|q| !self.is_rigid(*q))
-            .map(|q| {
-                let port = &self.ports[q];
-                let slopes = self.law(q).slopes(port.penetration_m, port.rate_m_s);
-                let rate_n_s = slopes.stiffness_n_m * port.rate_m_s
-                    + slopes.damping_n_s_m * self.acceleration_m_s2(q);
-                self.mobility_per_kg(p, q) * rate_n_s
-            })
-            .sum()
-    }
-
-    /// Returns the forces that hold the sticking ports at the current time, N; `None` without one.
-    fn holding_forces(&self, resting: &[usize]) -> Result<Option<Vec<f64>>, IntegrationError> {
-        if resting.is_empty() {
-            return Ok(None);
-        }
-        let pressed = self.forces_n();
-        let count = resting.len();
-        let matrix = Mat::from_fn(count, count, |a, b| {
-            self.mobility_per_kg(resting[a], resting[b])
-        });
-        let (inverse, pivots) = jounce_linalg::inverse_fully_pivoted(&matrix);
-        if pivots[count - 1] <= MIN_RELATIVE_MOBILITY * pivots[0] {
-            let stops = resting
-                .iter()
-                .map(|p| self.kernel.plant.system.stops[*p].name.clone())
-                .collect();
-            return Err(IntegrationError::RestsTwice {
-                time_s: self.time_s,
-                stops,
-            });
-        }
-        let right: Vec<f64> = (resting.iter())
-            .map(|a| {
-                self.acceleration_m_s2(*a)
-                    - pressed
-                        .iter()
-                        .enumerate()
-                        .map(|(c, f)| self.mobility_per_kg(*a, c) * f)
-                        .sum::<f64>()
-            })
-            .collect();
-        Ok(Some(
-            (0..count)
-                .map(|a| (0..count).map(|b| inverse[(a, b)] * right[b]).sum())
-                .collect(),
-        ))
     }
 }

@@ -57,6 +57,17 @@ fn random_runs_agree_with_brute_force() {
     assert!(tally.agree > 130, "{tally}");
 }
 
+/// Harvesters that disagreed before a defect was mended.
+const MENDED: [u64; 4] = [260, 319, 647, 936];
+
+#[test]
+fn mended_runs_agree_with_brute_force() {
+    for index in MENDED {
+        let tally = Tally::of(index, 1);
+        assert!(tally.disagree.is_empty(), "{tally}");
+    }
+}
+
 #[test]
 fn many_random_runs_agree_with_brute_force() {
     let Some(count) = number("JOUNCE_DRAWN_RUNS") else {

@@ -104,6 +104,35 @@ fn a_mass_that_chatters_to_rest_is_struck() {
     assert!(energies.residual_relative().abs() < 1e-8 && energies.contact_loss_j > 0.0);
 }
 
+/// The spring of the mass would take it off the anvil, and a second stop presses it on. After its
+/// bounces, which end within a few of their first duration, the energy of its speed is lost.
+#[test]
+fn a_mass_pressed_by_a_second_stop_comes_to_rest() {
+    let mut system = springs(&[5.0], 0.0);
+    let (anvil, spring) = (
+        Law::Rigid(Rigid { restitution: 0.866 }),
+        Law::Hertz(Hertz {
+            stiffness: 1e5,
+            exponent: 1.0,
+        }),
+    );
+    system.stops = vec![
+        stop("anvil", &[-1.0], 2e-3, anvil),
+        stop("spring", &[1.0], -3e-3, spring),
+    ];
+    let kernel = kernel(system);
+    for tolerance in [1e-6, 1e-9, 1e-12] {
+        let integrator = integrate(&kernel, &[-2e-3, 0.1], 0.0, 0.5, tolerance);
+        let (state, energies) = (physical(&integrator, &kernel), integrator.energies());
+        let statistics = integrator.statistics_by_stop()[0];
+        eprintln!("{state:?}, {energies:?}, {statistics:?}");
+        assert!((state[0] + 2e-3).abs() < 1e-15 && state[1].abs() < 1e-12);
+        let loss_j = 0.5 * 0.1 * 0.1;
+        assert!((energies.contact_loss_j / loss_j - 1.0).abs() < 10.0 * tolerance);
+        assert!(statistics.sticking_s > 0.45 && statistics.contacts < 300);
+    }
+}
+
 /// Two masses each stick to their own stop; two stops under one mass cannot share its force.
 #[test]
 fn rest_on_two_stops_is_simulated_or_refused() {
