@@ -18,6 +18,22 @@ const C9: f64 = 127.0 / 195.0;
 const C10: f64 = 0.6;
 const C11: f64 = 6.0 / 7.0;
 
+/// Weights of the rates at the stages 1 to 12 in the state after a step.
+pub const WEIGHTS: [f64; 12] = [
+    5.429_373_411_656_876_5e-2,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    4.450_312_892_752_409,
+    1.891_517_899_314_500_3,
+    -5.801_203_960_010_585,
+    3.111_643_669_578_199e-1,
+    -1.521_609_496_625_161e-1,
+    2.013_654_008_040_303_4e-1,
+    4.471_061_572_777_259e-2,
+];
+
 /// State after a step, and its error estimate relative to `weights`.
 pub struct Stepped<const D: usize> {
     pub state: [f64; D],
@@ -150,14 +166,14 @@ pub fn step<const D: usize>(
     let [_, _, k4, k5, k6, k7, k8] = first_stages(&rate, (t, h), y, k1);
     let [k9, k10, k11, k12] = last_stages(&rate, (t, h), y, [k1, &k4, &k5, &k6, &k7, &k8]);
     let terms = [
-        (5.429_373_411_656_876_5e-2, k1),
-        (4.450_312_892_752_409, &k6),
-        (1.891_517_899_314_500_3, &k7),
-        (-5.801_203_960_010_585, &k8),
-        (3.111_643_669_578_199e-1, &k9),
-        (-1.521_609_496_625_161e-1, &k10),
-        (2.013_654_008_040_303_4e-1, &k11),
-        (4.471_061_572_777_259e-2, &k12),
+        (WEIGHTS[0], k1),
+        (WEIGHTS[5], &k6),
+        (WEIGHTS[6], &k7),
+        (WEIGHTS[7], &k8),
+        (WEIGHTS[8], &k9),
+        (WEIGHTS[9], &k10),
+        (WEIGHTS[10], &k11),
+        (WEIGHTS[11], &k12),
     ];
     let state = stage_state(y, h, terms);
     let fifth = [

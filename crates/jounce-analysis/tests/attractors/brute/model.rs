@@ -222,7 +222,7 @@ impl<const N: usize, const D: usize> ReferenceModel<N, D> {
         }
         work.leak_j = y[2 * N] * y[2 * N] * self.leak;
         for (stop, phase) in self.stops.iter().zip(phases) {
-            if *phase == Phase::Pushing {
+            if *phase == Phase::Pushing && stop.law.is_damped() {
                 let [d, speed] = self.depth(stop, y);
                 let force = stop.law.force(*phase, d, speed);
                 work.contact_j += (force - stop.law.elastic(d)) * speed;

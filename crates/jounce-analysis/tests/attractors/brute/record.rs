@@ -1,8 +1,10 @@
 //! Contacts and energies of an integration.
 
-use super::flow::{Flow, Motion};
+use super::dormand_prince::{WEIGHTS, step};
+use super::flow::{Flow, Motion, NONE};
 use super::guard::Guard;
 use super::law::{Law, Phase};
+use std::cell::Cell;
 
 /// Begin or end of a contact.
 #[derive(Debug, Clone, Copy)]
@@ -58,29 +60,28 @@ impl Record {
     }
 }
 
-/// Nodes and weights of the quadrature of Gauss and Legendre on `[0, 1]`, n = 4: Abramowitz and
-/// Stegun, *Handbook of Mathematical Functions*, table 25.4.
-const GAUSS: [[f64; 2]; 4] = [
-    [0.069_431_844_202_973_71, 0.173_927_422_568_726_93],
-    [0.330_009_478_207_571_87, 0.326_072_577_431_273_07],
-    [0.669_990_521_792_428_1, 0.326_072_577_431_273_07],
-    [0.930_568_155_797_026_3, 0.173_927_422_568_726_93],
-];
-
 impl<const N: usize, const D: usize> Flow<'_, N, D> {
-    /// Adds the energies of a Runge-Kutta step of length `h` from a motion, if they are recorded.
+    /// Adds the energies of a Runge-Kutta step of length `h` from a motion, if they are recorded: the
+    /// powers at its stages with the weights of the method.
     pub fn add_work(&self, motion: &mut Motion<D>, (t, h): (f64, f64), rate: &[f64; D]) {
         let Some(record) = &motion.record else {
             return;
         };
-        let mut work = record.work;
-        for [node, weight] in GAUSS {
-            let state = self.step(motion, t, node * h, rate).state;
-            let powers = self.model.powers(t + node * h, &state, &motion.phases);
-            work = work.plus(&powers, weight * h);
-        }
+        let phases = &motion.phases;
+        let power = |t: f64, y: &[f64; D]| self.model.powers(t, y, phases);
+        let first = power(t, &motion.state);
+        let work = Cell::new(record.work.plus(&first, WEIGHTS[0] * h));
+        let stage = Cell::new(1);
+        let right = |t: f64, y: &[f64; D]| {
+            let weight = WEIGHTS[stage.replace(stage.get() + 1)];
+            if weight != 0.0 {
+                work.set(work.get().plus(&power(t, y), weight * h));
+            }
+            self.model.rate(t, y, phases, NONE)
+        };
+        step(right, (t, h), (&motion.state, rate), &self.model.weights);
         if let Some(record) = &mut motion.record {
-            record.work = work;
+            record.work = work.get();
         }
     }
 

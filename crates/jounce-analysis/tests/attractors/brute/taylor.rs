@@ -14,7 +14,7 @@
 //! Mathematics 14 (2005) 99.
 
 use super::law::{Law, Phase};
-use super::model::{Phases, ReferenceModel};
+use super::model::{Phases, ReferenceModel, STOPS};
 
 /// Order of the series.
 pub const ORDER: usize = 24;
@@ -63,9 +63,11 @@ impl<const N: usize, const D: usize> ReferenceModel<N, D> {
     /// Returns the force that is not linear, or `None` where a phase has no series here.
     pub fn series_force(&self, phases: &Phases) -> Option<Force> {
         let mut force = Force::Linear;
+        if phases == &[Phase::Resting; STOPS] {
+            return None;
+        }
         for (p, stop) in self.stops.iter().enumerate() {
             match phases[p] {
-                Phase::Resting => return None,
                 Phase::Pushing if stop.law.linear().is_none() => {
                     if force != Force::Linear {
                         return None;
@@ -93,6 +95,8 @@ pub struct Series<const D: usize> {
     pub time: Coefficients,
     /// The variable `u`; unused without a force.
     pub root: Coefficients,
+    /// Acceleration towards the stop that a sticking point would have without it.
+    pub hold: Coefficients,
 }
 
 /// Coefficients in both orders, zero where they are not computed yet, so that every product is a sum
@@ -243,6 +247,7 @@ impl<const N: usize, const D: usize> ReferenceModel<N, D> {
             state: [[0.0; D]; ORDER + 1],
             time: [0.0; ORDER + 1],
             root: [0.0; ORDER + 1],
+            hold: [0.0; ORDER + 1],
         };
         let mut products = Products::new();
         (series.state[0], series.root[0]) = (*y, root);
@@ -266,6 +271,13 @@ impl<const N: usize, const D: usize> ReferenceModel<N, D> {
                     products.force(force, k, (series.root[k], speed))
                 };
                 (0..N).for_each(|i| rate[N + i] -= stop.shape[i] * size);
+            }
+            for (stop, phase) in self.stops.iter().zip(phases) {
+                if *phase == Phase::Resting {
+                    series.hold[k] = stop.along(&rate)[1];
+                    let size = series.hold[k] / stop.square;
+                    (0..N).for_each(|i| rate[N + i] -= stop.shape[i] * size);
+                }
             }
             products.rate[k] = rate;
             let (state, clock) = products.derivatives(force, k);

@@ -11,6 +11,9 @@ use super::taylor::{Coefficients, Force, ORDER, Series};
 /// An event function must grow by this many times its roundoff over a step that starts at its zero.
 const CLEAR: f64 = 1e4;
 
+/// Largest distance past the zero of a holding force, relative to the length of the step.
+const LEAST_FALL: f64 = 1e-10;
+
 /// End of a step by a series.
 pub struct TaylorEnd<const D: usize> {
     pub state: [f64; D],
@@ -26,9 +29,15 @@ pub struct TaylorEnd<const D: usize> {
 
 /// Value of a polynomial vector.
 pub fn vector<const D: usize>(series: &[[f64; D]; ORDER + 1], s: f64) -> [f64; D] {
-    let mut y = series[ORDER];
-    for k in (0..ORDER).rev() {
-        (0..D).for_each(|i| y[i] = y[i] * s + series[k][i]);
+    vector_from(0, series, s)
+}
+
+/// Value of the components from number `first` on; zero in the others.
+#[inline(always)]
+fn vector_from<const D: usize>(first: usize, series: &[[f64; D]; ORDER + 1], s: f64) -> [f64; D] {
+    let mut y = [0.0; D];
+    for k in (0..=ORDER).rev() {
+        (first..D).for_each(|i| y[i] = y[i] * s + series[k][i]);
     }
     y
 }
@@ -112,12 +121,16 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
     fn work(&self, t: f64, series: &Series<D>, end: f64, phases: &Phases) -> Work {
         let half = 0.5 * end;
         let mut work = Work::default();
+        let mut stops = self.model.stops.iter().zip(phases);
+        let loses = stops.any(|(stop, phase)| *phase == Phase::Pushing && stop.law.is_damped());
+        // Displacements matter in damped contacts only.
+        let first = if loses { 0 } else { N };
         for [node, weight] in GAUSS {
             for at in [half * (1.0 - node), half * (1.0 + node)] {
                 let [after, speed] = value_and_slope(&series.time, at);
-                let powers = self
-                    .model
-                    .powers(t + after, &vector(&series.state, at), phases);
+                let powers =
+                    self.model
+                        .powers(t + after, &vector_from(first, &series.state, at), phases);
                 work = work.plus(&powers, half * weight * speed);
             }
         }
@@ -163,7 +176,10 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
                 continue;
             }
             let (polynomial, roundoff) = self.event_series(series, motion, (guard, force), end);
-            if let Some(at) = first_zero(&polynomial, roundoff, end)? {
+            if let Some(mut at) = first_zero(&polynomial, roundoff, end)? {
+                if matches!(guard, Guard::Hold(_)) {
+                    at = past_zero(&polynomial, roundoff, at)?;
+                }
                 (end, event) = (at, Some(guard));
             }
         }
@@ -205,6 +221,9 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
     ) -> (Coefficients, f64) {
         let (Guard::Surface(p) | Guard::Push(p) | Guard::Hold(p)) = guard;
         let stop = &self.model.stops[p];
+        if matches!(guard, Guard::Hold(_)) {
+            return (series.hold, 8.0 * f64::EPSILON * terms(&series.hold, end));
+        }
         let is_surface = matches!(guard, Guard::Surface(_));
         if is_surface && force.stop() == Some(p) {
             return (series.root, f64::EPSILON * terms(&series.root, end));
@@ -245,6 +264,14 @@ fn first_zero(polynomial: &Coefficients, roundoff: f64, end: f64) -> Option<Opti
     let mut quotient = [0.0; ORDER + 1];
     quotient[..ORDER].copy_from_slice(&polynomial[1..]);
     first_root(&quotient, end, 0.0).ok()
+}
+
+/// Point just past a zero that a polynomial falls through: a holding force that has vanished must not
+/// press there. `None` where it falls too slowly.
+fn past_zero(polynomial: &Coefficients, roundoff: f64, at: f64) -> Option<f64> {
+    let [value, slope] = value_and_slope(polynomial, at);
+    let past = (value.max(0.0) + roundoff) / -slope;
+    (past > 0.0 && past < LEAST_FALL * at).then_some(at + past)
 }
 
 /// Point before `end` where the time, which grows up to there, has a value.
