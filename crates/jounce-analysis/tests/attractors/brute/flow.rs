@@ -229,9 +229,11 @@ impl<const N: usize, const D: usize> Flow<'_, N, D> {
         )[1];
         let after = e * before.max(0.0);
         let is_slow = after <= CHATTER_SPEED * stop.square.sqrt() * motion.size;
-        let rests = is_slow
-            && 2.0 * after <= CHATTER_CYCLES * self.model.cycle_s * pressed * (1.0 - e)
-            && pressed > 0.0;
+        let is_short = 2.0 * after <= CHATTER_CYCLES * self.model.cycle_s * pressed * (1.0 - e);
+        // A bounce lower than the roundoff of its height has no end.
+        let roundoff = self.model.roundoff(Guard::Surface(p), &motion.state);
+        let is_unresolved = after * after <= 2.0 * pressed * roundoff;
+        let rests = pressed > 0.0 && ((is_slow && is_short) || is_unresolved);
         let change = if rests { before } else { before + after };
         if let Some(record) = &mut motion.record {
             let kept = if rests { 0.0 } else { after };

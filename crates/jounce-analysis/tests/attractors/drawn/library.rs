@@ -2,10 +2,13 @@
 
 use super::independent::{AT_START, Contact};
 use super::system::Drawn;
+use super::verdict::Verdict;
 use jounce_analysis::run::{RunPlan, RunResult, StartState, simulate};
+use jounce_control::Control;
 use jounce_dynamics::{Kernel, Trajectory};
 use jounce_model::contact::Law;
 use jounce_model::plant::System;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// A run of the library.
 pub struct LibraryRun {
@@ -16,8 +19,11 @@ pub struct LibraryRun {
     pub end: Vec<f64>,
 }
 
-/// Runs a harvester; the error is the reason of a refusal.
-pub fn run(drawn: &Drawn) -> Result<LibraryRun, String> {
+/// Calls of the control, each after a few dozen steps, after which a run is stopped as endless.
+const MOST_CALLS: usize = 20_000;
+
+/// Runs a harvester; the error is a refusal, or a disagreement where the run does not end.
+pub fn run(drawn: &Drawn) -> Result<LibraryRun, Verdict> {
     let plant = drawn.plant.clone();
     let n = plant.system.modes.len();
     let start = StartState {
@@ -26,7 +32,15 @@ pub fn run(drawn: &Drawn) -> Result<LibraryRun, String> {
         voltage_v: drawn.start[2 * n..].to_vec(),
         ..StartState::rest(&plant)
     };
-    let kernel = Kernel::new(plant).map_err(|error| error.to_string())?;
+    let calls = AtomicUsize::new(0);
+    let control = Control::with_callback(move |control| {
+        if calls.fetch_add(1, Ordering::Relaxed) == MOST_CALLS {
+            control.stop();
+        }
+    });
+    let kernel = Kernel::new(plant)
+        .map_err(|error| Verdict::Refused(error.to_string()))?
+        .with_control(&control);
     let cycle_s = kernel.plant.system.drives[0].frequency_hz.recip();
     let duration_s = drawn.cycles as f64 * cycle_s;
     let plan = RunPlan {
@@ -35,7 +49,10 @@ pub fn run(drawn: &Drawn) -> Result<LibraryRun, String> {
         tolerance: drawn.tolerance,
         record_s: duration_s,
     };
-    let result = simulate(&kernel, &start, &plan).map_err(|error| error.to_string())?;
+    let result = simulate(&kernel, &start, &plan).map_err(|error| match control.is_quiet() {
+        true => Verdict::Refused(error.to_string()),
+        false => Verdict::Disagree(format!("no end: {error}")),
+    })?;
     let system = &kernel.plant.system;
     let after_s = AT_START * cycle_s;
     let contacts = (0..system.stops.len())

@@ -101,8 +101,8 @@ pub fn compare(drawn: &Drawn) -> Comparison {
     let begin = Instant::now();
     let library = match library::run(drawn) {
         Ok(library) => library,
-        Err(reason) => {
-            comparison.verdict = Verdict::Refused(reason);
+        Err(verdict) => {
+            comparison.verdict = verdict;
             return comparison;
         }
     };
