@@ -4,7 +4,7 @@
 //! to the orbit is about `d_2 r / (1 - r)`, `r = d_2 / d_1`: a slow mode changes little in a period
 //! and may still be far from its orbit.
 
-use jounce_dynamics::{Kernel, Trajectory, TrajectorySegment};
+use jounce_dynamics::{Integrator, Kernel, Trajectory, TrajectorySegment};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
@@ -42,6 +42,16 @@ pub(super) struct Noise {
     pub relative: f64,
     /// Size of that impact; 0 without contact.
     pub largest_impact: f64,
+}
+
+impl Noise {
+    /// Ten tolerances.
+    pub fn of(integrator: &Integrator, tolerance: f64) -> Self {
+        Self {
+            relative: 10.0 * tolerance.max(1e-13),
+            largest_impact: integrator.largest_impact_sqrt_j(),
+        }
+    }
 }
 
 /// Applies the steady-state test to the state at each period of the drives at the end of the run.

@@ -41,10 +41,7 @@ pub fn simulate(
     let wall_time = clock.elapsed();
     kernel.control.add_wall_time(wall_time);
     let trajectory = integrator.take_record();
-    let noise = Noise {
-        relative: 10.0 * plan.tolerance.max(1e-13),
-        largest_impact: integrator.largest_impact_sqrt_j(),
-    };
+    let noise = Noise::of(&integrator, plan.tolerance);
     let settlement = period_s.map(|period_s| settled(kernel, &trajectory, end_s, period_s, noise));
     let energies = integrator.energies();
     let statistics = integrator.statistics();

@@ -12,7 +12,7 @@ use super::taylor::{Coefficients, Force, ORDER, Series};
 const CLEAR: f64 = 1e4;
 
 /// Largest distance past the zero of a holding force, relative to the length of the step.
-const LEAST_FALL: f64 = 1e-10;
+const MAX_PAST_ZERO: f64 = 1e-10;
 
 /// End of a step by a series.
 pub struct TaylorEnd<const D: usize> {
@@ -271,7 +271,7 @@ fn first_zero(polynomial: &Coefficients, roundoff: f64, end: f64) -> Option<Opti
 fn past_zero(polynomial: &Coefficients, roundoff: f64, at: f64) -> Option<f64> {
     let [value, slope] = value_and_slope(polynomial, at);
     let past = (value.max(0.0) + roundoff) / -slope;
-    (past > 0.0 && past < LEAST_FALL * at).then_some(at + past)
+    (past > 0.0 && past < MAX_PAST_ZERO * at).then_some(at + past)
 }
 
 /// Point before `end` where the time, which grows up to there, has a value.
