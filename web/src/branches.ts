@@ -1,13 +1,15 @@
 // Data of a response: branches, bifurcations, the linear harvester.
 
 import type { Frame } from "./frame";
+import type { Request } from "./wire";
 
-export type Quantity = "power" | "voltage" | "penetration" | "floquet";
+export type Quantity = "power" | "voltage" | "penetration" | "displacement" | "floquet";
 
 export const QUANTITIES: Record<Quantity, { words: string; unit: string }> = {
     power: { words: "Mean power", unit: "W" },
     voltage: { words: "Voltage, rms", unit: "V" },
     penetration: { words: "Penetration, peak", unit: "m" },
+    displacement: { words: "Displacement at the stop, half peak to peak", unit: "m" },
     floquet: { words: "Largest multiplier", unit: "" },
 };
 
@@ -28,11 +30,14 @@ export interface Bifurcation {
     power: number;
     voltage: number;
     penetration: number;
+    displacement: number;
     floquet: number;
 }
 
 export interface ResponseResult {
     id: number;
+    /** Signature of its design. */
+    design: string;
     over: string;
     unit: string;
     branches: Branch[];
@@ -56,14 +61,14 @@ export interface Place {
 }
 
 /** Reads the frame of a response. */
-export function resultOf(frame: Frame): ResponseResult {
+export function resultOf(frame: Frame, { design }: Request): ResponseResult {
     const { head } = frame;
     const branches = (head.branches as { period: number }[]).map((branch, k): Branch => {
         const values = Object.fromEntries(Object.keys(QUANTITIES).map((name) => [name, frame.array(`${k}.${name}`)]));
         return { identity: k, period: branch.period, x: frame.array(`${k}.x`), values: values as Branch["values"], contacts: frame.array(`${k}.contacts`) };
     });
     const linear = { x: frame.array("linear.x"), power: frame.array("linear.power") };
-    return { id: head.id, over: head.over, unit: head.unit, branches, bifurcations: head.bifurcations, linear, draft: head.stage === "first" ? { origin: "first", lost_share: 1 } : head.draft ?? undefined, note: head.note ?? "" };
+    return { id: head.id, design, over: head.over, unit: head.unit, branches, bifurcations: head.bifurcations, linear, draft: head.stage === "first" ? { origin: "first", lost_share: 1 } : head.draft ?? undefined, note: head.note ?? "" };
 }
 
 export const isStable = (branch: Branch, point: number): boolean => branch.values.floquet[point] < 1;
