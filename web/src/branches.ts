@@ -101,9 +101,12 @@ function distance(branch: Branch, other: Branch, span: number): number {
     return sum / count;
 }
 
+/** Logarithm of a power; finite for a harvester without a load, whose power is 0. */
+export const level = (power: number): number => Math.log(Math.max(power, Number.MIN_VALUE));
+
 /** Distance of a point of a branch from a value of the key and a power. */
 function away(branch: Branch, point: number, x: number, power: number, span: number): number {
-    return Math.hypot((branch.x[point] - x) / span, 0.2 * Math.log(branch.values.power[point] / power));
+    return Math.hypot((branch.x[point] - x) / span, 0.2 * (level(branch.values.power[point]) - level(power)));
 }
 
 /** The point of a new response nearest to a point of an old one. */
@@ -133,8 +136,8 @@ export function operating(result: ResponseResult, x: number, attractor: { power:
             const share = (x - branch.x[point]) / (branch.x[point + 1] - branch.x[point]);
             if (!(share >= 0 && share <= 1)) continue;
             const near = share < 0.5 ? point : point + 1;
-            const logarithm = (1 - share) * Math.log(power[point]) + share * Math.log(power[point + 1]);
-            const own = attractor ? 0.2 * Math.abs(logarithm - Math.log(attractor.power)) : -logarithm;
+            const logarithm = (1 - share) * level(power[point]) + share * level(power[point + 1]);
+            const own = attractor ? 0.2 * Math.abs(logarithm - level(attractor.power)) : -logarithm;
             if (isStable(branch, near) && own < least) [least, found] = [own, { branch: k, point: near }];
         }
     });

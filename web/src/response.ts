@@ -1,6 +1,6 @@
 // Response over a key: branches, bifurcations, swept points, pins; a click or the arrow keys select a point.
 
-import { type Bifurcation, type Branch, type ResponseResult, type Place, QUANTITIES, type Quantity, identify, isStable, nearest, operating, pointAt } from "./branches";
+import { type Bifurcation, type Branch, type ResponseResult, type Place, QUANTITIES, type Quantity, identify, isStable, level, nearest, operating, pointAt } from "./branches";
 import { Chart } from "./chart";
 import type { Design } from "./design";
 import { LineHandle } from "./line";
@@ -230,7 +230,7 @@ export class Response {
             colour: own(branch),
             width: 2,
             alpha,
-            gap: (from) => result.draft !== undefined && Math.abs(Math.log(branch.values.power[from + 1] / branch.values.power[from])) > DRAFT_STEP,
+            gap: (from) => result.draft !== undefined && Math.abs(level(branch.values.power[from + 1]) - level(branch.values.power[from])) > DRAFT_STEP,
             dashed: (from) => !(isStable(branch, from) && isStable(branch, from + 1)),
         }));
     }
@@ -263,7 +263,7 @@ export class Response {
 
     private chooseNear(found: Bifurcation): void {
         const branch = this.result!.branches[found.branch];
-        const away = Array.from(branch.x, (x, k) => Math.hypot((x - found.x) / this.span, 0.2 * Math.log(branch.values.power[k] / found.power)));
+        const away = Array.from(branch.x, (x, k) => Math.hypot((x - found.x) / this.span, 0.2 * (level(branch.values.power[k]) - level(found.power))));
         this.choose({ branch: found.branch, point: away.indexOf(Math.min(...away)) });
     }
 

@@ -146,10 +146,10 @@ export class Shake {
         this.set(false);
         if (head.stage === "fault") return this.say(head.faults[0]?.message ?? "");
         const linear = head.linear_power_w > 0 ? `, ${quantity(head.linear_power_w, "W")} without contact` : "";
-        const rate = head.contacts / head.average_over_s;
+        const contacts = frame.has("displacement.time") ? `; ${(head.contacts / head.average_over_s).toFixed(1)} contacts per second` : "";
         const name = head.channel ? `${by} (${head.channel})` : by;
         const noticed = head.issues?.length > 0 ? `. Issues: ${head.issues.join("; ")}` : "";
-        this.say(`${name}: ${quantity(head.mean_power_w, "W")} on average over ${quantity(head.average_over_s, "s")}${linear}; ${rate.toFixed(1)} contacts per second${noticed}`);
+        this.say(`${name}: ${quantity(head.mean_power_w, "W")} on average over ${quantity(head.average_over_s, "s")}${linear}${contacts}${noticed}`);
         this.last = frame;
         this.stale.shows(request);
         if (request.body.by === "spec") this.onSpec(this.words.textContent!, request);
@@ -162,6 +162,7 @@ export class Shake {
         const time = { words: "Time", unit: "s" };
         this.voltage.host.setAttribute("aria-label", `Voltage over time. ${this.words.textContent}`);
         this.voltage.show(time, { words: "Voltage", unit: "V" }, [{ x: last.array("voltage.time"), y: last.array("voltage.value"), colour: colour("blue"), width: 1 }]);
+        this.displacement.host.hidden = !last.has("displacement.time");
         if (last.has("displacement.time")) {
             const curve = { x: last.array("displacement.time"), y: last.array("displacement.value"), colour: colour("green"), width: 1 };
             this.displacement.show(time, { words: "Position", unit: "m" }, [curve], [], [{ at: last.head.gap_m, along: "y", words: "stop" }]);

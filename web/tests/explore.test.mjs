@@ -114,6 +114,7 @@ test("the page shows the lines of the file that change, and saves them", async (
     assert.equal(await field("stop.tip.gap").inputValue(), "0.8");
     await ready(page);
     await page.locator("#save").click();
+    await page.locator("#save-dialog").waitFor({ state: "visible" });
     assert.match(await text("save-difference"), /those of the file/);
     assert.ok(await page.locator("#save-write").isDisabled());
     await page.keyboard.press("Escape");
