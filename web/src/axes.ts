@@ -2,6 +2,7 @@
 
 import type { Control, Controls } from "./controls";
 import type { View } from "./design";
+import { write } from "./typed";
 import { digits, sign } from "./units";
 
 const find = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;
@@ -12,6 +13,10 @@ export class Axes {
     private readonly to = find<HTMLInputElement>("to");
     private readonly unit = find("over-unit");
     view: View | undefined;
+    /** View over a key that the present design lacks; it returns with its key. */
+    private missing: View | undefined;
+    /** True while the view is that of a link, and no design has been seen with it. */
+    private linked = false;
     onChange: () => void = () => {};
     /** Called with the error of a range, or with nothing for a valid one. */
     onWrong: (words: string) => void = () => {};
@@ -21,28 +26,36 @@ export class Axes {
         this.from.onchange = this.to.onchange = () => this.read();
     }
 
-    /** Offers the keys of a design; initially the frequency of the first sinusoidal drive. Returns the key of the axis if the design lacks it. */
+    /** Offers the keys of a design; initially the frequency of the first sinusoidal drive. Returns the key of the axis of a link that the design lacks. */
     offer(): string | undefined {
         const keys = this.controls.all.filter((control) => !control.count).map((control) => control.key);
         if (keys.join() !== [...this.over.options].map((option) => option.value).join()) {
             this.over.replaceChildren(...keys.map((key) => new Option(this.controls.title(key), key)));
         }
-        const unknown = this.view && !keys.includes(this.view.over) ? this.view.over : undefined;
-        if (this.view && !unknown) this.show(this.view);
-        else {
+        const isKnown = (view: View | undefined) => view !== undefined && keys.includes(view.over);
+        const wanted = this.missing ?? this.view;
+        const unknown = this.linked && !isKnown(wanted) ? wanted?.over : undefined;
+        this.linked = false;
+        this.missing = isKnown(wanted) ? undefined : wanted;
+        if (isKnown(wanted)) this.view = wanted;
+        else if (!isKnown(this.view)) {
             const first = keys.find((key) => /^drive\..*\.frequency$/.test(key)) ?? keys[0];
             if (first) this.view = this.around(this.controls.find(first)!);
-            if (this.view) this.show(this.view);
         }
+        if (isKnown(this.view)) this.show(this.view!);
         return unknown;
     }
 
+    /** Takes the view of a link. */
     set(view: View): void {
+        this.linked = true;
+        this.missing = undefined;
         this.view = view;
     }
 
     /** Shows another range. */
     change(view: View): void {
+        this.missing = undefined;
         this.view = view;
         this.onWrong("");
         this.show(view);
@@ -61,8 +74,8 @@ export class Axes {
     private show(view: View): void {
         const control = this.controls.find(view.over)!;
         this.over.value = view.over;
-        this.from.value = digits(view.from / control.factor, 5);
-        this.to.value = digits(view.to / control.factor, 5);
+        write(this.from, digits(view.from / control.factor, 5));
+        write(this.to, digits(view.to / control.factor, 5));
         this.unit.textContent = sign(control.unit);
         for (const field of [this.from, this.to]) field.setAttribute("aria-invalid", "false");
     }

@@ -17,7 +17,7 @@ export class Band {
     constructor(private readonly wire: Wire, private readonly design: Design, private readonly response: Response, private readonly rows: Rows) {
         wire.on("band", (frame) => this.take(frame));
         this.box.onchange = () => this.follow();
-        rows.onChange = () => this.follow();
+        rows.list.addEventListener("change", () => this.follow());
     }
 
     /** Requests the band of a searched response at the operating point, where it is not known. */
@@ -27,7 +27,7 @@ export class Band {
         const isKnown = result !== undefined && result.draft === undefined && place !== undefined;
         const wanted = this.box.checked && isKnown ? JSON.stringify([result.id, place, this.rows.pairs]) : "";
         if (wanted === this.requested) return;
-        if (this.requested !== "") this.wire.ask("stop", { what: "band" });
+        if (this.requested !== "") this.wire.stop("band");
         this.requested = wanted;
         this.response.band = undefined;
         this.words.textContent = "";
@@ -46,7 +46,6 @@ export class Band {
 
     private take(frame: Frame): void {
         const { head } = frame;
-        if (this.requested === "") return;
         if (head.stage === "progress") {
             this.words.textContent = `${head.done} of ${head.of} designs drawn`;
             return;

@@ -6,7 +6,7 @@ import type { Frame } from "./frame";
 import { colour, shade } from "./theme";
 import { digits, quantity } from "./units";
 import { Stale } from "./stale";
-import type { Wire } from "./wire";
+import type { Request, Wire } from "./wire";
 
 interface Attractor {
     id: string;
@@ -34,27 +34,26 @@ export class Basins {
 
     constructor(private readonly wire: Wire, private readonly design: Design) {
         this.stale = new Stale(find("panel-basins"), find("basins-stale"), design);
-        wire.on("basins", (frame) => this.take(frame));
+        wire.on("basins", (frame, request) => this.take(frame, request));
         find("basins-run").onclick = () => (this.running ? this.stop() : this.run());
         this.chart.host.addEventListener("click", (event) => this.click(event));
     }
 
     run(): void {
         const starts = Number(find<HTMLSelectElement>("basins-starts").value);
-        this.stale.begin();
         this.set(this.wire.ask("basins", { set: this.design.pairs, starts, tolerance: TOLERANCE }) !== 0);
         this.bar.value = 0;
         this.words.textContent = "integrating";
     }
 
     private stop(): void {
-        this.wire.ask("stop", { what: "basins" });
+        this.wire.stop("basins");
         this.set(false);
         this.words.textContent = "stopped";
     }
 
     /** Shows whether the result belongs to the present design. */
-    designChanged(): void {
+    mark(): void {
         this.stale.mark();
     }
 
@@ -71,7 +70,7 @@ export class Basins {
         find("basins-run").textContent = running ? "Stop" : "Run";
     }
 
-    private take(frame: Frame): void {
+    private take(frame: Frame, request: Request): void {
         const { head } = frame;
         if (head.stage === "fault") {
             this.set(false);
@@ -83,6 +82,8 @@ export class Basins {
         } else {
             this.set(false);
             this.frame = frame;
+            this.stale.shows(request);
+            this.note.textContent = "";
             const [expected, low, high] = [head.expected_power_w, head.expected_power_low_w, head.expected_power_high_w].map((watt) => quantity(watt, "W"));
             this.words.textContent = `at ${quantity(head.frequency_hz, "Hz")}: expected power ${expected} (95 %: ${low} to ${high})${head.failed.length > 0 ? `, ${head.failed.length} runs failed` : ""}`;
             this.redraw();

@@ -1,13 +1,15 @@
 // Data of a response: branches, bifurcations, the linear harvester.
 
 import type { Frame } from "./frame";
+import type { Request } from "./wire";
 
-export type Quantity = "power" | "voltage" | "penetration" | "floquet";
+export type Quantity = "power" | "voltage" | "penetration" | "displacement" | "floquet";
 
 export const QUANTITIES: Record<Quantity, { words: string; unit: string }> = {
     power: { words: "Mean power", unit: "W" },
     voltage: { words: "Voltage, rms", unit: "V" },
     penetration: { words: "Penetration, peak", unit: "m" },
+    displacement: { words: "Displacement at the stop, half peak to peak", unit: "m" },
     floquet: { words: "Largest multiplier", unit: "" },
 };
 
@@ -28,11 +30,14 @@ export interface Bifurcation {
     power: number;
     voltage: number;
     penetration: number;
+    displacement: number;
     floquet: number;
 }
 
 export interface ResponseResult {
     id: number;
+    /** Signature of its design. */
+    design: string;
     over: string;
     unit: string;
     branches: Branch[];
@@ -56,14 +61,14 @@ export interface Place {
 }
 
 /** Reads the frame of a response. */
-export function resultOf(frame: Frame): ResponseResult {
+export function resultOf(frame: Frame, { design }: Request): ResponseResult {
     const { head } = frame;
     const branches = (head.branches as { period: number }[]).map((branch, k): Branch => {
         const values = Object.fromEntries(Object.keys(QUANTITIES).map((name) => [name, frame.array(`${k}.${name}`)]));
         return { identity: k, period: branch.period, x: frame.array(`${k}.x`), values: values as Branch["values"], contacts: frame.array(`${k}.contacts`) };
     });
     const linear = { x: frame.array("linear.x"), power: frame.array("linear.power") };
-    return { id: head.id, over: head.over, unit: head.unit, branches, bifurcations: head.bifurcations, linear, draft: head.stage === "first" ? { origin: "first", lost_share: 1 } : head.draft ?? undefined, note: head.note ?? "" };
+    return { id: head.id, design, over: head.over, unit: head.unit, branches, bifurcations: head.bifurcations, linear, draft: head.stage === "first" ? { origin: "first", lost_share: 1 } : head.draft ?? undefined, note: head.note ?? "" };
 }
 
 export const isStable = (branch: Branch, point: number): boolean => branch.values.floquet[point] < 1;
@@ -96,9 +101,12 @@ function distance(branch: Branch, other: Branch, span: number): number {
     return sum / count;
 }
 
+/** Logarithm of a power; finite for a harvester without a load, whose power is 0. */
+export const level = (power: number): number => Math.log(Math.max(power, Number.MIN_VALUE));
+
 /** Distance of a point of a branch from a value of the key and a power. */
 function away(branch: Branch, point: number, x: number, power: number, span: number): number {
-    return Math.hypot((branch.x[point] - x) / span, 0.2 * Math.log(branch.values.power[point] / power));
+    return Math.hypot((branch.x[point] - x) / span, 0.2 * (level(branch.values.power[point]) - level(power)));
 }
 
 /** The point of a new response nearest to a point of an old one. */
@@ -128,8 +136,8 @@ export function operating(result: ResponseResult, x: number, attractor: { power:
             const share = (x - branch.x[point]) / (branch.x[point + 1] - branch.x[point]);
             if (!(share >= 0 && share <= 1)) continue;
             const near = share < 0.5 ? point : point + 1;
-            const logarithm = (1 - share) * Math.log(power[point]) + share * Math.log(power[point + 1]);
-            const own = attractor ? 0.2 * Math.abs(logarithm - Math.log(attractor.power)) : -logarithm;
+            const logarithm = (1 - share) * level(power[point]) + share * level(power[point + 1]);
+            const own = attractor ? 0.2 * Math.abs(logarithm - level(attractor.power)) : -logarithm;
             if (isStable(branch, near) && own < least) [least, found] = [own, { branch: k, point: near }];
         }
     });

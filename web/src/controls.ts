@@ -2,6 +2,7 @@
 
 import type { Design } from "./design";
 import type { Fault } from "./frame";
+import { write } from "./typed";
 import { digits, sign } from "./units";
 
 export interface Control {
@@ -46,13 +47,16 @@ export class Controls {
         return this.rows.get(key)?.control;
     }
 
-    /** Shows the controls of a design; rows with equal keys are reused, so that a held slider remains held. */
-    take(list: Control[]): void {
+    /**
+     * Shows the controls of a design; rows with equal keys are reused, so that a held slider remains held. Where the user has set a
+     * newer value of a key, `isPresent` is false, and its slider and field remain.
+     */
+    take(list: Control[], isPresent: (key: string) => boolean): void {
         // A key that is set for the first time moves to another place of the list; its row remains.
         const same = list.length === this.rows.size && list.every((control) => this.rows.has(control.key));
         this.list = list;
         if (!same) this.build();
-        for (const control of list) this.put(control);
+        for (const control of list) this.put(control, isPresent(control.key));
     }
 
     /** Axis title of a key, "Drive frequency" for that of the only drive. */
@@ -121,6 +125,7 @@ export class Controls {
             more.className = "more";
             const words = document.createElement("summary");
             words.textContent = `${others.length} with defaults`;
+            words.setAttribute("aria-label", `${name.replaceAll(".", " ")}: ${words.textContent}`);
             more.append(words, ...others.map((control) => this.row(control, name)));
             if (written.length === 0) more.open = true;
             details.append(more);
@@ -170,7 +175,7 @@ export class Controls {
     }
 
     /** Shows a value; the range of a slider remains while the value is inside it. */
-    private put(control: Control): void {
+    private put(control: Control, isPresent: boolean): void {
         const row = this.rows.get(control.key)!;
         const { from, to, scale, unit, factor } = row.control;
         const inside = control.value >= from && control.value <= to;
@@ -178,7 +183,8 @@ export class Controls {
         if (!inside || control.value === 0) row.row.querySelector(".unit")!.textContent = sign(row.control.unit);
         row.row.classList.toggle("changed", this.design.overrides.has(control.key));
         const text = this.number(row.control);
-        if (document.activeElement !== row.field || row.field.getAttribute("aria-invalid") !== "true") row.field.value = text;
+        if (!isPresent) return;
+        write(row.field, text);
         row.slider.value = String(this.toStep(row.control, control.value));
         row.slider.setAttribute("aria-valuetext", `${text} ${row.control.unit}`);
     }

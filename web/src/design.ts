@@ -30,9 +30,15 @@ export class Design {
         return JSON.stringify([this.version, [...this.present].sort()]);
     }
 
-    /** The signature without one key. */
-    signatureWithout(key: string): string {
-        return JSON.stringify([this.version, [...this.present].filter(([own]) => own !== key).sort()]);
+    /** A signature, of the present design by default, without one key. */
+    signatureWithout(key: string, signature = this.signature): string {
+        const [version, pairs] = JSON.parse(signature) as [number, [string, string][]];
+        return JSON.stringify([version, pairs.filter(([own]) => own !== key)]);
+    }
+
+    /** True where a result over a key belongs to an earlier design: such a result does not depend on the value of the key itself. */
+    isOld({ design, over }: { design: string; over: string }): boolean {
+        return this.signatureWithout(over, design) !== this.signatureWithout(over);
     }
 
     /** Registers a change of the file. */

@@ -7,7 +7,7 @@ import type { Frame } from "./frame";
 import { colour } from "./theme";
 import { quantity } from "./units";
 import { Stale } from "./stale";
-import type { Wire } from "./wire";
+import type { Request, Wire } from "./wire";
 
 const POINTS = 25;
 const find = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;
@@ -18,12 +18,14 @@ export class Load {
     private readonly words = find("load-words");
     private linear: [Float64Array, Float64Array] = [new Float64Array(0), new Float64Array(0)];
     private points: [number, number][] = [];
+    /** Key of the points. */
+    private shown = "";
     private running = false;
     private readonly stale: Stale;
 
     constructor(private readonly wire: Wire, private readonly controls: Controls, private readonly design: Design) {
         this.stale = new Stale(find("panel-load"), find("load-stale"), design);
-        wire.on("load", (frame) => this.take(frame));
+        wire.on("load", (frame, request) => this.take(frame, request));
         find("load-run").onclick = () => (this.running ? this.stop() : this.run());
     }
 
@@ -39,20 +41,18 @@ export class Load {
             this.words.textContent = "this design has no load resistance";
             return;
         }
-        this.points = [];
-        this.stale.begin();
         this.set(this.wire.ask("load", { set: this.design.pairs, over: this.over.value, points: POINTS }) !== 0);
         this.words.textContent = "integrating";
     }
 
     private stop(): void {
-        this.wire.ask("stop", { what: "load" });
+        this.wire.stop("load");
         this.set(false);
         this.words.textContent = "stopped";
     }
 
     /** Shows whether the result belongs to the present design. */
-    designChanged(): void {
+    mark(): void {
         this.stale.mark();
     }
 
@@ -68,13 +68,16 @@ export class Load {
         find("load-run").textContent = running ? "Stop" : "Run";
     }
 
-    private take(frame: Frame): void {
+    private take(frame: Frame, request: Request): void {
         const { head } = frame;
         if (head.stage === "fault") {
             this.set(false);
             this.words.textContent = head.faults[0]?.message ?? "";
         } else if (head.stage === "linear") {
             this.linear = [frame.array("linear.x"), frame.array("linear.power")];
+            this.points = [];
+            this.shown = request.body.over;
+            this.stale.shows(request);
         } else if (head.stage === "point") {
             this.points.push([head.x, head.power]);
             this.words.textContent = `${this.points.length} of ${head.of} values computed`;
@@ -91,9 +94,9 @@ export class Load {
         if (x.length === 0) return;
         const sorted = [...this.points].sort((a, b) => a[0] - b[0]);
         const [px, py] = [sorted.map((point) => point[0]), sorted.map((point) => point[1])];
-        this.chart.host.setAttribute("aria-label", `Mean power over ${this.over.value}. ${this.words.textContent}`);
+        this.chart.host.setAttribute("aria-label", `Mean power over ${this.shown}. ${this.words.textContent}`);
         this.chart.show(
-            { words: this.over.value, unit: "ohm", log: true, ends: [x[0], x[x.length - 1]] },
+            { words: this.shown, unit: "ohm", log: true, ends: [x[0], x[x.length - 1]] },
             { words: "Mean power", unit: "W", log: true },
             [{ x, y, colour: colour("grey") }, { x: px, y: py, colour: colour("blue"), width: 1.5 }, { x: px, y: py, colour: colour("blue"), dots: 2.5 }],
         );

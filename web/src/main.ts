@@ -3,11 +3,12 @@
 import { Axes } from "./axes";
 import { Band } from "./band";
 import { Basins } from "./basins";
-import { resultOf } from "./branches";
+import { type ResponseResult, resultOf } from "./branches";
 import { Controls } from "./controls";
 import { Design, fromFragment, toFragment } from "./design";
 import { Drawing } from "./drawing";
 import { Exports } from "./exports";
+import { keepFocus } from "./focus";
 import type { Fault, Frame, Head } from "./frame";
 import { Load } from "./load";
 import { Modes } from "./modes";
@@ -30,15 +31,15 @@ const find = <T extends HTMLElement>(id: string) => document.getElementById(id) 
 /** Time without changes after which the address is updated. */
 const ADDRESS_RESTS_MS = 250;
 
-const wire = new Wire();
 const design = new Design();
+const wire = new Wire(design);
 const controls = new Controls(find("groups"), find("faults"), design);
 const fault = (source: string, faults: Fault[]) => {
     controls.tell(source, faults);
     if (source === "design") document.body.classList.toggle("faulty", faults.length > 0);
 };
 const drawing = new Drawing(find("side"), find("close"), controls, design);
-const response = new Response(find("chart-response"), new Readout(find("readout"), find("note"), find("bifurcations-title"), find("bifurcations")));
+const response = new Response(find("chart-response"), new Readout(find("readout"), find("note"), find("bifurcations-title"), find("bifurcations")), design);
 const orbit = new Orbit();
 const axes = new Axes(controls);
 const modes = new Modes(wire, design);
@@ -63,9 +64,9 @@ const point = new OperatingPoint(wire, design, { words: find("operating-words"),
 
 const requests = new Requests(wire, design, axes, response, {
     say,
-    orbit: (frame: Frame, operating: boolean) => {
-        orbit.take(frame);
-        point.orbitTaken(operating ? frame.head : undefined);
+    orbit: (frame: Frame, of: ResponseResult, operating: boolean) => {
+        orbit.take(frame, () => design.isOld(of));
+        point.orbitTaken(operating && !design.isOld(of) && frame.head.parameter === response.at ? frame.head : undefined);
     },
     fault,
 });
@@ -86,30 +87,34 @@ const remember = () => {
     find<HTMLButtonElement>("reset").disabled = design.overrides.size === 0;
 };
 
-design.onChange = (moving) => {
+/** Marks what belongs to the design before, and requests what belongs to the present one. */
+const changed = () => {
     for (const source of ["link", "link-axis"]) fault(source, []);
+    for (const view of [point, modes, load, basins, shake, search, orbit]) view.mark();
+    response.draw();
     requests.change(performance.now());
+};
+design.onChange = (moving) => {
+    changed();
     if (!moving) remember();
 };
 axes.onChange = () => {
-    response.swept = [];
     place();
     requests.change(performance.now());
     remember();
 };
 axes.onWrong = (message) => fault("axes", message ? [{ key: "", line: 0, message }] : []);
-response.sweepIsOld = () => requests.sweepIsOld;
 response.onChoose = (chosen, parameter) => {
     find("operating-show").hidden = false;
     requests.orbit(chosen, parameter);
 };
 basins.onPick = ({ mean_power_w, period_cycles }) => response.chooseAttractor({ power: mean_power_w, period: period_cycles });
-response.onMove = (value, moving) => axes.view && design.set(axes.view.over, controls.words(axes.view.over, value), moving);
+response.onMove = (value, moving) => response.result && design.set(response.result.over, controls.words(response.result.over, value), moving);
 response.words = (key) => controls.title(key);
 
-/** Shows the present value of the key of the axis on the response, and the orbit there. */
+/** Shows the present value of the key of the response, and the orbit there. */
 const place = () => {
-    response.at = axes.view && controls.find(axes.view.over)?.value;
+    response.at = response.result && controls.find(response.result.over)?.value;
     response.follow();
 };
 point.onChange = () => {
@@ -121,7 +126,7 @@ point.onChange = () => {
     showOperating();
 };
 const showOperating = () => {
-    if (!response.following || !response.result) return;
+    if (!response.following || !response.result || response.isOld) return;
     if (response.chosen) requests.showOrbit();
     else orbit.clear(`No branch ${response.result.draft ? "found so far" : "found"} has the attractor of the operating point; select another point for its orbit`);
 };
@@ -144,22 +149,25 @@ wire.on("hello", ({ head }) => {
     }
     requests.change(performance.now());
 });
-wire.on("design", (frame) => {
-    const { head } = frame;
+wire.on("design", ({ head }, request) => {
     if (head.stage === "fault") return designFault(head);
-    controls.take(head.controls);
+    const asked = new Map<string, string>(request.body.set);
+    controls.take(head.controls, (key) => design.overrides.get(key) === asked.get(key));
     drawing.take(head.drawing);
     const unknown = axes.offer();
     if (unknown) fault("link-axis", [{ key: "", line: 0, message: `this design has no number ${unknown}, which the link puts on the axis` }]);
     load.offer();
     shake.offer();
     place();
-    for (const view of [modes, load, basins, shake, search]) view.designChanged();
     requests.designTaken(head.drive_frequency_hz !== null);
+    remember();
+    // The drawing follows a moving slider; the rest waits for the design to which it moves.
+    if (request.design !== design.signature) return;
+    for (const view of [modes, search]) view.designTaken();
     kindOfDrive(head.drive_frequency_hz === null);
+    point.mark();
     point.designTaken(head.drive_frequency_hz);
     showOperating();
-    remember();
 });
 /** A link with keys that this spec does not have: the other keys are shown, with a message. */
 const designFault = (head: Head) => {
@@ -182,16 +190,17 @@ const kindOfDrive = (aperiodic: boolean) => {
     orbit.clear("No periodic orbit");
     shake.ofSpec();
 };
-shake.onSpec = (words) => point.runTaken(`Under ${words}`);
+shake.onSpec = (words, request) => request.design === design.signature && point.runTaken(`Under ${words}`);
 // A design that settles late: its run from the start of the spec is the first picture.
-point.onSlow = () => shake.idle && shake.ofSpec();
-wire.on("response", (frame) => {
+point.onSlow = () => shake.offerSpec();
+wire.on("response", (frame, request) => {
     if (frame.head.stage === "progress") return requests.progress(frame.head);
     if (frame.head.stage === "widths") return response.takeWidths(frame.head);
     if (frame.head.stage === "fault") return requests.responseFault(frame.head);
-    const { view } = axes;
-    if (view) response.range = [view.from, view.to];
-    requests.responseTaken(frame.head, resultOf(frame));
+    response.range = [request.body.from, request.body.to];
+    response.at = controls.find(frame.head.over)?.value;
+    requests.responseTaken(frame.head, resultOf(frame, request));
+    orbit.mark();
     if (!response.chosen) showOperating();
     pins.mark();
     band.follow();
@@ -200,7 +209,8 @@ wire.on("file", () => {
     say("the file has changed");
     design.fileChanged();
     search.fileChanged();
-    requests.change(performance.now());
+    requests.forgetDesign();
+    changed();
 });
 wire.on("export", ({ head }) => {
     if (head.stage === "fault") return fault("export", head.faults);
@@ -285,6 +295,7 @@ new Tabs(document.querySelector<HTMLElement>("[role=tablist]")!, (id) => {
     if (id === "tab-shake") shake.redraw();
 });
 
+keepFocus();
 shortcuts({ ...act, theme: () => theme.toggle() });
 // A link that is pasted into the address of the open page.
 addEventListener("hashchange", (event) => {

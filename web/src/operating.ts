@@ -36,8 +36,10 @@ export class OperatingPoint {
     private progress = "";
     private computing = false;
     private slow = false;
-    private periodic = false;
+    /** Undefined until the first design. */
+    private periodic: boolean | undefined;
     private signature = "";
+    private requested = "";
     private timers: number[] = [];
     /** Called when the attractor of the present design is known, or no longer known. */
     onChange: () => void = () => {};
@@ -49,15 +51,24 @@ export class OperatingPoint {
         parts.stop.onclick = () => this.stop();
     }
 
-    /** Requests the attractors of a design once it rests; `hertz` is null without a periodic drive. */
-    designTaken(hertz: number | null): void {
-        this.periodic = hertz !== null;
+    /** Clears what belongs to an earlier design. */
+    mark(): void {
         if (this.signature === this.design.signature) return;
         this.signature = this.design.signature;
+        this.requested = "";
+        this.wire.stop("operating-point");
+        for (const timer of this.timers) clearTimeout(timer);
         this.attractor = this.head = this.orbit = undefined;
         this.message = this.run = this.progress = "";
-        this.slow = false;
-        for (const timer of this.timers) clearTimeout(timer);
+        this.slow = this.computing = false;
+        this.show();
+    }
+
+    /** Requests the attractors of the present design once it rests; `hertz` is null without a periodic drive. */
+    designTaken(hertz: number | null): void {
+        this.periodic = hertz !== null;
+        if (this.requested === this.design.signature) return;
+        this.requested = this.design.signature;
         this.computing = this.periodic;
         this.timers = this.periodic ? [setTimeout(() => this.ask(STARTS[0]), REST_MS), setTimeout(() => this.late(), REST_MS + SLOW_MS)] : [];
         this.onChange();
@@ -75,7 +86,7 @@ export class OperatingPoint {
     }
 
     private stop(): void {
-        this.wire.ask("stop", { what: "operating-point" });
+        this.wire.stop("operating-point");
         this.computing = false;
         this.progress = "";
         if (!this.head) this.message = ["Operating point: stopped", this.run].filter(Boolean).join(". ");
@@ -84,7 +95,7 @@ export class OperatingPoint {
 
     /** The lost connection has taken the request with it. */
     forget(): void {
-        this.signature = "";
+        this.requested = "";
         this.computing = false;
         this.show();
     }
@@ -135,8 +146,8 @@ export class OperatingPoint {
     private text(): string {
         const { head, attractor } = this;
         if (this.message) return this.message;
-        if (!this.periodic) return "The drives of this spec have no common period.";
-        if (!head || !attractor) return [this.run || "Operating point", this.progress || `integrating ${STARTS[0]} starts`].join(": ");
+        if (this.periodic === false) return "The drives of this spec have no common period.";
+        if (!head || !attractor) return [this.run || "Operating point", this.computing && (this.progress || `integrating ${STARTS[0]} starts`)].filter(Boolean).join(": ");
         const share = (own: Attractor) => `${digits(100 * own.fraction, 3)} % of ${head.finished} starts`;
         const kind = (own: Attractor) => (own.period_cycles > 0 ? `period ${own.period_cycles}, stable` : own.id);
         const others = (head.attractors as Attractor[]).filter((own) => own !== attractor);

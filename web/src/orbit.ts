@@ -22,6 +22,9 @@ export class Orbit {
     private readonly title = find("orbit-title");
     private readonly warnings = find("orbit-warnings");
     private frame: Frame | undefined;
+    private isOld: () => boolean = () => false;
+    /** True while words stand in place of the orbit. */
+    private isCleared = false;
 
     constructor() {
         const slow = find("slow") as HTMLInputElement;
@@ -42,8 +45,12 @@ export class Orbit {
         show(this.motion.playing);
     }
 
-    take(frame: Frame): void {
+    /** Takes an orbit; `isOld` says whether it belongs to an earlier design. */
+    take(frame: Frame, isOld: () => boolean): void {
         this.frame = frame;
+        this.isOld = isOld;
+        this.isCleared = false;
+        this.mark();
         this.motion.take(frame);
         this.draw();
         this.cursor.take(frame);
@@ -53,7 +60,15 @@ export class Orbit {
     clear(words: string): void {
         this.title.textContent = words;
         this.warnings.textContent = "";
-        document.getElementById("orbit")!.classList.add("stale");
+        this.isCleared = true;
+        this.mark();
+    }
+
+    /** Shows whether the orbit belongs to the present design. */
+    mark(): void {
+        const isOld = !this.isCleared && this.isOld();
+        find("orbit-stale").hidden = !isOld;
+        find("orbit").classList.toggle("stale", this.isCleared || isOld);
     }
 
     redraw(): void {
@@ -67,7 +82,6 @@ export class Orbit {
         const seconds = { words: "Time", unit: "s", ends: [0, head.period_s] as [number, number] };
         this.title.textContent = `Orbit at ${quantity(head.parameter, head.unit, 5)}: ${quantity(head.mean_power_w, "W")}, period ${head.period_cycles}, ${head.stable ? "stable" : "unstable"}`;
         this.warnings.textContent = (head.warnings as string[]).join(". ");
-        document.getElementById("orbit")!.classList.remove("stale");
         this.free(stops.length === 0);
         if (stops.length > 0) this.contact(frame, stops);
         else this.end(frame);

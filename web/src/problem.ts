@@ -2,7 +2,8 @@
 
 import type { Control, Controls } from "./controls";
 import type { Head } from "./frame";
-import { type FieldFault, type Fields, Rows, check, field, put, withUnit } from "./rows";
+import { type FieldFault, type Fields, Rows, type StoredRow, check, field, put, withUnit } from "./rows";
+import { tabStorage } from "./storage";
 import { digits, quantity, sign } from "./units";
 
 /** A limit that the harvester allows. */
@@ -20,6 +21,16 @@ interface Goal {
 }
 
 const find = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;
+const STORE = `jounce-design-problem ${location.pathname}`;
+/** Fields that are not in rows. */
+const FIELDS = ["search-goal", "search-starts", "search-evaluations", "search-seed"];
+
+interface Stored {
+    rows: StoredRow[][];
+    texts: string[];
+    robust: boolean;
+}
+
 /** Share of a value that is offered as its tolerance. */
 const TOLERANCE = 0.05;
 
@@ -36,6 +47,31 @@ export class Problem {
         this.limits = new Rows(find("search-limits"), "limits", "limit", (name, describe) => this.limit(name, describe));
         this.tolerance = new Rows(find("search-tolerance"), "tolerance", "tolerance", (key, describe) => this.scatter(key, describe));
         this.goal.onchange = () => this.needStarts();
+        this.restore();
+        for (const kind of ["input", "change"]) find("search-form").addEventListener(kind, () => this.store());
+    }
+
+    private get tables(): Rows[] {
+        return [this.free, this.limits, this.tolerance];
+    }
+
+    /** Stores the problem until the tab is closed. */
+    private store(): void {
+        const texts = FIELDS.map((id) => find<HTMLInputElement>(id).value);
+        const stored: Stored = { rows: this.tables.map((rows) => rows.state), texts, robust: find<HTMLInputElement>("robust").checked };
+        tabStorage?.setItem(STORE, JSON.stringify(stored));
+    }
+
+    /** Shows the problem from before the page was loaded again. */
+    private restore(): void {
+        const text = tabStorage?.getItem(STORE);
+        if (!text) return;
+        const { rows, texts, robust } = JSON.parse(text) as Stored;
+        this.tables.forEach((table, k) => table.restore(rows[k]));
+        // The goals of the harvester are offered later.
+        this.goal.replaceChildren(new Option(texts[0], texts[0]));
+        FIELDS.forEach((id, k) => (find<HTMLInputElement>(id).value = texts[k]));
+        find<HTMLInputElement>("robust").checked = robust;
     }
 
     /** Offers the keys of the present design. */
@@ -49,7 +85,8 @@ export class Problem {
     offer({ goals, limits }: Head): void {
         [this.goals, this.allowed] = [goals, limits];
         if ([...this.goal.options].map((option) => option.value).join() !== this.goals.map((goal) => goal.name).join()) {
-            this.goal.replaceChildren(...this.goals.map(({ name }) => new Option(name.replaceAll("-", " "), name)));
+            const chosen = this.goal.value;
+            this.goal.replaceChildren(...this.goals.map(({ name }) => new Option(name.replaceAll("-", " "), name, false, name === chosen)));
         }
         this.limits.offer(this.allowed.map(({ name }): [string, string] => [name, limitTitle(name)]));
         this.needStarts();
@@ -71,7 +108,7 @@ export class Problem {
     /** Shows faults at their fields, and those of no field above all. */
     tell(faults: FieldFault[]): void {
         let rest = faults;
-        for (const rows of [this.free, this.limits, this.tolerance]) rest = rows.tell(rest);
+        for (const rows of this.tables) rest = rows.tell(rest);
         const places = { maximise: "goal", starts: "starts", evaluations: "evaluations", seed: "seed" };
         const goal = rest.filter(({ key }) => key in places);
         for (const [key, id] of Object.entries(places)) find(`search-${id}`).setAttribute("aria-invalid", String(goal.some((fault) => fault.key === key)));

@@ -5,12 +5,12 @@ import type { Axes } from "./axes";
 import type { Design } from "./design";
 import type { Fault, Frame, Head } from "./frame";
 import type { Response } from "./response";
-import type { Wire } from "./wire";
+import type { Request, Wire } from "./wire";
 
 interface Hears {
     say: (words: string) => void;
-    /** An orbit; `operating` for that of the operating point. */
-    orbit: (frame: Frame, operating: boolean) => void;
+    /** An orbit of a response; `operating` for that of the operating point. */
+    orbit: (frame: Frame, of: ResponseResult, operating: boolean) => void;
     fault: (source: string, faults: Fault[]) => void;
 }
 
@@ -19,6 +19,8 @@ const PATIENCE_MS = 333;
 /** Time after which a newer position cancels the computation of an older one. */
 const STALE_MS = 4000;
 const SWEEP_POINTS = 61;
+/** Stages of a response, in their order. */
+const STAGES = ["first", "coarse", "fine"];
 
 export class Requests {
     /** Times of changes that are not requested yet. */
@@ -32,10 +34,14 @@ export class Requests {
     /** Design, without the key of the axis, and view of the last response. */
     private requested = "";
     private atOperating = false;
+    /** Response of the requested orbit. */
+    private orbitOf: ResponseResult | undefined;
+    /** Stage that the last response with a fault had reached. */
+    private failedAfter = -1;
+    private stage = -1;
     private clicked = 0;
     private orbitWaiting: [Place, number | undefined] | undefined;
     private sweeping = false;
-    private sweptDesign = "";
     /** True where the drives have a common period, so that there are periodic orbits. */
     private periodic: boolean | undefined;
     /** True while a fine response is expected. */
@@ -44,7 +50,7 @@ export class Requests {
 
     constructor(private readonly wire: Wire, private readonly design: Design, private readonly axes: Axes, private readonly response: Response, private readonly hears: Hears) {
         wire.on("orbit", (frame) => this.takeOrbit(frame));
-        wire.on("sweep", (frame) => this.takeSwept(frame.head));
+        wire.on("sweep", ({ head }, request) => this.takeSwept(head, request));
         document.getElementById("response-stop")!.onclick = () => this.stop();
         setInterval(() => this.patience(), 100);
     }
@@ -61,7 +67,7 @@ export class Requests {
         this.pump();
     }
 
-    /** Waits with the response until the next design specifies the keys. */
+    /** Waits with the response until the next design specifies the keys and the kind of drive. */
     forgetDesign(): void {
         this.periodic = undefined;
     }
@@ -101,6 +107,7 @@ export class Requests {
     private askResponse(): void {
         this.asked = performance.now();
         this.requested = this.asks();
+        this.stage = -1;
         this.refining = this.coarseAsked = this.wire.ask("response", { set: this.design.pairs, ...this.axes.view, longest_period: this.response.longestPeriod }) !== 0;
     }
 
@@ -118,6 +125,7 @@ export class Requests {
         this.designAsked = false;
         this.periodic = periodic;
         this.hears.fault("design", []);
+        if (!periodic) this.hears.fault("response", []);
         // The first design specifies the range of the response.
         this.pump();
     }
@@ -132,12 +140,18 @@ export class Requests {
         this.coarseAsked = this.refining = false;
         this.sayBusy("");
         this.requested = "";
+        this.failedAfter = Math.min(this.stage, STAGES.length - 2);
         this.hears.fault("response", head.faults);
         this.pump();
     }
 
     responseTaken(head: Head, result: ResponseResult): void {
-        this.hears.fault("response", []);
+        this.stage = STAGES.indexOf(head.stage);
+        // A fault is gone once a response passes the stage at which it appeared.
+        if (this.stage > this.failedAfter) {
+            this.failedAfter = -1;
+            this.hears.fault("response", []);
+        }
         this.response.take(result);
         if (head.stage === "first") return;
         this.showOrbit();
@@ -163,7 +177,7 @@ export class Requests {
 
     /** Ends the search; the draft remains. */
     private stop(): void {
-        this.wire.ask("stop", { what: "response" });
+        this.wire.stop("response");
         this.coarseAsked = this.refining = false;
         this.sayBusy("draft, search stopped", false);
         this.hears.say("search of branches stopped");
@@ -190,6 +204,7 @@ export class Requests {
         const { result } = this.response;
         if (!result) return;
         this.atOperating = this.response.following && parameter !== undefined;
+        this.orbitOf = result;
         this.orbitAsked = this.wire.ask("orbit", { response: result.id, branch: place.branch, point: place.point, parameter }) !== 0;
         this.clicked = performance.now();
         this.mark();
@@ -198,7 +213,7 @@ export class Requests {
     private takeOrbit(frame: Frame): void {
         this.orbitAsked = false;
         if (frame.head.stage === "done") {
-            this.hears.orbit(frame, this.atOperating);
+            this.hears.orbit(frame, this.orbitOf!, this.atOperating);
             const since = this.clicked;
             requestAnimationFrame(() => performance.measure("click-to-orbit", { start: since }));
         } else if (frame.head.stage === "fault") {
@@ -213,19 +228,18 @@ export class Requests {
     /** Starts or stops a sweep. */
     sweep(button: HTMLElement): void {
         const { view } = this.axes;
-        if (this.sweeping) this.wire.ask("stop", { what: "sweep" });
+        if (this.sweeping) this.wire.stop("sweep");
         else if (view) {
             this.response.swept = [];
-            this.sweptDesign = this.asks();
             this.wire.ask("sweep", { set: this.design.pairs, ...view, points: SWEEP_POINTS });
         }
         this.sweeping = !this.sweeping;
         button.textContent = this.sweeping ? "Stop" : "Sweep";
     }
 
-    private takeSwept(head: Head): void {
+    private takeSwept(head: Head, { design }: Request): void {
         if (head.stage === "point") {
-            this.response.swept.push({ x: head.x, up: head.up, values: { power: head.power, voltage: head.voltage, penetration: head.penetration } });
+            this.response.swept.push({ design, over: head.over, x: head.x, up: head.up, values: { power: head.power, voltage: head.voltage, penetration: head.penetration } });
             this.response.draw();
             this.hears.say(`${head.index + 1} of ${head.of} values computed`);
             return;
@@ -233,11 +247,6 @@ export class Requests {
         this.sweeping = false;
         document.getElementById("sweep")!.textContent = "Sweep";
         this.hears.say(head.stage === "fault" ? head.faults[0]?.message : "sweep finished");
-    }
-
-    /** True where the design has changed since the sweep. */
-    get sweepIsOld(): boolean {
-        return this.sweptDesign !== this.asks();
     }
 
     private patience(): void {

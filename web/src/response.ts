@@ -1,7 +1,8 @@
 // Response over a key: branches, bifurcations, swept points, pins; a click or the arrow keys select a point.
 
-import { type Bifurcation, type Branch, type ResponseResult, type Place, QUANTITIES, type Quantity, identify, isStable, nearest, operating, pointAt } from "./branches";
+import { type Bifurcation, type Branch, type ResponseResult, type Place, QUANTITIES, type Quantity, identify, isStable, level, nearest, operating, pointAt } from "./branches";
 import { Chart } from "./chart";
+import type { Design } from "./design";
 import { LineHandle } from "./line";
 import { Zoom } from "./zoom";
 import type { Curve, Mark, Rule } from "./paint";
@@ -29,6 +30,9 @@ const SHORT_PERIOD = 2;
 const LONG_PERIOD = 8;
 
 export interface Swept {
+    /** Signature of its design, and the key of the sweep. */
+    design: string;
+    over: string;
     x: number;
     up: boolean;
     values: Partial<Record<Quantity, number>>;
@@ -68,8 +72,6 @@ export class Response {
     attractor: { power: number; period: number } | undefined;
     /** True while the selected point is the operating point. */
     following = true;
-    /** True where the design has changed since the sweep. */
-    sweepIsOld: () => boolean = () => false;
     /** Axis title of a key. */
     words: (key: string) => string = (key) => key;
     private widths: Head | undefined;
@@ -80,11 +82,13 @@ export class Response {
     /** Called when the line of the operating point is dragged. */
     onMove: (value: number, moving: boolean) => void = () => {};
 
-    constructor(host: HTMLElement, private readonly readout: Readout) {
+    constructor(host: HTMLElement, private readonly readout: Readout, private readonly design: Design) {
         this.chart = new Chart(host);
         const line = new LineHandle(this.chart, () => this.at, (value, moving) => this.onMove(Math.min(Math.max(value, this.range[0]), this.range[1]), moving));
         const zoom = new Zoom(this.chart, () => line.isHeld);
+        // Its value is the selected point, which the arrow keys move.
         host.tabIndex = 0;
+        host.setAttribute("role", "slider");
         host.addEventListener("click", (event) => !line.dragged && !zoom.dragged && this.click(event));
         host.addEventListener("mousemove", (event) => this.hover(event));
         host.addEventListener("mouseleave", () => this.hover(undefined));
@@ -127,6 +131,11 @@ export class Response {
         return result && at !== undefined ? operating(result, at, this.attractor) : undefined;
     }
 
+    /** True where the response belongs to an earlier design. */
+    get isOld(): boolean {
+        return this.result !== undefined && this.design.isOld(this.result);
+    }
+
     private get span(): number {
         return this.range[1] - this.range[0];
     }
@@ -155,14 +164,15 @@ export class Response {
         const { result } = this;
         if (!result) return;
         const { words, unit } = QUANTITIES[this.quantity];
+        const alpha = result.draft || this.isOld ? DRAFT : 1;
         const curves: Curve[] = [];
         if (this.quantity === "power") curves.push({ x: result.linear.x, y: result.linear.power, colour: colour("grey"), width: 1.4 });
-        curves.push(...this.bandArea(result));
+        curves.push(...this.bandArea(result, alpha));
         if (this.start?.over === result.over) curves.push(...this.lines(this.start, () => colour("ink"), START));
         const pins = this.pins.filter((pin) => pin.result.over === result.over);
         pins.forEach((pin) => curves.push(...this.lines(pin.result, () => nth(pin.colour), 0.55)));
-        curves.push(...this.lines(result, (branch) => nth(branch.identity), result.draft ? DRAFT : 1));
-        curves.push(...this.sweepPoints());
+        curves.push(...this.lines(result, (branch) => nth(branch.identity), alpha));
+        curves.push(...this.sweepPoints(result));
         const rules: Rule[] = this.quantity === "floquet" ? [{ at: 1, along: "y" as const, words: "stable below" }] : [];
         if (this.at !== undefined) rules.push({ at: this.at, along: "x", words: quantity(this.at, result.unit, 5), strong: true });
         this.chart.show({ words: this.words(result.over), unit: result.unit, ends: this.range }, { words, unit, log: this.log }, curves, this.marks(result), rules);
@@ -170,24 +180,24 @@ export class Response {
     }
 
     /** The band, paler where only some of the drawn designs have the orbit. */
-    private bandArea(result: ResponseResult): Curve[] {
+    private bandArea(result: ResponseResult, alpha: number): Curve[] {
         const { band } = this;
         if (!band || band.over !== result.over || this.quantity !== "power") return [];
         const fill = (k: number) => (band.share[k] >= 1 ? 1 : band.share[k] >= 0.5 ? PARTIAL : 0);
-        return [{ x: band.x, y: band.low, upper: band.high, fill, colour: colour("green"), alpha: BAND }];
+        return [{ x: band.x, y: band.low, upper: band.high, fill, colour: colour("green"), alpha: alpha * BAND }];
     }
 
-    private sweepPoints(): Curve[] {
-        const old = this.sweepIsOld();
+    private sweepPoints({ over }: ResponseResult): Curve[] {
+        const old = this.swept.some((point) => this.design.isOld(point));
         return [true, false].map((up) => {
-            const points = this.swept.filter((point) => point.up === up && point.values[this.quantity] !== undefined);
+            const points = this.swept.filter((point) => point.over === over && point.up === up && point.values[this.quantity] !== undefined);
             return { x: points.map((p) => p.x), y: points.map((p) => p.values[this.quantity]!), colour: colour(up ? "ink" : "orange"), dots: up ? 2 : 1.5, alpha: old ? 0.25 : 1 };
         });
     }
 
-    /** Bifurcations, none on a draft, and the rings of the hovered and of the selected point. */
+    /** Bifurcations, none on a draft or of an earlier design, and the rings of the hovered and of the selected point. */
     private marks(result: ResponseResult): Mark[] {
-        const shown = result.draft ? [] : this.listed(result);
+        const shown = this.listed(result);
         const marks: Mark[] = shown.map((found) => ({ x: found.x, y: found[this.quantity], colour: colour("ink"), shape: SHAPES[found.kind] ?? "cross", size: 2.8 }));
         for (const [place, size] of [[this.hovered, 5], [this.chosen, 7]] as const) {
             const branch = place && result.branches[place.branch];
@@ -200,6 +210,7 @@ export class Response {
 
     /** Bifurcations that are shown: grazings, and those of long periods, only on request. */
     private listed(result: ResponseResult): Bifurcation[] {
+        if (result.draft || this.isOld) return [];
         return result.bifurcations.filter((found) => (this.grazings || found.kind !== "grazing") && this.shows(result.branches[found.branch]));
     }
 
@@ -219,7 +230,7 @@ export class Response {
             colour: own(branch),
             width: 2,
             alpha,
-            gap: (from) => result.draft !== undefined && Math.abs(Math.log(branch.values.power[from + 1] / branch.values.power[from])) > DRAFT_STEP,
+            gap: (from) => result.draft !== undefined && Math.abs(level(branch.values.power[from + 1]) - level(branch.values.power[from])) > DRAFT_STEP,
             dashed: (from) => !(isStable(branch, from) && isStable(branch, from + 1)),
         }));
     }
@@ -230,21 +241,29 @@ export class Response {
         if (!result) return;
         const hidden = result.branches.filter((branch) => !this.shows(branch)).length;
         const text = [
-            ...(result.draft ? [draftWords(result.draft)] : peakWords(this.widths, result.unit)),
-            ...(this.swept.length > 0 && this.sweepIsOld() ? ["The swept points are of an earlier design."] : []),
+            ...(this.isOld ? ["Draft: of an earlier design; branches may be wrong or missing until the search ends."] : result.draft ? [draftWords(result.draft)] : peakWords(this.widths, result.unit)),
+            ...(this.swept.some((point) => point.over === result.over && this.design.isOld(point)) ? ["The swept points are of an earlier design."] : []),
             ...(this.start ? ["Pale: the start of the design search."] : []),
             ...(this.band ? ["Shaded: 5 % to 95 % of the designs drawn from the tolerances."] : []),
             ...(hidden > 0 ? [`${hidden} ${hidden === 1 ? "branch" : "branches"} of a period above ${SHORT_PERIOD} not shown.`] : []),
-            ...(result.branches.length === 0 && !result.draft ? ["No periodic orbit was found in this range."] : []),
+            ...(result.branches.length === 0 && !result.draft && !this.isOld ? ["No periodic orbit was found in this range."] : []),
         ].join(" ");
-        this.readout.show(text, result.note, result.draft ? [] : this.listed(result), result.unit, (found) => this.chooseNear(found));
+        this.readout.show(text, result.note, this.listed(result), result.unit, (found) => this.chooseNear(found));
         const count = result.branches.length;
         this.chart.host.setAttribute("aria-label", `${QUANTITIES[this.quantity].words} over ${result.over}: ${count} ${count === 1 ? "branch" : "branches"}. Arrow keys move along the branch. ${text}`);
+        this.tellPoint(result);
+    }
+
+    /** The selected point, for screen readers. */
+    private tellPoint({ branches }: ResponseResult): void {
+        const x = this.chosen && branches[this.chosen.branch]?.x[this.chosen.point];
+        const value = { now: x ?? this.range[0], min: this.range[0], max: this.range[1], text: this.pointWords(this.chosen) || "no point selected" };
+        for (const [name, own] of Object.entries(value)) this.chart.host.setAttribute(`aria-value${name}`, String(own));
     }
 
     private chooseNear(found: Bifurcation): void {
         const branch = this.result!.branches[found.branch];
-        const away = Array.from(branch.x, (x, k) => Math.hypot((x - found.x) / this.span, 0.2 * Math.log(branch.values.power[k] / found.power)));
+        const away = Array.from(branch.x, (x, k) => Math.hypot((x - found.x) / this.span, 0.2 * (level(branch.values.power[k]) - level(found.power))));
         this.choose({ branch: found.branch, point: away.indexOf(Math.min(...away)) });
     }
 
@@ -274,11 +293,19 @@ export class Response {
         const place = event && this.closest(event);
         if (place?.branch === this.hovered?.branch && place?.point === this.hovered?.point) return;
         this.hovered = place;
-        const branch = place && this.result!.branches[place.branch];
-        this.cursor.textContent = branch
-            ? `${quantity(branch.x[place.point], this.result!.unit, 5)}, ${quantity(branch.values.power[place.point], "W")}, period ${branch.period}, ${isStable(branch, place.point) ? "stable" : "unstable"}, ${digits(branch.contacts[place.point])} contacts`
-            : "";
+        this.cursor.textContent = this.pointWords(this.hovered);
         this.draw();
+    }
+
+    /** Values of a point in words. */
+    private pointWords(place: Place | undefined): string {
+        const branch = place && this.result!.branches[place.branch];
+        if (!branch) return "";
+        const { point } = place;
+        const { words, unit } = QUANTITIES[this.quantity];
+        const more = this.quantity === "power" ? [] : [`${words} ${quantity(branch.values[this.quantity][point], unit)}`];
+        const values = [quantity(branch.x[point], this.result!.unit, 5), quantity(branch.values.power[point], "W"), ...more];
+        return [...values, `period ${branch.period}`, isStable(branch, point) ? "stable" : "unstable", `${digits(branch.contacts[point])} ${branch.contacts[point] === 1 ? "contact" : "contacts"}`].join(", ");
     }
 
     private key(event: KeyboardEvent): void {

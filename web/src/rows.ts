@@ -13,6 +13,9 @@ export interface Fields {
     read: () => string;
 }
 
+/** A key with the texts of its fields; "true" or "false" for a checkbox. */
+export type StoredRow = [string, string[]];
+
 interface Row {
     element: HTMLElement;
     fault: HTMLElement;
@@ -21,12 +24,14 @@ interface Row {
 
 export class Rows {
     private readonly rows = new Map<string, Row>();
-    private readonly list = document.createElement("div");
+    /** The rows; a change of them is an event "change" here. */
+    readonly list = document.createElement("div");
     private readonly select = document.createElement("select");
     private readonly button = document.createElement("button");
     private readonly general = document.createElement("p");
     private offered: [string, string][] = [];
-    onChange: () => void = () => {};
+    /** Stored rows whose keys are not offered yet. */
+    private stored: StoredRow[] = [];
 
     /** `make` returns the fields of a key; `what` is a row, "limit". */
     constructor(host: HTMLElement, readonly table: string, private readonly what: string, private readonly make: (key: string, describe: string) => Fields) {
@@ -35,20 +40,36 @@ export class Rows {
         this.button.textContent = "Add";
         this.button.setAttribute("aria-label", `Add this ${what}`);
         this.button.title = `Add a ${what}`;
-        this.button.onclick = () => this.add(this.select.value, true);
+        this.button.onclick = () => {
+            this.add(this.select.value)?.querySelector<HTMLElement>(".field")?.focus();
+            this.changed();
+        };
         this.general.className = "fault";
         this.general.hidden = true;
         const bar = document.createElement("div");
         bar.className = "bar";
         bar.append(this.select, this.button);
         host.append(this.list, bar, this.general);
-        this.list.onchange = () => this.onChange();
+    }
+
+    /** The rows as they are stored. */
+    get state(): StoredRow[] {
+        return [...[...this.rows].map(([key, { element }]): StoredRow => [key, inputs(element).map((input) => (input.type === "checkbox" ? String(input.checked) : input.value))]), ...this.stored];
+    }
+
+    /** Adds stored rows once their keys are offered. */
+    restore(rows: StoredRow[]): void {
+        this.stored = rows;
     }
 
     /** Offers keys with their titles; rows of other keys are removed. */
     offer(entries: [string, string][]): void {
         this.offered = entries;
         for (const key of [...this.rows.keys()]) if (!entries.some(([own]) => own === key)) this.remove(key);
+        const isOffered = ([key]: StoredRow) => entries.some(([own]) => own === key);
+        const found = this.stored.filter(isOffered);
+        this.stored = this.stored.filter((row) => !isOffered(row));
+        for (const [key, values] of found) this.add(key, values);
         this.refill();
     }
 
@@ -68,9 +89,14 @@ export class Rows {
         return faults.filter((fault) => !own.includes(fault));
     }
 
-    private add(key: string, focus: boolean): void {
+    private changed(): void {
+        this.list.dispatchEvent(new Event("change", { bubbles: true }));
+    }
+
+    /** Adds the row of a key, with the texts of its fields. */
+    private add(key: string, values: string[] = []): HTMLElement | undefined {
         const title = this.offered.find(([own]) => own === key)?.[1];
-        if (title === undefined || this.rows.has(key)) return;
+        if (title === undefined || this.rows.has(key)) return undefined;
         const element = document.createElement("div");
         element.className = "row";
         element.setAttribute("role", "group");
@@ -92,14 +118,18 @@ export class Rows {
             this.remove(key);
             this.refill();
             this.select.focus();
-            this.onChange();
+            this.changed();
         };
         element.append(name, remove, ...parts, fault);
         this.list.append(element);
         this.rows.set(key, { element, fault, read });
+        inputs(element).forEach((input, k) => {
+            if (values[k] === undefined) return;
+            if (input.type === "checkbox") input.checked = values[k] === "true";
+            else input.value = values[k];
+        });
         this.refill();
-        this.onChange();
-        if (focus) element.querySelector<HTMLElement>(".field")?.focus();
+        return element;
     }
 
     private remove(key: string): void {
@@ -112,6 +142,10 @@ export class Rows {
         this.select.replaceChildren(...free.map(([key, title]) => new Option(title, key)));
         this.button.disabled = this.select.disabled = free.length === 0;
     }
+}
+
+function inputs(element: HTMLElement): HTMLInputElement[] {
+    return [...element.querySelectorAll("input")];
 }
 
 /** Shows messages, or hides their place. */

@@ -26,6 +26,8 @@ export class Search {
     private best: Head | undefined;
     /** Signature of the design to which the search has moved the sliders. */
     private signature = "";
+    /** True while the search itself changes the design. */
+    private moving = false;
     private offered = false;
 
     constructor(private readonly wire: Wire, controls: Controls, private readonly design: Design, private readonly response: Response) {
@@ -50,12 +52,18 @@ export class Search {
         this.problem.offerKeys();
     }
 
-    designChanged(): void {
-        this.problem.offerKeys();
+    /** Ends a search whose design the user has changed, and shows whether its result is the present design. */
+    mark(): void {
+        if (this.moving) return;
         const isOwn = this.signature === "" || this.signature === this.design.signature;
         if (this.running && !isOwn) this.stop("stopped, because the design has changed");
         if (!isOwn) this.response.start = undefined;
         find("search-stale").hidden = isOwn || this.best === undefined;
+    }
+
+    /** Offers the keys of another design. */
+    designTaken(): void {
+        this.problem.offerKeys();
     }
 
     /** The file may have other patches and stops. */
@@ -75,14 +83,14 @@ export class Search {
         this.start = this.design.pairs;
         this.best = undefined;
         this.signature = this.design.signature;
-        this.response.start = this.response.result;
+        this.response.start = this.response.isOld ? undefined : this.response.result;
         this.running = this.wire.ask("design-search", { set: this.start, ...this.problem.fields }) !== 0;
         if (this.running) this.words.textContent = "searching";
-        this.mark();
+        this.showState();
     }
 
     private stop(reason: string): void {
-        this.wire.ask("stop", { what: "design-search" });
+        this.wire.stop("design-search");
         this.end(reason);
     }
 
@@ -92,11 +100,10 @@ export class Search {
         if (this.best) this.outcome.showStopped(this.best);
         else this.response.start = undefined;
         this.response.draw();
-        this.mark();
+        this.showState();
     }
 
     private hear({ head }: Frame): void {
-        if (!this.running) return;
         if (head.stage === "file") find("search-file").textContent = head.file;
         else if (head.stage === "progress") this.words.textContent = `${head.done} designs evaluated, ${digits(head.seconds, 2)} s${this.goal()}`;
         else if (head.stage === "better") {
@@ -112,7 +119,7 @@ export class Search {
             this.running = false;
             this.words.textContent = head.violation_text ? "finished; no design keeps all limits" : "finished";
             this.outcome.show(head);
-            this.mark();
+            this.showState();
         }
     }
 
@@ -127,8 +134,11 @@ export class Search {
     /** Moves the sliders to the best design; undo returns to the design before, once it is taken. */
     private move(moving: boolean): void {
         if (!this.best) return;
+        this.moving = true;
         this.design.setAll(this.best.shown as [string, string][], moving);
+        this.moving = false;
         this.signature = this.design.signature;
+        this.showState();
         this.mark();
     }
 
@@ -139,7 +149,7 @@ export class Search {
         this.response.draw();
     }
 
-    private mark(): void {
+    private showState(): void {
         this.run.textContent = this.running ? "Stop" : "Start";
         this.take.disabled = this.running || this.best === undefined;
         this.back.disabled = this.best === undefined;

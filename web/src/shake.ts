@@ -7,10 +7,13 @@ import type { Frame } from "./frame";
 import { colour } from "./theme";
 import { quantity } from "./units";
 import { Stale } from "./stale";
-import type { Wire } from "./wire";
+import type { Request, Wire } from "./wire";
 
 /** Largest file that is sent. */
 const MOST_BYTES = 11 << 20;
+
+/** What excites the harvester, as the server takes it. */
+type Excitation = "spec" | { noise: { density: number; low_hz: number; high_hz: number } } | { recording: { name: string; bytes: string; channel: string | null; scale: number } };
 
 const find = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;
 const number = (id: string) => Number(find<HTMLInputElement>(id).value);
@@ -23,18 +26,22 @@ export class Shake {
     private last: Frame | undefined;
     private running = false;
     private readonly stale: Stale;
-    private name = "";
+    /** Number of runs that were started: a file that is read later than a newer one was chosen is dropped. */
+    private runs = 0;
+    /** True once the user has started a run. */
+    private chosen = false;
     private offered = false;
     /** Called with the result under the drives of the spec. */
-    onSpec: (words: string) => void = () => {};
+    onSpec: (words: string, request: Request) => void = () => {};
 
     constructor(private readonly wire: Wire, private readonly controls: Controls, private readonly design: Design, private readonly show: () => void) {
         this.stale = new Stale(find("panel-shake"), find("shake-stale"), design);
-        wire.on("shake", (frame) => this.take(frame));
-        find("shake-spec").onclick = () => (this.running ? this.stop() : this.ofSpec());
-        find("shake-run").onclick = () => (this.running ? this.stop() : this.noise());
+        wire.on("shake", (frame, request) => this.take(frame, request));
+        find("shake-spec").onclick = () => this.choose(() => this.ofSpec());
+        find("shake-run").onclick = () => this.choose(() => this.noise());
+        find("shake-stop").onclick = () => this.stop();
         const chosen = find<HTMLInputElement>("shake-file");
-        chosen.onchange = () => chosen.files?.[0] && void this.recording(chosen.files[0]);
+        chosen.onchange = () => chosen.files?.[0] && this.choose(() => void this.recording(chosen.files![0]));
         addEventListener("dragover", (event) => {
             event.preventDefault();
             document.body.classList.add("dropping");
@@ -46,7 +53,7 @@ export class Shake {
             const file = event.dataTransfer?.files[0];
             if (!file) return;
             this.show();
-            void this.recording(file);
+            this.choose(() => void this.recording(file));
         });
     }
 
@@ -62,20 +69,27 @@ export class Shake {
         put("shake-high", 1.5 * hertz);
     }
 
-    get idle(): boolean {
-        return !this.running;
-    }
-
     /** Integrates under the drives of the spec. */
     ofSpec(): void {
-        this.name = "the drives of the spec";
+        this.runs++;
         this.ask("spec");
+    }
+
+    /** Integrates under the drives of the spec, unless the user has started a run. */
+    offerSpec(): void {
+        if (!this.chosen && !this.running) this.ofSpec();
+    }
+
+    /** Starts a run of the user; it takes the place of one that is under way. */
+    private choose(run: () => void): void {
+        this.chosen = true;
+        run();
     }
 
     private noise(): void {
         const [density, low_hz, high_hz] = ["shake-density", "shake-low", "shake-high"].map(number);
         if (![density, low_hz, high_hz].every(Number.isFinite)) return this.say("noise needs three numbers: its density and the ends of its band");
-        this.name = "noise";
+        this.runs++;
         this.ask({ noise: { density, low_hz, high_hz } });
     }
 
@@ -83,25 +97,29 @@ export class Shake {
         if (file.size > MOST_BYTES) return this.say(`${file.name} is larger than ${MOST_BYTES >> 20} MiB; cut it into pieces`);
         const scale = number("shake-scale");
         if (!Number.isFinite(scale)) return this.say("the scale of a recording must be a number");
-        this.name = file.name;
+        const run = ++this.runs;
+        this.wire.stop("shake");
+        this.set(true);
+        this.say(`reading ${file.name}`);
         const channel = find<HTMLInputElement>("shake-channel").value.trim();
-        this.ask({ recording: { name: file.name, bytes: await base64(file), channel: channel === "" ? null : channel, scale } });
+        const bytes = await base64(file);
+        if (run === this.runs) this.ask({ recording: { name: file.name, bytes, channel: channel === "" ? null : channel, scale } });
     }
 
-    private ask(by: object | "spec"): void {
-        this.stale.begin();
+    private ask(by: Excitation): void {
         this.set(this.wire.ask("shake", { set: this.design.pairs, by }) !== 0);
-        this.say(`integrating under ${this.name}`);
+        this.say(`integrating under ${nameOf(by)}`);
     }
 
     private stop(): void {
-        this.wire.ask("stop", { what: "shake" });
+        this.runs++;
+        this.wire.stop("shake");
         this.set(false);
         this.say("stopped");
     }
 
     /** Shows whether the result belongs to the present design. */
-    designChanged(): void {
+    mark(): void {
         this.stale.mark();
     }
 
@@ -114,26 +132,27 @@ export class Shake {
 
     private set(running: boolean): void {
         this.running = running;
-        find("shake-run").textContent = running ? "Stop" : "Run noise";
-        find("shake-spec").textContent = running ? "Stop" : "Run the drives of the spec";
+        find("shake-stop").hidden = !running;
     }
 
     private say(words: string): void {
         this.words.textContent = words;
     }
 
-    private take(frame: Frame): void {
+    private take(frame: Frame, request: Request): void {
         const { head } = frame;
-        if (head.stage === "progress") return this.say(`integrating under ${this.name}: ${Math.round((100 * head.done) / head.of)} %`);
+        const by = nameOf(request.body.by);
+        if (head.stage === "progress") return this.say(`integrating under ${by}: ${Math.round((100 * head.done) / head.of)} %`);
         this.set(false);
         if (head.stage === "fault") return this.say(head.faults[0]?.message ?? "");
         const linear = head.linear_power_w > 0 ? `, ${quantity(head.linear_power_w, "W")} without contact` : "";
-        const rate = head.contacts / head.average_over_s;
-        const name = head.channel ? `${this.name} (${head.channel})` : this.name;
+        const contacts = frame.has("displacement.time") ? `; ${(head.contacts / head.average_over_s).toFixed(1)} contacts per second` : "";
+        const name = head.channel ? `${by} (${head.channel})` : by;
         const noticed = head.issues?.length > 0 ? `. Issues: ${head.issues.join("; ")}` : "";
-        this.say(`${name}: ${quantity(head.mean_power_w, "W")} on average over ${quantity(head.average_over_s, "s")}${linear}; ${rate.toFixed(1)} contacts per second${noticed}`);
+        this.say(`${name}: ${quantity(head.mean_power_w, "W")} on average over ${quantity(head.average_over_s, "s")}${linear}${contacts}${noticed}`);
         this.last = frame;
-        if (this.name === "the drives of the spec") this.onSpec(this.words.textContent!);
+        this.stale.shows(request);
+        if (request.body.by === "spec") this.onSpec(this.words.textContent!, request);
         this.redraw();
     }
 
@@ -143,6 +162,7 @@ export class Shake {
         const time = { words: "Time", unit: "s" };
         this.voltage.host.setAttribute("aria-label", `Voltage over time. ${this.words.textContent}`);
         this.voltage.show(time, { words: "Voltage", unit: "V" }, [{ x: last.array("voltage.time"), y: last.array("voltage.value"), colour: colour("blue"), width: 1 }]);
+        this.displacement.host.hidden = !last.has("displacement.time");
         if (last.has("displacement.time")) {
             const curve = { x: last.array("displacement.time"), y: last.array("displacement.value"), colour: colour("green"), width: 1 };
             this.displacement.show(time, { words: "Position", unit: "m" }, [curve], [], [{ at: last.head.gap_m, along: "y", words: "stop" }]);
@@ -152,6 +172,12 @@ export class Shake {
             this.density.show({ words: "Frequency", unit: "Hz" }, { words: "Density", unit: "V²/Hz", log: true }, [curve]);
         }
     }
+}
+
+/** Words for what excites the harvester. */
+function nameOf(by: Excitation): string {
+    if (by === "spec") return "the drives of the spec";
+    return "recording" in by ? by.recording.name : "noise";
 }
 
 function base64(file: File): Promise<string> {

@@ -1,22 +1,21 @@
 // Marks of results that belong to an earlier design.
 
 import type { Design } from "./design";
+import type { Request } from "./wire";
 
 export class Stale {
-    private of = "";
-    private shown = false;
+    private of: string | undefined;
 
     constructor(private readonly panel: HTMLElement, private readonly words: HTMLElement, private readonly design: Design) {}
 
     /** True where the result belongs to an earlier design. */
     get isOld(): boolean {
-        return this.shown && this.of !== this.design.signature;
+        return this.of !== undefined && this.of !== this.design.signature;
     }
 
-    /** Registers that a result of the present design is requested. */
-    begin(): void {
-        this.of = this.design.signature;
-        this.shown = true;
+    /** Registers that the result of a request is shown. */
+    shows(request: Request): void {
+        this.of = request.design;
         this.mark();
     }
 

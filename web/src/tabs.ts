@@ -8,10 +8,11 @@ export class Tabs {
         this.tabs.forEach((tab, k) => {
             tab.onclick = () => this.choose(k);
             tab.onkeydown = (event) => {
-                const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
-                if (step === undefined) return;
+                const count = this.tabs.length;
+                const next = { ArrowRight: k + 1, ArrowLeft: k - 1 + count, Home: 0, End: count - 1 }[event.key];
+                if (next === undefined) return;
                 event.preventDefault();
-                this.choose((k + step + this.tabs.length) % this.tabs.length);
+                this.choose(next % count);
             };
         });
     }

@@ -1,8 +1,21 @@
 // The socket: sends requests, distributes responses, reconnects when the server returns.
 
+import type { Design } from "./design";
 import { Frame } from "./frame";
 
-type Hear = (frame: Frame) => void;
+/** A request, which each response to it brings back. */
+export interface Request {
+    id: number;
+    // eslint-disable-next-line @typescript-eslint/no-explicit-any
+    body: Record<string, any>;
+    /** Signature of the design when it was sent. */
+    design: string;
+}
+
+type Hear = (frame: Frame, request: Request) => void;
+
+/** Frames that the server sends without a request. */
+const UNREQUESTED: Request = { id: 0, body: {}, design: "" };
 
 const RETRY_MS = 700;
 
@@ -10,11 +23,13 @@ export class Wire {
     private socket: WebSocket | undefined;
     private next = 1;
     private readonly heard = new Map<string, Hear>();
-    /** Number of the last request of each kind: older responses are ignored. */
-    private readonly last = new Map<string, number>();
+    /** Last request of each kind: responses to older ones are ignored. */
+    private readonly last = new Map<string, Request>();
     onOpen: () => void = () => {};
     /** Called with true where the server runs but accepts no further page. */
     onLost: (full: boolean) => void = () => {};
+
+    constructor(private readonly design: Design) {}
 
     connect(): void {
         const address = new URL("socket", location.href);
@@ -46,14 +61,20 @@ export class Wire {
     ask(ask: string, body: object): number {
         if (this.socket?.readyState !== WebSocket.OPEN) return 0;
         const id = this.next++;
-        this.last.set(ask, id);
+        this.last.set(ask, { id, body, design: this.design.signature });
         this.socket.send(JSON.stringify({ id, ask, ...body }));
         return id;
     }
 
+    /** Ends the last request of a kind; responses that are already on their way are ignored. */
+    stop(ask: string): void {
+        this.last.delete(ask);
+        this.ask("stop", { what: ask });
+    }
+
     private take(frame: Frame): void {
         const { id, ask } = frame.head;
-        if (id !== 0 && id !== this.last.get(ask)) return;
-        this.heard.get(ask)?.(frame);
+        const request = id === 0 ? UNREQUESTED : this.last.get(ask);
+        if (request?.id === id) this.heard.get(ask)?.(frame, request);
     }
 }

@@ -152,6 +152,25 @@ test("robust shades the band of the power, and a wrong tolerance has a message a
     assert.equal(await field("stop.tip.gap").inputValue(), "1");
 });
 
+test("the problem is there again after a reload", async () => {
+    await page.locator("#search-goal").selectOption({ index: 1 });
+    await put("seed", "7");
+    await label("Stop gap, logarithmic").check();
+    await label("Stop gap, normal distribution").check();
+    await page.locator("#robust").check();
+    const state = () => page.locator("#search-form").evaluate((form) => [...form.querySelectorAll("input, #search-goal")].map((own) => [own.ariaLabel ?? own.id, own.value, own.checked]));
+    const before = await state();
+    assert.ok(before.length > 12, JSON.stringify(before));
+    await page.reload();
+    await ready(page);
+    await page.locator("#tab-design").click();
+    await label("Patch mfc strain, limit").waitFor();
+    assert.deepEqual(await state(), before);
+    await until("robust-words", /shaded: 5 % to 95 % of 64 drawn designs/);
+    await page.locator("#robust").uncheck();
+    await page.locator("#search-goal").selectOption({ index: 0 });
+});
+
 test("a row is removed, and nothing free is a fault", async () => {
     await label("Remove Stop gap, free key").click();
     await label("Remove Circuit resistance, free key").click();

@@ -74,6 +74,17 @@ test("one cursor on the histories, the phase portrait and the motion", async () 
     await page.waitForFunction((old) => document.getElementById("phase").value !== old, await page.locator("#phase").inputValue());
 });
 
+test("the response shows the displacement at the stop, by the mouse and for screen readers", async () => {
+    const power = await picture();
+    await page.locator("#quantity").selectOption("displacement");
+    const chart = page.locator("#chart-response");
+    assert.match(await chart.getAttribute("aria-label"), /^Displacement at the stop, half peak to peak over/);
+    assert.match(await chart.getAttribute("aria-valuetext"), /^13(\.\d+)? Hz, .*W, Displacement at the stop, half peak to peak [\d.]+ mm, period 1/);
+    assert.notEqual(await picture(), power);
+    await page.locator("#quantity").selectOption("power");
+    assert.doesNotMatch(await chart.getAttribute("aria-valuetext"), /Displacement/);
+});
+
 test("a changed value is marked and restored alone", async () => {
     const row = (key) => page.locator(`.control.changed:has([aria-label='${key}, value'])`);
     assert.equal(await page.locator(".control.changed").count(), 0);
@@ -103,6 +114,7 @@ test("the page shows the lines of the file that change, and saves them", async (
     assert.equal(await field("stop.tip.gap").inputValue(), "0.8");
     await ready(page);
     await page.locator("#save").click();
+    await page.locator("#save-dialog").waitFor({ state: "visible" });
     assert.match(await text("save-difference"), /those of the file/);
     assert.ok(await page.locator("#save-write").isDisabled());
     await page.keyboard.press("Escape");

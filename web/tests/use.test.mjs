@@ -208,6 +208,14 @@ test("without a stop there are no charts of contact", async () => {
     await linear.close();
 });
 
+test("a harvester without a load, whose power is 0, has its orbit at the operating point", async () => {
+    const oscillator = await serve({ example: "bouncing-and-impact-oscillators/impact.toml" });
+    const own = await open(browser.context, oscillator.address);
+    await until("orbit-title", /^Orbit at 0\.12732 Hz: 0 W, period 1, stable$/, own);
+    await own.close();
+    await oscillator.close();
+});
+
 test("a spec without a drive opens on its free motion", async () => {
     const text = await readFile(server.spec, "utf8");
     const free = await serve({ text: text.replace(/\[drive\.shaker\][^[]*/, "") });

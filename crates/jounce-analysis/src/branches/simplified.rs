@@ -3,11 +3,12 @@
 use super::branch::{Branch, BranchPoint};
 
 /// Quantities of a branch that are drawn, each over its range on the branch.
-const SHOWN_QUANTITIES: [fn(&BranchPoint) -> f64; 5] = [
+const SHOWN_QUANTITIES: [fn(&BranchPoint) -> f64; 6] = [
     |point| point.orbit.mean_power_w,
     |point| point.orbit.mean_power_w.max(f64::MIN_POSITIVE).ln(),
     |point| point.orbit.voltage_rms_v,
     |point| point.orbit.max_penetration_m,
+    |point| point.orbit.displacement_peak_m,
     |point| point.orbit.floquet_max_abs(),
 ];
 

@@ -99,6 +99,7 @@ fn put_branch(frame: &mut Frame, index: usize, branch: &ResponseBranch) {
         ("power", &branch.mean_power_w),
         ("voltage", &branch.voltage_rms_v),
         ("penetration", &branch.max_penetration_m),
+        ("displacement", &branch.displacement_peak_m),
         ("floquet", &branch.floquet_max_abs),
     ];
     for (name, list) in lists {
@@ -112,6 +113,6 @@ fn bifurcation(own: &ResponseBifurcation) -> Value {
     json!({
         "branch": own.branch, "kind": own.kind, "x": own.parameter, "power": own.mean_power_w,
         "voltage": own.voltage_rms_v, "penetration": own.max_penetration_m, "floquet": own.floquet_max_abs,
-        "contacts": own.contacts,
+        "displacement": own.displacement_peak_m, "contacts": own.contacts,
     })
 }

@@ -128,6 +128,18 @@ async fn a_response_equals_that_of_the_library() {
         (frame_displacement / history_displacement - 1.0).abs() < 0.05,
         "{frame_displacement} {history_displacement}"
     );
+    // Half the peak-to-peak of the sampled displacement against that of the response.
+    let (low, high) = orbit
+        .array("displacement.0")
+        .iter()
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
+            (low.min(*value), high.max(*value))
+        });
+    let peak = fine.array("0.displacement")[0];
+    assert!(
+        ((high - low) / 2.0 / peak - 1.0).abs() < 1e-3,
+        "{low} {high} {peak}"
+    );
     // RMS of the sampled voltage against the exact value of the flow.
     let voltage = orbit.array("voltage");
     let rms = (voltage.iter().map(|v| v * v).sum::<f64>() / voltage.len() as f64).sqrt();

@@ -40,6 +40,8 @@ pub struct ResponseBranch {
     pub voltage_rms_v: Vec<f64>,
     /// Largest penetration, m.
     pub max_penetration_m: Vec<f64>,
+    /// Half the peak-to-peak displacement at the first stop, m.
+    pub displacement_peak_m: Vec<f64>,
     /// Largest modulus of a Floquet multiplier; the orbit is stable below 1.
     pub floquet_max_abs: Vec<f64>,
     /// Contacts per period.
@@ -61,6 +63,8 @@ pub struct ResponseBifurcation {
     pub voltage_rms_v: f64,
     /// Largest penetration, m.
     pub max_penetration_m: f64,
+    /// Half the peak-to-peak displacement at the first stop, m.
+    pub displacement_peak_m: f64,
     /// Largest modulus of a Floquet multiplier.
     pub floquet_max_abs: f64,
     /// Contacts per period.
@@ -96,6 +100,7 @@ impl ResponseBranch {
             mean_power_w: list(|point| point.orbit.mean_power_w),
             voltage_rms_v: list(|point| point.orbit.voltage_rms_v),
             max_penetration_m: list(|point| point.orbit.max_penetration_m),
+            displacement_peak_m: list(|point| point.orbit.displacement_peak_m),
             floquet_max_abs: list(|point| point.orbit.floquet_max_abs()),
             contacts: branch.points.iter().map(contacts).collect(),
         }
@@ -112,6 +117,7 @@ impl ResponseBifurcation {
             mean_power_w: orbit.mean_power_w,
             voltage_rms_v: orbit.voltage_rms_v,
             max_penetration_m: orbit.max_penetration_m,
+            displacement_peak_m: orbit.displacement_peak_m,
             floquet_max_abs: orbit.floquet_max_abs(),
             contacts: orbit.contacts,
         }
