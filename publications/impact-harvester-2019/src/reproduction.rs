@@ -187,7 +187,8 @@ impl Reproduction {
             }
         }
         let files = self.figures.iter().flat_map(|figure| {
-            ["svg", "png", "pdf"].map(|ending| (figure, figures.join(format!("{}.{ending}", figure.name))))
+            ["svg", "png", "pdf"]
+                .map(|ending| (figure, figures.join(format!("{}.{ending}", figure.name))))
         });
         let files: Vec<_> = files.collect();
         files.par_iter().try_for_each(|(figure, path)| {

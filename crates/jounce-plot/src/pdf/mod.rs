@@ -22,6 +22,9 @@ const POINTS: f64 = 0.75;
 const OPEN: &str = "<jounce:origin>";
 const CLOSE: &str = "</jounce:origin>";
 
+/// End of a file.
+const END: &[u8] = b"%%EOF";
+
 /// Numbers of the objects of a document.
 const CATALOG: i32 = 1;
 const PAGES: i32 = 2;
@@ -103,8 +106,12 @@ fn metadata(origin: &str) -> String {
     )
 }
 
-/// Returns a file up to its metadata, and the origin; `None` where there is none.
+/// Returns a file up to its metadata, and the origin; `None` where there is none, or where the file
+/// is cut off.
 pub(super) fn parts(bytes: &[u8]) -> Option<(&[u8], String)> {
+    if !bytes.ends_with(END) {
+        return None;
+    }
     let last = |part: &str| {
         bytes
             .windows(part.len())
@@ -205,6 +212,7 @@ mod tests {
         let (picture, origin) = parts(&one).unwrap();
         assert_eq!(origin, "{\"a\":\"<&>\"}");
         assert_eq!(parts(&two).unwrap(), (picture, "longer".to_owned()));
+        assert_eq!(parts(&one[..one.len() - 1]), None);
         assert_eq!(parts(&pdf(SVG, None).unwrap()), None);
     }
 }
