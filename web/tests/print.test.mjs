@@ -64,7 +64,7 @@ test("the saved vectors of the response are the picture of its canvas", async ()
 test("the PDF of a command is its picture, with letters inside", { skip: missing }, async () => {
     for (const [line, stem, words] of [
         ["show harvester.toml --out tip", "tip", "stop tip, gap 1 mm"],
-        ["modes harvester.toml --out modes", "modes/modes-beam", "Distance from the root"],
+        ["modes harvester.toml --out modes", "modes/modes-beam", "Position along the beam (mm)"],
     ]) {
         for (const ending of line.startsWith("show") ? [".pdf", ".png"] : [""]) {
             const { status, stderr } = spawnSync(program, (line + ending).split(" "), { cwd: server.folder, encoding: "utf8" });
