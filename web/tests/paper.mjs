@@ -38,12 +38,14 @@ export function compare(page, first, second) {
             await picture.decode();
             return picture;
         }));
-        const [{ naturalWidth: width, naturalHeight: height }] = pictures;
+        // Renderers differ in the edges of letters and lines: pixels are means of four by four.
+        const [width, height] = [pictures[0].naturalWidth, pictures[0].naturalHeight].map((length) => Math.round(length / 4));
         const [one, two] = pictures.map((picture) => {
             const sheet = Object.assign(document.createElement("canvas"), { width, height });
             const ctx = sheet.getContext("2d");
             ctx.fillStyle = "white";
             ctx.fillRect(0, 0, width, height);
+            ctx.imageSmoothingQuality = "high";
             ctx.drawImage(picture, 0, 0, width, height);
             return ctx.getImageData(0, 0, width, height).data;
         });

@@ -32,7 +32,7 @@ test("a print is light, with vectors, letters as text and without controls", { s
     assert.ok(inside > 0);
     for (const words of ["harvester.toml", "Drive frequency (Hz)", "Mean power (mW)", "12.5", "Position (mm)", "Multiplier, real", "gap 1 mm"]) assert.ok(text.includes(words), `${words}\n${text}`);
     for (const words of ["Undo", "Export", "slower", "grazings", "Young"]) assert.ok(!text.includes(words), `${words}\n${text}`);
-    render(path, join(server.folder, "print"), 50);
+    render(path, join(server.folder, "print"), 200);
     const picture = png(await readFile(join(server.folder, "print.png")));
     const { inked } = await compare(page, picture, picture);
     assert.ok(inked > 0.005 && inked < 0.1, `${inked}`);
