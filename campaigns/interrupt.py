@@ -37,7 +37,7 @@ def is_whole(name, content):
     """Whether a file ends as its format does."""
     if name.endswith(".json"):
         json.loads(content)
-    ends = {"csv": b"\n", "svg": b"</svg>\n", "png": b"IEND\xaeB`\x82", "parquet": b"PAR1", "toml": b"\n"}
+    ends = {"csv": b"\n", "svg": b"</svg>\n", "png": b"IEND\xaeB`\x82", "pdf": b"%%EOF", "parquet": b"PAR1", "toml": b"\n"}
     return content.endswith(ends.get(name.rpartition(".")[2], b""))
 
 

@@ -28,7 +28,7 @@ class ReproduceResult(Result):
 
     report: Annotated[Path, About("report, one HTML file")]
     tables: Annotated[list[Path], About("tables, CSV with a manifest and JSON")]
-    figures: Annotated[list[Path], About("figures, SVG and PNG")]
+    figures: Annotated[list[Path], About("figures, SVG, PNG and PDF")]
     claim: Annotated[list[str], About("claims of the paper")]
     holds: Annotated[list[bool], About("True where the claim holds")]
     evidence: Annotated[list[str], About("numbers of the evidence of each claim")]

@@ -2,6 +2,8 @@
 
 import uPlot from "uplot";
 import { type Curve, type Mark, type Rule, unitCircle, drawCurve, drawMark, drawRule } from "./paint";
+import type { Drawn } from "./print";
+import { record } from "./recorder";
 import { colour } from "./theme";
 import { axisUnit, digits } from "./units";
 
@@ -27,7 +29,9 @@ const MANY = 300;
 /** Pixels of axes and margins in a small chart, horizontally and vertically. */
 export const AROUND = [56, 38];
 
-export class Chart {
+export class Chart implements Drawn {
+    /** All charts of the page. */
+    static readonly all: Chart[] = [];
     private plot: uPlot | undefined;
     private shape = "";
     private curves: Curve[] = [];
@@ -49,6 +53,7 @@ export class Chart {
     constructor(readonly host: HTMLElement, private readonly compact = false) {
         host.setAttribute("role", "img");
         new ResizeObserver(() => this.resize()).observe(host);
+        Chart.all.push(this);
     }
 
     show(x: Axis, y: Axis, curves: Curve[], marks: Mark[] = [], rules: Rule[] = [], round = false): void {
@@ -152,6 +157,13 @@ export class Chart {
 
     get canvas(): HTMLCanvasElement | undefined {
         return this.plot?.ctx.canvas;
+    }
+
+    /** The chart as an SVG document, on `paper` if it is given. */
+    svg(paper?: string): string | undefined {
+        const { plot } = this;
+        // A batch draws before it returns.
+        return plot && record(plot.ctx, () => plot.batch(() => plot.redraw(false)), paper);
     }
 
     private span(which: "x" | "y", log = false): [number, number] {

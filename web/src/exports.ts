@@ -3,7 +3,9 @@
 import { type ResponseResult, isStable } from "./branches";
 import type { Drawing } from "./drawing";
 import type { Head } from "./frame";
+import type { Drawn } from "./print";
 import type { Response } from "./response";
+import { colour } from "./theme";
 
 const find = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;
 
@@ -19,6 +21,7 @@ export class Exports {
         };
         find("export-drawing").onclick = () => save(`${this.stem}.svg`, "image/svg+xml", this.drawing.svg);
         find("export-picture").onclick = () => this.picture();
+        find("export-vectors").onclick = () => saveChart(`${this.stem}-response.svg`, this.response.chart);
     }
 
     /** Opens the dialog with the data of the server. */
@@ -37,7 +40,7 @@ export class Exports {
         const sheet = document.createElement("canvas");
         [sheet.width, sheet.height] = [from.width, from.height];
         const ctx = sheet.getContext("2d")!;
-        ctx.fillStyle = getComputedStyle(document.documentElement).getPropertyValue("--paper").trim();
+        ctx.fillStyle = colour("paper");
         ctx.fillRect(0, 0, sheet.width, sheet.height);
         ctx.drawImage(from, 0, 0);
         sheet.toBlob((blob) => blob && save(`${this.stem}-response.png`, "image/png", blob));
@@ -54,6 +57,12 @@ export function table(result: ResponseResult): string {
         });
     });
     return lines.join("\n") + "\n";
+}
+
+/** Downloads a chart as vectors, in the colours of the page. */
+export function saveChart(name: string, chart: Drawn): void {
+    const svg = chart.svg(colour("paper"));
+    if (svg) save(name, "image/svg+xml", svg);
 }
 
 /** Downloads a file of the page. */

@@ -4,6 +4,7 @@ import { Axes } from "./axes";
 import { Band } from "./band";
 import { Basins } from "./basins";
 import { type ResponseResult, resultOf } from "./branches";
+import { Chart } from "./chart";
 import { Controls } from "./controls";
 import { Design, fromFragment, toFragment } from "./design";
 import { Drawing } from "./drawing";
@@ -15,6 +16,7 @@ import { Modes } from "./modes";
 import { Orbit } from "./orbit";
 import { Pins } from "./pins";
 import { OperatingPoint } from "./operating";
+import { preparePrints } from "./print";
 import { Readout } from "./readout";
 import { Requests } from "./requests";
 import { Response } from "./response";
@@ -257,6 +259,9 @@ const theme = new Theme(find("theme"), () => {
     load.redraw();
     basins.redraw();
     shake.redraw();
+});
+preparePrints(theme, () => [...Chart.all, orbit.motion], () => {
+    find("printed-design").textContent = design.pairs.map(([key, value]) => `${key} = ${value}`).join("; ");
 });
 
 response.chart.onZoom = () => {

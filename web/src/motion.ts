@@ -3,6 +3,8 @@
 import { colour } from "./theme";
 import type { Frame } from "./frame";
 import type { Plates } from "./plates";
+import type { Drawn } from "./print";
+import { record } from "./recorder";
 
 interface Beam {
     name: string;
@@ -24,7 +26,7 @@ interface Stop {
     displacement: Float64Array;
 }
 
-export class Motion {
+export class Motion implements Drawn {
     private beams: Beam[] = [];
     private stops: Stop[] = [];
     private pictures = 0;
@@ -41,7 +43,7 @@ export class Motion {
     onPhase: (phase: number) => void = () => {};
     readonly frames: number[] = [];
 
-    constructor(private readonly canvas: HTMLCanvasElement, private readonly plates: Plates) {
+    constructor(readonly canvas: HTMLCanvasElement, private readonly plates: Plates) {
         this.paused = matchMedia("(prefers-reduced-motion: reduce)").matches;
         requestAnimationFrame((time) => this.tick(time));
     }
@@ -112,6 +114,11 @@ export class Motion {
         ctx.clearRect(0, 0, width, height);
         const strip = height / Math.max(1, this.beams.length);
         this.beams.forEach((beam, k) => this.beam(ctx, beam, k * strip, strip, width, ratio));
+    }
+
+    svg(paper?: string): string | undefined {
+        const ctx = this.canvas.getContext("2d");
+        return ctx ? record(ctx, () => this.draw(), paper) : undefined;
     }
 
     private beam(ctx: CanvasRenderingContext2D, beam: Beam, top: number, high: number, width: number, ratio: number): void {

@@ -8,6 +8,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { browse, inked, program } from "./browser.mjs";
+import { missing, read } from "./paper.mjs";
 
 const axeSource = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
 const spec = new URL("../../examples/impact-harvester-2019/harvester.toml", import.meta.url).pathname;
@@ -106,6 +107,18 @@ test("the downloaded table has all digits of the study", async () => {
     }));
 });
 
+test("a print has its chart as vectors with letters inside, which can be saved too", { skip: missing }, async () => {
+    const path = join(folder, "print.pdf");
+    await page.pdf({ path, preferCSSPageSize: true });
+    const { images, outside, text } = read(path);
+    assert.deepEqual([images, outside], [0, []]);
+    for (const words of ["drive.shaker.frequency (Hz)", "10.5", "126 points over"]) assert.ok(text.includes(words), `${words}\n${text}`);
+    const [download] = await Promise.all([page.waitForEvent("download"), page.locator("#svg").click()]);
+    await download.saveAs(join(folder, "chart.svg"));
+    const svg = await readFile(join(folder, "chart.svg"), "utf8");
+    assert.ok(svg.includes(">drive.shaker.frequency (Hz)</text>") && !svg.includes("<image"), svg);
+});
+
 test("the mouse and the arrow keys read the value of a point", async () => {
     await page.locator("#chart").focus();
     await page.keyboard.press("ArrowRight");
@@ -170,7 +183,9 @@ test("no serious issue of axe in light and dark, and paper is light", async () =
     }
     await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
     assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), "light");
+    assert.equal(await page.locator("#chart .printed svg").count(), 1);
     await page.evaluate(() => dispatchEvent(new Event("afterprint")));
+    assert.equal(await page.locator("#chart .printed").count(), 0);
     assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), "dark");
     assert.deepEqual(page.faults, []);
 });

@@ -161,10 +161,10 @@ pub fn table(folder: &Path, name: &str, table: &Table, manifest: &Manifest) -> R
     Ok(())
 }
 
-/// Writes a figure as SVG and PNG, with the record of this call.
+/// Writes a figure as SVG, PNG and PDF, with the record of this call.
 pub fn figure(folder: &Path, name: &str, figure: &Figure) -> Result<(), Failure> {
     let manifest = origin(record::of_file(name));
-    for extension in ["svg", "png"] {
+    for extension in ["svg", "png", "pdf"] {
         let path = folder.join(format!("{name}.{extension}"));
         figure.write_with(&path, &manifest).map_err(Error::from)?;
     }

@@ -25,8 +25,8 @@ pub struct OutputArguments {
     /// Prints one JSON object on stdout; by default lines of text.
     #[arg(long)]
     pub json: bool,
-    /// Writes tables (CSV, Parquet, JSON) and pictures (SVG, PNG) into this folder, which is
-    /// created if missing; by default no files.
+    /// Writes tables (CSV, Parquet, JSON) and pictures (SVG, PNG, PDF) into this folder, which
+    /// is created if missing; by default no files.
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
 }

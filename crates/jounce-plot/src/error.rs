@@ -44,13 +44,13 @@ pub enum PictureError {
         height: f64,
     },
     /// A file name whose extension is not a known format.
-    #[error("the extension of \"{path}\" is not a known format; use .svg or .png")]
+    #[error("the extension of \"{path}\" is not a known format; use .svg, .png or .pdf")]
     Format {
         /// Path.
         path: PathBuf,
     },
-    /// The renderer refused the picture.
-    #[error("the picture cannot be rendered as PNG: {reason}")]
+    /// A renderer refused the picture.
+    #[error("the picture cannot be rendered: {reason}")]
     Render {
         /// Message of the renderer.
         reason: String,

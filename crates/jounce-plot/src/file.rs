@@ -9,8 +9,8 @@ use jounce_io::table::Manifest;
 /// Pixels of a PNG file per pixel of the picture: 192 dpi.
 const SCALE: f64 = 2.0;
 
-/// Writes a picture atomically, in the format of the extension of `path`: `.svg`, or `.png` at
-/// scale 2, with its origin if there is one.
+/// Writes a picture atomically, in the format of the extension of `path`: `.svg`, `.png`
+/// at scale 2, or `.pdf`, with its origin if there is one.
 ///
 /// # Errors
 /// The error of `svg`, another extension, a size outside the allowed range, a path that cannot be
@@ -28,6 +28,7 @@ pub(super) fn write(
         (Some("svg"), Some(manifest)) => stored::svg_with(&svg()?, manifest)?.into_bytes(),
         (Some("png"), None) => raster::png(&svg()?, SCALE)?,
         (Some("png"), Some(manifest)) => stored::png_with(&svg()?, SCALE, manifest)?,
+        (Some("pdf"), manifest) => stored::pdf_with(&svg()?, manifest)?,
         _ => {
             return Err(PictureError::Format {
                 path: path.to_owned(),

@@ -1,4 +1,4 @@
-//! Pictures in SVG and PNG for papers and reports.
+//! Pictures in SVG, PNG and PDF for papers and reports.
 //!
 //! A [`Figure`] is a column of [`Panel`]s. A panel has two [`Axis`], [`Series`] of data, shaded
 //! bands, reference lines and notes. The ready-made figures ([`mode_shapes`], [`time_histories`],
@@ -7,8 +7,8 @@
 //!
 //! Lengths are in pixels of 1/96 inch; a figure is 720 wide by default. Text is set in DejaVu Sans,
 //! whose file is part of the program (Bitstream Vera licence: free to use, embed and pass on). PNGs
-//! therefore look the same on a machine without fonts, and widths are measured. The SVG names
-//! common fonts of similar width after it. A picture does not depend on time or machine: the same
+//! therefore look the same on a machine without fonts, and widths are measured. A PDF holds the
+//! letters that it uses. The SVG names common fonts of similar width after DejaVu Sans. A picture does not depend on time or machine: the same
 //! figure gives the same bytes.
 //!
 //! Elements have the classes `paper`, `ink`, `rule` and `grid` (prefixed `jounce-`); a page may
@@ -20,6 +20,7 @@ mod error;
 mod figure;
 mod file;
 mod outlines;
+mod pdf;
 mod raster;
 mod ready;
 pub mod report;

@@ -1,14 +1,14 @@
 //! A picture as stored in a file with its origin, and the first difference of two of them.
 
 use super::svg::{escape, unescape};
-use super::{PictureError, raster};
+use super::{PictureError, pdf, raster};
 use jounce_io::table::Manifest;
 use std::path::Path;
 
 /// Keyword of the text in a PNG file that holds the origin.
 const KEYWORD: &str = "jounce";
 
-/// Element of an SVG file that holds the origin.
+/// Elements of an SVG file and of the metadata of a PDF file that hold the origin.
 const OPEN: &str = "<metadata>";
 const CLOSE: &str = "</metadata>\n";
 
@@ -27,7 +27,12 @@ pub struct StoredPicture {
 #[derive(Debug, Clone, PartialEq, Eq)]
 enum Content {
     Svg(String),
-    Png { size: [u32; 2], rgba: Vec<u8> },
+    Png {
+        size: [u32; 2],
+        rgba: Vec<u8>,
+    },
+    /// Bytes before the metadata, one letter each.
+    Pdf(String),
 }
 
 /// First difference of two pictures.
@@ -73,6 +78,11 @@ pub(super) fn png_with(
     Ok(bytes)
 }
 
+/// Returns an SVG document as a PDF file, with its origin if there is one.
+pub(super) fn pdf_with(svg: &str, manifest: Option<&Manifest>) -> Result<Vec<u8>, PictureError> {
+    pdf::pdf(svg, manifest.map(text).transpose()?.as_deref())
+}
+
 fn text(manifest: &Manifest) -> Result<String, PictureError> {
     serde_json::to_string(manifest).map_err(|fault| PictureError::Render {
         reason: fault.to_string(),
@@ -80,7 +90,7 @@ fn text(manifest: &Manifest) -> Result<String, PictureError> {
 }
 
 impl StoredPicture {
-    /// Reads an SVG or PNG file that jounce wrote with its origin.
+    /// Reads an SVG, PNG or PDF file that jounce wrote with its origin.
     ///
     /// # Errors
     /// The extension is unknown, or the file is missing, damaged or without the origin.
@@ -93,6 +103,7 @@ impl StoredPicture {
         let (text, content) = match path.extension().and_then(|ending| ending.to_str()) {
             Some("svg") => from_svg(bytes()?),
             Some("png") => from_png(&bytes()?),
+            Some("pdf") => from_pdf(&bytes()?),
             _ => {
                 let path = path.to_owned();
                 return Err(PictureError::Format { path });
@@ -107,7 +118,12 @@ impl StoredPicture {
     /// Returns the first difference from another picture; origins are not compared.
     pub fn first_difference(&self, other: &Self) -> Option<PictureDifference> {
         match (&self.content, &other.content) {
-            (Content::Svg(first), Content::Svg(second)) => different_lines(first, second),
+            (Content::Svg(first), Content::Svg(second)) => {
+                different_lines(first.lines(), second.lines())
+            }
+            (Content::Pdf(first), Content::Pdf(second)) => {
+                different_lines(first.split('\n'), second.split('\n'))
+            }
             (
                 Content::Png { size, rgba },
                 Content::Png {
@@ -131,6 +147,7 @@ impl Content {
     fn size(&self) -> String {
         match self {
             Self::Svg(_) => "an SVG document".to_owned(),
+            Self::Pdf(_) => "a PDF document".to_owned(),
             Self::Png { size, .. } => format!("{} by {} pixels", size[0], size[1]),
         }
     }
@@ -165,13 +182,22 @@ fn from_png(bytes: &[u8]) -> Result<(String, Content), String> {
     Ok((origin, Content::Png { size, rgba }))
 }
 
+/// Returns the origin of a PDF file, and the file before the metadata.
+fn from_pdf(bytes: &[u8]) -> Result<(String, Content), String> {
+    let (picture, origin) = pdf::parts(bytes).ok_or_else(without_origin)?;
+    let picture = picture.iter().map(|&byte| char::from(byte)).collect();
+    Ok((origin, Content::Pdf(picture)))
+}
+
 fn without_origin() -> String {
     "the picture has no record of its command; only pictures that a command of jounce wrote have one"
         .to_owned()
 }
 
-fn different_lines(first: &str, second: &str) -> Option<PictureDifference> {
-    let (mut one, mut two) = (first.lines(), second.lines());
+fn different_lines<'a>(
+    mut one: impl Iterator<Item = &'a str>,
+    mut two: impl Iterator<Item = &'a str>,
+) -> Option<PictureDifference> {
     for line in 1.. {
         match (one.next(), two.next()) {
             (None, None) => break,
@@ -226,7 +252,7 @@ mod tests {
     #[test]
     fn a_picture_is_read_as_written() {
         let folder = tempfile::tempdir().unwrap();
-        for ending in ["svg", "png"] {
+        for ending in ["svg", "png", "pdf"] {
             let path = folder.path().join("a").with_extension(ending);
             figure("\"x\" < 1").write_with(&path, &manifest()).unwrap();
             let stored = StoredPicture::read(&path).unwrap();
@@ -235,7 +261,7 @@ mod tests {
             figure("another").write_with(&path, &manifest()).unwrap();
             let other = StoredPicture::read(&path).unwrap();
             let difference = stored.first_difference(&other).unwrap();
-            let place = if ending == "svg" { "line 2" } else { "pixel" };
+            let place = if ending == "png" { "pixel" } else { "line" };
             assert!(difference.place.starts_with(place), "{difference:?}");
         }
     }
@@ -254,7 +280,7 @@ mod tests {
     #[test]
     fn pictures_without_origin_are_refused() {
         let folder = tempfile::tempdir().unwrap();
-        for ending in ["svg", "png"] {
+        for ending in ["svg", "png", "pdf"] {
             let path = folder.path().join("a").with_extension(ending);
             figure("a").write(&path).unwrap();
             let fault = StoredPicture::read(&path).unwrap_err().to_string();

@@ -33,7 +33,7 @@ pub struct ReproduceResult {
     pub report: PathBuf,
     /// Tables, as CSV and JSON.
     pub tables: Vec<PathBuf>,
-    /// Figures, as SVG and PNG.
+    /// Figures, as SVG, PNG and PDF.
     pub figures: Vec<PathBuf>,
     /// Claims of the paper, each with its verdict.
     pub claims: Vec<Claim>,

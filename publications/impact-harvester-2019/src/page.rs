@@ -61,7 +61,7 @@ pub(super) fn page(of: &Reproduction) -> Result<Document, ReproduceError> {
     }
     assumptions(&mut page, of);
     page.section("Data");
-    page.paragraph("The folder `tables` holds the data of every table and figure as CSV and JSON, `figures` every picture as SVG and PNG.");
+    page.paragraph("The folder `tables` holds the data of every table and figure as CSV and JSON, `figures` every picture as SVG, PNG and PDF.");
     Ok(page)
 }
 

@@ -31,7 +31,7 @@ pub struct Written {
     pub report: PathBuf,
     /// `tables/NAME.csv` (with its manifest) and `tables/NAME.json`.
     pub tables: Vec<PathBuf>,
-    /// `figures/NAME.svg` and `figures/NAME.png`.
+    /// `figures/NAME.svg`, `.png` and `.pdf`.
     pub figures: Vec<PathBuf>,
 }
 
@@ -187,7 +187,8 @@ impl Reproduction {
             }
         }
         let files = self.figures.iter().flat_map(|figure| {
-            ["svg", "png"].map(|ending| (figure, figures.join(format!("{}.{ending}", figure.name))))
+            ["svg", "png", "pdf"]
+                .map(|ending| (figure, figures.join(format!("{}.{ending}", figure.name))))
         });
         let files: Vec<_> = files.collect();
         files.par_iter().try_for_each(|(figure, path)| {

@@ -166,7 +166,7 @@ fn everything_is_written() {
     let written = PAPER.write(&folder).unwrap();
     assert_eq!(
         (written.tables.len(), written.figures.len()),
-        (2 * PAPER.tables.len(), 2 * PAPER.figures.len())
+        (2 * PAPER.tables.len(), 3 * PAPER.figures.len())
     );
     for path in written
         .tables

@@ -1,7 +1,7 @@
 // The file of a study: its table, a chart of any two columns, and where both come from.
 
-import "./sharp";
-import { save } from "../exports";
+import { save, saveChart } from "../exports";
+import { preparePrints } from "../print";
 import { Theme } from "../theme";
 import { Choice } from "./choice";
 import { origin } from "./origin";
@@ -37,6 +37,7 @@ picture.chart.onZoom = () => {
 find("zoom-out").onclick = () => picture.chart.unzoom();
 choice.onChange = draw;
 find("csv").onclick = () => save(`${document.title}.csv`, "text/csv", table.toCsv());
+find("svg").onclick = () => saveChart(`${document.title}.svg`, picture.chart);
 find("print").onclick = () => print();
 
 const words = [`${table.rows} points over ${table.keys.map(({ name }) => name).join(", ")}`];
@@ -48,7 +49,5 @@ const theme = new Theme(find("theme"), () => {
     picture.draw();
     picture.legend(find("legend"));
 });
-// Paper is white.
-addEventListener("beforeprint", () => theme.show("light"));
-addEventListener("afterprint", () => theme.show());
+preparePrints(theme, () => [picture.chart]);
 draw();

@@ -59,7 +59,7 @@ fn assert_equal_again(folder: &Path, line: &str) {
             assert!(json["columns"].as_u64().unwrap() > 0, "{line}: {json}");
         }
     }
-    let pictures = files(&folder.join("out"), &[".svg", ".png"]);
+    let pictures = files(&folder.join("out"), &[".svg", ".png", ".pdf"]);
     if let Some(picture) = pictures.get(line.len() % pictures.len().max(1)) {
         assert_equal(folder, picture);
     }
@@ -171,6 +171,7 @@ fn designs_and_tests_of_a_rig_are_made_again() {
         "read hit.parquet --span 0s:1s --to part.csv",
         "show a.toml --set stop.tip.gap=2mm --out tip.svg",
         "show a.toml --out tip.png",
+        "show a.toml --out tip.pdf",
     ] {
         let arguments: Vec<&str> = line.split(' ').collect();
         let (code, _, text) = call(folder.path(), &arguments);

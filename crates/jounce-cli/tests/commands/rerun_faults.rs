@@ -74,6 +74,18 @@ fn a_change_of_a_picture_is_found() {
     std::fs::write(&path, &png[..png.len() / 2]).unwrap();
     let (code, _, text) = rerun(folder.path(), "out/modes-beam.png");
     assert!(code == 4 && text.contains("modes-beam.png"), "{text}");
+    let path = folder.path().join("out/modes-beam.pdf");
+    let pdf = std::fs::read(&path).unwrap();
+    let scale = pdf.windows(6).position(|part| part == b"-0.75 ").unwrap();
+    let mut changed = pdf.clone();
+    changed[scale + 4] = b'6';
+    std::fs::write(&path, &changed).unwrap();
+    let (code, _, text) = rerun(folder.path(), "out/modes-beam.pdf");
+    let expected = "the file has 0.75 0 0 -0.76 0 ";
+    assert!(code == 1 && text.contains(expected), "{text}");
+    std::fs::write(&path, &pdf[..pdf.len() - 9]).unwrap();
+    let (code, _, text) = rerun(folder.path(), "out/modes-beam.pdf");
+    assert!(code == 4 && text.contains("modes-beam.pdf"), "{text}");
 }
 
 #[test]

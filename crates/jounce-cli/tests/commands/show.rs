@@ -16,7 +16,10 @@ fn a_missing_folder_is_created_for_a_drawing_only() {
     assert!(drawing.starts_with("<svg"));
 
     let (code, _, stderr) = show("other/drawing.gif");
-    assert!(code == 4 && stderr.contains("use .svg or .png"), "{stderr}");
+    assert!(
+        code == 4 && stderr.contains("use .svg, .png or .pdf"),
+        "{stderr}"
+    );
     assert!(!folder.path().join("other").exists());
 
     std::fs::write(folder.path().join("file"), "").unwrap();

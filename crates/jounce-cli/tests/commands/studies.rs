@@ -100,9 +100,15 @@ fn noise_prints_every_key() {
         &["reached_hz", "share_beyond", "displacement_rms_m"],
     );
     assert!(
-        ["noise.csv", "noise.parquet", "noise.svg", "noise.png"]
-            .iter()
-            .all(|name| folder.path().join(name).exists())
+        [
+            "noise.csv",
+            "noise.parquet",
+            "noise.svg",
+            "noise.png",
+            "noise.pdf"
+        ]
+        .iter()
+        .all(|name| folder.path().join(name).exists())
     );
 }
 

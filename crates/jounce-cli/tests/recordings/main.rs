@@ -44,7 +44,7 @@ fn assert_written(folder: &Path, tables: &[&str], pictures: &[&str]) {
             .for_each(|extension| assert_file(name, extension))
     });
     pictures.iter().for_each(|name| {
-        ["svg", "png"]
+        ["svg", "png", "pdf"]
             .iter()
             .for_each(|extension| assert_file(name, extension))
     });

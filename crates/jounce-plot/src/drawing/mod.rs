@@ -44,8 +44,8 @@ impl Drawing {
         raster::png(&self.to_svg(), scale)
     }
 
-    /// Writes the drawing atomically, in the format of the extension of `path`: `.svg`, or `.png`
-    /// at scale 2.
+    /// Writes the drawing atomically, in the format of the extension of `path`: `.svg`, `.png`
+    /// at scale 2, or `.pdf`.
     ///
     /// # Errors
     /// As for [`Drawing::to_png`], another extension, a path that cannot be written.

@@ -1,4 +1,4 @@
-//! A figure: panels under one title, to SVG, PNG or a file.
+//! A figure: panels under one title, to SVG, PNG, PDF or a file.
 
 mod curve;
 mod field;
@@ -105,8 +105,8 @@ impl Figure {
         raster::png(&self.to_svg()?, scale)
     }
 
-    /// Writes the picture atomically, in the format of the extension of `path`: `.svg`, or `.png`
-    /// at scale 2.
+    /// Writes the picture atomically, in the format of the extension of `path`: `.svg`, `.png`
+    /// at scale 2, or `.pdf`.
     ///
     /// # Errors
     /// As for [`Figure::to_png`], another extension, a path that cannot be written.

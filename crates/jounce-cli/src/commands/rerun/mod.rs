@@ -17,7 +17,7 @@ use stored::{Difference, Stored};
 #[derive(Debug, Args)]
 pub struct Rerun {
     /// Table or picture that a command wrote: .csv (with its .manifest.json next to it), .parquet,
-    /// .json, .svg, .png, or the .html page of a study. Recordings are looked up in the current folder, as the command named them.
+    /// .json, .svg, .png, .pdf, or the .html page of a study. Recordings are looked up in the current folder, as the command named them.
     file: PathBuf,
     /// Prints one JSON object on stdout; by default lines of text.
     #[arg(long)]

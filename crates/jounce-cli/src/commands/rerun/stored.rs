@@ -39,12 +39,12 @@ impl Stored {
             Some("csv" | "parquet" | "json" | PAGE) => {
                 Ok(Self::Table(StoredTable::read(path).map_err(Error::from)?))
             }
-            Some("svg" | "png") => {
+            Some("svg" | "png" | "pdf") => {
                 let picture = StoredPicture::read(path).map_err(Error::from)?;
                 Ok(Self::Picture(picture))
             }
             _ => Err(Failure::Input(format!(
-                "{}: only tables and pictures have a record of their command: give a .csv, .parquet, .json, .svg or .png file that a command wrote, or the .html page of a study; in Python, jounce.rerun takes what `save` wrote",
+                "{}: only tables and pictures have a record of their command: give a .csv, .parquet, .json, .svg, .png or .pdf file that a command wrote, or the .html page of a study; in Python, jounce.rerun takes what `save` wrote",
                 path.display()
             ))),
         }
