@@ -8,8 +8,8 @@
 //! Lengths are in pixels of 1/96 inch; a figure is 720 wide by default. Text is set in DejaVu Sans,
 //! whose file is part of the program (Bitstream Vera licence: free to use, embed and pass on). PNGs
 //! therefore look the same on a machine without fonts, and widths are measured. A PDF holds the
-//! letters that it uses. The SVG names common fonts of similar width after DejaVu Sans. A picture does not depend on time or machine: the same
-//! figure gives the same bytes.
+//! letters that it uses. The SVG names common fonts of similar width after DejaVu Sans. A picture
+//! does not depend on time or machine: the same figure gives the same bytes.
 //!
 //! Elements have the classes `paper`, `ink`, `rule` and `grid` (prefixed `jounce-`); a page may
 //! recolour an inline SVG with them.

@@ -129,12 +129,12 @@ async fn a_response_equals_that_of_the_library() {
         "{frame_displacement} {history_displacement}"
     );
     // Half the peak-to-peak of the sampled displacement against that of the response.
-    let (low, high) = orbit
-        .array("displacement.0")
+    let displacement = orbit.array("displacement.0");
+    let low = displacement.iter().copied().fold(f64::INFINITY, f64::min);
+    let high = displacement
         .iter()
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
-            (low.min(*value), high.max(*value))
-        });
+        .copied()
+        .fold(f64::NEG_INFINITY, f64::max);
     let peak = fine.array("0.displacement")[0];
     assert!(
         ((high - low) / 2.0 / peak - 1.0).abs() < 1e-3,
