@@ -7,8 +7,8 @@
 //!
 //! `c` is the row of a voltage, strain or displacement in block coordinates, `y` the recorded state,
 //! which is exact at any time. `V_zero` is 0 without diodes. The strain of a patch is the largest of
-//! its outer face; a displacement is relative to the base of its body. The record is sampled 256 times per drive cycle. The highest samples are refined by
-//! parabolic interpolation.
+//! its outer face; a displacement is relative to the base of its body. The record is sampled 256
+//! times per drive cycle. The highest samples are refined by parabolic interpolation.
 //!
 //! The window is one period of the orbit if the run has settled, else the last eight drive cycles.
 //! If the drives are not periodic, it is the complete record.

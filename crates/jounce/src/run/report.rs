@@ -77,9 +77,11 @@ struct DrawnSamples {
 impl DrawnSamples {
     /// Draws the samples from `first` to `end`.
     fn of(first: usize, end: usize) -> Self {
-        let bin = match end - first {
-            count if count > MAX_DRAWN_SAMPLES => (2 * count).div_ceil(MAX_DRAWN_SAMPLES),
-            _ => 1,
+        let count = end - first;
+        let bin = if count > MAX_DRAWN_SAMPLES {
+            (2 * count).div_ceil(MAX_DRAWN_SAMPLES)
+        } else {
+            1
         };
         Self { first, bin }
     }
