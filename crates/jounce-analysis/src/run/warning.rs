@@ -14,7 +14,7 @@ const MAX_UNRECORDED_SHARE: f64 = 0.01;
 /// unreliable.
 const MAX_ENERGY_RESIDUAL: f64 = 1e-3;
 
-/// Samples within a contact that show its peak force.
+/// Samples within the mean contact below which its force is not resolved.
 const SAMPLES_PER_CONTACT: f64 = 10.0;
 
 /// A warning of a run.
@@ -86,7 +86,7 @@ pub enum Warning {
     },
     /// Samples do not resolve the force of a contact.
     #[error(
-        "stop {stop}: a contact lasts {duration_s:.2e} s on average, but the stored samples are {:.2e} s apart, so that its force curve lacks contacts and peaks; store at least {needed_hz:.3e} samples per second (`--sample-rate`)", 1.0 / sample_rate_hz
+        "stop {stop}: a contact lasts {duration_s:.2e} s on average, but the stored samples are {:.2e} s apart, so that its force curve lacks contacts and peaks; store at least {needed_hz} samples per second (`--sample-rate`)", 1.0 / sample_rate_hz
     )]
     Undersampled {
         /// Name of the stop.
@@ -95,7 +95,7 @@ pub enum Warning {
         duration_s: f64,
         /// Sampling rate of the stored end, Hz.
         sample_rate_hz: f64,
-        /// Sampling rate that shows the peaks, Hz.
+        /// Sampling rate with ten samples in the mean contact, Hz.
         needed_hz: f64,
     },
     /// The patches of a circuit cancel each other.
@@ -163,11 +163,12 @@ impl Warning {
     }
 
     /// Returns a warning for each stop whose contacts samples at a rate do not resolve: `n` samples
-    /// within a half-sine pulse miss its peak by up to `1 - cos(pi / (2 n))`, 1.2 % for ten.
+    /// within a half-sine pulse miss its peak by up to `1 - cos(pi / (2 n))`, 1.2 % for ten. A shorter
+    /// or steeper pulse than the mean one needs more.
     pub fn of_sampling(stops: &[StopResult], sample_rate_hz: f64) -> Vec<Self> {
         let coarse = stops.iter().filter_map(|stop| {
             let duration_s = stop.mean_contact_duration_s;
-            let needed_hz = SAMPLES_PER_CONTACT / duration_s;
+            let needed_hz = (SAMPLES_PER_CONTACT / duration_s).ceil();
             (duration_s > 0.0 && sample_rate_hz < needed_hz).then(|| Self::Undersampled {
                 stop: stop.name.clone(),
                 duration_s,

@@ -291,8 +291,8 @@ fn patches_that_cancel_give_a_warning_with_the_polarity_that_does_not() {
     }
 }
 
-/// The ball touches its disc for 64 us: 4096 samples per second miss most contacts, and the warning
-/// names a rate at which the largest sample is the peak force.
+/// The ball touches its disc for 64 us or longer: 4096 samples per second miss most contacts. With the
+/// rate of the warning every contact has samples; the first pulse is steeper than the mean one.
 #[test]
 fn samples_too_coarse_for_contacts_give_a_warning_with_the_rate_that_is_not() {
     let spec = concat!(
@@ -314,10 +314,10 @@ fn samples_too_coarse_for_contacts_give_a_warning_with_the_rate_that_is_not() {
         (run["warnings"].clone(), share)
     };
     let (coarse, share) = run("4096 Hz");
-    assert!(share < 0.9, "{share}");
+    assert!(share < 0.6, "{share}");
     assert_eq!(coarse[0]["warning"], "undersampled", "{coarse}");
     let needed_hz = coarse[0]["needed_hz"].as_f64().unwrap();
     let (fine, share) = run(&format!("{needed_hz:.0} Hz"));
-    assert!((0.98..1.0001).contains(&share), "{share}");
+    assert!((0.85..=1.0).contains(&share), "{share}");
     assert_eq!(fine, Value::Array(Vec::new()));
 }
