@@ -50,6 +50,13 @@ class RunResult(Result):
     ]
     patch: Annotated[list[str], About("names of the patches")]
     patch_voltage_peak_v: Annotated[Floats, Along("patch", "V", "voltage, peak")]
+    patch_strain_peak: Annotated[
+        Floats, Along("patch", "1", "strain of the outer face, peak", detail="NaN for a structure given by its modes, and as the voltage")
+    ]
+    point: Annotated[list[str], About("names of the points that move")]
+    point_displacement_peak_m: Annotated[
+        Floats, Along("point", "m", "displacement relative to the base, peak", detail="window and NaN as of the peak voltage of a load")
+    ]
     rectified: Annotated[list[str], About("names of the rectified circuits")]
     rectified_mean_power_w: Annotated[Floats, Along("rectified", "W", "mean power")]
     rectified_voltage_rms_v: Annotated[Floats, Along("rectified", "V", "voltage of the storage, rms")]
@@ -102,7 +109,7 @@ class RunResult(Result):
     period_cycles: Annotated[int | None, About("period in drive cycles; ``None`` where the drives have no common period")]
     periodicity_change: Annotated[float, About("relative change of the state over its period; NaN without a common period")]
     distance_to_orbit: Annotated[float, About("relative distance of the state to the periodic orbit; NaN without a common period")]
-    warnings: Annotated[list[str], About("exceeded limits of patches in the recorded end of the run")]
+    warnings: Annotated[list[str], About("warnings of the run")]
     energy_residual_relative: Annotated[
         float,
         Along(
@@ -160,6 +167,12 @@ class RunResult(Result):
             ("mean power", f"{self.mean_power_w:.6e} W"),
             *((f"voltage, rms ({name})", f"{volts:.6g} V") for name, volts in zip(self.load, self.load_voltage_rms_v)),
             *((f"voltage, peak ({name})", f"{volts:.6g} V") for name, volts in self._peaks() if not np.isnan(volts)),
+            *(
+                (f"displacement, peak ({name})", f"{peak:.6g} m")
+                for name, peak in zip(self.point, self.point_displacement_peak_m)
+                if not np.isnan(peak)
+            ),
+            *((f"strain, peak ({name})", f"{1e6 * peak:.2f} ppm") for name, peak in zip(self.patch, self.patch_strain_peak) if not np.isnan(peak)),
             *((f"storage, rms ({name})", f"{volts:.6g} V") for name, volts in zip(self.rectified, self.rectified_voltage_rms_v)),
             *((f"device ({name})", self._device_summary(k)) for k, name in enumerate(self.device)),
             *((f"leakage ({name})", f"{power:.6e} W") for name, power in zip(self.leak, self.leak_mean_power_w)),
@@ -193,7 +206,7 @@ class RunResult(Result):
         }
         coords = {
             name: Variable((name,), getattr(self, name), "", name)
-            for name in ("load", "patch", "rectified", "device", "charge", "leak", "stop")
+            for name in ("load", "patch", "point", "rectified", "device", "charge", "leak", "stop")
         }
         return self._dataset({**self._variables(), **settling}, coords)
 

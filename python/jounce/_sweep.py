@@ -36,7 +36,7 @@ class SweepResult(Result):
     period_cycles: Annotated[Integers, Along("point", "1", "period in drive cycles")]
     energy_residual_relative: Annotated[Floats, Along("point", "1", "energy residual of the run")]
     simulated_time_s: Annotated[Floats, Along("point", "s", "simulated time")]
-    warnings: Annotated[list[str], About("exceeded limits of patches at points")]
+    warnings: Annotated[list[str], About("warnings at points")]
 
     @classmethod
     def _from_core(cls, fields: dict[str, Any]) -> Self:

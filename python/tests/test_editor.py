@@ -169,7 +169,7 @@ def test_the_editor_shows_the_meaning_and_unit_of_a_key(server):
     uri = server.open("hover.toml", PAPER)
     line = PAPER.splitlines().index('gap = "1 mm"')
     text = server.at("hover", uri, line, 1)["contents"]["value"]
-    assert "distance to the stop at rest" in text and "mm, um, cm, m" in text
+    assert "distance to the stop in the undeformed position" in text and "mm, um, cm, m" in text
 
 
 def test_the_editor_completes_keys_and_words(server):

@@ -52,7 +52,10 @@ def test_the_peak_voltage_is_that_of_the_record(short, command_line):
     assert 0.0 <= 1.0 - highest / result.voltage_peak_v < 1e-5 and result.voltage_peak_v > result.voltage_rms_v
     assert result.load_voltage_peak_v == result.patch_voltage_peak_v and "voltage, peak (load)" in repr(result)
     expected, plain = command_line("run", keys=SHORT), short.run()
-    assert expected["patches"] == [{"name": "mfc", "voltage_peak_v": plain.voltage_peak_v}]
+    (patch,) = expected["patches"]
+    assert patch == {"name": "mfc", "voltage_peak_v": plain.voltage_peak_v, "strain_peak": plain.patch_strain_peak[0]}
+    assert plain.point == [point["name"] for point in expected["points"]] and "displacement, peak" in repr(plain)
+    assert list(plain.point_displacement_peak_m) == [point["displacement_peak_m"] for point in expected["points"]]
     assert expected["loads"][0]["voltage_peak_v"] == plain.load_voltage_peak_v[0]
     # A run that keeps a record stops where the record starts: the same motion in other steps.
     assert plain.voltage_peak_v == pytest.approx(result.voltage_peak_v, rel=1e-12)

@@ -6,7 +6,7 @@
 //! results are bitwise identical.
 
 use super::{AnalysisError, Journal, Model, SweepDirection, SweepPoint};
-use crate::run::{RunError, RunPlan, RunResult, StartState, exceeded, simulate};
+use crate::run::{RunError, RunPlan, RunResult, StartState, Warning, simulate};
 use jounce_control::Control;
 use jounce_dynamics::IntegrationError;
 use jounce_spec::{Drive, DriveSignal, KeyRange, Spec};
@@ -217,9 +217,10 @@ impl Sweep<'_> {
                     .is_some_and(|settlement| settlement.settled)
                 || simulated_time_s >= MAX_DURATIONS * run.duration_s
             {
-                let exceeded = exceeded(&model.spec, &kernel, &result.trajectory);
+                let mut warnings = Warning::of(&model.spec, &kernel, &plan, &result);
+                warnings.retain(|warning| !matches!(warning, Warning::Recording { .. }));
                 return Ok(SweepPoint {
-                    exceeded,
+                    warnings,
                     ..point_of(&result, &plan, (index, value, direction), simulated_time_s)
                 });
             }
@@ -276,7 +277,7 @@ fn point_of(
             .map_or(0, |settlement| settlement.period_cycles),
         energy_residual_relative: result.energies.residual_relative(),
         simulated_time_s,
-        exceeded: Vec::new(),
+        warnings: Vec::new(),
         end: result.end.clone(),
     }
 }

@@ -1,6 +1,6 @@
 //! One point of a sweep.
 
-use crate::run::{ExceededLimit, StartState};
+use crate::run::{StartState, Warning};
 use serde::{Deserialize, Serialize};
 
 /// Direction from which a point was reached.
@@ -53,9 +53,9 @@ pub struct SweepPoint {
     pub energy_residual_relative: f64,
     /// Simulated time, s.
     pub simulated_time_s: f64,
-    /// Limits of patches that are exceeded.
+    /// Warnings, without those of recordings.
     #[serde(default)]
-    pub exceeded: Vec<ExceededLimit>,
+    pub warnings: Vec<Warning>,
     /// State at the end.
     pub end: StartState,
 }

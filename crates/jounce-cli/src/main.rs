@@ -33,9 +33,13 @@ fn main() -> ExitCode {
     // A negative number is a value, not an option, so that the option can refuse it by name.
     let command = arguments::Arguments::command()
         .mut_subcommands(|command| command.allow_negative_numbers(true));
-    let arguments = (command.try_get_matches())
+    let name = std::env::args_os().nth(1).unwrap_or_default();
+    let arguments = (command.clone().try_get_matches())
         .and_then(|matches| arguments::Arguments::from_arg_matches(&matches))
-        .unwrap_or_else(|error| value_error::explained(error).exit());
+        .unwrap_or_else(|error| {
+            let error = value_error::with_set_tip(error, &command, &name.to_string_lossy());
+            value_error::explained(error).exit()
+        });
     record::begin(std::env::args_os().skip(1));
     let json = arguments.command.wants_json();
     match commands::run(arguments.command).and_then(|()| output::check_printed()) {

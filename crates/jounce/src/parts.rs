@@ -20,7 +20,7 @@ pub use crate::read::{ChannelResult, Conversion, RecordingResult, ShapeResult};
 pub use crate::record::{file_sha256, recorded_inputs, text_sha256};
 pub use crate::recording::{ChannelList, ChosenChannel, UsesChannels};
 pub use crate::rig::BaseMotion;
-pub use crate::run::{History, HistorySamples, LoadResult, PatchResult};
+pub use crate::run::{History, HistorySamples, LoadResult, PatchResult, PointResult};
 pub use crate::segments::SegmentResult;
 pub use crate::sensitivity::{FailedKey, KeyDerivative, KeySensitivity, OrbitResult};
 pub use crate::spectra::OrderPeak;

@@ -193,12 +193,6 @@ impl Limits {
     }
 }
 
-/// Returns the limits that the recorded part of a run exceeds. The record is sampled only if a
-/// patch has a limit.
-pub fn exceeded(spec: &Spec, kernel: &Kernel, trajectory: &Trajectory) -> Vec<ExceededLimit> {
-    Limits::of(spec, &kernel.plant).exceeded(kernel, trajectory)
-}
-
 /// Limits of one patch.
 #[derive(Debug, Clone)]
 struct PatchLimits {
@@ -293,7 +287,7 @@ mod tests {
             record_s: 2.0,
         };
         let result = simulate(&kernel, &start, &plan).unwrap();
-        let warned = exceeded(&spec, &kernel, &result.trajectory);
+        let warned = Limits::of(&spec, &kernel.plant).exceeded(&kernel, &result.trajectory);
         let section = jounce_model::structure::section::CrossSection::covered(
             &spec.beam["b"],
             spec.patch.values(),

@@ -1,11 +1,11 @@
 //! Warnings of a run.
 
-use super::{ExceededLimit, Limits, RunPlan, RunResult, model_limits};
+use super::{ExceededLimit, Limits, RunPlan, RunResult, StopResult, model_limits, polarity};
 use jounce_data::recording::Issue;
 use jounce_dynamics::Kernel;
 use jounce_model::plant::Bridge;
 use jounce_spec::{DriveSignal, Spec};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Fraction of the averaging window that may lie after the end of a recording.
 const MAX_UNRECORDED_SHARE: f64 = 0.01;
@@ -14,8 +14,11 @@ const MAX_UNRECORDED_SHARE: f64 = 0.01;
 /// unreliable.
 const MAX_ENERGY_RESIDUAL: f64 = 1e-3;
 
+/// Samples within the mean contact below which its force is not resolved.
+const SAMPLES_PER_CONTACT: f64 = 10.0;
+
 /// A warning of a run.
-#[derive(Debug, Clone, PartialEq, Serialize, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, thiserror::Error)]
 #[serde(tag = "warning", rename_all = "kebab-case")]
 pub enum Warning {
     /// The strain or voltage of a patch exceeds its limits.
@@ -81,6 +84,32 @@ pub enum Warning {
         /// Frequency to which a pulse of this duration excites modes, Hz.
         needed_hz: f64,
     },
+    /// Samples do not resolve the force of a contact.
+    #[error(
+        "stop {stop}: a contact lasts {duration_s:.2e} s on average, but the stored samples are {:.2e} s apart, so that its force curve lacks contacts and peaks; store at least {needed_hz} samples per second (`--sample-rate`)", 1.0 / sample_rate_hz
+    )]
+    Undersampled {
+        /// Name of the stop.
+        stop: String,
+        /// Mean contact duration, s.
+        duration_s: f64,
+        /// Sampling rate of the stored end, Hz.
+        sample_rate_hz: f64,
+        /// Sampling rate with ten samples in the mean contact, Hz.
+        needed_hz: f64,
+    },
+    /// The patches of a circuit cancel each other.
+    #[error(
+        "circuit {circuit}: its patches act against each other in every mode, so that they give less than one of them alone; reverse the polarity with a minus: patches = {reversed:?} instead of {patches:?}"
+    )]
+    Cancelling {
+        /// Name of the circuit.
+        circuit: String,
+        /// Patches as the spec names them.
+        patches: Vec<String>,
+        /// Patches with the polarity with which they act together.
+        reversed: Vec<String>,
+    },
     /// A plate is too thick for the theory of thin plates.
     #[error(
         "plate {plate}: its thickness of {thickness_m:.3e} m is not small against the half-wavelength of the highest retained mode, {half_wavelength_m:.3e} m: without shear and rotary inertia this frequency is about {:.1} % too high; retain fewer modes, or import the matrices of a solid", 100.0 * error
@@ -133,6 +162,23 @@ impl Warning {
             .collect()
     }
 
+    /// Returns a warning for each stop whose contacts samples at a rate do not resolve: `n` samples
+    /// within a half-sine pulse miss its peak by up to `1 - cos(pi / (2 n))`, 1.2 % for ten. A shorter
+    /// or steeper pulse than the mean one needs more.
+    pub fn of_sampling(stops: &[StopResult], sample_rate_hz: f64) -> Vec<Self> {
+        let coarse = stops.iter().filter_map(|stop| {
+            let duration_s = stop.mean_contact_duration_s;
+            let needed_hz = (SAMPLES_PER_CONTACT / duration_s).ceil();
+            (duration_s > 0.0 && sample_rate_hz < needed_hz).then(|| Self::Undersampled {
+                stop: stop.name.clone(),
+                duration_s,
+                sample_rate_hz,
+                needed_hz,
+            })
+        });
+        coarse.collect()
+    }
+
     /// Returns a warning for each device that never starts.
     fn of_devices(kernel: &Kernel, result: &RunResult) -> Vec<Self> {
         let plant = &kernel.plant;
@@ -149,6 +195,20 @@ impl Warning {
         };
         let bridges = plant.system.bridges.iter().enumerate();
         bridges.filter_map(never).collect()
+    }
+
+    /// Returns the stop, plate, circuit, drive or patch that the warning names; empty for none.
+    pub fn subject(&self) -> &str {
+        match self {
+            Self::Limit(exceeded) => &exceeded.patch,
+            Self::RecordingEnds { drive, .. } | Self::Recording { drive, .. } => drive,
+            Self::NeverStarts { circuit, .. } | Self::Cancelling { circuit, .. } => circuit,
+            Self::PastTable { stop, .. }
+            | Self::ShortContact { stop, .. }
+            | Self::Undersampled { stop, .. } => stop,
+            Self::ThickPlate { plate, .. } => plate,
+            Self::Unbalanced { .. } => "",
+        }
     }
 
     /// Returns all warnings of a run.
@@ -171,6 +231,7 @@ impl Warning {
             .chain(Self::of_recordings(spec, plan))
             .chain(noticed)
             .chain(model_limits::exceeded(spec, kernel, result))
+            .chain(polarity::cancelling(&kernel.plant))
             .chain(unbalanced)
             .collect()
     }

@@ -99,8 +99,19 @@ fn series_and_parallel_are_one_harvester() {
             );
         }
     }
-    // Two equal layers in series need no state other than their terminal voltage.
-    assert_eq!(with_wiring("series", "1 kohm").electrical.nodes.len(), 1);
+    // No motion drives the difference of two equal layers in series; its state is there, so that
+    // unequal layers have the same states.
+    let unequal = [("patch.top.thickness", "0.27 mm")];
+    for (plant, is_driven) in [
+        (plant(EXAMPLE, &[]), false),
+        (plant(EXAMPLE, &unequal), true),
+    ] {
+        let [_, difference] = plant.electrical.nodes.as_slice() else {
+            panic!("{:?}", plant.electrical.nodes);
+        };
+        let coupling = &difference.coupling_n_per_v;
+        assert_eq!(coupling.iter().any(|theta| *theta != 0.0), is_driven);
+    }
     for wiring in ["series", "parallel"] {
         let reversed_plant = plant(
             EXAMPLE,

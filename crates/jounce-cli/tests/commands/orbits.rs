@@ -266,3 +266,44 @@ fn a_branch_prints_its_peak_and_its_bandwidth() {
     assert!(folder.path().join("bandwidths.csv").exists());
     assert_eq!(json, jounce(&[&arguments[..], &["3"]].concat()).1);
 }
+
+/// Two equal layers in series become unequal with a key of one of them. The derivative of the power
+/// is the difference quotient of linear runs; branch and sweep pass the equality.
+#[test]
+fn a_key_of_one_of_two_equal_layers_in_series_changes() {
+    let spec = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../examples/bimorph-erturk-2009/harvester.toml"
+    );
+    // The averaging window of a run holds whole periods of 50 Hz.
+    let at = ["--json", "--set", "drive.base.frequency=50Hz"];
+    let (code, result, stderr) = jounce(&[&["sensitivity", spec][..], &at].concat());
+    assert_eq!(code, 0, "{stderr}");
+    let keys = result["keys"].as_array().unwrap();
+    let row = |name: &str| keys.iter().find(|row| row["key"] == name);
+    for name in ["length", "thickness"] {
+        let key = format!("patch.top.{name}");
+        assert!(row(&key).is_some(), "{key}: {result}");
+    }
+    let power = |thickness: &str| {
+        let thickness = format!("patch.top.thickness={thickness}");
+        let changed = ["--set", &thickness, "--set", "run.start=linear"];
+        let (_, run, _) = jounce(&[&["run", spec][..], &at, &changed].concat());
+        run["mean_power_w"].as_f64().unwrap()
+    };
+    let quotient = (power("0.2601 mm") - power("0.2599 mm")) / 0.2e-6;
+    let thickness = row("patch.top.thickness").unwrap();
+    let derivative = thickness["derivatives"][0]["derivative"].as_f64().unwrap();
+    assert!(
+        (derivative / quotient - 1.0).abs() < 1e-4,
+        "{derivative} {quotient}"
+    );
+    for (command, over, list) in [
+        ("branch", "patch.top.thickness=0.25mm:0.27mm", "branches"),
+        ("sweep", "patch.top.thickness=0.25mm:0.27mm:3x", "points"),
+    ] {
+        let (code, result, stderr) = jounce(&[command, spec, "--json", "--over", over]);
+        let is_empty = result[list].as_array().is_none_or(Vec::is_empty);
+        assert!(code == 0 && !is_empty, "{command}: {stderr} {result}");
+    }
+}

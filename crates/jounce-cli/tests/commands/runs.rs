@@ -243,3 +243,37 @@ fn a_saved_state_does_not_replace_the_spec() {
     assert!(text.contains("choose another name"), "{text}");
     assert_eq!(std::fs::read(&spec).unwrap(), before);
 }
+
+/// A slow force bends a cantilever as in statics: `F L^3 / (3 E I)` at its end and `F L h / (2 E I)` at
+/// the root of its outer face, next to a patch that is too thin and soft to matter.
+#[test]
+fn peaks_of_displacement_and_strain_are_those_of_statics() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("spec.toml");
+    let text = "[beam.b]\nyoungs_modulus = \"200 GPa\"\ndensity = \"7800 kg/m^3\"\nlength = \"100 mm\"\nwidth = \"20 mm\"\nthickness = \"2 mm\"\n\
+        [patch.p]\non = \"b\"\nmaterial = \"MFC-P2\"\nstart = \"0 mm\"\nlength = \"50 mm\"\nwidth = \"1 mm\"\nthickness = \"0.01 mm\"\n\
+        [circuit.c]\npatch = \"p\"\nresistance = \"1 ohm\"\n[drive.d]\nat = \"b.end\"\namplitude = \"3 N\"\nfrequency = \"0.5 Hz\"\n\
+        [damping]\nbeyond = 0.01\n[reduction]\nmodes = 12\n[run]\nstart = \"linear\"\nduration = \"4 s\"\naverage_over = \"2 s\"\n";
+    std::fs::write(&path, text).unwrap();
+    let (code, run, text) = jounce(&["run", path.to_str().unwrap(), "--json"]);
+    assert_eq!(code, 0, "{text}");
+    let stiffness_n_m2 = 200e9 * 0.02 * 0.002_f64.powi(3) / 12.0;
+    let end = run["points"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .find(|point| point["name"] == "b.end");
+    let peak_m = end.unwrap()["displacement_peak_m"].as_f64().unwrap();
+    let expected_m = 3.0 * 0.1_f64.powi(3) / (3.0 * stiffness_n_m2);
+    assert!(
+        (peak_m / expected_m - 1.0).abs() < 2e-3,
+        "{peak_m} {expected_m}"
+    );
+    let strain = run["patches"][0]["strain_peak"].as_f64().unwrap();
+    // Twelve modes give the curvature at the root to 5 %.
+    let expected = 3.0 * 0.1 * 0.00101 / stiffness_n_m2;
+    assert!(
+        (strain / expected - 1.0).abs() < 0.05,
+        "{strain} {expected}"
+    );
+}

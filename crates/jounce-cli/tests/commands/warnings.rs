@@ -215,6 +215,13 @@ fn contacts_too_short_for_the_retained_modes_give_a_warning() {
         (run["warnings"].clone(), duration_s)
     });
     assert_eq!(few.0[0]["warning"], "short-contact", "{few:?}");
+    let over = ["--over", "reduction.modes=8,20", "--fixed-duration"];
+    let stiff = ["--set", "stop.corner.stiffness=1e7 N/m^1.5"];
+    let (_, sweep, text) = jounce(&[&["sweep", spec, "--json"][..], &over, &stiff].concat());
+    assert_eq!(sweep["points"][0]["warnings"], few.0, "{sweep}");
+    assert_eq!(sweep["points"][1]["warnings"], Value::Array(Vec::new()));
+    let message = "1 of 2 points have this warning, first reduction.modes = 8";
+    assert!(text.contains(message), "{text}");
     assert!(few.1 < most.1 / 5.0, "{few:?} {most:?}");
     assert_eq!(more.0, Value::Array(Vec::new()));
     assert!((more.1 / most.1 - 1.0).abs() < 0.02, "{more:?} {most:?}");
@@ -245,4 +252,72 @@ fn a_design_warns_of_a_key_that_does_not_matter() {
             && stderr.contains("goal.maximise is \"stable-power\", but drive `b` is not periodic"),
         "{code} {stderr}"
     );
+}
+
+/// Bending gives the two faces opposite voltages: without the minus the layers cancel, and two patches
+/// of one face with it.
+#[test]
+fn patches_that_cancel_give_a_warning_with_the_polarity_that_does_not() {
+    let spec = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../examples/bimorph-erturk-2009/harvester.toml"
+    );
+    for wiring in ["series", "parallel"] {
+        let wiring = format!("circuit.load.wiring={wiring}");
+        let run = |patches: &str| {
+            let patches = format!("circuit.load.patches={patches}");
+            let keys = [
+                "--set",
+                &wiring,
+                "--set",
+                &patches,
+                "--set",
+                "run.start=linear",
+            ];
+            let (code, run, text) = jounce(&[&["run", spec, "--json"][..], &keys].concat());
+            assert_eq!(code, 0, "{text}");
+            (run, text)
+        };
+        let (right, _) = run("[\"top\", \"-bottom\"]");
+        assert_eq!(right["warnings"], Value::Array(Vec::new()));
+        let (cancelled, text) = run("[\"top\", \"bottom\"]");
+        let power = |run: &Value| run["mean_power_w"].as_f64().unwrap();
+        assert!(power(&cancelled) < 1e-9 * power(&right));
+        assert_eq!(cancelled["warnings"][0]["warning"], "cancelling");
+        assert!(
+            text.contains("patches = [\"top\", \"-bottom\"] instead of"),
+            "{text}"
+        );
+    }
+}
+
+/// The ball touches its disc for 64 us or longer: 4096 samples per second miss most contacts. With the
+/// rate of the warning every contact has samples; the first pulse is steeper than the mean one.
+#[test]
+fn samples_too_coarse_for_contacts_give_a_warning_with_the_rate_that_is_not() {
+    let spec = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../examples/ball-umeda-1996/harvester.toml"
+    );
+    let run = |rate: &str| {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().to_str().unwrap();
+        let (code, run, text) =
+            jounce(&["run", spec, "--json", "--out", out, "--sample-rate", rate]);
+        assert_eq!(code, 0, "{text}");
+        let table = std::fs::read_to_string(folder.path().join("run.csv")).unwrap();
+        let forces = table.lines().filter_map(|line| line.rsplit(',').next());
+        let force_n = forces
+            .filter_map(|value| value.parse::<f64>().ok())
+            .fold(0.0, f64::max);
+        let share = force_n / run["max_contact_force_n"].as_f64().unwrap();
+        (run["warnings"].clone(), share)
+    };
+    let (coarse, share) = run("4096 Hz");
+    assert!(share < 0.6, "{share}");
+    assert_eq!(coarse[0]["warning"], "undersampled", "{coarse}");
+    let needed_hz = coarse[0]["needed_hz"].as_f64().unwrap();
+    let (fine, share) = run(&format!("{needed_hz:.0} Hz"));
+    assert!((0.85..=1.0).contains(&share), "{share}");
+    assert_eq!(fine, Value::Array(Vec::new()));
 }

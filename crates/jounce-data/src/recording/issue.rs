@@ -1,9 +1,9 @@
 //! Data-quality issues of a recording.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Data-quality issue, or an operation on the data.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Issue {
     /// Kind of the issue.
     pub kind: IssueKind,
@@ -18,7 +18,7 @@ pub struct Issue {
 }
 
 /// Position in a file or a recording.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum IssuePlace {
     /// Index of a sample, from 0.
@@ -30,7 +30,7 @@ pub enum IssuePlace {
 }
 
 /// Kinds of issues.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum IssueKind {
     /// Time stamps are not uniform.

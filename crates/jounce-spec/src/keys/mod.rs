@@ -142,7 +142,7 @@ pub(super) static SPEC: &[Key<Spec>] = &[
     ),
     table(
         "gravity",
-        "gravity on all moving parts; displacements are measured from the undeformed shape",
+        "gravity on all moving parts; displacements are measured from the undeformed position",
         &Single {
             get: |s: &Spec| &s.gravity,
             open: |s| &mut s.gravity,

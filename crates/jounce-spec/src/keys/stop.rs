@@ -70,7 +70,7 @@ pub(super) static KEYS: &[Key<Stop>] = &[
     Key::quantity(
         "gap",
         Quantity::Length,
-        "distance to the stop at rest; negative for a preloaded contact; for `cubic` the position at which the spring is relaxed",
+        "distance to the stop in the undeformed position; negative for a preloaded contact; for `cubic` the position at which the spring is relaxed",
         |s: &Stop| s.gap_m,
         |s, x| s.gap_m = x,
     ),

@@ -20,6 +20,8 @@ pub(super) struct ReadState {
     pub(super) positions: HashMap<String, SourcePlace>,
     /// The key that was written for a key that it is stored as, both by their dotted paths.
     pub(super) written_as: HashMap<String, String>,
+    /// Dotted paths of the keys that unknown keys probably mean.
+    pub(super) misspelt: Vec<String>,
     /// False if lines of the file were skipped; then no key is reported as missing.
     pub(super) complete: bool,
 }
@@ -37,6 +39,7 @@ impl ReadState {
             found: Vec::new(),
             positions: HashMap::new(),
             written_as: HashMap::new(),
+            misspelt: Vec::new(),
             complete,
         }
     }
@@ -58,7 +61,8 @@ impl ReadState {
         }
     }
 
-    /// Adds violated rules between keys; a key that already has a fault is skipped.
+    /// Adds violated rules between keys; a key that already has a fault, or that is absent because
+    /// it is misspelt, is skipped.
     pub(super) fn add_broken(&mut self, faults: Vec<(String, String)>) {
         let messages: Vec<String> = self.found.iter().map(|issue| issue.key.clone()).collect();
         for (key, message) in faults {
@@ -72,6 +76,7 @@ impl ReadState {
                 && !messages
                     .iter()
                     .any(|other| *other == key || other.starts_with(&below))
+                && !self.is_misspelt(&key)
                 && self.has_room()
             {
                 let position = self.position(&key);
@@ -88,6 +93,19 @@ impl ReadState {
                 });
             }
         }
+    }
+
+    /// True for a key that is absent because it, or a table that would contain it, is misspelt.
+    fn is_misspelt(&self, key: &str) -> bool {
+        let contains = |path: &String| {
+            let below = key.strip_prefix(path.as_str());
+            below.is_some_and(|below| below.is_empty() || below.starts_with('.'))
+        };
+        let mut absent = self
+            .misspelt
+            .iter()
+            .filter(|path| !self.positions.contains_key(*path));
+        absent.any(contains)
     }
 
     /// Returns the place of a key, or of the nearest table that would contain it.

@@ -125,6 +125,9 @@ fn check_known<T>(
     let key = join(path, &entry.name);
     if named().next().is_none() {
         let names = distinct(keys.iter().map(|key| key.info.name));
+        if let Some(meant) = nearest(&entry.name, names.iter().copied()) {
+            reading.misspelt.push(join(path, meant));
+        }
         return reading.fault(entry.position, &key, || {
             format!(
                 "unknown key{}; keys here: {}",

@@ -11,7 +11,7 @@ use crate::options::on_threads;
 use jounce_analysis::Journal;
 use jounce_control::Control;
 use jounce_design::{DesignOutcome, Journaled, OnImprovement, Problem, design};
-use jounce_spec::Spec;
+use jounce_spec::{NumericKey, Spec};
 use serde::Serialize;
 use std::path::Path;
 use std::sync::Arc;
@@ -28,6 +28,9 @@ pub struct DesignResult {
     /// Harvester of the best design.
     #[serde(skip)]
     pub harvester: Harvester,
+    /// Condition of the main orbit in words; empty for a design with one condition.
+    #[serde(skip)]
+    condition: String,
 }
 
 /// A design problem: a spec, its free keys, the goal, the limits, the conditions and the
@@ -160,7 +163,11 @@ impl Design {
         let given = Harvester::of(problem.file.clone(), problem.folder.clone())?;
         let pairs = outcome.best.set.iter();
         let harvester = given.changed(pairs.map(|(key, value)| (key.as_str(), value.as_str())))?;
-        Ok(DesignResult { outcome, harvester })
+        Ok(DesignResult {
+            outcome,
+            harvester,
+            condition: first_condition(&problem),
+        })
     }
 
     /// Returns the problem with the seed and the budget of the options.
@@ -176,4 +183,19 @@ impl Design {
         }
         Ok(problem)
     }
+}
+
+/// Returns the first of several conditions in words; the main orbit belongs to it.
+fn first_condition(problem: &Problem) -> String {
+    let [first, _, ..] = problem.conditions.as_slice() else {
+        return String::new();
+    };
+    let value = |(key, value): &(NumericKey, f64)| {
+        let unit = key.unit();
+        format!("{} = {value} {unit}", key.path())
+            .trim_end()
+            .to_owned()
+    };
+    let values: Vec<String> = first.values.iter().map(value).collect();
+    format!(" in the first condition ({})", values.join(", "))
 }

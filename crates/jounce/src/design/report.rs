@@ -142,12 +142,14 @@ impl DesignResult {
         }
         if best.stable {
             lines.push(format!(
-                "orbit            period {}, stable, {:.6e} W, reached by {:.1} % of the starts ({:.1} % to {:.1} %)",
+                "orbit            period {}, stable, {:.6e} W{}, reached by {:.1} % of the starts ({:.1} % to {:.1} %){}",
                 best.period_cycles,
                 best.mean_power_w,
+                self.condition,
                 100.0 * best.basin_fraction,
                 100.0 * best.basin_fraction_low,
-                100.0 * best.basin_fraction_high
+                100.0 * best.basin_fraction_high,
+                if self.condition.is_empty() { "" } else { " in the condition with the fewest" }
             ));
         }
         if let Some(fold) = &best.nearest_fold {

@@ -7,11 +7,11 @@ mod result;
 
 pub use history::{History, HistorySamples};
 pub use options::RunOptions;
-pub use result::{LoadResult, PatchResult, RunResult};
+pub use result::{LoadResult, PatchResult, PointResult, RunResult};
 
 use crate::error::Error;
 use crate::harvester::Harvester;
-use jounce_analysis::run::{RunPlan, Warning, charges, simulate, voltage_peaks};
+use jounce_analysis::run::{RunPlan, Warning, charges, output_peaks, simulate};
 use jounce_dynamics::Kernel;
 use std::time::Instant;
 
@@ -45,7 +45,11 @@ impl Harvester {
         self.control().report_progress(plan.duration_s);
         let history = options.record_s > 0.0;
         let history = history.then(|| History::new(&kernel, &result, &plan, options));
-        let warnings = Warning::of(&model.spec, &kernel, &plan, &result);
+        let mut warnings = Warning::of(&model.spec, &kernel, &plan, &result);
+        if history.is_some() {
+            let rate_hz = options.sampled_at_hz();
+            warnings.extend(Warning::of_sampling(&result.stops, rate_hz));
+        }
         let result = RunResult::new(&kernel, &plan, result, warnings, history);
         Ok(RunResult {
             wall_time_s: clock.elapsed().as_secs_f64(),
@@ -62,7 +66,7 @@ impl RunResult {
         warnings: Vec<Warning>,
         history: Option<History>,
     ) -> Self {
-        let peaks = voltage_peaks(kernel, &run, plan);
+        let peaks = output_peaks(kernel, &run, plan);
         let finite = |value: f64| value.is_finite().then_some(value);
         let load = |(load, peak_v): (&jounce_analysis::run::LoadResult, &f64)| LoadResult {
             name: load.name.clone(),
@@ -70,9 +74,17 @@ impl RunResult {
             voltage_rms_v: load.voltage_rms_v,
             voltage_peak_v: finite(*peak_v),
         };
-        let patch = |(name, peak_v): (&String, &f64)| PatchResult {
+        let modes = &kernel.plant.system.modes;
+        let patch = |((name, peak_v), strain): ((&String, &f64), &f64)| PatchResult {
             name: name.clone(),
             voltage_peak_v: finite(*peak_v),
+            strain_peak: finite(*strain),
+        };
+        let points = modes.shape.iter().zip(&peaks.points_m);
+        let moving = points.filter(|((_, shape), _)| shape.iter().any(|value| *value != 0.0));
+        let point = |((name, _), peak_m): ((&String, _), &f64)| PointResult {
+            name: name.clone(),
+            displacement_peak_m: finite(*peak_m),
         };
         let settlement = run.settlement;
         Self {
@@ -81,15 +93,11 @@ impl RunResult {
             voltage_rms_v: run.voltage_rms_v().and_then(finite),
             voltage_peak_v: peaks.first_v(),
             loads: run.loads.iter().zip(&peaks.loads_v).map(load).collect(),
-            patches: kernel
-                .plant
-                .system
-                .modes
-                .patch
-                .keys()
-                .zip(&peaks.patches_v)
+            patches: (modes.patch.keys().zip(&peaks.patches_v))
+                .zip(&peaks.strains)
                 .map(patch)
                 .collect(),
+            points: moving.map(point).collect(),
             charges: charges(kernel, &run, plan),
             is_trivial: run.is_trivial(),
             rectified: run.rectified,

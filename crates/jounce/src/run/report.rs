@@ -8,6 +8,8 @@ use jounce_signal::{Samples, Window};
 
 /// Largest number of samples in the figure of the time histories.
 const MAX_DRAWN_SAMPLES: usize = 4096;
+/// Length of the time histories in the figure, s, unless that many samples are longer.
+const DRAWN_S: f64 = 1.0;
 /// Highest drawn multiple of the drive frequency.
 const DRAWN_HARMONICS: f64 = 12.0;
 /// Share of the sampling rate that is drawn without a drive.
@@ -47,21 +49,66 @@ impl RunResult {
             return Ok(Vec::new());
         };
         let time_s = &history.even.time_s;
-        let first = time_s.len().saturating_sub(MAX_DRAWN_SAMPLES);
+        let count = MAX_DRAWN_SAMPLES.max((DRAWN_S * history.sample_rate_hz) as usize);
+        let drawn = DrawnSamples::of(time_s.len().saturating_sub(count), time_s.len());
         let traces = history.traces();
         let last = |trace: &Trace| Trace {
-            values: trace.values[first..].to_vec(),
+            values: drawn.values(&trace.values),
             ..trace.clone()
         };
         let last: Vec<Trace> = traces.iter().map(last).collect();
-        let mut figures = vec![(
-            "run-time",
-            time_histories("End of the run", &time_s[first..], &last),
-        )];
+        let time_s = drawn.times(time_s);
+        let mut figures = vec![("run-time", time_histories("End of the run", &time_s, &last))];
         if let Some(voltage) = traces.first() {
             figures.push(("run-spectrum", spectrum(voltage, history)?));
         }
         Ok(figures)
+    }
+}
+
+/// Samples of a trace that a figure draws: all, or the lowest and the highest of each of many equal
+/// bins, so that no peak is lost.
+struct DrawnSamples {
+    first: usize,
+    /// Samples of a bin; 1 where all are drawn.
+    bin: usize,
+}
+
+impl DrawnSamples {
+    /// Draws the samples from `first` to `end`.
+    fn of(first: usize, end: usize) -> Self {
+        let count = end - first;
+        let bin = if count > MAX_DRAWN_SAMPLES {
+            (2 * count).div_ceil(MAX_DRAWN_SAMPLES)
+        } else {
+            1
+        };
+        Self { first, bin }
+    }
+
+    /// Returns the times: of a bin those of its first and its middle sample.
+    fn times(&self, time_s: &[f64]) -> Vec<f64> {
+        let bins = time_s[self.first..].chunks(self.bin);
+        let ends = |bin: &[f64]| [bin[0], bin[bin.len() / 2]];
+        match self.bin {
+            1 => time_s[self.first..].to_vec(),
+            _ => bins.flat_map(ends).collect(),
+        }
+    }
+
+    /// Returns the values: of a bin the lowest and the highest, in the order of their times.
+    fn values(&self, values: &[f64]) -> Vec<f64> {
+        let bins = values[self.first..].chunks(self.bin);
+        let extremes = |bin: &[f64]| {
+            let order = |a: &usize, b: &usize| bin[*a].total_cmp(&bin[*b]);
+            let lowest = (0..bin.len()).min_by(order).unwrap_or_default();
+            let highest = (0..bin.len()).max_by(order).unwrap_or_default();
+            [lowest.min(highest), lowest.max(highest)].map(|index| bin[index])
+        };
+        match self.bin {
+            1 => values[self.first..].to_vec(),
+            _ => bins.flat_map(extremes).collect(),
+        }
     }
 }
 
@@ -124,5 +171,27 @@ impl History {
         }
         traces.extend(forces);
         traces
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A peak of one sample among hundred thousand is drawn, and the number of samples is bounded.
+    #[test]
+    fn drawn_samples_keep_every_peak() {
+        let time_s: Vec<f64> = (0..100_000).map(f64::from).collect();
+        let mut values = vec![0.0; time_s.len()];
+        (values[12_345], values[12_346]) = (7.0, -3.0);
+        let drawn = DrawnSamples::of(1000, time_s.len());
+        let (times, drawn) = (drawn.times(&time_s), drawn.values(&values));
+        assert!(times.len() == drawn.len() && drawn.len() <= MAX_DRAWN_SAMPLES);
+        assert!(times.is_sorted() && times[0] == 1000.0);
+        let high = drawn.iter().position(|value| *value == 7.0);
+        assert!(high.is_some_and(|high| (times[high] - 12_345.0).abs() < 100.0));
+        assert!(drawn.contains(&-3.0));
+        let all = DrawnSamples::of(0, 3);
+        assert_eq!(all.values(&[1.0, 2.0, 3.0]), [1.0, 2.0, 3.0]);
     }
 }

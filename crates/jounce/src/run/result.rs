@@ -22,6 +22,8 @@ pub struct RunResult {
     pub loads: Vec<LoadResult>,
     /// Each patch.
     pub patches: Vec<PatchResult>,
+    /// Each named point that moves.
+    pub points: Vec<PointResult>,
     /// Each rectified circuit.
     pub rectified: Vec<RectifiedResult>,
     /// Operation of each device behind a regulator.
@@ -100,6 +102,19 @@ pub struct PatchResult {
     /// Largest magnitude of the voltage, V; `None` for drives without a common period and without a
     /// record.
     pub voltage_peak_v: Option<f64>,
+    /// Largest magnitude of the strain of its outer face; `None` as for the voltage, and for a
+    /// structure given by its modes.
+    pub strain_peak: Option<f64>,
+}
+
+/// One named point at the end of a run.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PointResult {
+    /// Name of the point.
+    pub name: String,
+    /// Largest magnitude of the displacement relative to the base of its body, m; `None` for drives
+    /// without a common period and without a record.
+    pub displacement_peak_m: Option<f64>,
 }
 
 fn energies<S: Serializer>(of: &Energies, serializer: S) -> Result<S::Ok, S::Error> {

@@ -1,6 +1,6 @@
 //! Result of a sweep.
 
-use jounce_analysis::run::{ExceededLimit, WorstExcess};
+use jounce_analysis::run::{ExceededLimit, Warning, WorstExcess};
 use jounce_analysis::{Sweep, SweepDirection};
 use serde::Serialize;
 
@@ -45,8 +45,8 @@ pub struct SweepPoint {
     pub energy_residual_relative: f64,
     /// Simulated time, s.
     pub simulated_time_s: f64,
-    /// Exceeded limits of patches.
-    pub warnings: Vec<ExceededLimit>,
+    /// Warnings of the run.
+    pub warnings: Vec<Warning>,
 }
 
 impl SweepResult {
@@ -73,21 +73,53 @@ impl SweepResult {
         })
     }
 
-    /// Returns the messages about exceeded limits of patches at points.
+    /// Returns the messages about warnings of points: of each limit the worst case, of others the
+    /// first.
     pub fn warnings(&self) -> Vec<String> {
-        let exceeded: Vec<&[ExceededLimit]> = self
-            .points
-            .iter()
-            .map(|point| point.warnings.as_slice())
-            .collect();
-        WorstExcess::messages(&exceeded, "points", |index| {
-            let value = self.points[index].parameter;
-            format!("{} = {value:.6} {}", self.key, self.unit)
-        })
+        let limits: Vec<Vec<ExceededLimit>> =
+            self.points.iter().map(SweepPoint::exceeded).collect();
+        let limits: Vec<&[ExceededLimit]> = limits.iter().map(Vec::as_slice).collect();
+        let mut messages = WorstExcess::messages(&limits, "points", |index| self.place(index));
+        let all = self.points.iter().enumerate().flat_map(|(index, point)| {
+            let own = point.warnings.iter();
+            own.map(move |warning| (index, warning))
+        });
+        let mut others: Vec<(usize, &Warning, usize)> = Vec::new();
+        for (index, warning) in all.filter(|(_, own)| !matches!(own, Warning::Limit(_))) {
+            let is_same = |(_, first, _): &&mut (usize, &Warning, usize)| {
+                std::mem::discriminant(*first) == std::mem::discriminant(warning)
+                    && first.subject() == warning.subject()
+            };
+            match others.iter_mut().find(is_same) {
+                Some((_, _, count)) => *count += 1,
+                None => others.push((index, warning, 1)),
+            }
+        }
+        let of = self.points.len();
+        messages.extend(others.into_iter().map(|(index, warning, count)| {
+            let place = self.place(index);
+            format!("{warning}; {count} of {of} points have this warning, first {place}")
+        }));
+        messages
+    }
+
+    /// Returns the key with its value at a point.
+    fn place(&self, index: usize) -> String {
+        let value = self.points[index].parameter;
+        format!("{} = {value:.6} {}", self.key, self.unit)
     }
 }
 
 impl SweepPoint {
+    /// Returns the exceeded limits of patches.
+    fn exceeded(&self) -> Vec<ExceededLimit> {
+        let limits = self.warnings.iter().filter_map(|warning| match warning {
+            Warning::Limit(exceeded) => Some(exceeded.clone()),
+            _ => None,
+        });
+        limits.collect()
+    }
+
     fn of(point: jounce_analysis::SweepPoint) -> Self {
         Self {
             parameter: point.parameter,
@@ -100,7 +132,7 @@ impl SweepPoint {
             period_cycles: point.period_cycles,
             energy_residual_relative: point.energy_residual_relative,
             simulated_time_s: point.simulated_time_s,
-            warnings: point.exceeded,
+            warnings: point.warnings,
         }
     }
 }

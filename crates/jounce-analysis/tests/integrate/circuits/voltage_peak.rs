@@ -2,7 +2,7 @@
 
 use super::cell::cell;
 use crate::plants::kernel as of_system;
-use jounce_analysis::run::{RunPlan, RunResult, StartState, VoltagePeaks, simulate, voltage_peaks};
+use jounce_analysis::run::{OutputPeaks, RunPlan, RunResult, StartState, output_peaks, simulate};
 use jounce_dynamics::Kernel;
 use jounce_model::linear::{FrfInput, FrfResponse, frf};
 use jounce_model::plant::{Plant, RectifierScheme, Storage, System};
@@ -19,14 +19,14 @@ fn changed(keys: &[(&str, &str)]) -> SpecFile {
     file
 }
 
-fn run(file: &SpecFile, record_s: f64) -> (Kernel, RunPlan, RunResult, VoltagePeaks) {
+fn run(file: &SpecFile, record_s: f64) -> (Kernel, RunPlan, RunResult, OutputPeaks) {
     let spec = file.spec().unwrap();
     let plant = Plant::new(System::assemble(&spec, modes(&spec).unwrap()).unwrap()).unwrap();
     let start = StartState::linear(&plant);
     let kernel = Kernel::new(plant).unwrap();
     let plan = RunPlan::of(&spec.run, record_s);
     let result = simulate(&kernel, &start, &plan).unwrap();
-    let peaks = voltage_peaks(&kernel, &result, &plan);
+    let peaks = output_peaks(&kernel, &result, &plan);
     (kernel, plan, result, peaks)
 }
 
@@ -158,7 +158,7 @@ fn a_bridge_holds_the_peak_of_its_patch() {
         record_s: 0.0,
     };
     let result = simulate(&kernel, &StartState::rest(&kernel.plant), &plan).unwrap();
-    let peaks = voltage_peaks(&kernel, &result, &plan);
+    let peaks = output_peaks(&kernel, &result, &plan);
     eprintln!("{peaks:?}, {:e} A", result.rectified[0].mean_current_a);
     assert!(result.rectified[0].mean_current_a > 0.1 && peaks.loads_v.is_empty());
     // Two diodes of 1e-6 ohm conduct some amperes.

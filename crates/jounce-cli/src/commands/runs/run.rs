@@ -99,6 +99,7 @@ fn print_lines(result: &RunResult) {
     for circuit in &result.rectified {
         print_storage(result, circuit);
     }
+    print_motion(result);
     for device in &result.devices {
         print_device(device);
     }
@@ -221,7 +222,7 @@ fn print_quality(result: &RunResult) {
             "settled            period {cycles} drive cycles, change {change:.1e}"
         )),
         (Some(_), _) => line(format!(
-            "NOT settled        change over a period {change:.1e}; increase run.duration"
+            "NOT settled        change over a period {change:.1e}; increase run.duration, or, if that does not help, find with `jounce basins` whether the motion is chaotic or quasi-periodic and never settles"
         )),
         (None, _) if !result.devices.is_empty() => line(
             "no period          a regulator switches at its own times, so there is no periodic steady state",
@@ -250,6 +251,27 @@ fn print_voltages(result: &RunResult) {
         {
             line(format!(
                 "voltage, peak      {peak_v:.6} V  (patch {})",
+                patch.name
+            ));
+        }
+    }
+}
+
+/// Prints the largest displacement of each point and the largest strain of each patch.
+fn print_motion(result: &RunResult) {
+    for point in &result.points {
+        if let Some(peak_m) = point.displacement_peak_m {
+            line(format!(
+                "displacement, peak {peak_m:.6e} m  (point {})",
+                point.name
+            ));
+        }
+    }
+    for patch in &result.patches {
+        if let Some(peak) = patch.strain_peak {
+            line(format!(
+                "strain, peak       {:.2} ppm  (patch {})",
+                1e6 * peak,
                 patch.name
             ));
         }

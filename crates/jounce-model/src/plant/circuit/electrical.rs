@@ -13,8 +13,8 @@
 //! ```
 //!
 //! and parts that are energy-orthogonal to it, which no current changes; each is a separate open
-//! node. A part that no motion drives (the two equal layers of a bimorph) is omitted, unless a
-//! patch leaks ([`Leak`]).
+//! node. A part that no motion drives (the two equal layers of a bimorph) has the coupling 0 and
+//! keeps its charge.
 
 use super::leak::Leak;
 use crate::plant::system::{Connection, Load};

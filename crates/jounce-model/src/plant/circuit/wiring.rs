@@ -5,8 +5,8 @@ use crate::plant::{Electrical, System};
 use crate::structure::PatchModes;
 use jounce_spec::Wiring;
 
-/// Largest relative coupling of a part, to that of its patches, below which the part is omitted.
-const MIN_DRIVEN_SHARE: f64 = 1e-12;
+/// Coupling of a part, relative to that of its patches, below which it is roundoff.
+const ROUNDOFF: f64 = 1e-12;
 
 /// Patches that share a circuit.
 struct SharedPatches<'a> {
@@ -64,15 +64,15 @@ impl<'a> SharedPatches<'a> {
         (capacitance_f, share)
     }
 
-    /// Returns capacitance (F), coupling (N/V) and share of each internal voltage in series that a
-    /// motion drives or that may leak.
-    fn driven_parts(&self) -> impl Iterator<Item = (f64, Vec<f64>, Vec<f64>)> {
+    /// Returns capacitance (F), coupling (N/V) and share of each internal voltage in series. Their
+    /// number depends only on the number of patches, so that all values of a key of a patch have
+    /// the same states.
+    fn internal_parts(&self) -> impl Iterator<Item = (f64, Vec<f64>, Vec<f64>)> {
         let size = |values: &[f64]| {
             values
                 .iter()
                 .fold(0.0_f64, |most, value| most.max(value.abs()))
         };
-        let leaks = self.patches.iter().any(|patch| patch.leakage_ohm.is_some());
         let driven: f64 = self
             .patches
             .iter()
@@ -80,9 +80,11 @@ impl<'a> SharedPatches<'a> {
             .fold(0.0, f64::max);
         internal_parts(&self.signs, &self.capacitances_f)
             .into_iter()
-            .map(|share| (self.coupling_n_per_v(&share), share))
-            .filter(move |(theta, _)| leaks || size(theta) > MIN_DRIVEN_SHARE * driven)
-            .map(|(theta, share)| {
+            .map(move |share| {
+                let mut theta = self.coupling_n_per_v(&share);
+                if size(&theta) <= ROUNDOFF * driven {
+                    theta.fill(0.0);
+                }
                 let energy = share
                     .iter()
                     .zip(&self.capacitances_f)
@@ -109,7 +111,7 @@ impl Electrical {
         let terminal = self.add(capacitance_f, shared.coupling_n_per_v(&share));
         let mut shares = vec![share];
         if wiring == Wiring::Series {
-            for (capacitance_f, coupling_n_per_v, share) in shared.driven_parts() {
+            for (capacitance_f, coupling_n_per_v, share) in shared.internal_parts() {
                 self.add(capacitance_f, coupling_n_per_v);
                 shares.push(share);
             }

@@ -17,11 +17,26 @@ impl PlaceStrain {
         let sum = |row: &Vec<f64>| -> f64 { row.iter().zip(coordinates).map(|(s, q)| s * q).sum() };
         match self {
             Self::Along(row) => sum(row),
-            Self::InPlane(rows) => {
-                let [x, y, shear] = [0, 1, 2].map(|k| sum(&rows[k]));
+            Self::InPlane(rows) => Self::of_values(&[0, 1, 2].map(|k| sum(&rows[k]))),
+        }
+    }
+
+    /// Returns the strain for the values of [`PlaceStrain::rows`].
+    pub fn of_values(values: &[f64]) -> f64 {
+        match *values {
+            [x, y, shear] => {
                 let (mean, radius) = ((x + y) / 2.0, (x - y).hypot(shear) / 2.0);
                 mean + radius.copysign(mean)
             }
+            _ => values.iter().sum(),
+        }
+    }
+
+    /// Returns its lists of modes: that along, or those in the plane.
+    pub fn rows(&self) -> &[Vec<f64>] {
+        match self {
+            Self::Along(row) => std::slice::from_ref(row),
+            Self::InPlane(rows) => rows,
         }
     }
 

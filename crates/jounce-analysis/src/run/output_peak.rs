@@ -1,12 +1,14 @@
-//! Peak voltage of each load and patch at the end of a run.
+//! Peak voltage of each load and patch, peak strain of each patch and peak displacement of each
+//! named point at the end of a run.
 //!
 //! ```text
 //! V_peak = max |V(t)|,   V = c (y(t) + steady(t)) + V_zero
 //! ```
 //!
-//! `c` (V) is the row of the voltage in block coordinates, `y` the recorded state, which is exact
-//! at any time. The record is sampled 256 times per drive cycle. The highest samples are refined by
-//! parabolic interpolation.
+//! `c` is the row of a voltage, strain or displacement in block coordinates, `y` the recorded state,
+//! which is exact at any time. `V_zero` is 0 without diodes. The strain of a patch is the largest of
+//! its outer face; a displacement is relative to the base of its body. The record is sampled 256
+//! times per drive cycle. The highest samples are refined by parabolic interpolation.
 //!
 //! The window is one period of the orbit if the run has settled, else the last eight drive cycles.
 //! If the drives are not periodic, it is the complete record.
@@ -14,9 +16,9 @@
 //! Validation: `tests/integrate/circuits/voltage_peak.rs`, 5e-16 of the closed form without contact; with
 //! impacts a hundred thousand samples find no higher value.
 
+use super::output_row::{OutputRow, OutputSource};
 use super::{RunPlan, RunResult};
 use jounce_dynamics::{Kernel, Trajectory};
-use jounce_linalg::c64;
 use jounce_model::plant::Plant;
 
 /// Drive cycles of the window if a run has not settled.
@@ -34,17 +36,21 @@ const MIN_SAMPLE_SPACING: f64 = 1e-5;
 /// Golden-section fraction at which the bracket is divided if the parabola is unusable.
 const GOLDEN_SHARE: f64 = 0.381_966_011_250_105_1;
 
-/// Peak voltages, zero to peak, V.
+/// Peaks of the outputs, zero to peak; NaN without a record.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct VoltagePeaks {
-    /// Peak across the resistor of each load, in the order of the loads.
+pub struct OutputPeaks {
+    /// Voltage across the resistor of each load, V, in the order of the loads.
     pub loads_v: Vec<f64>,
-    /// Peak of each patch, in the order of the patches of the plant.
+    /// Voltage of each patch, V, in the order of the patches of the plant.
     pub patches_v: Vec<f64>,
+    /// Strain of each patch; NaN for one of a structure given by its modes.
+    pub strains: Vec<f64>,
+    /// Displacement of each named point, m, in the order of the shapes of the plant.
+    pub points_m: Vec<f64>,
 }
 
-impl VoltagePeaks {
-    /// Returns the peak of the first load, or of the first patch without a load; `None` without
+impl OutputPeaks {
+    /// Returns the voltage of the first load, or of the first patch without a load; `None` without
     /// either or without a record.
     pub fn first_v(&self) -> Option<f64> {
         self.loads_v
@@ -55,90 +61,55 @@ impl VoltagePeaks {
     }
 }
 
-/// Returns the peak voltages at the end of a run; NaN if the drives are not periodic and the plan
-/// has no record.
-pub fn voltage_peaks(kernel: &Kernel, result: &RunResult, plan: &RunPlan) -> VoltagePeaks {
+/// Returns the peaks at the end of a run; NaN if the drives are not periodic and the plan has no
+/// record.
+pub fn output_peaks(kernel: &Kernel, result: &RunResult, plan: &RunPlan) -> OutputPeaks {
     let plant = &kernel.plant;
+    let modes = &plant.system.modes;
+    let (loads, patches) = (plant.system.loads.len(), modes.patch.len());
     let Some(window) = RecordWindow::of(plant, result, plan) else {
         let none = |count: usize| vec![f64::NAN; count];
-        return VoltagePeaks {
-            loads_v: none(plant.system.loads.len()),
-            patches_v: none(plant.system.modes.patch.len()),
+        return OutputPeaks {
+            loads_v: none(loads),
+            patches_v: none(patches),
+            strains: none(patches),
+            points_m: none(modes.shape.len()),
         };
     };
-    let patches = plant.system.modes.patch.len();
     // A load across a patch has the voltage of the patch.
     let same_patch = |load: usize| {
-        let row = VoltageRow::of(plant, VoltageSource::Load(load));
-        (0..patches).find(|patch| VoltageRow::of(plant, VoltageSource::Patch(*patch)) == row)
+        let row = OutputRow::of(plant, OutputSource::Load(load));
+        (0..patches).find(|patch| OutputRow::of(plant, OutputSource::Patch(*patch)) == row)
     };
-    let mut sources: Vec<VoltageSource> = (0..patches).map(VoltageSource::Patch).collect();
-    let of_loads: Vec<usize> = (0..plant.system.loads.len())
+    let single = |source: OutputSource| vec![source];
+    let mut sources: Vec<Vec<OutputSource>> =
+        (0..patches).map(OutputSource::Patch).map(single).collect();
+    let of_loads: Vec<usize> = (0..loads)
         .map(|load| {
             same_patch(load).unwrap_or_else(|| {
-                sources.push(VoltageSource::Load(load));
+                sources.push(single(OutputSource::Load(load)));
                 sources.len() - 1
             })
         })
         .collect();
-    let mut patches_v = window.peaks_v(kernel, &result.trajectory, &sources);
-    let loads_v = of_loads.into_iter().map(|index| patches_v[index]).collect();
-    patches_v.truncate(patches);
-    VoltagePeaks { loads_v, patches_v }
-}
-
-/// Source of a voltage.
-#[derive(Debug, Clone, Copy)]
-enum VoltageSource {
-    /// Across the resistor of a load.
-    Load(usize),
-    /// Across a patch.
-    Patch(usize),
-}
-
-/// Output row of a voltage in block coordinates.
-#[derive(Debug, PartialEq)]
-struct VoltageRow {
-    row: Vec<f64>,
-    /// Angular frequency of each tone, rad/s, and complex amplitude of its voltage, V.
-    steady: Vec<(f64, c64)>,
-    zero_v: f64,
-}
-
-impl VoltageRow {
-    fn of(plant: &Plant, source: VoltageSource) -> Self {
-        let electrical = &plant.electrical;
-        let (row, zero_v) = match source {
-            VoltageSource::Load(load) => (plant.load_voltage_row(load), 0.0),
-            VoltageSource::Patch(patch) => {
-                let zeros_v = electrical.patch[patch]
-                    .iter()
-                    .map(|(node, factor)| factor * electrical.zero_v[*node]);
-                (plant.voltage_row(patch), zeros_v.sum())
-            }
-        };
-        let steady = plant
-            .tones
-            .iter()
-            .map(|tone| tone.angular_frequency_rad_s)
-            .zip(plant.steady_output(&row))
-            .collect();
-        Self {
-            row,
-            steady,
-            zero_v,
-        }
-    }
-
-    /// Magnitude of the voltage, V.
-    fn size_v(&self, time_s: f64, state: &[f64]) -> f64 {
-        let free_v: f64 = self.row.iter().zip(state).map(|(c, y)| c * y).sum();
-        let steady_v: f64 = self
-            .steady
-            .iter()
-            .map(|(w, amplitude)| (c64::cis(w * time_s) * amplitude).re)
-            .sum();
-        (free_v + steady_v + self.zero_v).abs()
+    let voltages = sources.len();
+    sources.extend(modes.patch.values().enumerate().map(|(patch, own)| {
+        let places = 0..own.strain.len();
+        places
+            .map(|place| OutputSource::Strain(patch, place))
+            .collect()
+    }));
+    sources.extend((0..modes.shape.len()).map(OutputSource::Point).map(single));
+    let mut peaks = window.peaks(kernel, &result.trajectory, &sources);
+    let points_m = peaks.split_off(voltages + patches);
+    let strains = peaks.split_off(voltages);
+    let loads_v = of_loads.into_iter().map(|index| peaks[index]).collect();
+    peaks.truncate(patches);
+    OutputPeaks {
+        loads_v,
+        patches_v: peaks,
+        strains,
+        points_m,
     }
 }
 
@@ -179,34 +150,34 @@ impl RecordWindow {
         })
     }
 
-    /// Returns the peak of each voltage.
-    fn peaks_v(
+    /// Returns the peak of each output: the largest of its sources, NaN without one.
+    fn peaks(
         &self,
         kernel: &Kernel,
         trajectory: &Trajectory,
-        sources: &[VoltageSource],
+        sources: &[Vec<OutputSource>],
     ) -> Vec<f64> {
         let segments = trajectory.segments();
         // Step in which the window begins.
         let first = segments
             .partition_point(|segment| segment.start_s <= self.begin_s)
             .saturating_sub(1);
-        let rows_of = |plant: &Plant| -> Vec<VoltageRow> {
-            let rows = sources.iter().map(|source| VoltageRow::of(plant, *source));
-            rows.collect()
+        let rows_of = |plant: &Plant| -> Vec<OutputRow> {
+            let rows = sources.iter().flatten();
+            rows.map(|source| OutputRow::of(plant, *source)).collect()
         };
         let rows = rows_of(&kernel.plant);
-        let size_v = |row: &VoltageRow, time_s: f64| {
-            trajectory
-                .at(kernel, &[time_s])
-                .first()
-                .map_or(0.0, |at| row.size_v(time_s, &at.state))
+        let sizes = |time_s: f64| -> Vec<f64> {
+            let states = trajectory.at(kernel, &[time_s]);
+            let size =
+                |row: &OutputRow| states.first().map_or(0.0, |at| row.size(time_s, &at.state));
+            rows.iter().map(size).collect()
         };
-        let mut peaks: Vec<Peaks> = rows
-            .iter()
-            .map(|row| Peaks::starting_at((self.begin_s, size_v(row, self.begin_s))))
+        let mut peaks: Vec<Peaks> = sizes(self.begin_s)
+            .into_iter()
+            .map(|size| Peaks::starting_at((self.begin_s, size)))
             .collect();
-        let mut known: Vec<(&Kernel, Vec<VoltageRow>)> = Vec::new();
+        let mut known: Vec<(&Kernel, Vec<OutputRow>)> = Vec::new();
         trajectory.walk(
             kernel,
             first,
@@ -219,16 +190,27 @@ impl RecordWindow {
                 });
                 if time_s > self.begin_s {
                     for (peaks, row) in peaks.iter_mut().zip(&known[index].1) {
-                        peaks.add((time_s, row.size_v(time_s, state)));
+                        peaks.add((time_s, row.size(time_s, state)));
                     }
                 }
             },
         );
-        let peak_v = |(row, mut peaks): (&VoltageRow, Peaks)| {
-            peaks.add((self.end_s, size_v(row, self.end_s)));
-            peaks.largest(&|time_s| size_v(row, time_s))
+        for (peaks, size) in peaks.iter_mut().zip(sizes(self.end_s)) {
+            peaks.add((self.end_s, size));
+        }
+        let mut with_rows = rows.iter().zip(peaks);
+        let peak = |group: &Vec<OutputSource>| {
+            let own = with_rows.by_ref().take(group.len());
+            // Only the place with the highest sample is refined.
+            let highest = own.max_by(|(_, a), (_, b)| a.highest().total_cmp(&b.highest()));
+            highest.map_or(f64::NAN, |(row, peaks)| {
+                peaks.largest(&|time_s| {
+                    let states = trajectory.at(kernel, &[time_s]);
+                    states.first().map_or(0.0, |at| row.size(time_s, &at.state))
+                })
+            })
         };
-        rows.iter().zip(peaks).map(peak_v).collect()
+        sources.iter().map(peak).collect()
     }
 }
 
@@ -264,6 +246,12 @@ impl Peaks {
             self.tops.insert(place, [before, middle, sample]);
             self.tops.truncate(REFINED_PEAKS);
         }
+    }
+
+    /// Returns the highest sample.
+    fn highest(&self) -> f64 {
+        let top = self.tops.first().map_or(0.0, |top| top[1].1);
+        top.max(self.first).max(self.last.1)
     }
 
     /// Returns the largest of the first and last samples and the refined local maxima.
