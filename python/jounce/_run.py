@@ -172,7 +172,11 @@ class RunResult(Result):
                 for name, peak in zip(self.point, self.point_displacement_peak_m)
                 if not np.isnan(peak)
             ),
-            *((f"strain, peak ({name})", f"{1e6 * peak:.2f} ppm") for name, peak in zip(self.patch, self.patch_strain_peak) if not np.isnan(peak)),
+            *(
+                (f"strain, peak ({name})", f"{1e6 * peak:.2f} ppm")
+                for name, peak in zip(self.patch, self.patch_strain_peak)
+                if not np.isnan(peak)
+            ),
             *((f"storage, rms ({name})", f"{volts:.6g} V") for name, volts in zip(self.rectified, self.rectified_voltage_rms_v)),
             *((f"device ({name})", self._device_summary(k)) for k, name in enumerate(self.device)),
             *((f"leakage ({name})", f"{power:.6e} W") for name, power in zip(self.leak, self.leak_mean_power_w)),
