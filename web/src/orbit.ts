@@ -128,7 +128,7 @@ export class Orbit {
             [],
             gaps.map((at) => ({ at, along: "x", words: "stop" })),
         );
-        this.force.show(seconds, { words: "Force", unit: "N" }, own("force").map((curve) => ({ x: time, ...curve, colour: colour("vermilion") })));
+        this.force.show(seconds, { words: "Force", unit: "N" }, own("contact.force").map((curve) => ({ x: frame.array("contact.time"), ...curve, colour: colour("vermilion") })));
         this.label(this.displacement, `Displacement towards the stop over one period: ${contacts}, largest penetration ${quantity(head.max_penetration_m, "m")}`);
         this.label(this.phase, "Phase portrait: velocity over displacement, with the stop as a line");
         this.label(this.force, `Contact force over one period: ${contacts}`);

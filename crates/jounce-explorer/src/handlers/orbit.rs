@@ -72,6 +72,10 @@ fn put_histories(frame: &mut Frame, orbit: &OrbitResult) {
             .list(&format!("velocity.{number}"), &stop.velocity_m_s)
             .list(&format!("force.{number}"), &stop.force_n);
     }
+    frame.list("contact.time", &orbit.forces.time_s);
+    for (number, force_n) in orbit.forces.force_n.iter().enumerate() {
+        frame.list(&format!("contact.force.{number}"), force_n);
+    }
     frame
         .list("spectrum.frequency", &orbit.spectrum_frequency_hz)
         .list("spectrum.amplitude", &orbit.spectrum_amplitude_peak_v)

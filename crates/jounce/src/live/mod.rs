@@ -45,7 +45,7 @@ pub use excitation::{Excitation, ExcitationResult};
 pub use key_span::KeySpan;
 pub use load::{LinearLoad, LoadOptions};
 pub use mode_figures::ModeFigure;
-pub use orbits::{BeamMotion, BranchPlace, OrbitResult, OrbitStop, PlateMotion};
+pub use orbits::{BeamMotion, BranchPlace, ForceCurves, OrbitResult, OrbitStop, PlateMotion};
 pub use responses::{
     Draft, DraftOrigin, LinearCurve, ResponseBifurcation, ResponseBranch, ResponseOptions,
     ResponseResult,

@@ -1,7 +1,7 @@
 //! The live page against the questions of the command line.
 
 use jounce::live::{BranchPlace, Design, KeySpan, LiveAnalysis, ResponseOptions};
-use jounce::{Control, Harvester};
+use jounce::{Control, Harvester, RunOptions};
 use jounce_analysis::{BranchSearch, Model, OrbitMethodKind, Parameter};
 
 fn paper() -> Harvester {
@@ -134,4 +134,53 @@ fn a_plate_moves_as_the_point_that_strikes() {
         );
     }
     assert_eq!(plate.pictures().unwrap().len(), 24);
+}
+
+/// A contact with a stiff stop is as short as the interval between the equal samples of an orbit. The
+/// largest force is that of a run.
+#[test]
+fn the_force_of_a_short_contact_has_its_peak() {
+    let spec = "modal.h = { frequency_hz = [10.0], damping_ratio = [0.05], participation_sqrt_kg = [1.0], point.tip = [1.0] }
+        drive.d = { at = 'h.tip', amplitude = '4 N', frequency = '12 Hz' }
+        run.duration = '20 s'
+        [stop.s]
+        at = 'h.tip'
+        side = 'positive'
+        gap = '1 mm'
+        law = 'hunt-crossley'
+        stiffness = '1e11 N/m^1.5'
+        damping = '1 s/m'";
+    let (analysis, control) = (LiveAnalysis::default(), Control::default());
+    let harvester = Harvester::from_text(spec, ".").unwrap();
+    let design = Design::new(&harvester, &[]).unwrap();
+    let span = KeySpan {
+        over: "drive.d.frequency".into(),
+        from: 11.9,
+        to: 12.1,
+    };
+    let options = ResponseOptions::default();
+    analysis
+        .fine_response(1, &design, &span, &options, &control)
+        .unwrap();
+    let place = BranchPlace {
+        response: 1,
+        branch: 0,
+        point: 0,
+        parameter: Some(12.0),
+    };
+    let orbit = analysis.orbit(&place, &control).unwrap();
+    let run = harvester.run(&RunOptions::default()).unwrap();
+    let expected_n = run.max_contact_force_n;
+    let peak_n = |force_n: &[f64]| force_n.iter().copied().fold(0.0, f64::max);
+    let [dense_n, even_n] =
+        [&orbit.forces.force_n[0], &orbit.stops[0].force_n].map(|own| peak_n(own));
+    assert!(
+        (dense_n / expected_n - 1.0).abs() < 1e-2,
+        "{dense_n} {expected_n}"
+    );
+    assert!(
+        even_n < 0.97 * expected_n,
+        "the contact is not short: {even_n} {expected_n}"
+    );
+    assert!(orbit.forces.time_s.is_sorted());
 }

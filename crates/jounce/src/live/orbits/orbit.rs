@@ -1,5 +1,6 @@
 //! Orbit of a point of a response, sampled over its period.
 
+use super::force_curve::ForceCurves;
 use super::limits;
 use super::motion::{self, BeamMotion, Motion, PlateMotion};
 use super::orbit_stop::OrbitStop;
@@ -86,6 +87,8 @@ pub struct OrbitResult {
     pub spectrum_amplitude_peak_v: Vec<f64>,
     /// Each stop.
     pub stops: Vec<OrbitStop>,
+    /// Contact forces with samples in every contact.
+    pub forces: ForceCurves,
     /// Number of frames of the motion of the beams.
     pub frames: usize,
     /// Each beam.
@@ -216,6 +219,7 @@ fn sampled(
         spectrum_frequency_hz,
         spectrum_amplitude_peak_v,
         stops: plant.system.stops.iter().enumerate().map(stop).collect(),
+        forces: ForceCurves::of(evaluation, samples_per_cycle),
         frames: motion.frames,
         beams: motion.beams,
         plates: motion.plates,
