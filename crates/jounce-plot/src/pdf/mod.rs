@@ -47,6 +47,10 @@ pub(super) fn pdf(svg: &str, origin: Option<&str>) -> Result<Vec<u8>, PictureErr
     let [width, height] = size.map(|length| (POINTS * length) as f32);
     let mut painter = Painter::new(&document);
     painter.paint(&tree, [POINTS as f32, height]);
+    if !painter.is_complete {
+        let reason = "PDF needs paths of one colour and texts, and the picture has other elements";
+        return Err(render(reason.to_owned()));
+    }
     let Painter {
         content,
         font,
@@ -185,6 +189,16 @@ mod tests {
             assert!(content.contains(part), "{part}\n{content}");
         }
         assert!(text.contains("/G0 <<") && text.contains("/ca 0.5"));
+    }
+
+    #[test]
+    fn an_element_without_one_colour_is_refused() {
+        let gradient = SVG.replace("fill=\"#ff0000\"", "fill=\"url(#g)\"").replace(
+            "<title>",
+            "<linearGradient id=\"g\"><stop offset=\"0\" stop-color=\"red\"/><stop offset=\"1\" stop-color=\"blue\"/></linearGradient><title>",
+        );
+        let error = pdf(&gradient, None).unwrap_err().to_string();
+        assert!(error.contains("other elements"), "{error}");
     }
 
     /// The font has the letters of the document only, with their outlines and names.

@@ -21,6 +21,8 @@ pub(super) struct Painter<'a> {
     pub font: Font,
     /// Opacities of areas and lines that the content uses.
     pub opacities: Vec<[f32; 2]>,
+    /// False where the drawing has an element other than paths of one colour and texts.
+    pub is_complete: bool,
 }
 
 /// Returns the name of the graphics state with the opacities at `index`.
@@ -35,10 +37,11 @@ impl<'a> Painter<'a> {
             content: Content::new(),
             font: Font::default(),
             opacities: Vec::new(),
+            is_complete: true,
         }
     }
 
-    /// Paints a drawing whose vertical axis points down on a page of points, upwards.
+    /// Paints a drawing, whose vertical axis points down, on a page in points, whose axis points up.
     pub fn paint(&mut self, tree: &Tree, [scale, height]: [f32; 2]) {
         self.content
             .transform([scale, 0.0, 0.0, -scale, 0.0, height]);
@@ -54,7 +57,7 @@ impl<'a> Painter<'a> {
             match node {
                 Node::Group(inner) => self.group(inner),
                 Node::Path(path) => self.path(path),
-                Node::Image(_) | Node::Text(_) => {}
+                Node::Image(_) | Node::Text(_) => self.is_complete = false,
             }
         }
         if group.clip_path().is_some() {
@@ -78,6 +81,8 @@ impl<'a> Painter<'a> {
     fn path(&mut self, path: &Path) {
         let fill = path.fill().and_then(|fill| plain(fill.paint()));
         let stroke = path.stroke().and_then(|stroke| plain(stroke.paint()));
+        self.is_complete &=
+            fill.is_some() == path.fill().is_some() && stroke.is_some() == path.stroke().is_some();
         self.content.save_state();
         let place = path.abs_transform();
         if !place.is_identity() {

@@ -1,6 +1,6 @@
 //! The live page against the questions of the command line.
 
-use jounce::live::{BranchPlace, Design, KeySpan, LiveAnalysis, ResponseOptions};
+use jounce::live::{BranchPlace, Design, KeySpan, LiveAnalysis, OrbitResult, ResponseOptions};
 use jounce::{Control, Harvester, RunOptions};
 use jounce_analysis::{BranchSearch, Model, OrbitMethodKind, Parameter};
 
@@ -18,6 +18,27 @@ fn span() -> KeySpan {
         from: 12.8,
         to: 13.0,
     }
+}
+
+/// Orbit of the first point of the first branch of a response, at a value of its key if one is given.
+fn first_orbit(
+    harvester: &Harvester,
+    span: &KeySpan,
+    options: &ResponseOptions,
+    parameter: Option<f64>,
+) -> OrbitResult {
+    let (analysis, control) = (LiveAnalysis::default(), Control::default());
+    let design = Design::new(harvester, &[]).unwrap();
+    analysis
+        .fine_response(1, &design, span, options, &control)
+        .unwrap();
+    let place = BranchPlace {
+        response: 1,
+        branch: 0,
+        point: 0,
+        parameter,
+    };
+    analysis.orbit(&place, &control).unwrap()
 }
 
 #[test]
@@ -98,8 +119,6 @@ fn a_plate_moves_as_the_point_that_strikes() {
         env!("CARGO_MANIFEST_DIR"),
         "/../../examples/plate-de-marqui-2009/stop.toml"
     );
-    let (analysis, control) = (LiveAnalysis::default(), Control::default());
-    let design = Design::new(&Harvester::read(path).unwrap(), &[]).unwrap();
     let span = KeySpan {
         over: "drive.shaker.frequency".into(),
         from: 54.0,
@@ -109,16 +128,7 @@ fn a_plate_moves_as_the_point_that_strikes() {
         seeds: 0,
         ..Default::default()
     };
-    analysis
-        .fine_response(1, &design, &span, &options, &control)
-        .unwrap();
-    let place = BranchPlace {
-        response: 1,
-        branch: 0,
-        point: 0,
-        parameter: None,
-    };
-    let orbit = analysis.orbit(&place, &control).unwrap();
+    let orbit = first_orbit(&Harvester::read(path).unwrap(), &span, &options, None);
     assert!(orbit.beams.is_empty() && orbit.period_cycles == 1);
     let (plate, stop) = (&orbit.plates[0], &orbit.stops[0]);
     assert_eq!((plate.name.as_str(), plate.size_m), ("plate", [0.1, 0.06]));
@@ -150,25 +160,13 @@ fn the_force_of_a_short_contact_has_its_peak() {
         law = 'hunt-crossley'
         stiffness = '1e11 N/m^1.5'
         damping = '1 s/m'";
-    let (analysis, control) = (LiveAnalysis::default(), Control::default());
     let harvester = Harvester::from_text(spec, ".").unwrap();
-    let design = Design::new(&harvester, &[]).unwrap();
     let span = KeySpan {
         over: "drive.d.frequency".into(),
         from: 11.9,
         to: 12.1,
     };
-    let options = ResponseOptions::default();
-    analysis
-        .fine_response(1, &design, &span, &options, &control)
-        .unwrap();
-    let place = BranchPlace {
-        response: 1,
-        branch: 0,
-        point: 0,
-        parameter: Some(12.0),
-    };
-    let orbit = analysis.orbit(&place, &control).unwrap();
+    let orbit = first_orbit(&harvester, &span, &ResponseOptions::default(), Some(12.0));
     let run = harvester.run(&RunOptions::default()).unwrap();
     let expected_n = run.max_contact_force_n;
     let peak_n = |force_n: &[f64]| force_n.iter().copied().fold(0.0, f64::max);

@@ -125,7 +125,6 @@ fn a_mass_pressed_by_a_second_stop_comes_to_rest() {
         let integrator = integrate(&kernel, &[-2e-3, 0.1], 0.0, 0.5, tolerance);
         let (state, energies) = (physical(&integrator, &kernel), integrator.energies());
         let statistics = integrator.statistics_by_stop()[0];
-        eprintln!("{state:?}, {energies:?}, {statistics:?}");
         assert!((state[0] + 2e-3).abs() < 1e-15 && state[1].abs() < 1e-12);
         let loss_j = 0.5 * 0.1 * 0.1;
         assert!((energies.contact_loss_j / loss_j - 1.0).abs() < 10.0 * tolerance);

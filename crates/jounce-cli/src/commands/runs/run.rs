@@ -222,7 +222,7 @@ fn print_quality(result: &RunResult) {
             "settled            period {cycles} drive cycles, change {change:.1e}"
         )),
         (Some(_), _) => line(format!(
-            "NOT settled        change over a period {change:.1e}; increase run.duration, or, if that does not help, find with `jounce basins` whether the motion is chaotic or quasi-periodic and never settles"
+            "NOT settled        change over a period {change:.1e}; increase run.duration; a chaotic or quasi-periodic motion never settles, see `jounce basins`"
         )),
         (None, _) if !result.devices.is_empty() => line(
             "no period          a regulator switches at its own times, so there is no periodic steady state",
