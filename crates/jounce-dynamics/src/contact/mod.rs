@@ -144,6 +144,9 @@ impl Integrator<'_> {
                     } else {
                         level + down
                     };
+                    if entering || both_sides {
+                        self.ports[p].entry_level = level;
+                    }
                     self.count_rejection(p, level)?;
                 }
             }

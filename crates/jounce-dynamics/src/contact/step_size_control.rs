@@ -57,7 +57,8 @@ impl SolvedStep {
 
 impl Integrator<'_> {
     /// Returns the desired level of the step after an accepted one of `level`; with `starts_next`
-    /// the next contact also starts at it.
+    /// the next contact also starts at it, or at its present level where that is coarser: then
+    /// another port shortened the step.
     #[inline(always)]
     pub(crate) fn next_level<L: ContactLaw>(
         &mut self,
@@ -74,7 +75,8 @@ impl Integrator<'_> {
                 PLANNED_ERROR_SHARE * share(step.shape) * allowed,
             );
         if starts_next {
-            self.ports[step.port].entry_level = longer.max(coarsest(law, self.kernel));
+            let port = &mut self.ports[step.port];
+            port.entry_level = longer.min(port.entry_level).max(coarsest(law, self.kernel));
         }
         // The error of the onset basis does not predict the next step.
         let level = if step.shape == ForceBasis::Onset {

@@ -138,8 +138,7 @@ impl Integrator<'_> {
         let joint = self.joint_step(w, &tables);
         let resting = StickingPorts::new(self, &tables);
         let solved = self.solve_joint(w, &joint, &resting);
-        let Some(solved) = solved.filter(|all| self.is_accepted(&joint.steps, all, is_short))
-        else {
+        let Some(solved) = self.accepted(&joint.steps, solved, length, is_short) else {
             return StepOutcome::Unclear(LEVELS_PER_OCTAVE);
         };
         let outcome = self.check_free_ports(w, length, &joint.steps, &solved);
@@ -150,22 +149,47 @@ impl Integrator<'_> {
         outcome
     }
 
-    /// True where the step is accurate and reliable at every port.
+    /// Returns a solution that is accurate and reliable at every port. Where it is not at a port that
+    /// enters, its contacts start with a shorter step.
     #[inline(always)]
-    pub(super) fn is_accepted(
+    pub(super) fn accepted<S: AsRef<[SolvedStep]>>(
+        &mut self,
+        steps: &[ContactStep],
+        solved: Option<S>,
+        length: StepLength,
+        is_short: bool,
+    ) -> Option<S> {
+        let shorter = Kernel::level_within(length.seconds()) + LEVELS_PER_OCTAVE;
+        let accurate: SmallList<bool> = match &solved {
+            Some(solved) => self.are_accurate(steps, solved.as_ref(), is_short),
+            None => steps.iter().map(|_| false).collect(),
+        };
+        for (step, accurate) in steps.iter().zip(accurate.as_slice()) {
+            let port = &mut self.ports[step.port];
+            if port.entering && !accurate {
+                port.entry_level = port.entry_level.max(shorter);
+            }
+        }
+        solved.filter(|_| accurate.iter().all(|accurate| *accurate))
+    }
+
+    /// True for each port at which a step is accurate and reliable.
+    #[inline(always)]
+    fn are_accurate(
         &self,
         steps: &[ContactStep],
         solved: &[SolvedStep],
         is_short: bool,
-    ) -> bool {
+    ) -> SmallList<bool> {
         let allowed_n_s = self.allowed_with_others_n_s(steps, solved);
-        steps.iter().zip(solved).all(|(step, solution)| {
+        let is_accurate = |(step, solution): (&ContactStep, &SolvedStep)| {
             let is_decided = self.is_rigid(step.port) || self.law(step.port).acts_on_both_sides();
             let allowed_error = share(step.shape) * allowed_n_s;
             let is_negligible = || solution.size_n_s(Portable::new(), step) <= allowed_error;
             solution.error_n_s <= allowed_error
                 && (is_decided || solution.is_sound(step.shape, is_short, is_negligible))
-        })
+        };
+        steps.iter().zip(solved).map(is_accurate).collect()
     }
 
     /// Ends the step at the first of several impacts; false when that fails.

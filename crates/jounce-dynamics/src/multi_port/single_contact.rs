@@ -46,13 +46,10 @@ impl Integrator<'_> {
         let (law, table) = (self.law(p), length.tables.contact(self.kernel, (p, shape)));
         let is_odd = !length.is_level();
         let step = [self.step_in_contact(w, law, (table, p), shape, length.level, is_odd)];
-        let Some(solved) = self.solve(w, law, &step[0]) else {
+        let solved = self.solve(w, law, &step[0]).map(|solved| [solved]);
+        let Some(solved) = self.accepted(&step, solved, length, is_short) else {
             return StepOutcome::Unclear(LEVELS_PER_OCTAVE);
         };
-        let solved = [solved];
-        if !self.is_accepted(&step, &solved, is_short) {
-            return StepOutcome::Unclear(LEVELS_PER_OCTAVE);
-        }
         let outcome = self.check_free_ports(w, length, &step, &solved);
         if let StepOutcome::Clear = outcome {
             self.forget_clearances();
