@@ -15,6 +15,7 @@ use crate::force_response::basis::NODES;
 use crate::integrator::Integrator;
 use crate::kernel::{ForceBasis, Kernel};
 use crate::ports::state::ContactState;
+use crate::tables::joint::StepLength;
 use crate::tables::step_size::LEVELS_PER_OCTAVE;
 use jounce_model::contact::ContactLaw;
 use jounce_simd::Simd;
@@ -114,7 +115,10 @@ impl Integrator<'_> {
             };
             let table = tables.contact(kernel, (p, shape));
             let step = self.step_in_contact(w, law, (table, p), shape, level, landing);
-            let solved = self.solve(w, law, &step);
+            let mut solved = self.solve(w, law, &step);
+            if solved.is_none() && law.is_rate_dependent() {
+                solved = self.solve_damped(w, (p, shape), StepLength { tables, level });
+            }
             let allowed = self.allowed_n_s(&step, solved.as_ref());
             let allowed_error = share(shape) * allowed;
             let sound = solved.filter(|solved| {

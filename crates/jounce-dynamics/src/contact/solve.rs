@@ -35,7 +35,7 @@ impl Integrator<'_> {
         );
         let mut force = law.forces_n(w, guess, free[1]);
         let mut last = force;
-        let target = (0.1 * self.tolerance).clamp(4e-15, 1e-5);
+        let target = self.target_change();
         let deepest_at_start = largest(w, law, guess);
         // Neighbouring steps need the same number of iterations: convergence is not tested before.
         let expected = self.ports[step.port].iterations;

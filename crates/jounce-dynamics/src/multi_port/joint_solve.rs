@@ -20,12 +20,15 @@ pub struct JointStep<'t, 'a> {
 
 /// Iterate of one port. Vectors hold the nodes and the end of the step.
 pub struct PortIterate {
-    law: Law,
+    /// Law of its stop.
+    pub(super) law: Law,
     /// Motion without any contact force on the step.
     free: F64x8,
     free_rate: F64x8,
-    penetration: F64x8,
-    rate: F64x8,
+    /// Penetration, m.
+    pub(super) penetration: F64x8,
+    /// Its rate, m/s.
+    pub(super) rate: F64x8,
     /// Nodal forces, N.
     pub force: F64x8,
     at_start_n: f64,
@@ -89,8 +92,21 @@ impl<'k> Integrator<'k> {
     ) -> Option<SmallList<SolvedStep>> {
         w.out_of_line(
             #[inline(always)]
-            || self.iterate(w, joint, resting),
+            || self.solve_all(w, joint, resting),
         )
+    }
+
+    #[inline(always)]
+    fn solve_all<W: Simd>(
+        &mut self,
+        w: W,
+        joint: &JointStep,
+        resting: &StickingPorts,
+    ) -> Option<SmallList<SolvedStep>> {
+        let iterates = self
+            .iterate(w, joint, resting)
+            .or_else(|| self.newton(w, joint, resting))?;
+        Some(self.judge_all(w, joint, resting, iterates))
     }
 
     #[inline(always)]
@@ -99,9 +115,9 @@ impl<'k> Integrator<'k> {
         w: W,
         joint: &JointStep,
         resting: &StickingPorts,
-    ) -> Option<SmallList<SolvedStep>> {
+    ) -> Option<SmallList<PortIterate>> {
         let mut iterates = self.first_guess(w, joint);
-        let target = (0.1 * self.tolerance).clamp(4e-15, 1e-5);
+        let target = self.target_change();
         for iteration in 1..=MAX_FIXED_POINT_ITERATIONS {
             self.work.iterations += 1;
             resting.hold(&mut iterates);
@@ -113,30 +129,46 @@ impl<'k> Integrator<'k> {
             match progress {
                 Convergence::GoesOn => {}
                 Convergence::Diverges => return None,
-                Convergence::Converged => {
-                    resting.hold(&mut iterates);
-                    move_under_forces(w, joint, &mut iterates);
-                    let mut solved = SmallList::<SolvedStep>::new();
-                    for (step, solution) in joint.steps.iter().zip(&iterates) {
-                        solved.push(judge(
-                            w,
-                            solution.law,
-                            step,
-                            solution.registers(w),
-                            solution.at_start_n,
-                        ));
-                    }
-                    resting.judge(self, joint, &mut solved);
-                    return Some(solved);
-                }
+                Convergence::Converged => return Some(iterates),
             }
         }
         None
     }
 
+    /// Returns the change of the forces, relative to the largest, below which an iteration has
+    /// converged.
+    pub(crate) fn target_change(&self) -> f64 {
+        (0.1 * self.tolerance).clamp(4e-15, 1e-5)
+    }
+
+    /// Computes the motion under the final forces, and the error of the step at each port.
+    #[inline(always)]
+    pub(super) fn judge_all<W: Simd>(
+        &self,
+        w: W,
+        joint: &JointStep,
+        resting: &StickingPorts,
+        mut iterates: SmallList<PortIterate>,
+    ) -> SmallList<SolvedStep> {
+        resting.hold(&mut iterates);
+        move_under_forces(w, joint, &mut iterates);
+        let mut solved = SmallList::<SolvedStep>::new();
+        for (step, solution) in joint.steps.iter().zip(&iterates) {
+            solved.push(judge(
+                w,
+                solution.law,
+                step,
+                solution.registers(w),
+                solution.at_start_n,
+            ));
+        }
+        resting.judge(self, joint, &mut solved);
+        solved
+    }
+
     /// Returns the first guess: linear continuation of the forces.
     #[inline(always)]
-    fn first_guess<W: Simd>(&self, w: W, joint: &JointStep) -> SmallList<PortIterate> {
+    pub(super) fn first_guess<W: Simd>(&self, w: W, joint: &JointStep) -> SmallList<PortIterate> {
         let mut iterates = SmallList::new();
         for step in &joint.steps {
             let (law, port, table) = (self.law(step.port), &self.ports[step.port], step.table);
@@ -186,7 +218,7 @@ impl<'k> Integrator<'k> {
 
 /// Computes the motion of each port under the nodal forces of all.
 #[inline(always)]
-fn move_under_forces<W: Simd>(w: W, joint: &JointStep, iterates: &mut [PortIterate]) {
+pub(super) fn move_under_forces<W: Simd>(w: W, joint: &JointStep, iterates: &mut [PortIterate]) {
     for index in 0..iterates.len() {
         let iterate = &iterates[index];
         let needs_rate = iterate.law.is_rate_dependent();

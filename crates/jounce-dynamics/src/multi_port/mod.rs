@@ -32,6 +32,7 @@ mod impacts;
 mod joint_contact;
 mod joint_impact;
 mod joint_solve;
+mod newton;
 mod single_contact;
 mod sticking;
 

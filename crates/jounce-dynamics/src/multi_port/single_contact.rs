@@ -46,7 +46,10 @@ impl Integrator<'_> {
         let (law, table) = (self.law(p), length.tables.contact(self.kernel, (p, shape)));
         let is_odd = !length.is_level();
         let step = [self.step_in_contact(w, law, (table, p), shape, length.level, is_odd)];
-        let solved = self.solve(w, law, &step[0]).map(|solved| [solved]);
+        let solved = self
+            .solve(w, law, &step[0])
+            .or_else(|| self.solve_damped(w, (p, shape), length))
+            .map(|solved| [solved]);
         let Some(solved) = self.accepted(&step, solved, length, is_short) else {
             return StepOutcome::Unclear(LEVELS_PER_OCTAVE);
         };

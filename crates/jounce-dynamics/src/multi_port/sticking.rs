@@ -98,10 +98,27 @@ impl StickingPorts {
         let count = self.positions.len() * NODES;
         let entry = |row: usize, column: usize| {
             let ((a, i), (b, j)) = ((row / NODES, row % NODES), (column / NODES, column % NODES));
-            let index = self.positions[b];
-            (if i == j { self.mobility[a][index] } else { 0.0 }) - self.responses[a][index][j].0[i]
+            self.lost_per_kg(a, self.positions[b], [i, j])
         };
         jounce_linalg::inverse(&Mat::from_fn(count, count, entry))
+    }
+
+    /// Returns the acceleration that a sticking port loses at node `i` per unit force at node `j` of
+    /// a port in contact, 1/kg.
+    fn lost_per_kg(&self, sticking: usize, from: usize, [i, j]: [usize; 2]) -> f64 {
+        let direct = if i == j {
+            self.mobility[sticking][from]
+        } else {
+            0.0
+        };
+        direct - self.responses[sticking][from][j].0[i]
+    }
+
+    /// Returns [`Self::lost_per_kg`] by the indices of two ports in contact; `None` where the first
+    /// does not stick.
+    pub fn coefficient(&self, index: usize, from: usize, nodes: [usize; 2]) -> Option<f64> {
+        let sticking = self.positions.iter().position(|other| *other == index)?;
+        Some(self.lost_per_kg(sticking, from, nodes))
     }
 
     /// Sets the forces of the sticking ports, given those of the others.
