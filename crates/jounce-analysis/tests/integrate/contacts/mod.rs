@@ -2,6 +2,7 @@
 
 mod collisions;
 mod cradle;
+mod dashpots;
 mod friction;
 mod grazing;
 mod instants;

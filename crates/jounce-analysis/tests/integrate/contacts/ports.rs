@@ -142,7 +142,7 @@ fn equal_stops_on_both_sides_mirror_the_motion() {
 }
 
 /// Largest error of integrations relative to Runge-Kutta, at decreasing tolerances.
-fn errors(system: &System, end_s: f64) -> Vec<f64> {
+pub fn errors(system: &System, end_s: f64) -> Vec<f64> {
     let start = vec![0.0; 2 * system.modes.len()];
     let exact = runge_kutta(system, &start, end_s, 1_200_000);
     let kernel = kernel(system.clone());
