@@ -98,6 +98,6 @@ fn contacts_with_a_strong_dashpot_agree_with_a_plain_integrator() {
         },
         damping_s_m: 300.0,
     });
-    let errors = errors(&system, 0.6);
+    let errors = errors(&system, 0.4);
     assert!(errors[0] < 1e-5 && errors[3] < 1e-9, "{errors:?}");
 }
