@@ -115,16 +115,9 @@ impl Integrator<'_> {
             };
             let table = tables.contact(kernel, (p, shape));
             let step = self.step_in_contact(w, law, (table, p), shape, level, landing);
-            let mut solved = self.solve(w, law, &step);
-            if solved.is_none() && law.is_rate_dependent() {
-                solved = self.solve_damped(w, (p, shape), StepLength { tables, level });
-            }
-            let allowed = self.allowed_n_s(&step, solved.as_ref());
+            let length = StepLength { tables, level };
+            let (sound, allowed) = self.solve_soundly(w, law, &step, length, level >= safe);
             let allowed_error = share(shape) * allowed;
-            let sound = solved.filter(|solved| {
-                let is_negligible = || solved.size_n_s(w, &step) <= allowed_error;
-                both_sides || solved.is_sound(shape, level >= safe, is_negligible)
-            });
             match accurate(sound, level, allowed_error) {
                 Ok(solved) => {
                     if with_others
@@ -156,6 +149,28 @@ impl Integrator<'_> {
             }
         }
         Ok((level, entering))
+    }
+
+    /// Returns the solution of a step if it is reliable, and the allowed impulse error, N s.
+    #[inline(always)]
+    fn solve_soundly<W: Simd, L: ContactLaw>(
+        &mut self,
+        w: W,
+        law: L,
+        step: &ContactStep,
+        length: StepLength,
+        is_short: bool,
+    ) -> (Option<SolvedStep>, f64) {
+        let mut solved = self.solve(w, law, step);
+        if solved.is_none() && law.is_rate_dependent() {
+            solved = self.solve_damped(w, (step.port, step.shape), length);
+        }
+        let allowed = self.allowed_n_s(step, solved.as_ref());
+        let sound = solved.filter(|solved| {
+            let is_negligible = || solved.size_n_s(w, step) <= share(step.shape) * allowed;
+            law.acts_on_both_sides() || solved.is_sound(step.shape, is_short, is_negligible)
+        });
+        (sound, allowed)
     }
 
     /// Counts a rejected step; an error where the level of the next attempt would be too fine.
