@@ -25,6 +25,8 @@ pub(crate) struct ContactStep<'a> {
     pub(crate) drive: F64x8,
     /// Contribution of the drive to the velocity.
     pub(crate) drive_rate: F64x8,
+    /// Rate of penetration at the start, m/s.
+    pub(crate) start_rate_m_s: f64,
 }
 
 impl<'a> ContactStep<'a> {
@@ -37,6 +39,7 @@ impl<'a> ContactStep<'a> {
             shape: ForceBasis::Smooth,
             drive: F64x8::ZERO,
             drive_rate: F64x8::ZERO,
+            start_rate_m_s: 0.0,
         }
     }
 }
@@ -94,6 +97,7 @@ impl<'k> Integrator<'k> {
             shape,
             drive: w.store(drive),
             drive_rate: w.store(drive_rate),
+            start_rate_m_s: self.ports[port].rate_m_s,
         }
     }
 }

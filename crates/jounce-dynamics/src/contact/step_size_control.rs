@@ -138,13 +138,16 @@ pub(crate) fn coarsest<L: ContactLaw>(law: L, kernel: &Kernel) -> i32 {
 }
 
 /// Predicts the time until the penetration ends, from the parabola through the last speeds of a
-/// step.
+/// step. On a step so short that the difference of its last penetrations is roundoff, the change of
+/// the rate over the step limits the curvature.
 #[inline(always)]
 fn predicted_release_s(port: &PortState, step: &ContactStep, solved: &SolvedStep) -> Option<f64> {
     if port.rate_m_s >= 0.0 || port.penetration_m <= 0.0 {
         return None;
     }
-    let curvature = (port.rate_m_s - solved.last_speed_m_s(step)) / step.last_gap_s();
+    let largest = ((port.rate_m_s - step.start_rate_m_s) / step.table.length_s).abs();
+    let last = (port.rate_m_s - solved.last_speed_m_s(step)) / step.last_gap_s();
+    let curvature = last.clamp(-largest, largest);
     let discriminant = port.rate_m_s * port.rate_m_s - 4.0 * curvature * port.penetration_m;
     let leaving_s = 2.0 * port.penetration_m / (-port.rate_m_s + discriminant.max(0.0).sqrt());
     (discriminant >= 0.0).then_some(leaving_s)
