@@ -3,6 +3,7 @@
 use super::step::{ContactStep, SolvedStep};
 use crate::flow::state::{add_force_response, columns};
 use crate::force_response::basis::NODES;
+use crate::impact::acceleration::RESOLVED_ROUNDOFFS;
 use crate::integrator::Integrator;
 use crate::tables::contact::ContactTable;
 use jounce_model::contact::ContactLaw;
@@ -134,7 +135,8 @@ fn predicted_contraction<L: ContactLaw>(law: L, table: &ContactTable, deepest_m:
 /// its ends.
 ///
 /// Penetration, rate and force hold the nodes and the end; `at_start` is the force of the law at
-/// the start, N.
+/// the start, N. What the roundoff of the penetration does to the force of a stiff stop is no error
+/// of the basis.
 #[inline(always)]
 pub(crate) fn judge<W: Simd, L: ContactLaw>(
     w: W,
@@ -146,9 +148,11 @@ pub(crate) fn judge<W: Simd, L: ContactLaw>(
     let by_basis = |at: &F64x8| w.sum(w.mul(w.load(at), force));
     let (start, end) = (by_basis(&step.basis.at_start), by_basis(&step.basis.at_end));
     let size = at_start.abs().max(w.largest(w.abs(force)));
+    let secant_n_m = size / largest(w, law, penetration).max(f64::MIN_POSITIVE);
+    let roundoff_n = RESOLVED_ROUNDOFFS * step.roundoff_m * secant_n_m;
     let (penetration, rate, force) = (w.store(penetration), w.store(rate), w.store(force));
     let at_end = law.force_n(penetration.0[NODES], rate.0[NODES]);
-    let mismatch = (start - at_start).abs().max((end - at_end).abs());
+    let mismatch = ((start - at_start).abs().max((end - at_end).abs()) - roundoff_n).max(0.0);
     // Gauss weights double the order of the interpolation for smooth forces and gain less at a
     // kink: 3/2 lies between. A force that exists at the end only has been missed completely.
     let ratio = if size > 0.0 { mismatch / size } else { 1.0 };

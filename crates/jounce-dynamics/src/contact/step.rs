@@ -27,6 +27,8 @@ pub(crate) struct ContactStep<'a> {
     pub(crate) drive_rate: F64x8,
     /// Rate of penetration at the start, m/s.
     pub(crate) start_rate_m_s: f64,
+    /// Roundoff of the penetration, m.
+    pub(crate) roundoff_m: f64,
 }
 
 impl<'a> ContactStep<'a> {
@@ -40,6 +42,7 @@ impl<'a> ContactStep<'a> {
             drive: F64x8::ZERO,
             drive_rate: F64x8::ZERO,
             start_rate_m_s: 0.0,
+            roundoff_m: 0.0,
         }
     }
 }
@@ -98,6 +101,7 @@ impl<'k> Integrator<'k> {
             drive: w.store(drive),
             drive_rate: w.store(drive_rate),
             start_rate_m_s: self.ports[port].rate_m_s,
+            roundoff_m: self.distance_roundoff_m(port),
         }
     }
 }
