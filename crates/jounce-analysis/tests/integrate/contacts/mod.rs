@@ -7,6 +7,7 @@ mod friction;
 mod grazing;
 mod instants;
 mod ports;
+mod pressed;
 mod rigid;
 pub mod several_stops;
 mod statistics;
