@@ -36,5 +36,5 @@ fn a_light_press_takes_no_more_steps_than_its_oscillation() {
     let periods = turn_rad_s * END_S / std::f64::consts::TAU;
     eprintln!("error {error:e}, {periods} periods, {work:?}");
     assert!(error < 1e-4, "{penetration_m:e} {exact_m:e}");
-    assert!((work.contact_steps as f64) < 20.0 * periods, "{work:?}");
+    assert!((work.contact_steps as f64) < 12.0 * periods, "{work:?}");
 }
