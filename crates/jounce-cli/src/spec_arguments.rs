@@ -14,7 +14,8 @@ pub struct SpecArguments {
     /// The spec file (TOML).
     pub spec: PathBuf,
     /// Sets a key for this call, as in --set stop.tip.gap="0.5 mm", or removes it, as in --set
-    /// run.tolerance=; can be given several times; by default the spec is used unchanged.
+    /// run.tolerance=; can be given several times, once for each key; by default the spec is used
+    /// unchanged.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub set: Vec<String>,
 }
@@ -52,16 +53,33 @@ impl<O: Args> ModelArguments<O> {
 }
 
 impl SpecArguments {
-    /// Reads the file and applies the overrides.
-    pub fn file(&self) -> Result<SpecFile, Failure> {
-        let mut file = SpecFile::read(&self.spec).map_err(Error::from)?;
-        let mut faults = Vec::new();
+    /// Returns the keys and values of `--set`.
+    ///
+    /// # Errors
+    /// An assignment without `=`, and two of one key.
+    pub fn assignments(&self) -> Result<Vec<(&str, &str)>, Failure> {
+        let mut assignments: Vec<(&str, &str)> = Vec::with_capacity(self.set.len());
         for assignment in &self.set {
             let Some((key, value)) = assignment.split_once('=') else {
                 return Err(Failure::usage(format!(
                     "--set {assignment}: write KEY=VALUE, as in --set stop.tip.gap=\"0.5 mm\""
                 )));
             };
+            if let Some((_, first)) = assignments.iter().find(|(other, _)| *other == key) {
+                return Err(Failure::usage(format!(
+                    "--set gives {key} twice: {key}={first} and {key}={value}; keep one of them"
+                )));
+            }
+            assignments.push((key, value));
+        }
+        Ok(assignments)
+    }
+
+    /// Reads the file and applies the overrides.
+    pub fn file(&self) -> Result<SpecFile, Failure> {
+        let mut file = SpecFile::read(&self.spec).map_err(Error::from)?;
+        let mut faults = Vec::new();
+        for (key, value) in self.assignments()? {
             if let Err(fault) = file.set(key, value) {
                 faults.push(fault);
             }

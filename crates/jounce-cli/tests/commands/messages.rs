@@ -6,7 +6,12 @@ use crate::{SPEC, jounce};
 const GAP_OVER: &str = "stop.tip.gap=1mm:2mm:3";
 
 /// Commands with a wrong option, and the message of each; `SPEC` precedes the options.
-const WRONG_OPTIONS: [(&str, &[&str], &str); 15] = [
+const WRONG_OPTIONS: [(&str, &[&str], &str); 16] = [
+    (
+        "check",
+        &["--set", "stop.tip.gap=1 mm", "--set", "stop.tip.gap=2 mm"],
+        "--set gives stop.tip.gap twice: stop.tip.gap=1 mm and stop.tip.gap=2 mm",
+    ),
     (
         "modes",
         &["--order", "3"],
