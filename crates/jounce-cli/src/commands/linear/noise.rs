@@ -1,7 +1,7 @@
 //! `jounce noise SPEC`
 
 use crate::failure::Failure;
-use crate::output::{self, line, print};
+use crate::output::{self, line, power, print};
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
 use jounce::{NoiseOptions, NoiseResult};
@@ -39,15 +39,21 @@ impl Noise {
 
 /// Prints the result as lines of text.
 fn print_lines(result: &NoiseResult) {
-    line(format!("mean power         {:.6e} W", result.mean_power_w));
+    line(format!(
+        "mean power         {} W",
+        power(result.mean_power_w)
+    ));
     for load in &result.loads {
         line(format!(
-            "load {:<12}  {:.6} V rms, {:.9e} W by the Lyapunov equation",
-            load.name, load.voltage_rms_v, load.mean_power_w
+            "load {:<12}  {:.6} V rms, {} W by the Lyapunov equation",
+            load.name,
+            load.voltage_rms_v,
+            power(load.mean_power_w)
         ));
         let (spectral_w, difference) = (load.spectral_power_w, load.difference_relative);
         line(format!(
-            "  by quadrature    {spectral_w:.9e} W, relative difference {difference:.1e}"
+            "  by quadrature    {} W, relative difference {difference:.1e}",
+            power(spectral_w)
         ));
         for (drive, bandwidth_hz) in result.drives.iter().zip(&load.noise_bandwidth_hz) {
             line(format!(
