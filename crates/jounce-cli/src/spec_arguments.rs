@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::output;
 use clap::Args;
-use jounce::parts::Manifest;
+use jounce::parts::{Manifest, Quantity};
 use jounce::{Error, Harvester, Spec, SpecFile};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -126,7 +126,7 @@ impl SpecArguments {
     }
 }
 
-/// Prints the issues of the recordings of the drives on stderr.
+/// Prints the issues of the recordings of the drives, and which of them the run cuts, on stderr.
 pub fn print_recording_issues(spec: &Spec) {
     for (drive, issue) in spec.issues() {
         let kind = if issue.kind.is_note() {
@@ -135,5 +135,11 @@ pub fn print_recording_issues(spec: &Spec) {
             "warning"
         };
         output::note(format!("{kind}: drive {drive}: {issue}"));
+    }
+    for (drive, ends_s) in spec.cut_recordings() {
+        let duration = Quantity::Time.write(spec.run.duration_s);
+        output::note(format!(
+            "note: drive {drive}: its recording goes on to {ends_s:.6} s, but a run ends at run.duration = {duration}; increase run.duration to use all of it"
+        ));
     }
 }
