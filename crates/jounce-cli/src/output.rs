@@ -10,6 +10,12 @@ use std::io::{ErrorKind, Write};
 use std::path::Path;
 use std::sync::OnceLock;
 
+/// Largest number of rows where a table is printed in part.
+const FIRST_ROWS: usize = 10;
+
+/// Width of a line where a table is printed in part, characters.
+const LINE_WIDTH: usize = 100;
+
 /// First failure to write to stdout.
 static UNPRINTED: OnceLock<String> = OnceLock::new();
 
@@ -80,6 +86,31 @@ pub fn print_table(table: &Table) {
     let columns = table.columns().iter();
     let columns: Vec<Vec<String>> = columns.map(|column| cells(column, table.rows())).collect();
     print_columns(&columns);
+}
+
+/// Prints the first rows of a table on stdout, with the columns that fit into a line, and how many
+/// rows and columns are left out.
+pub fn print_first_rows(table: &Table) {
+    let rows = table.rows().min(FIRST_ROWS);
+    let mut width = 0;
+    let fits = |cells: &Vec<String>| {
+        width += cells[0].len() + 2;
+        width <= LINE_WIDTH + 2
+    };
+    let columns = table.columns().iter().map(|column| cells(column, rows));
+    let columns: Vec<Vec<String>> = columns.take_while(fits).collect();
+    print_columns(&columns);
+    let left_out = [
+        (table.rows() - rows, "rows"),
+        (table.columns().len() - columns.len(), "columns"),
+    ];
+    let left_out = left_out.iter().filter(|(count, _)| *count > 0);
+    let texts: Vec<String> = left_out
+        .map(|(count, what)| format!("{count} more {what}"))
+        .collect();
+    if !texts.is_empty() {
+        line(format!("... {}", texts.join(", ")));
+    }
 }
 
 /// Prints columns of cells, each of one width.
