@@ -27,7 +27,7 @@ pub struct OutputArguments {
     #[arg(long)]
     pub json: bool,
     /// Writes tables (CSV, Parquet, JSON) and pictures (SVG, PNG, PDF) into this folder, which
-    /// is created if missing; by default no files.
+    /// is created if missing and whose files of these names are replaced; by default no files.
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
 }

@@ -62,8 +62,8 @@ struct Existing {
 struct Page {
     #[command(flatten)]
     study: Existing,
-    /// File of the page: a name that ends in .html; its folder is created if missing. By default the
-    /// name of the folder with .html, in the current folder.
+    /// File of the page: a name that ends in .html; its folder is created if missing, an existing file
+    /// is replaced. By default the name of the folder with .html, in the current folder.
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
 }
