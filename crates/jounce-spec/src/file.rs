@@ -95,7 +95,7 @@ impl SpecFile {
     /// Returns the spec with the overrides applied.
     ///
     /// # Errors
-    /// All faults, sorted by place; faults of overrides come first.
+    /// All faults, sorted by place; faults of overrides come first, those without a place last.
     pub fn spec(&self) -> Result<Spec, Faults> {
         if self.text.len() > MAX_SPEC_BYTES {
             return Err(Fault {

@@ -81,6 +81,13 @@ impl<'t> FaultCollector<'t> {
         }
     }
 
+    /// Returns all faults in the order of their places, those without a place last.
+    pub fn sorted(self) -> Vec<Fault> {
+        let Self { mut faults, .. } = self;
+        faults.sort();
+        faults
+    }
+
     /// Returns a table inside another; `None` if it is absent.
     pub fn table<'i>(&mut self, path: &str, item: Option<&'i Item>) -> Option<&'i Table> {
         let item = item?;
