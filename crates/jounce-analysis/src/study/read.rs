@@ -165,7 +165,7 @@ fn sampling(reader: &mut FaultCollector, item: Option<&Item>) -> Sampling {
 fn number_of_samples(reader: &mut FaultCollector, root: &Table, sampling: Sampling) -> usize {
     let item = root.get("points");
     match (item, sampling.draws()) {
-        (None, true) => reader.fault(
+        (None, true) => reader.missing(
             "points",
             None,
             format!(
