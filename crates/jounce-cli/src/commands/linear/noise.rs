@@ -4,6 +4,7 @@ use crate::failure::Failure;
 use crate::output::{self, line, power, print};
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
+use jounce::parts::RandomStop;
 use jounce::{NoiseOptions, NoiseResult};
 
 /// Arguments of `noise`.
@@ -82,22 +83,25 @@ fn print_lines(result: &NoiseResult) {
             "LEFT OUT           drive {name}: not a stationary noise"
         ));
     }
-    for stop in &result.stops {
-        let (name, gap_m) = (&stop.name, stop.gap_m);
-        let reason = match stop.reached_hz.zip(stop.share_beyond) {
-            Some((reached_hz, share)) => {
-                format!(
-                    "without contact its gap of {gap_m:.4e} m is reached {reached_hz:.4e} times per second and exceeded {:.3} % of the time",
-                    100.0 * share
-                )
-            }
-            None => {
-                let drive = stop.carried_by.as_deref().unwrap_or_default();
-                format!(
-                    "drive {drive} moves only one side of its gap of {gap_m:.4e} m with growing variance, so there is no crossing rate; use `jounce ensemble`"
-                )
-            }
-        };
-        line(format!("LEFT OUT           stop {name}: {reason}"));
-    }
+    result.stops.iter().for_each(print_stop);
+}
+
+/// Prints how often a stop would be reached without contact.
+fn print_stop(stop: &RandomStop) {
+    let (name, gap_m) = (&stop.name, stop.gap_m);
+    let reason = match stop.reached_hz.zip(stop.share_beyond) {
+        Some((reached_hz, share)) => {
+            format!(
+                "without contact its gap of {gap_m:.4e} m is reached {reached_hz:.4e} times per second and exceeded {:.3} % of the time",
+                100.0 * share
+            )
+        }
+        None => {
+            let drive = stop.carried_by.as_deref().unwrap_or_default();
+            format!(
+                "drive {drive} moves only one side of its gap of {gap_m:.4e} m with growing variance, so there is no crossing rate; use `jounce ensemble`"
+            )
+        }
+    };
+    line(format!("LEFT OUT           stop {name}: {reason}"));
 }
