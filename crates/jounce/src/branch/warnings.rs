@@ -76,7 +76,7 @@ impl BranchResult {
         for branch in &self.branches {
             for interval in &branch.not_proved {
                 texts.push(format!(
-                    "from {} to {} {}, a branch of period {} may have more or fewer events of the kind {} than listed, because they are not proved there: {}; try a smaller `tolerance`",
+                    "from {} to {} {}, a branch of period {} may have more or fewer events of the kind {} than listed ({}); try a smaller `tolerance`",
                     interval.from,
                     interval.to,
                     self.unit,
