@@ -12,7 +12,7 @@ import { colour, nth } from "./theme";
 import { digits, quantity } from "./units";
 
 const SHAPES: Record<string, Mark["shape"]> = {
-    fold: "circle", "period-doubling": "diamond", "neimark-sacker": "triangle", "branch-point": "cross", grazing: "square",
+    fold: "square", "period-doubling": "triangle", "neimark-sacker": "diamond", "branch-point": "cross", grazing: "circle", sticking: "ring",
 };
 /** Largest distance of a click from a point, CSS pixels. */
 const REACH = 40;

@@ -59,12 +59,36 @@ test("the file opens without a server and shows chart and table", async () => {
     assert.match(await page.locator("#summary").textContent(), /^126 points over stop\.tip\.gap, drive\.shaker\.frequency, circuit\.load\.resistance\.$/);
     assert.ok((await inked(page, "#chart canvas")) > 0.003);
     assert.equal(await page.locator("#rows tbody tr").count(), POINTS);
-    assert.equal(await page.locator("#legend li").count(), 3);
+    assert.equal(await page.locator("#legend li:not(.unsettled)").count(), 3);
     assert.equal(await page.locator("#drawn").textContent(), "63 of 126 points drawn");
     assert.deepEqual(page.faults, []);
     assert.deepEqual(requests.filter((url) => url.split("#")[0] !== address), []);
     // The picture of the book: `STUDY_PICTURE=book/src/pictures/study-page.png node web/tests/all.mjs`.
     if (process.env.STUDY_PICTURE) await page.screenshot({ path: process.env.STUDY_PICTURE });
+});
+
+test("points that had not settled have a ring, with its name in the legend", async () => {
+    const { columns, values } = await data();
+    const column = (name) => values[columns.findIndex((one) => one.name === name)];
+    const [settled, periods] = [column("settled"), column("period_cycles")];
+    assert.ok(settled.some((yes, row) => !yes && periods[row] > 0), "runs of 2 s have not all settled");
+    assert.deepEqual(await page.locator("#legend li.unsettled").allTextContents(), ["not settled"]);
+    // The same file with every point settled has no ring, and less ink.
+    const k = columns.findIndex((one) => one.name === "settled");
+    values[k] = values[k].map(() => true);
+    const table = { ...(await data()), values };
+    const text = await readFile(join(folder, "power.html"), "utf8");
+    const stored = await page.evaluate(() => document.getElementById("table").textContent);
+    await writeFile(join(folder, "settled.html"), text.replace(stored, () => JSON.stringify(table)));
+    const ink = [];
+    for (const [name, rings] of [["power", 1], ["settled", 0]]) {
+        const other = await browser.context.newPage();
+        await other.goto(pathToFileURL(join(folder, `${name}.html`)).href);
+        assert.equal(await other.locator("#legend li.unsettled").count(), rings);
+        ink.push(await inked(other, "#chart canvas"));
+        await other.close();
+    }
+    assert.ok(ink[0] > ink[1], `ink with rings ${ink[0]}, without ${ink[1]}`);
 });
 
 test("the key with the most values is the horizontal axis, the first other key the group", async () => {

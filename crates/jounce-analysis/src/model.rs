@@ -29,7 +29,7 @@ pub enum AnalysisError {
     Value(#[from] jounce_spec::Fault),
     /// A part is aperiodic, but the analysis needs a periodic response.
     #[error(
-        "{part} is not periodic, so there is no periodic response to find; use `jounce run` for one integration, or `jounce ensemble` for many realisations of noise"
+        "{part} is not periodic, so there is no periodic response to find; integrate it with `jounce run` or, over a key, `jounce sweep`; where a drive is noise, `jounce ensemble` integrates many realisations"
     )]
     Aperiodic {
         /// The part: ``drive `NAME` `` or ``regulator `NAME` ``.

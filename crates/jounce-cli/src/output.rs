@@ -10,6 +10,12 @@ use std::io::{ErrorKind, Write};
 use std::path::Path;
 use std::sync::OnceLock;
 
+/// Largest number of rows where a table is printed in part.
+const FIRST_ROWS: usize = 10;
+
+/// Width of a line where a table is printed in part, characters.
+const LINE_WIDTH: usize = 100;
+
 /// First failure to write to stdout.
 static UNPRINTED: OnceLock<String> = OnceLock::new();
 
@@ -77,25 +83,59 @@ pub fn warn(warnings: &[String]) {
 
 /// Prints a table on stdout, with the names of its columns.
 pub fn print_table(table: &Table) {
-    let cells = |column: &Column| {
-        let cell = |row: usize| match &column.values {
-            Values::Float(values) => key_value(values[row]),
-            values => values.text(row).unwrap_or_default(),
-        };
-        let mut cells = vec![column.name.clone()];
-        cells.extend((0..table.rows()).map(cell));
-        let width = cells.iter().map(String::len).max().unwrap_or(0);
-        let pad = |text: String| match column.values {
-            Values::Text(_) => format!("{text:<width$}"),
-            _ => format!("{text:>width$}"),
-        };
-        cells.into_iter().map(pad).collect::<Vec<String>>()
+    let columns = table.columns().iter();
+    let columns: Vec<Vec<String>> = columns.map(|column| cells(column, table.rows())).collect();
+    print_columns(&columns);
+}
+
+/// Prints the first rows of a table on stdout, with the columns that fit into a line, and how many
+/// rows and columns are left out.
+pub fn print_first_rows(table: &Table) {
+    let rows = table.rows().min(FIRST_ROWS);
+    let mut width = 0;
+    let fits = |cells: &Vec<String>| {
+        width += cells[0].len() + 2;
+        width <= LINE_WIDTH + 2
     };
-    let columns: Vec<Vec<String>> = table.columns().iter().map(cells).collect();
-    for row in 0..=table.rows() {
+    let columns = table.columns().iter().map(|column| cells(column, rows));
+    let columns: Vec<Vec<String>> = columns.take_while(fits).collect();
+    print_columns(&columns);
+    let left_out = [
+        (table.rows() - rows, "rows"),
+        (table.columns().len() - columns.len(), "columns"),
+    ];
+    let left_out = left_out.iter().filter(|(count, _)| *count > 0);
+    let texts: Vec<String> = left_out
+        .map(|(count, what)| format!("{count} more {what}"))
+        .collect();
+    if !texts.is_empty() {
+        line(format!("... {}", texts.join(", ")));
+    }
+}
+
+/// Prints columns of cells, each of one width.
+fn print_columns(columns: &[Vec<String>]) {
+    for row in 0..columns.first().map_or(0, Vec::len) {
         let cells: Vec<&str> = columns.iter().map(|cells| cells[row].as_str()).collect();
         line(cells.join("  ").trim_end());
     }
+}
+
+/// Returns the name and the cells of a column, all of one width.
+fn cells(column: &Column, rows: usize) -> Vec<String> {
+    let cell = |row: usize| match &column.values {
+        Values::Float(values) if column.unit == "W" => power(values[row]),
+        Values::Float(values) => key_value(values[row]),
+        values => values.text(row).unwrap_or_default(),
+    };
+    let mut cells = vec![column.name.clone()];
+    cells.extend((0..rows).map(cell));
+    let width = cells.iter().map(String::len).max().unwrap_or(0);
+    let pad = |text: String| match column.values {
+        Values::Text(_) => format!("{text:<width$}"),
+        _ => format!("{text:>width$}"),
+    };
+    cells.into_iter().map(pad).collect()
 }
 
 /// Formats a value in SI: six decimals, or more where a small value needs them for seven
@@ -111,11 +151,16 @@ pub fn key_value(value: f64) -> String {
     }
 }
 
+/// Formats a power in W: seven digits and a power of ten, so powers of any size compare at a glance.
+pub fn power(power_w: f64) -> String {
+    format!("{power_w:.6e}")
+}
+
 /// Powers of ten that are written without an exponent.
 const PLAIN: std::ops::RangeInclusive<i32> = -3..=5;
 
 /// Formats a value with the half width of its interval, both to the second digit of the half width:
-/// `(6.9 +- 4.9)e-6 W`.
+/// `(6.9 +- 4.9)e-6 W`. A power has its power of ten, as in [`power`].
 pub fn with_uncertainty(value: f64, half_width: f64, unit: &str) -> String {
     let unit_suffix = if unit.is_empty() {
         String::new()
@@ -126,15 +171,15 @@ pub fn with_uncertainty(value: f64, half_width: f64, unit: &str) -> String {
     if !(value.is_finite() && half_width.is_finite() && largest > 0.0) {
         return format!("{value} +- {half_width}{unit_suffix}");
     }
-    let power = |x: f64| x.abs().log10().floor() as i32;
-    let exponent = if PLAIN.contains(&power(largest)) {
+    let ten = |x: f64| x.abs().log10().floor() as i32;
+    let exponent = if unit != "W" && PLAIN.contains(&ten(largest)) {
         0
     } else {
-        power(largest)
+        ten(largest)
     };
     let scale = 10f64.powi(-exponent);
     // An uncertainty of zero needs no more digits than a number has.
-    let last_digit = power(half_width.max(largest * 1e-12)) - exponent;
+    let last_digit = ten(half_width.max(largest * 1e-12)) - exponent;
     let digits = usize::try_from(1 - last_digit).unwrap_or(0);
     let numbers = format!(
         "{:.digits$} +- {:.digits$}",
@@ -188,6 +233,8 @@ mod tests {
         let cases = [
             (6.9123e-6, 4.9e-6, "W", "(6.9 +- 4.9)e-6 W"),
             (2.75, 0.0012, "W", "2.7500 +- 0.0012 W"),
+            (1.2345e-3, 9.1e-5, "W", "(1.234 +- 0.091)e-3 W"),
+            (0.0123, 0.0045, "W", "(1.23 +- 0.45)e-2 W"),
             (60.312_341, 1.23e-4, "Hz", "60.31234 +- 0.00012 Hz"),
             (0.0121, 0.000_34, "", "0.01210 +- 0.00034"),
             (123.0, 45.0, "ohm", "123 +- 45 ohm"),
@@ -205,6 +252,18 @@ mod tests {
             "{}",
             with_uncertainty(2.5, 0.0, "W")
         );
+    }
+
+    /// In a table too: neither four decimals of a watt, nor two forms in one column.
+    #[test]
+    fn powers_have_one_form() {
+        let powers = [1.237e-3, 3.8e-5, 0.0, 12.0].map(power);
+        let expected = ["1.237000e-3", "3.800000e-5", "0.000000e0", "1.200000e1"];
+        assert_eq!(powers, expected);
+        let column = |unit: &str| Column::new("x", unit, "", vec![1.237e-3]);
+        let cell = |unit: &str| cells(&column(unit), 1).remove(1);
+        assert_eq!(cell("W").trim(), "1.237000e-3");
+        assert_eq!(cell("V").trim(), "0.001237000");
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::output;
 use clap::Args;
-use jounce::parts::Manifest;
+use jounce::parts::{Manifest, Quantity};
 use jounce::{Error, Harvester, Spec, SpecFile};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -14,7 +14,8 @@ pub struct SpecArguments {
     /// The spec file (TOML).
     pub spec: PathBuf,
     /// Sets a key for this call, as in --set stop.tip.gap="0.5 mm", or removes it, as in --set
-    /// run.tolerance=; can be given several times; by default the spec is used unchanged.
+    /// run.tolerance=; can be given several times, once for each key; by default the spec is used
+    /// unchanged.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub set: Vec<String>,
 }
@@ -26,7 +27,7 @@ pub struct OutputArguments {
     #[arg(long)]
     pub json: bool,
     /// Writes tables (CSV, Parquet, JSON) and pictures (SVG, PNG, PDF) into this folder, which
-    /// is created if missing; by default no files.
+    /// is created if missing and whose files of these names are replaced; by default no files.
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
 }
@@ -52,16 +53,33 @@ impl<O: Args> ModelArguments<O> {
 }
 
 impl SpecArguments {
-    /// Reads the file and applies the overrides.
-    pub fn file(&self) -> Result<SpecFile, Failure> {
-        let mut file = SpecFile::read(&self.spec).map_err(Error::from)?;
-        let mut faults = Vec::new();
+    /// Returns the keys and values of `--set`.
+    ///
+    /// # Errors
+    /// An assignment without `=`, and two of one key.
+    pub fn assignments(&self) -> Result<Vec<(&str, &str)>, Failure> {
+        let mut assignments: Vec<(&str, &str)> = Vec::with_capacity(self.set.len());
         for assignment in &self.set {
             let Some((key, value)) = assignment.split_once('=') else {
                 return Err(Failure::usage(format!(
                     "--set {assignment}: write KEY=VALUE, as in --set stop.tip.gap=\"0.5 mm\""
                 )));
             };
+            if let Some((_, first)) = assignments.iter().find(|(other, _)| *other == key) {
+                return Err(Failure::usage(format!(
+                    "--set gives {key} twice: {key}={first} and {key}={value}; keep one of them"
+                )));
+            }
+            assignments.push((key, value));
+        }
+        Ok(assignments)
+    }
+
+    /// Reads the file and applies the overrides.
+    pub fn file(&self) -> Result<SpecFile, Failure> {
+        let mut file = SpecFile::read(&self.spec).map_err(Error::from)?;
+        let mut faults = Vec::new();
+        for (key, value) in self.assignments()? {
             if let Err(fault) = file.set(key, value) {
                 faults.push(fault);
             }
@@ -108,7 +126,7 @@ impl SpecArguments {
     }
 }
 
-/// Prints the issues of the recordings of the drives on stderr.
+/// Prints the issues of the recordings of the drives, and which of them the run cuts, on stderr.
 pub fn print_recording_issues(spec: &Spec) {
     for (drive, issue) in spec.issues() {
         let kind = if issue.kind.is_note() {
@@ -117,5 +135,11 @@ pub fn print_recording_issues(spec: &Spec) {
             "warning"
         };
         output::note(format!("{kind}: drive {drive}: {issue}"));
+    }
+    for (drive, ends_s) in spec.cut_recordings() {
+        let duration = Quantity::Time.write(spec.run.duration_s);
+        output::note(format!(
+            "note: drive {drive}: its recording goes on to {ends_s:.6} s, but a run ends at run.duration = {duration}; increase run.duration to use all of it"
+        ));
     }
 }

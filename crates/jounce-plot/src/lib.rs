@@ -43,9 +43,9 @@ pub use figure::{
 pub use ready::{
     BifurcationLine, BranchLine, BranchMark, DensityLine, DiagramDots, DiagramView, LineDirection,
     ModeShape, PlateShape, ResponseLine, ShapePatch, SpectrumLine, SweepLine, SweepLook,
-    TimeSpectrum, Trace, bifurcations, branches, densities, diagram, ensemble, frequency_responses,
-    mode_shapes, plate_motion, plate_shapes, power_against_resistance, spectra, spectrogram, sweep,
-    time_histories,
+    TimeSpectrum, Trace, bifurcations, branches, densities, diagram, ensemble, event_marker,
+    frequency_responses, mode_shapes, plate_motion, plate_shapes, power_against_resistance,
+    spectra, spectrogram, sweep, time_histories,
 };
 pub use stored::{PictureDifference, StoredPicture};
 pub(crate) use svg::escape;

@@ -1,11 +1,12 @@
 //! Faults of a spec and their places.
 
+use std::cmp::Ordering;
 use std::fmt;
 
 use serde::Serialize;
 
 /// A single fault of a spec with its place.
-#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Fault {
     /// Line in the file, from 1; 0 if the fault is in an override or in a table that the file lacks.
     pub line: usize,
@@ -30,6 +31,29 @@ impl Fault {
             message: message.into(),
             set: None,
         }
+    }
+}
+
+/// Faults of overrides come first, then those with a place in the file in its order, then the others.
+impl Ord for Fault {
+    fn cmp(&self, other: &Self) -> Ordering {
+        fn order(fault: &Fault) -> impl Ord {
+            let Fault {
+                line,
+                column,
+                key,
+                message,
+                set,
+            } = fault;
+            (set.is_none(), *line == 0, *line, *column, key, message, set)
+        }
+        order(self).cmp(&order(other))
+    }
+}
+
+impl PartialOrd for Fault {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
     }
 }
 

@@ -2,8 +2,6 @@
 
 use std::path::{Path, PathBuf};
 
-use jounce_data::recording::Issue;
-
 use super::fault::{Fault, Faults};
 use super::key::Kind;
 use super::keys::SPEC;
@@ -97,7 +95,7 @@ impl SpecFile {
     /// Returns the spec with the overrides applied.
     ///
     /// # Errors
-    /// All faults, sorted by place; faults of overrides come first.
+    /// All faults, sorted by place; faults of overrides come first, those without a place last.
     pub fn spec(&self) -> Result<Spec, Faults> {
         if self.text.len() > MAX_SPEC_BYTES {
             return Err(Fault {
@@ -305,22 +303,6 @@ impl Spec {
     /// All faults, sorted by place.
     pub fn from_toml(text: &str) -> Result<Self, Faults> {
         SpecFile::from_text(text).spec()
-    }
-}
-
-impl Spec {
-    /// Returns the data-quality issues of the recordings of the drives, with the name of the drive.
-    pub fn issues(&self) -> impl Iterator<Item = (&str, &Issue)> {
-        self.drive.iter().flat_map(|(name, drive)| {
-            let issues = match &drive.signal {
-                DriveSignal::Recording {
-                    record: Some(record),
-                    ..
-                } => &record.issues[..],
-                _ => &[],
-            };
-            issues.iter().map(move |issue| (name.as_str(), issue))
-        })
     }
 }
 

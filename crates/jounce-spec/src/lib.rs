@@ -35,7 +35,7 @@ pub use jounce_units::{Quantity, QuantityError, is_unit};
 pub use key_range::{KeyRange, quantity_range};
 pub use key_reference::reference_markdown;
 pub use model::*;
-pub(crate) use nearest::nearest;
+pub use nearest::{did_you_mean, nearest};
 pub use numeric_key::NumericKey;
 pub use read_error::ReadError;
 pub use recording::{Recording, RecordingError, driving_channel};

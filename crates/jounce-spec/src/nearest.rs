@@ -16,11 +16,9 @@ const MAX_LISTED_WORDS: usize = 13;
 const MIN_PREFIX_LENGTH: usize = 3;
 
 /// Returns the shortest candidate of which the word is the beginning, except for a path below it;
-/// without one, the nearest candidate within one edit per three characters, and at least one edit.
-pub(crate) fn nearest<'c>(
-    word: &str,
-    candidates: impl IntoIterator<Item = &'c str>,
-) -> Option<&'c str> {
+/// without one, the nearest candidate within one edit per three characters, and at least one edit;
+/// without one, the longest candidate that the word contains at its beginning or between separators.
+pub fn nearest<'c>(word: &str, candidates: impl IntoIterator<Item = &'c str>) -> Option<&'c str> {
     let length = word.chars().count();
     if length > MAX_WORD_LENGTH {
         return None;
@@ -38,17 +36,29 @@ pub(crate) fn nearest<'c>(
         return Some(complete);
     }
     let (distance, best) = near
-        .into_iter()
-        .map(|candidate| (strsim::damerau_levenshtein(word, candidate), candidate))
+        .iter()
+        .map(|candidate| (strsim::damerau_levenshtein(word, candidate), *candidate))
         .min_by_key(|(distance, _)| *distance)?;
-    (distance <= (length / 3).max(1)).then_some(best)
+    if distance <= (length / 3).max(1) {
+        return Some(best);
+    }
+    near.into_iter()
+        .filter(|candidate| contains(word, candidate))
+        .max_by_key(|candidate| candidate.len())
+}
+
+/// True where a word has another word at its beginning or between separators, as `hertzian` and
+/// `spring steel`; a path does not contain those above it.
+fn contains(word: &str, candidate: &str) -> bool {
+    let begins = word
+        .strip_prefix(candidate)
+        .is_some_and(|rest| !rest.contains('.'));
+    let mut parts = word.split([' ', '-', '_']);
+    candidate.len() >= MIN_PREFIX_LENGTH && (begins || parts.any(|part| part == candidate))
 }
 
 /// Returns ` (did you mean X?)`, or an empty text.
-pub(super) fn did_you_mean<'c>(
-    word: &str,
-    candidates: impl IntoIterator<Item = &'c str>,
-) -> String {
+pub fn did_you_mean<'c>(word: &str, candidates: impl IntoIterator<Item = &'c str>) -> String {
     nearest(word, candidates)
         .map(|near| format!(" (did you mean `{near}`?)"))
         .unwrap_or_default()
@@ -100,6 +110,17 @@ mod tests {
         assert_eq!(nearest("fr", keys), None);
         assert_eq!(nearest("stop", keys), None);
         assert_eq!(nearest("stop.tip.ga", keys), Some("stop.tip.gap"));
+    }
+
+    #[test]
+    fn a_word_with_more_letters_finds_the_word_that_it_contains() {
+        let laws = ["hertz", "spring", "rigid"];
+        assert_eq!(nearest("hertzian", laws), Some("hertz"));
+        assert_eq!(nearest("linear spring", laws), Some("spring"));
+        assert_eq!(nearest("offspring", laws), None);
+        let metals = ["aluminium", "steel", "stainless-steel"];
+        assert_eq!(nearest("spring steel", metals), Some("steel"));
+        assert_eq!(nearest("stop.tip.gap.low", ["stop.tip.gap"]), None);
     }
 
     #[test]

@@ -15,8 +15,16 @@ if TYPE_CHECKING:
 
     from .._branch import BranchResult
 
-#: Marker of each kind of bifurcation.
-MARKS = {"fold": "s", "period-doubling": "^", "neimark-sacker": "D", "branch-point": "P", "grazing": "o"}
+#: Marker of each kind of event, and how it is filled.
+MARKS = {
+    "fold": ("s", "full"),
+    "period-doubling": ("^", "full"),
+    "neimark-sacker": ("D", "full"),
+    "branch-point": ("X", "full"),
+    "grazing": ("o", "full"),
+    "sticking": ("o", "none"),
+    "level": (">", "full"),
+}
 
 
 def plot_branch(result: BranchResult, ax: Axes | None, quantity: str) -> Axes:
@@ -40,7 +48,8 @@ def plot_branch(result: BranchResult, ax: Axes | None, quantity: str) -> Axes:
         for one in result:
             bifurcation_values = getattr(one, f"bifurcation_{quantity}", ())
             for kind, at, value in zip(one.bifurcation_kind, one.bifurcation_parameter, bifurcation_values):
-                ax.plot([at], [value], MARKS.get(kind, "x"), color="black", markerfacecolor="white", label=label_once(kind), zorder=3)
+                marker, fill = MARKS[kind]
+                ax.plot([at], [value], marker, color="black", fillstyle=fill, label=label_once(kind), zorder=3)
         label(ax.xaxis, result.key, result.unit)
         label_field(ax.yaxis, dataset_fields(Branch)[quantity], quantity == "mean_power_w")
         ax.legend()

@@ -63,13 +63,21 @@ def plot_stabilisation(result: MeasuredModes, ax: Axes | None = None) -> Axes:
 
 def plot_modal_fit(result: MeasuredModes, ax: Axes | None, row: int) -> Axes:
     """Draws a function of the band, measured and reconstructed from the modes: motion as displacement, voltage unchanged."""
-    unit = "" if result.frf is None else result.frf.units[result.function[row]]
-    is_motion = unit.startswith("m/s") or unit == "m/N"
-    description = "Spectrum of the decay" if result.frf is None else "Displacement per force" if is_motion else "Response"
+    unit = "" if result.frf is None else _fit_unit(result.frf.units[result.function[row]])
+    description = "Spectrum of the decay" if result.frf is None else "Displacement per force" if unit == "m/N" else "Response"
     with axes(ax) as ax:
         ax.plot(result.line_hz, np.abs(result.measured[row]), label=f"{result.function[row]}, measured")
         ax.plot(result.line_hz, np.abs(result.model[row]), "--", label="modes")
         label(ax.xaxis, "Frequency", "Hz")
-        label(ax.yaxis, description, "m/N" if is_motion else unit, log=True)
+        label(ax.yaxis, description, unit, log=True)
         ax.legend()
     return ax
+
+
+def _fit_unit(unit: str) -> str:
+    """Returns the unit of a response in which motion is a displacement, and motion of the base an acceleration."""
+    for output in ("m/s^2", "m/s", "m", "V"):
+        if unit.startswith(f"{output}/"):
+            base_motion = unit[len(output) + 1 :] in ("(m/s^2)", "(m/s)", "m")
+            return f"{output[0]}/{'(m/s^2)' if base_motion else unit[len(output) + 1 :]}"
+    return ""

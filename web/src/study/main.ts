@@ -13,7 +13,7 @@ import { Table } from "./table";
 const find = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;
 
 const table = new Table(find("table").textContent!);
-const picture = new Picture(find("chart"));
+const picture = new Picture(find("chart"), (row) => table.isUnsettled(row));
 const choice = new Choice(table);
 const rows = new Rows(table);
 

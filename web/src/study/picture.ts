@@ -1,8 +1,8 @@
 // Chart of the study, with the point under the mouse or chosen by the arrow keys.
 
 import { type Axis, Chart, around } from "../chart";
-import type { Curve } from "../paint";
-import { shade } from "../theme";
+import type { Curve, Mark } from "../paint";
+import { colour, shade } from "../theme";
 import { Zoom } from "../zoom";
 import { type Series, type View, label, words } from "./series";
 import { type Column, scale } from "./table";
@@ -10,6 +10,8 @@ import { type Column, scale } from "./table";
 /** Distance at which a point is found, CSS pixels. */
 const CATCH = 40;
 const DOT = 2.6;
+/** Radius of the ring around a point that had not settled. */
+const RING = 5;
 /** Share of the horizontal axis beyond the points. */
 const ROOM = 0.01;
 /** Ends of the axis of a flag, 0 or 1. */
@@ -24,7 +26,7 @@ export class Picture {
     /** Called with the row of a point, or with nothing; `chosen` by a click or a key. */
     onPoint: (row: number | undefined, chosen: boolean) => void = () => {};
 
-    constructor(private readonly host: HTMLElement) {
+    constructor(private readonly host: HTMLElement, private readonly isUnsettled: (row: number) => boolean) {
         this.chart = new Chart(host);
         const zoom = new Zoom(this.chart);
         host.addEventListener("pointermove", (event) => this.point(event, false));
@@ -48,7 +50,7 @@ export class Picture {
         };
         const curves = this.series.flatMap((own, k) => this.curves(own, k));
         const [over, up] = [axis(x, this.logs[0]), axis(y, this.logs[1])];
-        this.chart.show({ ...over, ends: over.ends ?? this.ends(curves) }, up, curves);
+        this.chart.show({ ...over, ends: over.ends ?? this.ends(curves) }, up, curves, this.rings);
         this.host.setAttribute("aria-label", `${label(y)} over ${label(x)}; the arrow keys select a point`);
     }
 
@@ -63,9 +65,23 @@ export class Picture {
         return log ? [Math.exp(low - room), Math.exp(high + room)] : [low - room, high + room];
     }
 
-    private curves({ rows, joined }: Series, index: number): Curve[] {
+    /** Rows of a curve that its axes can show. */
+    private drawn({ rows }: Series): number[] {
         const { x, y } = this.view!;
-        const drawn = rows.filter((row) => (!this.logs[0] || x.values[row] > 0) && (!this.logs[1] || y.values[row] > 0));
+        return rows.filter((row) => (!this.logs[0] || x.values[row] > 0) && (!this.logs[1] || y.values[row] > 0));
+    }
+
+    /** Rings around the points that had not settled. */
+    private get rings(): Mark[] {
+        const { x, y } = this.view!;
+        const rows = this.series.flatMap((own) => this.drawn(own)).filter(this.isUnsettled);
+        return rows.map((row) => ({ x: x.values[row], y: y.values[row], colour: colour("ink"), shape: "ring", size: RING }));
+    }
+
+    private curves(own: Series, index: number): Curve[] {
+        const { joined } = own;
+        const { x, y } = this.view!;
+        const drawn = this.drawn(own);
         const curve = { x: drawn.map((row) => x.values[row]), y: drawn.map((row) => y.values[row]), colour: shade(index) };
         return joined ? [curve, { ...curve, dots: DOT }] : [{ ...curve, dots: DOT }];
     }
@@ -103,7 +119,7 @@ export class Picture {
         this.onPoint(row, chosen);
     }
 
-    /** The curves with their colours, below the chart. */
+    /** The curves with their colours, and the ring of points that had not settled, below the chart. */
     legend(list: HTMLElement): void {
         list.replaceChildren(...this.series.filter(({ words }) => words).map((own, k) => {
             const item = document.createElement("li");
@@ -111,6 +127,11 @@ export class Picture {
             item.textContent = own.words;
             return item;
         }));
+        if (this.rings.length === 0) return;
+        const item = document.createElement("li");
+        item.className = "unsettled";
+        item.textContent = "not settled";
+        list.append(item);
     }
 }
 

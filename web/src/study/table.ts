@@ -62,6 +62,12 @@ export class Table {
         return this.find("failure")?.cells.filter((text) => text !== "").length ?? 0;
     }
 
+    /** True for a point whose run has a period in which it had not settled. */
+    isUnsettled(row: number): boolean {
+        const periods = this.find("period_cycles")?.values[row] ?? 0;
+        return periods > 0 && this.find("settled")?.values[row] === 0;
+    }
+
     /** All rows as CSV: numbers are the shortest text that reads back to the same bits. */
     toCsv(): string {
         const quoted = (cell: number | string | boolean): string => {

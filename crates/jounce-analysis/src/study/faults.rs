@@ -1,6 +1,6 @@
 //! The text of a study or a design as a table whose values have positions, and its faults.
 
-use jounce_spec::Fault;
+use jounce_spec::{Fault, did_you_mean, nearest};
 use std::ops::Range;
 use toml_edit::{Document, Item, Table};
 
@@ -10,6 +10,8 @@ pub struct FaultCollector<'t> {
     text: &'t str,
     /// Faults so far.
     pub faults: Vec<Fault>,
+    /// Dotted paths of the keys that unknown keys probably mean.
+    misspelt: Vec<String>,
 }
 
 impl<'t> FaultCollector<'t> {
@@ -18,6 +20,7 @@ impl<'t> FaultCollector<'t> {
         Self {
             text,
             faults: Vec::new(),
+            misspelt: Vec::new(),
         }
     }
 
@@ -65,6 +68,9 @@ impl<'t> FaultCollector<'t> {
     pub fn known(&mut self, path: &str, table: &Table, known: &[&str]) {
         for (key, item) in table {
             if !known.contains(&key) {
+                let meant = nearest(key, known.iter().copied());
+                self.misspelt
+                    .extend(meant.map(|meant| format!("{path}{meant}")));
                 let span = table
                     .key(key)
                     .and_then(toml_edit::Key::span)
@@ -73,12 +79,27 @@ impl<'t> FaultCollector<'t> {
                     &format!("{path}{key}"),
                     span,
                     format!(
-                        "{path}{key}: there is no such key; there are {}",
+                        "{path}{key}: there is no such key{}; there are {}",
+                        did_you_mean(key, known.iter().copied()),
                         known.join(", ")
                     ),
                 );
             }
         }
+    }
+
+    /// Adds the fault that a key is missing, unless an unknown key probably means it.
+    pub fn missing(&mut self, key: &str, span: Option<Range<usize>>, message: impl Into<String>) {
+        if !self.misspelt.iter().any(|meant| meant == key) {
+            self.fault(key, span, message);
+        }
+    }
+
+    /// Returns all faults in the order of their places, those without a place last.
+    pub fn sorted(self) -> Vec<Fault> {
+        let Self { mut faults, .. } = self;
+        faults.sort();
+        faults
     }
 
     /// Returns a table inside another; `None` if it is absent.

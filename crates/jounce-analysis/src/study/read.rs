@@ -49,7 +49,7 @@ pub(super) fn read(
 ) -> Result<StudyText, StudyError> {
     let mut reader = FaultCollector::new(text);
     let Some(document) = reader.document() else {
-        return Err(StudyError::Faults(reader.faults));
+        return Err(StudyError::Faults(reader.sorted()));
     };
     let root = document.as_table();
     reader.known(
@@ -69,7 +69,7 @@ pub(super) fn read(
     let path = reader.text("spec", root.get("spec"));
     let (mut file, name) = file(path)?;
     settings(&mut reader, root.get("set"), &mut file);
-    check_spec(&mut reader, root.get("set"), &file, name)?;
+    let mut reader = check_spec(reader, root.get("set"), &file, name)?;
     let sampling = sampling(&mut reader, root.get("sampling"));
     let varied = varied(&mut reader, root.get("vary"), &file, sampling);
     let seed = reader.integer("seed", root.get("seed"), (0, 1 << 53), 1);
@@ -77,7 +77,7 @@ pub(super) fn read(
     let quantity = quantity(&mut reader, root.get("quantity"), &file);
     check_sides(&mut reader, root.get("vary"), sampling, &varied);
     if !reader.faults.is_empty() {
-        return Err(StudyError::Faults(reader.faults));
+        return Err(StudyError::Faults(reader.sorted()));
     }
     let design = Design::new(varied, sampling, points, seed);
     let usual = design
@@ -98,7 +98,7 @@ pub(super) fn read(
             points_per_part,
         })
     } else {
-        Err(StudyError::Faults(reader.faults))
+        Err(StudyError::Faults(reader.sorted()))
     }
 }
 
@@ -123,14 +123,14 @@ fn settings(reader: &mut FaultCollector, item: Option<&Item>, file: &mut SpecFil
 }
 
 /// Checks the spec; faults of a key in `[set]` are faults of the study.
-fn check_spec(
-    reader: &mut FaultCollector,
+fn check_spec<'t>(
+    mut reader: FaultCollector<'t>,
     settings: Option<&Item>,
     file: &SpecFile,
     name: String,
-) -> Result<(), StudyError> {
+) -> Result<FaultCollector<'t>, StudyError> {
     let Err(faults) = file.spec() else {
-        return Ok(());
+        return Ok(reader);
     };
     let of_settings = faults.as_slice().iter().filter(|fault| fault.set.is_some());
     for fault in of_settings {
@@ -140,7 +140,7 @@ fn check_spec(
     }
     Err(match reader.faults.is_empty() {
         true => StudyError::Spec { file: name, faults },
-        false => StudyError::Faults(std::mem::take(&mut reader.faults)),
+        false => StudyError::Faults(reader.sorted()),
     })
 }
 
@@ -165,7 +165,7 @@ fn sampling(reader: &mut FaultCollector, item: Option<&Item>) -> Sampling {
 fn number_of_samples(reader: &mut FaultCollector, root: &Table, sampling: Sampling) -> usize {
     let item = root.get("points");
     match (item, sampling.draws()) {
-        (None, true) => reader.fault(
+        (None, true) => reader.missing(
             "points",
             None,
             format!(

@@ -4,7 +4,7 @@ use crate::example_folder;
 use jounce_analysis::study::{Study, StudyError};
 
 /// A text and a part of its error.
-const INVALID: [(&str, &str); 17] = [
+const INVALID: [(&str, &str); 18] = [
     ("", "names no spec"),
     ("spec = ", "no TOML"),
     ("spec = \"none.toml\"", "none.toml"),
@@ -55,7 +55,11 @@ const INVALID: [(&str, &str); 17] = [
     ),
     (
         "spec = \"harvester.toml\"\n[vary]\n\"stop.tip.gap\" = \"1mm\"\n[quantity]\ncommand = \"run\"\nstarts = 3",
-        "no such key",
+        "no such key; there are command",
+    ),
+    (
+        "spec = \"harvester.toml\"\n[vary]\n\"stop.tip.gap\" = \"1mm\"\n[quantity]\ncommand = \"runs\"",
+        "did you mean `run`?",
     ),
     (
         "spec = \"harvester.toml\"\n[vary]\n\"stop.tip.gap\" = \"1mm\"\n[quantity]\ncommand = \"noise\"",

@@ -71,15 +71,11 @@ impl Explore {
 
     /// Serves the page until it is interrupted.
     pub fn run(&self) -> Result<(), Failure> {
-        let key_and_value = |text: &String| match text.split_once('=') {
-            Some((key, value)) => Ok((key.to_owned(), value.to_owned())),
-            None => Err(Failure::usage(format!(
-                "--set {text}: write KEY=VALUE, as in --set stop.tip.gap=\"0.5 mm\""
-            ))),
-        };
         let link = self.design()?;
-        let given = self.spec.iter().flat_map(|spec| &spec.set);
-        let given = given.map(key_and_value).collect::<Result<Vec<_>, _>>()?;
+        let given = self.spec.as_ref().map(SpecArguments::assignments);
+        let given = given.transpose()?.unwrap_or_default();
+        let owned = |(key, value): (&str, &str)| (key.to_owned(), value.to_owned());
+        let given = given.into_iter().map(owned).collect();
         let options = ServerOptions {
             spec: self.source(&link)?,
             set: [link.set, given].concat(),

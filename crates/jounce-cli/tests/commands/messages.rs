@@ -2,11 +2,18 @@
 //! do.
 
 use crate::{SPEC, jounce};
+use jounce::parts::{Branch, BranchKind, NotProved, OrbitQuantity};
+use jounce::{BranchOptions, BranchResult};
 
 const GAP_OVER: &str = "stop.tip.gap=1mm:2mm:3";
 
 /// Commands with a wrong option, and the message of each; `SPEC` precedes the options.
-const WRONG_OPTIONS: [(&str, &[&str], &str); 15] = [
+const WRONG_OPTIONS: [(&str, &[&str], &str); 16] = [
+    (
+        "check",
+        &["--set", "stop.tip.gap=1 mm", "--set", "stop.tip.gap=2 mm"],
+        "--set gives stop.tip.gap twice: stop.tip.gap=1 mm and stop.tip.gap=2 mm",
+    ),
     (
         "modes",
         &["--order", "3"],
@@ -141,4 +148,41 @@ fn faults_of_features_have_one_line_each() {
             "{place}: {line}"
         );
     }
+}
+
+/// The kind of the event is no option, so that it is not quoted as one.
+#[test]
+fn events_without_proof_are_a_sentence() {
+    let branch = Branch {
+        period_cycles: 1,
+        points: Vec::new(),
+        bifurcations: Vec::new(),
+        not_proved: vec![NotProved {
+            event: BranchKind::Fold,
+            from: 12.25,
+            to: 12.5,
+            message: "not proved on the smallest steps".to_owned(),
+        }],
+        termination: Vec::new(),
+        not_followed: 0,
+        peak: None,
+        half_power_bandwidth: None,
+    };
+    let result = BranchResult {
+        key: "drive.shaker.frequency".to_owned(),
+        unit: "Hz".to_owned(),
+        branches: vec![branch],
+        peak: None,
+        half_power_bandwidth: None,
+        note: String::new(),
+        quantity: OrbitQuantity::MeanPower,
+        options: BranchOptions::default(),
+    };
+    assert_eq!(
+        result.warnings(),
+        [
+            "from 12.25 to 12.5 Hz, a branch of period 1 may have more or fewer events of the kind fold than listed \
+             (not proved on the smallest steps); try a smaller `tolerance`"
+        ]
+    );
 }

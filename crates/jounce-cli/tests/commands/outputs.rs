@@ -39,6 +39,33 @@ fn every_output_creates_its_folder() {
     }
 }
 
+/// Results can be computed again, so that each command replaces the file of an earlier one, as its help
+/// says; a spec is written by hand, so that `new` does not.
+#[test]
+fn results_replace_files_and_specs_do_not() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    let hits = "--hammer=beam.tip --at=beam.tip --hold=table --hits=2 --block=4s --contact=8ms --rate=512Hz";
+    let rig: Vec<&str> = ["rig", SPEC].into_iter().chain(hits.split(' ')).collect();
+    for (arguments, option, file) in [
+        (vec!["show", SPEC], "--out", "old.svg"),
+        (rig, "--to", "old.csv"),
+        (vec!["export", SPEC], "--spice", "old.cir"),
+    ] {
+        std::fs::write(at.join(file), "old").unwrap();
+        assert_succeeds(at, &[&arguments[..], &[option, file]].concat());
+        let text = std::fs::read_to_string(at.join(file)).unwrap();
+        assert_ne!(text, "old", "{arguments:?}");
+    }
+    for command in [&["show"][..], &["rig"], &["run"], &["study", "page"]] {
+        let (_, help, _) = jounce_in(at, &[command, &["--help"]].concat());
+        assert!(help.contains("replaced"), "{command:?}: {help}");
+    }
+    std::fs::write(at.join("old.toml"), "old").unwrap();
+    let (code, _, stderr) = jounce_in(at, &["new", "ball", "--out=old.toml"]);
+    assert!(code == 4 && stderr.contains("already exists"), "{stderr}");
+}
+
 /// A finished run of a diagram is computed once, also where its table cannot be written at first.
 #[test]
 fn a_diagram_that_cannot_be_written_continues() {

@@ -69,6 +69,29 @@ fn a_killed_study_resumes() {
     );
 }
 
+/// As lines of text, `study run` ends with the first points and the file of all.
+#[test]
+fn a_study_shows_its_first_results() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = format!(
+        "spec = {SPEC:?}\n[set]\n\"run.duration\" = \"0.2 s\"\n\"run.average_over\" = \"0.1 s\"\n\
+         [vary]\n\"stop.tip.gap\" = \"0.5mm:1.5mm:12x\"\n"
+    );
+    std::fs::write(folder.path().join("study.toml"), text).unwrap();
+    let arguments = ["study", "run", "study.toml", "--out", "out"];
+    let (code, stdout, stderr) = crate::jounce_in(folder.path(), &arguments);
+    assert_eq!(code, 0, "{stderr}");
+    let lines: Vec<&str> = stdout.lines().collect();
+    let header = lines.iter().position(|line| line.contains("mean_power_w"));
+    let rows = &lines[header.unwrap() + 1..];
+    assert_eq!(rows.len(), 12, "{stdout}");
+    assert!(rows[0].contains("0.0005000000"), "{stdout}");
+    assert!(rows[10].starts_with("... 2 more rows"), "{stdout}");
+    let table = std::path::Path::new("out").join("study.parquet");
+    assert_eq!(rows[11], format!("all results in {}", table.display()));
+    assert!(lines.iter().all(|line| line.len() <= 100), "{stdout}");
+}
+
 #[test]
 fn noise_prints_every_key() {
     let folder = tempfile::tempdir().unwrap();

@@ -120,9 +120,9 @@ fn a_recording_shorter_than_the_run_gives_a_warning() {
         "time (s),a (g)\n0,0\n0.5,1\n1,-2\n",
     )
     .unwrap();
-    let text = "[mass.m]\nmass = \"1 kg\"\nfrequency = \"3 Hz\"\ndamping_ratio = 0.1\n[drive.road]\nkind = \"base-acceleration\"\nsignal = \"recording\"\n\
+    let text_of_spec = "[mass.m]\nmass = \"1 kg\"\nfrequency = \"3 Hz\"\ndamping_ratio = 0.1\n[drive.road]\nkind = \"base-acceleration\"\nsignal = \"recording\"\n\
         file = \"road.csv\"\nmean = \"kept\"\n[run]\nduration = \"3 s\"\naverage_over = \"1 s\"\n";
-    let spec = write_spec(&folder, text);
+    let spec = write_spec(&folder, text_of_spec);
     let (code, run, text) = jounce(&["run", &spec, "--json"]);
     let warning = &run["warnings"][0];
     assert!(
@@ -143,6 +143,19 @@ fn a_recording_shorter_than_the_run_gives_a_warning() {
         run["warnings"].as_array().unwrap().is_empty() && !text.contains("warning"),
         "{run} {text}"
     );
+    assert!(!text.contains("goes on"), "{text}");
+    let short = ["run.duration=0.5 s", "run.average_over=0.5 s"];
+    let set = ["--set", short[0], "--set", short[1]];
+    let (code, _, text) = jounce(&[&["run", &spec], &set[..]].concat());
+    let note = "note: drive road: its recording goes on to 1.000000 s, but a run ends at run.duration = 500 ms";
+    assert!(code == 0 && text.contains(note), "{text}");
+    let stop = "[stop.s]\nat = \"m\"\nlaw = \"spring\"\ngap = \"1 mm\"\nstiffness = \"1 kN/m\"\n";
+    let spec = write_spec(&folder, &format!("{text_of_spec}{stop}"));
+    let (code, _, text) = jounce(&["branch", &spec, "--over", "mass.m.mass=1kg:2kg"]);
+    let advice = "over a key, `jounce sweep`; where a drive is noise, `jounce ensemble`";
+    assert!(code == 4 && text.contains(advice), "{code} {text}");
+    let (code, _, text) = jounce(&["sweep", &spec, "--over", "mass.m.mass=1kg:2kg:1kg"]);
+    assert_eq!(code, 0, "{text}");
 }
 
 /// An oscillator that is pressed past the last point of its table, and within one.

@@ -24,6 +24,18 @@ const CANTILEVER: &str = "[beam.b]\nyoungs_modulus = \"200 GPa\"\ndensity = \"78
     [reduction]\nmodes = 2\n[run]\nduration = \"1 s\"\naverage_over = \"1 s\"\n";
 
 #[test]
+fn a_misspelt_goal_is_one_fault_with_the_word() {
+    let error = error_of(
+        LINEAR,
+        &format!("{FREE}[goal]\nmaximize = \"mean-power\"\n"),
+    );
+    assert!(error.contains("(did you mean `maximise`?)"), "{error}");
+    assert!(!error.contains("missing"), "{error}");
+    let error = error_of(LINEAR, &format!("{FREE}[goal]\nmaximise = \"mean\"\n"));
+    assert!(error.contains("(did you mean `mean-power`?)"), "{error}");
+}
+
+#[test]
 fn goals_of_orbits_need_periodic_drives() {
     for goal in ["expected-power", "stable-power", "bandwidth"] {
         let text = format!("{FREE}[goal]\nmaximise = [\"mean-power\", \"{goal}\"]\n");

@@ -104,12 +104,12 @@ pub fn stabilisation(title: &str, result: &Identification) -> Figure {
 }
 
 /// Plots the responses of the band as displacement per force, with the fitted modal model.
-pub fn modal_fit(title: &str, names: &[String], result: &Identification) -> Figure {
-    let panel = |(k, name): (usize, &String)| {
+pub fn modal_fit(title: &str, functions: &[(&String, String)], result: &Identification) -> Figure {
+    let panel = |(k, (name, unit)): (usize, &(&String, String))| {
         let magnitudes = |response: &[jounce_linalg::c64]| {
             response.iter().map(|h| h.norm()).collect::<Vec<f64>>()
         };
-        let axes = Panel::new(Axis::linear("Frequency", "Hz"), Axis::log(name, "")).high(220.0);
+        let axes = Panel::new(Axis::linear("Frequency", "Hz"), Axis::log(name, unit)).high(220.0);
         let measured = Series::line(result.frequency_hz.clone(), magnitudes(&result.measured[k]))
             .style(Line::Thin)
             .label("measured");
@@ -119,7 +119,7 @@ pub fn modal_fit(title: &str, names: &[String], result: &Identification) -> Figu
         axes.with(measured).with(model)
     };
     Figure {
-        panels: names.iter().enumerate().map(panel).collect(),
+        panels: functions.iter().enumerate().map(panel).collect(),
         ..Figure::new(title)
     }
 }

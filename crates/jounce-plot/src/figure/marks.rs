@@ -115,6 +115,10 @@ pub(super) fn marker_style(marker: Marker, colour: Colour) -> String {
 /// Returns the outline of a marker around a point.
 pub(super) fn marker_path(marker: Marker, x: f64, y: f64, scale: f64) -> String {
     let at = |dx: f64, dy: f64| format!("{} {}", number(x + scale * dx), number(y + scale * dy));
+    let polygon = |corners: &[(f64, f64)]| {
+        let corners: Vec<String> = corners.iter().map(|(dx, dy)| at(*dx, *dy)).collect();
+        format!("M{}z", corners.join("L"))
+    };
     match marker {
         Marker::Circle | Marker::Ring => {
             let r = number(3.0 * scale);
@@ -124,15 +128,23 @@ pub(super) fn marker_path(marker: Marker, x: f64, y: f64, scale: f64) -> String 
                 d = number(6.0 * scale)
             )
         }
-        Marker::Square => format!(
-            "M{}L{}L{}L{}z",
-            at(-2.7, -2.7),
-            at(2.7, -2.7),
-            at(2.7, 2.7),
-            at(-2.7, 2.7)
-        ),
-        Marker::Right => format!("M{}L{}L{}z", at(-2.8, -3.6), at(4.2, 0.0), at(-2.8, 3.6)),
-        Marker::Left => format!("M{}L{}L{}z", at(2.8, -3.6), at(-4.2, 0.0), at(2.8, 3.6)),
+        Marker::Square => polygon(&[(-2.7, -2.7), (2.7, -2.7), (2.7, 2.7), (-2.7, 2.7)]),
+        Marker::Right => polygon(&[(-2.8, -3.6), (4.2, 0.0), (-2.8, 3.6)]),
+        Marker::Left => polygon(&[(2.8, -3.6), (-4.2, 0.0), (2.8, 3.6)]),
+        Marker::Triangle => polygon(&[(-3.6, 2.8), (0.0, -4.2), (3.6, 2.8)]),
+        Marker::Diamond => polygon(&[(-3.8, 0.0), (0.0, -3.8), (3.8, 0.0), (0.0, 3.8)]),
+        Marker::Cross => {
+            let arm = [(0.0, -1.3), (2.2, -3.5), (3.5, -2.2)];
+            let turned = (0..4).flat_map(|quarter| {
+                arm.map(|(dx, dy)| match quarter {
+                    0 => (dx, dy),
+                    1 => (-dy, dx),
+                    2 => (-dx, -dy),
+                    _ => (dy, -dx),
+                })
+            });
+            polygon(&turned.collect::<Vec<_>>())
+        }
     }
 }
 

@@ -44,6 +44,12 @@ pub enum Marker {
     Right,
     /// Open triangle pointing left: sweep down.
     Left,
+    /// Filled triangle pointing up.
+    Triangle,
+    /// Filled diamond.
+    Diamond,
+    /// Filled cross of two diagonals.
+    Cross,
 }
 
 impl Series {

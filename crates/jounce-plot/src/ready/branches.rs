@@ -27,14 +27,18 @@ pub struct BranchMark {
     pub value: f64,
 }
 
-/// Markers in the order in which kinds occur.
-const MARKERS: [Marker; 5] = [
-    Marker::Square,
-    Marker::Ring,
-    Marker::Circle,
-    Marker::Right,
-    Marker::Left,
-];
+/// Returns the marker of an event by its kind; that of a level, whose kind is its text, for others.
+pub fn event_marker(kind: &str) -> Marker {
+    match kind {
+        "fold" => Marker::Square,
+        "period-doubling" => Marker::Triangle,
+        "neimark-sacker" => Marker::Diamond,
+        "branch-point" => Marker::Cross,
+        "grazing" => Marker::Circle,
+        "sticking" => Marker::Ring,
+        _ => Marker::Right,
+    }
+}
 
 /// Draws branches in one panel: a colour for each label.
 pub fn branches(
@@ -81,13 +85,14 @@ pub(super) fn panel(mut panel: Panel, lines: &[BranchLine], marks: &[BranchMark]
             kinds.push(&mark.kind);
         }
     });
-    for (kind, marker) in kinds.iter().zip(MARKERS.into_iter().cycle()) {
+    for kind in kinds {
         let (x, y) = marks
             .iter()
-            .filter(|mark| mark.kind == *kind)
+            .filter(|mark| mark.kind == kind)
             .map(|mark| (mark.parameter, mark.value))
             .unzip();
-        panel = panel.with(Series::points(x, y, marker).colour(Colour::Ink).label(kind));
+        let points = Series::points(x, y, event_marker(kind));
+        panel = panel.with(points.colour(Colour::Ink).label(kind));
     }
     panel
 }

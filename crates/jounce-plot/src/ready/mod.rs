@@ -15,7 +15,7 @@ mod sweep;
 mod time_history;
 
 pub use bifurcations::{BifurcationLine, bifurcations};
-pub use branches::{BranchLine, BranchMark, branches};
+pub use branches::{BranchLine, BranchMark, branches, event_marker};
 pub use density::{DensityLine, densities};
 pub use diagram::{DiagramDots, DiagramView, diagram};
 pub use ensemble::ensemble;

@@ -2,6 +2,7 @@
 //! inspection.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
+mod event_markers;
 mod moving_bases;
 mod responses;
 mod sweeps;

@@ -13,7 +13,7 @@ use jounce_data::recording::{
 pub use driving_channel::driving_channel;
 pub use error::RecordingError;
 
-use crate::DriveKind;
+use crate::{DriveKind, DriveSignal, Spec};
 
 /// Largest residual of a constant channel due to roundoff, relative to its mean.
 const CONSTANT_ROUNDOFF: f64 = 1e-12;
@@ -103,6 +103,38 @@ impl Recording {
     /// Returns the time from the first sample to the last, s.
     pub fn duration_s(&self) -> f64 {
         self.step_s * (self.values.len() - 1) as f64
+    }
+}
+
+impl Spec {
+    /// Returns the data-quality issues of the recordings of the drives, with the name of the drive.
+    pub fn issues(&self) -> impl Iterator<Item = (&str, &Issue)> {
+        self.drive.iter().flat_map(|(name, drive)| {
+            let issues = match &drive.signal {
+                DriveSignal::Recording {
+                    record: Some(record),
+                    ..
+                } => &record.issues[..],
+                _ => &[],
+            };
+            issues.iter().map(move |issue| (name.as_str(), issue))
+        })
+    }
+
+    /// Returns the drives whose recordings go on after the run, with the time of the last sample, s.
+    pub fn cut_recordings(&self) -> impl Iterator<Item = (&str, f64)> {
+        self.drive.iter().filter_map(|(name, drive)| {
+            let DriveSignal::Recording {
+                start_s,
+                record: Some(record),
+                ..
+            } = &drive.signal
+            else {
+                return None;
+            };
+            let ends_s = start_s + record.duration_s();
+            (ends_s - self.run.duration_s >= record.step_s).then_some((name.as_str(), ends_s))
+        })
     }
 }
 

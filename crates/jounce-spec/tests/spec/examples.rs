@@ -4,6 +4,27 @@ use jounce_spec::{DriveKind, DriveSignal, Section, Side, Spec, SpecFile, Start, 
 
 use crate::{MODAL, paper, root};
 
+/// The file has no table of damping, so its fault has no place and comes after those that have one;
+/// the fault of an override comes first.
+#[test]
+fn faults_come_in_the_order_of_their_places() {
+    let text = "[beam.b]\nmaterial = \"wood\"\nlength = \"50 mm\"\nwidth = \"10 mm\"\nthickness = \"0.5 mm\"\n[reduction]\nmodes = 3\n[colour]\n";
+    let mut file = jounce_spec::SpecFile::from_text(text);
+    file.set("beam.b.width", "-1 mm").unwrap();
+    let faults = file.spec().unwrap_err();
+    let places: Vec<(bool, usize)> = faults
+        .as_slice()
+        .iter()
+        .map(|fault| (fault.set.is_some(), fault.line))
+        .collect();
+    assert_eq!(
+        places,
+        [(true, 0), (false, 2), (false, 8), (false, 0)],
+        "{faults}"
+    );
+    assert_eq!(faults.as_slice()[3].key, "damping.ratios");
+}
+
 #[test]
 fn the_structure_of_the_paper_reads_to_the_nearest_floats() {
     let spec = Spec::from_toml(&paper()).unwrap();

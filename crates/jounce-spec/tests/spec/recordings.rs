@@ -37,6 +37,26 @@ fn issues(spec: &Spec) -> Vec<String> {
         .collect()
 }
 
+/// A recording of 5 s in a run of 2 s is cut, one of a run as long as itself is not.
+#[test]
+fn a_recording_that_goes_on_after_the_run_is_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let rows = (0..=50).map(|k| format!("{},{}\n", f64::from(k) / 10.0, k % 2));
+    let text = format!("t (s),a (m/s^2)\n{}", rows.collect::<String>());
+    std::fs::write(folder.path().join("road.csv"), text).unwrap();
+    let cut = |duration: &str| {
+        let run = format!("[run]\nduration = \"{duration}\"\naverage_over = \"1 s\"\n");
+        let drive = "[drive.road]\nkind = \"base-acceleration\"\nsignal = \"recording\"\nfile = \"road.csv\"\n";
+        let spec = SpecFile::from_text(format!("{BODY}{drive}{run}"));
+        let spec = spec.in_folder(folder.path()).spec().unwrap();
+        let cut = spec.cut_recordings();
+        cut.map(|(name, ends_s)| (name.to_owned(), ends_s.round()))
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(cut("2 s"), [("road".to_owned(), 5.0)]);
+    assert_eq!(cut("5 s"), []);
+}
+
 /// Keys of the drive, and a part of the fault.
 const FAULTS: [(&str, &str); 7] = [
     (

@@ -76,12 +76,12 @@ impl BranchResult {
         for branch in &self.branches {
             for interval in &branch.not_proved {
                 texts.push(format!(
-                    "the events `{}` of a branch of period {} are not proved from {} to {} {}: {}",
-                    interval.event.name(),
-                    branch.period_cycles,
+                    "from {} to {} {}, a branch of period {} may have more or fewer events of the kind {} than listed ({}); try a smaller `tolerance`",
                     interval.from,
                     interval.to,
                     self.unit,
+                    branch.period_cycles,
+                    interval.event.name(),
                     interval.message
                 ));
             }

@@ -76,6 +76,52 @@ impl MeasuredModesResult {
             Some(_) => "Displacement, or voltage, per input",
         };
         let title = format!("{title}: measured and reconstructed from the modes");
-        modal_fit(&title, &self.functions, &self.identification)
+        let unit = |k: usize| match &self.frf {
+            Some(frf) => fit_unit(frf.data.quantities[k], frf.data.inputs[k]),
+            None => String::new(),
+        };
+        let functions = self.functions.iter().enumerate();
+        let functions: Vec<_> = functions.map(|(k, name)| (name, unit(k))).collect();
+        modal_fit(&title, &functions, &self.identification)
+    }
+}
+
+/// Returns the unit of a response in which motion is a displacement, and motion of the base an
+/// acceleration; empty if a quantity is not known.
+fn fit_unit(output: Quantity, input: Quantity) -> String {
+    let output = match output {
+        Quantity::Displacement | Quantity::Velocity | Quantity::Acceleration => "m",
+        Quantity::Voltage => "V",
+        _ => return String::new(),
+    };
+    match input {
+        Quantity::Displacement | Quantity::Velocity | Quantity::Acceleration => {
+            format!("{output}/(m/s^2)")
+        }
+        Quantity::Force | Quantity::Voltage | Quantity::Pressure => {
+            format!("{output}/{}", input.si_unit())
+        }
+        _ => String::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_fit_is_in_displacement_per_force_or_acceleration() {
+        use Quantity::{Acceleration, Displacement, Force, Unknown, Velocity, Voltage};
+        let cases = [
+            (Acceleration, Force, "m/N"),
+            (Velocity, Velocity, "m/(m/s^2)"),
+            (Displacement, Voltage, "m/V"),
+            (Voltage, Acceleration, "V/(m/s^2)"),
+            (Unknown, Force, ""),
+            (Voltage, Unknown, ""),
+        ];
+        for (output, input, unit) in cases {
+            assert_eq!(fit_unit(output, input), unit);
+        }
     }
 }

@@ -58,7 +58,10 @@ impl RunResult {
         };
         let last: Vec<Trace> = traces.iter().map(last).collect();
         let time_s = drawn.times(time_s);
-        let mut figures = vec![("run-time", time_histories("End of the run", &time_s, &last))];
+        let mut figures = vec![(
+            "run-time",
+            time_histories("Time histories of the run", &time_s, &last),
+        )];
         if let Some(voltage) = traces.first() {
             figures.push(("run-spectrum", spectrum(voltage, history)?));
         }

@@ -53,6 +53,7 @@ impl Recording {
             density,
             segments,
             orders,
+            ..
         } = spectra;
         let segment_s = seconds(segments.length());
         Ok(SpectraResult {

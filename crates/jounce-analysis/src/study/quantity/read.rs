@@ -6,7 +6,7 @@ use super::table::QuantityTable;
 use crate::study::faults::FaultCollector;
 use crate::{BifurcationSearch, BranchSearch, DiagramOrder, SweepOrder};
 use jounce_model::linear::FrfResponse;
-use jounce_spec::{Drive, DriveSignal, SpecFile};
+use jounce_spec::{Drive, DriveSignal, SpecFile, did_you_mean};
 use toml_edit::{Item, Table};
 
 /// Commands available in a study.
@@ -91,7 +91,8 @@ pub(in crate::study) fn quantity(
         "noise" => request.noise(reader),
         other => {
             let reason = format!(
-                "quantity.command is \"{other}\"; it must be one of {}",
+                "quantity.command is \"{other}\"{}; it must be one of {}",
+                did_you_mean(other, COMMANDS.iter().copied()),
                 COMMANDS.join(", ")
             );
             reader.fault("quantity.command", request.span("command"), reason);

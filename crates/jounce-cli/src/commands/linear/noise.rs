@@ -1,9 +1,10 @@
 //! `jounce noise SPEC`
 
 use crate::failure::Failure;
-use crate::output::{self, line, print};
+use crate::output::{self, line, power, print};
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
+use jounce::parts::RandomStop;
 use jounce::{NoiseOptions, NoiseResult};
 
 /// Arguments of `noise`.
@@ -39,15 +40,21 @@ impl Noise {
 
 /// Prints the result as lines of text.
 fn print_lines(result: &NoiseResult) {
-    line(format!("mean power         {:.6e} W", result.mean_power_w));
+    line(format!(
+        "mean power         {} W",
+        power(result.mean_power_w)
+    ));
     for load in &result.loads {
         line(format!(
-            "load {:<12}  {:.6} V rms, {:.9e} W by the Lyapunov equation",
-            load.name, load.voltage_rms_v, load.mean_power_w
+            "load {:<12}  {:.6} V rms, {} W by the Lyapunov equation",
+            load.name,
+            load.voltage_rms_v,
+            power(load.mean_power_w)
         ));
         let (spectral_w, difference) = (load.spectral_power_w, load.difference_relative);
         line(format!(
-            "  by quadrature    {spectral_w:.9e} W, relative difference {difference:.1e}"
+            "  by quadrature    {} W, relative difference {difference:.1e}",
+            power(spectral_w)
         ));
         for (drive, bandwidth_hz) in result.drives.iter().zip(&load.noise_bandwidth_hz) {
             line(format!(
@@ -76,22 +83,25 @@ fn print_lines(result: &NoiseResult) {
             "LEFT OUT           drive {name}: not a stationary noise"
         ));
     }
-    for stop in &result.stops {
-        let (name, gap_m) = (&stop.name, stop.gap_m);
-        let reason = match stop.reached_hz.zip(stop.share_beyond) {
-            Some((reached_hz, share)) => {
-                format!(
-                    "without contact its gap of {gap_m:.4e} m is reached {reached_hz:.4e} times per second and exceeded {:.3} % of the time",
-                    100.0 * share
-                )
-            }
-            None => {
-                let drive = stop.carried_by.as_deref().unwrap_or_default();
-                format!(
-                    "drive {drive} moves only one side of its gap of {gap_m:.4e} m with growing variance, so there is no crossing rate; use `jounce ensemble`"
-                )
-            }
-        };
-        line(format!("LEFT OUT           stop {name}: {reason}"));
-    }
+    result.stops.iter().for_each(print_stop);
+}
+
+/// Prints how often a stop would be reached without contact.
+fn print_stop(stop: &RandomStop) {
+    let (name, gap_m) = (&stop.name, stop.gap_m);
+    let reason = match stop.reached_hz.zip(stop.share_beyond) {
+        Some((reached_hz, share)) => {
+            format!(
+                "without contact its gap of {gap_m:.4e} m is reached {reached_hz:.4e} times per second and exceeded {:.3} % of the time",
+                100.0 * share
+            )
+        }
+        None => {
+            let drive = stop.carried_by.as_deref().unwrap_or_default();
+            format!(
+                "drive {drive} moves only one side of its gap of {gap_m:.4e} m with growing variance, so there is no crossing rate; use `jounce ensemble`"
+            )
+        }
+    };
+    line(format!("LEFT OUT           stop {name}: {reason}"));
 }

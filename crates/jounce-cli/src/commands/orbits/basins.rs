@@ -70,8 +70,10 @@ impl Basins {
 fn print_result(result: &BasinsResult) -> Result<(), Failure> {
     output::print_table(&result.table()?);
     line(format!(
-        "expected power {:.6e} W ({:.3e} to {:.3e})",
-        result.expected_power_w, result.expected_power_low_w, result.expected_power_high_w
+        "expected power {} W ({:.3e} to {:.3e})",
+        output::power(result.expected_power_w),
+        result.expected_power_low_w,
+        result.expected_power_high_w
     ));
     Ok(())
 }

@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::interruption;
 use crate::option_names::on_command_line;
-use crate::output::{self, key_value, line, print};
+use crate::output::{self, key_value, line, power, print};
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
@@ -84,10 +84,10 @@ impl Bifurcations {
                     Some(false) => "  unstable",
                 };
                 line(format!(
-                    "  {:>12} {unit}  {:>12} {unit_2}  {:.6e} W{stable}",
+                    "  {:>12} {unit}  {:>12} {unit_2}  {} W{stable}",
                     key_value(point.parameter),
                     key_value(point.parameter_2),
-                    point.mean_power_w
+                    power(point.mean_power_w)
                 ));
             }
         }

@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::interruption;
 use crate::option_names::on_command_line;
-use crate::output::{self, key_value, line, print};
+use crate::output::{self, key_value, line, power, print};
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
@@ -126,10 +126,10 @@ fn print_bandwidth(
         return;
     };
     line(format!(
-        "  {:<16} {:>12} {unit}  {:.6e} W  ({})",
+        "  {:<16} {:>12} {unit}  {} W  ({})",
         "largest stable",
         key_value(peak.parameter),
-        peak.mean_power_w,
+        power(peak.mean_power_w),
         band_limit_text(peak.at)
     ));
     line(format!(

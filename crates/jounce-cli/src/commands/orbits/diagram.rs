@@ -94,13 +94,13 @@ fn print_lines(result: &DiagramResult) {
     ));
     for point in &result.points {
         line(format!(
-            "{:>14.6}  {:<11}  {:<9}  {:>6}  {:>8}    {:.6e}",
+            "{:>14.6}  {:<11}  {:<9}  {:>6}  {:>8}    {}",
             point.parameter,
             point.direction.name(),
             point.motion.name(),
             point.period_cycles,
             point.contacts_per_period,
-            point.mean_power_w
+            output::power(point.mean_power_w)
         ));
     }
 }

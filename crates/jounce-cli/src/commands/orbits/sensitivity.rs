@@ -60,8 +60,10 @@ impl Sensitivity {
 /// Prints the relative derivatives of the mean power.
 fn print_lines(result: &SensitivityResult) {
     line(format!(
-        "orbit {}, period {}, mean power {:.6e} W",
-        result.at, result.period_cycles, result.mean_power_w
+        "orbit {}, period {}, mean power {} W",
+        result.at,
+        result.period_cycles,
+        output::power(result.mean_power_w)
     ));
     line("1 % more of a key changes the mean power by");
     for one in &result.keys {

@@ -15,7 +15,7 @@ use std::path::PathBuf;
 pub struct Rig {
     #[command(flatten)]
     spec: SpecArguments,
-    /// The recording to write: .uff, .parquet or .csv.
+    /// The recording to write: .uff, .parquet or .csv; an existing file is replaced.
     #[arg(long, value_name = "FILE")]
     to: PathBuf,
     #[command(flatten)]

@@ -126,13 +126,13 @@ fn print_candidate(candidate: &Candidate) {
     let number =
         |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |value| format!("{value:.3}"));
     line(format!(
-        "{:>31}{:<8} waveform distance {:>6}, spectrum distance {:>6}, power ratio {:>6}, {:.5e} W in the model{}",
+        "{:>31}{:<8} waveform distance {:>6}, spectrum distance {:>6}, power ratio {:>6}, {} W in the model{}",
         "",
         candidate.id,
         number(candidate.waveform_distance),
         number(candidate.spectrum_distance),
         number(candidate.power_ratio),
-        candidate.mean_power_w,
+        output::power(candidate.mean_power_w),
         match candidate.inverted {
             true => ", polarity inverted",
             false => "",

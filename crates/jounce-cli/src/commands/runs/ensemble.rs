@@ -70,8 +70,8 @@ fn print_lines(result: &EnsembleResult) {
     };
     let width = |half_width: Option<f64>| half_width.unwrap_or(f64::INFINITY);
     line(format!(
-        "mean power         {:.6e} W +- {:.1e} W (95 %, {interval})",
-        result.mean_power_w,
+        "mean power         {} W +- {:.1e} W (95 %, {interval})",
+        output::power(result.mean_power_w),
         width(result.mean_power_half_width_w)
     ));
     line(format!(

@@ -1,7 +1,7 @@
 //! `jounce run SPEC`
 
 use crate::failure::Failure;
-use crate::output::{self, line, print};
+use crate::output::{self, line, power, print};
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
 use jounce::parts::{ChargeResult, DeviceResult, LoadResult, RectifiedResult, StopResult, Warning};
@@ -94,7 +94,10 @@ impl Run {
 
 /// Prints the result as lines of text.
 fn print_lines(result: &RunResult) {
-    line(format!("mean power         {:.6e} W", result.mean_power_w));
+    line(format!(
+        "mean power         {} W",
+        power(result.mean_power_w)
+    ));
     print_voltages(result);
     for circuit in &result.rectified {
         print_storage(result, circuit);
@@ -105,8 +108,9 @@ fn print_lines(result: &RunResult) {
     }
     for leak in &result.leaks {
         line(format!(
-            "leakage            {:.6e} W  (patch {})",
-            leak.mean_power_w, leak.name
+            "leakage            {} W  (patch {})",
+            power(leak.mean_power_w),
+            leak.name
         ));
     }
     print_contacts(result);
@@ -138,17 +142,18 @@ fn print_storage(result: &RunResult, circuit: &RectifiedResult) {
         circuit.leakage_w,
         circuit.regulator_loss_w,
     ]
-    .map(|loss_w| loss_w.max(0.0));
+    .map(|loss_w| power(loss_w.max(0.0)));
     line(format!(
-        "  delivered        {:.4e} W, filling the storage {:.4e} W",
-        circuit.mean_power_w, circuit.storage_w
+        "  delivered        {} W, filling the storage {} W",
+        power(circuit.mean_power_w),
+        power(circuit.storage_w)
     ));
     let regulator = match result.devices.iter().any(|own| own.name == circuit.name) {
-        true => format!(", regulator {regulator:.4e} W"),
+        true => format!(", regulator {regulator} W"),
         false => String::new(),
     };
     line(format!(
-        "  lost             diodes {diodes:.4e} W, switch {switch:.4e} W, leakage {leakage:.4e} W{regulator}"
+        "  lost             diodes {diodes} W, switch {switch} W, leakage {leakage} W{regulator}"
     ));
     result
         .charges
@@ -177,8 +182,11 @@ fn print_device(device: &DeviceResult) {
         device.completed_tasks, device.interrupted_tasks
     ));
     line(format!(
-        "  energy           {:.4e} J per day; available {:.4e} W, needed {:.4e} W, margin {:.4e} W",
-        device.energy_per_day_j, device.available_w, device.needed_w, device.margin_w
+        "  energy           {:.4e} J per day; available {} W, needed {} W, margin {} W",
+        device.energy_per_day_j,
+        power(device.available_w),
+        power(device.needed_w),
+        power(device.margin_w)
     ));
 }
 

@@ -62,8 +62,8 @@ struct Existing {
 struct Page {
     #[command(flatten)]
     study: Existing,
-    /// File of the page: a name that ends in .html; its folder is created if missing. By default the
-    /// name of the folder with .html, in the current folder.
+    /// File of the page: a name that ends in .html; its folder is created if missing, an existing file
+    /// is replaced. By default the name of the folder with .html, in the current folder.
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
 }
@@ -151,8 +151,14 @@ impl Run {
             ));
         }
         output::warn(&status.warnings);
-        warn_of_transients(&StudyFolder::open(&self.out).map_err(Error::from)?);
+        let folder = StudyFolder::open(&self.out).map_err(Error::from)?;
+        warn_of_transients(&folder);
         print_status(&status, self.json);
+        if status.merged && !self.json {
+            let (table, _) = folder.merged().map_err(Error::from)?;
+            output::print_first_rows(&table);
+            line(format!("all results in {}", folder.table().display()));
+        }
         Ok(())
     }
 }

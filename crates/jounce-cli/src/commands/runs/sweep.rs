@@ -79,10 +79,10 @@ fn print_lines(result: &SweepResult) {
     ));
     for point in &result.points {
         line(format!(
-            "{:>14.6}  {:<11}  {:.6e}  {:>13.6}  {}",
+            "{:>14.6}  {:<11}  {}  {:>13.6}  {}",
             point.parameter,
             point.direction.name(),
-            point.mean_power_w,
+            output::power(point.mean_power_w),
             point.voltage_rms_v,
             point.settled
         ));

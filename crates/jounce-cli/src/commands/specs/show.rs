@@ -13,8 +13,8 @@ use std::path::{Path, PathBuf};
 pub struct Show {
     #[command(flatten)]
     spec: SpecArguments,
-    /// File of the drawing: a name that ends in .svg, .png or .pdf; its folder is created if missing.
-    /// By default the name of the spec with .svg, in the current folder.
+    /// File of the drawing: a name that ends in .svg, .png or .pdf; its folder is created if missing,
+    /// an existing file is replaced. By default the name of the spec with .svg, in the current folder.
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
     /// Prints one JSON object on stdout.

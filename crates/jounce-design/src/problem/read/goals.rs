@@ -3,6 +3,7 @@
 use crate::problem::Goal;
 use jounce_analysis::Model;
 use jounce_analysis::study::FaultCollector;
+use jounce_spec::did_you_mean;
 use toml_edit::{Item, Table};
 
 /// Reads the goals and the number of starts.
@@ -37,7 +38,8 @@ pub(super) fn goals(reader: &mut FaultCollector, item: Option<&Item>) -> (Vec<Go
                 "goal.maximise",
                 maximise.and_then(Item::span),
                 format!(
-                    "goal.maximise is \"{name}\"; it must be one of {all}, or a list of several"
+                    "goal.maximise is \"{name}\"{}; it must be one of {all}, or a list of several",
+                    did_you_mean(name, Goal::ALL.map(Goal::name))
                 ),
             ),
         }
@@ -46,7 +48,7 @@ pub(super) fn goals(reader: &mut FaultCollector, item: Option<&Item>) -> (Vec<Go
         let message = format!(
             "goal.maximise is missing; write one of {all}, as in maximise = \"expected-power\" below [goal]"
         );
-        reader.fault("goal.maximise", maximise.and_then(Item::span), message);
+        reader.missing("goal.maximise", maximise.and_then(Item::span), message);
     }
     (goals, starts)
 }

@@ -40,7 +40,7 @@ pub(super) fn read(
 ) -> Result<Problem, DesignError> {
     let mut reader = FaultCollector::new(text);
     let Some(document) = reader.document() else {
-        return Err(DesignError::Faults(reader.faults));
+        return Err(DesignError::Faults(reader.sorted()));
     };
     let root = document.as_table();
     let known = [
@@ -74,7 +74,7 @@ pub(super) fn read(
     let seconds = seconds.map(|item| reader.positive("seconds", Some(item), 1.0));
     let variants = variants(&mut reader, root, &free, &file);
     if !reader.faults.is_empty() {
-        return Err(DesignError::Faults(reader.faults));
+        return Err(DesignError::Faults(reader.sorted()));
     }
     let problem = Problem {
         hash_hex: digest(text, &spec),
@@ -96,7 +96,7 @@ pub(super) fn read(
     check(&mut reader, root, &problem)?;
     match reader.faults.is_empty() {
         true => Ok(problem),
-        false => Err(DesignError::Faults(reader.faults)),
+        false => Err(DesignError::Faults(reader.sorted())),
     }
 }
 

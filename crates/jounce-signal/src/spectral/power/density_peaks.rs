@@ -2,13 +2,14 @@
 //!
 //! A tone of the density `S` leaks `S |W(d)|^2 / |W(0)|^2` to a line `d` lines away, where `W` is
 //! the transform of the window. A maximum below the possible leakage of any higher peak, or of its
-//! mirror image at a negative frequency, is a side lobe. A maximum that hardly exceeds the lowest
+//! mirror image at a negative frequency, is a side lobe. A maximum that the rounding of the samples
+//! and of the transform can have made is none. A maximum that hardly exceeds the lowest
 //! line between it and a higher one is scatter. The logarithm of a line averaged over `n` segments
 //! scatters by `1 / sqrt(n)`, upwards at the maximum and downwards at the lowest line.
 
 use serde::Serialize;
 
-use super::{Density, Segments, Spectra};
+use super::Spectra;
 
 /// Peak of a density.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -27,14 +28,16 @@ const SCATTER_DEVIATIONS: f64 = 4.0;
 impl Spectra {
     /// Returns at most `most` peaks, the highest first.
     pub fn peaks(&self, most: usize) -> Vec<DensityPeak> {
-        peaks(&self.density, &self.segments, most)
+        peaks(self, most)
     }
 }
 
-fn peaks(density: &Density, segments: &Segments, most: usize) -> Vec<DensityPeak> {
+fn peaks(spectra: &Spectra, most: usize) -> Vec<DensityPeak> {
+    let (density, segments) = (&spectra.density, &spectra.segments);
     let s = &density.density;
     let mut maxima: Vec<usize> = (1..s.len().saturating_sub(1))
         .filter(|k| s[*k] > s[k - 1] && s[*k] >= s[k + 1])
+        .filter(|k| s[*k] > spectra.roundoff_density)
         .collect();
     maxima.sort_by(|a, b| s[*b].total_cmp(&s[*a]));
     let (leaks, rise) = (
@@ -156,6 +159,17 @@ mod tests {
             (210.0, 121.0, 50.0),
             "{peaks:?}"
         );
+    }
+
+    /// A constant whose last digit changes every ten samples has peaks of rounding only; a tone of
+    /// 1e-12 of the constant is more than rounding can give.
+    #[test]
+    fn rounding_of_the_samples_is_no_peak() {
+        let flicker = |t: f64| f64::from(u8::from((t * 1000.0).round() % 10.0 == 0.0));
+        let rounded = |t: f64, _| 1.0 + f64::EPSILON * flicker(t);
+        assert_eq!(found(rounded, Window::Hann), [0.0; 0]);
+        let tone = |t: f64, _| 1.0 + 1e-12 * (TAU * 50.0 * t).sin();
+        assert_eq!(found(tone, Window::Hann)[0], 50.0);
     }
 
     /// The scatter of white noise does not produce a series of peaks.

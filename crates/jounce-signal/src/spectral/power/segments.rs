@@ -118,6 +118,20 @@ impl Segments {
             .collect()
     }
 
+    /// Largest density that rounding alone gives a line of a record whose largest magnitude is
+    /// `peak`, unit^2/Hz.
+    ///
+    /// A sample is a double, to `u |x|`, and each of the `log2 N` stages of the transform adds at most
+    /// `(1 + 4 sqrt(2)) u` of its terms. Source: N. J. Higham, Accuracy and Stability of Numerical
+    /// Algorithms, 2nd ed. (2002), theorem 24.2.
+    pub fn roundoff_density(&self, peak: f64, rate_hz: f64) -> f64 {
+        let unit_roundoff = 0.5 * f64::EPSILON;
+        let stages = (self.length as f64).log2();
+        let relative = unit_roundoff * (1.0 + stages * (1.0 + 4.0 * std::f64::consts::SQRT_2));
+        let line = relative * peak * self.weights.iter().map(|w| w.abs()).sum::<f64>();
+        2.0 * line * line / (rate_hz * self.power())
+    }
+
     /// 2 for lines that represent two frequencies, 1 at zero and at half the rate.
     pub fn side_count(&self, line: usize) -> f64 {
         if line == 0 || 2 * line == self.length {

@@ -40,6 +40,8 @@ pub struct Spectra {
     pub segments: Segments,
     /// Amplitudes at the multiples of the drive frequency below half the sampling rate.
     pub orders: Vec<OrderLine>,
+    /// Largest density of a line by rounding alone, unit^2/Hz; a peak below it is none.
+    pub roundoff_density: f64,
 }
 
 /// Computes density and order lines of a record, and its segments.
@@ -92,6 +94,7 @@ pub fn spectra_watched(
     };
     Ok(Spectra {
         density: Density::welch_watched(samples, &segments, control)?,
+        roundoff_density: segments.roundoff_density(samples.peak(), rate_hz),
         segments,
         orders,
     })
