@@ -82,6 +82,14 @@ impl FlightTable {
 /// Returns the bounds of all blocks. Blocks decay, so that bounds at the start of a step hold
 /// throughout.
 fn shares(block: &BlockDiagonal, row: &[f64], h: f64) -> Vec<BlockBounds> {
+    let single = |state: usize, gain: f64, speed_rad_s: f64| BlockBounds {
+        states: vec![state],
+        speed_rad_s,
+        displacement: vec![gain],
+        velocity: vec![gain * speed_rad_s],
+        fourth: vec![gain * speed_rad_s.powi(4)],
+        may_be_fast: true,
+    };
     let pair = |(k, pair): (usize, &BlockPair)| {
         let start_row = [row[2 * k], row[2 * k + 1]];
         let (states, speed_rad_s) = (vec![2 * k, 2 * k + 1], pair.eigenvalue().norm());
@@ -90,14 +98,14 @@ fn shares(block: &BlockDiagonal, row: &[f64], h: f64) -> Vec<BlockBounds> {
                 let gain = start_row[0].hypot(start_row[1]);
                 let both = |factor: f64| vec![gain * factor; 2];
                 let (velocity, fourth) = (both(speed_rad_s), both(speed_rad_s.powi(4)));
-                BlockBounds {
+                vec![BlockBounds {
                     states,
                     speed_rad_s,
                     displacement: both(1.0),
                     velocity,
                     fourth,
                     may_be_fast: true,
-                }
+                }]
             }
             // w = (c_u u + c_v v + c_u v t) e^{r t}, r <= 0
             BlockPair::Jordan { rate } => {
@@ -106,35 +114,37 @@ fn shares(block: &BlockDiagonal, row: &[f64], h: f64) -> Vec<BlockBounds> {
                     cu * r.powi(4),
                     (cv + cu * h) * r.powi(4) + 4.0 * cu * r.powi(3),
                 ];
-                BlockBounds {
+                vec![BlockBounds {
                     states,
                     speed_rad_s,
                     displacement: vec![0.0; 2],
                     velocity: vec![0.0; 2],
                     fourth,
                     may_be_fast: false,
-                }
+                }]
+            }
+            // w = c_u u + c_v v e^{r t} + c_u v (e^{r t} - 1) / r, r <= 0
+            BlockPair::FreeBody { rate } => {
+                let ([cu, cv], r) = (start_row.map(f64::abs), rate.abs());
+                vec![
+                    single(2 * k, cu, 0.0),
+                    BlockBounds {
+                        displacement: vec![cv + cu / r],
+                        velocity: vec![cv * r + cu],
+                        fourth: vec![cv * r.powi(4) + cu * r.powi(3)],
+                        ..single(2 * k + 1, cv, r)
+                    },
+                ]
             }
         }
     };
     let first = 2 * block.pairs.len();
-    let real = |(k, rate): (usize, &f64)| {
-        let (gain, speed_rad_s) = (row[first + k].abs(), rate.abs());
-        let (velocity, fourth) = (vec![gain * speed_rad_s], vec![gain * speed_rad_s.powi(4)]);
-        BlockBounds {
-            states: vec![first + k],
-            speed_rad_s,
-            displacement: vec![gain],
-            velocity,
-            fourth,
-            may_be_fast: true,
-        }
-    };
+    let real = |(k, rate): (usize, &f64)| single(first + k, row[first + k].abs(), rate.abs());
     block
         .pairs
         .iter()
         .enumerate()
-        .map(pair)
+        .flat_map(pair)
         .chain(block.reals.iter().enumerate().map(real))
         .collect()
 }

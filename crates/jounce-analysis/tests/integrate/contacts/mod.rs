@@ -2,6 +2,7 @@
 
 mod collisions;
 mod cradle;
+mod free_bodies;
 mod friction;
 mod grazing;
 mod instants;
