@@ -143,7 +143,7 @@ mod tests {
             frequency: 180.0,
         };
         BlockDiagonal {
-            pairs: vec![oscillates, BlockPair::Jordan { rate: -40.0 }],
+            pairs: vec![oscillates, BlockPair::FreeBody { rate: -40.0 }],
             reals: vec![-2.0, 0.0],
         }
     }

@@ -79,62 +79,77 @@ impl FlightTable {
     }
 }
 
-/// Returns the bounds of all blocks. Blocks decay, so that bounds at the start of a step hold
-/// throughout.
-fn shares(block: &BlockDiagonal, row: &[f64], h: f64) -> Vec<BlockBounds> {
-    let pair = |(k, pair): (usize, &BlockPair)| {
-        let start_row = [row[2 * k], row[2 * k + 1]];
+impl BlockBounds {
+    /// Returns the bounds of one state that decays.
+    fn single(state: usize, gain: f64, speed_rad_s: f64) -> Self {
+        Self {
+            states: vec![state],
+            speed_rad_s,
+            displacement: vec![gain],
+            velocity: vec![gain * speed_rad_s],
+            fourth: vec![gain * speed_rad_s.powi(4)],
+            may_be_fast: true,
+        }
+    }
+
+    /// Returns the bounds of pair `k`, whose entries of the displacement row are `start_row`.
+    fn of_pair(k: usize, pair: &BlockPair, start_row: [f64; 2], h: f64) -> Vec<Self> {
         let (states, speed_rad_s) = (vec![2 * k, 2 * k + 1], pair.eigenvalue().norm());
+        let ([cu, cv], r) = (start_row.map(f64::abs), speed_rad_s);
         match *pair {
             BlockPair::Oscillatory { .. } => {
                 let gain = start_row[0].hypot(start_row[1]);
                 let both = |factor: f64| vec![gain * factor; 2];
                 let (velocity, fourth) = (both(speed_rad_s), both(speed_rad_s.powi(4)));
-                BlockBounds {
+                vec![Self {
                     states,
                     speed_rad_s,
                     displacement: both(1.0),
                     velocity,
                     fourth,
                     may_be_fast: true,
-                }
+                }]
             }
             // w = (c_u u + c_v v + c_u v t) e^{r t}, r <= 0
-            BlockPair::Jordan { rate } => {
-                let ([cu, cv], r) = (start_row.map(f64::abs), rate.abs());
+            BlockPair::Jordan { .. } => {
                 let fourth = vec![
                     cu * r.powi(4),
                     (cv + cu * h) * r.powi(4) + 4.0 * cu * r.powi(3),
                 ];
-                BlockBounds {
+                vec![Self {
                     states,
                     speed_rad_s,
                     displacement: vec![0.0; 2],
                     velocity: vec![0.0; 2],
                     fourth,
                     may_be_fast: false,
-                }
+                }]
             }
+            // w = c_u u + c_v v e^{r t} + c_u v (e^{r t} - 1) / r, r <= 0
+            BlockPair::FreeBody { .. } => vec![
+                Self::single(2 * k, cu, 0.0),
+                Self {
+                    displacement: vec![cv + cu / r],
+                    velocity: vec![cv * r + cu],
+                    fourth: vec![cv * r.powi(4) + cu * r.powi(3)],
+                    ..Self::single(2 * k + 1, cv, r)
+                },
+            ],
         }
+    }
+}
+
+/// Returns the bounds of all blocks. Blocks decay, so that bounds at the start of a step hold
+/// throughout.
+fn shares(block: &BlockDiagonal, row: &[f64], h: f64) -> Vec<BlockBounds> {
+    let (paired, single) = row.split_at(2 * block.pairs.len());
+    let pairs = block.pairs.iter().zip(paired.chunks_exact(2)).enumerate();
+    let reals = block.reals.iter().zip(single).enumerate();
+    let real = |(k, (rate, gain)): (usize, (&f64, &f64))| {
+        BlockBounds::single(paired.len() + k, gain.abs(), rate.abs())
     };
-    let first = 2 * block.pairs.len();
-    let real = |(k, rate): (usize, &f64)| {
-        let (gain, speed_rad_s) = (row[first + k].abs(), rate.abs());
-        let (velocity, fourth) = (vec![gain * speed_rad_s], vec![gain * speed_rad_s.powi(4)]);
-        BlockBounds {
-            states: vec![first + k],
-            speed_rad_s,
-            displacement: vec![gain],
-            velocity,
-            fourth,
-            may_be_fast: true,
-        }
-    };
-    block
-        .pairs
-        .iter()
-        .enumerate()
-        .map(pair)
-        .chain(block.reals.iter().enumerate().map(real))
+    pairs
+        .flat_map(|(k, (pair, uv))| BlockBounds::of_pair(k, pair, [uv[0], uv[1]], h))
+        .chain(reals.map(real))
         .collect()
 }

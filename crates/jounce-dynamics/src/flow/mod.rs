@@ -255,16 +255,17 @@ mod tests {
                     frequency: 900.0,
                 },
                 BlockPair::Jordan { rate: -40.0 },
+                BlockPair::FreeBody { rate: -60.0 },
             ],
             reals: vec![-700.0],
         };
         let layout = StateLayout {
-            pairs: 2,
+            pairs: 3,
             reals: 1,
             pair_lanes: 1,
             real_lanes: 1,
         };
-        let start = [1.0, -0.3, 0.7, 2.0, 1.5];
+        let start = [1.0, -0.3, 0.7, 2.0, 0.4, 0.9, 1.5];
         // Up to the complete range of the series, and after two flows.
         for (time_s, long_s) in [(1.3e-4, 0.0), (-1.3e-4, 0.0), (1e-9, 0.0), (1.3e-4, 0.004)] {
             let mut y = layout.pack(&start);

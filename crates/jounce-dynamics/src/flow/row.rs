@@ -1,19 +1,19 @@
 //! Row or column of the state with its crossed form.
 //!
-//! Every block of a flow has the form `e^{A t} = [[a, p b], [q b, a]]`: `p = -1`, `q = 1` for a
-//! complex pair, `p = 1`, `q = 0` for a double rate, `b = 0` for a single one. So for a row `r` and
-//! a column `c` of a pair
+//! Every block of a flow has the form `e^{A t} = a I + b N` with a constant `N`
+//! ([`BlockPair::crossing`](jounce_model::plant::BlockPair::crossing)); `b = 0` for a single rate.
+//! So for a row `r` and a column `c` of a pair
 //!
 //! ```text
-//! r e^{A t} (u, v) = a (r_u u + r_v v) + b (q r_v u + p r_u v),
-//! e^{A t} c        = a (c_u, c_v)      + b (p c_v, q c_u):
+//! r e^{A t} y = a r y + b (r N) y,
+//! e^{A t} c   = a c   + b N c:
 //! ```
 //!
 //! the effect of a force on the state, and of the motion on any meter of its work, are both
 //! integrals of `a` and `b`.
 
 use super::layout::StateLayout;
-use jounce_model::plant::{BlockDiagonal, BlockPair};
+use jounce_model::plant::BlockDiagonal;
 use jounce_simd::{F64x8, LANES, Simd};
 
 /// Row or column in the form of the module.
@@ -28,29 +28,29 @@ pub struct FlowRow {
 impl FlowRow {
     /// Converts a row in block coordinates.
     pub fn row(layout: &StateLayout, block: &BlockDiagonal, row: &[f64]) -> Self {
-        Self::new(layout, block, row, |[p, q], [u, v]| [q * v, p * u])
+        Self::new(layout, block, row, |[a, b, c, d], [u, v]| {
+            [u * a + v * c, u * b + v * d]
+        })
     }
 
     /// Converts a column in block coordinates.
     pub fn column(layout: &StateLayout, block: &BlockDiagonal, column: &[f64]) -> Self {
-        Self::new(layout, block, column, |[p, q], [u, v]| [p * v, q * u])
+        Self::new(layout, block, column, |[a, b, c, d], [u, v]| {
+            [a * u + b * v, c * u + d * v]
+        })
     }
 
     fn new(
         layout: &StateLayout,
         block: &BlockDiagonal,
         values: &[f64],
-        cross: impl Fn([f64; 2], [f64; 2]) -> [f64; 2],
+        cross: impl Fn([f64; 4], [f64; 2]) -> [f64; 2],
     ) -> Self {
         let mut pairs = vec![[F64x8::ZERO; 4]; layout.pair_lanes];
         let (paired, reals) = values.split_at(2 * layout.pairs);
         for ((k, pair), uv) in block.pairs.iter().enumerate().zip(paired.chunks_exact(2)) {
-            let signs = match pair {
-                BlockPair::Oscillatory { .. } => [-1.0, 1.0],
-                BlockPair::Jordan { .. } => [1.0, 0.0],
-            };
             let ([straight_u, straight_v], [crossed_u, crossed_v]) =
-                ([uv[0], uv[1]], cross(signs, [uv[0], uv[1]]));
+                ([uv[0], uv[1]], cross(pair.crossing(), [uv[0], uv[1]]));
             for (lane, value) in pairs[k / LANES]
                 .iter_mut()
                 .zip([straight_u, straight_v, crossed_u, crossed_v])

@@ -189,7 +189,7 @@ mod tests {
     use jounce_simd::{Portable, widest};
 
     const LENGTH_S: f64 = 2e-3;
-    const COLUMN: [f64; 5] = [0.7, -0.4, 1.1, 0.6, -0.9];
+    const COLUMN: [f64; 7] = [0.7, -0.4, 1.1, 0.6, 0.3, 0.5, -0.9];
     const FORCE_N: [f64; NODES] = [0.1, 0.9, 0.3, -0.8, 1.4, 0.2, 0.5];
 
     fn block() -> BlockDiagonal {
@@ -199,6 +199,7 @@ mod tests {
                 frequency: 800.0,
             },
             BlockPair::Jordan { rate: -40.0 },
+            BlockPair::FreeBody { rate: -250.0 },
         ];
         BlockDiagonal {
             pairs,
@@ -237,7 +238,7 @@ mod tests {
     }
 
     const LAYOUT: StateLayout = StateLayout {
-        pairs: 2,
+        pairs: 3,
         reals: 1,
         pair_lanes: 1,
         real_lanes: 1,
@@ -264,7 +265,7 @@ mod tests {
         }
     }
 
-    fn unit(state: usize) -> [f64; 5] {
+    fn unit(state: usize) -> [f64; 7] {
         std::array::from_fn(|i| if i == state { 1.0 } else { 0.0 })
     }
 
@@ -283,7 +284,7 @@ mod tests {
             (&onset, false, 1e-7),
         ] {
             let duhamel = duhamel(&block, basis, is_folded);
-            let (mut end, mut integrals) = (layout.pack(&[0.0; 5]), layout.pack(&[0.0; 5]));
+            let (mut end, mut integrals) = (layout.pack(&[0.0; 7]), layout.pack(&[0.0; 7]));
             duhamel.act(w, &column, &force, &mut end, &mut integrals);
             let end_state = layout.unpack(&end);
             assert!(
@@ -294,7 +295,7 @@ mod tests {
                 "{end_state:?}"
             );
             let pushes = duhamel.pushes(&column);
-            let summed = (0..5).map(|state| {
+            let summed = (0..7).map(|state| {
                 let (lane, position) = layout.locate(state);
                 (0..NODES)
                     .map(|j| pushes[lane][j].0[position] * FORCE_N[j])
@@ -302,13 +303,13 @@ mod tests {
             });
             assert!(worst(&summed.collect::<Vec<f64>>(), &end_state) < 1e-14);
             // Each state separately, read by a row over all of them.
-            let row = [1.3, -0.2, 0.5, 0.8, 2.0];
+            let row = [1.3, -0.2, 0.5, 0.8, -0.6, 0.9, 2.0];
             let crossed = FlowRow::row(layout, &block, &row);
-            let read: Vec<f64> = (0..5)
+            let read: Vec<f64> = (0..7)
                 .map(|state| w.sum(crossed.read(w, &integrals, &layout.pack(&unit(state)))))
                 .collect();
             let along = |t: f64| {
-                (0..5)
+                (0..7)
                     .map(|state| {
                         block
                             .flow(t, &unit(state))

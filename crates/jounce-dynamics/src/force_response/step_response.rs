@@ -28,6 +28,8 @@ pub enum BlockOnStep {
     Turning(c64),
     /// Double real rate.
     Double(f64),
+    /// Displacement and velocity of a free body, by the rate of its velocity.
+    FreeBody(f64),
     /// Single real rate.
     Single(f64),
 }
@@ -35,8 +37,9 @@ pub enum BlockOnStep {
 /// Legendre coefficients in time, row by row; lanes 0 to 6 are the responses to the nodal forces,
 /// lane 7 is the free motion.
 ///
-/// `first` is the solution for a unit force. `second` is its imaginary part for a complex pair, and
-/// the response to it (the same equation driven by `first`) for a double rate; 0 for a single one.
+/// `first` is the solution for a unit force. `second` is its imaginary part for a complex pair, the
+/// response to it (the same equation driven by `first`) for a double rate, and its integral for a
+/// free body; 0 for a single rate.
 #[derive(Debug, Clone, Default)]
 pub struct StepResponse {
     /// Solution for a unit force, real part.
@@ -51,6 +54,7 @@ impl BlockOnStep {
         match *pair {
             BlockPair::Oscillatory { .. } => BlockOnStep::Turning(pair.eigenvalue()),
             BlockPair::Jordan { rate } => BlockOnStep::Double(rate),
+            BlockPair::FreeBody { rate } => BlockOnStep::FreeBody(rate),
         }
     }
 
@@ -75,6 +79,10 @@ impl BlockOnStep {
                 h * (row[0] * column[0] + row[1] * column[1]),
                 h * h * row[0] * column[1],
             ],
+            BlockOnStep::FreeBody(rate) => [
+                h * (row[0] * column[0] + row[1] * column[1]),
+                h * h * row[0] * (column[1] - rate * column[0]),
+            ],
             BlockOnStep::Single(_) => [h * row[0] * column[0], 0.0],
         }
     }
@@ -84,6 +92,7 @@ impl BlockOnStep {
         match self {
             BlockOnStep::Turning(_) => [[row[0], row[1]], [row[1], -row[0]]],
             BlockOnStep::Double(_) => [[row[0], 0.0], [row[1], h * row[0]]],
+            BlockOnStep::FreeBody(rate) => [[row[0], -rate * h * row[0]], [row[1], h * row[0]]],
             BlockOnStep::Single(_) => [[row[0], 0.0], [0.0, 0.0]],
         }
     }
@@ -91,10 +100,9 @@ impl BlockOnStep {
     /// Returns the factors on `first` and `second` that give the entries `a` and `b` of the flow of
     /// this block (see [`crate::flow::row`]).
     pub fn entries(&self, h: f64) -> [f64; 2] {
-        if matches!(self, BlockOnStep::Double(_)) {
-            [1.0, h]
-        } else {
-            [1.0, 1.0]
+        match self {
+            BlockOnStep::Double(_) | BlockOnStep::FreeBody(_) => [1.0, h],
+            BlockOnStep::Turning(_) | BlockOnStep::Single(_) => [1.0, 1.0],
         }
     }
 
@@ -102,7 +110,9 @@ impl BlockOnStep {
     pub fn rate(&self) -> c64 {
         match *self {
             BlockOnStep::Turning(rate) => rate,
-            BlockOnStep::Double(rate) | BlockOnStep::Single(rate) => c64::new(rate, 0.0),
+            BlockOnStep::Double(rate) | BlockOnStep::FreeBody(rate) | BlockOnStep::Single(rate) => {
+                c64::new(rate, 0.0)
+            }
         }
     }
 }
@@ -152,6 +162,10 @@ impl StepResponse {
             self.second = vec![F64x8::ZERO; count];
             self.sweep(w, factors, index);
             self.second = std::mem::replace(&mut self.first, first_response);
+        }
+        if matches!(part, BlockOnStep::FreeBody(_)) {
+            // The sweep of a real rate leaves zeros.
+            integrate(w, &self.first, &mut self.second);
         }
     }
 
@@ -305,5 +319,23 @@ mod tests {
             .map(|(lane, p)| lane.0[NODES] * p)
             .sum();
         assert!((second - 0.7 * (rate * h * 0.7_f64).exp()).abs() < 1e-15);
+    }
+
+    /// Lane 7: `(e^{z x} - 1) / z`, and `x` without losses.
+    #[test]
+    fn displacement_of_a_free_body_matches_its_closed_form() {
+        let h = 0.5;
+        for (rate, wanted) in [
+            (-3.0, (-1.5 * 0.7_f64).exp_m1() / -1.5),
+            (-1e-9, 0.7 - 0.5e-9 * 0.5 * 0.7 * 0.7),
+            (0.0, 0.7),
+        ] {
+            let part = BlockOnStep::FreeBody(rate);
+            let responses = StepResponse::of_part(&part, &SMOOTH_BASIS, h);
+            let powers = legendre(0.7, responses.second.len());
+            let series = responses.second.iter().zip(&powers);
+            let second: f64 = series.map(|(lane, p)| lane.0[NODES] * p).sum();
+            assert!((second - wanted).abs() < 1e-15, "{rate}: {second} {wanted}");
+        }
     }
 }

@@ -48,7 +48,7 @@ impl SpeedBound {
     /// bridges, and blocks that grow before they decay.
     pub fn of(plant: &Plant, layout: &StateLayout, tones: &[Phasor], port: usize) -> Option<Self> {
         let block = &plant.diagonal.block;
-        let grows = |pair: &BlockPair| matches!(pair, BlockPair::Jordan { .. });
+        let grows = |pair: &BlockPair| !matches!(pair, BlockPair::Oscillatory { .. });
         let is_rigid = plant
             .system
             .stops

@@ -88,6 +88,8 @@ fn filtered(block: &BlockDiagonal, column: &[f64], band_rad_s: [f64; 2]) -> Vec<
                 ];
                 out.extend([f * b[0] + slope * b[1], f * b[1]]);
             }
+            // No band makes the displacement of a free body steady.
+            BlockPair::FreeBody { .. } => out.extend([f64::INFINITY; 2]),
         }
     }
     let single = &column[2 * block.pairs.len()..];

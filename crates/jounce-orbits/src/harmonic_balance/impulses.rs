@@ -44,7 +44,7 @@ pub fn after_impulses(
                 }) * c64::new(b[0], b[1]);
                 state.extend([sum.re, sum.im]);
             }
-            BlockPair::Jordan { .. } => {
+            BlockPair::Jordan { .. } | BlockPair::FreeBody { .. } => {
                 let mut sum = [0.0; 2];
                 for (time_s, impulse) in remaining_s.iter().zip(impulses_n_s) {
                     let [a, d, c, e] = pair.flow(*time_s);
@@ -127,6 +127,7 @@ mod tests {
             oscillatory(-20.0, 1e4),
             oscillatory(-2.0, 1e-3),
             BlockPair::Jordan { rate: -0.5 },
+            BlockPair::FreeBody { rate: -0.2 },
         ];
         let block = BlockDiagonal {
             pairs,

@@ -3,6 +3,7 @@
 mod collisions;
 mod cradle;
 mod dashpots;
+mod free_bodies;
 mod friction;
 mod grazing;
 mod instants;

@@ -172,7 +172,7 @@ fn loaded(mut spec: Spec, modes: Modes) -> Result<Vec<(f64, f64)>, FitError> {
         BlockPair::Oscillatory { decay, frequency } => {
             Some((decay.hypot(frequency), -decay / decay.hypot(frequency)))
         }
-        BlockPair::Jordan { .. } => None,
+        BlockPair::Jordan { .. } | BlockPair::FreeBody { .. } => None,
     };
     let mut poles: Vec<(f64, f64)> = plant
         .diagonal

@@ -181,26 +181,37 @@ impl BlockDiagonal {
     /// Returns the largest `|eigenvalue|` of the blocks that time steps resolve, rad/s: all except
     /// decays far faster than the pairs.
     pub fn fastest_resolved_rad_s(&self) -> f64 {
+        let (bodies, pairs): (Vec<BlockPair>, Vec<BlockPair>) =
+            (self.pairs.iter()).partition(|pair| matches!(pair, BlockPair::FreeBody { .. }));
+        let pairs = pairs
+            .iter()
+            .fold(0.0, |max: f64, pair| max.max(pair.eigenvalue().norm()));
+        let decays = bodies.iter().map(|pair| pair.eigenvalue().re);
+        self.reals
+            .iter()
+            .copied()
+            .chain(decays)
+            .map(f64::abs)
+            .filter(|rate| pairs == 0.0 || *rate <= STIFF_RATIO * pairs)
+            .fold(pairs, f64::max)
+    }
+
+    /// States of blocks without a restoring effect: an eigenvalue is zero up to roundoff. Free
+    /// bodies, and the charge of an open patch.
+    pub fn free(&self) -> Vec<bool> {
+        let zero = self.zero_rate();
         let pairs = self
             .pairs
             .iter()
-            .fold(0.0, |max: f64, pair| max.max(pair.eigenvalue().norm()));
-        let resolved = |rate: &&f64| pairs == 0.0 || rate.abs() <= STIFF_RATIO * pairs;
-        self.reals
-            .iter()
-            .filter(resolved)
-            .fold(pairs, |max, rate| max.max(rate.abs()))
+            .flat_map(|pair| [pair.other_eigenvalue().norm() <= zero; 2]);
+        pairs
+            .chain(self.reals.iter().map(|rate| rate.abs() <= zero))
+            .collect()
     }
 
-    /// States without a restoring effect: their rate is zero up to roundoff. Free bodies, and the
-    /// charge of an open patch.
-    pub fn free(&self) -> Vec<bool> {
-        let speeds = self.speeds();
-        let fastest = speeds.iter().fold(0.0_f64, |max, speed| max.max(*speed));
-        speeds
-            .iter()
-            .map(|speed| *speed <= ZERO_RATE * fastest)
-            .collect()
+    /// Returns the rate below which a rate is roundoff of zero, 1/s.
+    pub fn zero_rate(&self) -> f64 {
+        ZERO_RATE * self.speeds().into_iter().fold(0.0, f64::max)
     }
 
     /// Returns `A^-1 y`, with 0 for the excluded states; free states must be excluded.
@@ -221,9 +232,7 @@ impl BlockDiagonal {
     pub fn eigenvalues(&self) -> Vec<c64> {
         let mut all = Vec::with_capacity(self.len());
         for pair in &self.pairs {
-            let value = pair.eigenvalue();
-            all.push(value);
-            all.push(value.conj());
+            all.extend([pair.eigenvalue(), pair.other_eigenvalue()]);
         }
         all.extend(self.reals.iter().map(|rate| c64::new(*rate, 0.0)));
         all
@@ -250,12 +259,14 @@ mod tests {
             BlockPair::Jordan { rate: -4.0 },
             BlockPair::Jordan { rate: -0.2 },
             BlockPair::Jordan { rate: 0.0 },
+            BlockPair::FreeBody { rate: -4.0 },
+            BlockPair::FreeBody { rate: -1e-9 },
         ];
         let block = BlockDiagonal {
             pairs,
             reals: vec![-7.0, -1e-8, 0.0],
         };
-        let y: Vec<f64> = (0..block.len()).map(|i| 1.0 - 0.1 * i as f64).collect();
+        let y: Vec<f64> = (0..block.len()).map(|i| 1.0 - 0.07 * i as f64).collect();
         let (time_s, panels) = (1.7, 2000);
         let (h, half) = (time_s / f64::from(panels), 0.5 / 3.0_f64.sqrt());
         let mut sum = vec![0.0; y.len()];

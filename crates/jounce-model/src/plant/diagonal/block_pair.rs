@@ -12,10 +12,15 @@ pub enum BlockPair {
         /// Imaginary part of the eigenvalue, rad/s.
         frequency: f64,
     },
-    /// A double real eigenvalue with one eigenvector: `u' = rate u + v`, `v' = rate v`. A free body
-    /// has `rate = 0`.
+    /// A double real eigenvalue with one eigenvector: `u' = rate u + v`, `v' = rate v`.
     Jordan {
         /// The eigenvalue, 1/s.
+        rate: f64,
+    },
+    /// Displacement and velocity of a free body: `u' = v`, `v' = rate v`. The displacement is the
+    /// integral of the velocity, so that no digits are lost however small the rate is.
+    FreeBody {
+        /// Rate of the velocity, 1/s; 0 without losses.
         rate: f64,
     },
 }
@@ -26,6 +31,17 @@ impl BlockPair {
         match *self {
             BlockPair::Oscillatory { decay, frequency } => [decay, -frequency, frequency, decay],
             BlockPair::Jordan { rate } => [rate, 1.0, 0.0, rate],
+            BlockPair::FreeBody { rate } => [0.0, 1.0, 0.0, rate],
+        }
+    }
+
+    /// Returns the entries of the matrix `N` in the flow `a I + b N`: `a` is the entry of the flow in
+    /// row and column `v`, `b` the entry in row `v` (of an oscillation) or `u` of the other column.
+    pub fn crossing(&self) -> [f64; 4] {
+        match *self {
+            BlockPair::Oscillatory { .. } => [0.0, -1.0, 1.0, 0.0],
+            BlockPair::Jordan { .. } => [0.0, 1.0, 0.0, 0.0],
+            BlockPair::FreeBody { rate } => [-rate, 1.0, 0.0, 0.0],
         }
     }
 
@@ -46,6 +62,10 @@ impl BlockPair {
                 let envelope = (rate * time_s).exp();
                 [envelope, envelope * time_s, 0.0, envelope]
             }
+            BlockPair::FreeBody { rate } => {
+                let distance = grown(c64::new(rate, 0.0), time_s).re;
+                [1.0, distance, 0.0, (rate * time_s).exp()]
+            }
         }
     }
 
@@ -57,30 +77,53 @@ impl BlockPair {
                 [integral.re, -integral.im, integral.im, integral.re]
             }
             BlockPair::Jordan { rate } => {
-                // int t e^(rate t) dt, by its series if the closed form suffers from cancellation.
+                // int t e^(rate t) dt
                 let (z, first_integral) = (rate * time_s, grown(c64::new(rate, 0.0), time_s).re);
                 let twice = if z.abs() < 1.0 {
-                    let terms = (0..24).scan(1.0, |power, k: i32| {
-                        let term = *power / f64::from(k + 2);
-                        *power *= z / f64::from(k + 1);
-                        Some(term)
-                    });
-                    time_s * time_s * terms.sum::<f64>()
+                    time_s * time_s * series(z, |k| f64::from(k + 2))
                 } else {
                     (time_s * z.exp() - first_integral) / rate
                 };
                 [first_integral, twice, 0.0, first_integral]
             }
+            BlockPair::FreeBody { rate } => {
+                // int (e^(rate t) - 1) / rate dt
+                let (z, distance) = (rate * time_s, grown(c64::new(rate, 0.0), time_s).re);
+                let moved = if z.abs() < 1.0 {
+                    time_s * time_s * series(z, |k| f64::from((k + 1) * (k + 2)))
+                } else {
+                    (distance - time_s) / rate
+                };
+                [time_s, moved, 0.0, distance]
+            }
         }
     }
 
-    /// Returns the eigenvalue with non-negative imaginary part.
+    /// Returns the eigenvalue with non-negative imaginary part; of a free body, that of its velocity.
     pub fn eigenvalue(&self) -> c64 {
         match *self {
             BlockPair::Oscillatory { decay, frequency } => c64::new(decay, frequency),
-            BlockPair::Jordan { rate } => c64::new(rate, 0.0),
+            BlockPair::Jordan { rate } | BlockPair::FreeBody { rate } => c64::new(rate, 0.0),
         }
     }
+
+    /// Returns the other eigenvalue.
+    pub fn other_eigenvalue(&self) -> c64 {
+        match self {
+            BlockPair::FreeBody { .. } => c64::new(0.0, 0.0),
+            _ => self.eigenvalue().conj(),
+        }
+    }
+}
+
+/// Returns `sum_k z^k / (k! divisor(k))` for `|z| < 1`, without the cancellation of a closed form.
+fn series(z: f64, divisor: impl Fn(i32) -> f64) -> f64 {
+    let terms = (0..24).scan(1.0, |power, k: i32| {
+        let term = *power / divisor(k);
+        *power *= z / f64::from(k + 1);
+        Some(term)
+    });
+    terms.sum()
 }
 
 /// Returns `(e^(rate t) - 1) / rate`, s, without cancellation.

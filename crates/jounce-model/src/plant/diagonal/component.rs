@@ -7,6 +7,7 @@
 use super::conduction_path::ConductionPath;
 use super::coupled_rates::coupled_rates;
 use super::eigen_refinement::refined;
+use super::free_bodies::FreeBodies;
 use crate::plant::{BlockPair, Electrical, PlantError, System};
 use jounce_linalg::{Eigen, Mat, c64, eigen};
 
@@ -132,18 +133,10 @@ pub(super) fn single_mode(
         column[assembly.modes + mode] = velocity;
         column
     };
-    if w == 0.0 && friction_per_s > 0.0 {
-        // The position is constant; the velocity decays, and with it the remaining distance, q'/a.
-        let length = 1.0_f64.hypot(friction_per_s);
-        let slowing = column(1.0 / length, -friction_per_s / length);
-        return vec![
-            PieceBlock::Real(0.0, column(1.0, 0.0)),
-            PieceBlock::Real(-friction_per_s, slowing),
-        ];
-    }
     if w == 0.0 {
+        let rate = 0.0 - friction_per_s;
         return vec![PieceBlock::Pair(
-            BlockPair::Jordan { rate: 0.0 },
+            BlockPair::FreeBody { rate },
             [column(1.0, 0.0), column(0.0, 1.0)],
         )];
     }
@@ -179,15 +172,18 @@ pub(super) fn coupled(
     states: &[usize],
     assembly: &CoupledMatrix,
 ) -> Result<Vec<ComponentBlock>, PlantError> {
-    let n = assembly.modes;
-    let all: Vec<usize> = states
+    let (n, matrix) = (assembly.modes, &assembly.matrix);
+    let is_free = |state: &usize| *state < n && matrix[(n + state, *state)] == 0.0;
+    let (free, all): (Vec<usize>, Vec<usize>) = states
         .iter()
         .flat_map(|&s| if s < n { vec![s, n + s] } else { vec![s] })
-        .collect();
-    let local = Mat::from_fn(all.len(), all.len(), |i, j| {
-        assembly.matrix[(all[i], all[j])]
-    });
-    let charged = conserved_charges(&all, &local, assembly);
+        .partition(is_free);
+    let local = Mat::from_fn(all.len(), all.len(), |i, j| matrix[(all[i], all[j])]);
+    // A free body has no unique equilibrium due to a charge.
+    let charged = match free.is_empty() {
+        true => conserved_charges(&all, &local, assembly),
+        false => Vec::new(),
+    };
     let spread = |value: &dyn Fn(usize) -> f64| {
         let mut column = vec![0.0; assembly.scale.len()];
         all.iter()
@@ -205,34 +201,68 @@ pub(super) fn coupled(
         return Ok(retained);
     }
     let basis = complement(&charged, all.len());
-    let matrix = basis.transpose() * &local * &basis;
-    let (values, within) = eigenvectors(&matrix, !assembly.paths.is_empty())
+    let within = basis.transpose() * &local * &basis;
+    let (values, within) = eigenvectors(&within, !assembly.paths.is_empty())
         .ok_or(PlantError::NoEigenvalues { states: all.len() })?;
+    let velocity = Mat::from_fn(free.len(), values.len(), |f, j| {
+        let rows = all.iter().enumerate();
+        rows.map(|(i, state)| within[(i, j)] * matrix[(free[f], *state)])
+            .sum()
+    });
+    let bodies = FreeBodies::new(free, velocity, values.clone());
     let column = |j: usize, part: fn(c64) -> f64| {
         let entry = |i: usize| {
             (0..within.nrows())
                 .map(|k| basis[(i, k)] * part(within[(k, j)]))
                 .sum::<f64>()
         };
-        spread(&entry)
+        let mut column = spread(&entry);
+        bodies
+            .displacements(j)
+            .for_each(|(state, moved)| column[state] = part(moved));
+        column
     };
-    let pieces = by_frequency(&values).into_iter().map(|j| match values[j] {
-        c64 { re, im: 0.0 } => PieceBlock::Real(re, column(j, |x| x.re)),
-        c64 { re, im } => PieceBlock::Pair(
+    Ok(blocks(&values, &bodies, column, assembly.scale.len())
+        .chain(retained)
+        .collect())
+}
+
+/// Returns the blocks of eigenvalues with their columns.
+fn blocks(
+    values: &[c64],
+    bodies: &FreeBodies,
+    column: impl Fn(usize, fn(c64) -> f64) -> Vec<f64>,
+    size: usize,
+) -> impl Iterator<Item = ComponentBlock> {
+    let displaced = |entries: &mut dyn Iterator<Item = (usize, f64)>| {
+        let mut column = vec![0.0; size];
+        entries.for_each(|(state, entry)| column[state] = entry);
+        column
+    };
+    let block = |j: usize| match (values[j], bodies.coasting(j)) {
+        (c64 { re, .. }, Some(mut velocities)) => PieceBlock::Pair(
+            BlockPair::FreeBody { rate: re },
+            [displaced(&mut velocities), column(j, |x| x.re)],
+        ),
+        (c64 { re, im: 0.0 }, None) => PieceBlock::Real(re, column(j, |x| x.re)),
+        (c64 { re, im }, None) => PieceBlock::Pair(
             BlockPair::Oscillatory {
                 decay: re,
                 frequency: im,
             },
             [column(j, |x| x.re), column(j, |x| -x.im)],
         ),
+    };
+    let computed = by_frequency(values).into_iter().map(block);
+    let computed = computed.map(|block| ComponentBlock {
+        block,
+        exact: false,
     });
-    Ok(pieces
-        .map(|block| ComponentBlock {
-            block,
-            exact: false,
-        })
-        .chain(retained)
-        .collect())
+    let constant = bodies.constant().map(|state| ComponentBlock {
+        block: PieceBlock::Real(0.0, displaced(&mut std::iter::once((state, 1.0)))),
+        exact: true,
+    });
+    computed.chain(constant).collect::<Vec<_>>().into_iter()
 }
 
 /// Returns all eigenvalues and the columns of their eigenvectors, refined where one state may be
@@ -262,30 +292,25 @@ fn by_frequency(values: &[c64]) -> Vec<usize> {
 }
 
 /// Returns the equilibria due to the charges of open nodes, `sqrt(C) V = 1` and `w q = theta V /
-/// w`, one per open node of a component. Empty if a rigid-body mode is coupled, because it has no
-/// unique equilibrium.
+/// w`, one per open node of a component without free bodies.
 fn conserved_charges(all: &[usize], local: &Mat<f64>, assembly: &CoupledMatrix) -> Vec<Vec<f64>> {
     let n = assembly.modes;
     let open = all
         .iter()
         .enumerate()
         .filter(|(_, state)| assembly.open.contains(state));
-    let at_rest = |(k, _): (usize, &usize)| -> Option<Vec<f64>> {
+    let at_rest = |(k, _): (usize, &usize)| {
         let mut state = vec![0.0; all.len()];
         state[k] = 1.0;
         for (i, mode) in all.iter().enumerate().filter(|(_, mode)| **mode < n) {
-            let velocity = all.iter().position(|state| *state == n + mode)?;
-            // local[(velocity, i)] = -w, local[(velocity, k)] = theta / sqrt(C)
-            state[i] = -local[(velocity, k)] / local[(velocity, i)];
-            if !state[i].is_finite() {
-                return None;
+            if let Some(velocity) = all.iter().position(|state| *state == n + mode) {
+                // local[(velocity, i)] = -w, local[(velocity, k)] = theta / sqrt(C)
+                state[i] = -local[(velocity, k)] / local[(velocity, i)];
             }
         }
-        Some(state)
+        state
     };
-    open.map(at_rest)
-        .collect::<Option<Vec<_>>>()
-        .unwrap_or_default()
+    open.map(at_rest).collect()
 }
 
 /// Returns orthonormal columns that span the complement of some states; the identity if there are

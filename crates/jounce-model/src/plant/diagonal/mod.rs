@@ -16,6 +16,9 @@
 //! the equilibrium due to the charge. It is split off as an exact eigenvector of rate 0, and the
 //! remainder is solved orthogonally to it.
 //!
+//! The displacement of a mode without stiffness acts on nothing. It is left out of the eigenproblem
+//! and added as the integral of its velocity ([`free_bodies`]).
+//!
 //! Validation: `tests/plant` checks the residual of `A T = T J` and the eigenvalues against the
 //! secular equation.
 
@@ -25,6 +28,7 @@ mod component;
 mod conduction_path;
 mod coupled_rates;
 mod eigen_refinement;
+mod free_bodies;
 pub(super) mod stiff;
 
 use super::{BlockDiagonal, BlockPair, Electrical, PlantError, System};
@@ -131,9 +135,13 @@ fn polish(block: &mut BlockDiagonal, exact: &[bool], transformed: &Mat<f64>) {
         .filter(|(k, _)| !exact[*k])
     {
         let (u, v) = (2 * k, 2 * k + 1);
-        if let BlockPair::Oscillatory { decay, frequency } = pair {
-            *decay = 0.5 * (transformed[(u, u)] + transformed[(v, v)]);
-            *frequency = 0.5 * (transformed[(v, u)] - transformed[(u, v)]);
+        match pair {
+            BlockPair::Oscillatory { decay, frequency } => {
+                *decay = 0.5 * (transformed[(u, u)] + transformed[(v, v)]);
+                *frequency = 0.5 * (transformed[(v, u)] - transformed[(u, v)]);
+            }
+            BlockPair::FreeBody { rate } => *rate = transformed[(v, v)],
+            BlockPair::Jordan { .. } => {}
         }
     }
     let pairs = block.pairs.len();

@@ -6,9 +6,9 @@
 //! ```
 //!
 //! `A` has blocks of one or two states, so each pair of blocks is a dense system of at most four
-//! unknowns.
+//! unknowns. `Q` does not act on the displacement of a free body, so that its velocity is alone.
 
-use crate::plant::BlockDiagonal;
+use crate::plant::{BlockDiagonal, BlockPair};
 use jounce_linalg::Mat;
 use std::f64::consts::TAU;
 
@@ -77,26 +77,30 @@ fn spans(block: &BlockDiagonal, side: LyapunovSide) -> Vec<BlockSpan> {
             [a, c, b, d]
         }
     };
-    let pairs = block.pairs.iter().enumerate().map(|(k, pair)| {
+    let single = |(start, rate): (usize, f64)| BlockSpan {
+        start,
+        size: 1,
+        matrix: [rate, 0.0, 0.0, 0.0],
+        decay: rate,
+        speed: rate.abs(),
+    };
+    let pairs = block.pairs.iter().enumerate().flat_map(|(k, pair)| {
+        if let BlockPair::FreeBody { rate } = *pair {
+            return vec![single((2 * k, 0.0)), single((2 * k + 1, rate))];
+        }
         let value = pair.eigenvalue();
-        BlockSpan {
+        vec![BlockSpan {
             start: 2 * k,
             size: 2,
             matrix: transformed(pair.matrix()),
             decay: value.re,
             speed: value.norm(),
-        }
+        }]
     });
     let first = 2 * block.pairs.len();
     let reals = block.reals.iter().enumerate();
     pairs
-        .chain(reals.map(|(k, r)| BlockSpan {
-            start: first + k,
-            size: 1,
-            matrix: [*r, 0.0, 0.0, 0.0],
-            decay: *r,
-            speed: r.abs(),
-        }))
+        .chain(reals.map(|(k, rate)| single((first + k, *rate))))
         .collect()
 }
 

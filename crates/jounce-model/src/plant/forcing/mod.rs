@@ -100,15 +100,15 @@ impl Plant {
             .collect()
     }
 
-    /// Returns the largest `|eigenvalue|` of the local blocks, rad/s; 0 where only free bodies are
-    /// local.
+    /// Returns the largest `|eigenvalue|` of the local blocks, rad/s; 0 where only free bodies without
+    /// losses are local.
     pub fn fastest_local_rad_s(&self) -> f64 {
         let block = &self.diagonal.block;
-        let speeds = block.speeds().into_iter().zip(block.free());
+        let zero = block.zero_rate();
+        let speeds = block.speeds().into_iter().zip(&self.local);
         speeds
-            .zip(&self.local)
-            .filter(|((_, free), local)| **local && !free)
-            .fold(0.0_f64, |max, ((speed, _), _)| max.max(speed))
+            .filter(|(speed, local)| **local && *speed > zero)
+            .fold(0.0_f64, |max, (speed, _)| max.max(speed))
     }
 
     /// Returns the longest step that the series of local blocks allows, s.
