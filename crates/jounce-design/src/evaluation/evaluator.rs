@@ -48,12 +48,12 @@ impl<'p> Evaluator<'p> {
         })
     }
 
-    /// Returns the number of evaluated designs so far.
+    /// Returns the number of designs that the search has taken so far.
     pub fn count(&self) -> usize {
         self.count.load(Ordering::Relaxed)
     }
 
-    /// Counts designs that a search evaluated by following their orbit.
+    /// Counts designs that a search takes.
     pub fn add(&self, designs: usize) {
         self.count.fetch_add(designs, Ordering::Relaxed);
     }
@@ -68,13 +68,12 @@ impl<'p> Evaluator<'p> {
         base.changed(spec)
     }
 
-    /// Evaluates a design at a place of the unit cube.
+    /// Evaluates a design at a place of the unit cube; the search counts it where it takes it.
     ///
     /// # Errors
     /// The journal cannot be written. A design that cannot be computed is an evaluation with its
     /// reason.
     pub fn evaluate(&self, place: &[f64], effort: Effort) -> Result<Evaluation, DesignError> {
-        self.count.fetch_add(1, Ordering::Relaxed);
         self.control.count();
         if let Some(known) = self.known.get(&(bits(place), effort)) {
             return Ok(known.clone());

@@ -23,6 +23,7 @@ pub use size::Size;
 pub use tolerance::Tolerance;
 
 use crate::DesignError;
+use crate::evaluation::Effort;
 use jounce_analysis::{DerivativeKey, Model};
 use jounce_control::Control;
 use jounce_orbits::OrbitQuantity;
@@ -137,6 +138,14 @@ impl Problem {
     /// the orbit.
     pub(crate) fn follows_orbit(&self) -> bool {
         self.goals[0].needs_starts() && self.conditions.len() == 1
+    }
+
+    /// Returns the effort of a first evaluation: a goal without starts has only one.
+    pub(crate) fn screening(&self) -> Effort {
+        match self.goals.iter().any(|goal| goal.needs_starts()) {
+            true => Effort::Screening,
+            false => Effort::Full,
+        }
     }
 
     /// Returns the limits of peaks with their indices.

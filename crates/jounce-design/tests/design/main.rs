@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod bistable;
+mod budgets;
 mod choices;
 mod closed_forms;
 mod derivatives;
@@ -230,7 +231,7 @@ fn an_interrupted_search_continues_from_its_journal() {
     let folder = tempfile::tempdir().unwrap();
     let complete = problem(LOAD).unwrap();
     let mut short = complete.clone();
-    short.evaluations = 3;
+    short.evaluations = 20;
     let open = || Journal::open(folder.path(), "key").unwrap();
     let control = Control::default();
     let begun = design(&short, &control, Some(&open()), None).unwrap();
