@@ -132,15 +132,15 @@ class DesignResult(Result):
         return plot_front(self, ax)
 
 
-def problem_text(problem: str | PathLike[str] | Mapping[str, Any]) -> tuple[str, str]:
-    """Returns the text of a design problem, and its name for the manifest."""
+def problem_text(problem: str | PathLike[str] | Mapping[str, Any]) -> tuple[str, Path | None, str]:
+    """Returns the text of a design problem, the folder of its file, and its name for the manifest."""
     if isinstance(problem, Mapping):
         tables = dict(problem)
         conditions = tables.pop("conditions", [])
-        return toml(tables) + "".join(map(_condition, conditions)), "problem"
+        return toml(tables) + "".join(map(_condition, conditions)), None, "problem"
     if isinstance(problem, (str, PathLike)):
         try:
-            return Path(problem).read_text(encoding="utf-8"), Path(problem).name
+            return Path(problem).read_text(encoding="utf-8"), Path(problem).parent, Path(problem).name
         except (OSError, UnicodeDecodeError) as error:
             raise FileError(f"the design {problem} cannot be read: {error}", {"path": str(problem)}) from error
     raise ArgumentError(f"problem is of type {type(problem).__name__}; give the path of a design file, or a dict with the same contents")

@@ -51,7 +51,8 @@ average_over = "1 s"
 "#;
 
 fn problem_of(spec: &str, text: &str) -> Result<Problem, DesignError> {
-    Problem::with_spec(SpecFile::from_text(spec), Path::new(""), text)
+    let folder = Path::new("");
+    Problem::with_spec(SpecFile::from_text(spec), folder, text, folder)
 }
 
 fn outcome_of(spec: &str, text: &str) -> DesignOutcome {

@@ -131,7 +131,7 @@ fn quantiles_of_the_impact_harvester_are_those_of_drawn_designs() {
     let text = "evaluations = 40\ndraws = 4096\n[free]\n\"circuit.load.resistance\" = \"80kohm:81kohm\"\n\
         [goal]\nmaximise = \"expected-power\"\nstarts = 20\n\
         [tolerance]\n\"stop.tip.gap\" = \"0.05 mm\"\n\"stop.tip.stiffness\" = \"30 N/m^1.5\"\n";
-    let problem = Problem::with_spec(file.clone(), Path::new(""), text).unwrap();
+    let problem = Problem::with_spec(file.clone(), Path::new(""), text, Path::new("")).unwrap();
     let found = design(&problem, &Control::default(), None, None).unwrap();
     let (key, value) = found.best.set.first_key_value().unwrap();
     file.set(key, value).unwrap();

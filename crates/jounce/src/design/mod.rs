@@ -42,7 +42,8 @@ pub struct Design {
 }
 
 impl Harvester {
-    /// Reads a design problem of this harvester from the text of its file, without the key `spec`.
+    /// Reads a design problem of this harvester from the text of its file. A key `spec` in it, relative
+    /// to the folder of this harvester, must name the same spec.
     ///
     /// # Errors
     /// [`Error::Design`] with all faults.
@@ -62,7 +63,17 @@ impl Harvester {
     /// # Ok::<(), jounce::Error>(())
     /// ```
     pub fn design(&self, text: &str) -> Result<Design, Error> {
-        let problem = Problem::with_spec(self.file().clone(), self.folder(), text)?;
+        self.design_in(text, self.folder())
+    }
+
+    /// Reads a design problem as [`Harvester::design`], from the text of a file in a folder, to which
+    /// the key `spec` is relative.
+    ///
+    /// # Errors
+    /// As [`Harvester::design`].
+    pub fn design_in(&self, text: &str, folder: impl AsRef<Path>) -> Result<Design, Error> {
+        let file = self.file().clone();
+        let problem = Problem::with_spec(file, self.folder(), text, folder.as_ref())?;
         Ok(Design::of(problem).with_control(self.control()))
     }
 }
