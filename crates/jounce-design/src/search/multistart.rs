@@ -139,14 +139,16 @@ impl Multistart<'_, '_> {
             let refined: Vec<Vec<Refined>> = batch.par_iter().map(pair).collect();
             for (start, stages) in batch.iter().zip(refined) {
                 let mut designs = 0;
-                for stage in &stages {
+                for (index, stage) in stages.iter().enumerate() {
                     let step = stage.designs - designs;
                     if self.found.ends(self.evaluator, self.budget, step) {
                         return Ok(false);
                     }
                     self.evaluator.add(step);
                     designs = stage.designs;
-                    if !self.evaluated(start, stage)? {
+                    let is_last = index + 1 == stages.len();
+                    let earlier = if is_last { &stages[..index] } else { &[] };
+                    if !self.evaluated(start, stage, earlier)? {
                         return Ok(false);
                     }
                 }
@@ -216,10 +218,21 @@ impl Multistart<'_, '_> {
     }
 
     /// Evaluates a refined design with all starts unless the best one is as good; of those with the
-    /// same power at the same place, one. False where the search ends.
-    fn evaluated(&mut self, start: &Candidate, refined: &Refined) -> Result<bool, DesignError> {
+    /// same power at the same place, one. Any gain counts where the best one is of `earlier` stages of
+    /// this refinement. False where the search ends.
+    fn evaluated(
+        &mut self,
+        start: &Candidate,
+        refined: &Refined,
+        earlier: &[Refined],
+    ) -> Result<bool, DesignError> {
+        let best = self.found.best.as_ref();
+        let is_finished = best.is_some_and(|best| {
+            let is_best = |one: &Refined| one.place == best.place;
+            earlier.iter().any(is_best) && !is_beaten(self.found, refined, 0.0)
+        });
         let is_seen = || self.seen.iter().any(|one| is_same(one, refined));
-        if is_beaten(self.found, refined) || is_seen() {
+        if !is_finished && (is_beaten(self.found, refined, GAIN) || is_seen()) {
             return Ok(true);
         }
         self.seen.push(refined.clone());
@@ -292,11 +305,11 @@ fn is_same(a: &Refined, b: &Refined) -> bool {
         && jounce_linalg::distance(&a.place, &b.place) < SAME_PLACE
 }
 
-/// True where a refined design is no better than the best one.
-fn is_beaten(found: &Found, refined: &Refined) -> bool {
+/// True where a refined design is no better than the best one, by a relative gain.
+fn is_beaten(found: &Found, refined: &Refined, gain: f64) -> bool {
     let best = found.best.as_ref().map(|best| &best.evaluation);
     best.is_some_and(|best| {
-        let gains = refined.mean_power_w > best.goals[0] * (1.0 + GAIN);
+        let gains = refined.mean_power_w > best.goals[0] * (1.0 + gain);
         best.is_feasible() && (refined.violation > 0.0 || !gains)
     })
 }
