@@ -246,7 +246,7 @@ impl Multistart<'_, '_> {
         let problem = self.evaluator.problem;
         let at = |part: f64| -> Vec<f64> {
             let pairs = start.place.iter().zip(&refined.place);
-            pairs.map(|(a, b)| a + part * (b - a)).collect()
+            pairs.map(|(a, b)| (1.0 - part) * a + part * b).collect()
         };
         let deserves = |found: &Found, few: &Candidate| {
             can_be_better(problem, &few.evaluation, found.best.as_ref())
@@ -326,6 +326,7 @@ fn can_be_better(problem: &Problem, few: &Evaluation, best: Option<&Candidate>) 
     let possible = wilson((possible.round() as usize).min(starts), starts);
     let is_kept = |(limit, value): (&Limit, &f64)| match limit.quantity {
         LimitedQuantity::BasinFraction => limit.violation(possible.high) == 0.0,
+        LimitedQuantity::MeanPower => limit.violation(few.expected_power_w[2]) == 0.0,
         // Without an orbit yet, nothing is known.
         _ => value.is_nan() || limit.violation(*value) == 0.0,
     };
