@@ -104,27 +104,24 @@ impl Multistart<'_, '_> {
     /// false where the search ends.
     fn probed(
         &mut self,
-        mut places: Vec<Vec<f64>>,
+        places: Vec<Vec<f64>>,
         starts: &mut Vec<Candidate>,
     ) -> Result<bool, DesignError> {
-        let left = self.budget.left(self.evaluator.count());
-        if places.len() > left {
-            // What follows the probes is beyond the budget.
-            places.clear();
+        let count = places.len();
+        if self.found.ends(self.evaluator, self.budget, count) {
+            return Ok(false);
         }
-        for candidate in evaluated(self.evaluator, places, Effort::Probe)? {
-            if self.found.ends(self.evaluator, self.budget, 1) {
-                return Ok(false);
-            }
-            self.evaluator.add(1);
-            if let Some(reason) = &candidate.evaluation.failure {
-                let failure = || reason.clone();
-                self.found.failure.get_or_insert_with(failure);
-            }
-            starts.push(candidate);
+        self.evaluator.add(count);
+        let probed = evaluated(self.evaluator, places, Effort::Probe)?;
+        let mut failures = probed.iter().map(|one| &one.evaluation.failure);
+        if let (None, Some(Some(reason))) =
+            (&self.found.failure, failures.find(|one| one.is_some()))
+        {
+            self.found.failure = Some(reason.clone());
         }
+        starts.extend(probed);
         starts.sort_by(Candidate::rank);
-        Ok(!self.found.ends(self.evaluator, self.budget, 1))
+        Ok(true)
     }
 
     /// Refines designs, and evaluates the best ones; false where the search ends.
