@@ -128,6 +128,7 @@ impl Multistart<'_, '_> {
     fn refined(&mut self, starts: &[Candidate]) -> Result<bool, DesignError> {
         let problem = self.evaluator.problem;
         self.seen.clear();
+        let mut largest: Option<(Candidate, Refined)> = None;
         for batch in starts.chunks(BATCH) {
             let pair = |start: &Candidate| {
                 let stages = refine(self.evaluator, start);
@@ -136,20 +137,25 @@ impl Multistart<'_, '_> {
             let refined: Vec<Vec<Refined>> = batch.par_iter().map(pair).collect();
             for (start, stages) in batch.iter().zip(refined) {
                 let mut designs = 0;
-                for (index, stage) in stages.iter().enumerate() {
+                for stage in &stages {
                     let step = stage.designs - designs;
                     if self.found.ends(self.evaluator, self.budget, step) {
                         return Ok(false);
                     }
                     self.evaluator.add(step);
                     designs = stage.designs;
-                    let is_last = index + 1 == stages.len();
-                    let earlier = if is_last { &stages[..index] } else { &[] };
-                    if !self.evaluated(start, stage, earlier)? {
+                    if !self.evaluated(start, stage)? {
                         return Ok(false);
                     }
                 }
                 let last = stages.last().filter(|last| last.designs > 0);
+                let is_larger = |last: &&Refined| {
+                    let largest = largest.as_ref();
+                    largest.is_none_or(|(_, largest)| value(last) > value(largest))
+                };
+                if let Some(last) = last.filter(is_larger) {
+                    largest = Some((start.clone(), last.clone()));
+                }
                 self.reached.extend(last.map(|last| Reached {
                     variant: problem.variant(&start.place),
                     value: value(last),
@@ -159,7 +165,13 @@ impl Multistart<'_, '_> {
                 }
             }
         }
-        Ok(true)
+        // At the end of a round the smallest gain counts.
+        match largest {
+            Some((start, last)) if !is_beaten(self.found, &last, 0.0) => {
+                self.on_the_way(&start, &last)
+            }
+            _ => Ok(true),
+        }
     }
 
     /// Lets the evolution have as many evaluations as the refinements where these do not measure the
@@ -215,21 +227,10 @@ impl Multistart<'_, '_> {
     }
 
     /// Evaluates a refined design with all starts unless the best one is as good; of those with the
-    /// same power at the same place, one. Any gain counts where the best one is of `earlier` stages of
-    /// this refinement. False where the search ends.
-    fn evaluated(
-        &mut self,
-        start: &Candidate,
-        refined: &Refined,
-        earlier: &[Refined],
-    ) -> Result<bool, DesignError> {
-        let best = self.found.best.as_ref();
-        let is_finished = best.is_some_and(|best| {
-            let is_best = |one: &Refined| one.place == best.place;
-            earlier.iter().any(is_best) && !is_beaten(self.found, refined, 0.0)
-        });
+    /// same power at the same place, one. False where the search ends.
+    fn evaluated(&mut self, start: &Candidate, refined: &Refined) -> Result<bool, DesignError> {
         let is_seen = || self.seen.iter().any(|one| is_same(one, refined));
-        if !is_finished && (is_beaten(self.found, refined, GAIN) || is_seen()) {
+        if is_beaten(self.found, refined, GAIN) || is_seen() {
             return Ok(true);
         }
         self.seen.push(refined.clone());
