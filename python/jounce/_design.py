@@ -29,7 +29,7 @@ else:
 # Reasons of the end of a search, in words.
 _ENDS = {
     "converged": "ended because no better design is expected",
-    "evaluations": "ended because its number of evaluations was used up",
+    "evaluations": "ended because the next step would exceed the number of evaluations",
     "seconds": "ended because its wall time was used up",
     "stopped": "stopped",
 }
@@ -81,8 +81,10 @@ class DesignResult(Result):
 
     def _summary(self) -> list[tuple[str, str]]:
         units = {name: "Hz" if name == "bandwidth" else "W" for name in self.goals}
+        interval = f" ({self.expected_power_low_w:.3g} to {self.expected_power_high_w:.3g})"
+        intervals = {name: interval if name == "expected-power" else "" for name in self.goals}
         goals = [
-            (name, f"{value:.6g} {units[name]}, before {self.goals_before.get(name, np.nan):.6g} {units[name]}")
+            (name, f"{value:.6g} {units[name]}{intervals[name]}, before {self.goals_before.get(name, np.nan):.6g} {units[name]}")
             for name, value in self.goals.items()
         ]
         keys = [(key, f"{self.value[k]}, before {self.before[k]}") for k, key in enumerate(self.key)]
@@ -92,7 +94,7 @@ class DesignResult(Result):
             for one in self.limits
             if one["value"] is not None
         ]
-        end = f"{self.evaluations} designs; {_ENDS[self.ended_by]}{'' if self.feasible else '; beyond the limits'}"
+        end = f"{self.evaluations} evaluations; {_ENDS[self.ended_by]}{'' if self.feasible else '; beyond the limits'}"
         warnings = [("warning", text) for text in self.warnings]
         return [*goals, *keys, *([("orbit", orbit)] if self.stable else []), *limits, *warnings, ("search", end)]
 
@@ -132,15 +134,15 @@ class DesignResult(Result):
         return plot_front(self, ax)
 
 
-def problem_text(problem: str | PathLike[str] | Mapping[str, Any]) -> tuple[str, str]:
-    """Returns the text of a design problem, and its name for the manifest."""
+def problem_text(problem: str | PathLike[str] | Mapping[str, Any]) -> tuple[str, Path | None, str]:
+    """Returns the text of a design problem, the folder of its file, and its name for the manifest."""
     if isinstance(problem, Mapping):
         tables = dict(problem)
         conditions = tables.pop("conditions", [])
-        return toml(tables) + "".join(map(_condition, conditions)), "problem"
+        return toml(tables) + "".join(map(_condition, conditions)), None, "problem"
     if isinstance(problem, (str, PathLike)):
         try:
-            return Path(problem).read_text(encoding="utf-8"), Path(problem).name
+            return Path(problem).read_text(encoding="utf-8"), Path(problem).parent, Path(problem).name
         except (OSError, UnicodeDecodeError) as error:
             raise FileError(f"the design {problem} cannot be read: {error}", {"path": str(problem)}) from error
     raise ArgumentError(f"problem is of type {type(problem).__name__}; give the path of a design file, or a dict with the same contents")

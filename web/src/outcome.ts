@@ -87,8 +87,8 @@ export class Outcome {
             const causes = (robust.sobol as { key: string; first: number; total: number }[]).map((one) => `${this.controls.title(one.key)} ${digits(one.first, 2)} alone, ${digits(one.total, 2)} in all`);
             found.push(`Share of the variance: ${causes.join("; ")}.`);
         }
-        const ends: Record<string, string> = { converged: "nothing better is expected", evaluations: "the number of designs was reached" };
-        found.push(`${evaluations} designs in ${digits(wall_time_s, 3)} s; ${ends[ended_by] ?? ended_by}.`);
+        const ends: Record<string, string> = { converged: "nothing better is expected", evaluations: "the next step would exceed the number of evaluations" };
+        found.push(`${evaluations} evaluations in ${digits(wall_time_s, 3)} s; ${ends[ended_by] ?? ended_by}.`);
         return found;
     }
 }

@@ -82,7 +82,7 @@ test("the search ends with the design of the command, and undo leads back", asyn
     assert.match(shown, /Stop gap1 mm0?\.?\d/);
     assert.match(shown, /Limits.*patch mfc strain.*ppm600 ppm(binds|does not bind)/);
     assert.match(shown, /reached by [\d.]+ % of the starts/);
-    assert.ok(shown.includes(`${due.evaluations} designs in`));
+    assert.ok(shown.includes(`${due.evaluations} evaluations in`));
     assert.match(await text("readout"), /Pale: the start of the design search/);
     await page.locator("#search-take").click();
     await page.waitForFunction(() => location.hash.includes("stop.tip.gap") && !document.getElementById("undo").disabled);

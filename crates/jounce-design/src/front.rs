@@ -101,6 +101,7 @@ mod tests {
                 expected_power_w: [0.0; 3],
                 basin_fraction: [0.0; 3],
                 orbit: None,
+                further_orbits: Vec::new(),
                 failure: None,
             },
         }

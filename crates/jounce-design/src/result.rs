@@ -124,7 +124,8 @@ pub struct DesignBefore {
     pub violation: Option<f64>,
 }
 
-/// Distribution of the power under the tolerances.
+/// Distribution of the power under the tolerances: that of the main orbits, the mean over the
+/// conditions by their weights.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Robustness {
     /// Quantiles of the power.
@@ -133,7 +134,8 @@ pub struct Robustness {
     pub sobol: Vec<SobolIndex>,
     /// Number of drawn designs of the quantiles.
     pub draws: usize,
-    /// Share of these in which the main orbit is lost, so that the power is that of the starts.
+    /// Share of these in which the main orbit of a condition is lost, so that its power is that of the
+    /// starts.
     pub lost_fraction: f64,
 }
 

@@ -25,10 +25,17 @@ GOALS = {
 def plot_trace(result: DesignResult, ax: Axes | None = None) -> Axes:
     """Draws the first goal of the best design within the limits over the number of evaluated designs."""
     within = result.trace_violation == 0.0
+    evaluation, goal = result.trace_evaluation[within], result.trace_goal[within]
+    name = next(iter(result.goals))
     with axes(ax) as ax:
-        ax.plot(result.trace_evaluation[within], result.trace_goal[within], "o-")
-        ax.set_xlabel("Evaluated designs [-]")
-        label(ax.yaxis, *GOALS[next(iter(result.goals))])
+        # The best design stays until the next better one.
+        ends = [*evaluation, result.evaluations] if len(goal) else []
+        ax.step(ends, [*goal, *goal[-1:]], where="post", color="C0", label="best design within the limits")
+        ax.plot(evaluation, goal, "o", color="C0")
+        ax.axhline(result.goals_before[name], color="0.5", ls="--", label="spec as given")
+        ax.set_xlabel("Evaluations [-]")
+        label(ax.yaxis, *GOALS[name])
+        ax.legend()
     return ax
 
 

@@ -39,6 +39,7 @@ pub(super) fn evaluate(
         tolerance: recognition.tolerance,
     };
     let limit = |quantity| match quantity {
+        LimitedQuantity::MeanPower => expected_w(&result),
         LimitedQuantity::BasinFraction => main.map_or(0.0, |main| main.share.fraction),
         LimitedQuantity::Peak(quantity) => peaks.largest(&result, quantity),
         LimitedQuantity::FoldDistance => match (effort, orbits.first()) {

@@ -48,14 +48,15 @@ impl<'p> Evaluator<'p> {
         })
     }
 
-    /// Returns the number of evaluated designs so far.
+    /// Returns the number of designs that the search has taken so far.
     pub fn count(&self) -> usize {
         self.count.load(Ordering::Relaxed)
     }
 
-    /// Counts designs that a search evaluated by following their orbit.
+    /// Counts designs that a search takes.
     pub fn add(&self, designs: usize) {
         self.count.fetch_add(designs, Ordering::Relaxed);
+        (0..designs).for_each(|_| self.control.count());
     }
 
     /// Returns the model of a design in a condition.
@@ -68,14 +69,12 @@ impl<'p> Evaluator<'p> {
         base.changed(spec)
     }
 
-    /// Evaluates a design at a place of the unit cube.
+    /// Evaluates a design at a place of the unit cube; the search counts it where it takes it.
     ///
     /// # Errors
     /// The journal cannot be written. A design that cannot be computed is an evaluation with its
     /// reason.
     pub fn evaluate(&self, place: &[f64], effort: Effort) -> Result<Evaluation, DesignError> {
-        self.count.fetch_add(1, Ordering::Relaxed);
-        self.control.count();
         if let Some(known) = self.known.get(&(bits(place), effort)) {
             return Ok(known.clone());
         }
@@ -127,6 +126,17 @@ impl<'p> Evaluator<'p> {
         Ok(self.together(&all))
     }
 
+    /// Returns the expected power of a start with other values of some keys of a model, W; 0 where it
+    /// cannot be computed.
+    pub fn expected_power_w(&self, base: &Model, values: &[(&NumericKey, f64)]) -> f64 {
+        let mut spec = base.spec.clone();
+        let set = NumericKey::set_all(&mut spec, values).map_err(AnalysisError::from);
+        let found = set
+            .and_then(|()| base.changed(spec))
+            .and_then(|model| self.in_condition(&model, Effort::Screening));
+        found.map_or(0.0, |found| found.expected_power_w[0])
+    }
+
     fn in_condition(&self, model: &Model, effort: Effort) -> Result<InCondition, AnalysisError> {
         let goals = &self.problem.goals;
         let mut found = match goals.iter().any(|goal| goal.needs_starts()) {
@@ -148,6 +158,11 @@ impl<'p> Evaluator<'p> {
             true => Some(run_goals::run(self.problem, model, &mut found.limits)?),
             false => None,
         };
+        for (limit, value) in self.problem.limits.iter().zip(&mut found.limits) {
+            if let (LimitedQuantity::MeanPower, Some(run)) = (limit.quantity, &run) {
+                *value = run_goals::value(Goal::MeanPower, run);
+            }
+        }
         for (goal, value) in goals.iter().zip(&mut found.goals) {
             match goal {
                 Goal::Bandwidth => {
@@ -204,6 +219,10 @@ impl<'p> Evaluator<'p> {
             expected_power_w: [0, 1, 2].map(|end| mean(&|one| one.expected_power_w[end])),
             basin_fraction: least.map_or([0.0; 3], |one| one.basin_fraction),
             orbit: all.first().and_then(|one| one.orbits.first().cloned()),
+            further_orbits: all[1..]
+                .iter()
+                .map(|one| one.orbits.first().cloned())
+                .collect(),
             failure: None,
         }
     }

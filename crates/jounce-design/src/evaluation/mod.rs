@@ -46,6 +46,8 @@ pub struct Evaluation {
     pub basin_fraction: [f64; 3],
     /// Main orbit of the first condition.
     pub orbit: Option<MainOrbit>,
+    /// Main orbits of the further conditions.
+    pub further_orbits: Vec<Option<MainOrbit>>,
     /// Reason why the design could not be evaluated.
     pub failure: Option<String>,
 }
@@ -80,6 +82,7 @@ impl Evaluation {
             expected_power_w: [0.0; 3],
             basin_fraction: [0.0; 3],
             orbit: None,
+            further_orbits: Vec::new(),
             failure: Some(reason),
         }
     }

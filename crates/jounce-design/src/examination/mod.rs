@@ -39,10 +39,7 @@ pub fn examine(
     Ok(DesignOutcome {
         warnings: effects::warnings(evaluator, best, followed.as_ref())?,
         limits: limits(problem, best, followed.as_ref()),
-        robust: match &followed {
-            Some(followed) => robustness(evaluator, followed)?,
-            None => None,
-        },
+        robust: robustness(evaluator, best)?,
         front: Vec::new(),
         before: before(evaluator),
         feasible: evaluation.is_feasible(),

@@ -53,7 +53,9 @@ impl Limit {
     pub fn is_lower(&self) -> bool {
         matches!(
             self.quantity,
-            LimitedQuantity::BasinFraction | LimitedQuantity::FoldDistance
+            LimitedQuantity::MeanPower
+                | LimitedQuantity::BasinFraction
+                | LimitedQuantity::FoldDistance
         )
     }
 

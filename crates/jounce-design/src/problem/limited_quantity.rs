@@ -12,6 +12,8 @@ use jounce_spec::Quantity;
 pub enum LimitedQuantity {
     /// Largest value on every attractor that a start reaches, or in a run.
     Peak(OrbitQuantity),
+    /// Expected power of a start, or mean power of a run, W; the limit is a lower one.
+    MeanPower,
     /// Share of the starts that reach the main orbit; the limit is a lower one.
     BasinFraction,
     /// Distance of the frequency of the drive from the nearest fold of the main orbit, Hz; the limit
@@ -58,6 +60,12 @@ pub fn allowed(model: &Model) -> Vec<(String, LimitedQuantity, LimitUnit, &'stat
     let plant = &model.kernel.plant;
     let hertz = LimitUnit::Of(Quantity::Frequency);
     let mut all = vec![
+        (
+            "mean_power".to_owned(),
+            LimitedQuantity::MeanPower,
+            LimitUnit::Of(Quantity::Power),
+            "\"1 mW\"",
+        ),
         (
             "basin_fraction".to_owned(),
             LimitedQuantity::BasinFraction,

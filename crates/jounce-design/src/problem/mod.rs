@@ -23,6 +23,7 @@ pub use size::Size;
 pub use tolerance::Tolerance;
 
 use crate::DesignError;
+use crate::evaluation::Effort;
 use jounce_analysis::{DerivativeKey, Model};
 use jounce_control::Control;
 use jounce_orbits::OrbitQuantity;
@@ -90,16 +91,27 @@ impl Problem {
         Ok(Self { folder, ..parsed })
     }
 
-    /// Creates a problem from its text and a separate spec.
+    /// Creates a problem of a spec from its text. A spec that the text names, relative to
+    /// `text_folder`, must be the same one; `folder` is that of the files that the spec names.
     ///
     /// # Errors
-    /// As [`Problem::read`], and a text that names a spec.
-    pub fn with_spec(file: SpecFile, folder: &Path, text: &str) -> Result<Self, DesignError> {
-        let parsed = read::read(text, |named| match named {
-            None => Ok((file, "the spec of the design".to_owned())),
-            Some(named) => Err(fault_of_spec(&format!(
-                "spec is \"{named}\", but this design has a spec already; omit the key"
-            ))),
+    /// As [`Problem::read`], and a text that names another spec.
+    pub fn with_spec(
+        file: SpecFile,
+        folder: &Path,
+        text: &str,
+        text_folder: &Path,
+    ) -> Result<Self, DesignError> {
+        let parsed = read::read(text, |named| {
+            if let Some(named) = named {
+                let other = SpecFile::read(&text_folder.join(named))?;
+                if !is_same_spec(&file, &other) {
+                    return Err(fault_of_spec(&format!(
+                        "the design is one of another spec than \"{named}\"; call it on \"{named}\" as it is, or omit the key"
+                    )));
+                }
+            }
+            Ok((file, "the spec of the design".to_owned()))
         })?;
         let folder = folder.to_path_buf();
         Ok(Self { folder, ..parsed })
@@ -137,6 +149,14 @@ impl Problem {
     /// the orbit.
     pub(crate) fn follows_orbit(&self) -> bool {
         self.goals[0].needs_starts() && self.conditions.len() == 1
+    }
+
+    /// Returns the effort of a first evaluation: a goal without starts has only one.
+    pub(crate) fn screening(&self) -> Effort {
+        match self.goals.iter().any(|goal| goal.needs_starts()) {
+            true => Effort::Screening,
+            false => Effort::Full,
+        }
     }
 
     /// Returns the limits of peaks with their indices.
@@ -185,6 +205,11 @@ impl Problem {
         };
         indices.iter().filter_map(key).collect()
     }
+}
+
+/// True where two files have the same spec.
+fn is_same_spec(one: &SpecFile, other: &SpecFile) -> bool {
+    matches!((one.spec(), other.spec()), (Ok(one), Ok(other)) if one == other)
 }
 
 /// Returns the error of the key `spec`.

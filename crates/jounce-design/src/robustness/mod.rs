@@ -1,7 +1,8 @@
 //! Distribution of the power of a design under the tolerances of the workshop.
 //!
-//! The main orbit is followed from the design to each drawn one. Where it is lost, the power is the
-//! expected power of the starts there.
+//! The power of a drawn design is that of the main orbits, the mean over the conditions by their
+//! weights. Each main orbit is followed from the design to the drawn one; where it is lost, its power is
+//! the expected power of the starts there.
 
 mod power_band;
 mod sobol_indices;
@@ -9,9 +10,10 @@ mod sobol_indices;
 pub use power_band::PowerBandSearch;
 
 use crate::DesignError;
-use crate::evaluation::{Effort, Evaluator};
+use crate::evaluation::{Evaluator, MainOrbit};
+use crate::problem::Condition;
 use crate::result::{Quantile, Robustness, SobolIndex};
-use crate::search::{Followed, Places};
+use crate::search::{Candidate, Followed, Places};
 use jounce_spec::NumericKey;
 use rayon::prelude::*;
 use sobol_indices::{Values, indices};
@@ -19,19 +21,26 @@ use sobol_indices::{Values, indices};
 /// Shares of the reported quantiles.
 const SHARES: [f64; 5] = [0.05, 0.25, 0.5, 0.75, 0.95];
 
-/// Power of a drawn design, W, and whether the main orbit is lost.
+/// Power of a drawn design, W, and whether a main orbit is lost.
 type Drawn = (f64, bool);
 
-/// Draws the design under its tolerances; `None` without tolerances.
+/// Main orbit of a condition with the weight of this one, relative to the sum of all.
+type Weighted = (Followed, f64);
+
+/// Draws the design under its tolerances; `None` without tolerances or without an orbit in each
+/// condition.
 pub fn robustness(
     evaluator: &Evaluator<'_>,
-    followed: &Followed,
+    best: &Candidate,
 ) -> Result<Option<Robustness>, DesignError> {
     let problem = evaluator.problem;
     let keys = problem.tolerances.len();
     if keys == 0 || evaluator.control.is_stopped() {
         return Ok(None);
     }
+    let Some(followed) = main_orbits(evaluator, best) else {
+        return Ok(None);
+    };
     // Two independent draws side by side, and the first with one column of the second.
     let pairs = Places::new(2 * keys, problem.seed).take(problem.draws);
     let mut rows: Vec<Vec<f64>> = Vec::with_capacity(problem.draws * (keys + 2));
@@ -46,7 +55,7 @@ pub fn robustness(
     }
     let drawn: Result<Vec<Drawn>, DesignError> = rows
         .par_iter()
-        .map(|row| drawn(evaluator, followed, row))
+        .map(|row| drawn(evaluator, &followed, row))
         .collect();
     let drawn = drawn?;
     if evaluator.control.is_stopped() {
@@ -83,25 +92,43 @@ pub fn robustness(
     }))
 }
 
+/// Returns the main orbit of each condition.
+fn main_orbits(evaluator: &Evaluator<'_>, best: &Candidate) -> Option<Vec<Weighted>> {
+    let conditions = &evaluator.problem.conditions;
+    let total: f64 = conditions.iter().map(|condition| condition.weight).sum();
+    let evaluation = &best.evaluation;
+    let orbits = std::iter::once(&evaluation.orbit).chain(&evaluation.further_orbits);
+    let main = |(condition, orbit): (&Condition, &Option<MainOrbit>)| {
+        let orbit = (condition, orbit.as_ref()?);
+        let followed = Followed::in_condition(evaluator, &best.place, orbit)?;
+        Some((followed, condition.weight / total))
+    };
+    conditions.iter().zip(orbits).map(main).collect()
+}
+
 /// Evaluates a drawn design.
 fn drawn(
     evaluator: &Evaluator<'_>,
-    followed: &Followed,
+    followed: &[Weighted],
     row: &[f64],
 ) -> Result<Drawn, DesignError> {
-    evaluator.control.count();
-    let tolerances = &evaluator.problem.tolerances;
-    let mut values: Vec<(&NumericKey, f64)> = Vec::with_capacity(row.len());
-    for (tolerance, place) in tolerances.iter().zip(row) {
-        let nominal = tolerance.key.get(&followed.model.spec);
-        let nominal = nominal.map_err(jounce_analysis::AnalysisError::from)?;
-        values.push((&tolerance.key, nominal + tolerance.deviation(*place)));
+    let (mut mean_w, mut is_lost) = (0.0, false);
+    for (followed, weight) in followed {
+        let mut values: Vec<(&NumericKey, f64)> = Vec::with_capacity(row.len());
+        for (tolerance, place) in evaluator.problem.tolerances.iter().zip(row) {
+            let nominal = tolerance.key.get(&followed.model.spec);
+            let nominal = nominal.map_err(jounce_analysis::AnalysisError::from)?;
+            values.push((&tolerance.key, nominal + tolerance.deviation(*place)));
+        }
+        let there = followed.to(&values);
+        is_lost |= there.is_none();
+        let power_w = match there {
+            Some(there) => there.orbit.mean_power_w,
+            None => evaluator.expected_power_w(&followed.model, &values),
+        };
+        mean_w += weight * power_w;
     }
-    if let Some(there) = followed.to(&values) {
-        return Ok((there.orbit.mean_power_w, false));
-    }
-    let evaluation = evaluator.at(&followed.model, &values, Effort::Screening);
-    Ok((evaluation.map_or(0.0, |one| one.expected_power_w[0]), true))
+    Ok((mean_w, is_lost))
 }
 
 /// Returns the quantiles of some powers.

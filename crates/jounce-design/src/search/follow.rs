@@ -1,6 +1,7 @@
 //! An orbit followed from one design to another.
 
 use crate::evaluation::{Evaluator, MainOrbit};
+use crate::problem::Condition;
 use jounce_analysis::{KeyLine, Model};
 use jounce_continuation::{Corrector, Metric, Position, correct_at};
 use jounce_orbits::{Orbit, OrbitMethod, Shooting};
@@ -26,9 +27,22 @@ pub struct Followed {
 }
 
 impl Followed {
-    /// Returns the orbit of an evaluation, computed anew at the tolerance of this search.
+    /// Returns the orbit of an evaluation in the first condition, computed anew at the tolerance of
+    /// this search.
     pub fn start(evaluator: &Evaluator<'_>, place: &[f64], orbit: &MainOrbit) -> Option<Self> {
-        let condition = evaluator.problem.conditions.first()?;
+        Self::in_condition(
+            evaluator,
+            place,
+            (evaluator.problem.conditions.first()?, orbit),
+        )
+    }
+
+    /// Returns the orbit of an evaluation in a condition.
+    pub fn in_condition(
+        evaluator: &Evaluator<'_>,
+        place: &[f64],
+        (condition, orbit): (&Condition, &MainOrbit),
+    ) -> Option<Self> {
         let model = evaluator.model(place, condition).ok()?;
         Self::near(model, orbit.period_cycles, &orbit.state)
     }

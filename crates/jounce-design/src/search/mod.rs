@@ -3,6 +3,7 @@
 mod candidate;
 mod evolution;
 mod follow;
+mod found;
 mod front_search;
 mod multistart;
 mod refine;
@@ -17,8 +18,10 @@ use crate::evaluation::{Evaluator, OnImprovement};
 use crate::examination::examine;
 use crate::front::front;
 use crate::problem::Problem;
-use crate::result::{DesignOutcome, SearchEnd, TracePoint};
+use crate::result::{DesignOutcome, SearchEnd};
 use crate::{DesignError, Journaled};
+use evolution::Evolution;
+use found::{Budget, Found};
 use jounce_analysis::Journal;
 use jounce_control::Control;
 use std::time::Instant;
@@ -29,60 +32,8 @@ const ROUND: usize = 32;
 /// Relative gain of the goal below which a design is no better.
 const GAIN: f64 = 1e-3;
 
-/// What a search found.
-pub struct Found {
-    /// Best design, evaluated with all starts.
-    pub best: Option<Candidate>,
-    /// Designs evaluated with all starts.
-    pub full: Vec<Candidate>,
-    /// Best value of the first goal so far, by evaluations.
-    pub trace: Vec<TracePoint>,
-    /// Reason of a design that could not be evaluated.
-    pub failure: Option<String>,
-    /// Reason of the end.
-    pub end: SearchEnd,
-}
-
-impl Found {
-    /// Returns the start of a search.
-    fn nothing() -> Self {
-        Self {
-            best: None,
-            full: Vec::new(),
-            trace: Vec::new(),
-            failure: None,
-            end: SearchEnd::Converged,
-        }
-    }
-}
-
-/// Budget of a search.
-pub struct Budget<'b> {
-    begin: Instant,
-    problem: &'b Problem,
-    control: &'b Control,
-}
-
-impl Budget<'_> {
-    /// Returns the number of evaluations that are left after some.
-    pub fn left(&self, evaluations: usize) -> usize {
-        self.problem.evaluations.saturating_sub(evaluations)
-    }
-
-    /// Returns the reason to end where a step needs some of the evaluations that are left.
-    pub fn end(&self, evaluations: usize, needed: usize) -> Option<SearchEnd> {
-        let seconds = self.begin.elapsed().as_secs_f64();
-        if self.control.is_stopped() {
-            Some(SearchEnd::Stopped)
-        } else if self.left(evaluations) < needed {
-            Some(SearchEnd::Evaluations)
-        } else {
-            // The first design is evaluated in any case.
-            let is_late = self.problem.seconds.is_some_and(|most| seconds >= most);
-            (is_late && evaluations > 0).then_some(SearchEnd::Seconds)
-        }
-    }
-}
+/// Designs that are evaluated at the same time.
+const BATCH: usize = 8;
 
 /// Searches for the best design of a problem, and examines it. After a stop by the control, the
 /// best design so far is the result. `journal` keeps the evaluations, from which an interrupted
@@ -105,11 +56,13 @@ pub fn design(
         problem,
         control,
     };
-    let found = match problem.goals.len() {
-        1 if problem.follows_orbit() => multistart::search(&evaluator, &budget)?,
-        1 => rounds::search(&evaluator, &budget, Found::nothing())?,
-        _ => front_search::search(&evaluator, &budget)?,
-    };
+    let mut found = Found::nothing();
+    if !found.ends(&evaluator, &budget, 1) {
+        let mut places = Places::new(problem.free.len(), problem.seed);
+        let first = problem.given().unwrap_or_else(|| places.take(1).remove(0));
+        found.evaluate(&evaluator, first)?;
+        search(&evaluator, &budget, &mut found)?;
+    }
     let Some(best) = found.best else {
         return Err(match found.end {
             SearchEnd::Stopped => DesignError::Stopped,
@@ -128,4 +81,20 @@ pub fn design(
     result.evaluations = evaluations;
     result.wall_time_s = begin.elapsed().as_secs_f64();
     Ok(result)
+}
+
+/// Searches on from the first design.
+fn search(
+    evaluator: &Evaluator<'_>,
+    budget: &Budget<'_>,
+    found: &mut Found,
+) -> Result<(), DesignError> {
+    let mut evolution = Evolution::new(evaluator);
+    match evaluator.problem.goals.len() {
+        1 if evaluator.problem.follows_orbit() => {
+            multistart::search(evaluator, budget, &mut evolution, found)
+        }
+        1 => rounds::search(evaluator, budget, &mut evolution, found),
+        _ => front_search::search(evaluator, budget, found),
+    }
 }

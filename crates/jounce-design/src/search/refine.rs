@@ -15,8 +15,8 @@ use slsqp::{Func, StopTols, minimize};
 use std::cell::RefCell;
 use std::rc::Rc;
 
-/// Largest number of followed designs.
-pub const MAX_FOLLOWED: usize = 40;
+/// Numbers of followed designs after which the best of them is evaluated; the last is the largest.
+const STAGES: [usize; 3] = [10, 20, 40];
 
 /// Relative change of the power below which the refinement ends.
 const POWER_TOLERANCE: f64 = 1e-8;
@@ -52,7 +52,8 @@ struct Refinement<'r> {
     points: RefCell<Vec<Rc<Point>>>,
 }
 
-/// Result of a refinement.
+/// Best of the first followed designs of a refinement.
+#[derive(Clone)]
 pub struct Refined {
     /// Place of the largest power along the orbit within its limits.
     pub place: Vec<f64>,
@@ -60,7 +61,7 @@ pub struct Refined {
     pub mean_power_w: f64,
     /// Largest violation of a limit there, as [`crate::problem::Limit::violation`] measures it.
     pub violation: f64,
-    /// Number of followed designs.
+    /// Number of these designs.
     pub designs: usize,
 }
 
@@ -76,9 +77,9 @@ impl Refined {
     }
 }
 
-/// Follows the orbit of a design to its largest power within the limits, over a number of designs at
-/// most; `None` where there is nothing to follow.
-pub fn refine(evaluator: &Evaluator<'_>, start: &Candidate, most: usize) -> Option<Refined> {
+/// Follows the orbit of a design to its largest power within the limits, and returns the best of the
+/// followed designs after each stage; `None` where there is nothing to follow.
+pub fn refine(evaluator: &Evaluator<'_>, start: &Candidate) -> Option<Vec<Refined>> {
     let problem = evaluator.problem;
     let smooth: Vec<usize> = (0..problem.free.len())
         .filter(|index| problem.free[*index].smooth().is_some())
@@ -104,16 +105,26 @@ pub fn refine(evaluator: &Evaluator<'_>, start: &Candidate, most: usize) -> Opti
         points: RefCell::new(Vec::new()),
     };
     refinement.keep(start.place.clone(), Some(first));
-    refinement.minimised(most);
+    refinement.minimised();
     let points = refinement.points.borrow();
-    let best = points
-        .iter()
-        .filter(|point| {
-            point.values[1..]
-                .iter()
-                .all(|excess| *excess <= 0.5 * MARGIN)
-        })
-        .min_by(|a, b| a.values[0].total_cmp(&b.values[0]));
+    let mut ends: Vec<usize> = STAGES
+        .into_iter()
+        .filter(|end| *end < points.len())
+        .collect();
+    ends.push(points.len());
+    ends.into_iter()
+        .map(|end| best_of(&points[..end]))
+        .collect()
+}
+
+/// Returns the best of some followed designs.
+fn best_of(points: &[Rc<Point>]) -> Option<Refined> {
+    let is_within = |point: &&Rc<Point>| {
+        let mut excesses = point.values[1..].iter();
+        excesses.all(|excess| *excess <= 0.5 * MARGIN)
+    };
+    let by_power = |a: &&Rc<Point>, b: &&Rc<Point>| a.values[0].total_cmp(&b.values[0]);
+    let best = points.iter().filter(is_within).min_by(by_power);
     // Beyond the limits everywhere: the least violation.
     let worst = |point: &Point| point.values[1..].iter().copied().fold(0.0, f64::max);
     let least = || points.iter().min_by(|a, b| worst(a).total_cmp(&worst(b)));
@@ -132,7 +143,7 @@ pub fn refine(evaluator: &Evaluator<'_>, start: &Candidate, most: usize) -> Opti
 }
 
 impl Refinement<'_> {
-    fn minimised(&self, most: usize) {
+    fn minimised(&self) {
         let inner: Vec<f64> = self.smooth.iter().map(|k| self.start[*k]).collect();
         let function = |index: usize| {
             move |x: &[f64], gradient: Option<&mut [f64]>, _: &mut ()| {
@@ -158,7 +169,7 @@ impl Refinement<'_> {
             &bounds,
             &constraints,
             (),
-            most,
+            STAGES[STAGES.len() - 1],
             Some(tolerances),
         );
     }

@@ -110,3 +110,33 @@ fn an_unknown_limit_is_refused_with_those_that_exist() {
         "{error}"
     );
 }
+
+/// Two frequencies on both sides of the resonance: a limit holds in each of them, where a mean of them
+/// would hide the smaller power and the smaller voltage.
+#[test]
+fn limits_hold_in_each_condition() {
+    let text = |limits: &str| {
+        format!(
+            "evaluations = 60\n[free]\n\"circuit.load.resistance\" = \"20kohm:500kohm:log\"\n\
+             [goal]\nmaximise = \"expected-power\"\nstarts = 2\n[limits]\n{limits}\n\
+             [[conditions]]\nset = {{ \"drive.d.frequency\" = \"9 Hz\" }}\n\
+             [[conditions]]\nset = {{ \"drive.d.frequency\" = \"10 Hz\" }}\n"
+        )
+    };
+    let found = outcome(&text(
+        "mean_power = \"1 uW\"\n\"patch.m.p.voltage\" = \"1 kV\"",
+    ));
+    let load_ohm = found.best.set["circuit.load.resistance"].trim_end_matches(" ohm");
+    let [low, high] = [9.0, 10.0].map(|hz| linear_at(load_ohm.parse().unwrap(), hz));
+    let [power, voltage] = [0, 1].map(|index| found.limits[index].value);
+    assert!((power / low.1.min(high.1) - 1.0).abs() < 1e-6, "{found:?}");
+    assert!(
+        (voltage / low.0.max(high.0) - 1.0).abs() < 1e-6,
+        "{found:?}"
+    );
+    // Between the smaller power and the mean: the mean would keep it.
+    let between_w = 2.0 * power;
+    assert!(between_w < 0.5 * (low.1 + high.1), "{low:?} {high:?}");
+    let broken = outcome(&text(&format!("mean_power = \"{between_w} W\"")));
+    assert!(!broken.feasible, "{broken:?}");
+}

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod bistable;
+mod budgets;
 mod choices;
 mod closed_forms;
 mod derivatives;
@@ -50,7 +51,8 @@ average_over = "1 s"
 "#;
 
 fn problem_of(spec: &str, text: &str) -> Result<Problem, DesignError> {
-    Problem::with_spec(SpecFile::from_text(spec), Path::new(""), text)
+    let folder = Path::new("");
+    Problem::with_spec(SpecFile::from_text(spec), folder, text, folder)
 }
 
 fn outcome_of(spec: &str, text: &str) -> DesignOutcome {
@@ -230,7 +232,7 @@ fn an_interrupted_search_continues_from_its_journal() {
     let folder = tempfile::tempdir().unwrap();
     let complete = problem(LOAD).unwrap();
     let mut short = complete.clone();
-    short.evaluations = 3;
+    short.evaluations = 20;
     let open = || Journal::open(folder.path(), "key").unwrap();
     let control = Control::default();
     let begun = design(&short, &control, Some(&open()), None).unwrap();

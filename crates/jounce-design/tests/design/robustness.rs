@@ -131,7 +131,7 @@ fn quantiles_of_the_impact_harvester_are_those_of_drawn_designs() {
     let text = "evaluations = 40\ndraws = 4096\n[free]\n\"circuit.load.resistance\" = \"80kohm:81kohm\"\n\
         [goal]\nmaximise = \"expected-power\"\nstarts = 20\n\
         [tolerance]\n\"stop.tip.gap\" = \"0.05 mm\"\n\"stop.tip.stiffness\" = \"30 N/m^1.5\"\n";
-    let problem = Problem::with_spec(file.clone(), Path::new(""), text).unwrap();
+    let problem = Problem::with_spec(file.clone(), Path::new(""), text, Path::new("")).unwrap();
     let found = design(&problem, &Control::default(), None, None).unwrap();
     let (key, value) = found.best.set.first_key_value().unwrap();
     file.set(key, value).unwrap();
@@ -160,4 +160,22 @@ fn quantiles_of_the_impact_harvester_are_those_of_drawn_designs() {
     };
     let powers: Vec<f64> = (0..count).into_par_iter().map(power).collect();
     check_quantiles(found.robust.unwrap(), powers);
+}
+
+/// A force of 0.7 N at twice the weight of one of 1.4 N: the power of each drawn load is that at 0.7 N
+/// times (2 + 4) / 3, not that in the first condition.
+#[test]
+fn quantiles_are_those_of_the_mean_over_the_conditions() {
+    let found = outcome(
+        "evaluations = 3\ndraws = 1024\n[free]\n\"circuit.load.resistance\" = \"50kohm:50.001kohm\"\n\
+         [goal]\nmaximise = \"expected-power\"\nstarts = 2\n\
+         [tolerance]\n\"circuit.load.resistance\" = \"5 kohm\"\n\
+         [[conditions]]\nset = { \"drive.d.amplitude\" = \"0.7 N\" }\nweight = 2\n\
+         [[conditions]]\nset = { \"drive.d.amplitude\" = \"1.4 N\" }\n",
+    );
+    let draws = (0..1000).map(|k| linear(45e3 + 10e3 * (f64::from(k) + 0.5) / 1000.0).1);
+    check_quantiles(
+        found.robust.unwrap(),
+        draws.map(|power| 2.0 * power).collect(),
+    );
 }

@@ -1,6 +1,9 @@
 //! Goals that a spec cannot have, and free keys without an effect.
 
 use super::{LINEAR, LOAD, outcome_of, problem_of};
+use jounce_design::Problem;
+use jounce_spec::SpecFile;
+use std::path::Path;
 
 const FREE: &str = "[free]\n\"circuit.load.resistance\" = \"10kohm:1Mohm:log\"\n";
 
@@ -167,4 +170,29 @@ fn a_range_without_a_valid_design_gives_the_reason() {
         .unwrap_err()
         .to_string();
     assert!(error.contains("patch.p"), "{error}");
+}
+
+/// A design of a spec may name that spec, relative to its own folder, but no other one.
+#[test]
+fn a_design_of_a_spec_may_name_this_spec() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, text).unwrap();
+        path
+    };
+    let spec = write("harvester.toml", LINEAR);
+    write("other.toml", &LINEAR.replace("80 kohm", "90 kohm"));
+    let named = |name: &str| format!("spec = \"{name}\"\n{LOAD}");
+    let design = write("design.toml", &named("harvester.toml"));
+    let with_spec = |name: &str| {
+        let file = SpecFile::read(&spec).unwrap();
+        Problem::with_spec(file, Path::new("elsewhere"), &named(name), folder.path())
+    };
+    let problem = with_spec("harvester.toml").unwrap();
+    assert_eq!(problem.spec, Problem::read(&design).unwrap().spec);
+    let error = with_spec("other.toml").unwrap_err().to_string();
+    assert!(error.contains("omit the key"), "{error}");
+    let missing = with_spec("missing.toml").unwrap_err().to_string();
+    assert!(missing.contains("missing.toml"), "{missing}");
 }

@@ -1,5 +1,6 @@
 //! Design: values of keys with the largest power within limits.
 
+mod figure;
 mod options;
 mod report;
 
@@ -10,11 +11,15 @@ use crate::harvester::Harvester;
 use crate::options::on_threads;
 use jounce_analysis::Journal;
 use jounce_control::Control;
-use jounce_design::{DesignOutcome, Journaled, OnImprovement, Problem, design};
-use jounce_spec::{NumericKey, Spec};
+use jounce_design::{Condition, DesignOutcome, Journaled, OnImprovement, Problem, design};
+use jounce_io::store;
+use jounce_spec::Spec;
 use serde::Serialize;
 use std::path::Path;
 use std::sync::Arc;
+
+/// Table of a spec that says how long to integrate, which is no condition of a harvester.
+const RUN: &str = "run.";
 
 /// Journal of the evaluations of a design.
 pub type DesignJournal = Journal<Journaled>;
@@ -25,12 +30,12 @@ pub struct DesignResult {
     /// Result of the search.
     #[serde(flatten)]
     pub outcome: DesignOutcome,
-    /// Harvester of the best design.
+    /// Harvester of the best design, under the drive of the condition if there is only one.
     #[serde(skip)]
     pub harvester: Harvester,
-    /// Condition of the main orbit in words; empty for a design with one condition.
+    /// Conditions in words; empty for a design with one.
     #[serde(skip)]
-    condition: String,
+    conditions: Vec<String>,
 }
 
 /// A design problem: a spec, its free keys, the goal, the limits, the conditions and the
@@ -42,7 +47,8 @@ pub struct Design {
 }
 
 impl Harvester {
-    /// Reads a design problem of this harvester from the text of its file, without the key `spec`.
+    /// Reads a design problem of this harvester from the text of its file. A key `spec` in it, relative
+    /// to the folder of this harvester, must name the same spec.
     ///
     /// # Errors
     /// [`Error::Design`] with all faults.
@@ -62,7 +68,17 @@ impl Harvester {
     /// # Ok::<(), jounce::Error>(())
     /// ```
     pub fn design(&self, text: &str) -> Result<Design, Error> {
-        let problem = Problem::with_spec(self.file().clone(), self.folder(), text)?;
+        self.design_in(text, self.folder())
+    }
+
+    /// Reads a design problem as [`Harvester::design`], from the text of a file in a folder, to which
+    /// the key `spec` is relative.
+    ///
+    /// # Errors
+    /// As [`Harvester::design`].
+    pub fn design_in(&self, text: &str, folder: impl AsRef<Path>) -> Result<Design, Error> {
+        let file = self.file().clone();
+        let problem = Problem::with_spec(file, self.folder(), text, folder.as_ref())?;
         Ok(Design::of(problem).with_control(self.control()))
     }
 }
@@ -161,12 +177,20 @@ impl Design {
         let work = || Ok(design(&problem, &self.control, journal, improved)?);
         let outcome = on_threads(options.threads, work)?;
         let given = Harvester::of(problem.file.clone(), problem.folder.clone())?;
-        let pairs = outcome.best.set.iter();
+        let mut values: Vec<(String, String)> = outcome.best.set.clone().into_iter().collect();
+        if let [condition] = problem.conditions.as_slice() {
+            values.extend(settings(condition).filter(|(key, _)| !key.starts_with(RUN)));
+        }
+        let pairs = values.iter();
         let harvester = given.changed(pairs.map(|(key, value)| (key.as_str(), value.as_str())))?;
+        let conditions = match problem.conditions.as_slice() {
+            [_] => Vec::new(),
+            several => several.iter().map(condition_text).collect(),
+        };
         Ok(DesignResult {
             outcome,
             harvester,
-            condition: first_condition(&problem),
+            conditions,
         })
     }
 
@@ -185,17 +209,36 @@ impl Design {
     }
 }
 
-/// Returns the first of several conditions in words; the main orbit belongs to it.
-fn first_condition(problem: &Problem) -> String {
-    let [first, _, ..] = problem.conditions.as_slice() else {
-        return String::new();
-    };
-    let value = |(key, value): &(NumericKey, f64)| {
-        let unit = key.unit();
-        format!("{} = {value} {unit}", key.path())
-            .trim_end()
-            .to_owned()
-    };
-    let values: Vec<String> = first.values.iter().map(value).collect();
-    format!(" in the first condition ({})", values.join(", "))
+impl DesignResult {
+    /// Writes the spec of the best design. With several conditions, a comment at its top lists them:
+    /// the drive of the spec is none of theirs.
+    ///
+    /// # Errors
+    /// A file that cannot be written.
+    pub fn write_best(&self, path: impl AsRef<Path>) -> Result<(), Error> {
+        let mut text = String::new();
+        if !self.conditions.is_empty() {
+            text.push_str("# Best design for these conditions; the values below are those of the spec as given:\n");
+            let lines = self.conditions.iter();
+            text.extend(lines.map(|condition| format!("#   {condition}\n")));
+            text.push('\n');
+        }
+        text.push_str(&self.harvester.text());
+        Ok(store::write(path.as_ref(), text.as_bytes())?)
+    }
+}
+
+/// Returns the keys of a condition with their values as text.
+fn settings(condition: &Condition) -> impl Iterator<Item = (String, String)> + '_ {
+    condition.values.iter().map(|(key, value)| {
+        let text = format!("{value:?} {}", key.unit());
+        (key.path().to_owned(), text.trim_end().to_owned())
+    })
+}
+
+/// Returns a condition in words.
+fn condition_text(condition: &Condition) -> String {
+    let values = settings(condition).map(|(key, value)| format!("{key} = {value}"));
+    let values: Vec<String> = values.collect();
+    format!("{}; weight {}", values.join(", "), condition.weight)
 }

@@ -1,10 +1,9 @@
-//! Tables, figure and text of a design.
+//! Tables and text of a design.
 
 use super::DesignResult;
 use crate::error::Error;
 use jounce_design::{FreeValue, FrontPoint, Goal, LimitResult, NearestFold, SearchEnd, SobolIndex};
 use jounce_io::table::{Column, Table};
-use jounce_plot::{Axis, Figure, Marker, Panel, Series};
 use std::collections::BTreeSet;
 
 impl DesignResult {
@@ -88,30 +87,6 @@ impl DesignResult {
         ])?)
     }
 
-    /// Returns the figure of the front or, for one goal, of the better and better designs.
-    pub fn figure(&self) -> Figure {
-        let names: Vec<&String> = self.outcome.best.goals.keys().collect();
-        let figure = Figure::new("Design");
-        if let (false, [first, second, ..]) = (self.outcome.front.is_empty(), &names[..]) {
-            let of = |name: &str| {
-                self.outcome
-                    .front
-                    .iter()
-                    .map(|one| one.goals[name])
-                    .collect()
-            };
-            let panel = Panel::new(axis(first), axis(second)).high(380.0);
-            return figure.with(panel.with(Series::points(of(first), of(second), Marker::Circle)));
-        }
-        let feasible = || self.outcome.trace.iter().filter(|one| one.violation == 0.0);
-        let x: Vec<f64> = feasible().map(|one| one.evaluation as f64).collect();
-        let y: Vec<f64> = feasible().map(|one| one.goal).collect();
-        let name = names.first().map_or("goal", |name| name.as_str());
-        let panel = Panel::new(Axis::linear("Evaluated designs", ""), axis(name)).high(300.0);
-        let line = Series::line(x, y).marker(Marker::Circle);
-        figure.with(panel.with(line.label("within the limits")))
-    }
-
     /// Returns the result as lines of text.
     pub fn text(&self) -> String {
         let best = &self.outcome.best;
@@ -125,8 +100,15 @@ impl DesignResult {
                 .copied()
                 .unwrap_or(f64::NAN);
             let unit = unit(name);
+            let interval = match name == Goal::ExpectedPower.name() {
+                true => format!(
+                    " ({:.3e} to {:.3e})",
+                    best.expected_power_low_w, best.expected_power_high_w
+                ),
+                false => String::new(),
+            };
             lines.push(format!(
-                "{name:<16} {value:.6e} {unit}, before {before:.6e} {unit}"
+                "{name:<16} {value:.6e} {unit}{interval}, before {before:.6e} {unit}"
             ));
         }
         for key in &best.keys {
@@ -140,16 +122,17 @@ impl DesignResult {
             };
             lines.push(format!("{} = {}{before}{end}", key.key, key.value));
         }
+        let is_one = self.conditions.is_empty();
         if best.stable {
             lines.push(format!(
                 "orbit            period {}, stable, {:.6e} W{}, reached by {:.1} % of the starts ({:.1} % to {:.1} %){}",
                 best.period_cycles,
                 best.mean_power_w,
-                self.condition,
+                if is_one { "" } else { " in the first condition" },
                 100.0 * best.basin_fraction,
                 100.0 * best.basin_fraction_low,
                 100.0 * best.basin_fraction_high,
-                if self.condition.is_empty() { "" } else { " in the condition with the fewest" }
+                if is_one { "" } else { " in the condition with the fewest" }
             ));
         }
         if let Some(fold) = &best.nearest_fold {
@@ -164,7 +147,7 @@ impl DesignResult {
             ));
         }
         lines.push(format!(
-            "search           {} designs in {:.1} s; {}",
+            "search           {} evaluations in {:.1} s; {}",
             self.outcome.evaluations,
             self.outcome.wall_time_s,
             end_text(self.outcome.ended_by)
@@ -197,27 +180,19 @@ impl DesignResult {
 fn end_text(end: SearchEnd) -> &'static str {
     match end {
         SearchEnd::Converged => "ended because no better design is expected",
-        SearchEnd::Evaluations => "ended because its number of evaluations was used up",
+        SearchEnd::Evaluations => {
+            "ended because the next step would exceed the number of evaluations"
+        }
         SearchEnd::Seconds => "ended because its wall time was used up",
         SearchEnd::Stopped => "stopped",
     }
 }
 
 /// Returns the unit of a goal.
-fn unit(goal: &str) -> &'static str {
+pub(super) fn unit(goal: &str) -> &'static str {
     let mut goals = Goal::ALL.into_iter();
     let found = goals.find(|one| one.name() == goal);
     found.map_or("", Goal::unit)
-}
-
-fn axis(goal: &str) -> Axis {
-    let quantity = match goal {
-        "bandwidth" => "Half-power bandwidth",
-        "expected-power" => "Expected power",
-        "stable-power" => "Power of the best stable orbit",
-        _ => "Mean power",
-    };
-    Axis::linear(quantity, unit(goal))
 }
 
 /// Returns the line of the nearest fold.

@@ -58,7 +58,7 @@ impl Design {
         let journal = journal.map_err(failure)?;
         if !journal.found().is_empty() {
             output::note(format!(
-                "continuing after {} evaluations",
+                "continuing with {} evaluations of an earlier search",
                 journal.found().len()
             ));
         }
@@ -101,6 +101,6 @@ impl Design {
             output::table(folder, name, &table, &manifest)?;
         }
         output::figure(folder, "design", &result.figure())?;
-        Ok(result.harvester.write(folder.join("best.toml"))?)
+        Ok(result.write_best(folder.join("best.toml"))?)
     }
 }

@@ -38,7 +38,7 @@ pub(super) fn check_together(
     for limit in limits {
         let is_allowed = match limit.quantity {
             LimitedQuantity::Size(_) => true,
-            LimitedQuantity::Peak(_) => has_run,
+            LimitedQuantity::Peak(_) | LimitedQuantity::MeanPower => has_run,
             LimitedQuantity::BasinFraction | LimitedQuantity::FoldDistance => false,
         };
         if !is_allowed {
