@@ -70,6 +70,7 @@ FINE = ("ends", "refused as a spec")
 
 
 def main():
+    """Runs the harvesters and prints the table."""
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--count", type=int, default=2000, help="number of harvesters")
     parser.add_argument("--first", type=int, default=0, help="number of the first harvester")

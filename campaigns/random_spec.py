@@ -31,6 +31,7 @@ def log(draw, low, high):
 
 
 def table(draw):
+    """Returns a shaker table."""
     return (
         f'[mass.table]\nmass = "{log(draw, 1e-3, 3)} kg"\nfrequency = "{log(draw, 0.5, 60)} Hz"\n'
         f"damping_ratio = {draw.choice((0.001, 0.01, 0.05, 0.1, 0.3, 1.7))}\n"
@@ -65,6 +66,7 @@ def beam(draw, name, root, patches):
 
 
 def circuit(draw, index, names):
+    """Returns the circuit of patches."""
     if len(names) == 1:
         patch = f'patch = "{names[0]}"\n'
     else:
@@ -84,6 +86,7 @@ def circuit(draw, index, names):
 
 
 def stop(draw, index, points):
+    """Returns a stop between two points."""
     at = draw.choice(points)
     frames = ["ground"] + [point for point in points if point != at]
     kind = draw.choice(("hertz", "hertz", "spring", "kelvin-voigt", "hunt-crossley", "cubic", "rigid"))
@@ -101,10 +104,12 @@ def stop(draw, index, points):
         "rigid": f"restitution = {draw.choice((0, 0.3, 0.5, 0.8, 0.95, 1))}\n",
     }
     side = draw.choice(("positive", "negative"))
-    return f'[stop.s{index}]\nat = "{at}"\nframe = "{draw.choice(frames)}"\nside = "{side}"\nlaw = "{kind}"\ngap = "{gap_mm} mm"\n{law[kind]}'
+    place = f'[stop.s{index}]\nat = "{at}"\nframe = "{draw.choice(frames)}"\nside = "{side}"\n'
+    return f'{place}law = "{kind}"\ngap = "{gap_mm} mm"\n{law[kind]}'
 
 
 def drive(draw, points):
+    """Returns the drive."""
     kind, unit, low, high = draw.choice(
         (("force", "N", 1e-2, 50), ("base-acceleration", "m/s^2", 0.1, 30), ("base-displacement", "mm", 1e-3, 1))
     )
@@ -113,7 +118,8 @@ def drive(draw, points):
     signal, amplitude = draw.choice(signals), f'amplitude = "{log(draw, low, high)} {unit}"\n'
     more = {
         "sine": f'{amplitude}frequency = "{log(draw, 2, 200)} Hz"\n',
-        "chirp": f'{amplitude}from = "{log(draw, 2, 300)} Hz"\nto = "{log(draw, 2, 300)} Hz"\nduration = "{draw.uniform(0.5, 1.5):.3g} s"\n',
+        "chirp": f'{amplitude}from = "{log(draw, 2, 300)} Hz"\nto = "{log(draw, 2, 300)} Hz"\n'
+        f'duration = "{draw.uniform(0.5, 1.5):.3g} s"\n',
         "half-sine": f'{amplitude}duration = "{log(draw, 1e-3, 0.1)} s"\nstart = "{draw.uniform(0, 0.5):.3g} s"\n',
         "noise": f'psd = "{log(draw, 1e-6, 1e-2)} ({unit})^2/Hz"\nhigh = "{log(draw, 5, 300)} Hz"\n',
     }
@@ -121,7 +127,10 @@ def drive(draw, points):
 
 
 def settings(draw):
+    """Returns damping, reduction and run."""
     return (
-        f"[damping]\nbeyond = {draw.choice((0.0005, 0.005, 0.02, 0.1))}\n[reduction]\nmodes = {draw.choice((1, 2, 3, 5, 8, 12, 20))}\n"
-        f'[run]\nduration = "1.5 s"\naverage_over = "{draw.choice((0.5, 1, 1.5))} s"\ntolerance = {draw.choice(("1e-3", "1e-5", "1e-7", "1e-7", "1e-9"))}\n'
+        f"[damping]\nbeyond = {draw.choice((0.0005, 0.005, 0.02, 0.1))}\n"
+        f"[reduction]\nmodes = {draw.choice((1, 2, 3, 5, 8, 12, 20))}\n"
+        f'[run]\nduration = "1.5 s"\naverage_over = "{draw.choice((0.5, 1, 1.5))} s"\n'
+        f"tolerance = {draw.choice(('1e-3', '1e-5', '1e-7', '1e-7', '1e-9'))}\n"
     )

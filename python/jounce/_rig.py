@@ -166,10 +166,10 @@ class SpecOnRig(SpecText):
     ) -> DesignResult:
         """Searches the values of keys with the largest power within limits, and examines the best design; ``jounce design``.
 
-        ``problem`` is the path of a design file, or a dict with the same contents: ``{"free": {"stop.tip.gap": "0.2mm:3mm"}, "goal":
-        {"maximise": "expected-power", "starts": 100}, "limits": {"patch.mfc.strain": "600 ppm"}, "tolerance": {"stop.tip.gap": "0.05 mm"}}``.
-        A key ``spec`` in it must name this spec; omit it to design another one. ``seed`` and ``evaluations``, the largest number of evaluated
-        designs, replace those of the problem.
+        ``problem`` is the path of a design file, or a dict with the same contents: ``{"free": {"stop.tip.gap": "0.2mm:3mm"},
+        "goal": {"maximise": "expected-power", "starts": 100}, "limits": {"patch.mfc.strain": "600 ppm"},
+        "tolerance": {"stop.tip.gap": "0.05 mm"}}``. A key ``spec`` in it must name this spec; omit it to design another one.
+        ``seed`` and ``evaluations``, the largest number of evaluated designs, replace those of the problem.
         ``progress`` reports the number of evaluated designs; their total is not known and reported as 0.
 
         Raises :class:`SpecError` with all faults of the problem, :class:`DesignError` where no design can be evaluated.

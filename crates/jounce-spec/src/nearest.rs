@@ -117,7 +117,7 @@ mod tests {
         let laws = ["hertz", "spring", "rigid"];
         assert_eq!(nearest("hertzian", laws), Some("hertz"));
         assert_eq!(nearest("linear spring", laws), Some("spring"));
-        assert_eq!(nearest("offspring", laws), None);
+        assert_eq!(nearest("mainspring", laws), None);
         let metals = ["aluminium", "steel", "stainless-steel"];
         assert_eq!(nearest("spring steel", metals), Some("steel"));
         assert_eq!(nearest("stop.tip.gap.low", ["stop.tip.gap"]), None);

@@ -104,7 +104,7 @@ impl Problem {
     ) -> Result<Self, DesignError> {
         let parsed = read::read(text, |named| {
             if let Some(named) = named {
-                let other = SpecFile::read(&text_folder.join(named))?;
+                let other = SpecFile::read(text_folder.join(named))?;
                 if !is_same_spec(&file, &other) {
                     return Err(fault_of_spec(&format!(
                         "the design is one of another spec than \"{named}\"; call it on \"{named}\" as it is, or omit the key"

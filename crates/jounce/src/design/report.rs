@@ -90,27 +90,7 @@ impl DesignResult {
     /// Returns the result as lines of text.
     pub fn text(&self) -> String {
         let best = &self.outcome.best;
-        let mut lines = Vec::new();
-        for (name, value) in &best.goals {
-            let before = self
-                .outcome
-                .before
-                .goals
-                .get(name)
-                .copied()
-                .unwrap_or(f64::NAN);
-            let unit = unit(name);
-            let interval = match name == Goal::ExpectedPower.name() {
-                true => format!(
-                    " ({:.3e} to {:.3e})",
-                    best.expected_power_low_w, best.expected_power_high_w
-                ),
-                false => String::new(),
-            };
-            lines.push(format!(
-                "{name:<16} {value:.6e} {unit}{interval}, before {before:.6e} {unit}"
-            ));
-        }
+        let mut lines = self.goal_lines();
         for key in &best.keys {
             let end = key
                 .at_end
@@ -153,6 +133,33 @@ impl DesignResult {
             end_text(self.outcome.ended_by)
         ));
         lines.join("\n")
+    }
+
+    /// Returns a line for each goal: its value, and that of the spec as given.
+    fn goal_lines(&self) -> Vec<String> {
+        let best = &self.outcome.best;
+        let mut lines = Vec::new();
+        for (name, value) in &best.goals {
+            let before = self
+                .outcome
+                .before
+                .goals
+                .get(name)
+                .copied()
+                .unwrap_or(f64::NAN);
+            let unit = unit(name);
+            let interval = match name == Goal::ExpectedPower.name() {
+                true => format!(
+                    " ({:.3e} to {:.3e})",
+                    best.expected_power_low_w, best.expected_power_high_w
+                ),
+                false => String::new(),
+            };
+            lines.push(format!(
+                "{name:<16} {value:.6e} {unit}{interval}, before {before:.6e} {unit}"
+            ));
+        }
+        lines
     }
 
     /// Returns the warnings: free keys that change neither a goal nor a limit at the best design.
