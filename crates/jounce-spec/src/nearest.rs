@@ -120,7 +120,7 @@ mod tests {
         assert_eq!(nearest("mainspring", laws), None);
         let metals = ["aluminium", "steel", "stainless-steel"];
         assert_eq!(nearest("spring steel", metals), Some("steel"));
-        assert_eq!(nearest("stop.tip.gap.low", ["stop.tip.gap"]), None);
+        assert_eq!(nearest("stop.tip.gap.uncertainty", ["stop.tip.gap"]), None);
     }
 
     #[test]
