@@ -53,7 +53,7 @@ def outcome(text, program, limit_s):
     if "panicked" in message or run.returncode < 0 or run.returncode == 101:
         return "panics", message, wall_s
     if run.returncode != 0:
-        if re.search(r"line \d+|:\d+:\d+", message):
+        if re.search(r"line \d+|:\d+:\d+|move together in every mode", message):
             return "refused as a spec", message.split("\n")[0], wall_s
         reason = next((name for name, pattern in REASONS.items() if re.search(pattern, message)), "refused otherwise")
         return f"stopped: {reason}", message.split("\n")[0], wall_s
@@ -66,7 +66,7 @@ def outcome(text, program, limit_s):
     return "ends", "", wall_s
 
 
-FINE = ("ends", "refused as a spec")
+FINE = ("ends", "refused as a spec", "stopped: impacts without end")
 
 
 def main():
