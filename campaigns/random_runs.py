@@ -26,10 +26,10 @@ from random_spec import spec
 
 ROOT = Path(__file__).resolve().parent.parent
 
-# Longest wall time of a run, s.
-LIMIT_S = 2.0
+# Wall time above which a run is slow, s.
+SLOW_S = 2.0
 
-# Reasons that are physical: the run cannot go on, and the message says why.
+# Reasons for which a run stops, each with words of its message.
 REASONS = {
     "grows without bound": "is no longer finite|diverges|grows",
     "a contact that does not converge": "did not converge",
@@ -39,7 +39,7 @@ REASONS = {
 
 
 def outcome(text, program, limit_s):
-    """Returns the class of a run, what it said, and its wall time in s."""
+    """Returns the class of a run, and what to report of it."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "random.toml"
         path.write_text(text, encoding="utf-8")
@@ -47,25 +47,26 @@ def outcome(text, program, limit_s):
         try:
             run = subprocess.run([program, "run", path, "--json"], capture_output=True, text=True, timeout=limit_s)
         except subprocess.TimeoutExpired:
-            return "does not end", f"after {limit_s:g} s", limit_s
+            return "does not end", f"after {limit_s:g} s"
         wall_s = time.monotonic() - start
     message = run.stderr.strip()
     if "panicked" in message or run.returncode < 0 or run.returncode == 101:
-        return "panics", message, wall_s
+        return "panics", message
     if run.returncode != 0:
         if re.search(r"line \d+|:\d+:\d+|move together in every mode", message):
-            return "refused as a spec", message.split("\n")[0], wall_s
+            return "refused as a spec", message.split("\n")[0]
         reason = next((name for name, pattern in REASONS.items() if re.search(pattern, message)), "refused otherwise")
-        return f"stopped: {reason}", message.split("\n")[0], wall_s
+        return f"stopped: {reason}", message.split("\n")[0]
     result = json.loads(run.stdout)
     residual = abs(result["energy_residual_relative"])
     if not residual <= result["tolerance"]:
-        return "energy residual", f"{residual:.2e}, tolerance {result['tolerance']:g}", wall_s
-    if wall_s > LIMIT_S:
-        return "slow", f"{wall_s:.1f} s, {result['work']}", wall_s
-    return "ends", "", wall_s
+        return "energy residual", f"{residual:.2e}, tolerance {result['tolerance']:g}"
+    if wall_s > SLOW_S:
+        return "slow", f"{wall_s:.1f} s, {result['work']}"
+    return "ends", ""
 
 
+# Classes of runs that end as they should.
 FINE = ("ends", "refused as a spec", "stopped: impacts without end")
 
 
@@ -87,12 +88,12 @@ def main():
 
     counts, others = collections.Counter(), []
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        for number, text, (kind, said, _wall_s) in pool.map(trial, range(options.first, options.first + options.count)):
+        for number, text, (kind, report) in pool.map(trial, range(options.first, options.first + options.count)):
             counts[kind] += 1
             if kind in FINE:
                 continue
             others.append(number)
-            print(f"{number}: {kind}: {said}", file=sys.stderr)
+            print(f"{number}: {kind}: {report}", file=sys.stderr)
             if options.keep:
                 options.keep.mkdir(parents=True, exist_ok=True)
                 (options.keep / f"{number}.toml").write_text(text, encoding="utf-8")

@@ -139,7 +139,7 @@ pub fn print_recording_issues(spec: &Spec) {
     for (drive, ends_s) in spec.cut_recordings() {
         let duration = Quantity::Time.write(spec.run.duration_s);
         output::note(format!(
-            "note: drive {drive}: its recording goes on to {ends_s:.6} s, but a run ends at run.duration = {duration}; increase run.duration to use all of it"
+            "note: drive {drive}: its recording lasts until {ends_s:.6} s, but a run ends at run.duration = {duration}; increase run.duration to use all of it"
         ));
     }
 }

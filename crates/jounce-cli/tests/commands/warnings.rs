@@ -143,11 +143,11 @@ fn a_recording_shorter_than_the_run_gives_a_warning() {
         run["warnings"].as_array().unwrap().is_empty() && !text.contains("warning"),
         "{run} {text}"
     );
-    assert!(!text.contains("goes on"), "{text}");
+    assert!(!text.contains("its recording lasts"), "{text}");
     let short = ["run.duration=0.5 s", "run.average_over=0.5 s"];
     let set = ["--set", short[0], "--set", short[1]];
     let (code, _, text) = jounce(&[&["run", &spec], &set[..]].concat());
-    let note = "note: drive road: its recording goes on to 1.000000 s, but a run ends at run.duration = 500 ms";
+    let note = "note: drive road: its recording lasts until 1.000000 s, but a run ends at run.duration = 500 ms";
     assert!(code == 0 && text.contains(note), "{text}");
     let stop = "[stop.s]\nat = \"m\"\nlaw = \"spring\"\ngap = \"1 mm\"\nstiffness = \"1 kN/m\"\n";
     let spec = write_spec(&folder, &format!("{text_of_spec}{stop}"));

@@ -120,8 +120,7 @@ impl<'k> Integrator<'k> {
         let target = self.target_change();
         for iteration in 1..=MAX_FIXED_POINT_ITERATIONS {
             self.work.iterations += 1;
-            resting.hold(&mut iterates);
-            move_under_forces(w, joint, &mut iterates);
+            move_under_forces(w, joint, resting, &mut iterates);
             let mut progress = Convergence::Converged;
             for (index, iterate) in iterates.iter_mut().enumerate() {
                 progress = progress.max(iterate.renew(w, joint.tables, (index, iteration), target));
@@ -150,8 +149,7 @@ impl<'k> Integrator<'k> {
         resting: &StickingPorts,
         mut iterates: SmallList<PortIterate>,
     ) -> SmallList<SolvedStep> {
-        resting.hold(&mut iterates);
-        move_under_forces(w, joint, &mut iterates);
+        move_under_forces(w, joint, resting, &mut iterates);
         let mut solved = SmallList::<SolvedStep>::new();
         for (step, solution) in joint.steps.iter().zip(&iterates) {
             solved.push(judge(
@@ -216,9 +214,16 @@ impl<'k> Integrator<'k> {
     }
 }
 
-/// Computes the motion of each port under the nodal forces of all.
+/// Computes the forces of the sticking ports, and the motion of each port under the nodal forces of
+/// all.
 #[inline(always)]
-pub(super) fn move_under_forces<W: Simd>(w: W, joint: &JointStep, iterates: &mut [PortIterate]) {
+pub(super) fn move_under_forces<W: Simd>(
+    w: W,
+    joint: &JointStep,
+    resting: &StickingPorts,
+    iterates: &mut [PortIterate],
+) {
+    resting.hold(iterates);
     for index in 0..iterates.len() {
         let iterate = &iterates[index];
         let needs_rate = iterate.law.is_rate_dependent();

@@ -63,8 +63,7 @@ impl Integrator<'_> {
         let target = self.target_change();
         for _ in 0..MAX_FIXED_POINT_ITERATIONS {
             self.work.iterations += 1;
-            resting.hold(&mut iterates);
-            move_under_forces(w, joint, &mut iterates);
+            move_under_forces(w, joint, resting, &mut iterates);
             let mut changes = residuals(&iterates);
             LuFactors::of(&jacobian(joint, resting, &iterates)).solve(&mut changes);
             let mut converged = true;

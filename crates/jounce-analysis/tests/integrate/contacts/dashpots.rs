@@ -48,7 +48,7 @@ impl Pressed {
     }
 }
 
-/// The spring pushes the point through the dashpot, which decays 10,000 to 1,000,000 times faster
+/// The spring pushes the point through the dashpot, which decays 8,000 to 400,000 times faster
 /// than the motion: one port alone, and two at once.
 #[test]
 fn motion_through_a_strong_dashpot_has_its_closed_form() {
