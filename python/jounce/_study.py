@@ -27,6 +27,9 @@ if TYPE_CHECKING:
 #: Target duration of a task for an executor, s: long relative to its overhead.
 TASK_S = 1.0
 
+#: Times that an executor may lose a task with the same first part before the study ends with its error.
+MAX_LOSSES = 3
+
 
 class Study:
     """A spec, the keys to vary, and the quantity to compute at each point.
@@ -153,8 +156,8 @@ class Study:
 
         Without an ``executor`` all threads of this process are used; with one its workers: a process pool, Dask's
         ``Client.get_executor()``. Parts are written when finished, completely or not at all, so that a stopped or killed call can be
-        continued. ``shard="3/8"`` computes every eighth part; the table is written when no part is missing. Points without a result issue
-        :class:`jounce.PointsWithoutResult`.
+        continued. A task that the executor loses, with a worker for example, is submitted again. ``shard="3/8"`` computes every eighth
+        part; the table is written when no part is missing. Points without a result issue :class:`jounce.PointsWithoutResult`.
         """
         check_integers(threads=threads)
         if executor is not None and not callable(getattr(executor, "submit", None)):
@@ -186,6 +189,7 @@ class Study:
         total = sum(self._study.points_of(part) for part in pending)
         done_points, wall_time_s, part_time_s, start_time = 0, 0.0, None, time.monotonic()
         tasks: dict[Any, list[int]] = {}
+        losses: dict[int, int] = {}
         try:
             while pending or tasks:
                 # The first tasks have one part each, from which the size of later tasks is computed.
@@ -196,7 +200,17 @@ class Study:
                     tasks[executor.submit(_compute_parts, self, batch)] = batch
                 for task in wait(tasks, return_when=FIRST_COMPLETED).done:
                     batch = tasks.pop(task)
-                    elapsed_s, results = task.result()
+                    try:
+                        elapsed_s, results, error = task.result()
+                    except Exception:
+                        # The executor lost the task, for example with its worker: any worker computes the same bytes.
+                        losses[batch[0]] = losses.get(batch[0], 0) + 1
+                        if losses[batch[0]] == MAX_LOSSES:
+                            raise
+                        pending = batch + pending
+                        continue
+                    if error is not None:
+                        raise error
                     part_time_s = elapsed_s / len(batch)
                     for part, (content, part_s) in zip(batch, results):
                         self._study.keep(folder, part, content)
@@ -222,17 +236,21 @@ def _workers(executor: Any) -> int:
     return int(workers or 8)
 
 
-def _compute_parts(study: Study, parts: Sequence[int]) -> tuple[float, list[tuple[bytes, float]]]:
-    """Computes parts in any process; returns the elapsed time, and of each part the bytes of its file and the integration time, s."""
+def _compute_parts(study: Study, parts: Sequence[int]) -> tuple[float, list[tuple[bytes, float]], BaseException | None]:
+    """Computes parts in any process.
+
+    Returns the elapsed time, of each part the bytes of its file and the integration time, s, and the error that ended the computation: as a
+    value, so that an exception of the task is one of the executor.
+    """
     start_time = time.monotonic()
-    results = []
+    results: list[tuple[bytes, float]] = []
     for part in parts:
         result, error = study._study.part(part)
         if error is not None:
-            raise error
+            return time.monotonic() - start_time, results, error
         assert result is not None, "a part without an error must have a result"
         results.append((result["bytes"], result["wall_time_s"]))
-    return time.monotonic() - start_time, results
+    return time.monotonic() - start_time, results, None
 
 
 def _rebuild(spec: Spec, text: str) -> Study:

@@ -1,5 +1,6 @@
 """Studies: the same table whoever computes it, on disk as it grows, and clear words where something is wrong."""
 
+import itertools
 import multiprocessing
 import os
 import pickle
@@ -97,6 +98,32 @@ def test_a_killed_worker_of_a_pool_loses_nothing(study, table, tmp_path):
     assert 0 < jounce.StudyStatus.read(tmp_path).finished < 8
     with pool() as workers:
         assert study.run(tmp_path, executor=workers).path.read_bytes() == table
+
+
+class Losing(ThreadPoolExecutor):
+    """Loses some of its tasks after they were computed."""
+
+    def __init__(self, lost):
+        super().__init__(2)
+        self.lost = iter(lost)
+
+    def submit(self, function, /, *args, **kwargs):
+        is_lost = next(self.lost, False)
+
+        def task():
+            result = function(*args, **kwargs)
+            if is_lost:
+                raise ValueError("the task was lost")
+            return result
+
+        return super().submit(task)
+
+
+def test_tasks_that_an_executor_loses_are_submitted_again(study, table, tmp_path):
+    with Losing([True, False, True, True, False]) as workers:
+        assert study.run(tmp_path / "some", executor=workers).path.read_bytes() == table
+    with Losing(itertools.repeat(True)) as workers, pytest.raises(ValueError, match="the task was lost"):
+        study.run(tmp_path / "all", executor=workers)
 
 
 def test_dask_computes_the_same_table_and_survives_a_killed_worker(study, table, tmp_path):
