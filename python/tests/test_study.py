@@ -108,6 +108,7 @@ class Losing(ThreadPoolExecutor):
         self.lost = iter(lost)
 
     def submit(self, function, /, *args, **kwargs):
+        """Submits a task, which may be lost."""
         is_lost = next(self.lost, False)
 
         def task():
