@@ -102,13 +102,17 @@ class BasinsResult(Result):
         starts = {name: own.pop(name) for name, one in list(own.items()) if one.dims == dims}
         starts["failure"] = Variable(dims, [reasons.get(number, "") for number in numbers], "", "reason of a failed run")
         start = Variable(dims, numbers, "1", "number of the start")
-        coords = {f"start_{text.partition('=')[0]}": text for text in json.loads(self.manifest["options"].get("grid", "[]"))}
-        if coords:
-            coords, starts = on_grid({name: starts.pop(name) for name in coords}, {**starts, "start": start})
+        sides = self._sides()
+        if sides:
+            coords, starts = on_grid({name: starts.pop(name) for name in sides}, {**starts, "start": start})
         else:
             coords = {"start": start}
         attractors = {"attractor": Variable(("attractor",), self.attractor, "", "attractor")}
         return self._dataset({**own, **starts}, {**attractors, **coords})
+
+    def _sides(self) -> list[str]:
+        """Returns the names of the sides of the grid of starts, as ``start_displacement``; empty for a cloud."""
+        return [f"start_{text.partition('=')[0].strip()}" for text in json.loads(self.manifest["options"].get("grid", "[]"))]
 
     def to_pandas(self) -> DataFrame:
         """Returns a ``pandas.DataFrame`` with a row for each attractor."""
@@ -118,7 +122,7 @@ class BasinsResult(Result):
         return {"starts": self.plot_basins}
 
     def plot_basins(self, ax: Axes | None = None) -> Axes:
-        """Draws the starts by displacement and velocity towards the stop, coloured by attractor."""
+        """Draws the starts, coloured by attractor, by displacement and velocity or by the first two sides of their grid."""
         from ._plot.basins import plot_basins
 
         return plot_basins(self, ax)

@@ -45,7 +45,9 @@ class Branch(Data):
         Floats, About("estimated error of the value of the key; NaN where the event ends the branch", "SI", axes="bifurcation")
     ]
     bifurcation_mean_power_w: Annotated[Floats, About("mean power of all loads", "W", axes="bifurcation")]
-    bifurcation_displacement_peak_m: Annotated[Floats, About("largest displacement towards the first stop", "m", axes="bifurcation")]
+    bifurcation_displacement_peak_m: Annotated[
+        Floats, About("half the peak-to-peak displacement at the first stop", "m", axes="bifurcation")
+    ]
     bifurcation_contacts_per_period: Annotated[Integers, About("contacts in a period", axes="bifurcation")]
     not_proved: Annotated[
         list[dict[str, Any]],

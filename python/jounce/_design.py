@@ -27,6 +27,16 @@ else:
     Spec = Any
 
 # Reasons of the end of a search, in words.
+#: Text and unit of each goal.
+GOALS = {
+    "expected-power": ("Expected power", "W"),
+    "stable-power": ("Power of the best stable orbit", "W"),
+    "mean-power": ("Mean power", "W"),
+    "time-on": ("Share of the time on", ""),
+    "power-margin": ("Power margin", "W"),
+    "bandwidth": ("Half-power bandwidth", "Hz"),
+}
+
 _ENDS = {
     "converged": "ended because no better design is expected",
     "evaluations": "ended because the next step would exceed the number of evaluations",
@@ -43,9 +53,9 @@ class DesignResult(Result):
     value: Annotated[list[str], About("best values, with units", axes="key")]
     before: Annotated[list[str], About("values in the spec, with units", axes="key")]
     at_end: Annotated[list[str], About('end of its range that a value has, ``"lower"`` or ``"upper"``; empty inside', axes="key")]
-    goals: Annotated[dict[str, float], About("value of each goal by its name, W or Hz")]
-    goals_before: Annotated[dict[str, float], About("value of each goal of the spec as given, W or Hz")]
-    mean_power_w: Annotated[float, About("mean power of the main orbit", "W")]
+    goals: Annotated[dict[str, float], About("value of each goal by its name: a power in W, a bandwidth in Hz, a share of the time")]
+    goals_before: Annotated[dict[str, float], About("value of each goal of the spec as given")]
+    mean_power_w: Annotated[float, About("mean power of the main orbit, or of the run of a goal ``mean-power``; NaN without either", "W")]
     expected_power_w: Annotated[float, About("expected power of a start", "W")]
     expected_power_low_w: Annotated[float, About("lower end of its 95 % interval", "W")]
     expected_power_high_w: Annotated[float, About("upper end of its 95 % interval", "W")]
@@ -80,13 +90,11 @@ class DesignResult(Result):
         return len(self.key)
 
     def _summary(self) -> list[tuple[str, str]]:
-        units = {name: "Hz" if name == "bandwidth" else "W" for name in self.goals}
         interval = f" ({self.expected_power_low_w:.3g} to {self.expected_power_high_w:.3g})"
-        intervals = {name: interval if name == "expected-power" else "" for name in self.goals}
-        goals = [
-            (name, f"{value:.6g} {units[name]}{intervals[name]}, before {self.goals_before.get(name, np.nan):.6g} {units[name]}")
-            for name, value in self.goals.items()
-        ]
+        goals = []
+        for name, value in self.goals.items():
+            now, before = (f"{number:.6g} {GOALS[name][1]}".rstrip() for number in (value, self.goals_before.get(name, np.nan)))
+            goals.append((name, f"{now}{interval if name == 'expected-power' else ''}, before {before}"))
         keys = [(key, f"{self.value[k]}, before {self.before[k]}") for k, key in enumerate(self.key)]
         orbit = f"period {self.period_cycles}, {self.mean_power_w:.6g} W, reached by {100 * self.basin_fraction:.1f} % of the starts"
         limits = [

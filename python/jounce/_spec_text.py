@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from os import PathLike, fspath
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self, Unpack
 
 from . import _core
-from ._arguments import names, spec_from_tables
+from ._arguments import spec_from_tables
 from ._errors import ArgumentError, SpecError, UnknownKeyError
 from ._format import html_table
 from ._issue import Issue, parse_issues
@@ -183,11 +183,6 @@ class SpecText(SpecTables):
 
     def __reduce__(self) -> tuple[Any, ...]:
         return (_rebuild, (type(self), self._spec.text, str(self._spec.folder)))
-
-    def _fixed_masses(self, hold: str | Sequence[str], fixed_table: bool) -> list[str]:
-        """Returns the fixed masses, with ``fixed_table`` all of them."""
-        all_masses = self.to_dict(canonical=True).get("mass", {}) if fixed_table else {}
-        return [*names(hold), *all_masses]
 
     def _lines(self) -> Iterator[tuple[str, str]]:
         for kind, elements in self.to_dict().items():

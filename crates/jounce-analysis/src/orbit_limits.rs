@@ -28,8 +28,9 @@ pub fn exceeded_over_cycles(
         tolerance,
     )?;
     integrator.start_record();
-    integrator.advance_to(f64::from(cycles) * cycle_s)?;
-    Ok(limits.exceeded(kernel, &integrator.take_record()))
+    let length_s = f64::from(cycles) * cycle_s;
+    integrator.advance_to(length_s)?;
+    Ok(limits.exceeded(kernel, &integrator.take_record(), length_s))
 }
 
 /// Returns the limits that an orbit exceeds over its period.

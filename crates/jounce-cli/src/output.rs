@@ -81,9 +81,13 @@ pub fn warn(warnings: &[String]) {
     }
 }
 
-/// Prints a table on stdout, with the names of its columns.
+/// Prints a table on stdout, with the names of its columns; numbers that no row has are left out.
 pub fn print_table(table: &Table) {
-    let columns = table.columns().iter();
+    let is_blank = |column: &&Column| match &column.values {
+        Values::Float(values) => !values.is_empty() && values.iter().all(|value| value.is_nan()),
+        _ => false,
+    };
+    let columns = table.columns().iter().filter(|column| !is_blank(column));
     let columns: Vec<Vec<String>> = columns.map(|column| cells(column, table.rows())).collect();
     print_columns(&columns);
 }

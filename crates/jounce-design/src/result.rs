@@ -43,9 +43,9 @@ pub struct BestDesign {
     pub set: BTreeMap<String, String>,
     /// The free keys in the order of the file.
     pub keys: Vec<FreeValue>,
-    /// Value of each goal, in W or Hz.
+    /// Value of each goal in its unit ([`crate::Goal::unit`]).
     pub goals: BTreeMap<String, f64>,
-    /// Mean power of the main orbit, W; of the goal without an orbit.
+    /// Mean power of the main orbit, or of the run of a goal `mean-power`, W; NaN without either.
     pub mean_power_w: f64,
     /// Expected power of a start, W.
     pub expected_power_w: f64,

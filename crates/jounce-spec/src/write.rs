@@ -15,7 +15,7 @@ impl Spec {
     /// Defaults are printed too; the spring of a mass is printed as its stiffness.
     ///
     /// # Validation
-    /// `tests/spec_round_trip.rs`: random specs with all laws, sides and structures come back
+    /// `tests/spec/round_trip.rs`: random specs with all laws, sides and structures come back
     /// equal.
     pub fn to_toml(&self) -> String {
         let mut out = String::new();

@@ -4,22 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from .._design import GOALS
 from .style import axes, label
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from .._design import DesignResult
-
-#: Name and unit of each goal on an axis.
-GOALS = {
-    "expected-power": ("Expected power", "W"),
-    "stable-power": ("Power of the best stable orbit", "W"),
-    "mean-power": ("Mean power", "W"),
-    "time-on": ("Share of the time on", "1"),
-    "power-margin": ("Power margin", "W"),
-    "bandwidth": ("Half-power bandwidth", "Hz"),
-}
 
 
 def plot_trace(result: DesignResult, ax: Axes | None = None) -> Axes:

@@ -3,7 +3,7 @@
 //! Every mode has the same range of energy: `w q` and `q'` are uniform in `[-S, S]`, `S = spread
 //! w_drive L / |shape|`. `L` is the larger of the gap and the steady amplitude at the stop, and
 //! `|shape|` the norm of the port's shape. The centre is the static equilibrium under gravity, and
-//! the voltages start there. The numbers are those of [`RandomStream`].
+//! the voltages start there; those of isolated patches with the charge at equilibrium. The numbers are those of [`RandomStream`].
 //!
 //! A start inside a rigid stop is mirrored, `q - 2 (s q - gap) s / |s|^2`, until it is outside all
 //! stops.
@@ -56,6 +56,7 @@ impl Cloud {
             state[n + i] += size * stream.symmetric();
         }
         mirror(plant, &mut state);
+        plant.keep_charges(&mut state);
         state
     }
 }

@@ -83,7 +83,7 @@ impl Grid {
         let bends: f64 = shape.iter().enumerate().map(|(i, s)| s * s * soft(i)).sum();
         let square: f64 = shape.iter().map(|s| s * s).sum();
         let mut state = vec![0.0; plant.len()];
-        let mut rest = index;
+        let (mut rest, mut voltage_v) = (index, None);
         for side in &self.sides {
             let value = side.value(rest % side.count);
             rest /= side.count;
@@ -96,13 +96,12 @@ impl Grid {
                     .iter()
                     .enumerate()
                     .for_each(|(i, s)| state[n + i] = value * s / square),
-                GridAxis::Voltage => state
-                    .iter_mut()
-                    .skip(2 * n)
-                    .take(1)
-                    .for_each(|v| *v = value),
+                GridAxis::Voltage => voltage_v = Some(value),
             }
         }
+        plant.keep_charges(&mut state);
+        let first = state.iter_mut().skip(2 * n).take(1);
+        first.zip(voltage_v).for_each(|(v, value)| *v = value);
         state
     }
 }

@@ -107,24 +107,10 @@ fn side(text: &str) -> Result<GridSide, GridError> {
 
 /// Reads a value and converts it to SI.
 fn number(axis: GridAxis, text: &str) -> Result<f64, String> {
-    let length = |text: &str| {
-        Quantity::Length
-            .read(text)
-            .map_err(|error| error.to_string())
+    let quantity = match axis {
+        GridAxis::Displacement => Quantity::Length,
+        GridAxis::Velocity => Quantity::Speed,
+        GridAxis::Voltage => Quantity::Voltage,
     };
-    match axis {
-        GridAxis::Displacement => length(text),
-        GridAxis::Velocity => length(
-            text.strip_suffix("/s")
-                .ok_or_else(|| format!("{text} is not a velocity such as 0.5m/s"))?
-                .trim(),
-        ),
-        GridAxis::Voltage => {
-            let volts = text
-                .strip_suffix('V')
-                .and_then(|number| number.trim().parse().ok())
-                .filter(|volts: &f64| volts.is_finite());
-            volts.ok_or_else(|| format!("{text} is not a voltage in V such as 10V"))
-        }
-    }
+    quantity.read(text).map_err(|error| error.to_string())
 }

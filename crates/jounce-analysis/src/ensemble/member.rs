@@ -84,7 +84,7 @@ impl Member {
             integrator.advance_to(ends_s[1])?;
             if records {
                 let record = integrator.take_record();
-                exceeded_per_batch.push(limits.exceeded(kernel, &record));
+                exceeded_per_batch.push(limits.exceeded(kernel, &record, f64::INFINITY));
                 if let Some(sampling) = sampling.as_deref_mut() {
                     sampling.read(kernel, &record, ends_s);
                 }

@@ -1,17 +1,15 @@
 //! Strain and voltage of the patches in a run, compared with their limits.
 //!
-//! The strain of the outer face is taken at several positions of each patch. Strain and voltage are
-//! sampled over the recorded end of the run.
+//! The strain of the outer face is taken at several positions of each patch.
 
+use super::extremes::RecordWindow;
+use super::output_row::OutputSource;
 use jounce_dynamics::{Kernel, Trajectory};
 use jounce_model::plant::Plant;
 use jounce_spec::Spec;
 use jounce_spec::material;
 use serde::{Deserialize, Serialize};
 use std::fmt;
-
-/// Number of sampling intervals of the record.
-const RECORD_SAMPLES: usize = 2048;
 
 /// Quantity of a patch that has limits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -159,37 +157,48 @@ impl Limits {
         self.patches.is_empty()
     }
 
-    /// Returns the limits that a record exceeds.
-    pub fn exceeded(&self, kernel: &Kernel, trajectory: &Trajectory) -> Vec<ExceededLimit> {
-        let mut limits = self.reached(kernel, trajectory);
+    /// Returns the limits that the last `length_s` of a record exceed.
+    pub fn exceeded(
+        &self,
+        kernel: &Kernel,
+        trajectory: &Trajectory,
+        length_s: f64,
+    ) -> Vec<ExceededLimit> {
+        let mut limits = self.reached(kernel, trajectory, length_s);
         limits.retain(ExceededLimit::is_beyond);
         limits
     }
 
-    /// Returns each limit with the value of a record that exceeds it most or is nearest to it.
-    pub fn reached(&self, kernel: &Kernel, trajectory: &Trajectory) -> Vec<ExceededLimit> {
-        let (Some(first), Some(last)) =
-            (trajectory.segments().first(), trajectory.segments().last())
-        else {
+    /// Returns each limit with the value in the last `length_s` of a record that exceeds it most or
+    /// is nearest to it.
+    pub fn reached(
+        &self,
+        kernel: &Kernel,
+        trajectory: &Trajectory,
+        length_s: f64,
+    ) -> Vec<ExceededLimit> {
+        let limited: Vec<(&PatchLimits, LimitedQuantity, [f64; 2])> =
+            self.patches.iter().flat_map(PatchLimits::each).collect();
+        let window = RecordWindow::of(&kernel.plant, trajectory, length_s);
+        let Some(window) = window.filter(|_| !limited.is_empty()) else {
             return Vec::new();
         };
-        if self.is_empty() {
-            return Vec::new();
-        }
-        let plant = &kernel.plant;
-        let (begin_s, end_s) = (first.start_s, last.start_s + last.length_s);
-        let times: Vec<f64> = (0..=RECORD_SAMPLES)
-            .map(|k| begin_s + (end_s - begin_s) * k as f64 / RECORD_SAMPLES as f64)
-            .collect();
-        let states: Vec<Vec<f64>> = trajectory
-            .at(kernel, &times)
+        let sources: Vec<Vec<OutputSource>> = limited
             .iter()
-            .map(|at| plant.to_physical(&at.state, at.time_s))
+            .map(|(patch, quantity, _)| patch.sources(&kernel.plant, *quantity))
             .collect();
-        self.patches
-            .iter()
-            .flat_map(|patch| patch.reached(plant, &states))
-            .collect()
+        let extremes = window.extremes(kernel, trajectory, &sources);
+        let limit =
+            |((patch, quantity, limits), [lowest, highest]): (&(&PatchLimits, _, _), [f64; 2])| {
+                let is_low = excess(lowest, *limits) > excess(highest, *limits);
+                ExceededLimit {
+                    patch: patch.name.clone(),
+                    quantity: *quantity,
+                    reached: if is_low { lowest } else { highest },
+                    limits: *limits,
+                }
+            };
+        limited.iter().zip(extremes).map(limit).collect()
     }
 }
 
@@ -217,42 +226,23 @@ impl PatchLimits {
         })
     }
 
-    /// Returns the limits of the patch with the values of the states that exceed them most.
-    fn reached(&self, plant: &Plant, states: &[Vec<f64>]) -> Vec<ExceededLimit> {
-        let strained = self.strain.and_then(|limit| {
-            let places = &plant.system.modes.patch[&self.name].strain;
-            let strains = states
-                .iter()
-                .flat_map(|x| places.iter().map(move |place| place.at(x)));
-            extreme(
-                &self.name,
-                LimitedQuantity::Strain,
-                strains,
-                [-limit, limit],
-            )
-        });
-        let voltages = || states.iter().map(|x| plant.patch_voltages_v(x)[self.index]);
-        let charged = self
-            .voltages_v
-            .and_then(|limits| extreme(&self.name, LimitedQuantity::Voltage, voltages(), limits));
-        strained.into_iter().chain(charged).collect()
+    /// Returns each limited quantity with its lowest and highest allowed value.
+    fn each(&self) -> impl Iterator<Item = (&Self, LimitedQuantity, [f64; 2])> {
+        let strain = self.strain.map(|limit| [-limit, limit]);
+        let strain = strain.map(|limits| (self, LimitedQuantity::Strain, limits));
+        let voltage = self.voltages_v;
+        let voltage = voltage.map(|limits| (self, LimitedQuantity::Voltage, limits));
+        strain.into_iter().chain(voltage)
     }
-}
 
-fn extreme(
-    patch: &str,
-    quantity: LimitedQuantity,
-    values: impl Iterator<Item = f64>,
-    limits: [f64; 2],
-) -> Option<ExceededLimit> {
-    let reached =
-        values.max_by(|one, other| excess(*one, limits).total_cmp(&excess(*other, limits)))?;
-    Some(ExceededLimit {
-        patch: patch.to_owned(),
-        quantity,
-        reached,
-        limits,
-    })
+    fn sources(&self, plant: &Plant, quantity: LimitedQuantity) -> Vec<OutputSource> {
+        match quantity {
+            LimitedQuantity::Strain => (0..plant.system.modes.patch[&self.name].strain.len())
+                .map(|place| OutputSource::Strain(self.index, place))
+                .collect(),
+            LimitedQuantity::Voltage => vec![OutputSource::Patch(self.index)],
+        }
+    }
 }
 
 /// Returns the excess of a value over its limits; negative within them.
@@ -287,7 +277,7 @@ mod tests {
             record_s: 2.0,
         };
         let result = simulate(&kernel, &start, &plan).unwrap();
-        let warned = Limits::of(&spec, &kernel.plant).exceeded(&kernel, &result.trajectory);
+        let warned = Limits::of(&spec, &kernel.plant).exceeded(&kernel, &result.trajectory, 2.0);
         let section = jounce_model::structure::section::CrossSection::covered(
             &spec.beam["b"],
             spec.patch.values(),

@@ -4,6 +4,7 @@
 mod charge;
 mod device;
 mod error;
+mod extremes;
 mod limits;
 mod model_limits;
 mod output_peak;
@@ -27,4 +28,4 @@ pub use result::{LeakResult, LoadResult, RectifiedResult, RunResult, StopResult}
 pub use settle::Settlement;
 pub use simulate::simulate;
 pub use start::{StartFileError, StartState};
-pub use warning::Warning;
+pub use warning::{MAX_DEFLECTION_SHARE, Warning};

@@ -1,5 +1,5 @@
 //! Limits of the model that a run exceeds: points of a force table, modes that a contact needs,
-//! thickness of a plate.
+//! thickness of a beam or a plate.
 
 use super::{RunResult, Warning};
 use jounce_dynamics::Kernel;
@@ -14,12 +14,21 @@ use std::f64::consts::{PI, TAU};
 /// Sound and Vibration 11 (1977) 8.
 const LEAST_FREQUENCY_TIME: f64 = 1.5;
 
-/// Error of the highest retained frequency of a plate above which the theory of thin plates is not
-/// accurate.
+/// Error of the first frequency of a beam, and of the highest retained one of a plate, above which the
+/// theory of thin beams and plates is not accurate.
 const MAX_SHEAR_ERROR: f64 = 0.02;
 
 /// Shear correction factor of a homogeneous plate (Mindlin).
 const SHEAR_FACTOR: f64 = PI * PI / 12.0;
+
+/// Wave number of the first mode of a cantilever times its length.
+const CANTILEVER_ROOT: f64 = 1.875_104;
+
+/// `E / (kappa G)` of a rectangular section with a Poisson's ratio of 0.3.
+///
+/// Source: G. R. Cowper, The shear coefficient in Timoshenko's beam theory, J. Appl. Mech. 33 (1966)
+/// 335.
+const BEAM_SHEAR: f64 = 2.6 * (12.0 + 11.0 * 0.3) / (10.0 * 1.3);
 
 /// Returns the warnings of all limits.
 pub(super) fn exceeded(spec: &Spec, kernel: &Kernel, result: &RunResult) -> Vec<Warning> {
@@ -27,6 +36,7 @@ pub(super) fn exceeded(spec: &Spec, kernel: &Kernel, result: &RunResult) -> Vec<
     let highest_hz = rad_s.iter().copied().fold(0.0, f64::max) / TAU;
     let mut warnings = passed_tables(spec, result);
     warnings.extend(short_contacts(spec, highest_hz, result));
+    warnings.extend(thick_beams(spec));
     warnings.extend(thick_plates(spec, highest_hz));
     warnings
 }
@@ -65,6 +75,30 @@ fn short_contacts(spec: &Spec, highest_hz: f64, result: &RunResult) -> Vec<Warni
         })
     });
     short.collect()
+}
+
+/// Beams whose thickness is not small against their length. To the first order in `(h / L)^2`, shear and
+/// rotary inertia lower the frequency of a wave by the share below; its wave number `k` is that of the
+/// first mode of a cantilever.
+///
+/// ```text
+/// (k h)^2 / 24 (1 + E / (kappa G)),   k L = 1.8751
+/// ```
+///
+/// Source: S. P. Timoshenko, On the correction for shear of the differential equation for transverse
+/// vibrations of prismatic bars, Phil. Mag. 41 (1921) 744.
+fn thick_beams(spec: &Spec) -> Vec<Warning> {
+    let thick = spec.beam.iter().filter_map(|(name, beam)| {
+        let ratio = CANTILEVER_ROOT * beam.thickness_m / beam.length_m;
+        let error = ratio * ratio / 24.0 * (1.0 + BEAM_SHEAR);
+        (error > MAX_SHEAR_ERROR).then(|| Warning::ThickBeam {
+            beam: name.clone(),
+            length_m: beam.length_m,
+            thickness_m: beam.thickness_m,
+            error,
+        })
+    });
+    thick.collect()
 }
 
 /// Plates whose thickness is not small against the half-wavelength of the highest retained mode.

@@ -28,8 +28,8 @@ pub(super) struct OutputRow {
 #[derive(Debug, PartialEq)]
 struct LinearRow {
     row: Vec<f64>,
-    /// Angular frequency of each tone, rad/s, and complex amplitude of its output.
-    steady: Vec<(f64, c64)>,
+    /// Complex amplitude of the output of each tone.
+    steady: Vec<c64>,
     /// Output at the zero of all states.
     zero: f64,
 }
@@ -63,30 +63,38 @@ impl OutputRow {
         Self { rows }
     }
 
-    /// Magnitude of the output.
-    pub fn size(&self, time_s: f64, state: &[f64]) -> f64 {
-        let values: Vec<f64> = self.rows.iter().map(|row| row.at(time_s, state)).collect();
-        PlaceStrain::of_values(&values).abs()
+    /// Writes the phasor of each tone of a plant at a time.
+    pub fn phasors(plant: &Plant, time_s: f64, phasors: &mut Vec<c64>) {
+        phasors.clear();
+        let tones = plant.tones.iter();
+        phasors.extend(tones.map(|tone| c64::cis(tone.angular_frequency_rad_s * time_s)));
+    }
+
+    /// Returns the output in a state, for the phasors of the tones.
+    pub fn value(&self, phasors: &[c64], state: &[f64]) -> f64 {
+        match &self.rows[..] {
+            [row] => row.value(phasors, state),
+            rows => {
+                let values: Vec<f64> = rows.iter().map(|row| row.value(phasors, state)).collect();
+                PlaceStrain::of_values(&values)
+            }
+        }
     }
 }
 
 impl LinearRow {
     fn new(plant: &Plant, row: Vec<f64>, zero: f64) -> Self {
-        let steady = plant
-            .tones
-            .iter()
-            .map(|tone| tone.angular_frequency_rad_s)
-            .zip(plant.steady_output(&row))
-            .collect();
+        let steady = plant.steady_output(&row).into_iter().collect();
         Self { row, steady, zero }
     }
 
-    fn at(&self, time_s: f64, state: &[f64]) -> f64 {
+    fn value(&self, phasors: &[c64], state: &[f64]) -> f64 {
         let free: f64 = self.row.iter().zip(state).map(|(c, y)| c * y).sum();
         let steady: f64 = self
             .steady
             .iter()
-            .map(|(w, amplitude)| (c64::cis(w * time_s) * amplitude).re)
+            .zip(phasors)
+            .map(|(amplitude, phasor)| (phasor * amplitude).re)
             .sum();
         free + steady + self.zero
     }

@@ -104,6 +104,8 @@ pub struct RunResult {
     pub contact_duty: f64,
     /// Steady-state test; `None` if the drives are not periodic.
     pub settlement: Option<Settlement>,
+    /// Length of the part at the end of the run that has the peaks of the averaging window, s.
+    pub peak_window_s: f64,
     /// Energies of the complete run, J.
     pub energies: Energies,
     /// Steps and iterations of the complete run.

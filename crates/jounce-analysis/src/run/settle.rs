@@ -68,27 +68,8 @@ pub(super) fn settled(
         .filter(|time_s| *time_s > -1e-9 * period_s)
         .collect();
     let plant = &kernel.plant;
-    let frequencies = &plant.system.modes.frequency_rad_s;
-    // The displacement of a free body has no energy: its scale is the drive frequency.
-    let mechanical = frequencies
-        .iter()
-        .map(|w| match *w > 0.0 {
-            true => *w,
-            false => TAU / period_s,
-        })
-        .chain(std::iter::repeat_n(1.0, frequencies.len()));
-    let scales: Vec<f64> = mechanical.chain(plant.electrical.energy_scale()).collect();
-    let states: Vec<Vec<f64>> = (trajectory.at(kernel, &times).iter())
-        .map(|at| {
-            kernel
-                .plant
-                .to_physical(&at.state, at.time_s)
-                .iter()
-                .zip(&scales)
-                .map(|(x, s)| x * s)
-                .collect()
-        })
-        .collect();
+    let scales = energy_scales(kernel, period_s);
+    let states = energy_states(kernel, trajectory, &times, &scales);
     // A ball at rest on its table moves by roundoff of the forced response.
     let driven = plant.tones.iter().map(|tone| {
         let amplitude = |i: usize| {
@@ -114,6 +95,72 @@ pub(super) fn settled(
         noise,
         REST_MOTION_SHARE * driven.fold(0.0, f64::max),
     )
+}
+
+/// Returns the length of the part of a window at the end of a run that has its peaks, s: the period of
+/// a steady state that repeats over the window, else the window.
+pub(super) fn repeated_window_s(
+    kernel: &Kernel,
+    trajectory: &Trajectory,
+    (end_s, window_s): (f64, f64),
+    settlement: Option<&Settlement>,
+) -> f64 {
+    let (Some(period_s), Some(settlement)) = (kernel.plant.period_s(), settlement) else {
+        return window_s;
+    };
+    let orbit_s = f64::from(settlement.period_cycles) * period_s;
+    let orbits = (window_s / orbit_s * (1.0 + 1e-12)).floor();
+    let begin_s = end_s - orbits * orbit_s;
+    let record_s = trajectory.segments().first().map(|first| first.start_s);
+    let is_recorded = record_s.is_some_and(|record_s| record_s <= begin_s);
+    if !settlement.settled || orbits < 1.0 || !is_recorded {
+        return window_s;
+    }
+    let scales = energy_scales(kernel, period_s);
+    let states = energy_states(kernel, trajectory, &[begin_s, end_s], &scales);
+    let [first, last] = &states[..] else {
+        return window_s;
+    };
+    let change = norm(first.iter().zip(last).map(|(a, b)| a - b));
+    match change <= SETTLED_DISTANCE * norm(last.iter().copied()) {
+        true => orbit_s,
+        false => window_s,
+    }
+}
+
+/// Returns the factor of each physical state whose square is twice its energy. The displacement of a
+/// free body has no energy: its scale is the drive frequency.
+fn energy_scales(kernel: &Kernel, period_s: f64) -> Vec<f64> {
+    let plant = &kernel.plant;
+    let frequencies = &plant.system.modes.frequency_rad_s;
+    let mechanical = frequencies
+        .iter()
+        .map(|w| match *w > 0.0 {
+            true => *w,
+            false => TAU / period_s,
+        })
+        .chain(std::iter::repeat_n(1.0, frequencies.len()));
+    mechanical.chain(plant.electrical.energy_scale()).collect()
+}
+
+/// Returns the states of a record at some times, in energy coordinates.
+fn energy_states(
+    kernel: &Kernel,
+    trajectory: &Trajectory,
+    times_s: &[f64],
+    scales: &[f64],
+) -> Vec<Vec<f64>> {
+    (trajectory.at(kernel, times_s).iter())
+        .map(|at| {
+            kernel
+                .plant
+                .to_physical(&at.state, at.time_s)
+                .iter()
+                .zip(scales)
+                .map(|(x, s)| x * s)
+                .collect()
+        })
+        .collect()
 }
 
 /// Tests states one drive period apart, oldest first, in energy coordinates.
@@ -150,7 +197,16 @@ fn settlement(states: &[Vec<f64>], noise: Noise, least: f64) -> Settlement {
             distance,
         };
         if result.settled {
-            return result;
+            // A free decay that nearly repeats after `period` cycles settles first over these. Two
+            // states of an orbit of fewer cycles differ by their distances to it at most.
+            let explained = distance * (1.0 + 1.0 / ratio.min(1.0));
+            let least = (1..period)
+                .filter(|part| period.is_multiple_of(*part))
+                .find(|part| change(last, &states[first + 2 * period - part]) <= explained);
+            return Settlement {
+                period_cycles: least.unwrap_or(period) as u32,
+                ..result
+            };
         }
         if best.is_none_or(|best| result.change < best.change) {
             best = Some(result);
@@ -198,6 +254,24 @@ mod tests {
             .collect();
         let result = settlement(&states, EXACT, 0.0);
         assert!(result.settled && result.period_cycles == 2, "{result:?}");
+    }
+
+    /// Motion of period 1 with a free decay of a third and of a quarter of the drive frequency.
+    #[test]
+    fn a_decay_that_nearly_repeats_after_some_cycles_is_no_longer_period() {
+        for fraction in [3.0, 4.0] {
+            let states: Vec<Vec<f64>> = (0..STROBE_STATES)
+                .map(|k| {
+                    let angle = TAU * k as f64 / fraction;
+                    let size = 4e-5 * 0.98_f64.powi(k as i32);
+                    vec![1.0 + size * angle.cos(), size * angle.sin()]
+                })
+                .collect();
+            let result = settlement(&states, EXACT, 0.0);
+            assert!(result.settled && result.period_cycles == 1, "{result:?}");
+            let size = 4e-5 * 0.98_f64.powi(STROBE_STATES as i32 - 1);
+            assert!(result.distance >= size, "{result:?}");
+        }
     }
 
     /// States that repeat to 9e-9 of the largest impact, and to 9e-6 of themselves.

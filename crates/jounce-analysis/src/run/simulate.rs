@@ -2,7 +2,7 @@
 
 use super::device::devices;
 use super::error::{check, check_outside};
-use super::settle::{Noise, STROBE_STATES, settled};
+use super::settle::{Noise, STROBE_STATES, repeated_window_s, settled};
 use super::{
     LeakResult, LoadResult, RectifiedResult, RunError, RunPlan, RunResult, StartState, StopResult,
 };
@@ -43,6 +43,8 @@ pub fn simulate(
     let trajectory = integrator.take_record();
     let noise = Noise::of(&integrator, plan.tolerance);
     let settlement = period_s.map(|period_s| settled(kernel, &trajectory, end_s, period_s, noise));
+    let window = (end_s, plan.peak_window_s(plant));
+    let peak_window_s = repeated_window_s(kernel, &trajectory, window, settlement.as_ref());
     let energies = integrator.energies();
     let statistics = integrator.statistics();
     let loads = loads(plant, [&opened.energies, &energies], plan.average_over_s);
@@ -74,6 +76,7 @@ pub fn simulate(
         contacts_in_all: opened.contacts + statistics.contacts,
         contact_duty: statistics.time_s / plan.average_over_s,
         settlement,
+        peak_window_s,
         energies,
         work: integrator.work(),
         end,

@@ -1,9 +1,11 @@
 //! Warnings of a run.
 
-use super::{ExceededLimit, Limits, RunPlan, RunResult, StopResult, model_limits, polarity};
+use super::{
+    ExceededLimit, Limits, OutputPeaks, RunPlan, RunResult, StopResult, model_limits, polarity,
+};
 use jounce_data::recording::Issue;
 use jounce_dynamics::Kernel;
-use jounce_model::plant::Bridge;
+use jounce_model::plant::{Bridge, Plant};
 use jounce_spec::{DriveSignal, Spec};
 use serde::{Deserialize, Serialize};
 
@@ -16,6 +18,12 @@ const MAX_ENERGY_RESIDUAL: f64 = 1e-3;
 
 /// Samples within the mean contact below which its force is not resolved.
 const SAMPLES_PER_CONTACT: f64 = 10.0;
+
+/// Deflection of a beam, relative to its length, up to which the linear model has no warning.
+pub const MAX_DEFLECTION_SHARE: f64 = 0.1;
+
+/// Share of the averaging window outside whole periods below which its effect on the means is small.
+const MAX_PART_OF_PERIOD: f64 = 0.01;
 
 /// A warning of a run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, thiserror::Error)]
@@ -124,6 +132,45 @@ pub enum Warning {
         /// Estimated relative error of its frequency.
         error: f64,
     },
+    /// A beam is too thick for Euler-Bernoulli theory.
+    #[error(
+        "beam {beam}: it is {:.1} thicknesses long: without shear and rotary inertia the frequency of its first mode is about {:.1} % too high; import the matrices of a solid", length_m / thickness_m, 100.0 * error
+    )]
+    ThickBeam {
+        /// Name of the beam.
+        beam: String,
+        /// Length, m.
+        length_m: f64,
+        /// Thickness, m.
+        thickness_m: f64,
+        /// Estimated relative error of its first frequency.
+        error: f64,
+    },
+    /// A beam bends too far for the linear model.
+    #[error(
+        "beam {beam}: its deflection reaches {:.0} % of its length; the linear model holds up to about {:.0} %", 100.0 * share, 100.0 * MAX_DEFLECTION_SHARE
+    )]
+    LargeDeflection {
+        /// Name of the beam.
+        beam: String,
+        /// Largest displacement of a point of the beam, relative to its length.
+        share: f64,
+    },
+    /// The averaging window is no whole number of periods.
+    #[error(
+        "run.average_over is {average_over_s} s, {:.3} periods of the drives: the means depend on the phase of the window; give a whole number of periods of {period_s:.9} s", average_over_s / period_s
+    )]
+    PartOfPeriod {
+        /// Length of the averaging window, s.
+        average_over_s: f64,
+        /// Common period of the drives, s.
+        period_s: f64,
+    },
+    /// Nothing moves.
+    #[error(
+        "the spec has no drive, and nothing moves; add a [drive.NAME], or start from a state with `--start`"
+    )]
+    NoDrive,
     /// The energy balance does not close.
     #[error(
         "the energy balance is off by {residual_relative:.1e} of the largest energy, so rounding errors make these results unreliable; find the value of the spec that is far too large or too small, often a wrong unit (`jounce show` draws the harvester to scale), and correct it"
@@ -179,6 +226,35 @@ impl Warning {
         coarse.collect()
     }
 
+    /// Returns a warning for each beam on which the peak displacement of a point is no longer small.
+    pub fn of_deflections(spec: &Spec, plant: &Plant, peaks: &OutputPeaks) -> Vec<Self> {
+        let large = spec.beam.iter().filter_map(|(name, beam)| {
+            let is_on_beam =
+                |point: &str| point.split_once('.').is_some_and(|(body, _)| body == name);
+            let points = plant.system.modes.shape.keys().zip(&peaks.points_m);
+            let largest_m = points
+                .filter(|(point, _)| is_on_beam(point))
+                .fold(0.0, |max: f64, (_, peak_m)| max.max(*peak_m));
+            let share = largest_m / beam.length_m;
+            (share > MAX_DEFLECTION_SHARE).then(|| Self::LargeDeflection {
+                beam: name.clone(),
+                share,
+            })
+        });
+        large.collect()
+    }
+
+    /// Returns a warning where a part of the averaging window is outside whole periods of the drives.
+    fn of_window(plant: &Plant, plan: &RunPlan) -> Option<Self> {
+        let period_s = plant.period_s()?;
+        let periods = plan.average_over_s / period_s;
+        let part = (periods - periods.round()).abs() / periods;
+        (part > MAX_PART_OF_PERIOD).then_some(Self::PartOfPeriod {
+            average_over_s: plan.average_over_s,
+            period_s,
+        })
+    }
+
     /// Returns a warning for each device that never starts.
     fn of_devices(kernel: &Kernel, result: &RunResult) -> Vec<Self> {
         let plant = &kernel.plant;
@@ -197,7 +273,7 @@ impl Warning {
         bridges.filter_map(never).collect()
     }
 
-    /// Returns the stop, plate, circuit, drive or patch that the warning names; empty for none.
+    /// Returns the stop, beam, plate, circuit, drive or patch that the warning names; empty for none.
     pub fn subject(&self) -> &str {
         match self {
             Self::Limit(exceeded) => &exceeded.patch,
@@ -207,14 +283,15 @@ impl Warning {
             | Self::ShortContact { stop, .. }
             | Self::Undersampled { stop, .. } => stop,
             Self::ThickPlate { plate, .. } => plate,
-            Self::Unbalanced { .. } => "",
+            Self::ThickBeam { beam, .. } | Self::LargeDeflection { beam, .. } => beam,
+            Self::PartOfPeriod { .. } | Self::NoDrive | Self::Unbalanced { .. } => "",
         }
     }
 
     /// Returns all warnings of a run.
     pub fn of(spec: &Spec, kernel: &Kernel, plan: &RunPlan, result: &RunResult) -> Vec<Self> {
         let limits = Limits::of(spec, &kernel.plant)
-            .exceeded(kernel, &result.trajectory)
+            .exceeded(kernel, &result.trajectory, result.peak_window_s)
             .into_iter()
             .map(Self::Limit);
         let residual_relative = result.energies.residual_relative();
@@ -232,6 +309,8 @@ impl Warning {
             .chain(noticed)
             .chain(model_limits::exceeded(spec, kernel, result))
             .chain(polarity::cancelling(&kernel.plant))
+            .chain(Self::of_window(&kernel.plant, plan))
+            .chain((spec.drive.is_empty() && result.is_trivial()).then_some(Self::NoDrive))
             .chain(unbalanced)
             .collect()
     }

@@ -4,6 +4,7 @@ use crate::brute::{Ending, Kind};
 use crate::endings::{Effort, endings};
 use crate::library::{Account, AccountKind, accounts, empty_interval};
 use jounce_analysis::{Cloud, InitialStates, Model};
+use jounce_model::plant::Plant;
 use jounce_spec::SpecFile;
 use std::fmt::{self, Display};
 use std::time::Instant;
@@ -110,7 +111,7 @@ fn verdict(ending: &Ending, account: Option<&Account>) -> Verdict {
 }
 
 /// Groups endings into attractors by their numbers; those without a period by their kind.
-fn groups(endings: &[Ending]) -> Vec<Vec<usize>> {
+pub fn groups(endings: &[Ending]) -> Vec<Vec<usize>> {
     let mut groups: Vec<Vec<usize>> = Vec::new();
     for (index, ending) in endings.iter().enumerate() {
         let is_one = |group: &&mut Vec<usize>| {
@@ -129,6 +130,13 @@ fn groups(endings: &[Ending]) -> Vec<Vec<usize>> {
     groups
 }
 
+/// Returns the physical states `(q, q', V)` of all starts.
+pub fn physical(plant: &Plant, starts: &InitialStates) -> Vec<Vec<f64>> {
+    (0..starts.len())
+        .map(|index| starts.start(plant, index))
+        .collect()
+}
+
 /// Compares both on one spec.
 pub fn compare(file: &SpecFile, starts: InitialStates, effort: &Effort) -> Agreement {
     let prepared = Model::new(file.spec().unwrap()).unwrap();
@@ -139,9 +147,7 @@ pub fn compare(file: &SpecFile, starts: InitialStates, effort: &Effort) -> Agree
         drive.frequency_hz,
     );
     let begin = Instant::now();
-    let physical: Vec<Vec<f64>> = (0..starts.len())
-        .map(|index| starts.start(plant, index))
-        .collect();
+    let physical = physical(plant, &starts);
     let endings = endings(&plant.system, &physical, effort);
     let brute_s = begin.elapsed().as_secs_f64();
     let begin = Instant::now();

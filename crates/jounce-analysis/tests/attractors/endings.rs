@@ -17,15 +17,18 @@ pub struct Effort {
     pub tolerance: f64,
     /// File for the result of each start.
     pub results: Option<PathBuf>,
+    /// Endings of the first starts, known from an earlier integration.
+    pub known: Vec<Ending>,
 }
 
 impl Effort {
-    /// Effort without a file.
+    /// Effort without a file and without known endings.
     pub fn new(patience: Patience, tolerance: f64) -> Self {
         Self {
             patience,
             tolerance,
             results: None,
+            known: Vec::new(),
         }
     }
 
@@ -35,8 +38,15 @@ impl Effort {
     }
 }
 
-/// Integrates all starts of a cloud by brute force.
+/// Returns the endings of all starts of a cloud, by brute force where they are not known.
 pub fn endings(system: &System, starts: &[Vec<f64>], effort: &Effort) -> Vec<Ending> {
+    let known = effort.known.len().min(starts.len());
+    let mut all = effort.known[..known].to_vec();
+    all.extend(integrated(system, &starts[known..], effort));
+    all
+}
+
+fn integrated(system: &System, starts: &[Vec<f64>], effort: &Effort) -> Vec<Ending> {
     match system.modes.len() {
         1 => endings_of::<1, 4>(system, starts, effort),
         2 => endings_of::<2, 6>(system, starts, effort),
@@ -95,7 +105,8 @@ fn list(values: &[f64]) -> String {
     texts.join(" ")
 }
 
-fn line(ending: &Ending) -> String {
+/// Returns an ending as text.
+pub fn line(ending: &Ending) -> String {
     let kind = match ending.kind {
         Kind::Periodic(period) => format!("periodic {period}"),
         Kind::Torus => "torus".into(),
@@ -119,8 +130,14 @@ fn read(path: &Path) -> Vec<(String, Ending)> {
 }
 
 fn parsed(line: &str) -> Option<(String, Ending)> {
-    let fields: Vec<&str> = line.strip_suffix(';')?.split(';').collect();
-    let [key, kind, numbers, exponent, cycles, states] = fields[..] else {
+    let (key, ending) = line.strip_suffix(';')?.split_once(';')?;
+    Some((key.into(), ending_of(ending)?))
+}
+
+/// Reads an ending from its text; `None` where the text was cut off.
+pub fn ending_of(text: &str) -> Option<Ending> {
+    let fields: Vec<&str> = text.split(';').collect();
+    let [kind, numbers, exponent, cycles, states] = fields[..] else {
         return None;
     };
     let values = |text: &str| -> Vec<f64> {
@@ -138,7 +155,7 @@ fn parsed(line: &str) -> Option<(String, Ending)> {
     let [mean_power_w, size, power_scale_w] = values(numbers)[..] else {
         return None;
     };
-    let ending = Ending {
+    Some(Ending {
         kind,
         mean_power_w,
         strobe: states.split(',').map(values).collect(),
@@ -146,8 +163,7 @@ fn parsed(line: &str) -> Option<(String, Ending)> {
         power_scale_w,
         exponent: values(exponent).try_into().ok(),
         cycles: cycles.parse().ok()?,
-    };
-    Some((key.into(), ending))
+    })
 }
 
 #[cfg(test)]

@@ -8,19 +8,30 @@
 //! `JOUNCE_DRAWN_FIRST` is the number of the first harvester, default 0; `JOUNCE_DRAWN_CYCLES` the
 //! cycles after which a motion is not periodic, default 20,000. `JOUNCE_DRAWN_RESULTS` is a folder
 //! for the brute-force result of each start, from which an interrupted comparison continues; delete it
-//! after a change of brute force or of the random harvesters.
+//! after a change of brute force or of the random harvesters. `JOUNCE_DRAWN_STORE=1` writes the endings
+//! of 400 starts to the folder `stored`, from which the comparison then reads them.
 
-use crate::agreement::{Verdict, compare};
+use crate::agreement::{Verdict, compare, physical};
 use crate::brute::{Patience, STEP_TOLERANCE};
-use crate::endings::Effort;
+use crate::endings::{Effort, endings};
 use crate::random_specs::random_spec;
-use jounce_analysis::{Cloud, InitialStates};
+use crate::stored;
+use jounce_analysis::{Cloud, InitialStates, Model};
 use jounce_spec::SpecFile;
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Seed of the harvesters.
 const SEED: u64 = 22;
+
+/// Starts of a cloud for which endings are stored.
+const STARTS: usize = 400;
+
+/// Limits of the stored integrations.
+const PATIENCE: Patience = Patience {
+    cycles: 20_000,
+    period: 64,
+};
 
 fn number(name: &str) -> Option<usize> {
     std::env::var(name).ok().map(|text| {
@@ -76,6 +87,34 @@ fn a_few_random_harvesters_end_where_brute_force_ends() {
     }
 }
 
+/// File for the result of each start of a harvester, if a folder for them is given.
+fn results(index: usize) -> Option<PathBuf> {
+    let folder = std::env::var("JOUNCE_DRAWN_RESULTS").ok()?;
+    Some(Path::new(&folder).join(format!("harvester-{index}.txt")))
+}
+
+/// Writes the stored endings of `JOUNCE_DRAWN_SYSTEMS` harvesters, if `JOUNCE_DRAWN_STORE` is set.
+#[test]
+fn endings_are_stored_on_request() {
+    if std::env::var("JOUNCE_DRAWN_STORE").is_err() {
+        let _ = writeln!(
+            std::io::stderr(),
+            "SKIPPED: JOUNCE_DRAWN_STORE asks for the stored endings"
+        );
+        return;
+    }
+    let first = number("JOUNCE_DRAWN_FIRST").unwrap_or(0);
+    for index in first..first + number("JOUNCE_DRAWN_SYSTEMS").unwrap_or(1) {
+        let file = SpecFile::from_text(random_spec(SEED, index as u64));
+        let model = Model::new(file.spec().unwrap()).unwrap();
+        let plant = &model.kernel.plant;
+        let mut effort = Effort::new(PATIENCE, STEP_TOLERANCE);
+        effort.results = results(index);
+        let starts = physical(plant, &cloud(STARTS));
+        stored::write(index, &endings(&plant.system, &starts, &effort));
+    }
+}
+
 #[test]
 fn many_random_harvesters_end_where_brute_force_ends() {
     let Some(systems) = number("JOUNCE_DRAWN_SYSTEMS") else {
@@ -86,24 +125,22 @@ fn many_random_harvesters_end_where_brute_force_ends() {
         return;
     };
     let (starts, first) = (
-        number("JOUNCE_DRAWN_STARTS").unwrap_or(400),
+        number("JOUNCE_DRAWN_STARTS").unwrap_or(STARTS),
         number("JOUNCE_DRAWN_FIRST").unwrap_or(0),
     );
-    let mut effort = Effort::new(
-        Patience {
-            cycles: number("JOUNCE_DRAWN_CYCLES").unwrap_or(20_000),
-            period: 64,
-        },
-        STEP_TOLERANCE,
-    );
-    let folder = std::env::var("JOUNCE_DRAWN_RESULTS").ok();
+    let patience = Patience {
+        cycles: number("JOUNCE_DRAWN_CYCLES").unwrap_or(PATIENCE.cycles),
+        ..PATIENCE
+    };
+    let mut effort = Effort::new(patience, STEP_TOLERANCE);
     let mut failures = Vec::new();
     let (mut checked, mut inside) = (0, 0);
     for index in first..first + systems {
         let file = SpecFile::from_text(random_spec(SEED, index as u64));
-        effort.results = folder
-            .as_ref()
-            .map(|folder| Path::new(folder).join(format!("harvester-{index}.txt")));
+        effort.results = results(index);
+        if patience == PATIENCE {
+            effort.known = stored::read(index).unwrap_or_default();
+        }
         let agreement = compare(&file, cloud(starts), &effort);
         eprint!("{index:3} {agreement}");
         checked += agreement.other_starts[0];

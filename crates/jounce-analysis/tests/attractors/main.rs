@@ -10,3 +10,4 @@ mod endings;
 mod harvesters;
 mod library;
 mod random_specs;
+mod stored;

@@ -334,3 +334,37 @@ fn samples_too_coarse_for_contacts_give_a_warning_with_the_rate_that_is_not() {
     assert!((0.85..=1.0).contains(&share), "{share}");
     assert_eq!(fine, Value::Array(Vec::new()));
 }
+
+/// Each warning with the change of the spec that causes it.
+#[test]
+fn a_run_outside_the_model_gives_a_warning() {
+    let folder = tempfile::tempdir().unwrap();
+    let spec = write_spec(&folder, &format!("{STRIP}{SINE}"));
+    for (kind, key, part) in [
+        (
+            "thick-beam",
+            "beam.s.thickness=40 mm",
+            "3.0 thicknesses long",
+        ),
+        (
+            "large-deflection",
+            "drive.b.amplitude=200 g",
+            "of its length",
+        ),
+        ("part-of-period", "run.average_over=10 ms", "0.330 periods"),
+        ("part-of-period", "run.average_over=0.5 s", "16.500 periods"),
+    ] {
+        let (code, run, text) = jounce(&["run", &spec, "--json", "--set", key]);
+        let warnings = run["warnings"].as_array().unwrap();
+        let has = warnings.iter().any(|warning| warning["warning"] == kind);
+        assert!(code == 0 && has && text.contains(part), "{key}: {text}");
+    }
+    let key = "run.average_over=0.3333333333333333 s";
+    let (_, run, _) = jounce(&["run", &spec, "--json", "--set", key]);
+    let warnings = run["warnings"].as_array().unwrap();
+    let kinds: Vec<&Value> = warnings.iter().map(|warning| &warning["warning"]).collect();
+    assert_eq!(kinds, ["limit"]);
+    let still = write_spec(&folder, STRIP);
+    let (_, _, text) = jounce(&["run", &still]);
+    assert!(text.contains("the spec has no drive"), "{text}");
+}

@@ -35,8 +35,8 @@ pub struct Evaluation {
     pub goals: Vec<f64>,
     /// Value of each limited quantity, SI: the worst of all conditions and attractors.
     pub limits: Vec<f64>,
-    /// Sum of the relative violations of the limits, and the share of the starts of which no limit
-    /// is known.
+    /// Sum of the relative violations of the limits. Where a limit is on a peak, the share of the
+    /// starts without a proved attractor is added: no peak is known of their motions.
     pub violation: f64,
     /// Share of the starts without a proved attractor.
     pub unknown_share: f64,
@@ -98,7 +98,7 @@ struct InCondition {
     /// Goals that the attractors give; the others are NaN.
     goals: Vec<f64>,
     limits: Vec<f64>,
-    /// Share of the starts of which no limit is known.
+    /// Share of the starts without a proved attractor.
     unknown_share: f64,
     expected_power_w: [f64; 3],
     basin_fraction: [f64; 3],

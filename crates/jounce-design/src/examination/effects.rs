@@ -2,13 +2,25 @@
 //! that no orbit reaches.
 
 use crate::evaluation::{Effort, Evaluation, Evaluator};
-use crate::problem::{FreeKey, FreeValues, Problem};
+use crate::problem::{FreeKey, FreeValues, Goal, Problem};
 use crate::search::{Candidate, Followed};
 use crate::{DesignError, Size};
 use jounce_analysis::{DerivativeAccuracy, DerivativeKey, orbit_derivatives};
 
 /// Relative change below which a result is unchanged.
 const UNCHANGED: f64 = 1e-6;
+
+/// Returns a sentence where the run of the best design had not settled, so that its power counts as 0.
+pub fn unsettled(problem: &Problem, evaluation: &Evaluation) -> Option<String> {
+    let mut goals = problem.goals.iter().zip(&evaluation.goals);
+    let is_transient = goals.any(|(goal, value)| *goal == Goal::MeanPower && *value == 0.0);
+    let duration_s = problem.spec.run.duration_s;
+    is_transient.then(|| {
+        format!(
+            "no design was found whose run settles within run.duration = {duration_s} s, and the power of a transient counts as 0; increase run.duration, or maximise \"expected-power\" or \"stable-power\", which search for the orbits"
+        )
+    })
+}
 
 /// Returns a sentence for each free key without an effect. Where the main orbit has a derivative by
 /// the key, that is its effect; the other keys are set to both ends of their ranges, or to each

@@ -6,7 +6,7 @@ mod prices;
 
 use crate::DesignError;
 use crate::evaluation::{Evaluation, Evaluator, examined_fold};
-use crate::problem::{FreeKey, FreeValues, Problem};
+use crate::problem::{FreeKey, FreeValues, Goal, Problem};
 use crate::result::{
     BestDesign, DesignBefore, DesignOutcome, FreeValue, Improvement, LimitResult, NearestFold,
     SearchEnd, TracePoint,
@@ -36,8 +36,10 @@ pub fn examine(
     let orbit = followed.as_ref().zip(evaluation.orbit.as_ref());
     let nearest_fold = orbit
         .and_then(|(followed, orbit)| examined_fold(&followed.model, orbit, &problem.tolerances));
+    let mut warnings = effects::warnings(evaluator, best, followed.as_ref())?;
+    warnings.extend(effects::unsettled(problem, evaluation));
     Ok(DesignOutcome {
-        warnings: effects::warnings(evaluator, best, followed.as_ref())?,
+        warnings,
         limits: limits(problem, best, followed.as_ref()),
         robust: robustness(evaluator, best)?,
         front: Vec::new(),
@@ -96,11 +98,17 @@ fn best_design(
     let orbit = evaluation.orbit.as_ref();
     let [expected, expected_low, expected_high] = evaluation.expected_power_w;
     let [fraction, fraction_low, fraction_high] = evaluation.basin_fraction;
+    let mut goals_of_runs = problem.goals.iter().zip(&evaluation.goals);
+    let of_run = || {
+        goals_of_runs
+            .find(|(goal, _)| **goal == Goal::MeanPower)
+            .map_or(f64::NAN, |(_, power_w)| *power_w)
+    };
     BestDesign {
         set: settings(problem, &best.place),
         keys: keys(problem, &best.place),
         goals: goals(problem, evaluation),
-        mean_power_w: orbit.map_or(evaluation.goals[0], |orbit| orbit.mean_power_w),
+        mean_power_w: orbit.map_or_else(of_run, |orbit| orbit.mean_power_w),
         expected_power_w: expected,
         expected_power_low_w: expected_low,
         expected_power_high_w: expected_high,

@@ -225,6 +225,17 @@ fn a_search_evaluates_no_more_designs_than_allowed() {
     }
 }
 
+/// No run of two cycles settles; the result says why its power is 0.
+#[test]
+fn a_power_of_unsettled_runs_is_explained() {
+    let spec = LINEAR.replace("1 s", "0.2 s");
+    let text = LOAD.replace("expected-power", "mean-power");
+    let found = outcome_of(&spec, &format!("evaluations = 10\n{text}"));
+    let explains = |text: &String| text.contains("increase run.duration");
+    assert_eq!(found.best.goals["mean-power"], 0.0);
+    assert!(found.warnings.iter().any(explains), "{:?}", found.warnings);
+}
+
 /// A search that a budget interrupts leaves a journal, from which the complete search gives the
 /// result of an uninterrupted one.
 #[test]

@@ -9,10 +9,9 @@ use super::{Chirp, Travel, Wave, half_sine};
 use jounce_spec::DriveSignal;
 use std::f64::consts::PI;
 
-/// Returns the accelerations, m/s^2, for a displacement signal in m; empty for a sinusoid. After a
-/// chirp the base stays in place.
-///
-/// # Limits Empty for velocity steps, noise and recordings, which are not displacement signals.
+/// Returns the accelerations, m/s^2, for a displacement signal in m. After a chirp the base stays in
+/// place. Empty for a sinusoid, and for velocity steps, noise and recordings, which are not
+/// displacement signals.
 pub fn displaced(signal: &DriveSignal) -> Vec<Wave> {
     match *signal {
         DriveSignal::HalfSine {

@@ -12,6 +12,16 @@ use super::{electrodes, pores};
 const COEFFICIENT: &[&str] = &["d31", "d33"];
 const CAPACITANCE: &[&str] = &["capacitance", "permittivity"];
 
+/// Largest strain limit; no piezoelectric material bears a hundredth of it. A larger one is a number
+/// whose unit is missing.
+const MAX_STRAIN_LIMIT: f64 = 0.1;
+
+/// Largest magnitude of `d31` and `d33`, m/V: thirty times that of the strongest single crystals.
+const MAX_COEFFICIENT: f64 = 1e-7;
+
+/// Largest capacitance, F: a patch of a square metre of thin film has a hundredth of it.
+const MAX_CAPACITANCE: f64 = 1.0;
+
 pub(super) fn blank() -> Patch {
     Patch {
         on: String::new(),
@@ -201,6 +211,7 @@ pub(super) static KEYS: &[Key<Patch>] = &[
             set: |p, x| (p.d31_m_per_v, p.d33_m_per_v, p.electrode_spacing_m) = (Some(x), None, None),
         },
     )
+    .within(Range::from(-MAX_COEFFICIENT, MAX_COEFFICIENT))
     .one_of(COEFFICIENT)
     .unless("material"),
     Key::with_slot(
@@ -209,6 +220,7 @@ pub(super) static KEYS: &[Key<Patch>] = &[
         "piezoelectric charge coefficient with its sign, for a field along the beam or along x of the plate (interdigitated electrodes)",
         Slot::Optional { get: |p: &Patch| p.d33_m_per_v, set: |p, x| (p.d33_m_per_v, p.d31_m_per_v) = (Some(x), None) },
     )
+    .within(Range::from(-MAX_COEFFICIENT, MAX_COEFFICIENT))
     .one_of(COEFFICIENT)
     .unless("material"),
     Key::with_slot(
@@ -232,7 +244,7 @@ pub(super) static KEYS: &[Key<Patch>] = &[
         "clamped capacitance",
         Slot::Optional { get: |p: &Patch| p.capacitance_f, set: |p, x| (p.capacitance_f, p.permittivity_f_m) = (Some(x), None) },
     )
-    .within(Range::POSITIVE)
+    .within(Range::above(0.0, MAX_CAPACITANCE))
     .one_of(CAPACITANCE)
     .unless("material"),
     Key::with_slot(
@@ -266,7 +278,7 @@ pub(super) static KEYS: &[Key<Patch>] = &[
         "strain limit; runs and orbits warn if the strain exceeds it: along the beam or the fibres, or for a ceramic on a plate the larger principal strain",
         Slot::Optional { get: |p: &Patch| p.strain_limit, set: |p, x| p.strain_limit = Some(x) },
     )
-    .within(Range::POSITIVE)
+    .within(Range::above(0.0, MAX_STRAIN_LIMIT))
     .optional(),
     Key::with_slot(
         "across_start",

@@ -85,11 +85,6 @@ impl Ceramic {
         1.0 / self.compliance_per_pa
     }
 
-    /// Returns `e31bar = d31 / s11E`, C/m^2.
-    pub const fn charge_per_strain_c_m2(&self) -> f64 {
-        self.d31_m_per_v / self.compliance_per_pa
-    }
-
     /// Returns `eps33bar = eps33T - d31^2 / s11E`, F/m.
     pub const fn clamped_permittivity_f_m(&self) -> f64 {
         self.relative_permittivity * VACUUM_PERMITTIVITY_F_M

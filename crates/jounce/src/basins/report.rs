@@ -53,6 +53,18 @@ impl BasinsResult {
             count("contacts_per_period", "contacts per period", |own| {
                 own.contacts_per_period
             }),
+            number(
+                "lyapunov_per_s",
+                "1/s",
+                "largest Lyapunov exponent, NaN on an orbit",
+                |own| own.lyapunov_per_s.unwrap_or(f64::NAN),
+            ),
+            number(
+                "lyapunov_error_per_s",
+                "1/s",
+                "standard error of the exponent, NaN on an orbit",
+                |own| own.lyapunov_error_per_s.unwrap_or(f64::NAN),
+            ),
             number("fraction", "", "share of the starts", |own| own.fraction),
             number(
                 "fraction_low",

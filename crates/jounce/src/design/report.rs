@@ -162,7 +162,8 @@ impl DesignResult {
         lines
     }
 
-    /// Returns the warnings: free keys that change neither a goal nor a limit at the best design.
+    /// Returns the warnings: free keys that change neither a goal nor a limit at the best design, and a
+    /// power that counts as 0 because no run settled.
     pub fn warnings(&self) -> Vec<String> {
         self.outcome.warnings.clone()
     }

@@ -11,7 +11,7 @@ pub use result::{LoadResult, PatchResult, PointResult, RunResult};
 
 use crate::error::Error;
 use crate::harvester::Harvester;
-use jounce_analysis::run::{RunPlan, Warning, charges, output_peaks, simulate};
+use jounce_analysis::run::{OutputPeaks, RunPlan, Warning, charges, output_peaks, simulate};
 use jounce_dynamics::Kernel;
 use std::time::Instant;
 
@@ -50,7 +50,9 @@ impl Harvester {
             let rate_hz = options.sampled_at_hz();
             warnings.extend(Warning::of_sampling(&result.stops, rate_hz));
         }
-        let result = RunResult::new(&kernel, &plan, result, warnings, history);
+        let peaks = output_peaks(&kernel, &result);
+        warnings.extend(Warning::of_deflections(&model.spec, &kernel.plant, &peaks));
+        let result = RunResult::new((&kernel, &plan), result, &peaks, warnings, history);
         Ok(RunResult {
             wall_time_s: clock.elapsed().as_secs_f64(),
             ..result
@@ -60,13 +62,12 @@ impl Harvester {
 
 impl RunResult {
     fn new(
-        kernel: &Kernel,
-        plan: &RunPlan,
+        (kernel, plan): (&Kernel, &RunPlan),
         run: jounce_analysis::run::RunResult,
+        peaks: &OutputPeaks,
         warnings: Vec<Warning>,
         history: Option<History>,
     ) -> Self {
-        let peaks = output_peaks(kernel, &run, plan);
         let finite = |value: f64| value.is_finite().then_some(value);
         let load = |(load, peak_v): (&jounce_analysis::run::LoadResult, &f64)| LoadResult {
             name: load.name.clone(),

@@ -44,7 +44,7 @@ const APART: f64 = 1e-7;
 const AVERAGED: usize = 1000;
 
 /// Limits of an integration.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Patience {
     /// Drive cycles after which a motion is not periodic.
     pub cycles: usize,

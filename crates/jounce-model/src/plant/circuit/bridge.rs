@@ -163,7 +163,7 @@ impl Bridge {
         !matches!(self.scheme, RectifierScheme::Standard)
     }
 
-    /// Returns the number of states, and the index of the current one.
+    /// Returns the number of states.
     pub fn states(&self) -> usize {
         if self.has_switch() { 6 } else { 3 }
     }

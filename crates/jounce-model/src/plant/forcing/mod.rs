@@ -16,7 +16,7 @@ mod base_motion;
 pub(super) mod signal;
 pub(super) mod tone;
 
-use super::{Plant, Signal};
+use super::{BridgeNodes, Plant, Signal};
 use crate::drive::Wave;
 
 /// Response to a signal of unit value, in block coordinates.
@@ -178,5 +178,27 @@ impl Plant {
                 .collect::<Vec<f64>>(),
             0.0,
         )
+    }
+
+    /// Sets the voltage of each isolated node of a physical state so that its charge `C V + theta . q`
+    /// is that at equilibrium: nothing discharges it, so that a motion keeps the charge with which it
+    /// starts.
+    pub fn keep_charges(&self, state: &mut [f64]) {
+        let (electrical, first) = (&self.electrical, 2 * self.system.modes.len());
+        let is_rectified = |node: usize| {
+            let ends =
+                |bridge: &BridgeNodes| bridge.terminal == node || bridge.storage == Some(node);
+            electrical.bridges.iter().any(ends)
+        };
+        let rest = self.resting_physical();
+        for (index, node) in electrical.nodes.iter().enumerate() {
+            if electrical.is_open(index) && !is_rectified(index) {
+                let motion = state.iter().zip(&rest).map(|(x, rest)| x - rest);
+                let displaced_c: f64 = (node.coupling_n_per_v.iter().zip(motion))
+                    .map(|(theta, q)| theta * q)
+                    .sum();
+                state[first + index] = rest[first + index] - displaced_c / node.capacitance_f;
+            }
+        }
     }
 }

@@ -1,13 +1,9 @@
 //! Limits of the patches and of the linear beam over the period of an orbit.
 
 use super::motion::BeamMotion;
-use jounce_analysis::run::{ExceededLimit, Limits};
+use jounce_analysis::run::{ExceededLimit, Limits, MAX_DEFLECTION_SHARE, Warning};
 use jounce_orbits::ShootingEvaluation;
 use jounce_spec::Spec;
-
-/// Largest deflection of a beam, relative to its length, up to which the linear model has no
-/// warning.
-const MAX_DEFLECTION_SHARE: f64 = 0.1;
 
 /// Returns each limit of a patch with the value that exceeds it most or is nearest to it.
 pub(super) fn reached(spec: &Spec, evaluation: &ShootingEvaluation) -> Vec<ExceededLimit> {
@@ -15,7 +11,7 @@ pub(super) fn reached(spec: &Spec, evaluation: &ShootingEvaluation) -> Vec<Excee
     let mut worst: Vec<ExceededLimit> = Vec::new();
     for trajectory in &evaluation.trajectories {
         for (index, limit) in limits
-            .reached(&evaluation.kernel, trajectory)
+            .reached(&evaluation.kernel, trajectory, f64::INFINITY)
             .into_iter()
             .enumerate()
         {
@@ -35,12 +31,11 @@ pub(super) fn warnings(limits: &[ExceededLimit], beams: &[BeamMotion]) -> Vec<St
     let bent = beams.iter().filter_map(|beam| {
         let share = beam.max_deflection_m() / beam.position_m.last()?;
         (share > MAX_DEFLECTION_SHARE).then(|| {
-            format!(
-                "beam {}: its deflection reaches {:.0} % of its length; the linear model holds up to about {:.0} %",
-                beam.name,
-                100.0 * share,
-                100.0 * MAX_DEFLECTION_SHARE
-            )
+            let warning = Warning::LargeDeflection {
+                beam: beam.name.clone(),
+                share,
+            };
+            warning.to_string()
         })
     });
     exceeded.map(ToString::to_string).chain(bent).collect()
