@@ -116,9 +116,12 @@ impl ContactLaw for Law {
     #[inline(always)]
     fn steepest(&self, reach_m: f64) -> Slopes {
         match self {
+            Law::Hertz(law) => law.steepest(reach_m),
+            Law::KelvinVoigt(law) => law.steepest(reach_m),
+            Law::HuntCrossley(law) => law.steepest(reach_m),
             Law::Cubic(law) => law.steepest(reach_m),
             Law::Table(law) => law.steepest(reach_m),
-            law => Law::slopes(law, reach_m, 0.0),
+            Law::Rigid(_) => Law::slopes(self, reach_m, 0.0),
         }
     }
 
