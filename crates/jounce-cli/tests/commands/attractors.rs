@@ -139,7 +139,7 @@ fn basins_start_from_a_plane() {
     assert!(folder.path().join("starts.csv").exists() && folder.path().join("basins.png").exists());
     for (invalid_grid, message) in [
         ("speed=1:2:3x", "unknown"),
-        ("velocity=1m:2m:3x", "1m is a length"),
+        ("velocity=1m:2m:3x", "is a length"),
         ("displacement=1mm:2mm:1x", "2x or more"),
     ] {
         let (code, json, _) = jounce(&["basins", PLANT, "--json", "--grid", invalid_grid]);

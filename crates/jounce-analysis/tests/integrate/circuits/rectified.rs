@@ -243,7 +243,7 @@ fn a_sweep_reports_the_voltage_of_the_storage() {
         let run = simulate(
             &prepared.from_state(&start).unwrap(),
             &start,
-            &RunPlan::of(&spec.run, 0.0),
+            &RunPlan::of(&spec.run, 0.0).watching(&spec, &prepared.kernel.plant),
         )
         .unwrap();
         let rms_v = points[0].voltage_rms_v;
