@@ -10,3 +10,7 @@ mod endings;
 mod harvesters;
 mod library;
 mod random_specs;
+
+/// The allocator of the program.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
