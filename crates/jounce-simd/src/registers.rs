@@ -33,6 +33,9 @@ pub trait Simd: Copy {
     /// Returns `a b`.
     fn mul(self, a: Self::Register, b: Self::Register) -> Self::Register;
 
+    /// Returns `a / b`.
+    fn div(self, a: Self::Register, b: Self::Register) -> Self::Register;
+
     /// Returns the larger number of each pair.
     fn max(self, a: Self::Register, b: Self::Register) -> Self::Register;
 
@@ -191,6 +194,11 @@ where
     }
 
     #[inline(always)]
+    fn div(self, a: Self::Register, b: Self::Register) -> Self::Register {
+        self.two(a, b, |simd, a, b| simd.div_f64s(a, b))
+    }
+
+    #[inline(always)]
     fn max(self, a: Self::Register, b: Self::Register) -> Self::Register {
         self.two(a, b, |simd, a, b| simd.max_f64s(a, b))
     }
@@ -226,7 +234,7 @@ mod tests {
     struct Every;
 
     impl Task for Every {
-        type Output = [F64x8; 6];
+        type Output = [F64x8; 7];
 
         #[inline(always)]
         fn run<W: Simd>(self, simd: W) -> Self::Output {
@@ -248,6 +256,7 @@ mod tests {
                 simd.store(simd.sqrt(simd.abs(a))),
                 simd.store(simd.add(a, b)),
                 simd.store(simd.mul(a, b)),
+                simd.store(simd.div(b, a)),
                 F64x8(sums),
             ]
         }
@@ -255,9 +264,9 @@ mod tests {
 
     #[test]
     fn this_machine_and_plain_numbers_agree() {
-        // Every value here is exact in binary except the roots, which are correctly rounded
-        // everywhere.
+        // Every value here is exact in binary except the roots and quotients, which are correctly
+        // rounded everywhere.
         assert_eq!(widest(Every), Every.run(Portable::new()));
-        assert_eq!(Every.run(Portable::new())[5].0[..3], [-4.5, 7.0, -8.5]);
+        assert_eq!(Every.run(Portable::new())[6].0[..3], [-4.5, 7.0, -8.5]);
     }
 }

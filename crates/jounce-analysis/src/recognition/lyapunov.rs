@@ -38,6 +38,94 @@ impl Lyapunov {
     }
 }
 
+/// Motion with one direction of its tangent space, cycle by cycle.
+#[derive(Debug)]
+pub(super) struct TangentMotion<'k> {
+    kernel: &'k Kernel,
+    tolerance: f64,
+    cycle_s: f64,
+    /// State in block coordinates.
+    state: Vec<f64>,
+    /// Direction, of length 1.
+    direction: Vec<f64>,
+    /// Logarithm of the growth of the direction, and delivered energy, J, in each cycle.
+    cycles: Vec<[f64; 2]>,
+}
+
+impl<'k> TangentMotion<'k> {
+    /// Starts from block coordinates at the start of a cycle.
+    pub fn from(kernel: &'k Kernel, y: &[f64], tolerance: f64) -> Self {
+        Self {
+            kernel,
+            tolerance,
+            cycle_s: kernel.plant.period_s().unwrap_or(1.0),
+            state: y.to_vec(),
+            direction: vec![1.0 / (y.len() as f64).sqrt(); y.len()],
+            cycles: Vec::new(),
+        }
+    }
+
+    /// Integrates a cycle.
+    fn advance(&mut self) -> Result<(), SensitivityError> {
+        let step = FlowSensitivity::integrate(
+            self.kernel,
+            &self.state,
+            0.0,
+            self.cycle_s,
+            self.tolerance,
+            &ParameterSensitivity::default(),
+        )?;
+        let n = self.state.len();
+        let perturbed: Vec<f64> = (0..n)
+            .map(|i| {
+                (0..n)
+                    .map(|j| step.jacobian[(i, j)] * self.direction[j])
+                    .sum()
+            })
+            .collect();
+        let length = perturbed
+            .iter()
+            .map(|v| v * v)
+            .sum::<f64>()
+            .sqrt()
+            .max(f64::MIN_POSITIVE);
+        self.direction = perturbed.into_iter().map(|v| v / length).collect();
+        let delivered_j = step.delivered_j.iter().sum::<f64>();
+        self.cycles.push([length.ln(), delivered_j]);
+        self.state = step.end;
+        Ok(())
+    }
+
+    /// Returns the largest exponent over the first `cycles` drive cycles (rounded up to full
+    /// blocks) after a first block. Cycles that are not integrated yet are integrated.
+    ///
+    /// # Errors
+    /// [`SensitivityError`].
+    pub fn exponent(&mut self, cycles: usize) -> Result<Lyapunov, SensitivityError> {
+        let per_block = cycles.div_ceil(EXPONENT_BLOCKS).max(1);
+        // In the first block the direction aligns with the fastest growth; it does not count.
+        let count = (EXPONENT_BLOCKS + 1) * per_block;
+        while self.cycles.len() < count {
+            self.advance()?;
+        }
+        let counted = &self.cycles[per_block..count];
+        let block_s = per_block as f64 * self.cycle_s;
+        let means: Vec<f64> = counted
+            .chunks(per_block)
+            .map(|block| block.iter().map(|[growth, _]| growth).sum::<f64>() / block_s)
+            .collect();
+        let mean = means.iter().sum::<f64>() / EXPONENT_BLOCKS as f64;
+        let variance =
+            means.iter().map(|m| (m - mean).powi(2)).sum::<f64>() / (EXPONENT_BLOCKS - 1) as f64;
+        let energy_j: f64 = counted.iter().map(|[_, delivered_j]| delivered_j).sum();
+        Ok(Lyapunov {
+            exponent_per_s: mean,
+            error_per_s: (variance / EXPONENT_BLOCKS as f64).sqrt(),
+            mean_power_w: energy_j / counted.len() as f64 / self.cycle_s,
+        })
+    }
+}
+
 /// Computes the largest exponent over `cycles` drive cycles (rounded up to full blocks), from block
 /// coordinates `y` at the start of a cycle.
 ///
@@ -49,53 +137,5 @@ pub fn largest_exponent(
     cycles: usize,
     tolerance: f64,
 ) -> Result<Lyapunov, SensitivityError> {
-    let cycle_s = kernel.plant.period_s().unwrap_or(1.0);
-    let per_block = cycles.div_ceil(EXPONENT_BLOCKS).max(1);
-    let mut y = y.to_vec();
-    let mut direction = vec![1.0 / (y.len() as f64).sqrt(); y.len()];
-    let (mut means, mut energy_j) = (Vec::with_capacity(EXPONENT_BLOCKS), 0.0);
-    // In the first block the direction aligns with the fastest growth; it does not count.
-    for block in 0..=EXPONENT_BLOCKS {
-        let mut growth = 0.0;
-        for _ in 0..per_block {
-            let step = FlowSensitivity::integrate(
-                kernel,
-                &y,
-                0.0,
-                cycle_s,
-                tolerance,
-                &ParameterSensitivity::default(),
-            )?;
-            let n = y.len();
-            let perturbed: Vec<f64> = (0..n)
-                .map(|i| (0..n).map(|j| step.jacobian[(i, j)] * direction[j]).sum())
-                .collect();
-            let length = perturbed
-                .iter()
-                .map(|v| v * v)
-                .sum::<f64>()
-                .sqrt()
-                .max(f64::MIN_POSITIVE);
-            direction = perturbed.into_iter().map(|v| v / length).collect();
-            growth += length.ln();
-            y = step.end;
-            energy_j += if block > 0 {
-                step.delivered_j.iter().sum::<f64>()
-            } else {
-                0.0
-            };
-        }
-        if block > 0 {
-            means.push(growth / (per_block as f64 * cycle_s));
-        }
-    }
-    let mean = means.iter().sum::<f64>() / EXPONENT_BLOCKS as f64;
-    let variance =
-        means.iter().map(|m| (m - mean).powi(2)).sum::<f64>() / (EXPONENT_BLOCKS - 1) as f64;
-    let mean_power_w = energy_j / (EXPONENT_BLOCKS * per_block) as f64 / cycle_s;
-    Ok(Lyapunov {
-        exponent_per_s: mean,
-        error_per_s: (variance / EXPONENT_BLOCKS as f64).sqrt(),
-        mean_power_w,
-    })
+    TangentMotion::from(kernel, y, tolerance).exponent(cycles)
 }

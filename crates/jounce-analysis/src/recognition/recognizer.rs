@@ -2,7 +2,7 @@
 
 use super::attracting_orbit::AttractingOrbit;
 use super::attractor_kind::AttractorKind;
-use super::lyapunov::{Lyapunov, largest_exponent};
+use super::lyapunov::{Lyapunov, TangentMotion, largest_exponent};
 use super::orbit_search::{OrbitSearch, SearchOutcome};
 use super::steady_state::{Aperiodic, SteadyState};
 use super::transient::Transient;
@@ -137,7 +137,9 @@ impl<H: ParametricModel> Recognizer<'_, H> {
                 _ => {}
             }
             if motion.cycles >= FIRST_AVERAGE_CYCLES && motion.is_quasi_periodic() {
-                let exponent = self.exponent(&motion, EXPONENT_CYCLES)?;
+                let state = motion.block_state();
+                let exponent =
+                    largest_exponent(self.kernel, &state, EXPONENT_CYCLES, motion.tolerance)?;
                 if exponent.kind() == AttractorKind::Torus {
                     return Ok(aperiodic(AttractorKind::Torus, Some(exponent), &motion));
                 }
@@ -151,9 +153,10 @@ impl<H: ParametricModel> Recognizer<'_, H> {
 
     /// Returns chaos or an undecided end for a motion without a proved attractor.
     fn without_orbit(&self, motion: &Transient<'_>) -> Result<SteadyState, SensitivityError> {
-        let mut exponent = self.exponent(motion, EXPONENT_CYCLES)?;
+        let mut tangent = TangentMotion::from(self.kernel, &motion.block_state(), motion.tolerance);
+        let mut exponent = tangent.exponent(EXPONENT_CYCLES)?;
         if exponent.kind() == AttractorKind::Chaos {
-            exponent = self.exponent(motion, CONFIRMATION_CYCLES)?;
+            exponent = tangent.exponent(CONFIRMATION_CYCLES)?;
         }
         let is_chaos = exponent.kind() == AttractorKind::Chaos;
         Ok(aperiodic(
@@ -165,14 +168,6 @@ impl<H: ParametricModel> Recognizer<'_, H> {
             Some(exponent),
             motion,
         ))
-    }
-
-    fn exponent(
-        &self,
-        motion: &Transient<'_>,
-        cycles: usize,
-    ) -> Result<Lyapunov, SensitivityError> {
-        largest_exponent(self.kernel, &motion.block_state(), cycles, motion.tolerance)
     }
 }
 

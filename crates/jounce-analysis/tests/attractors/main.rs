@@ -11,3 +11,7 @@ mod harvesters;
 mod library;
 mod random_specs;
 mod stored;
+
+/// The allocator of the program.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;

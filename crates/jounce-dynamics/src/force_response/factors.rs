@@ -73,11 +73,7 @@ fn product<W: Simd>(w: W, [a, b]: [W::Register; 2], [c, d]: [W::Register; 2]) ->
 /// Returns the reciprocals of complex numbers.
 #[inline(always)]
 fn reciprocal<W: Simd>(w: W, [a, b]: [W::Register; 2]) -> [W::Register; 2] {
-    let mut inverse = w.store(w.fma(a, a, w.mul(b, b)));
-    for lane in &mut inverse.0 {
-        *lane = 1.0 / *lane;
-    }
-    let scale = w.load(&inverse);
+    let scale = w.div(w.splat(1.0), w.fma(a, a, w.mul(b, b)));
     [w.mul(a, scale), w.sub(w.zero(), w.mul(b, scale))]
 }
 

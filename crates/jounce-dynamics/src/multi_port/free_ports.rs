@@ -31,6 +31,17 @@ impl Integrator<'_> {
         )
     }
 
+    /// Computes the free motion to the end of a step into `next`, and updates the ports in flight.
+    #[inline(always)]
+    pub(super) fn move_freely<W: Simd>(&mut self, w: W, steps: &[ContactStep]) {
+        steps[0].table.flow.apply(w, &self.y, &mut self.next);
+        for p in 0..self.kernel.plant.ports.len() {
+            if self.ports[p].contact_state == ContactState::Flight {
+                self.update_free_port(w, p);
+            }
+        }
+    }
+
     #[inline(always)]
     fn check_free_ports_all<W: Simd>(
         &mut self,
@@ -39,7 +50,7 @@ impl Integrator<'_> {
         steps: &[ContactStep],
         solved: &[SolvedStep],
     ) -> StepOutcome {
-        steps[0].table.flow.apply(w, &self.y, &mut self.next);
+        self.move_freely(w, steps);
         let forces: SmallList<F64x8> = solved
             .iter()
             .map(|solution| nodal(&solution.force))
@@ -47,7 +58,6 @@ impl Integrator<'_> {
         let mut outcome = StepOutcome::Clear;
         for p in 0..self.kernel.plant.ports.len() {
             if self.ports[p].contact_state == ContactState::Flight {
-                self.update_free_port(w, p);
                 outcome = outcome.and(p, self.check_free_port(w, length, steps, &forces, p));
             }
         }

@@ -230,7 +230,7 @@ impl Integrator<'_> {
             // The roundoff of the distance limits the accuracy of the time.
             let roundoff_s = RESOLVED_DISTANCE * self.terms_m(w, *striker) / speed_m_s.abs();
             if change_s.abs() <= roundoff_s.max(LANDING_TOLERANCE * scale_s.max(length_s)) {
-                self.check_free_ports(w, length, &joint.steps, &solved);
+                self.move_freely(w, &joint.steps);
                 self.forget_clearances();
                 self.accept_joint_step(w, length, &joint.steps, &solved, Some(&joint_tables));
                 self.join(w, *striker);
