@@ -32,16 +32,15 @@ pub struct Basins<'s> {
 }
 
 impl Basins<'_> {
-    /// Integrates all starts in parallel; `done` is called for each finished one. After
-    /// cancellation the finished ones are counted.
+    /// Integrates all starts in parallel. After cancellation the finished ones are counted.
     ///
     /// # Errors
     /// A model cannot be built.
-    pub fn run(&self, done: &(dyn Fn() + Sync)) -> Result<BasinsResult, AnalysisError> {
+    pub fn run(&self) -> Result<BasinsResult, AnalysisError> {
         let line = KeyLine::at(self.base);
         let kernel = line.at(0.0)?.kernel;
         self.base.kernel.control.expect(self.starts.len());
-        let ends = self.ends(&line, &kernel, done);
+        let ends = self.ends(&line, &kernel);
         let scale = Shooting::new(&line, &kernel, 1, self.recognition.tolerance).scale;
         let mirrored = |one: &AttractingOrbit, two: &AttractingOrbit| {
             mirrored_states(&kernel, &one.orbit, &scale, self.recognition.tolerance)
@@ -66,12 +65,7 @@ impl Basins<'_> {
     }
 
     /// Returns the index and the steady state of each start.
-    fn ends(
-        &self,
-        line: &KeyLine<'_>,
-        kernel: &Kernel,
-        done: &(dyn Fn() + Sync),
-    ) -> Vec<(usize, SteadyState)> {
+    fn ends(&self, line: &KeyLine<'_>, kernel: &Kernel) -> Vec<(usize, SteadyState)> {
         let recognizer = Recognizer {
             harvester: line,
             kernel,
@@ -90,7 +84,6 @@ impl Basins<'_> {
                 Err(inside) => SteadyState::Failed(inside.to_string()),
             };
             control.count();
-            done();
             (!control.is_stopped()).then_some((index, end))
         };
         let mut ends: Vec<(usize, SteadyState)> = Vec::new();

@@ -65,12 +65,12 @@ pub struct EnsembleResult {
 }
 
 impl Ensemble<'_> {
-    /// Integrates the members; `done` is called for each finished one. After cancellation the
-    /// result covers the finished members, possibly zero.
+    /// Integrates the members. After cancellation the result covers the finished members, possibly
+    /// zero.
     ///
     /// # Errors
     /// [`AnalysisError::NoNoise`], or the first integration that failed.
-    pub fn run(&self, done: &(dyn Fn(&Member) + Sync)) -> Result<EnsembleResult, AnalysisError> {
+    pub fn run(&self) -> Result<EnsembleResult, AnalysisError> {
         let control = &self.base.kernel.control;
         let mut members: Vec<Member> = Vec::new();
         let mut spectra = vec![
@@ -87,7 +87,7 @@ impl Ensemble<'_> {
             let round: Result<Vec<Option<(Member, Densities)>>, AnalysisError> = (first
                 ..first + self.members)
                 .into_par_iter()
-                .map(|index| self.member(index, done))
+                .map(|index| self.member(index))
                 .collect();
             for (member, densities) in round?.into_iter().flatten() {
                 members.push(member);
@@ -118,11 +118,7 @@ impl Ensemble<'_> {
 
     /// Returns a member, with the density of each voltage where requested; `None` for one that was
     /// cancelled.
-    fn member(
-        &self,
-        index: usize,
-        done: &(dyn Fn(&Member) + Sync),
-    ) -> Result<Option<(Member, Densities)>, AnalysisError> {
+    fn member(&self, index: usize) -> Result<Option<(Member, Densities)>, AnalysisError> {
         // Generating a realisation takes as long as many steps, so after cancellation the remaining
         // ones are not generated.
         if self.base.kernel.control.is_stopped() {
@@ -153,7 +149,6 @@ impl Ensemble<'_> {
             result => result.map_err(RunError::from)?,
         };
         kernel.control.count();
-        done(&member);
         let rate_hz = (per_batch * BATCHES) as f64 / run.average_over_s;
         let density = |values: &Vec<f64>| {
             Samples::new(values, rate_hz).map(|samples| samples.density(Window::Hann))

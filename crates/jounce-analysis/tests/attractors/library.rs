@@ -41,7 +41,7 @@ pub fn accounts(file: &SpecFile, (key, value): (&str, f64), starts: InitialState
         starts,
         recognition: Recognition::at(1e-8),
     }
-    .run(&|| ())
+    .run()
     .unwrap();
     basins.attractors.iter().map(account).collect()
 }

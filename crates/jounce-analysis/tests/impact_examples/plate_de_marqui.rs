@@ -59,7 +59,7 @@ fn three_methods_give_one_orbit() {
         }),
         recognition: Recognition::at(1e-8),
     }
-    .run(&|| ())
+    .run()
     .unwrap();
     let sum: f64 = basins.attractors.iter().map(|a| a.share.fraction).sum();
     assert!((sum - 1.0).abs() < 1e-12, "{sum}");

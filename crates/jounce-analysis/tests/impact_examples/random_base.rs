@@ -38,7 +38,7 @@ fn powers_w(file: &str, settings: &[(&str, &str)]) -> [f64; 2] {
         most_rounds: 1,
         with_spectrum: false,
     };
-    let result = study.run(&|_| {}).unwrap();
+    let result = study.run().unwrap();
     let residual = result.members.iter().fold(0.0_f64, |max, member| {
         max.max(member.energy_residual_relative.abs())
     });

@@ -92,7 +92,7 @@ fn reached(
         }),
         recognition,
     };
-    study.run(&|| ())
+    study.run()
 }
 
 /// Returns the number of starts and the options of their integration.

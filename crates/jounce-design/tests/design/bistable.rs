@@ -194,7 +194,7 @@ fn published_expected_w() -> f64 {
         }),
         recognition: Recognition::at(1e-8),
     };
-    study.run(&|| ()).unwrap().expected_power_w
+    study.run().unwrap().expected_power_w
 }
 
 /// At the smallest coupling with the largest `kappa`, `lambda v^2` is proportional to the electric

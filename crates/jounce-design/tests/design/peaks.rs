@@ -20,7 +20,7 @@ fn peak(model: &Model) -> PeakPlace {
         starts: InitialStates::Cloud(cloud),
         recognition: Recognition::at(1e-10),
     };
-    let attractors = study.run(&|| ()).unwrap().attractors;
+    let attractors = study.run().unwrap().attractors;
     let orbit = attractors[0].orbit.as_ref().unwrap();
     let found = nearest_peak(model, orbit.period_cycles, orbit.start()).unwrap();
     found.unwrap()

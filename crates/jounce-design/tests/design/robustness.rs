@@ -152,7 +152,7 @@ fn quantiles_of_the_impact_harvester_are_those_of_drawn_designs() {
             }),
             recognition: Recognition::at(1e-7),
         };
-        let attractors = study.run(&|| ()).unwrap().attractors;
+        let attractors = study.run().unwrap().attractors;
         let main = attractors
             .iter()
             .max_by(|a, b| a.share.fraction.total_cmp(&b.share.fraction));

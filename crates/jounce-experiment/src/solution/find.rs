@@ -91,7 +91,7 @@ pub fn solutions(
         starts,
         recognition: Recognition::at(search.tolerance),
     };
-    let basins = study.run(&|| ())?;
+    let basins = study.run()?;
     if let (true, Some((_, first))) = (basins.attractors.is_empty(), basins.lost.first()) {
         return Err(SolutionError::Lost {
             starts: search.starts,

@@ -45,7 +45,7 @@ impl Harvester {
         };
         // Before the integration, so that a stopped call has nothing left to compute.
         let points = points(&base.kernel.plant, &study.starts);
-        let found = on_threads(options.threads, || Ok(study.run(&|| ())?))?;
+        let found = on_threads(options.threads, || Ok(study.run()?))?;
         let result = BasinsResult::new(&found, &study.starts, points, options.seed);
         if result.finished == 0 {
             Err(Error::Stopped)

@@ -47,7 +47,7 @@ impl Harvester {
             most_rounds: options.relative_width.map_or(1, |_| MAX_ROUNDS),
             with_spectrum: options.spectrum,
         };
-        let found = on_threads(options.threads, || Ok(study.run(&|_| ())?))?;
+        let found = on_threads(options.threads, || Ok(study.run()?))?;
         if found.members.is_empty() {
             return Err(Error::Stopped);
         }

@@ -60,7 +60,7 @@ impl Harvester {
             recognition: Recognition::at(TOLERANCE),
         };
         let work = || {
-            let found = study.run(&|| ())?;
+            let found = study.run()?;
             let (attractor, orbit) = chosen(&found.attractors, options.at.as_deref())?;
             let mut result = sensitivity(&base, attractor, orbit, &keys, &mut failed)?;
             if options.fold {

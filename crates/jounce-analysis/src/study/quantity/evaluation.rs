@@ -190,7 +190,7 @@ fn basins(model: &Model, cloud: Cloud, recognition: Recognition) -> Result<Vec<f
         starts: InitialStates::Cloud(cloud),
         recognition,
     };
-    let result = study.run(&|| ())?;
+    let result = study.run()?;
     let (undecided, attractors): (Vec<_>, Vec<_>) =
         result.attractors.iter().partition(|one| one.is_undecided());
     let highest = attractors
@@ -265,7 +265,7 @@ fn ensemble(
         most_rounds: 1,
         with_spectrum: false,
     }
-    .run(&|_| ())?;
+    .run()?;
     let residual = result.members.iter().fold(0.0_f64, |worst, member| {
         worst.max(member.energy_residual_relative.abs())
     });

@@ -58,7 +58,7 @@ fn run_with(
         most_rounds,
         with_spectrum,
     };
-    study.run(&|_| {})
+    study.run()
 }
 
 /// No realisations are computed for members that will not run: 100,000 of them would take minutes.

@@ -32,7 +32,7 @@ fn basins(frequency_hz: f64) -> BasinsResult {
         starts: InitialStates::Cloud(CLOUD),
         recognition: Recognition::at(1e-8),
     }
-    .run(&|| ())
+    .run()
     .unwrap()
 }
 
@@ -125,7 +125,7 @@ fn slow_transients_are_recognised_at_every_frequency() {
             starts,
             recognition: Recognition::at(1e-8),
         }
-        .run(&|| ())
+        .run()
         .unwrap();
         let ids: Vec<&str> = result.attractors.iter().map(|a| a.id.as_str()).collect();
         eprintln!("{value} Hz: {ids:?}");

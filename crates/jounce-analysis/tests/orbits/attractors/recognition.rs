@@ -43,7 +43,7 @@ fn with_basins<T>(
         starts: starts.clone(),
         recognition,
     };
-    then(&parameter, value, &study.run(&|| ()).unwrap())
+    then(&parameter, value, &study.run().unwrap())
 }
 
 /// Physical state after the long integration from a physical state.
@@ -185,7 +185,7 @@ fn an_attractor_without_proof_is_undecided() {
         starts: grid(5e-3, 0.5, 3),
         recognition,
     }
-    .run(&|| ())
+    .run()
     .unwrap();
     let [undecided] = &result.attractors[..] else {
         panic!("{result:?}")
