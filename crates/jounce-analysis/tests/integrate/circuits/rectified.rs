@@ -206,7 +206,7 @@ fn fast_diodes_during_a_contact_agree_with_a_plain_integrator() {
     assert!(bridge.error(&result, 4_000_000) < 1e-7);
     let work = result.work;
     assert!(
-        work.contact_steps + work.contact_rejections < 100_000,
+        work.contact_steps + work.contact_rejections < 300,
         "{work:?}"
     );
 }
