@@ -161,10 +161,8 @@ impl Integrator<'_> {
         length: StepLength,
         is_short: bool,
     ) -> (Option<SolvedStep>, f64) {
-        let mut solved = self.solve(w, law, step);
-        if solved.is_none() && law.is_rate_dependent() {
-            solved = self.solve_damped(w, (step.port, step.shape), length);
-        }
+        let solved = self.solve(w, law, step);
+        let solved = solved.or_else(|| self.solve_by_newton(w, (step.port, step.shape), length));
         let allowed = self.allowed_n_s(step, solved.as_ref());
         let sound = solved.filter(|solved| {
             let is_negligible = || solved.size_n_s(w, step) <= share(step.shape) * allowed;

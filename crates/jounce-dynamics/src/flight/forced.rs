@@ -8,7 +8,11 @@
 //! ```
 //!
 //! where `z'(0)` is not zero only for an output whose rate the force changes at once: the current
-//! of a patch, which a switch monitors. `z - H` is known as a Legendre series in `x`. No Legendre
+//! of a patch, which a switch monitors. The response of a fast decay, such as that of conducting
+//! diodes, is a polynomial and a decay (see [`crate::force_response::fast_decay`]). The polynomial
+//! belongs to `z`, with `z(0) (1 - 3 x^2 + 2 x^3)` as a further term of `H`. The decay belongs to the
+//! free motion, with which it nearly cancels where the state follows the force at the start of the
+//! step. `z - H` is known as a Legendre series in `x`. No Legendre
 //! polynomial exceeds 1 in magnitude. The sum of the magnitudes of the coefficients therefore
 //! bounds `|z - H|` on the complete step, and likewise `|z' - H'|`. Both are linear in the nodal
 //! forces, so that the bound includes the cancellation between nodes. It holds to the accuracy of
@@ -17,26 +21,35 @@
 
 use crate::flow::state::add_force_response;
 use crate::force_response::basis::NODES;
-use crate::force_response::output_rows::{OutputRowsTask, RowReading, RowRequest};
+use crate::force_response::output_rows::{OutputRowsTask, RowReading, RowRequest, StateDecay};
 use crate::kernel::{ForceBasis, Kernel};
 use jounce_simd::{F64x8, LANES, Simd, widest};
 
-/// Legendre coefficients of `3 x^2 - 2 x^3`, of `x^3 - x^2` and of `x^3 - 2 x^2 + x` ...
-const HERMITE_VALUES: [[f64; 4]; 3] = [
+/// Legendre coefficients of `3 x^2 - 2 x^3`, of `x^3 - x^2`, of `x^3 - 2 x^2 + x` and of
+/// `1 - 3 x^2 + 2 x^3` ...
+const HERMITE_VALUES: [[f64; 4]; 4] = [
     [0.5, 0.6, 0.0, -0.1],
     [-1.0 / 12.0, -0.05, 1.0 / 12.0, 0.05],
     [1.0 / 12.0, -0.05, -1.0 / 12.0, 0.05],
+    [0.5, -0.6, 0.0, 0.1],
 ];
 
 /// ... and of their slopes.
-const HERMITE_SLOPES: [[f64; 3]; 3] = [[1.0, 0.0, -1.0], [0.0, 0.5, 0.5], [0.0, -0.5, 0.5]];
+const HERMITE_SLOPES: [[f64; 3]; 4] = [
+    [1.0, 0.0, -1.0],
+    [0.0, 0.5, 0.5],
+    [0.0, -0.5, 0.5],
+    [-1.0, 0.0, 1.0],
+];
 
 /// Effect of a force on another port, one vector per nodal force.
 #[derive(Debug, Clone)]
 pub struct ForcedFlight {
-    /// Displacement (lane 0, m) and velocity (lane 1, m/s) at the end of the step, and velocity at
-    /// its start (lane 2).
-    pub end: [F64x8; NODES],
+    /// Displacement (lane 0, m) and velocity (lane 1, m/s) at the end of the step, and velocity
+    /// (lane 2) and displacement (lane 3) at its start, without the decays.
+    pub ends: [F64x8; NODES],
+    /// Decays that add to the free motion.
+    pub decays: Vec<StateDecay>,
     /// Coefficients of `z - H`, m, eight per vector.
     rest: Vec<[F64x8; NODES]>,
     /// Coefficients of `z' - H'`, m/s.
@@ -83,18 +96,26 @@ impl ForcedFlight {
                 .zip(&basis.series)
                 .for_each(|(lane, force)| *lane = lane.add_scaled(direct, force));
         }
-        let end: [F64x8; NODES] = std::array::from_fn(|j| {
+        let started = |row: &[f64], j: usize| -> f64 {
+            let decays = tables.decays.iter();
+            decays
+                .map(|decay| row[decay.state] * decay.start.0[j])
+                .sum()
+        };
+        let ends: [F64x8; NODES] = std::array::from_fn(|j| {
             let [displacement, speed] = [0, 1].map(|row: usize| tables.rows[row].push[j].0[NODES]);
             let ends = [
                 displacement,
                 speed + direct * basis.at_end.0[j],
-                direct * basis.at_start.0[j],
+                direct * basis.at_start.0[j] + started(&observed_port.velocity, j),
+                started(&observed_port.displacement, j),
             ];
             F64x8(std::array::from_fn(|i| ends.get(i).copied().unwrap_or(0.0)))
         });
-        subtract_interpolant(&end, length_s, [&mut displacement, &mut speed]);
+        subtract_interpolant(&ends, length_s, [&mut displacement, &mut speed]);
         Self {
-            end,
+            ends,
+            decays: tables.decays,
             rest: by_force(&displacement),
             rest_rate: by_force(&speed),
         }
@@ -104,12 +125,13 @@ impl ForcedFlight {
 /// Subtracts the cubic Hermite interpolant of each nodal force from the series of displacement and
 /// velocity.
 fn subtract_interpolant(
-    end: &[F64x8; NODES],
+    ends: &[F64x8; NODES],
     length_s: f64,
     [displacement, speed]: [&mut [F64x8]; 2],
 ) {
-    for (j, end) in end.iter().enumerate() {
-        let ends = [end.0[0], length_s * end.0[1], length_s * end.0[2]];
+    for (j, ends) in ends.iter().enumerate() {
+        let [end, end_rate, start_rate, start, ..] = ends.0;
+        let ends = [end, length_s * end_rate, length_s * start_rate, start];
         for (ends, (interpolant, slope)) in
             ends.iter().zip(HERMITE_VALUES.iter().zip(&HERMITE_SLOPES))
         {

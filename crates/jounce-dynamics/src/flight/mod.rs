@@ -16,7 +16,7 @@ use crate::tables::step_size::LEVELS_PER_OCTAVE;
 use certificate::FlightStep;
 use crossing::Crossing;
 use jounce_model::contact::Law;
-use jounce_simd::Simd;
+use jounce_simd::{F64x8, Simd};
 use verdict::FlightVerdict;
 
 impl Integrator<'_> {
@@ -184,6 +184,20 @@ impl Integrator<'_> {
         motion: [f64; 2],
         drive: [f64; 2],
     ) -> FlightStep {
+        self.step_from(w, (p, &self.y), level, length_s, motion, drive)
+    }
+
+    /// Does so for a given start state, which may differ from the current one in its fast decays.
+    #[inline(always)]
+    pub(super) fn step_from<W: Simd>(
+        &self,
+        w: W,
+        (p, start): (usize, &[F64x8]),
+        level: i32,
+        length_s: f64,
+        motion: [f64; 2],
+        drive: [f64; 2],
+    ) -> FlightStep {
         let (flight, port) = (
             self.kernel.tables(level).flight(self.kernel, p),
             &self.ports[p],
@@ -192,7 +206,7 @@ impl Integrator<'_> {
             length_s,
             distance_m: [port.penetration_m, motion[0]],
             speed_m_s: [port.rate_m_s, motion[1]],
-            fourth_bound: dot_abs(w, &flight.slow_fourth, &self.y)
+            fourth_bound: dot_abs(w, &flight.slow_fourth, start)
                 + port.rows.tone_fourth
                 + self.excitation.fourth_bound(p, length_s),
             fast_m: 0.0,
@@ -201,18 +215,18 @@ impl Integrator<'_> {
         };
         if let Some(fast) = &flight.fast {
             let [displacement, speed] = self.drive(p);
-            let slow = dot(w, &fast.slow_displacement, &self.y) + displacement - port.gap_m;
+            let slow = dot(w, &fast.slow_displacement, start) + displacement - port.gap_m;
             step.distance_m = [
                 slow,
                 dot(w, &fast.slow_displacement, &self.next) + drive[0] - port.gap_m,
             ];
             step.speed_m_s = [
-                dot(w, &fast.slow_velocity, &self.y) + speed,
+                dot(w, &fast.slow_velocity, start) + speed,
                 dot(w, &fast.slow_velocity, &self.next) + drive[1],
             ];
             step.fast_m = port.penetration_m - slow;
-            step.fast_bound_m = dot_abs(w, &fast.displacement_bound, &self.y);
-            step.fast_bound_m_s = dot_abs(w, &fast.velocity_bound, &self.y);
+            step.fast_bound_m = dot_abs(w, &fast.displacement_bound, start);
+            step.fast_bound_m_s = dot_abs(w, &fast.velocity_bound, start);
         }
         step
     }

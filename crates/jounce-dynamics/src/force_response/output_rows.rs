@@ -3,7 +3,8 @@
 
 use super::basis::{BasisFunctions, NODES};
 use super::duhamel::DuhamelIntegrals;
-use super::factors::{factored, terms};
+use super::factors::{factored_rows, terms};
+use super::fast_decay::FastDecay;
 use super::step_response::{BlockOnStep, StepResponse};
 use crate::flow::layout::StateLayout;
 use jounce_model::plant::{BlockDiagonal, BlockPair};
@@ -47,14 +48,26 @@ impl RowRequest {
     }
 }
 
+/// Fast decay of a state on a step: under the nodal forces the state is a polynomial from its start
+/// value, and a decay of the opposite value (see [`super::fast_decay`]).
+#[derive(Debug, Clone)]
+pub struct StateDecay {
+    /// State in block order.
+    pub state: usize,
+    /// Start value of the polynomial per nodal force.
+    pub start: F64x8,
+}
+
 /// All rows on a step, and the integrals of its nodal forces.
 #[derive(Debug, Clone, Default)]
 pub struct OutputRows {
     /// Rows in the order of the requests.
     pub rows: Vec<OutputRow>,
     /// Legendre series of the rows in time under a unit force of each node, one vector per
-    /// coefficient.
+    /// coefficient, without the decays.
     pub series: Vec<Vec<F64x8>>,
+    /// Fast decays, which the series do not contain.
+    pub decays: Vec<StateDecay>,
     /// Integrals of the functions of the reader from the start of the step, and of the basis of the
     /// force towards its end (see [`super::duhamel`]).
     pub from_start: DuhamelIntegrals,
@@ -76,11 +89,12 @@ impl OutputRows {
             from_start: vec![[F64x8::ZERO; NODES]; layout.lanes()],
             towards_end: vec![[F64x8::ZERO; NODES]; layout.lanes()],
             series: Vec::new(),
+            decays: Vec::new(),
         }
     }
 
-    /// Sets the response of each row to the nodal forces by its series, evaluated with the Legendre
-    /// polynomials at the nodes or with their moments.
+    /// Adds the series of each row, evaluated with the Legendre polynomials at the nodes or with
+    /// their moments, to its response to the nodal forces.
     #[inline(always)]
     fn evaluate<W: Simd>(
         &mut self,
@@ -95,9 +109,50 @@ impl OutputRows {
             } else {
                 moments
             };
-            response.push = summed(w, at, series);
+            add_summed(w, at, series, &mut response.push);
         }
         self.series = series;
+    }
+
+    /// Adds the effect of a block whose response is a polynomial and a decay.
+    #[inline(always)]
+    fn add_fast_decay<W: Simd>(
+        &mut self,
+        w: W,
+        task: &OutputRowsTask,
+        (state, part): (usize, &BlockOnStep),
+        decay: &FastDecay,
+        series: &mut [Vec<F64x8>],
+    ) {
+        let (h, reader, column) = (task.length_s, task.reader, task.force[state]);
+        let (values, moments) = (decay.values(reader), decay.moments(reader, h));
+        let (amplitudes, none) = (decay.amplitudes(), vec![F64x8::ZERO; decay.series.len()]);
+        let polynomial = StepResponse {
+            first: decay.series.clone(),
+            second: none,
+        };
+        for ((request, response), series) in task.rows.iter().zip(&mut self.rows).zip(series) {
+            let row = request.row[state];
+            let is_pointwise = request.reading == RowReading::Pointwise;
+            let (at, n_terms) = if is_pointwise {
+                response.columns[task.layout.column(state)] = F64x8::ZERO.add_scaled(row, &values);
+                (&values, polynomial.first.len())
+            } else {
+                (&moments, reader.series.len())
+            };
+            let factors = part.forced(&[row], &[column], h);
+            for (j, push) in response.push.iter_mut().enumerate() {
+                *push = push.add_scaled(factors[0] * amplitudes.0[j], at);
+            }
+            add_series(w, series, &polynomial, factors, n_terms);
+        }
+        let [polynomial_end, _] = ends(w, &polynomial).map(|sum| w.store(sum));
+        let end = polynomial_end.add_scaled(values.0[NODES], &amplitudes);
+        self.set_integrals(task.layout.locate(state), [1.0, h], [&moments, &end]);
+        self.decays.push(StateDecay {
+            state,
+            start: F64x8::ZERO.add_scaled(h * column, &decay.start),
+        });
     }
 
     /// Sets the integrals of one state: mean and end of its motion under each nodal force, times
@@ -117,7 +172,7 @@ impl OutputRows {
 }
 
 /// Computation of output rows.
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy)]
 pub struct OutputRowsTask<'a> {
     /// Blocks of the plant.
     pub block: &'a BlockDiagonal,
@@ -166,10 +221,15 @@ impl Task for OutputRowsTask<'_> {
             rows,
             length_s: h,
         } = self;
-        let count = parts(block)
-            .map(|(_, part)| terms(&part, basis, h))
-            .max()
-            .unwrap_or(basis.series.len());
+        let task = self;
+        let is_fast = |part: &BlockOnStep| FastDecay::applies(part, [basis, reader], h);
+        let count_of = |parts: &[BlockOnStep]| {
+            let slow = parts.iter().filter(|part| !is_fast(part));
+            let counts = slow.map(|part| terms(part, basis, h));
+            counts.max().unwrap_or(basis.series.len())
+        };
+        let (firsts, all): (Vec<usize>, Vec<BlockOnStep>) = parts(block).unzip();
+        let count = count_of(&all);
         let powers = legendre_lanes(w, reader, count);
         let moments: Vec<F64x8> = (reader.series.iter().enumerate())
             .map(|(a, lane)| w.store(w.mul(w.splat(h / (2 * a + 1) as f64), w.load(lane))))
@@ -177,13 +237,17 @@ impl Task for OutputRowsTask<'_> {
         let mut series = vec![vec![F64x8::ZERO; count]; rows.len()];
         let mut out = OutputRows::empty(rows, block, layout);
         let mut responses = StepResponse::default();
-        let (firsts, all): (Vec<usize>, Vec<BlockOnStep>) = parts(block).unzip();
         let mut factors = Vec::new();
         for (index, (first, part)) in firsts.iter().zip(&all).enumerate() {
             let (states, lane_index) = (*first..first + part.states(), index % LANES);
             if lane_index == 0 {
                 let group = &all[index..all.len().min(index + LANES)];
-                factors = factored(w, group, basis, h);
+                factors = factored_rows(w, group, h, count_of(group));
+            }
+            if is_fast(part) {
+                let decay = FastDecay::new(part, basis, h);
+                out.add_fast_decay(w, &task, (*first, part), &decay, &mut series);
+                continue;
             }
             responses.solve(w, part, basis, h, (&factors, lane_index));
             let free = free_motion(w, &responses, &powers);
@@ -238,9 +302,9 @@ fn add_series<W: Simd>(
     }
 }
 
-/// Evaluates series at eight points (vectors of factors), one vector per force node.
+/// Adds series, evaluated at eight points (vectors of factors), to one vector per force node.
 #[inline(always)]
-fn summed<W: Simd>(w: W, at: &[F64x8], series: &[F64x8]) -> [F64x8; NODES] {
+fn add_summed<W: Simd>(w: W, at: &[F64x8], series: &[F64x8], push: &mut [F64x8; NODES]) {
     let mut sums = [w.zero(); LANES];
     for (row, lane) in at.iter().zip(series) {
         let lane = w.load(lane);
@@ -248,12 +312,10 @@ fn summed<W: Simd>(w: W, at: &[F64x8], series: &[F64x8]) -> [F64x8; NODES] {
             *sum = w.fma(w.splat(*factor), lane, *sum);
         }
     }
-    let mut push = [F64x8::ZERO; NODES];
     for (i, sum) in sums.into_iter().enumerate() {
         let by_force = w.store(sum);
-        (0..NODES).for_each(|j| push[j].0[i] = by_force.0[j]);
+        (0..NODES).for_each(|j| push[j].0[i] += by_force.0[j]);
     }
-    push
 }
 
 /// Returns `P_a` at the nodes and the end of a basis, one vector per `a`.

@@ -65,6 +65,11 @@ impl Integrator<'_> {
         self.release_error_factor = RELEASE_ERROR_FACTOR_OF_DERIVATIVE;
     }
 
+    /// True where the derivative of the flow must be accurate.
+    pub(crate) fn resolves_derivative(&self) -> bool {
+        self.release_error_factor >= RELEASE_ERROR_FACTOR_OF_DERIVATIVE
+    }
+
     /// Returns the current time, s.
     pub fn time_s(&self) -> f64 {
         self.time_s

@@ -4,7 +4,7 @@ use super::flight::StepOutcome;
 use super::joint_solve::JointStep;
 use crate::contact::step::{ContactStep, SolvedStep};
 use crate::flight::crossing::Crossing;
-use crate::flight::forced::rest_bounds;
+use crate::flight::forced::{ForcedFlight, rest_bounds};
 use crate::flight::verdict::FlightVerdict;
 use crate::flow::state::{add_force_response, dot};
 use crate::force_response::basis::NODES;
@@ -13,6 +13,7 @@ use crate::ports::small_list::SmallList;
 use crate::ports::state::{ContactState, PortState};
 use crate::tables::joint::StepLength;
 use jounce_simd::{F64x8, Simd};
+use std::borrow::Cow;
 
 impl Integrator<'_> {
     /// Judges the flight of every other port over a solved step; the free motion to its end is left
@@ -82,7 +83,7 @@ impl Integrator<'_> {
         let flights: SmallList<_> = steps.iter().map(flight).collect();
         let mut forced = w.zero();
         for (flight, force) in flights.iter().zip(forces) {
-            forced = add_force_response(w, forced, &flight.end, force);
+            forced = add_force_response(w, forced, &flight.ends, force);
         }
         let forced = w.store(forced).0;
         let [rest_m, rest_m_s] = rest_bounds(w, &flights, forces);
@@ -92,10 +93,13 @@ impl Integrator<'_> {
             dot(w, &rows.displacement, &self.next) + drive[0] - gap_m,
             dot(w, &rows.velocity, &self.next) + drive[1],
         ];
-        let mut step = self.step_of(w, p, length.level, length.seconds(), free, drive);
+        let start = self.without_decays(&flights, forces);
+        let mut step = self.step_from(w, (p, &start), length.level, length.seconds(), free, drive);
+        step.distance_m[0] += forced[3];
         step.distance_m[1] += forced[0];
         step.speed_m_s[0] += forced[2];
         step.speed_m_s[1] += forced[1];
+        step.fast_m -= forced[3];
         step.fast_bound_m += rest_m;
         step.fast_bound_m_s += rest_m_s;
         let end_m = free[0] + forced[0];
@@ -115,6 +119,21 @@ impl Integrator<'_> {
             _ if touches => FlightVerdict::Strike(now),
             verdict => verdict,
         }
+    }
+
+    /// Returns the state without the values from which fast decays follow the forces: the remainder
+    /// decays.
+    fn without_decays(&self, flights: &[&ForcedFlight], forces: &[F64x8]) -> Cow<'_, [F64x8]> {
+        let mut state = Cow::from(&self.y);
+        for (flight, force) in flights.iter().zip(forces) {
+            for decay in &flight.decays {
+                let (lane, index) = self.layout.locate(decay.state);
+                let terms = decay.start.0.iter().zip(&force.0);
+                state.to_mut()[lane].0[index] -=
+                    terms.map(|(start, force)| start * force).sum::<f64>();
+            }
+        }
+        state
     }
 
     /// Returns the motion of a port in flight at the end of a solved step: distance past the stop,

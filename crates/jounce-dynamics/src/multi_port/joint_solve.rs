@@ -214,6 +214,12 @@ impl<'k> Integrator<'k> {
     }
 }
 
+/// True where an iteration grows after its first iterations.
+#[inline(always)]
+pub(super) fn diverges(iteration: u32, change_n: f64, last_change_n: f64) -> bool {
+    iteration > 4 && change_n > last_change_n
+}
+
 /// Computes the forces of the sticking ports, and the motion of each port under the nodal forces of
 /// all.
 #[inline(always)]
@@ -280,7 +286,7 @@ impl PortIterate {
         } else {
             (change / self.last_change_n).min(1.0)
         };
-        let diverges = iteration > 4 && change > self.last_change_n;
+        let diverges = diverges(iteration, change, self.last_change_n);
         self.last_change_n = change;
         if change * predicted.min(contraction) <= target * size {
             Convergence::Converged

@@ -1,16 +1,26 @@
-//! Newton's method for the nodal forces of a step: a strong dashpot keeps the fixed point from
-//! contracting on steps that the motion allows.
+//! Newton's method for the nodal forces of a step: a strong dashpot or a stiff spring keeps the fixed
+//! point from contracting on steps that the motion allows.
 //!
 //! ```text
 //! f_p = F_p(delta_p, delta_p'),   delta_p = free_p + sum_q D_pq f_q,   delta_p' = free_p' + sum_q V_pq f_q
 //! sum_q (1 - K_p D_pq - C_p V_pq) df_q = F_p - f_p
 //! ```
 //!
-//! `K` and `C` are the slopes of the law at each node. Only the dashpot may be strong: its motion
-//! decays, and the error estimate sees what is left of it. A stiff spring oscillates, which the
-//! nodes of a long step cannot show; such a step must be shorter.
+//! `K` and `C` are the slopes of the law at each node. Let `r = F(delta) - f` be the mismatch of law
+//! and polynomial on the step, which is zero at the nodes. The motion deviates from the exact one by
+//! `d`, which starts from rest. For a spring on a mass `1/m`,
+//!
+//! ```text
+//! d'' + K m d = -m r,   K |d(t)| <= |r(0)| + |r(t)| + V(r),
+//! ```
+//!
+//! with the total variation `V(r)`. On a free mass `r` is the Legendre polynomial of the nodes times a
+//! linear function, so that its values at both ends bound it. The error estimate uses these values:
+//! an oscillation of the spring that the step skips would appear in them. An integration with
+//! derivative must also resolve oscillations that the motion does not contain: there a spring must
+//! contract on its own.
 
-use super::joint_solve::{JointStep, PortIterate, move_under_forces};
+use super::joint_solve::{JointStep, PortIterate, diverges, move_under_forces};
 use super::sticking::StickingPorts;
 use crate::contact::solve::{MAX_FIXED_POINT_ITERATIONS, largest};
 use crate::contact::step::SolvedStep;
@@ -26,7 +36,7 @@ use jounce_simd::Simd;
 impl Integrator<'_> {
     /// Solves a step of one port whose fixed point did not converge.
     #[inline(always)]
-    pub(crate) fn solve_damped<W: Simd>(
+    pub(crate) fn solve_by_newton<W: Simd>(
         &mut self,
         w: W,
         port: (usize, ForceBasis),
@@ -45,7 +55,7 @@ impl Integrator<'_> {
     }
 
     /// Returns the nodal forces by Newton's method; `None` where it does not converge, or where the
-    /// step is too long for a spring.
+    /// step of an integration with derivative is too long for a spring.
     #[inline(always)]
     pub(super) fn newton<W: Simd>(
         &mut self,
@@ -54,19 +64,18 @@ impl Integrator<'_> {
         resting: &StickingPorts,
     ) -> Option<SmallList<PortIterate>> {
         let mut iterates = self.first_guess(w, joint);
-        if !iterates
-            .iter()
-            .any(|iterate| iterate.law.is_rate_dependent())
-        {
+        let resolves_derivative = self.resolves_derivative();
+        let is_damped = |iterate: &PortIterate| iterate.law.is_rate_dependent();
+        if resolves_derivative && !iterates.iter().any(is_damped) {
             return None;
         }
-        let target = self.target_change();
-        for _ in 0..MAX_FIXED_POINT_ITERATIONS {
+        let (target, mut last_change_n) = (self.target_change(), f64::INFINITY);
+        for iteration in 1..=MAX_FIXED_POINT_ITERATIONS {
             self.work.iterations += 1;
             move_under_forces(w, joint, resting, &mut iterates);
             let mut changes = residuals(&iterates);
             LuFactors::of(&jacobian(joint, resting, &iterates)).solve(&mut changes);
-            let mut converged = true;
+            let (mut converged, mut largest_n) = (true, 0.0_f64);
             for (iterate, changes) in iterates.iter_mut().zip(changes.chunks(NODES)) {
                 for (force, change) in iterate.force.0.iter_mut().zip(changes) {
                     *force += change;
@@ -77,10 +86,16 @@ impl Integrator<'_> {
                 if !change.is_finite() {
                     return None;
                 }
+                largest_n = largest_n.max(change);
             }
             if converged {
-                return springs_contract(w, joint, &iterates).then_some(iterates);
+                let is_resolved = !resolves_derivative || springs_contract(w, joint, &iterates);
+                return is_resolved.then_some(iterates);
             }
+            if diverges(iteration, largest_n, last_change_n) {
+                return None;
+            }
+            last_change_n = largest_n;
         }
         None
     }

@@ -48,7 +48,7 @@ impl Integrator<'_> {
         let step = [self.step_in_contact(w, law, (table, p), shape, length.level, is_odd)];
         let solved = self
             .solve(w, law, &step[0])
-            .or_else(|| self.solve_damped(w, (p, shape), length))
+            .or_else(|| self.solve_by_newton(w, (p, shape), length))
             .map(|solved| [solved]);
         let Some(solved) = self.accepted(&step, solved, length, is_short) else {
             return StepOutcome::Unclear(LEVELS_PER_OCTAVE);

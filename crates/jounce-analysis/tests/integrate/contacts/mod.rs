@@ -13,5 +13,6 @@ mod rigid;
 pub mod several_stops;
 mod statistics;
 mod sticking;
+mod stiff_springs;
 mod swings;
 mod tables;
