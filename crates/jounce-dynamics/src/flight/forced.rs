@@ -21,7 +21,8 @@
 
 use crate::flow::state::add_force_response;
 use crate::force_response::basis::NODES;
-use crate::force_response::output_rows::{OutputRowsTask, RowReading, RowRequest, StateDecay};
+use crate::force_response::fast_decay::StateDecay;
+use crate::force_response::output_rows::{OutputRowsTask, RowReading, RowRequest};
 use crate::kernel::{ForceBasis, Kernel};
 use jounce_simd::{F64x8, LANES, Simd, widest};
 

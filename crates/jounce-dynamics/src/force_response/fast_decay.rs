@@ -32,6 +32,16 @@ pub struct FastDecay {
     pub start: F64x8,
 }
 
+/// Fast decay of a state on a step: under the nodal forces the state is a polynomial from its start
+/// value, and a decay of the opposite value.
+#[derive(Debug, Clone)]
+pub struct StateDecay {
+    /// State in block order.
+    pub state: usize,
+    /// Start value of the polynomial per nodal force.
+    pub start: F64x8,
+}
+
 impl FastDecay {
     /// True where a block decays so fast on a step that its response is split.
     pub fn applies(part: &BlockOnStep, [basis, reader]: [&BasisFunctions; 2], h: f64) -> bool {

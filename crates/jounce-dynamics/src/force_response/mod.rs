@@ -4,6 +4,6 @@ pub(crate) mod basis;
 mod driven_response;
 pub(crate) mod duhamel;
 pub(crate) mod factors;
-mod fast_decay;
+pub mod fast_decay;
 pub(crate) mod output_rows;
 pub(crate) mod step_response;

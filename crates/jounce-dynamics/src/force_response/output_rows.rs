@@ -4,7 +4,7 @@
 use super::basis::{BasisFunctions, NODES};
 use super::duhamel::DuhamelIntegrals;
 use super::factors::{factored_rows, terms};
-use super::fast_decay::FastDecay;
+use super::fast_decay::{FastDecay, StateDecay};
 use super::step_response::{BlockOnStep, StepResponse};
 use crate::flow::layout::StateLayout;
 use jounce_model::plant::{BlockDiagonal, BlockPair};
@@ -48,16 +48,6 @@ impl RowRequest {
     }
 }
 
-/// Fast decay of a state on a step: under the nodal forces the state is a polynomial from its start
-/// value, and a decay of the opposite value (see [`super::fast_decay`]).
-#[derive(Debug, Clone)]
-pub struct StateDecay {
-    /// State in block order.
-    pub state: usize,
-    /// Start value of the polynomial per nodal force.
-    pub start: F64x8,
-}
-
 /// All rows on a step, and the integrals of its nodal forces.
 #[derive(Debug, Clone, Default)]
 pub struct OutputRows {
@@ -66,12 +56,11 @@ pub struct OutputRows {
     /// Legendre series of the rows in time under a unit force of each node, one vector per
     /// coefficient, without the decays.
     pub series: Vec<Vec<F64x8>>,
-    /// Fast decays, which the series do not contain.
+    /// Fast decays, which the series lack.
     pub decays: Vec<StateDecay>,
-    /// Integrals of the functions of the reader from the start of the step, and of the basis of the
-    /// force towards its end (see [`super::duhamel`]).
+    /// Integrals of the reader's functions from the start of the step (see [`super::duhamel`]).
     pub from_start: DuhamelIntegrals,
-    /// Integrals towards the end of the step.
+    /// Integrals of the basis of the force towards its end.
     pub towards_end: DuhamelIntegrals,
 }
 
