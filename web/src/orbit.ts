@@ -131,7 +131,8 @@ export class Orbit {
         this.force.show(seconds, { words: "Force", unit: "N" }, own("contact.force").map((curve) => ({ x: frame.array("contact.time"), ...curve, colour: colour("vermilion") })));
         this.label(this.displacement, `Displacement towards the stop over one period: ${contacts}, largest penetration ${quantity(head.max_penetration_m, "m")}`);
         this.label(this.phase, "Phase portrait: velocity over displacement, with the stop as a line");
-        this.label(this.force, `Contact force over one period: ${contacts}`);
+        const largest = own("contact.force").reduce((most, { y }) => y.reduce((high, force) => Math.max(high, force), most), 0);
+        this.label(this.force, `Contact force over one period: ${contacts}, largest force ${quantity(largest, "N")}`);
     }
 
     private amplitudes(frame: Frame): void {

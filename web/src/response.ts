@@ -1,11 +1,11 @@
-// Response over a key: branches, bifurcations, swept points, pins; a click or the arrow keys select a point.
+// Response over a key: branches, bifurcations, swept points, pins, and the selected point.
 
 import { type Bifurcation, type Branch, type ResponseResult, type Place, QUANTITIES, type Quantity, identify, isStable, level, nearest, operating, pointAt } from "./branches";
 import { Chart } from "./chart";
 import type { Design } from "./design";
 import { LineHandle } from "./line";
-import { Zoom } from "./zoom";
 import type { Curve, Mark, Rule } from "./paint";
+import { Pointing } from "./pointing";
 import { type Readout, draftWords, peakWords } from "./readout";
 import type { Head } from "./frame";
 import { colour, nth } from "./theme";
@@ -14,8 +14,6 @@ import { digits, quantity } from "./units";
 const SHAPES: Record<string, Mark["shape"]> = {
     fold: "square", "period-doubling": "triangle", "neimark-sacker": "diamond", "branch-point": "cross", grazing: "circle", sticking: "ring",
 };
-/** Largest distance of a click from a point, CSS pixels. */
-const REACH = 40;
 /** Opacity of a draft. */
 const DRAFT = 0.4;
 /** Change of the logarithm of the power over which a draft is not drawn: such a chord joins two branches. */
@@ -85,14 +83,10 @@ export class Response {
     constructor(host: HTMLElement, private readonly readout: Readout, private readonly design: Design) {
         this.chart = new Chart(host);
         const line = new LineHandle(this.chart, () => this.at, (value, moving) => this.onMove(Math.min(Math.max(value, this.range[0]), this.range[1]), moving));
-        const zoom = new Zoom(this.chart, () => line.isHeld);
         // Its value is the selected point, which the arrow keys move.
         host.tabIndex = 0;
         host.setAttribute("role", "slider");
-        host.addEventListener("click", (event) => !line.dragged && !zoom.dragged && this.click(event));
-        host.addEventListener("mousemove", (event) => this.hover(event));
-        host.addEventListener("mouseleave", () => this.hover(undefined));
-        host.addEventListener("keydown", (event) => this.key(event));
+        new Pointing(this, line);
     }
 
     /** Shows a new response. A point that the user has selected is retained; else the operating point is selected. */
@@ -230,7 +224,7 @@ export class Response {
             colour: own(branch),
             width: 2,
             alpha,
-            gap: (from) => result.draft !== undefined && Math.abs(level(branch.values.power[from + 1]) - level(branch.values.power[from])) > DRAFT_STEP,
+            gap: isGap(result, branch),
             dashed: (from) => !(isStable(branch, from) && isStable(branch, from + 1)),
         }));
     }
@@ -267,34 +261,19 @@ export class Response {
         this.choose({ branch: found.branch, point: away.indexOf(Math.min(...away)) });
     }
 
-    private closest(event: MouseEvent): Place | undefined {
-        const { over } = this.chart;
-        if (!this.result || !over) return undefined;
-        const box = over.getBoundingClientRect();
-        let found: Place | undefined;
-        let least = REACH;
-        this.result.branches.forEach((branch, k) => {
-            if (!this.shows(branch)) return;
-            for (let point = 0; point < branch.x.length; point++) {
-                const [x, y] = this.chart.place(branch.x[point], branch.values[this.quantity][point]);
-                const away = Math.hypot(x + box.left - event.clientX, y + box.top - event.clientY);
-                if (away < least) [least, found] = [away, { branch: k, point }];
-            }
-        });
-        return found;
-    }
-
-    private click(event: MouseEvent): void {
-        const place = this.closest(event);
-        if (place) this.choose(place);
-    }
-
-    private hover(event: MouseEvent | undefined): void {
-        const place = event && this.closest(event);
+    /** Shows the values of the point under the pointer. */
+    hover(place: Place | undefined): void {
         if (place?.branch === this.hovered?.branch && place?.point === this.hovered?.point) return;
         this.hovered = place;
         this.cursor.textContent = this.pointWords(this.hovered);
         this.draw();
+    }
+
+    /** Branches that are drawn. */
+    drawn(): { branch: number; x: ArrayLike<number>; y: ArrayLike<number>; gap: (from: number) => boolean }[] {
+        const { result } = this;
+        if (!result) return [];
+        return result.branches.flatMap((own, branch) => (this.shows(own) ? [{ branch, x: own.x, y: own.values[this.quantity], gap: isGap(result, own) }] : []));
     }
 
     /** Values of a point in words. */
@@ -307,21 +286,7 @@ export class Response {
         const values = [quantity(branch.x[point], this.result!.unit, 5), quantity(branch.values.power[point], "W"), ...more];
         return [...values, `period ${branch.period}`, isStable(branch, point) ? "stable" : "unstable", `${digits(branch.contacts[point])} ${branch.contacts[point] === 1 ? "contact" : "contacts"}`].join(", ");
     }
-
-    private key(event: KeyboardEvent): void {
-        const { result } = this;
-        const chosen = this.chosen ?? { branch: 0, point: 0 };
-        const step = { ArrowRight: 1, ArrowLeft: -1, PageUp: 10, PageDown: -10 }[event.key];
-        if (!result || result.branches.length === 0 || event.shiftKey) return;
-        let { branch, point } = chosen;
-        if (step !== undefined) point = Math.min(Math.max(point + step, 0), result.branches[branch].x.length - 1);
-        else if (event.key === "ArrowUp" || event.key === "ArrowDown") {
-            const step = event.key === "ArrowUp" ? 1 : result.branches.length - 1;
-            do branch = (branch + step) % result.branches.length;
-            while (!this.shows(result.branches[branch]) && branch !== chosen.branch);
-            point = Math.min(point, result.branches[branch].x.length - 1);
-        } else return;
-        event.preventDefault();
-        this.choose({ branch, point });
-    }
 }
+
+/** Whether a segment of a branch is not drawn. */
+const isGap = (result: ResponseResult, { values }: Branch) => (from: number): boolean => result.draft !== undefined && Math.abs(level(values.power[from + 1]) - level(values.power[from])) > DRAFT_STEP;
