@@ -9,6 +9,8 @@ import { Zoom } from "./zoom";
 /** Largest distance of the pointer from a curve for a readout, and for a drag along it, CSS pixels. */
 const REACH = 40;
 const CATCH = 8;
+/** Distance of the readout from the pointer, CSS pixels. */
+const AWAY = 14;
 
 /** The response, as far as it is pointed at. */
 interface Pointed {
@@ -26,7 +28,7 @@ export class Pointing {
     private held: number | undefined;
     private dragged = false;
 
-    constructor(private readonly response: Pointed, line: LineHandle) {
+    constructor(private readonly response: Pointed, line: LineHandle, private readonly readout: HTMLElement) {
         const { host } = response.chart;
         host.addEventListener("pointerdown", (event) => {
             this.dragged = false;
@@ -49,14 +51,27 @@ export class Pointing {
         const found = this.at(event, held);
         if (held === undefined) {
             if (found && found.away <= CATCH && response.chart.host.style.cursor === "") response.chart.host.style.cursor = "pointer";
-            return response.hover(found && found.away <= REACH ? found : undefined);
+            response.hover(found && found.away <= REACH ? found : undefined);
+            return this.beside(event);
         }
         if (!found) return;
         if (!this.dragged) response.chart.host.setPointerCapture(event.pointerId);
         this.dragged = true;
         response.hover(found);
+        this.beside(event);
         const { chosen } = response;
         if (found.branch !== chosen?.branch || found.point !== chosen.point) response.choose({ branch: found.branch, point: found.point });
+    }
+
+    /** Places the readout beside the pointer, inside the chart. */
+    private beside({ clientX, clientY }: MouseEvent): void {
+        const { host } = this.response.chart;
+        const [box, own] = [host.getBoundingClientRect(), this.readout.getBoundingClientRect()];
+        const [x, y] = [clientX - box.left, clientY - box.top];
+        const left = x < 0.5 * box.width ? x + AWAY : x - AWAY - own.width;
+        const top = y < 0.5 * box.height ? y + AWAY : y - AWAY - own.height;
+        this.readout.style.left = `${Math.max(0, Math.min(left, box.width - own.width))}px`;
+        this.readout.style.top = `${top}px`;
     }
 
     /** Point nearest to the pointer, of one branch if it is given. */

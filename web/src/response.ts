@@ -86,7 +86,7 @@ export class Response {
         // Its value is the selected point, which the arrow keys move.
         host.tabIndex = 0;
         host.setAttribute("role", "slider");
-        new Pointing(this, line);
+        new Pointing(this, line, this.cursor);
     }
 
     /** Shows a new response. A point that the user has selected is retained; else the operating point is selected. */

@@ -46,6 +46,26 @@ test("the pointer over the response reads the nearest point of the curve, also b
     for (const own of words) assert.match(own, /Hz, .*W, period 1, stable, \d+ contacts?$/);
 });
 
+test("the readout stands beside the pointer, inside the chart, and covers no point that it reads", async () => {
+    for (const width of [1280, 390]) {
+        await page.setViewportSize({ width, height: 844 });
+        await ready(page);
+        await page.locator("#chart-response").scrollIntoViewIfNeeded();
+        const [box, canvas] = [await over("chart-response"), await page.locator("#chart-response canvas").boundingBox()];
+        for (const share of [0.05, 0.3, 0.7, 0.95]) {
+            const x = box.x + share * box.width;
+            const y = canvas.y + (await rowOfCurve(x - canvas.x, BLUE));
+            await page.mouse.move(x, y);
+            const own = await page.locator("#response-cursor").boundingBox();
+            const host = await page.locator("#chart-response").boundingBox();
+            assert.ok(own.x >= host.x && own.x + own.width <= host.x + host.width + 0.5 && own.y >= host.y && own.y + own.height <= host.y + host.height, JSON.stringify([width, share, own]));
+            assert.ok(y < own.y - 5 || y > own.y + own.height + 5, JSON.stringify([width, share, own, y]));
+        }
+    }
+    await page.setViewportSize({ width: 1280, height: 800 });
+    await ready(page);
+});
+
 test("a drag along a curve shows the orbit of each point that it passes", async () => {
     const box = await over("chart-response");
     const canvas = await page.locator("#chart-response canvas").boundingBox();
