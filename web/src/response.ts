@@ -4,6 +4,7 @@ import { type Bifurcation, type Branch, type ResponseResult, type Place, QUANTIT
 import { Chart } from "./chart";
 import type { Design } from "./design";
 import { LineHandle } from "./line";
+import { type MeasuredPoints, measuredCurves } from "./measured";
 import type { Curve, Mark, Rule } from "./paint";
 import { Pointing } from "./pointing";
 import { type Readout, draftWords, peakWords } from "./readout";
@@ -57,6 +58,7 @@ export class Response {
     chosen: Place | undefined;
     swept: Swept[] = [];
     pins: Pinned[] = [];
+    measured: MeasuredPoints[] = [];
     /** Response at the start of a design search. */
     start: ResponseResult | undefined;
     band: PowerBand | undefined;
@@ -166,7 +168,7 @@ export class Response {
         const pins = this.pins.filter((pin) => pin.result.over === result.over);
         pins.forEach((pin) => curves.push(...this.lines(pin.result, () => nth(pin.colour), 0.55)));
         curves.push(...this.lines(result, (branch) => nth(branch.identity), alpha));
-        curves.push(...this.sweepPoints(result));
+        curves.push(...this.sweepPoints(result), ...measuredCurves(this.measured, this.quantity, result.unit));
         const rules: Rule[] = this.quantity === "floquet" ? [{ at: 1, along: "y" as const, words: "stable below" }] : [];
         if (this.at !== undefined) rules.push({ at: this.at, along: "x", words: quantity(this.at, result.unit, 5), strong: true });
         this.chart.show({ words: this.words(result.over), unit: result.unit, ends: this.range }, { words, unit, log: this.log }, curves, this.marks(result), rules);
