@@ -3,7 +3,7 @@
 import { Axes } from "./axes";
 import { Band } from "./band";
 import { Basins } from "./basins";
-import { type ResponseResult, resultOf } from "./branches";
+import { type ResponseResult, described, resultOf } from "./branches";
 import { Chart } from "./chart";
 import { Controls } from "./controls";
 import { Design, fromFragment, toFragment } from "./design";
@@ -26,6 +26,7 @@ import { Save } from "./save";
 import { Search } from "./search";
 import { Shake } from "./shake";
 import { shortcuts } from "./shortcuts";
+import { Strain } from "./strain";
 import { Tabs } from "./tabs";
 import { Theme } from "./theme";
 import { Wire } from "./wire";
@@ -68,6 +69,7 @@ const say = (words: string) => {
     if (status.textContent !== words) status.textContent = status.title = words;
 };
 const measured = new Measured(response);
+const strain = new Strain(wire, response, say);
 const pins = new Pins(find("pins"), response, design, say);
 const point = new OperatingPoint(wire, design, { words: find("operating-words"), warnings: find("operating-warnings"), stop: find<HTMLButtonElement>("operating-stop") });
 
@@ -213,6 +215,9 @@ wire.on("response", (frame, request) => {
     if (!response.chosen) showOperating();
     pins.mark();
     measured.mark();
+    strain.show();
+    const voltage = described("voltage", response.result!).words;
+    find("quantity").querySelector("[value=voltage]")!.textContent = voltage[0].toLowerCase() + voltage.slice(1);
     band.follow();
 });
 wire.on("file", () => {
@@ -285,6 +290,7 @@ find<HTMLSelectElement>("quantity").onchange = (event) => {
     response.quantity = (event.target as HTMLSelectElement).value as typeof response.quantity;
     response.draw();
     measured.mark();
+    strain.show();
 };
 find<HTMLInputElement>("log").onchange = (event) => {
     response.log = (event.target as HTMLInputElement).checked;

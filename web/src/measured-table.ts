@@ -70,7 +70,7 @@ function quantityOf({ words, name, unit }: Column): [Quantity, number] | string 
         return isPeak ? `column “${words}”: the response shows the rms of the voltage; give that column as rms` : ["voltage", unit.size];
     }
     if (unit?.kind === "length") {
-        if (/rms/i.test(name)) return `column “${words}”: the response shows half the peak-to-peak displacement; give that column as an amplitude`;
+        if (/rms/i.test(name)) return `column “${words}”: the response shows the amplitude, half peak to peak; give that column as one`;
         return [/penetration/i.test(name) ? "penetration" : "displacement", isPeakToPeak ? 0.5 * unit.size : unit.size];
     }
     return undefined;

@@ -152,7 +152,8 @@ function line(ctx: CanvasRenderingContext2D, curve: Curve, at: (k: number) => [n
             ctx.moveTo(...at(k));
             before = dashed;
         }
-        if (curve.gap?.(k)) ctx.moveTo(...at(k + 1));
+        // A value of 0 has no place on a logarithmic axis: the line ends before it and begins anew after it.
+        if (curve.gap?.(k) || !at(k).every(Number.isFinite)) ctx.moveTo(...at(k + 1));
         else ctx.lineTo(...at(k + 1));
     }
     if (before !== undefined) ctx.stroke();

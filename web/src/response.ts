@@ -1,6 +1,6 @@
 // Response over a key: branches, bifurcations, swept points, pins, and the selected point.
 
-import { type Bifurcation, type Branch, type ResponseResult, type Place, QUANTITIES, type Quantity, identify, isStable, level, nearest, operating, pointAt } from "./branches";
+import { type Bifurcation, type Branch, type ResponseResult, type Place, type Quantity, described, identify, isStable, level, nearest, operating, pointAt, valueAt } from "./branches";
 import { Chart } from "./chart";
 import type { Design } from "./design";
 import { LineHandle } from "./line";
@@ -159,7 +159,7 @@ export class Response {
     draw(): void {
         const { result } = this;
         if (!result) return;
-        const { words, unit } = QUANTITIES[this.quantity];
+        const { words, unit } = described(this.quantity, result);
         const alpha = result.draft || this.isOld ? DRAFT : 1;
         const curves: Curve[] = [];
         if (this.quantity === "power") curves.push({ x: result.linear.x, y: result.linear.power, colour: colour("grey"), width: 1.4 });
@@ -171,8 +171,27 @@ export class Response {
         curves.push(...this.sweepPoints(result), ...measuredCurves(this.measured, this.quantity, result.unit));
         const rules: Rule[] = this.quantity === "floquet" ? [{ at: 1, along: "y" as const, words: "stable below" }] : [];
         if (this.at !== undefined) rules.push({ at: this.at, along: "x", words: quantity(this.at, result.unit, 5), strong: true });
-        this.chart.show({ words: this.words(result.over), unit: result.unit, ends: this.range }, { words, unit, log: this.log }, curves, this.marks(result), rules);
+        this.chart.show({ words: this.words(result.over), unit: result.unit, ends: this.range }, { words, unit, log: this.isLog(result) }, curves, this.marks(result), rules);
         this.tell();
+    }
+
+    /** True where the vertical axis is logarithmic: not where all values are 0. */
+    private isLog(result: ResponseResult): boolean {
+        return this.log && (this.shownValues(result).some((value) => value > 0) || !this.shownValues(result).some((value) => value === 0));
+    }
+
+    /** Values of the quantity on the branches that are shown. */
+    private shownValues({ branches }: ResponseResult): number[] {
+        return branches.filter((branch) => this.shows(branch)).flatMap((branch) => [...branch.values[this.quantity]]);
+    }
+
+    /** What a logarithmic axis cannot show. */
+    private zeroWords(result: ResponseResult): string[] {
+        const values = this.log ? this.shownValues(result) : [];
+        const zeros = values.filter((value) => value === 0).length;
+        if (zeros === 0) return [];
+        if (zeros === values.length) return ["All values are 0, so the axis is linear."];
+        return [`On the logarithmic axis ${zeros} of ${values.length} points are missing, because their value is 0.`];
     }
 
     /** The band, paler where only some of the drawn designs have the orbit. */
@@ -194,7 +213,7 @@ export class Response {
     /** Bifurcations, none on a draft or of an earlier design, and the rings of the hovered and of the selected point. */
     private marks(result: ResponseResult): Mark[] {
         const shown = this.listed(result);
-        const marks: Mark[] = shown.map((found) => ({ x: found.x, y: found[this.quantity], colour: colour("ink"), shape: SHAPES[found.kind] ?? "cross", size: 2.8 }));
+        const marks: Mark[] = shown.map((found) => ({ x: found.x, y: valueAt(found, this.quantity, result, this.span), colour: colour("ink"), shape: SHAPES[found.kind] ?? "cross", size: 2.8 }));
         for (const [place, size] of [[this.hovered, 5], [this.chosen, 7]] as const) {
             const branch = place && result.branches[place.branch];
             if (!branch) continue;
@@ -239,6 +258,8 @@ export class Response {
         const text = [
             ...(this.isOld ? ["Draft: of an earlier design; branches may be wrong or missing until the search ends."] : result.draft ? [draftWords(result.draft)] : peakWords(this.widths, result.unit)),
             ...(this.swept.some((point) => point.over === result.over && this.design.isOld(point)) ? ["The swept points are of an earlier design."] : []),
+            ...this.zeroWords(result),
+            ...(this.quantity === "strain" && result.branches.some(({ values }) => values.strain.length === 0) ? ["Computing the strain."] : []),
             ...(this.start ? ["Pale: the start of the design search."] : []),
             ...(this.band ? ["Shaded: 5 % to 95 % of the designs drawn from the tolerances."] : []),
             ...(hidden > 0 ? [`${hidden} ${hidden === 1 ? "branch" : "branches"} of a period above ${SHORT_PERIOD} not shown.`] : []),
@@ -246,7 +267,7 @@ export class Response {
         ].join(" ");
         this.readout.show(text, result.note, this.listed(result), result.unit, (found) => this.chooseNear(found));
         const count = result.branches.length;
-        this.chart.host.setAttribute("aria-label", `${QUANTITIES[this.quantity].words} over ${result.over}: ${count} ${count === 1 ? "branch" : "branches"}. Arrow keys move along the branch. ${text}`);
+        this.chart.host.setAttribute("aria-label", `${described(this.quantity, result).words} over ${result.over}: ${count} ${count === 1 ? "branch" : "branches"}. Arrow keys move along the branch. ${text}`);
         this.tellPoint(result);
     }
 
@@ -283,7 +304,7 @@ export class Response {
         const branch = place && this.result!.branches[place.branch];
         if (!branch) return "";
         const { point } = place;
-        const { words, unit } = QUANTITIES[this.quantity];
+        const { words, unit } = described(this.quantity, this.result!);
         const more = this.quantity === "power" ? [] : [`${words} ${quantity(branch.values[this.quantity][point], unit)}`];
         const values = [quantity(branch.x[point], this.result!.unit, 5), quantity(branch.values.power[point], "W"), ...more];
         return [...values, `period ${branch.period}`, isStable(branch, point) ? "stable" : "unstable", `${digits(branch.contacts[point])} ${branch.contacts[point] === 1 ? "contact" : "contacts"}`].join(", ");

@@ -65,7 +65,7 @@ test("points of a chosen file stand at their frequency and power, in the units o
 
 test("a voltage and a displacement are drawn under their quantity, and points over a frequency not over another key", async () => {
     await choose("rig.tsv", "frequency_hz\tvoltage_rms_v\tTip displacement, peak to peak (mm)\n12\t10\t20\n14\t2\t3\n");
-    assert.deepEqual(await items(), ["+ rig.tsv: voltage_rms_v, 2 points, under “Voltage, rms”", "+ rig.tsv: Tip displacement, peak to peak (mm), 2 points, under “Displacement at the stop, half peak to peak”"]);
+    assert.deepEqual(await items(), ["+ rig.tsv: voltage_rms_v, 2 points, under “Voltage, rms”", "+ rig.tsv: Tip displacement, peak to peak (mm), 2 points, under “Amplitude at the stop”"]);
     await page.locator("#quantity").selectOption("voltage");
     assert.match((await items())[0], /2 points$/);
     await page.locator("#quantity").selectOption("displacement");
@@ -101,7 +101,7 @@ test("a fault of a file is told in plain words, and its points are not drawn", a
         ["f (Hz),power (W)\n12,1\n13,abc\n", /line 3, column “power \(W\)”: “abc” is not a number/],
         ["f (Hz),power (W)\n12,1,7\n", /line 2 has 3 values, the first line 2 columns/],
         ["f (Hz),voltage peak (V)\n12,1\n", /the response shows the rms of the voltage/],
-        ["f (Hz),displacement rms (m)\n12,1\n", /the response shows half the peak-to-peak displacement/],
+        ["f (Hz),displacement rms (m)\n12,1\n", /the response shows the amplitude, half peak to peak/],
         ["f (Hz),power (W)\n12,\n", /no point with a frequency and a value/],
         ["", /the first line must name the columns/],
         ["\u0000\u0001\u0002", /no column has a unit of frequency/],
