@@ -255,19 +255,22 @@ test("a spec without a drive opens on its free motion", async () => {
     await free.close();
 });
 
-test("a design that settles late shows its run and the response without contact while it integrates", async () => {
-    const late = await serve({ example: "seismic-mass-jacquelin-2011/harvester.toml" });
-    const own = await browser.context.newPage();
-    await own.goto(late.address);
-    await until("operating-words", /the drives of the spec: [\d.]+ µW on average .*starts/, own);
-    await until("readout", /Draft: without contact only/, own);
-    assert.ok((await inked(own, "#chart-response canvas")) > 0.005);
-    assert.match(await own.locator("#chart-shake-voltage").getAttribute("aria-label"), /on average/);
-    await own.locator("#operating-stop").click();
-    await until("operating-words", /^Operating point: stopped/, own);
-    await own.close();
-    await late.close();
-});
+for (const example of ["seismic-mass-jacquelin-2011", "missile-renaud-2009"]) {
+    test(`a design that settles late shows its run and the response without contact while it integrates: ${example}`, async () => {
+        const late = await serve({ example: `${example}/harvester.toml` });
+        const own = await browser.context.newPage();
+        await own.goto(late.address);
+        await until("readout", /Draft: without contact only/, own);
+        assert.ok((await inked(own, "#chart-response canvas")) > 0.005);
+        assert.ok(await own.locator("#side > svg").isVisible());
+        await until("operating-words", /the drives of the spec: [\d.]+ .?W on average .*starts/, own);
+        assert.match(await own.locator("#chart-shake-voltage").getAttribute("aria-label"), /on average/);
+        await own.locator("#operating-stop").click();
+        await until("operating-words", /^Operating point: stopped/, own);
+        await own.close();
+        await late.close();
+    });
+}
 
 test("a stop on a moving beam moves in the animation", async () => {
     const beams = await serve({ example: "two-beams-vijayan-2015/harvester.toml" });
