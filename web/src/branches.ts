@@ -3,35 +3,39 @@
 import type { Frame } from "./frame";
 import type { Request } from "./wire";
 
-export type Quantity = "power" | "voltage" | "penetration" | "displacement" | "floquet";
+export type Quantity = "power" | "voltage" | "penetration" | "force" | "impact" | "displacement" | "strain" | "floquet";
 
 export const QUANTITIES: Record<Quantity, { words: string; unit: string }> = {
     power: { words: "Mean power", unit: "W" },
     voltage: { words: "Voltage, rms", unit: "V" },
     penetration: { words: "Penetration, peak", unit: "m" },
-    displacement: { words: "Displacement at the stop, half peak to peak", unit: "m" },
+    force: { words: "Contact force, peak", unit: "N" },
+    impact: { words: "Impact speed, largest", unit: "m/s" },
+    strain: { words: "Strain, peak", unit: "ppm" },
+    displacement: { words: "Amplitude at the stop", unit: "m" },
     floquet: { words: "Largest multiplier", unit: "" },
 };
+
+/** Words and unit of a quantity of a response. */
+export function described(quantity: Quantity, { storage }: ResponseResult): { words: string; unit: string } {
+    return quantity === "voltage" && storage ? { words: "Storage voltage, rms", unit: "V" } : QUANTITIES[quantity];
+}
 
 export interface Branch {
     /** Number that the branch retains in the next response. */
     identity: number;
     period: number;
     x: Float64Array;
+    /** Values of each quantity; those of the strain are empty until they are requested. */
     values: Record<Quantity, Float64Array>;
     contacts: Float64Array;
 }
 
-export interface Bifurcation {
+export interface Bifurcation extends Record<Exclude<Quantity, "strain">, number> {
     branch: number;
     kind: string;
     x: number;
     contacts: number;
-    power: number;
-    voltage: number;
-    penetration: number;
-    displacement: number;
-    floquet: number;
 }
 
 export interface ResponseResult {
@@ -43,6 +47,8 @@ export interface ResponseResult {
     branches: Branch[];
     bifurcations: Bifurcation[];
     linear: { x: Float64Array; power: Float64Array };
+    /** True where the voltage is that of the storage of a rectified circuit. */
+    storage: boolean;
     /** How the branches of a running search were found; undefined for its result. */
     draft: Draft | undefined;
     /** Branches that the search may miss. */
@@ -68,7 +74,7 @@ export function resultOf(frame: Frame, { design }: Request): ResponseResult {
         return { identity: k, period: branch.period, x: frame.array(`${k}.x`), values: values as Branch["values"], contacts: frame.array(`${k}.contacts`) };
     });
     const linear = { x: frame.array("linear.x"), power: frame.array("linear.power") };
-    return { id: head.id, design, over: head.over, unit: head.unit, branches, bifurcations: head.bifurcations, linear, draft: head.stage === "first" ? { origin: "first", lost_share: 1 } : head.draft ?? undefined, note: head.note ?? "" };
+    return { id: head.id, design, over: head.over, unit: head.unit, branches, bifurcations: head.bifurcations, linear, storage: head.storage, draft: head.stage === "first" ? { origin: "first", lost_share: 1 } : head.draft ?? undefined, note: head.note ?? "" };
 }
 
 export const isStable = (branch: Branch, point: number): boolean => branch.values.floquet[point] < 1;
@@ -150,4 +156,21 @@ export function pointAt({ x, values }: Branch, point: number, at: number, name: 
     const other = [point - 1, point + 1].find((own) => share(own) >= 0 && share(own) <= 1);
     const y = values[name];
     return other === undefined ? [x[point], y[point]] : [at, y[point] + share(other) * (y[other] - y[point])];
+}
+
+/** Value of a quantity at a bifurcation: that of its orbit, or that of the strain between the points of its branch. */
+export function valueAt(found: Bifurcation, name: Quantity, { branches }: ResponseResult, span: number): number {
+    if (name !== "strain") return found[name];
+    const branch = branches[found.branch];
+    const strain = branch.values.strain;
+    const on = (k: number): [number, number] => [(branch.x[k] - found.x) / span, 0.2 * (level(branch.values.power[k]) - level(found.power))];
+    let [least, value] = [Infinity, Number.NaN];
+    for (let k = 0; k + 1 < strain.length; k++) {
+        const [[a, b], [c, d]] = [on(k), on(k + 1)];
+        const size = (c - a) ** 2 + (d - b) ** 2;
+        const share = size > 0 ? Math.min(Math.max(-(a * (c - a) + b * (d - b)) / size, 0), 1) : 0;
+        const away = Math.hypot(a + share * (c - a), b + share * (d - b));
+        if (away < least) [least, value] = [away, strain[k] + share * (strain[k + 1] - strain[k])];
+    }
+    return value;
 }

@@ -1,6 +1,7 @@
 // Chart of curves on axes: uPlot draws axes, grid and scales.
 
 import uPlot from "uplot";
+import { type Nearest, nearestPoint } from "./nearest";
 import { type Curve, type Mark, type Rule, unitCircle, drawCurve, drawMark, drawRule } from "./paint";
 import type { Drawn } from "./print";
 import { record } from "./recorder";
@@ -26,6 +27,9 @@ const NARROW = 4;
 /** Ratio above which only powers of ten have a label. */
 const MANY = 300;
 
+/** Smallest width of a magnified axis, relative to its values: the labels of its lines differ. */
+const NARROWEST = 1e-4;
+
 /** Pixels of axes and margins in a small chart, horizontally and vertically. */
 export const AROUND = [56, 38];
 
@@ -43,7 +47,7 @@ export class Chart implements Drawn {
     /** Ends of all that is shown, and of the part that is magnified. */
     private full: [Range, Range] = [[0, 1], [0, 1]];
     private part: [Range, Range] | undefined;
-    private readonly pointer = document.createElement("div");
+    private readonly pointers: HTMLElement[] = [];
     /** Called when another part is magnified. */
     onZoom: () => void = () => {};
     private round = false;
@@ -122,21 +126,34 @@ export class Chart implements Drawn {
             const [low, high] = change(on(this.ends[k][0]), on(this.ends[k][1]), k);
             const width = Math.min(high - low, last - first);
             const start = Math.min(Math.max(low, first), last - width);
-            return drawable([off(start), off(start + width)], log);
+            const ends: Range = [off(start), off(start + width)];
+            return ends[1] - ends[0] > NARROWEST * Math.max(Math.abs(ends[0]), Math.abs(ends[1])) ? ends : this.ends[k];
         }) as [Range, Range];
         const isFull = next.every((range, k) => range.every((end, side) => Math.abs(end - this.full[k][side]) <= 1e-9 * Math.abs(this.full[k][1] - this.full[k][0])));
         this.magnify(isFull ? undefined : next);
         this.redraw();
     }
 
-    /** Places the cursor: a vertical line, or a dot at a height. Without a value it is hidden. */
-    cursor(x?: number, y?: number): void {
-        const { plot, pointer } = this;
-        pointer.hidden = x === undefined || !plot;
-        if (!plot || x === undefined) return;
-        if (pointer.parentElement !== plot.over) plot.over.append(pointer);
-        pointer.className = y === undefined ? "cursor" : "cursor dot";
-        pointer.style.transform = `translate(${plot.valToPos(x, "x")}px, ${y === undefined ? 0 : plot.valToPos(y, "y")}px)`;
+    /** Places the cursors: a vertical line at a value, or a dot at a point. Without values none is shown. */
+    cursor(...at: [x: number, y?: number][]): void {
+        const { plot, pointers } = this;
+        while (pointers.length < at.length) pointers.push(document.createElement("div"));
+        pointers.forEach((pointer, k) => {
+            pointer.hidden = !plot || k >= at.length;
+            if (!plot || k >= at.length) return;
+            const [x, y] = at[k];
+            if (pointer.parentElement !== plot.over) plot.over.append(pointer);
+            pointer.className = y === undefined ? "cursor" : "cursor dot";
+            pointer.style.transform = `translate(${plot.valToPos(x, "x")}px, ${y === undefined ? 0 : plot.valToPos(y, "y")}px)`;
+        });
+    }
+
+    /** The curve that passes nearest to a position of the pointer, and its point there. */
+    nearest({ clientX, clientY }: MouseEvent): Nearest | undefined {
+        const box = this.over?.getBoundingClientRect();
+        if (!box) return undefined;
+        const drawn = this.curves.map(({ x, y, gap }) => ({ count: x.length, place: (point: number) => this.place(x[point], y[point]), gap }));
+        return nearestPoint([clientX - box.left, clientY - box.top], drawn);
     }
 
     /** Position of a point in CSS pixels of the plotting area. */
@@ -213,7 +230,7 @@ export class Chart implements Drawn {
             // uPlot 1.6.32 loops forever where a logarithmic axis begins just below a power of ten.
             ...(axis.log ? { splits: (_: uPlot, __: number, low: number, high: number) => decades(low, high) } : {}),
             ...(axis.flag ? { splits: (_: uPlot, __: number, low: number, high: number) => [0, 1].filter((value) => value >= low && value <= high) } : {}),
-            values: (_, splits) => splits.map((value) => (value === null || !isLabelled(value, axis) ? "" : axis.flag ? (value === 1 ? "yes" : "no") : digits(value / step, 5))),
+            values: (_, splits) => splits.map((value) => (value === null || !isLabelled(value, axis) ? "" : axis.flag ? (value === 1 ? "yes" : "no") : digits(value / step, 6))),
         };
     }
 

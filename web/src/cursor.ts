@@ -1,4 +1,4 @@
-// One time on all charts of an orbit, in its phase portrait, and in the motion of the beam.
+// One instant on all charts of an orbit, in its phase portrait, and in the motion of the beams. Each of them can be pointed at.
 
 import type { Chart } from "./chart";
 import type { Frame } from "./frame";
@@ -20,10 +20,9 @@ export class Cursor {
         motion.onPhase = (phase) => this.place(phase);
         this.slider.oninput = () => motion.hold(Number(this.slider.value) / Number(this.slider.max));
         this.slider.onchange = () => motion.release();
-        for (const chart of charts.histories) {
-            chart.host.addEventListener("pointermove", (event) => this.point(chart, event));
-            chart.host.addEventListener("pointerleave", () => motion.release());
-        }
+        for (const chart of charts.histories) this.pointed(chart.host, (event) => this.onHistory(chart, event));
+        this.pointed(charts.phase.host, (event) => this.onPortrait(event));
+        this.pointed(motion.canvas, (event) => motion.phaseAt(event));
     }
 
     take(frame: Frame): void {
@@ -31,27 +30,55 @@ export class Cursor {
         this.place(this.motion.shown);
     }
 
-    private point(chart: Chart, event: PointerEvent): void {
+    /** Shows the phase under the pointer, as a fraction of the period, as long as the pointer is over an element. */
+    private pointed(host: HTMLElement, phaseAt: (event: PointerEvent) => number | undefined): void {
+        host.addEventListener("pointermove", (event) => {
+            const phase = this.frame && phaseAt(event);
+            if (phase !== undefined) this.motion.hold(phase);
+        });
+        host.addEventListener("pointerleave", () => this.motion.release());
+    }
+
+    private onHistory(chart: Chart, event: PointerEvent): number | undefined {
         const left = chart.over?.getBoundingClientRect().left;
-        if (left === undefined || !this.frame) return;
-        this.motion.hold(Math.min(Math.max(chart.valueAt(event.clientX - left) / this.frame.head.period_s, 0), 1 - 1e-9));
+        return left === undefined ? undefined : Math.min(Math.max(chart.valueAt(event.clientX - left) / this.frame!.head.period_s, 0), 1 - 1e-9);
+    }
+
+    private onPortrait(event: PointerEvent): number | undefined {
+        const found = this.charts.phase.nearest(event);
+        const { length } = this.frame!.array("time");
+        return found && (found.point % length) / length;
     }
 
     private place(phase: number): void {
         const { frame } = this;
         if (!frame) return;
         const at = phase * frame.head.period_s;
-        for (const chart of this.charts.histories) chart.cursor(at);
+        for (const chart of this.charts.histories) chart.cursor([at]);
         const now = (name: string): number | undefined => {
             const history = frame.array(name);
-            return history[Math.floor(phase * history.length) % history.length];
+            return history[Math.floor(phase * history.length + 1e-6) % history.length];
         };
-        const [displacement, velocity] = [now("displacement.0"), now("velocity.0")];
-        if (displacement !== undefined) this.charts.phase.cursor(displacement, velocity);
+        const stops = (frame.head.stops as unknown[]).map((_, k): [number, number] => [now(`displacement.${k}`)!, now(`velocity.${k}`)!]);
+        this.charts.phase.cursor(...stops);
         this.slider.value = String(Math.round(phase * Number(this.slider.max)));
-        const values = [quantity(at, "s", 3), ...([[displacement, "m"], [velocity, "m/s"], [now("voltage"), "V"], [now("force.0"), "N"]] as const).flatMap(([value, unit]) => (value === undefined ? [] : [quantity(value, unit, 3)]))];
+        const force = frame.has("contact.force.0") ? between(frame.array("contact.time"), frame.array("contact.force.0"), at) : undefined;
+        const [displacement, velocity] = stops[0] ?? [];
+        const values = [quantity(at, "s", 3), ...([[displacement, "m"], [velocity, "m/s"], [now("voltage"), "V"], [force, "N"]] as const).flatMap(([value, unit]) => (value === undefined ? [] : [quantity(value, unit, 3)]))];
         const text = values.join(", ");
         this.slider.setAttribute("aria-valuetext", text);
         this.words.textContent = this.motion.playing ? "" : text;
     }
+}
+
+/** Value of a curve between its points, whose abscissas increase. */
+function between(x: Float64Array, y: Float64Array, at: number): number {
+    let [low, high] = [0, x.length - 1];
+    while (high - low > 1) {
+        const middle = (low + high) >> 1;
+        if (x[middle] <= at) low = middle;
+        else high = middle;
+    }
+    const share = x[high] > x[low] ? Math.min(Math.max((at - x[low]) / (x[high] - x[low]), 0), 1) : 0;
+    return y[low] + share * (y[high] - y[low]);
 }

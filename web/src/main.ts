@@ -3,15 +3,17 @@
 import { Axes } from "./axes";
 import { Band } from "./band";
 import { Basins } from "./basins";
-import { type ResponseResult, resultOf } from "./branches";
+import { type ResponseResult, described, resultOf } from "./branches";
 import { Chart } from "./chart";
 import { Controls } from "./controls";
 import { Design, fromFragment, toFragment } from "./design";
 import { Drawing } from "./drawing";
+import { acceptDrops } from "./drops";
 import { Exports } from "./exports";
 import { keepFocus } from "./focus";
 import type { Fault, Frame, Head } from "./frame";
 import { Load } from "./load";
+import { Measured } from "./measured";
 import { Modes } from "./modes";
 import { Orbit } from "./orbit";
 import { Pins } from "./pins";
@@ -24,6 +26,7 @@ import { Save } from "./save";
 import { Search } from "./search";
 import { Shake } from "./shake";
 import { shortcuts } from "./shortcuts";
+import { Strain } from "./strain";
 import { Tabs } from "./tabs";
 import { Theme } from "./theme";
 import { Wire } from "./wire";
@@ -50,6 +53,10 @@ const basins = new Basins(wire, design);
 const search = new Search(wire, controls, design, response);
 const band = new Band(wire, design, response, search.problem.tolerance);
 const shake = new Shake(wire, controls, design, () => find("tab-shake").click());
+acceptDrops(async (file, target) => {
+    const isOnResponse = find("response-view").contains(target);
+    if (!isOnResponse || !(await measured.dropped(file))) shake.dropped(file);
+});
 const exports = new Exports(response, drawing);
 const save = new Save(wire, design);
 /** What the export is requested for. */
@@ -61,6 +68,8 @@ let begun = false;
 const say = (words: string) => {
     if (status.textContent !== words) status.textContent = status.title = words;
 };
+const measured = new Measured(response);
+const strain = new Strain(wire, response, say);
 const pins = new Pins(find("pins"), response, design, say);
 const point = new OperatingPoint(wire, design, { words: find("operating-words"), warnings: find("operating-warnings"), stop: find<HTMLButtonElement>("operating-stop") });
 
@@ -205,6 +214,10 @@ wire.on("response", (frame, request) => {
     orbit.mark();
     if (!response.chosen) showOperating();
     pins.mark();
+    measured.mark();
+    strain.show();
+    const voltage = described("voltage", response.result!).words;
+    find("quantity").querySelector("[value=voltage]")!.textContent = voltage[0].toLowerCase() + voltage.slice(1);
     band.follow();
 });
 wire.on("file", () => {
@@ -276,6 +289,8 @@ find("zoom-range").onclick = () => {
 find<HTMLSelectElement>("quantity").onchange = (event) => {
     response.quantity = (event.target as HTMLSelectElement).value as typeof response.quantity;
     response.draw();
+    measured.mark();
+    strain.show();
 };
 find<HTMLInputElement>("log").onchange = (event) => {
     response.log = (event.target as HTMLInputElement).checked;

@@ -26,6 +26,19 @@ interface Stop {
     displacement: Float64Array;
 }
 
+interface Layout {
+    /** Device pixels of a CSS pixel. */
+    ratio: number;
+    own: Stop[];
+    /** Device pixels of a metre of displacement. */
+    scale: number;
+    zero: number;
+    left: number;
+    right: number;
+    length: number;
+    x: (place: number) => number;
+}
+
 export class Motion implements Drawn {
     private beams: Beam[] = [];
     private stops: Stop[] = [];
@@ -112,8 +125,7 @@ export class Motion implements Drawn {
         const ctx = canvas.getContext("2d");
         if (!ctx) return;
         ctx.clearRect(0, 0, width, height);
-        const strip = height / Math.max(1, this.beams.length);
-        this.beams.forEach((beam, k) => this.beam(ctx, beam, k * strip, strip, width, ratio));
+        for (const beam of this.beams) this.beam(ctx, beam);
     }
 
     svg(paper?: string): string | undefined {
@@ -121,15 +133,37 @@ export class Motion implements Drawn {
         return ctx ? record(ctx, () => this.draw(), paper) : undefined;
     }
 
-    private beam(ctx: CanvasRenderingContext2D, beam: Beam, top: number, high: number, width: number, ratio: number): void {
+    /** Stops of a beam, its scale, and positions on the canvas: of its clamp and of its points. */
+    private layout(beam: Beam): Layout {
+        const ratio = devicePixelRatio || 1;
+        const { width, height } = this.canvas;
+        const strip = height / Math.max(1, this.beams.length);
         const own = this.stops.filter((stop) => stop.at?.beam === beam.name);
         const room = Math.max(beam.highest, ...own.map((stop) => (stop.above ? stop.gap : 0)), 0.3 * this.largest);
         const below = Math.max(-beam.lowest, ...own.map((stop) => (stop.above ? 0 : stop.gap)), 0.3 * this.largest);
-        const scale = (high - 34 * ratio) / (room + below);
-        const zero = top + 20 * ratio + room * scale;
+        const scale = (strip - 34 * ratio) / (room + below);
         const [left, right] = [26 * ratio, width - 20 * ratio];
         const length = beam.places[beam.places.length - 1] || 1;
-        const x = (place: number) => left + ((right - left) * place) / length;
+        return { ratio, own, scale, zero: this.beams.indexOf(beam) * strip + 20 * ratio + room * scale, left, right, length, x: (place) => left + ((right - left) * place) / length };
+    }
+
+    /** Fraction of the period, the nearest to that shown, at which a beam passes through the pointer or comes nearest to it. */
+    phaseAt(event: MouseEvent): number | undefined {
+        const { canvas, pictures } = this;
+        const box = canvas.getBoundingClientRect();
+        const [px, py] = [((event.clientX - box.left) * canvas.width) / box.width, ((event.clientY - box.top) * canvas.height) / box.height];
+        const beam = this.beams[Math.min(Math.max(Math.floor((py * this.beams.length) / canvas.height), 0), this.beams.length - 1)];
+        if (!beam || pictures === 0) return undefined;
+        const { left, right, length, zero, scale } = this.layout(beam);
+        const count = beam.places.length;
+        const place = (length * (px - left)) / (right - left);
+        const k = beam.places.reduce((best, own, index) => (Math.abs(own - place) < Math.abs(beam.places[best] - place) ? index : best), 0);
+        const above = Array.from({ length: pictures }, (_, picture) => beam.motion[picture * count + k] - (zero - py) / scale);
+        return nearestZero(above, this.phase);
+    }
+
+    private beam(ctx: CanvasRenderingContext2D, beam: Beam): void {
+        const { ratio, own, scale, zero, left, right, length, x } = this.layout(beam);
         const first = Math.floor(this.phase * this.pictures) % this.pictures;
         const share = this.phase * this.pictures - Math.floor(this.phase * this.pictures);
         const next = (first + 1) % this.pictures;
@@ -188,4 +222,16 @@ function line(ctx: CanvasRenderingContext2D, x0: number, y0: number, x1: number,
     ctx.moveTo(x0, y0);
     ctx.lineTo(x1, y1);
     ctx.stroke();
+}
+
+/** Fraction of a period, the nearest to `near`, at which a periodic sequence is zero; without one, that of the smallest magnitude. */
+function nearestZero(values: number[], near: number): number {
+    const count = values.length;
+    const zeros = values.flatMap((value, k) => {
+        const next = values[(k + 1) % count];
+        return value === 0 ? [k / count] : value * next < 0 ? [(k + value / (value - next)) / count] : [];
+    });
+    const away = (phase: number) => Math.abs(phase - near - Math.round(phase - near));
+    if (zeros.length > 0) return zeros.reduce((best, own) => (away(own) < away(best) ? own : best));
+    return values.reduce((best, value, k) => (Math.abs(value) < Math.abs(values[best]) ? k : best), 0) / count;
 }

@@ -131,7 +131,8 @@ export class Orbit {
         this.force.show(seconds, { words: "Force", unit: "N" }, own("contact.force").map((curve) => ({ x: frame.array("contact.time"), ...curve, colour: colour("vermilion") })));
         this.label(this.displacement, `Displacement towards the stop over one period: ${contacts}, largest penetration ${quantity(head.max_penetration_m, "m")}`);
         this.label(this.phase, "Phase portrait: velocity over displacement, with the stop as a line");
-        this.label(this.force, `Contact force over one period: ${contacts}`);
+        const largest = own("contact.force").reduce((most, { y }) => y.reduce((high, force) => Math.max(high, force), most), 0);
+        this.label(this.force, `Contact force over one period: ${contacts}, largest force ${quantity(largest, "N")}`);
     }
 
     private amplitudes(frame: Frame): void {
@@ -145,10 +146,11 @@ export class Orbit {
         const [re, im] = [frame.array("multiplier.re"), frame.array("multiplier.im")];
         const host = this.multipliers.host;
         const reach = Math.max(1.15, 1.1 * frame.head.floquet_max_abs);
-        // Equal scales make the circle round.
-        const wide = (reach * Math.max(20, host.clientWidth - AROUND[0])) / Math.max(20, host.clientHeight - AROUND[1]);
+        // Equal scales make the circle round; the shorter side shows all of it.
+        const [width, height] = [Math.max(20, host.clientWidth - AROUND[0]), Math.max(20, host.clientHeight - AROUND[1])];
+        const [wide, high] = [width, height].map((side) => (reach * side) / Math.min(width, height));
         const marks = Array.from(re, (x, k) => ({ x, y: im[k], colour: colour(Math.hypot(x, im[k]) < 1 ? "blue" : "vermilion"), shape: "circle" as const, size: 3 }));
-        this.multipliers.show({ words: "Multiplier, real", unit: "", ends: [-wide, wide] }, { words: "imaginary", unit: "", ends: [-reach, reach] }, [], marks, [], true);
+        this.multipliers.show({ words: "Multiplier, real", unit: "", ends: [-wide, wide] }, { words: "imaginary", unit: "", ends: [-high, high] }, [], marks, [], true);
     }
 
     private label(chart: Chart, words: string): void {

@@ -15,6 +15,8 @@ export interface Curve {
     gap?: (from: number) => boolean;
     /** Points instead of a line. */
     dots?: number;
+    /** Points as marks instead of a line. */
+    shape?: Mark["shape"];
     /** Points as cells of this width and height, in the units of the axes. */
     cell?: [number, number];
     /** Upper end of an area that is filled from `y` on. */
@@ -29,7 +31,7 @@ export interface Mark {
     x: number;
     y: number;
     colour: string;
-    shape: "circle" | "square" | "diamond" | "triangle" | "cross" | "ring";
+    shape: "circle" | "square" | "diamond" | "triangle" | "cross" | "plus" | "ring";
     size?: number;
 }
 
@@ -93,6 +95,8 @@ export function drawCurve(plot: uPlot, curve: Curve, ratio: number): void {
     const at = (k: number): [number, number] => [plot.valToPos(curve.x[k], "x", true), plot.valToPos(curve.y[k], "y", true)];
     if (curve.upper) {
         area(plot, curve, curve.upper);
+    } else if (curve.shape) {
+        for (let k = 0; k < curve.x.length; k++) drawMark(plot, { x: curve.x[k], y: curve.y[k], colour: curve.colour, shape: curve.shape }, ratio);
     } else if (curve.cell) {
         cells(plot, curve, curve.cell);
     } else if (curve.dots || curve.stems) {
@@ -148,7 +152,8 @@ function line(ctx: CanvasRenderingContext2D, curve: Curve, at: (k: number) => [n
             ctx.moveTo(...at(k));
             before = dashed;
         }
-        if (curve.gap?.(k)) ctx.moveTo(...at(k + 1));
+        // A value of 0 has no place on a logarithmic axis: the line ends before it and begins anew after it.
+        if (curve.gap?.(k) || !at(k).every(Number.isFinite)) ctx.moveTo(...at(k + 1));
         else ctx.lineTo(...at(k + 1));
     }
     if (before !== undefined) ctx.stroke();
@@ -166,7 +171,14 @@ export function drawMark(plot: uPlot, mark: Mark, ratio: number): void {
     else if (mark.shape === "square") ctx.rect(x - 0.85 * r, y - 0.85 * r, 1.7 * r, 1.7 * r);
     else if (mark.shape === "diamond") polygon(ctx, [[x, y - 1.2 * r], [x + 1.2 * r, y], [x, y + 1.2 * r], [x - 1.2 * r, y]]);
     else if (mark.shape === "triangle") polygon(ctx, [[x, y - 1.2 * r], [x + 1.1 * r, y + r], [x - 1.1 * r, y + r]]);
-    else {
+    else if (mark.shape === "plus") {
+        for (const [dx, dy] of [[r, 0], [0, r]]) {
+            ctx.moveTo(x - dx, y - dy);
+            ctx.lineTo(x + dx, y + dy);
+        }
+        ctx.stroke();
+        return;
+    } else {
         ctx.moveTo(x - r, y - r);
         ctx.lineTo(x + r, y + r);
         ctx.moveTo(x + r, y - r);

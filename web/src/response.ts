@@ -1,11 +1,12 @@
-// Response over a key: branches, bifurcations, swept points, pins; a click or the arrow keys select a point.
+// Response over a key: branches, bifurcations, swept points, pins, and the selected point.
 
-import { type Bifurcation, type Branch, type ResponseResult, type Place, QUANTITIES, type Quantity, identify, isStable, level, nearest, operating, pointAt } from "./branches";
+import { type Bifurcation, type Branch, type ResponseResult, type Place, type Quantity, described, identify, isStable, level, nearest, operating, pointAt, valueAt } from "./branches";
 import { Chart } from "./chart";
 import type { Design } from "./design";
 import { LineHandle } from "./line";
-import { Zoom } from "./zoom";
+import { type MeasuredPoints, measuredCurves } from "./measured";
 import type { Curve, Mark, Rule } from "./paint";
+import { Pointing } from "./pointing";
 import { type Readout, draftWords, peakWords } from "./readout";
 import type { Head } from "./frame";
 import { colour, nth } from "./theme";
@@ -14,8 +15,6 @@ import { digits, quantity } from "./units";
 const SHAPES: Record<string, Mark["shape"]> = {
     fold: "square", "period-doubling": "triangle", "neimark-sacker": "diamond", "branch-point": "cross", grazing: "circle", sticking: "ring",
 };
-/** Largest distance of a click from a point, CSS pixels. */
-const REACH = 40;
 /** Opacity of a draft. */
 const DRAFT = 0.4;
 /** Change of the logarithm of the power over which a draft is not drawn: such a chord joins two branches. */
@@ -59,6 +58,7 @@ export class Response {
     chosen: Place | undefined;
     swept: Swept[] = [];
     pins: Pinned[] = [];
+    measured: MeasuredPoints[] = [];
     /** Response at the start of a design search. */
     start: ResponseResult | undefined;
     band: PowerBand | undefined;
@@ -85,14 +85,10 @@ export class Response {
     constructor(host: HTMLElement, private readonly readout: Readout, private readonly design: Design) {
         this.chart = new Chart(host);
         const line = new LineHandle(this.chart, () => this.at, (value, moving) => this.onMove(Math.min(Math.max(value, this.range[0]), this.range[1]), moving));
-        const zoom = new Zoom(this.chart, () => line.isHeld);
         // Its value is the selected point, which the arrow keys move.
         host.tabIndex = 0;
         host.setAttribute("role", "slider");
-        host.addEventListener("click", (event) => !line.dragged && !zoom.dragged && this.click(event));
-        host.addEventListener("mousemove", (event) => this.hover(event));
-        host.addEventListener("mouseleave", () => this.hover(undefined));
-        host.addEventListener("keydown", (event) => this.key(event));
+        new Pointing(this, line, this.cursor);
     }
 
     /** Shows a new response. A point that the user has selected is retained; else the operating point is selected. */
@@ -163,7 +159,7 @@ export class Response {
     draw(): void {
         const { result } = this;
         if (!result) return;
-        const { words, unit } = QUANTITIES[this.quantity];
+        const { words, unit } = described(this.quantity, result);
         const alpha = result.draft || this.isOld ? DRAFT : 1;
         const curves: Curve[] = [];
         if (this.quantity === "power") curves.push({ x: result.linear.x, y: result.linear.power, colour: colour("grey"), width: 1.4 });
@@ -172,11 +168,30 @@ export class Response {
         const pins = this.pins.filter((pin) => pin.result.over === result.over);
         pins.forEach((pin) => curves.push(...this.lines(pin.result, () => nth(pin.colour), 0.55)));
         curves.push(...this.lines(result, (branch) => nth(branch.identity), alpha));
-        curves.push(...this.sweepPoints(result));
+        curves.push(...this.sweepPoints(result), ...measuredCurves(this.measured, this.quantity, result.unit));
         const rules: Rule[] = this.quantity === "floquet" ? [{ at: 1, along: "y" as const, words: "stable below" }] : [];
         if (this.at !== undefined) rules.push({ at: this.at, along: "x", words: quantity(this.at, result.unit, 5), strong: true });
-        this.chart.show({ words: this.words(result.over), unit: result.unit, ends: this.range }, { words, unit, log: this.log }, curves, this.marks(result), rules);
+        this.chart.show({ words: this.words(result.over), unit: result.unit, ends: this.range }, { words, unit, log: this.isLog(result) }, curves, this.marks(result), rules);
         this.tell();
+    }
+
+    /** True where the vertical axis is logarithmic: not where all values are 0. */
+    private isLog(result: ResponseResult): boolean {
+        return this.log && (this.shownValues(result).some((value) => value > 0) || !this.shownValues(result).some((value) => value === 0));
+    }
+
+    /** Values of the quantity on the branches that are shown. */
+    private shownValues({ branches }: ResponseResult): number[] {
+        return branches.filter((branch) => this.shows(branch)).flatMap((branch) => [...branch.values[this.quantity]]);
+    }
+
+    /** What a logarithmic axis cannot show. */
+    private zeroWords(result: ResponseResult): string[] {
+        const values = this.log ? this.shownValues(result) : [];
+        const zeros = values.filter((value) => value === 0).length;
+        if (zeros === 0) return [];
+        if (zeros === values.length) return ["All values are 0, so the axis is linear."];
+        return [`On the logarithmic axis ${zeros} of ${values.length} points are missing, because their value is 0.`];
     }
 
     /** The band, paler where only some of the drawn designs have the orbit. */
@@ -198,7 +213,7 @@ export class Response {
     /** Bifurcations, none on a draft or of an earlier design, and the rings of the hovered and of the selected point. */
     private marks(result: ResponseResult): Mark[] {
         const shown = this.listed(result);
-        const marks: Mark[] = shown.map((found) => ({ x: found.x, y: found[this.quantity], colour: colour("ink"), shape: SHAPES[found.kind] ?? "cross", size: 2.8 }));
+        const marks: Mark[] = shown.map((found) => ({ x: found.x, y: valueAt(found, this.quantity, result, this.span), colour: colour("ink"), shape: SHAPES[found.kind] ?? "cross", size: 2.8 }));
         for (const [place, size] of [[this.hovered, 5], [this.chosen, 7]] as const) {
             const branch = place && result.branches[place.branch];
             if (!branch) continue;
@@ -230,7 +245,7 @@ export class Response {
             colour: own(branch),
             width: 2,
             alpha,
-            gap: (from) => result.draft !== undefined && Math.abs(level(branch.values.power[from + 1]) - level(branch.values.power[from])) > DRAFT_STEP,
+            gap: isGap(result, branch),
             dashed: (from) => !(isStable(branch, from) && isStable(branch, from + 1)),
         }));
     }
@@ -243,6 +258,8 @@ export class Response {
         const text = [
             ...(this.isOld ? ["Draft: of an earlier design; branches may be wrong or missing until the search ends."] : result.draft ? [draftWords(result.draft)] : peakWords(this.widths, result.unit)),
             ...(this.swept.some((point) => point.over === result.over && this.design.isOld(point)) ? ["The swept points are of an earlier design."] : []),
+            ...this.zeroWords(result),
+            ...(this.quantity === "strain" && result.branches.some(({ values }) => values.strain.length === 0) ? ["Computing the strain."] : []),
             ...(this.start ? ["Pale: the start of the design search."] : []),
             ...(this.band ? ["Shaded: 5 % to 95 % of the designs drawn from the tolerances."] : []),
             ...(hidden > 0 ? [`${hidden} ${hidden === 1 ? "branch" : "branches"} of a period above ${SHORT_PERIOD} not shown.`] : []),
@@ -250,7 +267,7 @@ export class Response {
         ].join(" ");
         this.readout.show(text, result.note, this.listed(result), result.unit, (found) => this.chooseNear(found));
         const count = result.branches.length;
-        this.chart.host.setAttribute("aria-label", `${QUANTITIES[this.quantity].words} over ${result.over}: ${count} ${count === 1 ? "branch" : "branches"}. Arrow keys move along the branch. ${text}`);
+        this.chart.host.setAttribute("aria-label", `${described(this.quantity, result).words} over ${result.over}: ${count} ${count === 1 ? "branch" : "branches"}. Arrow keys move along the branch. ${text}`);
         this.tellPoint(result);
     }
 
@@ -267,34 +284,19 @@ export class Response {
         this.choose({ branch: found.branch, point: away.indexOf(Math.min(...away)) });
     }
 
-    private closest(event: MouseEvent): Place | undefined {
-        const { over } = this.chart;
-        if (!this.result || !over) return undefined;
-        const box = over.getBoundingClientRect();
-        let found: Place | undefined;
-        let least = REACH;
-        this.result.branches.forEach((branch, k) => {
-            if (!this.shows(branch)) return;
-            for (let point = 0; point < branch.x.length; point++) {
-                const [x, y] = this.chart.place(branch.x[point], branch.values[this.quantity][point]);
-                const away = Math.hypot(x + box.left - event.clientX, y + box.top - event.clientY);
-                if (away < least) [least, found] = [away, { branch: k, point }];
-            }
-        });
-        return found;
-    }
-
-    private click(event: MouseEvent): void {
-        const place = this.closest(event);
-        if (place) this.choose(place);
-    }
-
-    private hover(event: MouseEvent | undefined): void {
-        const place = event && this.closest(event);
+    /** Shows the values of the point under the pointer. */
+    hover(place: Place | undefined): void {
         if (place?.branch === this.hovered?.branch && place?.point === this.hovered?.point) return;
         this.hovered = place;
         this.cursor.textContent = this.pointWords(this.hovered);
         this.draw();
+    }
+
+    /** Branches that are drawn. */
+    drawn(): { branch: number; x: ArrayLike<number>; y: ArrayLike<number>; gap: (from: number) => boolean }[] {
+        const { result } = this;
+        if (!result) return [];
+        return result.branches.flatMap((own, branch) => (this.shows(own) ? [{ branch, x: own.x, y: own.values[this.quantity], gap: isGap(result, own) }] : []));
     }
 
     /** Values of a point in words. */
@@ -302,26 +304,12 @@ export class Response {
         const branch = place && this.result!.branches[place.branch];
         if (!branch) return "";
         const { point } = place;
-        const { words, unit } = QUANTITIES[this.quantity];
+        const { words, unit } = described(this.quantity, this.result!);
         const more = this.quantity === "power" ? [] : [`${words} ${quantity(branch.values[this.quantity][point], unit)}`];
         const values = [quantity(branch.x[point], this.result!.unit, 5), quantity(branch.values.power[point], "W"), ...more];
         return [...values, `period ${branch.period}`, isStable(branch, point) ? "stable" : "unstable", `${digits(branch.contacts[point])} ${branch.contacts[point] === 1 ? "contact" : "contacts"}`].join(", ");
     }
-
-    private key(event: KeyboardEvent): void {
-        const { result } = this;
-        const chosen = this.chosen ?? { branch: 0, point: 0 };
-        const step = { ArrowRight: 1, ArrowLeft: -1, PageUp: 10, PageDown: -10 }[event.key];
-        if (!result || result.branches.length === 0 || event.shiftKey) return;
-        let { branch, point } = chosen;
-        if (step !== undefined) point = Math.min(Math.max(point + step, 0), result.branches[branch].x.length - 1);
-        else if (event.key === "ArrowUp" || event.key === "ArrowDown") {
-            const step = event.key === "ArrowUp" ? 1 : result.branches.length - 1;
-            do branch = (branch + step) % result.branches.length;
-            while (!this.shows(result.branches[branch]) && branch !== chosen.branch);
-            point = Math.min(point, result.branches[branch].x.length - 1);
-        } else return;
-        event.preventDefault();
-        this.choose({ branch, point });
-    }
 }
+
+/** Whether a segment of a branch is not drawn. */
+const isGap = (result: ResponseResult, { values }: Branch) => (from: number): boolean => result.draft !== undefined && Math.abs(level(values.power[from + 1]) - level(values.power[from])) > DRAFT_STEP;

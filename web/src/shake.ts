@@ -42,19 +42,12 @@ export class Shake {
         find("shake-stop").onclick = () => this.stop();
         const chosen = find<HTMLInputElement>("shake-file");
         chosen.onchange = () => chosen.files?.[0] && this.choose(() => void this.recording(chosen.files![0]));
-        addEventListener("dragover", (event) => {
-            event.preventDefault();
-            document.body.classList.add("dropping");
-        });
-        addEventListener("dragleave", () => document.body.classList.remove("dropping"));
-        addEventListener("drop", (event) => {
-            event.preventDefault();
-            document.body.classList.remove("dropping");
-            const file = event.dataTransfer?.files[0];
-            if (!file) return;
-            this.show();
-            this.choose(() => void this.recording(file));
-        });
+    }
+
+    /** Integrates under a recording that was dropped on the page. */
+    dropped(file: File): void {
+        this.show();
+        this.choose(() => void this.recording(file));
     }
 
     /** Offers noise with the power of the first sinusoid in an octave and a half around it. */

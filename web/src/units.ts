@@ -12,7 +12,7 @@ export function prefix(value: number): [number, string] {
 }
 
 /** Units that take a prefix: a single name without powers or quotients. */
-const takesPrefix = (unit: string) => /^[A-Za-z]+$/.test(unit) && unit !== "kg" && unit !== "rad";
+const takesPrefix = (unit: string) => /^[A-Za-z]+$/.test(unit) && !["kg", "rad", "ppm"].includes(unit);
 
 /** A unit as it is set in print: "MΩ", "N/m¹·⁵". */
 export function sign(unit: string): string {

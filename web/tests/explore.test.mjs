@@ -74,12 +74,12 @@ test("one cursor on the histories, the phase portrait and the motion", async () 
     await page.waitForFunction((old) => document.getElementById("phase").value !== old, await page.locator("#phase").inputValue());
 });
 
-test("the response shows the displacement at the stop, by the mouse and for screen readers", async () => {
+test("the response shows the amplitude at the stop, by the mouse and for screen readers", async () => {
     const power = await picture();
     await page.locator("#quantity").selectOption("displacement");
     const chart = page.locator("#chart-response");
-    assert.match(await chart.getAttribute("aria-label"), /^Displacement at the stop, half peak to peak over/);
-    assert.match(await chart.getAttribute("aria-valuetext"), /^13(\.\d+)? Hz, .*W, Displacement at the stop, half peak to peak [\d.]+ mm, period 1/);
+    assert.match(await chart.getAttribute("aria-label"), /^Amplitude at the stop over/);
+    assert.match(await chart.getAttribute("aria-valuetext"), /^13(\.\d+)? Hz, .*W, Amplitude at the stop [\d.]+ mm, period 1/);
     assert.notEqual(await picture(), power);
     await page.locator("#quantity").selectOption("power");
     assert.doesNotMatch(await chart.getAttribute("aria-valuetext"), /Displacement/);

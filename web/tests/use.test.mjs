@@ -154,6 +154,34 @@ test("nothing overflows at 390 px, and the drawing can be read", async () => {
     await page.setViewportSize({ width: 1280, height: 800 });
 });
 
+test("at 390 px the circle of the multipliers and the drawings of circuits and stops are complete", async () => {
+    const rectified = await serve({ kind: "bimorph-with-rectifier" });
+    const own = await open(browser.context, rectified.address);
+    for (const other of [own, page]) {
+        await other.setViewportSize({ width: 390, height: 844 });
+        await ready(other);
+        const circle = await other.locator("#chart-multipliers canvas").evaluate((canvas) => {
+            const [box, over] = [canvas.getBoundingClientRect(), document.querySelector("#chart-multipliers .u-over").getBoundingClientRect()];
+            const ratio = canvas.width / box.width;
+            const grey = getComputedStyle(document.documentElement).getPropertyValue("--grey").trim();
+            const [r, g, b] = [1, 3, 5].map((k) => parseInt(grey.slice(k, k + 2), 16));
+            const [left, top, width, height] = [over.left - box.left, over.top - box.top, over.width, over.height].map((own) => Math.round(own * ratio));
+            const { data } = canvas.getContext("2d").getImageData(left, top, width, height);
+            const found = [];
+            for (let k = 0; k < data.length; k += 4) if (Math.abs(data[k] - r) + Math.abs(data[k + 1] - g) + Math.abs(data[k + 2] - b) < 24 && data[k + 3] > 150) found.push([(k / 4) % width, Math.floor(k / 4 / width)]);
+            const [x, y] = [0, 1].map((axis) => found.map((at) => at[axis]));
+            return { x: [Math.min(...x), Math.max(...x)], y: [Math.min(...y), Math.max(...y)], width, height };
+        });
+        const { x, y, width, height } = circle;
+        assert.ok(x[0] > 0 && x[1] < width - 1 && y[0] > 0 && y[1] < height - 1 && Math.abs(x[1] - x[0] - (y[1] - y[0])) <= 4, JSON.stringify(circle));
+        const cut = await other.locator("#close").evaluate((host) => [...host.children].filter((view) => view.getBoundingClientRect().right > host.getBoundingClientRect().right + 1).length);
+        assert.equal(cut, 0);
+        await other.setViewportSize({ width: 1280, height: 800 });
+    }
+    await own.close();
+    await rectified.close();
+});
+
 test("a long status stays on one line", async () => {
     const height = (words) => page.locator("header").evaluate((own, status) => {
         own.querySelector("#status").textContent = status;
@@ -227,19 +255,22 @@ test("a spec without a drive opens on its free motion", async () => {
     await free.close();
 });
 
-test("a design that settles late shows its run and the response without contact while it integrates", async () => {
-    const late = await serve({ example: "seismic-mass-jacquelin-2011/harvester.toml" });
-    const own = await browser.context.newPage();
-    await own.goto(late.address);
-    await until("operating-words", /the drives of the spec: [\d.]+ µW on average .*starts/, own);
-    await until("readout", /Draft: without contact only/, own);
-    assert.ok((await inked(own, "#chart-response canvas")) > 0.005);
-    assert.match(await own.locator("#chart-shake-voltage").getAttribute("aria-label"), /on average/);
-    await own.locator("#operating-stop").click();
-    await until("operating-words", /^Operating point: stopped/, own);
-    await own.close();
-    await late.close();
-});
+for (const example of ["seismic-mass-jacquelin-2011", "missile-renaud-2009"]) {
+    test(`a design that settles late shows its run and the response without contact while it integrates: ${example}`, async () => {
+        const late = await serve({ example: `${example}/harvester.toml` });
+        const own = await browser.context.newPage();
+        await own.goto(late.address);
+        await until("readout", /Draft: without contact only/, own);
+        assert.ok((await inked(own, "#chart-response canvas")) > 0.005);
+        assert.ok(await own.locator("#side > svg").isVisible());
+        await until("operating-words", /the drives of the spec: [\d.]+ .?W on average .*starts/, own);
+        assert.match(await own.locator("#chart-shake-voltage").getAttribute("aria-label"), /on average/);
+        await own.locator("#operating-stop").click();
+        await until("operating-words", /^Operating point: stopped/, own);
+        await own.close();
+        await late.close();
+    });
+}
 
 test("a stop on a moving beam moves in the animation", async () => {
     const beams = await serve({ example: "two-beams-vijayan-2015/harvester.toml" });

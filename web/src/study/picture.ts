@@ -115,7 +115,7 @@ export class Picture {
         this.at = at;
         const row = at && this.series[at[0]].rows[at[1]];
         if (row === undefined) this.chart.cursor();
-        else this.chart.cursor(this.view!.x.values[row], this.view!.y.values[row]);
+        else this.chart.cursor([this.view!.x.values[row], this.view!.y.values[row]]);
         this.onPoint(row, chosen);
     }
 

@@ -3,11 +3,13 @@
 use super::branch::{Branch, BranchPoint};
 
 /// Quantities of a branch that are drawn, each over its range on the branch.
-const SHOWN_QUANTITIES: [fn(&BranchPoint) -> f64; 6] = [
+const SHOWN_QUANTITIES: [fn(&BranchPoint) -> f64; 8] = [
     |point| point.orbit.mean_power_w,
     |point| point.orbit.mean_power_w.max(f64::MIN_POSITIVE).ln(),
     |point| point.orbit.voltage_rms_v,
     |point| point.orbit.max_penetration_m,
+    |point| point.orbit.max_contact_force_n,
+    |point| point.orbit.max_impact_velocity_m_s,
     |point| point.orbit.displacement_peak_m,
     |point| point.orbit.floquet_max_abs(),
 ];

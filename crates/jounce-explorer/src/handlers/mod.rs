@@ -12,5 +12,6 @@ pub(super) mod orbit;
 mod progress;
 pub(super) mod response;
 pub(super) mod save;
+pub(super) mod strain;
 pub(super) mod sweep;
 mod upload;

@@ -68,6 +68,8 @@ fn frame(id: u64, stage: &str, response: &ResponseResult, start_time: Instant) -
     frame
         .put("over", response.over.as_str())
         .put("unit", response.unit.as_str())
+        .put("storage", response.is_storage_voltage)
+        .put("patches", response.patches)
         .put("note", json!(response.note))
         .put("draft", json!(response.draft))
         .put("ms", 1e3 * start_time.elapsed().as_secs_f64());
@@ -99,6 +101,8 @@ fn put_branch(frame: &mut Frame, index: usize, branch: &ResponseBranch) {
         ("power", &branch.mean_power_w),
         ("voltage", &branch.voltage_rms_v),
         ("penetration", &branch.max_penetration_m),
+        ("force", &branch.max_contact_force_n),
+        ("impact", &branch.max_impact_velocity_m_s),
         ("displacement", &branch.displacement_peak_m),
         ("floquet", &branch.floquet_max_abs),
     ];
@@ -113,6 +117,7 @@ fn bifurcation(own: &ResponseBifurcation) -> Value {
     json!({
         "branch": own.branch, "kind": own.kind, "x": own.parameter, "power": own.mean_power_w,
         "voltage": own.voltage_rms_v, "penetration": own.max_penetration_m, "floquet": own.floquet_max_abs,
-        "displacement": own.displacement_peak_m, "contacts": own.contacts,
+        "force": own.max_contact_force_n, "impact": own.max_impact_velocity_m_s, "displacement": own.displacement_peak_m,
+        "contacts": own.contacts,
     })
 }

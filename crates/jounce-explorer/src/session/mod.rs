@@ -9,7 +9,8 @@ pub(super) mod request;
 use crate::handlers::export::export;
 use crate::handlers::save::save;
 use crate::handlers::{
-    band, basins, design, design_search, excitation, load, operating_point, orbit, response, sweep,
+    band, basins, design, design_search, excitation, load, operating_point, orbit, response,
+    strain, sweep,
 };
 use crate::server::Host;
 use cancellation::Cancellation;
@@ -161,6 +162,7 @@ impl Session {
                 response::respond(self, id, design, (span, options), cancellation)
             }
             RequestKind::Orbit(place) => orbit::respond(self, id, place, cancellation),
+            RequestKind::Strain { response } => strain::respond(self, id, *response, cancellation),
             RequestKind::Sweep { span, points } => {
                 sweep::respond(self, id, design, (span, *points), cancellation)
             }

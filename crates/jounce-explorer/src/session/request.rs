@@ -75,6 +75,11 @@ pub enum RequestKind {
     },
     /// Orbit of a point of a response.
     Orbit(BranchPlace),
+    /// Strain at the points of a response.
+    Strain {
+        /// Number of the response.
+        response: u64,
+    },
     /// Integrated points up and down over a key.
     Sweep {
         /// Range.
@@ -122,6 +127,7 @@ impl RequestKind {
             RequestKind::Modes => "modes",
             RequestKind::Response { .. } => "response",
             RequestKind::Orbit(_) => "orbit",
+            RequestKind::Strain { .. } => "strain",
             RequestKind::Sweep { .. } => "sweep",
             RequestKind::Load(_) => "load",
             RequestKind::Basins(_) => "basins",

@@ -23,6 +23,10 @@ pub struct Orbit {
     pub switches: u64,
     /// Largest penetration, m.
     pub max_penetration_m: f64,
+    /// Largest magnitude of a contact force, N; 0 without contact.
+    pub max_contact_force_n: f64,
+    /// Largest impact speed of the contacts that begin in a period, m/s; 0 without one.
+    pub max_impact_velocity_m_s: f64,
     /// Half the peak-to-peak displacement at the first stop, m; 0 without a stop.
     pub displacement_peak_m: f64,
     /// Floquet multipliers, largest modulus first. The multiplier of a charge that is conserved
@@ -46,6 +50,8 @@ impl Orbit {
             contacts: 1,
             switches: 0,
             max_penetration_m: 0.0,
+            max_contact_force_n: 0.0,
+            max_impact_velocity_m_s: 0.0,
             displacement_peak_m: 0.0,
             multipliers: Vec::new(),
             error_estimate: 0.0,

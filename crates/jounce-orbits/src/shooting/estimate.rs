@@ -142,6 +142,8 @@ impl ShootingEvaluation {
                 .map(|trajectory| trajectory.changes().len() as u64)
                 .sum(),
             max_penetration_m: self.max_penetration_m,
+            max_contact_force_n: self.max_contact_force_n,
+            max_impact_velocity_m_s: self.max_impact_velocity_m_s,
             displacement_peak_m: displacement_peak_m(self),
             multipliers,
             error_estimate: 0.0,

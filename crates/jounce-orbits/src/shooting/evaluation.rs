@@ -40,6 +40,10 @@ pub struct ShootingEvaluation {
     pub contacts: u64,
     /// Largest penetration, m.
     pub max_penetration_m: f64,
+    /// Largest magnitude of a contact force, N.
+    pub max_contact_force_n: f64,
+    /// Largest impact speed, m/s.
+    pub max_impact_velocity_m_s: f64,
     /// Mean power of each load and then of each rectified circuit, W.
     pub loads_w: Vec<f64>,
     /// Tolerance of the integration.

@@ -196,6 +196,8 @@ impl<H> Shooting<'_, H> {
             trajectories: record.trajectories,
             contacts: record.contacts,
             max_penetration_m: record.max_penetration_m,
+            max_contact_force_n: record.max_contact_force_n,
+            max_impact_velocity_m_s: record.max_impact_velocity_m_s,
             loads_w: record.loads_w,
             tolerance: self.tolerance,
         }

@@ -13,6 +13,10 @@ pub struct PeriodRecord {
     pub contacts: u64,
     /// Largest penetration, m.
     pub max_penetration_m: f64,
+    /// Largest magnitude of a contact force, N.
+    pub max_contact_force_n: f64,
+    /// Largest impact speed, m/s.
+    pub max_impact_velocity_m_s: f64,
     /// Mean power of each load and then of each bridge, W.
     pub loads_w: Vec<f64>,
 }
@@ -25,6 +29,8 @@ impl PeriodRecord {
             trajectories: Vec::new(),
             contacts: 0,
             max_penetration_m: 0.0,
+            max_contact_force_n: 0.0,
+            max_impact_velocity_m_s: 0.0,
             loads_w: vec![0.0; plant.system.loads.len() + plant.system.bridges.len()],
         }
     }
@@ -33,6 +39,10 @@ impl PeriodRecord {
     pub fn add_contacts(&mut self, statistics: &ContactStatistics) {
         self.contacts += statistics.contacts;
         self.max_penetration_m = self.max_penetration_m.max(statistics.max_penetration_m);
+        self.max_contact_force_n = self.max_contact_force_n.max(statistics.max_force_n);
+        self.max_impact_velocity_m_s = self
+            .max_impact_velocity_m_s
+            .max(statistics.max_impact_velocity_m_s);
     }
 
     /// Adds the energy delivered in a cycle to the mean powers over the period.

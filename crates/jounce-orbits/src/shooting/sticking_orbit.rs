@@ -31,6 +31,8 @@ impl<H: ParametricModel> Shooting<'_, H> {
         let mut evaluation = self.integrated(kernel, &self.unknown(physical))?;
         evaluation.contacts = statistics.contacts;
         evaluation.max_penetration_m = statistics.max_penetration_m;
+        evaluation.max_contact_force_n = statistics.max_force_n;
+        evaluation.max_impact_velocity_m_s = statistics.max_impact_velocity_m_s;
         let open = norm(&evaluation.residual);
         let mut orbit = evaluation.as_orbit(Vec::new());
         orbit.error_estimate = open / orbit.size().max(f64::MIN_POSITIVE);

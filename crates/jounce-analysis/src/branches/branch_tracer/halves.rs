@@ -134,6 +134,8 @@ mod tests {
             contacts: 1,
             switches: 0,
             max_penetration_m: 0.0,
+            max_contact_force_n: 0.0,
+            max_impact_velocity_m_s: 0.0,
             displacement_peak_m: 0.0,
             multipliers: Vec::new(),
             error_estimate: 0.0,

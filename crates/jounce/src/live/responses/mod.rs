@@ -7,6 +7,7 @@ mod response;
 mod response_result;
 mod shorter_period;
 mod stored_response;
+mod strain;
 
 pub use draft::{Draft, DraftOrigin};
 pub(super) use linear::LastLinear;

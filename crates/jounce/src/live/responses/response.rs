@@ -8,9 +8,10 @@ use crate::error::Error;
 use crate::live::{Design, KeySpan, LiveAnalysis};
 use crate::options::check_tolerance;
 use jounce_analysis::{
-    Bandwidth, BandwidthSearch, BranchOptions, BranchSearch, OrbitMethodKind, Parameter,
+    Bandwidth, BandwidthSearch, BranchOptions, BranchSearch, Model, OrbitMethodKind, Parameter,
 };
 use jounce_control::Control;
+use jounce_model::plant::System;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -92,7 +93,7 @@ impl LiveAnalysis {
             || self.carried_branches(design, &base, &parameter, range),
             || self.linear.curve(design.spec(), &parameter, range),
         );
-        let mut result = ResponseResult::new(&key, linear, &carried.branches);
+        let mut result = ResponseResult::new(&key, system(&base), linear, &carried.branches);
         result.draft = Some(carried.draft);
         let CarriedBranches {
             branches,
@@ -130,7 +131,7 @@ impl LiveAnalysis {
         let base = self.model(design.spec(), control)?;
         let parameter = Parameter::new(&base, &key, range.1 - range.0);
         let linear = self.linear.curve(design.spec(), &parameter, range);
-        Ok(Some(ResponseResult::new(&key, linear, &[])))
+        Ok(Some(ResponseResult::new(&key, system(&base), linear, &[])))
     }
 
     /// Finds the branches over a key by the search of `jounce branch`, which also starts from the
@@ -167,7 +168,7 @@ impl LiveAnalysis {
             ..Default::default()
         })?;
         let linear = self.linear.curve(design.spec(), &parameter, range);
-        let mut result = ResponseResult::new(&key, linear, &branches);
+        let mut result = ResponseResult::new(&key, system(&base), linear, &branches);
         result.note = Some(search_note(options.seeds, options.longest_period));
         let stored = StoredResponse {
             id,
@@ -210,4 +211,9 @@ impl LiveAnalysis {
             self.responses.store(response);
         }
     }
+}
+
+/// Returns the modes, circuits and stops of a harvester.
+fn system(base: &Model) -> &System {
+    &base.kernel.plant.system
 }

@@ -3,6 +3,7 @@
 use super::LinearCurve;
 use super::draft::Draft;
 use jounce_analysis::{Bifurcation, Branch, BranchPoint, Termination};
+use jounce_model::plant::System;
 use jounce_spec::NumericKey;
 use serde::Serialize;
 
@@ -13,6 +14,11 @@ pub struct ResponseResult {
     pub over: String,
     /// Its SI unit.
     pub unit: String,
+    /// True where the voltage of the points is that of the storage of a rectified circuit.
+    pub is_storage_voltage: bool,
+    /// Number of patches, whose strain [`LiveAnalysis::strain`](crate::live::LiveAnalysis::strain)
+    /// computes.
+    pub patches: usize,
     /// Mean power without contact.
     pub linear: LinearCurve,
     /// The branches.
@@ -40,6 +46,10 @@ pub struct ResponseBranch {
     pub voltage_rms_v: Vec<f64>,
     /// Largest penetration, m.
     pub max_penetration_m: Vec<f64>,
+    /// Largest contact force, N.
+    pub max_contact_force_n: Vec<f64>,
+    /// Largest impact speed, m/s.
+    pub max_impact_velocity_m_s: Vec<f64>,
     /// Half the peak-to-peak displacement at the first stop, m.
     pub displacement_peak_m: Vec<f64>,
     /// Largest modulus of a Floquet multiplier; the orbit is stable below 1.
@@ -63,6 +73,10 @@ pub struct ResponseBifurcation {
     pub voltage_rms_v: f64,
     /// Largest penetration, m.
     pub max_penetration_m: f64,
+    /// Largest contact force, N.
+    pub max_contact_force_n: f64,
+    /// Largest impact speed, m/s.
+    pub max_impact_velocity_m_s: f64,
     /// Half the peak-to-peak displacement at the first stop, m.
     pub displacement_peak_m: f64,
     /// Largest modulus of a Floquet multiplier.
@@ -72,7 +86,12 @@ pub struct ResponseBifurcation {
 }
 
 impl ResponseResult {
-    pub(super) fn new(key: &NumericKey, linear: LinearCurve, branches: &[Branch]) -> Self {
+    pub(super) fn new(
+        key: &NumericKey,
+        system: &System,
+        linear: LinearCurve,
+        branches: &[Branch],
+    ) -> Self {
         let bifurcations = |(number, branch): (usize, &Branch)| {
             let entry = move |own: &Bifurcation| ResponseBifurcation::new(number, own);
             branch.bifurcations.iter().map(entry).collect::<Vec<_>>()
@@ -80,6 +99,8 @@ impl ResponseResult {
         Self {
             over: key.path().to_owned(),
             unit: key.unit(),
+            is_storage_voltage: system.loads.is_empty() && !system.bridges.is_empty(),
+            patches: system.modes.patch.len(),
             linear,
             branches: branches.iter().map(ResponseBranch::new).collect(),
             bifurcations: branches.iter().enumerate().flat_map(bifurcations).collect(),
@@ -100,6 +121,8 @@ impl ResponseBranch {
             mean_power_w: list(|point| point.orbit.mean_power_w),
             voltage_rms_v: list(|point| point.orbit.voltage_rms_v),
             max_penetration_m: list(|point| point.orbit.max_penetration_m),
+            max_contact_force_n: list(|point| point.orbit.max_contact_force_n),
+            max_impact_velocity_m_s: list(|point| point.orbit.max_impact_velocity_m_s),
             displacement_peak_m: list(|point| point.orbit.displacement_peak_m),
             floquet_max_abs: list(|point| point.orbit.floquet_max_abs()),
             contacts: branch.points.iter().map(contacts).collect(),
@@ -117,6 +140,8 @@ impl ResponseBifurcation {
             mean_power_w: orbit.mean_power_w,
             voltage_rms_v: orbit.voltage_rms_v,
             max_penetration_m: orbit.max_penetration_m,
+            max_contact_force_n: orbit.max_contact_force_n,
+            max_impact_velocity_m_s: orbit.max_impact_velocity_m_s,
             displacement_peak_m: orbit.displacement_peak_m,
             floquet_max_abs: orbit.floquet_max_abs(),
             contacts: orbit.contacts,

@@ -1,0 +1,96 @@
+// Quantities of the response against `jounce run` at the same value of the key; the logarithmic axis and values of 0.
+import assert from "node:assert/strict";
+import { execFile } from "node:child_process";
+import { readFile } from "node:fs/promises";
+import { test } from "node:test";
+import { promisify } from "node:util";
+import { inked, open, program, ready, serve } from "./browser.mjs";
+import { browser, page, server, type, until } from "./suite.mjs";
+
+const run = promisify(execFile);
+const PREFIXES = { n: 1e-9, µ: 1e-6, m: 1e-3, "": 1, k: 1e3 };
+
+/** Values of the selected point in the words of the page. */
+const selected = async (own) => {
+    const words = await own.locator("#chart-response").getAttribute("aria-valuetext");
+    const [hertz, , quantity] = words.split(", ");
+    return { words, hertz: Number(hertz.split(" ")[0]), quantity };
+};
+/** A value with its unit, SI. */
+const si = (words, unit) => {
+    const [, number, prefix] = words.match(new RegExp(`(-?[\\d.]+) (n|µ|m|k|)${unit}$`)) ?? assert.fail(words);
+    return Number(number) * PREFIXES[prefix];
+};
+const running = async (spec, hertz, key) => JSON.parse((await run(program, ["run", spec, "--set", `${key}=${hertz} Hz`, "--json"])).stdout);
+
+test("contact force, impact speed and strain are those of `jounce run`", async () => {
+    const show = page.locator("#quantity");
+    // A point of the upper branch, on which a run from rest settles as well.
+    await page.locator("#chart-response").focus();
+    for (let k = 0; k < 4; k++) await page.keyboard.press("ArrowRight");
+    await ready(page);
+    const { hertz } = await selected(page);
+    const due = await running(server.spec, hertz, "drive.shaker.frequency");
+    for (const [quantity, unit, words, value] of [
+        ["force", "N", "Contact force, peak", due.max_contact_force_n],
+        ["impact", "m/s", "Impact speed, largest", due.stops[0].max_impact_velocity_m_s],
+        ["strain", "ppm", "Strain, peak", 1e6 * due.patches[0].strain_peak],
+    ]) {
+        await show.selectOption(quantity);
+        await page.waitForFunction((start) => document.getElementById("chart-response").ariaValueText.includes(`, ${start} `) && !/–/.test(document.getElementById("chart-response").ariaValueText), words);
+        const own = await selected(page);
+        assert.equal(own.hertz, hertz);
+        assert.ok(si(own.words.match(new RegExp(`${words} ([^,]+)`))[1], unit) / value > 0.998 && si(own.words.match(new RegExp(`${words} ([^,]+)`))[1], unit) / value < 1.002, `${own.words} ${value}`);
+        assert.ok((await inked(page, "#chart-response canvas")) > 0.005, quantity);
+    }
+    // The strain of the next design is requested anew.
+    await type("stop.tip.gap", "1.2");
+    await ready(page);
+    await page.waitForFunction(() => /Strain, peak [\d.]+ ppm/.test(document.getElementById("chart-response").ariaValueText));
+    await page.locator("#reset").click();
+    await show.selectOption("power");
+    await ready(page);
+});
+
+test("with a rectified circuit the voltage is that of its storage", async () => {
+    const rectified = await serve({ kind: "bimorph-with-rectifier" });
+    const own = await open(browser.context, rectified.address);
+    assert.equal(await own.locator("#quantity option[value=voltage]").textContent(), "storage voltage, rms");
+    await own.locator("#quantity").selectOption("voltage");
+    const { words, hertz } = await selected(own);
+    const key = (await readFile(rectified.spec, "utf8")).match(/\[(drive\.[^\]]+)\]/)[1];
+    const due = (await running(rectified.spec, hertz, `${key}.frequency`)).rectified[0].voltage_rms_v;
+    const shown = si(words.match(/Storage voltage, rms ([^,]+)/)[1], "V");
+    assert.ok(Math.abs(shown / due - 1) < 2e-3, `${words} ${due}`);
+    await own.close();
+    await rectified.close();
+});
+
+test("a logarithmic axis says which points it cannot show, and is linear where all values are 0", async () => {
+    // Far from resonance the tip does not reach the stop.
+    await type("stop.tip.gap", "20");
+    await ready(page);
+    await page.locator("#quantity").selectOption("penetration");
+    await until("readout", /On the logarithmic axis \d+ of \d+ points are missing, because their value is 0\./);
+    await page.locator("#log").uncheck();
+    assert.doesNotMatch(await page.locator("#readout").textContent(), /logarithmic/);
+    await page.locator("#log").check();
+    await page.locator("#quantity").selectOption("power");
+    await page.locator("#reset").click();
+    await ready(page);
+    const oscillator = await serve({ example: "bouncing-and-impact-oscillators/impact.toml" });
+    const own = await open(browser.context, oscillator.address);
+    await until("readout", /All values are 0, so the axis is linear\./, own);
+    // The curve at 0 is drawn.
+    const blue = await own.locator("#chart-response canvas").evaluate((canvas) => {
+        const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+        let count = 0;
+        for (let k = 0; k < data.length; k += 4) count += data[k] < 20 && Math.abs(data[k + 1] - 114) < 20 && Math.abs(data[k + 2] - 178) < 20 && data[k + 3] > 200 ? 1 : 0;
+        return count;
+    });
+    assert.ok(blue > 100, String(blue));
+    await own.close();
+    await oscillator.close();
+});
+
+test("no error was printed in the browser", () => assert.deepEqual(page.faults, []));
