@@ -76,7 +76,7 @@ fn basins(text: &str, amplitude: &str, starts: usize) -> BasinsResult {
         starts,
         recognition: Recognition::at(1e-8),
     }
-    .run(&|| {})
+    .run()
     .unwrap()
 }
 
