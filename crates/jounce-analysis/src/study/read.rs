@@ -67,7 +67,15 @@ pub(super) fn read(
         ],
     );
     let path = reader.text("spec", root.get("spec"));
-    let (mut file, name) = file(path)?;
+    let (mut file, name) = match file(path) {
+        Ok(named) => named,
+        Err(StudyError::SpecFile(error)) => {
+            let span = root.get("spec").and_then(Item::span);
+            reader.fault("spec", span, format!("spec: {error}"));
+            return Err(StudyError::Faults(reader.sorted()));
+        }
+        Err(error) => return Err(error),
+    };
     settings(&mut reader, root.get("set"), &mut file);
     let mut reader = check_spec(reader, root.get("set"), &file, name)?;
     let sampling = sampling(&mut reader, root.get("sampling"));
@@ -210,6 +218,11 @@ fn varied(
     };
     let mut entries = Vec::new();
     for (key, item) in table {
+        if file.sets(key) {
+            let message =
+                format!("vary.{key}: [set] gives this key too; remove it from one of the two");
+            reader.fault(key, item.span(), message);
+        }
         let Some(text) = item.as_str() else {
             reader.fault(key, item.span(), format!("vary.{key} must be a text, as in \"0.5mm:1.5mm:3x\", under the whole path as one key"));
             continue;

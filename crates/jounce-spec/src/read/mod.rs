@@ -64,6 +64,10 @@ impl ReadState {
     /// Adds violated rules between keys; a key that already has a fault, or that is absent because
     /// it is misspelt, is skipped.
     pub(super) fn add_broken(&mut self, faults: Vec<(String, String)>) {
+        // Without a complete table nearly every rule between keys is violated.
+        if self.misspelt.iter().any(|path| !path.contains('.')) {
+            return;
+        }
         let messages: Vec<String> = self.found.iter().map(|issue| issue.key.clone()).collect();
         for (key, message) in faults {
             let (key, message) = match self.written_as.get(&key) {

@@ -87,12 +87,15 @@ fn missing<T>(
 ) -> bool {
     let entries = node.entries().unwrap_or_default();
     let stands = |name: &&str| entries.iter().any(|entry| entry.name == *name);
+    let instead =
+        (key.info.unless).map_or_else(String::new, |other| format!(", or give `{other}`"));
     let text = || match key.info.need {
         Need::OneOf(names) => format!("one of {} is missing", quoted(names)),
         _ => format!(
-            "`{}` is missing; {}",
+            "`{}` is missing; {}{}",
             key.info.name,
-            key.info.kind.expectation()
+            key.info.kind.expectation(),
+            instead
         ),
     };
     let is_replaced = key.info.unless.is_some_and(|other| stands(&other));
@@ -104,8 +107,13 @@ fn missing<T>(
     };
     let names = || keys.iter().map(|key| key.info.name);
     let misspelt = |entry: &Entry| {
-        names().all(|name| name != entry.name)
-            && nearest(&entry.name, names()) == Some(key.info.name)
+        let meant = nearest(&entry.name, names());
+        let replaces = |meant: &str| {
+            meant == key.info.name
+                || key.info.unless == Some(meant)
+                || key.info.need.alternatives().contains(&meant)
+        };
+        names().all(|name| name != entry.name) && meant.is_some_and(replaces)
     };
     if must && reading.complete && reading.has_room() && !entries.iter().any(misspelt) {
         reading.fault(node.position, path, text);

@@ -56,7 +56,15 @@ pub(super) fn read(
         "tolerance",
     ];
     reader.known("", root, &known);
-    let (file, name) = file(reader.text("spec", root.get("spec")))?;
+    let (file, name) = match file(reader.text("spec", root.get("spec"))) {
+        Ok(named) => named,
+        Err(DesignError::SpecFile(error)) => {
+            let span = root.get("spec").and_then(Item::span);
+            reader.fault("spec", span, format!("spec: {error}"));
+            return Err(DesignError::Faults(reader.sorted()));
+        }
+        Err(error) => return Err(error),
+    };
     let spec = file
         .spec()
         .map_err(|faults| DesignError::Spec { file: name, faults })?;

@@ -93,7 +93,11 @@ impl HistoryFeature {
         })
     }
 
-    fn file_error(&self, position: &str, reason: String) -> FitError {
+    fn file_error(&self, position: &str, reason: &str) -> FitError {
+        self.unusable(position, format!("{}: {reason}", self.file.display()))
+    }
+
+    fn unusable(&self, position: &str, reason: String) -> FitError {
         FitError::File {
             place: position.to_owned(),
             path: self.file.clone(),
@@ -107,9 +111,9 @@ impl HistoryFeature {
         folder: &Path,
         position: &str,
     ) -> Result<HistorySamples, FitError> {
-        let file_error = |reason: String| self.file_error(position, reason);
+        let file_error = |reason: String| self.file_error(position, &reason);
         let record = read::record(&folder.join(&self.file))
-            .map_err(|fault| file_error(fault.to_string()))?;
+            .map_err(|fault| self.unusable(position, fault.to_string()))?;
         let channel = record
             .channel(&self.channel)
             .map_err(|fault| file_error(fault.to_string()))?;

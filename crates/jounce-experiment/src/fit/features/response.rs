@@ -214,13 +214,14 @@ impl MeasuredLines {
         else {
             return Ok((self.clone(), None));
         };
-        let file_error = |reason: String| FitError::File {
+        let unusable = |reason: String| FitError::File {
             place: position.to_owned(),
             path: path.clone(),
             reason,
         };
+        let file_error = |reason: String| unusable(format!("{}: {reason}", path.display()));
         let contents =
-            read::file(&folder.join(path)).map_err(|fault| file_error(fault.to_string()))?;
+            read::file(&folder.join(path)).map_err(|fault| unusable(fault.to_string()))?;
         let over = contents.recordings.into_iter().find(|recording| {
             recording.over == Over::Frequency && recording.channel(channel).is_ok()
         });
