@@ -1,6 +1,6 @@
 //! Overrides that cause faults of a file.
 
-use super::{Fault, Override, SpecFile};
+use super::{Fault, SpecFile};
 
 impl SpecFile {
     /// Returns the file with those overrides that a condition on their number accepts.

@@ -93,7 +93,7 @@ pub enum Error {
     Analysis(#[from] AnalysisError),
     /// The search for an orbit failed.
     #[error(transparent)]
-    Orbit(#[source] OrbitError<AnalysisError>),
+    Orbit(OrbitError<AnalysisError>),
     /// The spec has no linear response to noise.
     #[error(transparent)]
     Noise(#[from] RandomError),

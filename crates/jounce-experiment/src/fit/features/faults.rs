@@ -15,7 +15,7 @@ pub(super) fn syntax_fault(text: &str, fault: &toml_edit::TomlError) -> FeatureF
         let begin = text[..start].rfind('\n').map_or(0, |end| end + 1);
         text[begin..].lines().next()
     });
-    let is_header = |kind: &&str| line.is_some_and(|line| line.trim() == format!("[{kind}]"));
+    let is_header = |kind: &&&str| line.is_some_and(|line| line.trim() == format!("[{kind}]"));
     let message = match KINDS.iter().find(is_header) {
         Some(kind) => format!("{kind}: write [[{kind}]] with two brackets before each table"),
         None => format!("this is not valid TOML: {}", fault.message()),

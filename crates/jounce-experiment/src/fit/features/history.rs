@@ -168,7 +168,7 @@ impl HistoryFeature {
             "its stamps range from {first_s} to {last_s} s, but the run ends at run.duration = \
             {duration_s} s: if they are times of the run, raise run.duration; otherwise {BEGINS}"
         );
-        Err(self.file_error(position, reason))
+        Err(self.file_error(position, &reason))
     }
 
     /// Warning about a record whose stamps begin later than the run.
