@@ -67,15 +67,7 @@ pub(super) fn read(
         ],
     );
     let path = reader.text("spec", root.get("spec"));
-    let (mut file, name) = match file(path) {
-        Ok(named) => named,
-        Err(StudyError::SpecFile(error)) => {
-            let span = root.get("spec").and_then(Item::span);
-            reader.fault("spec", span, format!("spec: {error}"));
-            return Err(StudyError::Faults(reader.sorted()));
-        }
-        Err(error) => return Err(error),
-    };
+    let (mut file, name) = file(path).map_err(|error| unread_spec(text, root, error))?;
     settings(&mut reader, root.get("set"), &mut file);
     let mut reader = check_spec(reader, root.get("set"), &file, name)?;
     let sampling = sampling(&mut reader, root.get("sampling"));
@@ -108,6 +100,17 @@ pub(super) fn read(
     } else {
         Err(StudyError::Faults(reader.sorted()))
     }
+}
+
+/// Returns the error of a spec that cannot be read, with the place of its path.
+fn unread_spec(text: &str, root: &Table, error: StudyError) -> StudyError {
+    let StudyError::SpecFile(error) = error else {
+        return error;
+    };
+    let mut reader = FaultCollector::new(text);
+    let span = root.get("spec").and_then(Item::span);
+    reader.fault("spec", span, format!("spec: {error}"));
+    StudyError::Faults(reader.sorted())
 }
 
 /// Applies the keys with the same value at every point.
