@@ -65,6 +65,7 @@ pub fn with_tip(
         None => Some(positional_tip(command, &name, argument)),
     };
     if let Some(tip) = tip {
+        error.remove(ContextKind::SuggestedArg);
         error.insert(
             ContextKind::Suggested,
             ContextValue::StyledStrs(vec![tip.into()]),

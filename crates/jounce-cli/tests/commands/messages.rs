@@ -75,7 +75,11 @@ const WRONG_OPTIONS: [(&str, &[&str], &str); 21] = [
         ],
         "--over gives the values of stop.tip.gap; omit --set stop.tip.gap=1 mm",
     ),
-    ("frf", &["--frequency", "-3Hz"], "--frequency is -3Hz"),
+    (
+        "frf",
+        &["--frequency", "-3Hz"],
+        "--frequency is -3 Hz; it must be above 0 Hz",
+    ),
     (
         "run",
         &["--threads", "2"],

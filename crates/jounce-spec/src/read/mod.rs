@@ -112,6 +112,15 @@ impl ReadState {
         absent.any(contains)
     }
 
+    /// True for a table whose keys may stand below a misspelt name of a table above it.
+    pub(super) fn is_below_misspelt(&self, path: &str) -> bool {
+        let is_above = |meant: &String| {
+            let below = path.strip_prefix(meant.as_str());
+            below.is_some_and(|below| below.starts_with('.'))
+        };
+        self.misspelt.iter().any(is_above)
+    }
+
     /// Returns the place of a key, or of the nearest table that would contain it.
     fn position(&self, key: &str) -> SourcePlace {
         let mut path = key;

@@ -183,17 +183,17 @@ fn a_window_longer_than_the_run_names_the_overrides_that_fit() {
         ("run.average_over", "0.7 h"),
     ] {
         let fault = read_with(&[(key, value)]).unwrap_err();
-        let named: Vec<(&str, String)> = fault
-            .split([' ', ':'])
-            .collect::<Vec<_>>()
-            .windows(4)
-            .filter(|words| words[1] == "=" && words[2].starts_with('"'))
-            .map(|words| (words[0], format!("{} {}", words[2], words[3])))
+        let named: Vec<(&str, &str)> = fault
+            .match_indices(" = \"")
+            .map(|(at, equals)| {
+                let key = fault[..at].rsplit(' ').next().unwrap();
+                (key, fault[at + equals.len()..].split('"').next().unwrap())
+            })
             .collect();
         let keys: Vec<&str> = named.iter().map(|(key, _)| *key).collect();
         assert_eq!(keys, ["run.average_over", "run.duration"], "{fault}");
-        for (changed, text) in named {
-            read_with(&[(key, value), (changed, text.as_str())]).unwrap();
+        for change in named {
+            read_with(&[(key, value), change]).unwrap();
         }
     }
 }
