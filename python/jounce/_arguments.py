@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,7 @@ import numpy as np
 from . import _core
 from ._errors import ArgumentError, Fault, SpecError
 from ._quantity import is_quantity, plain, toml
-from ._ranges import span, values_si
+from ._ranges import naming, span, values_si
 
 #: Largest value of a count or a seed.
 MAX_INTEGER = 2**32 - 1
@@ -30,8 +31,15 @@ def options(**given: Any) -> str:
 
 def spec_from_tables(tables: Mapping[str, Any]) -> _core.Spec:
     """Returns the spec of a dict of tables; its faults have no line and column."""
-    try:
+    with without_places():
         return _core.Spec(toml(tables), "")
+
+
+@contextmanager
+def without_places() -> Iterator[None]:
+    """Removes line and column from faults of a text that the package wrote."""
+    try:
+        yield
     except SpecError as error:
         faults = [Fault(0, 0, fault.key, fault.message) for fault in error.faults]
         fault_dicts = [vars(fault) for fault in faults]
@@ -46,7 +54,8 @@ def names(value: str | Sequence[str]) -> list[str]:
 def to_si(kind: str, value: Any, what: str) -> float:
     """Returns a quantity in SI units."""
     plain_value = plain(value, what)
-    return _core.quantity_si(kind, plain_value if isinstance(plain_value, str) else repr(plain_value))
+    with naming(what):
+        return _core.quantity_si(kind, plain_value if isinstance(plain_value, str) else repr(plain_value))
 
 
 def optional_si(kind: str, value: Any, what: str) -> float | None:
@@ -63,7 +72,7 @@ def optional_range_si(kind: str, value: Any, what: str) -> tuple[float, float] |
 
 
 #: Arguments that must be at least 1.
-POSITIVE_ARGUMENTS = frozenset({"evaluations", "longest_period"})
+POSITIVE_ARGUMENTS = frozenset({"evaluations", "longest_period", "threads"})
 
 
 def check_integers(**numbers: int | None) -> None:
@@ -81,7 +90,7 @@ def check_integers(**numbers: int | None) -> None:
 def rate_hz(value: Any) -> float:
     """Returns a sampling rate, Hz, from a number or a frequency with its unit."""
     if value is None:
-        raise ArgumentError("expected the sampling rate, in Hz")
+        raise ArgumentError("the samples have no times; give sample_rate_hz, as in sample_rate_hz=1000")
     if is_quantity(value) or isinstance(value, str):
         rate = to_si("frequency", value, "the sample rate")
     else:

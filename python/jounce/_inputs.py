@@ -193,6 +193,12 @@ def _with_unit(series: Mapping[str, Any], units: str | Mapping[str, str] | None)
 
 
 def _array(name: Any, values: Any, unit: str) -> Mapping[str, Any]:
+    if not isinstance(values, Sequence) and np.ndim(values) == 0:
+        kind = type(values).__name__
+        raise ArgumentError(
+            f"{name} is of type {kind}; give the path of a recording, a Recording, an array with its sample_rate_hz, or a dict of arrays",
+            {"type": kind},
+        )
     return {"name": name, "data": values, "unit_str": agreed_unit(name, values, unit)}
 
 

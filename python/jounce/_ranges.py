@@ -7,13 +7,15 @@ continuous range has two ends, ``"12 Hz:13 Hz"`` or a pair.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from typing import Any
 
 import numpy as np
 
 from . import _core
-from ._errors import ArgumentError
+from ._errors import ArgumentError, SpecError
 from ._quantity import given_unit, plain
 
 #: Sides of a grid of starts.
@@ -77,7 +79,37 @@ def span(value: Any, unit: Any, key: str) -> str:
 
 def values_si(kind: str, value: Any, unit: Any, what: str) -> list[float]:
     """Returns the values of a range of quantities of one kind, SI."""
-    return _core.quantities_si(kind, values(value, unit, what))
+    with naming(what):
+        return _core.quantities_si(kind, values(value, unit, what))
+
+
+@contextmanager
+def naming(what: str) -> Iterator[None]:
+    """Names the argument in an ArgumentError about its value."""
+    try:
+        yield
+    except ArgumentError as error:
+        raise ArgumentError(f"{what}: {error}", error.details) from None
+
+
+@contextmanager
+def naming_unit(argument: str) -> Iterator[None]:
+    """Names the argument that gives numbers their unit, in an error about numbers without one; ``{}`` in it stands for a unit that fits."""
+    try:
+        yield
+    except (ArgumentError, SpecError) as error:
+        fits = re.search(r"has no unit; expected .*? in ([^,;\n]+)", str(error))
+        if fits is None:
+            raise
+        remedy = argument.replace("{}", fits[1])
+        raise type(error)(f"{error}; or give {remedy} for numbers", error.details) from None
+
+
+def check_units(units: Mapping[str, Any] | None, keys: Iterable[str], noun: str) -> None:
+    """Raises ArgumentError for units of what is not given."""
+    unknown = [key for key in units or {} if key not in keys]
+    if unknown:
+        raise ArgumentError(f"units: there is no {noun} {', '.join(map(str, unknown))}; there are {', '.join(map(str, keys))}")
 
 
 def sides(grid: Mapping[str, Any] | None, units: Mapping[str, Any] | None) -> list[str]:
@@ -86,6 +118,7 @@ def sides(grid: Mapping[str, Any] | None, units: Mapping[str, Any] | None) -> li
         return []
     if not isinstance(grid, Mapping) or not grid:
         raise ArgumentError(f'grid is {grid!r}; give a dict of sides, as in {{"displacement": "-5 mm:5 mm:21x"}}', {"given": repr(grid)})
+    check_units(units, grid, "side")
     return [f"{side}={_side(side, range, (units or {}).get(side))}" for side, range in grid.items()]
 
 

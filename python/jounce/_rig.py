@@ -5,12 +5,13 @@ from __future__ import annotations
 import dataclasses
 import json
 from collections.abc import Mapping, Sequence
+from contextlib import nullcontext
 from os import PathLike, fspath
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
 from . import _core
-from ._arguments import check_integers, names, options, to_si
+from ._arguments import check_integers, names, options, to_si, without_places
 from ._call import recorded
 from ._errors import ArgumentError
 from ._progress import Progress, progress_callback
@@ -180,7 +181,9 @@ class SpecOnRig(SpecText):
         check_integers(seed=seed, evaluations=evaluations, threads=threads)
         text, folder, name = problem_text(problem)
         given = {"seed": seed, "evaluations": evaluations, "threads": threads}
-        with progress_callback(progress) as callback:
+        # The text of a dict has lines that its writer does not know.
+        places = without_places() if isinstance(problem, Mapping) else nullcontext()
+        with places, progress_callback(progress) as callback:
             result, best = result_or_raise(_core.design(self._spec, text, folder, options(**given), callback))
         manifest = {**make_manifest("design", problem=name, seed=seed, evaluations=evaluations), "spec_sha256": self.sha256}
         return make_design(json.loads(result), cast("Spec", self._from_core(best)), manifest)

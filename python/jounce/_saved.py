@@ -21,6 +21,9 @@ from ._spec_text import SpecText, _rebuild
 if TYPE_CHECKING:
     from zipfile import ZipFile
 
+#: Calls that read files of other kinds.
+_OTHERS = "a spec is read with jounce.read, a recording with jounce.read_recordings"
+
 #: Name of the structure in the archive, and its version: that of the format, not of jounce.
 _STRUCTURE, _FORMAT = "result.json", 1
 
@@ -82,7 +85,7 @@ def load(path: str | PathLike[str]) -> Any:
     except OSError as error:
         raise FileError(f"the result {fspath(path)} cannot be read: {error}", {"path": fspath(path), "errno": error.errno}) from error
     except (zipfile.BadZipFile, KeyError, TypeError, ValueError, AttributeError, ImportError, JounceError) as error:
-        raise FileError(f"{fspath(path)} is no result that `save` of a result wrote: {error}", {"path": fspath(path)}) from error
+        raise FileError(f"{fspath(path)} is no result that `save` of a result wrote: {error}; {_OTHERS}", {"path": fspath(path)}) from error
     if not isinstance(result, Result):
         raise FileError(f"{fspath(path)} holds no result", {"path": fspath(path)})
     return result

@@ -11,12 +11,16 @@ from ._errors import ArgumentError
 from ._quantity import is_quantity
 from ._result import Floats
 
+#: A complete time series.
+_EXAMPLE = 'as in {"data": values, "name": "base", "unit_str": "m/s^2", "fs": 1000.0}; an array alone is accepted too'
+
 
 def check_series(series: Mapping[str, Any]) -> Mapping[str, Any]:
     """Returns the series; raises ArgumentError where a required key is missing."""
     missing = [key for key in ("data", "name", "unit_str") if key not in series]
     if missing:
-        raise ArgumentError(f"a SEP005 time series has data, name and unit_str; missing: {', '.join(missing)}", {"missing": missing})
+        names = ", ".join(missing)
+        raise ArgumentError(f"a SEP005 time series has data, name and unit_str; missing: {names}; {_EXAMPLE}", {"missing": missing})
     return series
 
 

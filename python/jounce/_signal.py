@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Callable, Mapping
-from os import PathLike
+from os import PathLike, fspath
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
@@ -80,6 +81,8 @@ def write_recording(path: str | PathLike[str], values: Any, sample_rate_hz: floa
     ``jounce.Drive(kind="base-acceleration", signal="recording", file=PATH)`` reads the file. Values without a unit are in SI, or in
     that of ``unit=``.
     """
+    if Path(path).suffix.lower() != ".csv":
+        raise ArgumentError(f"{fspath(path)} is written as CSV; give a name that ends in .csv", {"path": fspath(path)})
     row, row_rate_hz = _samples(values, sample_rate_hz)
     unit = values["unit_str"] if isinstance(values, Mapping) else unit_of(values) if is_quantity(values) else ""
     if len(row) < 2:

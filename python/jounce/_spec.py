@@ -13,7 +13,7 @@ from ._call import recorded
 from ._errors import ArgumentError, warn_not_settled
 from ._linear import LinearSpec
 from ._progress import Progress, progress_callback
-from ._ranges import sides, span, values
+from ._ranges import naming_unit, sides, span, values
 
 if TYPE_CHECKING:
     from ._basins import BasinsResult
@@ -110,7 +110,7 @@ class Spec(LinearSpec):
         check_integers(threads=threads)
         over = f"{key}={values(range, unit, key)}"
         given = options(over=over, direction=direction, fixed_duration=fixed_duration, tolerance=tolerance, threads=threads)
-        with progress_callback(progress) as callback:
+        with naming_unit('unit="{}"'), progress_callback(progress) as callback:
             result = SweepResult._from_core_call(_core.sweep(self._spec, given, callback))
         if result.transient.any():
             warn_not_settled(f"{int(result.transient.sum())} of {len(result)} points have not settled; `transient` marks them", frames=2)
@@ -154,7 +154,7 @@ class Spec(LinearSpec):
             budget=budget,
             threads=threads,
         )
-        with progress_callback(progress) as callback:
+        with naming_unit('unit="{}"'), progress_callback(progress) as callback:
             return BranchResult._from_core_call(_core.branch(self._spec, given, callback))
 
     @recorded
@@ -193,7 +193,7 @@ class Spec(LinearSpec):
             levels=names(levels),
             threads=threads,
         )
-        with progress_callback(progress) as callback:
+        with naming_unit('unit="{}" or unit_2="{}"'), progress_callback(progress) as callback:
             return BifurcationsResult._from_core_call(_core.bifurcations(self._spec, given, callback))
 
     @recorded
@@ -228,7 +228,7 @@ class Spec(LinearSpec):
             max_cycles=max_cycles,
             threads=threads,
         )
-        with progress_callback(progress) as callback:
+        with naming_unit('units={"SIDE": "{}"}'), progress_callback(progress) as callback:
             return BasinsResult._from_core_call(_core.basins(self._spec, given, callback))
 
     @recorded
@@ -269,7 +269,7 @@ class Spec(LinearSpec):
             longest_period=longest_period,
             threads=threads,
         )
-        with progress_callback(progress) as callback:
+        with naming_unit('unit="{}"'), progress_callback(progress) as callback:
             return DiagramResult._from_core_call(_core.diagram(self._spec, given, callback))
 
     @recorded

@@ -50,7 +50,11 @@ class SpecText(SpecTables):
     @classmethod
     def read(cls, path: str | PathLike[str]) -> Self:
         """Reads a TOML file; the path of a state file in it is relative to its folder."""
-        return cls._from_core(_core.Spec.read(fspath(path)))
+        try:
+            return cls._from_core(_core.Spec.read(fspath(path)))
+        except SpecError as error:
+            lines = "\n".join(f"{fspath(path)}: {fault}" for fault in error.faults)
+            raise SpecError(lines or str(error), error.details) from None
 
     def write(self, path: str | PathLike[str]) -> None:
         """Writes the text to a file, with comments and layout; the file is written completely or not at all.

@@ -23,9 +23,11 @@ class State:
     def read(cls, path: str | PathLike[str]) -> Self:
         """Reads a state file."""
         try:
-            return cls(Path(path).read_text(encoding="utf-8"))
-        except (OSError, UnicodeDecodeError) as error:
-            raise StartError(f"the start state {path} cannot be read: {error}", {"path": str(path)}) from error
+            state = cls(Path(path).read_text(encoding="utf-8"))
+            json.loads(state.json)
+        except (OSError, ValueError) as error:
+            raise StartError(f"the start state {path} cannot be read: {error}; State.write writes one", {"path": str(path)}) from error
+        return state
 
     def write(self, path: str | PathLike[str]) -> None:
         """Writes a state file."""

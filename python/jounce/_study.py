@@ -12,11 +12,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from . import _core
-from ._arguments import check_integers, options
+from ._arguments import check_integers, options, without_places
 from ._errors import ArgumentError, FileError, Interrupted, PointsWithoutResult, SpecError
 from ._format import counted
 from ._progress import Progress, progress_callback
 from ._quantity import plain, toml
+from ._ranges import check_units, naming_unit
 from ._ranges import values as range_text
 from ._spec import Spec
 from ._study_result import StudyResult, StudyStatus
@@ -76,9 +77,11 @@ class Study:
             raise ArgumentError(f'vary is of type {type(vary).__name__}; give a dict, {{"stop.tip.gap": "0.5mm:1.5mm:20x"}}')
         keys = {"sampling": sampling, "points": points, "seed": seed, "points_per_part": points_per_part}
         tables: dict[str, Any] = {key: value for key, value in keys.items() if value is not None}
+        check_units(units, vary, "key")
         tables["vary"] = {key: range_text(value, (units or {}).get(key), key) for key, value in vary.items()}
         tables["quantity"] = {"command": quantity} if isinstance(quantity, str) else plain(quantity, "quantity")
-        self._set(spec.copy(), toml(tables))
+        with naming_unit('units={"KEY": "{}"}'), without_places():
+            self._set(spec.copy(), toml(tables))
 
     @classmethod
     def read(cls, path: str | PathLike[str]) -> Study:

@@ -154,7 +154,7 @@ def test_an_unknown_key_is_reported_with_the_nearest_one(harvester):
         assert str(pickle.loads(pickle.dumps(excinfo.value))).startswith("stop.tip.gapp: this spec has no such key")
     with pytest.raises(jounce.UnknownKeyError, match="stop.tip.gap"):
         harvester.si("stop.nope.gap")
-    with pytest.raises(jounce.SpecError, match="no key with a number"):
+    with pytest.raises(jounce.SpecError, match="give a key with a number"):
         harvester.si("stop.tip.law")
     with pytest.raises(jounce.ArgumentError, match="or compute one run"):
         harvester.ensemble()
@@ -258,3 +258,34 @@ def test_invalid_counts_are_refused_by_name(harvester):
     for call, message in invalid_calls:
         with pytest.raises(jounce.ArgumentError, match=message):
             call()
+
+
+def test_numbers_without_a_unit_name_the_argument_that_gives_it(harvester):
+    gap, numbers = "stop.tip.gap", [1e-3, 2e-3]
+    with pytest.raises(jounce.ArgumentError, match='has no unit; .* or give unit="mm" for numbers'):
+        harvester.sweep(gap, numbers)
+    with pytest.raises(jounce.SpecError, match=r'has no unit; .* or give units=\{"KEY": "mm"\} for numbers') as excinfo:
+        jounce.Study(harvester, {gap: numbers})
+    assert "line" not in str(excinfo.value)
+    with pytest.raises(jounce.ArgumentError, match="units: there is no key stop.tip.gpa"):
+        jounce.Study(harvester, {gap: numbers}, units={"stop.tip.gpa": "mm"})
+
+
+def test_messages_use_the_words_of_python(harvester, tmp_path):
+    with pytest.raises(jounce.SpecError) as excinfo:
+        harvester.changed({"run.average_over": "40 s"})
+    assert "--set" not in str(excinfo.value)
+    with pytest.raises(jounce.ArgumentError, match="direction: unknown choice `left`, expected one of `up`"):
+        harvester.sweep("stop.tip.gap", "1 mm,2 mm", direction="left")
+    with pytest.raises(TypeError, match="threads: the number `1.5`, expected a whole number"):
+        harvester.sweep("stop.tip.gap", "1 mm,2 mm", threads=1.5)
+    with pytest.raises(jounce.ArgumentError, match="threads is 0"):
+        harvester.sweep("stop.tip.gap", "1 mm,2 mm", threads=0)
+    with pytest.raises(jounce.StartError, match=r"State\.write"):
+        jounce.State.read(SPEC)
+    with pytest.raises(jounce.FileError, match="a spec is read with jounce.read"):
+        jounce.load(SPEC)
+    wrong = tmp_path / "wrong.toml"
+    wrong.write_text("[run]\nfoo = 1\n")
+    with pytest.raises(jounce.SpecError, match=f"{wrong}: line 2"):
+        jounce.read(wrong)

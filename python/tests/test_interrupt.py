@@ -51,5 +51,6 @@ def test_a_file_is_written_completely_or_not_at_all(tmp_path):
     ordinary.write_bytes(b"")
     assert path.stat().st_mode == ordinary.stat().st_mode
     shutil.rmtree(tmp_path / "new")
-    jounce.write_recording(path, [1.0, 2.0], 1.0)
-    assert path.read_text() == "time (s),value\n0.0,1.0\n1.0,2.0\n"
+    csv = path.with_name("file.csv")
+    jounce.write_recording(csv, [1.0, 2.0], 1.0)
+    assert csv.read_text() == "time (s),value\n0.0,1.0\n1.0,2.0\n"

@@ -119,13 +119,12 @@ pub fn of_file(path: &Path, error: Error) -> Failure {
 impl From<Error> for Failure {
     fn from(error: Error) -> Self {
         let text = match &error {
-            Error::Option { option, .. }
-            | Error::Range { option, .. }
-            | Error::Channel { option, .. } => {
+            Error::Option { option, .. } | Error::Range { option, .. } => {
                 let text = error.to_string();
                 let rest = text.strip_prefix(option).unwrap_or(&text);
                 on_command_line(&format!("`{option}`{rest}"))
             }
+            Error::Channel { .. } => on_command_line(&error.to_string()),
             Error::Grid(_) => format!("--{error}"),
             _ => error.to_string(),
         };

@@ -33,11 +33,11 @@ fn main() -> ExitCode {
     // A negative number is a value, not an option, so that the option can refuse it by name.
     let command = arguments::Arguments::command()
         .mut_subcommands(|command| command.allow_negative_numbers(true));
-    let name = std::env::args_os().nth(1).unwrap_or_default();
-    let arguments = (command.clone().try_get_matches())
+    let given = value_error::with_joined_values(std::env::args_os());
+    let arguments = (command.clone().try_get_matches_from(&given))
         .and_then(|matches| arguments::Arguments::from_arg_matches(&matches))
         .unwrap_or_else(|error| {
-            let error = value_error::with_set_tip(error, &command, &name.to_string_lossy());
+            let error = value_error::with_tip(error, &command, &given);
             value_error::explained(error).exit()
         });
     record::begin(std::env::args_os().skip(1));

@@ -75,6 +75,21 @@ impl SpecArguments {
         Ok(assignments)
     }
 
+    /// Refuses to set the key of a range, `KEY=RANGE`, which has its own values.
+    ///
+    /// # Errors
+    /// The key is set.
+    pub fn refuse_set(&self, range: &str) -> Result<(), Failure> {
+        let swept = range.split('=').next().unwrap_or_default();
+        let assignments = self.assignments()?;
+        match assignments.iter().find(|(key, _)| *key == swept) {
+            Some((key, value)) => Err(Failure::usage(format!(
+                "--over gives the values of {key}; omit --set {key}={value}"
+            ))),
+            None => Ok(()),
+        }
+    }
+
     /// Reads the file and applies the overrides.
     pub fn file(&self) -> Result<SpecFile, Failure> {
         let mut file = SpecFile::read(&self.spec).map_err(Error::from)?;
@@ -85,10 +100,12 @@ impl SpecArguments {
             }
         }
         if faults.is_empty() {
-            Ok(file)
-        } else {
-            Err(Failure::faults(&self.spec, faults))
+            return Ok(file);
         }
+        let others = file.spec().err();
+        let others = others.iter().flat_map(|faults| faults.as_slice());
+        faults.extend(others.filter(|fault| fault.set.is_some()).cloned());
+        Err(Failure::faults(&self.spec, faults))
     }
 
     /// Returns the harvester; prints the issues of the recordings of its drives on stderr.

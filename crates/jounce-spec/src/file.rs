@@ -1,5 +1,7 @@
 //! A spec file: its text, its overrides, and the resulting spec.
 
+mod causes;
+
 use std::path::{Path, PathBuf};
 
 use super::fault::{Fault, Faults};
@@ -92,28 +94,39 @@ impl SpecFile {
         Ok(())
     }
 
+    /// True where an override sets a key.
+    pub fn sets(&self, key: &str) -> bool {
+        self.overrides
+            .iter()
+            .any(|change| change.assignment().0 == key)
+    }
+
     /// Returns the spec with the overrides applied.
     ///
     /// # Errors
     /// All faults, sorted by place; faults of overrides come first, those without a place last.
     pub fn spec(&self) -> Result<Spec, Faults> {
+        self.read_spec()
+            .map_err(|faults| Faults::new(self.with_causes(faults)))
+    }
+
+    /// Returns the spec, or its faults without their causes among the overrides.
+    fn read_spec(&self) -> Result<Spec, Vec<Fault>> {
         if self.text.len() > MAX_SPEC_BYTES {
-            return Err(Fault {
+            return Err(vec![Fault {
                 line: 1,
                 column: 1,
                 ..Fault::without_position("", "the spec is larger than 16 MiB")
-            }
-            .into());
+            }]);
         }
         if self.source.errors.is_empty() && self.source.root.entries().is_some_and(<[_]>::is_empty)
         {
             let message = "the spec is empty; add at least one structure: [beam.NAME], [mass.NAME] or [modal.NAME]";
-            return Err(Fault {
+            return Err(vec![Fault {
                 line: 1,
                 column: 1,
                 ..Fault::without_position("", message)
-            }
-            .into());
+            }]);
         }
         let mut spec = Spec::default();
         let mut reading = ReadState::new(self.source.complete);
@@ -155,7 +168,7 @@ impl SpecFile {
         faults
     }
 
-    fn faults(&self, reading: ReadState) -> Faults {
+    fn faults(&self, reading: ReadState) -> Vec<Fault> {
         let lines = Lines::new(&self.text);
         let syntax = self.source.errors.iter().map(|error| {
             let (line, column) = lines.line_and_column(error.offset);
@@ -185,29 +198,7 @@ impl SpecFile {
                 SourcePlace::Nowhere => fault,
             }
         });
-        Faults::new(self.with_causes(syntax.chain(read).collect()))
-    }
-
-    /// Names the overrides in faults of the file that the file alone does not have.
-    fn with_causes(&self, faults: Vec<Fault>) -> Vec<Fault> {
-        if self.overrides.is_empty() {
-            return faults;
-        }
-        let unchanged = Self::from_text(self.text.clone()).in_folder(&self.folder);
-        let own = unchanged.spec().err();
-        let is_own = |fault: &Fault| {
-            let own = own.as_ref().map_or(&[][..], Faults::as_slice);
-            own.contains(fault)
-        };
-        let overrides: Vec<String> = self.overrides.iter().map(Override::to_string).collect();
-        let with_cause = |fault: Fault| match fault.set.is_none() && !is_own(&fault) {
-            true => Fault {
-                message: format!("{}; caused by {}", fault.message, overrides.join(" ")),
-                ..fault
-            },
-            false => fault,
-        };
-        faults.into_iter().map(with_cause).collect()
+        syntax.chain(read).collect()
     }
 
     /// Returns the file with the overrides written into its text, to which faults then refer.
@@ -235,10 +226,10 @@ impl SpecFile {
         let info = resolve(&self.source.root, key)
             .map_err(|message| Fault::without_position(&clip(key), message))?;
         if !info.kind.is_numeric() {
-            let expected = info.kind.expectation();
             let message = format!(
-                "{}: this spec has no key with a number here: {expected}",
-                clip(key)
+                "{} is {}, not a number; give a key with a number",
+                clip(key),
+                info.kind.noun()
             );
             return Err(Fault::without_position(&clip(key), message).into());
         }

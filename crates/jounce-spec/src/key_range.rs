@@ -88,7 +88,7 @@ fn points(kind: Kind, text: &str) -> Result<Vec<f64>, String> {
     );
     if from.value > to.value {
         return Err(format!(
-            "the range {} is reversed; write the smaller value first (a sweep can still run downwards)",
+            "the range {} is reversed; write the smaller value first",
             clip(text)
         ));
     }

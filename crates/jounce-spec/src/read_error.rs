@@ -81,7 +81,11 @@ fn wrong_byte(error: &std::string::FromUtf8Error) -> Fault {
     let at = error.utf8_error().valid_up_to();
     let valid = String::from_utf8_lossy(&error.as_bytes()[..at]);
     let (line, column) = Lines::new(&valid).line_and_column(at);
-    let message = format!("the byte 0x{:02x} is not UTF-8", error.as_bytes()[at]);
+    let bytes = error.as_bytes();
+    let message = match bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
+        true => "it is UTF-16 text: save it as UTF-8".to_owned(),
+        false => format!("the byte 0x{:02x} is not UTF-8", bytes[at]),
+    };
     Fault {
         line,
         column,

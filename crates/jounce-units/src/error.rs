@@ -21,12 +21,14 @@ pub enum QuantityError {
         expected: String,
     },
     /// The symbol is not a unit.
-    #[error("{text:?}: {unit:?} is not a known unit; {expected}")]
+    #[error("{text:?}: {unit:?} is not a known unit{near}; {expected}")]
     UnknownUnit {
         /// text that was read
         text: String,
         /// unknown symbol
         unit: String,
+        /// the unit that is probably meant, in words, or empty
+        near: String,
         /// expected value
         expected: String,
     },

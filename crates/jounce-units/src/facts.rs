@@ -91,6 +91,18 @@ impl Quantity {
         }
     }
 
+    /// Returns ` (did you mean X?)` for the unit of this kind that a text spells with other capitals,
+    /// else for the longest one that it begins with; without one, an empty text.
+    pub(super) fn near(self, unit: &str) -> String {
+        let units = self.units();
+        let equal = units.iter().find(|known| known.eq_ignore_ascii_case(unit));
+        let begun = units
+            .iter()
+            .filter(|known| unit.starts_with(known.as_str()));
+        let near = equal.or(begun.max_by_key(|known| known.len()));
+        near.map_or_else(String::new, |near| format!(" (did you mean {near}?)"))
+    }
+
     pub(super) fn expectation(self) -> String {
         let units = self.units();
         format!("expected {} in {}", self.kind(), units.join(", "))

@@ -148,6 +148,7 @@ impl Quantity {
         let unit = Unit::parse(&self.spelled(rest)).map_err(|refusal| match refusal {
             UnitFault::Unknown(unit) => QuantityError::UnknownUnit {
                 text: quoted.clone(),
+                near: self.near(&unit),
                 unit,
                 expected: expected(),
             },

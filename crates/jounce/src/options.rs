@@ -188,6 +188,21 @@ pub(crate) fn check_above_zero(option: &'static str, value: f64, unit: &str) -> 
     Err(Error::option(option, text.trim(), "it must be above 0"))
 }
 
+/// Returns the frequency of a drive, Hz, if it is above 0 and below the highest one that samples of a
+/// rate show; `part` is that share of the rate and its name.
+pub(crate) fn check_drive(
+    drive_hz: f64,
+    rate_hz: f64,
+    (part, name): (f64, &str),
+) -> Result<f64, Error> {
+    let limit_hz = part * rate_hz;
+    if drive_hz < limit_hz {
+        return check_above_zero("drive", drive_hz, "Hz");
+    }
+    let expected = format!("it must be below {name} the sampling rate, which is {limit_hz} Hz");
+    Err(Error::option("drive", format!("{drive_hz} Hz"), expected))
+}
+
 /// Largest number of frequencies of a band.
 const MAX_POINTS: usize = 1_000_000;
 

@@ -86,7 +86,7 @@ fn side(text: &str) -> Result<GridSide, GridError> {
         .strip_suffix('x')
         .and_then(|count| count.parse().ok())
         .filter(|count| *count >= 2);
-    let count = count.ok_or_else(|| wrong("the number of values must be 2x or more"))?;
+    let count = count.ok_or_else(|| wrong("the number of values must be 2x or more, as in 21x"))?;
     let ends = [from, to].map(|end| number(axis, end));
     let [Ok(from), Ok(to)] = ends else {
         return Err(wrong(

@@ -17,9 +17,7 @@ pub enum RunError {
     #[error(transparent)]
     Integration(#[from] IntegrationError),
     /// The start state does not fit the harvester.
-    #[error(
-        "the start state has {modes} modes, {patches} electrical states and {drives} drives, or a value that is not finite; this harvester has {wanted_modes} modes, {wanted_patches} electrical states and {wanted_drives} drives"
-    )]
+    #[error("{}", differences([(*modes, *wanted_modes), (*patches, *wanted_patches), (*drives, *wanted_drives)]))]
     StateDoesNotFit {
         /// Modes of the state.
         modes: usize,
@@ -47,6 +45,26 @@ pub enum RunError {
     /// The plant cannot be built with the drive angles of the state.
     #[error(transparent)]
     Plant(#[from] jounce_model::plant::PlantError),
+}
+
+/// Names the counts of a start state that differ from those of the harvester; without one, a value is
+/// wrong.
+fn differences(counts: [(usize, usize); 3]) -> String {
+    let names = ["modes", "electrical states", "drives"];
+    let differs = names
+        .iter()
+        .zip(counts)
+        .filter(|(_, (own, wanted))| own != wanted);
+    let texts: Vec<String> = differs
+        .map(|(name, (own, wanted))| format!("{own} {name}, here {wanted}"))
+        .collect();
+    match texts.is_empty() {
+        true => "the start state holds a value that is not finite".to_owned(),
+        false => format!(
+            "the start state is of another harvester: {}",
+            texts.join("; ")
+        ),
+    }
 }
 
 /// Checks that a start state has the variables of the harvester.

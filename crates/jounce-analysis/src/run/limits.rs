@@ -123,7 +123,7 @@ impl WorstExcess {
         let sentence = |worst: Self| {
             let (count, of) = (worst.results_over, results.len());
             format!(
-                "{}; {count} of {of} {noun} pass the limit, worst at {}",
+                "{}; {count} of {of} {noun} exceed the limit, worst at {}",
                 worst.exceeded,
                 describe(worst.place)
             )

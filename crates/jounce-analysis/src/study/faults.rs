@@ -29,7 +29,7 @@ impl<'t> FaultCollector<'t> {
         match Document::parse(self.text) {
             Ok(document) => Some(document),
             Err(error) => {
-                let message = format!("this is no TOML: {}", error.message());
+                let message = format!("this is not valid TOML: {}", error.message());
                 self.fault("", error.span(), message);
                 None
             }

@@ -67,7 +67,7 @@ pub(super) fn read(
         ],
     );
     let path = reader.text("spec", root.get("spec"));
-    let (mut file, name) = file(path)?;
+    let (mut file, name) = file(path).map_err(|error| unread_spec(text, root, error))?;
     settings(&mut reader, root.get("set"), &mut file);
     let mut reader = check_spec(reader, root.get("set"), &file, name)?;
     let sampling = sampling(&mut reader, root.get("sampling"));
@@ -100,6 +100,17 @@ pub(super) fn read(
     } else {
         Err(StudyError::Faults(reader.sorted()))
     }
+}
+
+/// Returns the error of a spec that cannot be read, with the place of its path.
+fn unread_spec(text: &str, root: &Table, error: StudyError) -> StudyError {
+    let StudyError::SpecFile(error) = error else {
+        return error;
+    };
+    let mut reader = FaultCollector::new(text);
+    let span = root.get("spec").and_then(Item::span);
+    reader.fault("spec", span, format!("spec: {error}"));
+    StudyError::Faults(reader.sorted())
 }
 
 /// Applies the keys with the same value at every point.
@@ -210,6 +221,11 @@ fn varied(
     };
     let mut entries = Vec::new();
     for (key, item) in table {
+        if file.sets(key) {
+            let message =
+                format!("vary.{key}: [set] gives this key too; remove it from one of the two");
+            reader.fault(key, item.span(), message);
+        }
         let Some(text) = item.as_str() else {
             reader.fault(key, item.span(), format!("vary.{key} must be a text, as in \"0.5mm:1.5mm:3x\", under the whole path as one key"));
             continue;

@@ -6,7 +6,7 @@ use jounce_analysis::study::{Study, StudyError};
 /// A text and a part of its error.
 const INVALID: [(&str, &str); 18] = [
     ("", "names no spec"),
-    ("spec = ", "no TOML"),
+    ("spec = ", "not valid TOML"),
     ("spec = \"none.toml\"", "none.toml"),
     ("spec = \"harvester.toml\"", "vary names no key"),
     (

@@ -8,7 +8,7 @@ use jounce::{BranchOptions, BranchResult};
 const GAP_OVER: &str = "stop.tip.gap=1mm:2mm:3";
 
 /// Commands with a wrong option, and the message of each; `SPEC` precedes the options.
-const WRONG_OPTIONS: [(&str, &[&str], &str); 16] = [
+const WRONG_OPTIONS: [(&str, &[&str], &str); 21] = [
     (
         "check",
         &["--set", "stop.tip.gap=1 mm", "--set", "stop.tip.gap=2 mm"],
@@ -62,9 +62,35 @@ const WRONG_OPTIONS: [(&str, &[&str], &str); 16] = [
     ),
     (
         "sweep",
-        &["--over", "stop.tip.law=1,3"],
-        "no key with a number",
+        &["--over", "stop.tip.law=hertz,spring"],
+        "stop.tip.law is a name, not a number; give a key with a number",
     ),
+    (
+        "sweep",
+        &[
+            "--over",
+            "stop.tip.gap=1mm,2mm",
+            "--set",
+            "stop.tip.gap=1 mm",
+        ],
+        "--over gives the values of stop.tip.gap; omit --set stop.tip.gap=1 mm",
+    ),
+    (
+        "frf",
+        &["--frequency", "-3Hz"],
+        "--frequency is -3 Hz; it must be above 0 Hz",
+    ),
+    (
+        "run",
+        &["--threads", "2"],
+        "`jounce run` has --set, --tolerance",
+    ),
+    (
+        "check",
+        &["other.toml"],
+        "`jounce check` takes one SPEC; give other.toml in a call of its own",
+    ),
+    ("show", &["-o", "x.svg"], "`jounce show` has --out"),
     (
         "branch",
         &["--over", GAP_OVER],
@@ -117,6 +143,14 @@ fn faults_of_a_study_name_the_file_and_the_place() {
             format!("spec = {SPEC:?}\n[set]\n\"stop.tip.gap\" = \"1 kg\"\n{vary}"),
             "study.toml:line 3, column 18: set: stop.tip.gap",
         ),
+        (
+            format!("spec = {SPEC:?}\n[set]\n\"stop.tip.gap\" = \"1 mm\"\n{vary}"),
+            "study.toml:line 5, column 18: vary.stop.tip.gap: [set] gives this key too",
+        ),
+        (
+            format!("spec = \"none.toml\"\n{vary}"),
+            "study.toml:line 1, column 8: spec: ",
+        ),
     ] {
         std::fs::write(&file, text).unwrap();
         let out = folder.path().join("out");
@@ -148,6 +182,76 @@ fn faults_of_features_have_one_line_each() {
             "{place}: {line}"
         );
     }
+}
+
+/// Faults that show only with the spec name the file of the features too.
+#[test]
+fn features_that_do_not_fit_the_spec_name_their_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("features.toml");
+    let mode = "[[mode]]\nnumber = 1\nfrequency = \"9 Hz\"\nfrequency_deviation = 0.01\n";
+    for (free, message) in [
+        (
+            "[free]\n\"beam.beam.young\" = 0.1\n",
+            "features.toml: free: beam.beam.young: unknown key",
+        ),
+        (
+            "hold = [\"tabel\"]\n[free]\n\"beam.beam.length\" = 0.1\n",
+            "features.toml: cannot hold",
+        ),
+    ] {
+        std::fs::write(&file, format!("{free}{mode}")).unwrap();
+        let (code, _, stderr) = jounce(&["fit", SPEC, "--to", file.to_str().unwrap()]);
+        assert!(code == 4 && stderr.contains(message), "{code} {stderr}");
+    }
+}
+
+/// Faults of all overrides are reported together.
+#[test]
+fn faults_of_overrides_come_together() {
+    let set = [
+        "--set",
+        "stop.tip.stiffnes=3",
+        "--set",
+        "beam.beam.length=kg",
+    ];
+    let (code, _, stderr) = jounce(&[&["check", SPEC], &set[..]].concat());
+    assert_eq!((code, stderr.lines().count()), (4, 2), "{stderr}");
+}
+
+/// A state of another harvester, and a record that its sampling rate spoils.
+#[test]
+fn a_run_names_what_does_not_fit() {
+    let folder = tempfile::tempdir().unwrap();
+    let state = folder.path().join("state.json");
+    let state = state.to_str().unwrap();
+    let short = [
+        "--set",
+        "run.duration=0.5 s",
+        "--set",
+        "run.average_over=0.5 s",
+    ];
+    let run = [&["run", SPEC], &short[..]].concat();
+    let (code, ..) = jounce(&[&run[..], &["--save-state", state]].concat());
+    assert_eq!(code, 0);
+    let fewer = ["--set", "reduction.modes=2", "--start", state];
+    let (code, _, stderr) = jounce(&[&run[..], &fewer].concat());
+    let named = stderr.contains("--start is ") && stderr.contains("of another harvester: ");
+    assert!(code == 4 && named && !stderr.contains("drives"), "{stderr}");
+    let slow = ["--record", "0.2 s", "--sample-rate", "10Hz"];
+    let (code, _, stderr) = jounce(&[&run[..], &slow].concat());
+    let warning = "warning: --sample-rate is 10 Hz, below twice the drive frequency";
+    assert!(code == 0 && stderr.contains(warning), "{stderr}");
+}
+
+/// Undecided starts are no attractor, and the expected power contains their transients.
+#[test]
+fn undecided_starts_give_a_warning() {
+    let few = ["--starts", "2", "--max-cycles", "1"];
+    let (code, _, stderr) = jounce(&[&["basins", SPEC], &few[..]].concat());
+    let warning = "warning: 2 of 2 starts are undecided, so that the expected power contains transients; give a larger --max-cycles";
+    assert!(code == 0 && stderr.contains(warning), "{stderr}");
+    assert!(!stderr.contains("attractor undecided"), "{stderr}");
 }
 
 /// The kind of the event is no option, so that it is not quoted as one.

@@ -229,6 +229,20 @@ fn an_interrupted_command_prints_finished_results_and_ends_with_130() {
     }
 }
 
+/// A command that is interrupted before its first result says so, with the same exit code.
+#[cfg(unix)]
+#[test]
+fn an_interrupted_command_without_a_result_ends_with_130() {
+    let long = ["--set", "run.duration=100000 s"];
+    for arguments in [
+        vec!["sensitivity", PLANT, "--starts", "1000000"],
+        [&["run", PLANT][..], &long].concat(),
+    ] {
+        let (_, errors) = interrupted_after(Duration::from_secs(3), &arguments);
+        assert!(errors.contains("stopped"), "{errors}");
+    }
+}
+
 /// JSON and stderr of a command that is interrupted after a time.
 #[cfg(unix)]
 fn interrupted_after(time: Duration, arguments: &[&str]) -> (serde_json::Value, String) {

@@ -48,7 +48,7 @@ fn every_integrating_command_warns_about_limits() {
         !exceeds_strain(&points[0]) && exceeds_strain(&points[1]),
         "{sweep}"
     );
-    let message = "600 ppm are recommended; 1 of 2 points pass the limit, worst at drive.b.amplitude = 196.133000 m/s^2";
+    let message = "600 ppm are recommended; 1 of 2 points exceed the limit, worst at drive.b.amplitude = 196.133000 m/s^2";
     assert!(
         text.contains("warning: patch m: its strain reaches") && text.contains(message),
         "{text}"
@@ -72,7 +72,7 @@ fn every_integrating_command_warns_about_limits() {
     let reached = |result: &Value| result["warnings"][0]["reached"].as_f64().unwrap().abs();
     assert!((reached(points.last().unwrap()) / reached(&run) - 1.0).abs() < 1e-3);
     assert!(
-        text.contains("points pass the limit, worst at drive.b.amplitude = 196.133000 m/s^2"),
+        text.contains("points exceed the limit, worst at drive.b.amplitude = 196.133000 m/s^2"),
         "{text}"
     );
     let (code, basins, text) = jounce(&["basins", &spec, "--starts", "2", "--json"]);
@@ -81,7 +81,7 @@ fn every_integrating_command_warns_about_limits() {
         "{text} {basins}"
     );
     assert!(
-        text.contains("1 of 1 attractors pass the limit, worst at attractor 1a"),
+        text.contains("1 of 1 attractors exceed the limit, worst at attractor 1a"),
         "{text}"
     );
 }
@@ -105,7 +105,7 @@ fn limits_warn_under_noise() {
     };
     assert!(
         members.iter().all(member_exceeds_strain)
-            && text.contains("2 of 2 members pass the limit, worst at member"),
+            && text.contains("2 of 2 members exceed the limit, worst at member"),
         "{text} {ensemble}"
     );
     let (code, run, text) = jounce(&["run", &spec, "--json"]);

@@ -10,6 +10,7 @@ mod fit_help;
 mod fits;
 mod force_tables;
 mod hammers;
+mod messages;
 #[path = "../program/mod.rs"]
 mod program;
 mod reading;

@@ -89,7 +89,7 @@ fn read(path: &Path, store: &SampleStore, notes: &Notes) -> Result<FileSummary, 
         path: path.to_owned(),
         format,
         place,
-        why,
+        why: format!("{why}{}", other_begin(path, format)),
     })?;
     let stem = path
         .file_stem()
@@ -111,6 +111,25 @@ fn read(path: &Path, store: &SampleStore, notes: &Notes) -> Result<FileSummary, 
             .push(assemble::recording(path, name, set, notes)?);
     }
     Ok(summary)
+}
+
+/// Extensions of the formats that are known by their first bytes.
+const EXTENSIONS: [&str; 11] = [
+    "parquet", "npy", "npz", "h5", "hdf5", "mat", "tdms", "wav", "uff", "unv", "lvm",
+];
+
+/// Tells where a file that was read as text has the name of another format.
+fn other_begin(path: &Path, format: &str) -> String {
+    let extension = path
+        .extension()
+        .map(|extension| extension.to_string_lossy());
+    let is_other = |extension: &str| format == "text" && EXTENSIONS.contains(&extension);
+    match extension.filter(|extension| is_other(&extension.to_lowercase())) {
+        Some(extension) => {
+            format!("; its name ends in .{extension}, but it does not begin as such a file")
+        }
+        None => String::new(),
+    }
 }
 
 /// Reads the first time-domain recording of a file.

@@ -18,14 +18,35 @@ pub enum ChannelError {
     },
     /// The channel has another quantity.
     #[error(
-        "channel {channel} is in {unit}, which is not the required unit; choose another channel, \
-        or correct its unit in the notes of {recording}"
+        "channel {channel:?} of {recording} is in {unit}{}, but a channel in {wanted} is needed; \
+        write unit = \"{wanted}\" under [channel.{channel:?}] in FILE.channels.toml",
+        if *is_known { "" } else { ", an unknown unit" }
     )]
     Unit {
         /// Channel name.
         channel: String,
         /// Channel unit.
         unit: String,
+        /// False for a unit that is not known.
+        is_known: bool,
+        /// SI unit of the quantity.
+        wanted: &'static str,
+        /// The recording.
+        recording: String,
+    },
+    /// The channel holds counts of a converter, whose unit cannot be assumed.
+    #[error(
+        "channel {channel:?} of {recording} holds whole numbers without a unit, up to {peak}, as a \
+        converter gives them; write unit = \"{wanted}\" and scale = ... under \
+        [channel.{channel:?}] in FILE.channels.toml"
+    )]
+    Counts {
+        /// Channel name.
+        channel: String,
+        /// Largest magnitude.
+        peak: f64,
+        /// SI unit of the quantity.
+        wanted: &'static str,
         /// The recording.
         recording: String,
     },
@@ -117,6 +138,8 @@ pub fn choose_channel(
     Err(ChannelError::Unit {
         channel: head.name.to_owned(),
         unit: head.unit.to_owned(),
+        is_known: head.quantity != Quantity::Unknown,
+        wanted: quantity.si_unit(),
         recording: recording.to_owned(),
     })
 }

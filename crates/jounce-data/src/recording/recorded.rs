@@ -20,8 +20,8 @@ pub struct Recording {
 
 /// Error of a channel that does not exist.
 #[derive(Debug, Clone, PartialEq, thiserror::Error, serde::Serialize)]
-#[error("there is no channel {wanted:?} in {recording}; its channels are {}; a number from 1 is \
-    also accepted", channels.join(", "))]
+#[error("there is no channel {wanted:?} in {recording}; give a name, {}, or a number from 1 to {}",
+    channels.join(", "), channels.len())]
 pub struct NoChannel {
     /// Requested channel.
     pub wanted: String,

@@ -112,6 +112,9 @@ fn ends(text: &str) -> Option<(String, String, bool)> {
     let logarithmic = text.contains(":log");
     let ends = text.replacen(":log", "", 1);
     let (from, to) = ends.split_once(':')?;
+    if from.contains(',') || to.contains([',', ':']) {
+        return None;
+    }
     let unit = if from.trim().parse::<f64>().is_ok() {
         unit_of(to)
     } else {
@@ -177,10 +180,17 @@ mod tests {
             "1mm",
             "0mm:1mm:log",
             "1mm:2mm:5x",
+            "1mm,2mm",
+            "1mm,2mm:3mm",
             "a:b",
         ] {
             let faults = FreeRange::read(&file, "stop.s.gap", text).unwrap_err();
-            assert!(faults[0].contains("stop.s.gap"), "{text}: {faults:?}");
+            let message = &faults[0];
+            assert!(message.contains("stop.s.gap"), "{text}: {message}");
+            if text.contains([',', 'x']) {
+                let expected = format!("{text:?} is no range; write FROM:TO, or FROM:TO:log");
+                assert!(message.contains(&expected), "{message}");
+            }
         }
     }
 }

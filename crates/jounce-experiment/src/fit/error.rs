@@ -5,6 +5,25 @@ use std::path::PathBuf;
 use jounce_model::structure::StructureError;
 use jounce_spec::{Fault, Faults};
 
+impl FitError {
+    /// True for a fault of the features that shows only with the spec.
+    pub fn is_of_features(&self) -> bool {
+        matches!(
+            self,
+            Self::Key { .. }
+                | Self::Start { .. }
+                | Self::Twice { .. }
+                | Self::NoMode { .. }
+                | Self::Condition { .. }
+                | Self::File { .. }
+                | Self::NoPlace { .. }
+                | Self::Structure(
+                    StructureError::CannotHold { .. } | StructureError::CannotHoldGiven { .. }
+                )
+        )
+    }
+}
+
 /// Error of a fit.
 #[derive(Debug, thiserror::Error)]
 pub enum FitError {
@@ -23,7 +42,7 @@ pub enum FitError {
         faults: Vec<String>,
     },
     /// A key does not exist in the spec.
-    #[error("free.{key}: {faults}")]
+    #[error("free: {faults}")]
     Key {
         /// The key.
         key: String,
@@ -81,13 +100,13 @@ pub enum FitError {
         reason: String,
     },
     /// A recording of a test cannot be used.
-    #[error("{place}, {}: {reason}", path.display())]
+    #[error("{place}: {reason}")]
     File {
         /// The test.
         place: String,
         /// The file.
         path: PathBuf,
-        /// The fault.
+        /// The fault, with the path.
         reason: String,
     },
     /// A point or patch does not exist in the model.

@@ -250,7 +250,7 @@ async fn a_page_sets_numbers_and_no_paths() {
             response.head["faults"][0]["message"]
                 .as_str()
                 .unwrap()
-                .contains("no key with a number"),
+                .contains("give a key with a number"),
             "{}",
             response.head
         );

@@ -39,7 +39,7 @@ pub enum RandomError {
     NoNoise,
     /// A circuit that is not linear.
     #[error(
-        "circuit.{circuit}.interface is not linear, so no formula gives its response to noise; use `jounce ensemble`, or give interface = \"resistor\""
+        "circuit.{circuit}.interface is not linear, so no formula gives its response to noise; use `jounce ensemble`"
     )]
     Rectified {
         /// Name of the circuit.

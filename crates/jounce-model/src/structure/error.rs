@@ -121,7 +121,9 @@ pub enum StructureError {
         length_m: f64,
     },
     /// Only masses on the ground and free masses can be held fixed.
-    #[error("cannot hold \"{name}\" fixed; only a mass can be held ({masses})")]
+    #[error(
+        "cannot hold \"{name}\" fixed; only a mass on the base or a free mass can be held ({masses})"
+    )]
     CannotHold {
         /// Name of the part to hold.
         name: String,

@@ -80,7 +80,10 @@ fn only_masses_can_be_held() {
     let error = modes_holding(&paper(Section::ThinSkin), &["beam.tip".into()])
         .unwrap_err()
         .to_string();
-    assert!(error.contains("only a mass can be held (table)"), "{error}");
+    assert!(
+        error.contains("only a mass on the base or a free mass can be held (table)"),
+        "{error}"
+    );
 }
 
 #[test]

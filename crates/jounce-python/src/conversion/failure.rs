@@ -81,8 +81,25 @@ impl From<Error> for Failure {
             ("SpecError", Some(faults)) => lines(faults),
             _ => error.to_string(),
         };
-        Self::new(class, message).with(details)
+        Self::new(class, in_python(&message)).with(details)
     }
+}
+
+/// Writes commands and overrides of the command line in a text of the library as in Python:
+/// "`jounce frf`" as "`frf`", and "--set stop.tip.gap=1 mm" as "stop.tip.gap=1 mm".
+fn in_python(text: &str) -> String {
+    let part = |(index, part): (usize, &str)| {
+        let command = part
+            .strip_prefix("jounce ")
+            .filter(|command| !command.contains(' '));
+        match (index % 2, command) {
+            (0, _) => part.replace("--set ", ""),
+            (_, Some(command)) => command.to_owned(),
+            _ => part.to_owned(),
+        }
+    };
+    let parts: Vec<String> = text.split('`').enumerate().map(part).collect();
+    parts.join("`")
 }
 
 /// Returns a line for each fault; one of an override has no place in a file.

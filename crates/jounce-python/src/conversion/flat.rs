@@ -25,7 +25,11 @@ const TEXTS: [&str; 7] = [
 const DICTIONARIES: [&str; 4] = ["attractors", "force_tables", "not_proved", "termination"];
 
 /// Types in messages on options, and their names in Python.
-const TYPES: [(&str, &str); 4] = [
+const TYPES: [(&str, &str); 8] = [
+    ("invalid type: floating point", "the number"),
+    ("invalid type: string", "the text"),
+    ("unknown variant", "unknown choice"),
+    ("expected u16", "expected a whole number"),
     ("expected f64", "expected a number"),
     ("expected u32", "expected a whole number"),
     ("expected u64", "expected a whole number"),
@@ -50,10 +54,11 @@ pub fn options<O: serde::de::DeserializeOwned>(json: &str) -> PyResult<O> {
         .into_iter()
         .find_map(message)
         .unwrap_or_else(|| error.to_string());
+    let is_of_type = message.contains("invalid type");
     let message = TYPES
         .iter()
         .fold(message, |text, (rust, python)| text.replace(rust, python));
-    Err(match message.contains("invalid type") {
+    Err(match is_of_type {
         true => pyo3::exceptions::PyTypeError::new_err(message),
         false => Failure::new("ArgumentError", message).into(),
     })

@@ -20,8 +20,9 @@ pub use frequency_response::{
     exponential_window, force_window, hits, impact, is_continuous,
 };
 pub use power::{
-    Density, DensityPeak, MeanPower, Segments, Spectra, SpectraSettings, Spectrogram, density_unit,
-    mean_power, mean_power_if_long, spectra, spectra_watched, spectrogram, spectrogram_watched,
+    Density, DensityPeak, MIN_SEGMENT_SAMPLES, MeanPower, Segments, Spectra, SpectraSettings,
+    Spectrogram, density_unit, mean_power, mean_power_if_long, spectra, spectra_watched,
+    spectrogram, spectrogram_watched,
 };
 pub use signal::{first_varying, signal};
 pub use student::student_95;

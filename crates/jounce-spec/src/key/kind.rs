@@ -61,6 +61,19 @@ impl Kind {
         )
     }
 
+    /// Returns what a value without a number is: `"a name"`.
+    pub(crate) fn noun(self) -> &'static str {
+        match self {
+            Self::Choice(_) | Self::Reference { .. } => "a name",
+            Self::ChoiceOrPath(_) => "a name or the path of a file",
+            Self::References { .. } => "a list of names",
+            Self::Path => "the path of a file",
+            Self::Text => "a text",
+            Self::Things | Self::Table => "a table",
+            _ => "a number",
+        }
+    }
+
     /// Returns the expected value for a message: `"expected a plain number"`.
     pub(crate) fn expectation(self) -> String {
         match self {

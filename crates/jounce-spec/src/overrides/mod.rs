@@ -70,6 +70,11 @@ impl Override {
         format!("--set {}={}", clip(key), clip(value))
     }
 
+    /// Returns the key and its value as they were given.
+    pub(crate) fn assignment(&self) -> (String, &str) {
+        (self.path.join("."), &self.value)
+    }
+
     /// Applies the override to a tree.
     pub(crate) fn apply(&self, root: &mut Node) {
         let path: Vec<&str> = self.path.iter().map(String::as_str).collect();
@@ -151,7 +156,8 @@ fn in_a_list(root: &Node, path: &[String]) -> bool {
 
 impl fmt::Display for Override {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        out.write_str(&Self::quoted_value(&self.path.join("."), &self.value))
+        let (key, value) = self.assignment();
+        out.write_str(&Self::quoted_value(&key, value))
     }
 }
 

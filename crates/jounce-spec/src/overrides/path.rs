@@ -69,10 +69,24 @@ pub(crate) fn resolve(root: &Node, key: &str) -> Result<KeyInfo, String> {
         };
         let mut known = Vec::new();
         paths(&top, Some(root), "", &mut known);
-        let suggestion = nearest(key, known.iter().map(String::as_str))
+        let names = || known.iter().map(String::as_str);
+        let suggestion = nearest(key, names())
+            .or_else(|| with_parts(&segments, names()))
             .map(|near| format!("; the nearest key here is `{near}`"));
         format!("{}: {reason}{}", clip(key), suggestion.unwrap_or_default())
     })
+}
+
+/// Returns the only path that has these parts in their order, as `stop.tip.gap` for `stop.gap`.
+fn with_parts<'k>(parts: &[&str], paths: impl Iterator<Item = &'k str>) -> Option<&'k str> {
+    let has_parts = |path: &&str| {
+        let mut of_path = path.split('.');
+        let mut found = parts.iter().map(|part| of_path.any(|other| other == *part));
+        path.ends_with(parts[parts.len() - 1]) && found.all(|is_found| is_found)
+    };
+    let mut matches = paths.filter(has_parts);
+    let first = matches.next()?;
+    matches.next().is_none().then_some(first)
 }
 
 /// Reason why a path has no key.

@@ -23,6 +23,7 @@ pub(crate) fn read_keys<T>(
             )
         });
     };
+    reading.misspelt.extend(misspelt(keys, path, entries));
     let mut doubtful: Vec<&str> = Vec::new();
     for key in keys {
         let info = &key.info;
@@ -70,6 +71,16 @@ pub(crate) fn read_keys<T>(
     check_alternatives(keys, path, entries, element, reading);
 }
 
+/// Returns the dotted paths of the keys that unknown keys of a table probably mean.
+fn misspelt<T>(keys: &[Key<T>], path: &str, entries: &[Entry]) -> Vec<String> {
+    let names = || keys.iter().map(|key| key.info.name);
+    let unknown = entries
+        .iter()
+        .filter(|entry| names().all(|name| name != entry.name));
+    let meant = unknown.filter_map(|entry| nearest(&entry.name, names()));
+    meant.map(|meant| join(path, meant)).collect()
+}
+
 fn first_of_its_name<T>(keys: &[Key<T>], key: &Key<T>) -> bool {
     keys.iter()
         .find(|other| other.info.name == key.info.name)
@@ -87,12 +98,15 @@ fn missing<T>(
 ) -> bool {
     let entries = node.entries().unwrap_or_default();
     let stands = |name: &&str| entries.iter().any(|entry| entry.name == *name);
+    let instead =
+        (key.info.unless).map_or_else(String::new, |other| format!(", or give `{other}`"));
     let text = || match key.info.need {
         Need::OneOf(names) => format!("one of {} is missing", quoted(names)),
         _ => format!(
-            "`{}` is missing; {}",
+            "`{}` is missing; {}{}",
             key.info.name,
-            key.info.kind.expectation()
+            key.info.kind.expectation(),
+            instead
         ),
     };
     let is_replaced = key.info.unless.is_some_and(|other| stands(&other));
@@ -104,10 +118,21 @@ fn missing<T>(
     };
     let names = || keys.iter().map(|key| key.info.name);
     let misspelt = |entry: &Entry| {
-        names().all(|name| name != entry.name)
-            && nearest(&entry.name, names()) == Some(key.info.name)
+        let meant = nearest(&entry.name, names());
+        let replaces = |meant: &str| {
+            meant == key.info.name
+                || key.info.unless == Some(meant)
+                || key.info.need.alternatives().contains(&meant)
+        };
+        names().all(|name| name != entry.name) && meant.is_some_and(replaces)
     };
-    if must && reading.complete && reading.has_room() && !entries.iter().any(misspelt) {
+    let is_elsewhere = reading.is_below_misspelt(path);
+    if must
+        && reading.complete
+        && reading.has_room()
+        && !is_elsewhere
+        && !entries.iter().any(misspelt)
+    {
         reading.fault(node.position, path, text);
     }
     must
@@ -125,9 +150,6 @@ fn check_known<T>(
     let key = join(path, &entry.name);
     if named().next().is_none() {
         let names = distinct(keys.iter().map(|key| key.info.name));
-        if let Some(meant) = nearest(&entry.name, names.iter().copied()) {
-            reading.misspelt.push(join(path, meant));
-        }
         return reading.fault(entry.position, &key, || {
             format!(
                 "unknown key{}; keys here: {}",

@@ -133,7 +133,7 @@ impl Node {
         match &self.value {
             Value::Text(text) => format!("the text \"{}\"", clip(text)),
             Value::Integer(_) | Value::Float(_) => format!("the number {}", clip(&self.raw)),
-            Value::Boolean => "true or false".to_owned(),
+            Value::Boolean => clip(&self.raw),
             Value::Date => "a date".to_owned(),
             Value::List(_) => "a list".to_owned(),
             Value::Table(_) => "a table".to_owned(),
@@ -180,7 +180,10 @@ pub(crate) fn value_of(text: &str, value: &toml_edit::Value, parent: usize) -> N
             raw: raw(),
             ..Node::at(span.start, Value::Float(*number.value()))
         },
-        toml_edit::Value::Boolean(_) => Node::at(span.start, Value::Boolean),
+        toml_edit::Value::Boolean(_) => Node {
+            raw: raw(),
+            ..Node::at(span.start, Value::Boolean)
+        },
         toml_edit::Value::Datetime(_) => Node::at(span.start, Value::Date),
         toml_edit::Value::Array(list) => Node::at(
             span.start,

@@ -44,6 +44,15 @@ pub(crate) fn parse(text: &str) -> Source {
         errors: Vec::new(),
         complete: true,
     };
+    if let Some(offset) = other_text(text) {
+        source.complete = false;
+        source.errors.push(SyntaxError {
+            offset,
+            key: String::new(),
+            message: "this is no spec: its first line is neither [TABLE] nor KEY = VALUE; `jounce read` reads a recording".to_owned(),
+        });
+        return source;
+    }
     let most = (MAX_REREAD_BYTES / text.len().max(1)).clamp(1, MAX_SYNTAX_ERRORS);
     while source.errors.len() < most {
         let error = match Document::parse(work.as_str()) {
@@ -68,6 +77,15 @@ pub(crate) fn parse(text: &str) -> Source {
     }
     source.complete = false;
     source
+}
+
+/// Returns the offset of the first line with content where it cannot begin a spec.
+fn other_text(text: &str) -> Option<usize> {
+    let is_content = |line: &&str| !line.trim().is_empty() && !line.trim_start().starts_with('#');
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let line = text.lines().find(is_content)?;
+    let begins = is_header(line) || line.contains('=');
+    (!begins).then(|| line.as_ptr() as usize - text.as_ptr() as usize)
 }
 
 /// Blanks the faulty text of an error; false if that is ambiguous.
@@ -130,23 +148,13 @@ fn duplicated(text: &str, offset: usize, span: &std::ops::Range<usize>) -> Synta
     }
     let key = text.get(span.clone()).unwrap_or_default().trim();
     let before = &text[..lines.range(offset).start];
-    let header = before
-        .lines()
-        .enumerate()
-        .filter(|(_, other)| is_header(other))
-        .last();
-    let name = header
-        .map(|(_, line)| header_name(line))
-        .unwrap_or_default();
-    let path = if name.is_empty() {
-        clip(key)
-    } else {
-        format!("{}.{}", clip(name), clip(key))
-    };
+    let path = path_of(before, key);
+    let header = before.lines().collect::<Vec<_>>();
+    let header = header.iter().rposition(|other| is_header(other));
     let header_before = before
         .lines()
         .enumerate()
-        .skip(header.map_or(0, |(index, _)| index + 1));
+        .skip(header.map_or(0, |index| index + 1));
     let first = header_before
         .filter(|(_, other)| {
             other
@@ -167,15 +175,27 @@ fn duplicated(text: &str, offset: usize, span: &std::ops::Range<usize>) -> Synta
     }
 }
 
+/// Returns the path of a key from the last header before it.
+fn path_of(before: &str, key: &str) -> String {
+    let header = before.lines().rfind(|other| is_header(other));
+    match header.map(header_name).unwrap_or_default() {
+        "" => clip(key),
+        name => format!("{}.{}", clip(name), clip(key)),
+    }
+}
+
 fn first_line(text: &str, predicate: impl Fn(&str) -> bool) -> Option<usize> {
     text.lines().position(predicate).map(|index| index + 1)
 }
 
 fn malformed(text: &str, offset: usize, reason: &str) -> SyntaxError {
-    let line = &text[Lines::new(text).range(offset)];
-    let hint = line
+    let range = Lines::new(text).range(offset);
+    let hint = text[range.clone()]
         .split_once('=')
-        .and_then(|(key, value)| unquoted(key.trim(), value.trim()));
+        .and_then(|(key, value)| {
+            let path = path_of(&text[..range.start], key.trim());
+            unquoted(&path, value.trim())
+        });
     let message = hint.unwrap_or_else(|| format!("this is not valid TOML: {reason}"));
     SyntaxError {
         offset,
@@ -185,17 +205,11 @@ fn malformed(text: &str, offset: usize, reason: &str) -> SyntaxError {
 }
 
 /// Detects the likely mistake `frequency = 13 Hz`.
-fn unquoted(key: &str, value: &str) -> Option<String> {
+fn unquoted(path: &str, value: &str) -> Option<String> {
     let value = value.split('#').next().unwrap_or_default().trim();
     let (_, unit) = Decimal::split(value)?;
     let begins_a_unit = unit
         .trim_start()
         .starts_with(|c: char| c.is_alphabetic() || c == '\u{b0}');
-    begins_a_unit.then(|| {
-        format!(
-            "{}: write the quantity in quotes: \"{}\"",
-            clip(key),
-            clip(value)
-        )
-    })
+    begins_a_unit.then(|| format!("{path}: write the quantity in quotes: \"{}\"", clip(value)))
 }

@@ -29,7 +29,7 @@ pub(super) fn check(spec: &Spec, faults: &mut ValidationFaults) {
             || {
                 format!(
                     "is {window}; it must be at most run.duration = {duration}: \
-                     --set run.average_over=\"{duration}\" or --set run.duration=\"{window}\""
+                     write run.average_over = \"{duration}\" or run.duration = \"{window}\""
                 )
             },
         );

@@ -231,7 +231,7 @@ pub(super) fn unknown<'n, I: Iterator<Item = &'n str>>(
     let suggestion = did_you_mean(name, known());
     let listed = join_words(known());
     let listed = if listed.is_empty() {
-        format!("this spec has no {many}")
+        format!("this spec has no {}", many.replace(" and ", " or "))
     } else {
         format!("{many} here: {listed}")
     };

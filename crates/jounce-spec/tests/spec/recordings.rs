@@ -61,7 +61,7 @@ fn a_recording_that_goes_on_after_the_run_is_named() {
 const FAULTS: [(&str, &str); 7] = [
     (
         "channel = \"roof\"\n",
-        "there is no channel \"roof\" in road; its channels are dead, out, floor",
+        "there is no channel \"roof\" in road; give a name, dead, out, floor, or a number from 1 to 3",
     ),
     (
         "channel = \"out\"\n",

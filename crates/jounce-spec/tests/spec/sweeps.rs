@@ -118,7 +118,7 @@ const WRONG_RANGES: [(&str, &str); 21] = [
     ),
     (
         "stop.tip.law=1Hz",
-        "this spec has no key with a number here",
+        "stop.tip.law is a name, not a number; give a key with a number",
     ),
     ("stop.tip.exponent=1:2:0.1", "cannot be varied alone"),
     (

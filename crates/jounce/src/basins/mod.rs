@@ -13,7 +13,7 @@ use crate::harvester::Harvester;
 use crate::options::on_threads;
 use crate::periodic;
 use jounce_analysis::run::WorstExcess;
-use jounce_analysis::{Basins, InitialStates, SectionPoint};
+use jounce_analysis::{AttractorKind, Basins, InitialStates, SectionPoint};
 use jounce_model::plant::Plant;
 
 impl Harvester {
@@ -101,14 +101,28 @@ impl BasinsResult {
         }
     }
 
-    /// Returns the messages about exceeded limits of patches on attractors.
+    /// Returns the messages about undecided starts, and about exceeded limits of patches on
+    /// attractors.
     pub fn warnings(&self) -> Vec<String> {
-        let exceeded: Vec<_> = self
-            .attractors
-            .iter()
-            .map(|own| own.warnings.as_slice())
-            .collect();
-        let place = |number: usize| format!("attractor {}", self.attractors[number].id);
-        WorstExcess::messages(&exceeded, "attractors", place)
+        let is_undecided = |own: &&AttractorResult| own.id == AttractorKind::Undecided.name();
+        let undecided = self.attractors.iter().position(|own| is_undecided(&own));
+        let starts = |number| {
+            self.points
+                .iter()
+                .filter(move |own| own.attractor == Some(number))
+        };
+        let undecided = undecided.map_or(0, |number| starts(number).count());
+        let found = self.attractors.iter().filter(|own| !is_undecided(own));
+        let found: Vec<&AttractorResult> = found.collect();
+        let exceeded: Vec<_> = found.iter().map(|own| own.warnings.as_slice()).collect();
+        let place = |number: usize| format!("attractor {}", found[number].id);
+        let mut messages = WorstExcess::messages(&exceeded, "attractors", place);
+        if undecided > 0 {
+            messages.insert(0, format!(
+                "{undecided} of {} starts are undecided, so that the expected power contains transients; give a larger `max_cycles`",
+                self.finished
+            ));
+        }
+        messages
     }
 }

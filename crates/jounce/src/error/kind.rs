@@ -28,6 +28,14 @@ pub enum ErrorKind {
 }
 
 impl Error {
+    /// True where the start state of a run does not fit the harvester.
+    pub fn is_of_start(&self) -> bool {
+        matches!(
+            self,
+            Self::Analysis(AnalysisError::Run(RunError::StateDoesNotFit { .. }))
+        )
+    }
+
     /// Returns the kind.
     ///
     /// ```

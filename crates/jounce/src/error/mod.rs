@@ -16,6 +16,7 @@ use jounce_data::read::ArraysError;
 use jounce_data::recording::{ChannelError, NoChannel};
 use jounce_data::write::WriteError;
 use jounce_design::DesignError;
+use jounce_dynamics::{IntegrationError, SensitivityError};
 use jounce_experiment::fit::FitError;
 use jounce_experiment::rig::RigError;
 use jounce_experiment::segmentation::SegmentationError;
@@ -92,7 +93,7 @@ pub enum Error {
     Analysis(#[from] AnalysisError),
     /// The search for an orbit failed.
     #[error(transparent)]
-    Orbit(#[from] OrbitError<AnalysisError>),
+    Orbit(OrbitError<AnalysisError>),
     /// The spec has no linear response to noise.
     #[error(transparent)]
     Noise(#[from] RandomError),
@@ -160,7 +161,7 @@ pub enum Error {
     #[error(transparent)]
     NoChannel(#[from] NoChannel),
     /// An option names no suitable channel.
-    #[error("{option}: {error}")]
+    #[error("{}", of_channel(option, error))]
     Channel {
         /// Name of the option.
         option: &'static str,
@@ -231,6 +232,16 @@ impl Error {
     }
 }
 
+/// Returns the reason why a channel does not suit, with the option that names another one.
+fn of_channel(option: &str, error: &ChannelError) -> String {
+    match error {
+        ChannelError::Unit { .. } | ChannelError::Counts { .. } => {
+            format!("{error}, or name another channel with `{option}`")
+        }
+        _ => format!("`{option}`: {error}"),
+    }
+}
+
 /// Returns the reasons of faults of a key, without the name of the key in front.
 fn reasons(faults: &Faults) -> String {
     let reason = |fault: &Fault| {
@@ -260,9 +271,23 @@ impl From<RunError> for Error {
     }
 }
 
+impl From<OrbitError<AnalysisError>> for Error {
+    fn from(error: OrbitError<AnalysisError>) -> Self {
+        match error {
+            OrbitError::Integration(SensitivityError::Integration(IntegrationError::Stopped {
+                ..
+            })) => Self::Stopped,
+            error => Self::Orbit(error),
+        }
+    }
+}
+
 impl From<ContinuationError<OrbitError<AnalysisError>>> for Error {
     fn from(error: ContinuationError<OrbitError<AnalysisError>>) -> Self {
-        Self::Continuation(Box::new(error))
+        match error {
+            ContinuationError::Family(error) => error.into(),
+            error => Self::Continuation(Box::new(error)),
+        }
     }
 }
 

@@ -8,6 +8,7 @@ pub use options::PowerOptions;
 pub use result::{OrderAmplitude, PowerRecord, PowerResult};
 
 use crate::error::Error;
+use crate::options::check_drive;
 use crate::recording::Recording;
 use jounce_signal::spectral::{SpectralError, mean_power, signal};
 use jounce_signal::{Samples, Window};
@@ -64,7 +65,10 @@ impl Recording {
         self.check_stop()?;
         let orders = match options.drive_hz {
             None => Vec::new(),
-            Some(drive_hz) => orders(&samples, drive_hz)?,
+            Some(drive_hz) => {
+                check_drive(drive_hz, record.rate(), (0.5, "half"))?;
+                orders(&samples, drive_hz)?
+            }
         };
         self.check_stop()?;
         let spectrum = options.spectra.then(|| samples.spectrum(Window::Hann));

@@ -20,6 +20,8 @@ pub(super) struct ListedChannel {
     quantity: Quantity,
     unit: String,
     is_varying: bool,
+    /// Largest magnitude, where the samples are counts of a converter.
+    counts_to: Option<f64>,
 }
 
 /// A channel that a computation uses.
@@ -48,6 +50,9 @@ impl ChannelList {
             quantity: channel.quantity,
             unit: channel.unit.clone(),
             is_varying: is_varying(&channel.values),
+            counts_to: (recording.issues.iter())
+                .any(|issue| are_counts(issue, &channel.name))
+                .then(|| channel.values.iter().fold(0.0, |peak, x| x.abs().max(peak))),
         };
         Self {
             recording: recording.name.clone(),
@@ -66,6 +71,9 @@ impl ChannelList {
             quantity: channel.quantity,
             unit: channel.unit.clone(),
             is_varying: channel.sizes.peak > 0.0 && !is_constant(&channel.name),
+            counts_to: (recording.issues.iter())
+                .any(|issue| are_counts(issue, &channel.name))
+                .then_some(channel.sizes.peak),
         };
         Self {
             recording: recording.name.clone(),
@@ -110,6 +118,18 @@ impl ChannelList {
             ChannelError::Missing(error) => Error::NoChannel(error),
             error => Error::Channel { option, error },
         })?;
+        let ListedChannel {
+            name, counts_to, ..
+        } = &self.channels[number];
+        if let Some(peak) = *counts_to {
+            let error = ChannelError::Counts {
+                channel: name.clone(),
+                peak,
+                wanted: quantity.si_unit(),
+                recording: self.recording.clone(),
+            };
+            return Err(Error::Channel { option, error });
+        }
         Ok(ChosenChannel {
             number,
             assumed: heads[number].assumed_unit_issue(quantity),
@@ -145,6 +165,11 @@ impl ListedChannel {
             unit: &self.unit,
         }
     }
+}
+
+/// True for the issue that a channel holds counts of a converter.
+fn are_counts(issue: &Issue, channel: &str) -> bool {
+    issue.kind == IssueKind::RawCounts && issue.channel.as_deref() == Some(channel)
 }
 
 /// True where two samples that are numbers differ.

@@ -3,7 +3,7 @@
 use crate::error::Error;
 use crate::options::{defaults, frequency_hz, time_s};
 use jounce_analysis::run::StartState;
-use jounce_spec::Spec;
+use jounce_spec::{Drive, Spec};
 use serde::{Deserialize, Serialize};
 
 /// Largest number of samples of a record.
@@ -59,6 +59,19 @@ impl RunOptions {
     /// Returns the sampling rate of the record, Hz.
     pub(super) fn sampled_at_hz(&self) -> f64 {
         self.sample_rate_hz.unwrap_or(SAMPLE_RATE_HZ)
+    }
+
+    /// Returns the message that the record is sampled too slowly for a harmonic drive.
+    pub fn warnings(&self, spec: &Spec) -> Vec<String> {
+        let rate_hz = self.sampled_at_hz();
+        let frequencies_hz = spec.drive.values().filter_map(Drive::frequency_hz);
+        let fastest_hz = frequencies_hz.fold(0.0, f64::max);
+        if self.record_s == 0.0 || rate_hz >= 2.0 * fastest_hz {
+            return Vec::new();
+        }
+        vec![format!(
+            "`sample_rate` is {rate_hz} Hz, below twice the drive frequency of {fastest_hz} Hz: the stored signals and their spectra are aliased"
+        )]
     }
 
     /// Checks the record against the duration of the run, s.

@@ -9,6 +9,7 @@ pub use result::{SegmentResult, SegmentsResult};
 
 use crate::error::Error;
 use crate::harvester::Harvester;
+use crate::options::check_drive;
 use crate::recording::Recording;
 use jounce_experiment::segmentation::{
     RecordSegment, SegmentMatches, Segmentation, match_segments, segments_watched,
@@ -45,6 +46,7 @@ impl Recording {
     ) -> Result<SegmentsResult, Error> {
         let drive_hz = options.check(model.is_some())?;
         let record = self.load(options)?;
+        check_drive(drive_hz, record.rate(), (0.25, "a quarter of"))?;
         let channel = &record.channels[0];
         let samples = signal(channel, record.rate())?;
         let segmentation = segments_watched(&samples, drive_hz, self.control())?;

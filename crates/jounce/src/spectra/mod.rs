@@ -35,7 +35,7 @@ impl Recording {
     /// ```
     pub fn spectra(&self, options: &SpectraOptions) -> Result<SpectraResult, Error> {
         let record = self.load(options)?;
-        let settings = options.settings(record.rate())?;
+        let settings = options.settings(record.channels[0].values.len(), record.rate())?;
         let channel = &record.channels[0];
         let samples = signal(channel, record.rate())?;
         let spectra = spectra_watched(&samples, &settings, self.control())?;

@@ -1,12 +1,13 @@
 //! Options of spectra.
 
 use crate::error::Error;
-use crate::options::{check_above_zero, defaults, frequency_hz, time_s};
+use crate::options::{check_drive, defaults, frequency_hz, time_s};
 use crate::recording::{ChannelList, ChosenChannel, UsesChannels};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use jounce_data::recording::Quantity;
 use jounce_signal::Window;
-use jounce_signal::spectral::SpectraSettings;
+use jounce_signal::spectral::{MIN_SEGMENT_SAMPLES, SpectraSettings};
+use jounce_spec::Quantity as Time;
 use serde::{Deserialize, Serialize};
 
 /// Options of [`crate::Recording::spectra`].
@@ -64,6 +65,21 @@ impl Default for SpectraOptions {
     }
 }
 
+/// Returns the length of a segment, s, if it has enough samples and fits into the record.
+fn check_segment(segment_s: f64, samples: usize, rate_hz: f64) -> Result<f64, Error> {
+    let length = (segment_s * rate_hz).round();
+    let least = MIN_SEGMENT_SAMPLES.min(samples) as f64;
+    if (least..=samples as f64).contains(&length) {
+        return Ok(segment_s);
+    }
+    let [given, least_text, most] = [segment_s, least / rate_hz, samples as f64 / rate_hz]
+        .map(|time_s| Time::Time.write(time_s));
+    let expected = format!(
+        "it must be from {least_text}, which is {least} samples, to {most}, the length of the record"
+    );
+    Err(Error::option("segment", given, expected))
+}
+
 impl UsesChannels for SpectraOptions {
     fn channels(&self, list: &ChannelList) -> Result<Vec<ChosenChannel>, Error> {
         Ok(vec![match &self.channel {
@@ -74,21 +90,13 @@ impl UsesChannels for SpectraOptions {
 }
 
 impl SpectraOptions {
-    /// Returns the settings for a record of a rate, Hz.
-    pub(super) fn settings(&self, rate_hz: f64) -> Result<SpectraSettings, Error> {
-        let nyquist_hz = rate_hz / 2.0;
-        if let Some(drive_hz) = self.drive_hz.filter(|drive_hz| *drive_hz >= nyquist_hz) {
-            let expected =
-                format!("it must be below half the sampling rate, which is {nyquist_hz} Hz");
-            return Err(Error::option("drive", format!("{drive_hz} Hz"), expected));
-        }
-        let checked = |option: &'static str, value: Option<f64>, unit: &str| {
-            let check = |value| check_above_zero(option, value, unit);
-            value.map(check).transpose()
-        };
+    /// Returns the settings for a record of so many samples at a rate, Hz.
+    pub(super) fn settings(&self, samples: usize, rate_hz: f64) -> Result<SpectraSettings, Error> {
+        let drive = |drive_hz| check_drive(drive_hz, rate_hz, (0.5, "half"));
+        let segment = |segment_s| check_segment(segment_s, samples, rate_hz);
         Ok(SpectraSettings {
-            drive_hz: checked("drive", self.drive_hz, "Hz")?,
-            segment_s: checked("segment", self.segment_s, "s")?,
+            drive_hz: self.drive_hz.map(drive).transpose()?,
+            segment_s: self.segment_s.map(segment).transpose()?,
             overlap: self.overlap,
             window: self.window,
         })

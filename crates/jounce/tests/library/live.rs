@@ -96,7 +96,7 @@ fn a_reversed_range_and_a_key_without_a_number_are_refused() {
     let harvester = paper();
     let path = [("run.start".to_owned(), "./secret.json".to_owned())];
     let error = Design::new(&harvester, &path).unwrap_err();
-    assert!(error.to_string().contains("no key with a number"));
+    assert!(error.to_string().contains("give a key with a number"));
     let reversed = KeySpan {
         from: 13.0,
         to: 12.0,

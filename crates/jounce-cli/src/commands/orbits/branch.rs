@@ -25,6 +25,7 @@ pub struct Branch {
 impl Branch {
     /// Continues the branches and reports.
     pub fn run(&self) -> Result<(), Failure> {
+        self.spec.refuse_set(&self.options.over)?;
         let control = Control::default();
         let harvester = self.spec.harvester()?.with_control(&control);
         interruption::install(&control);

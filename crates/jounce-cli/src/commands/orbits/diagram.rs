@@ -26,6 +26,7 @@ pub struct Diagram {
 impl Diagram {
     /// Computes the diagram and reports; continues an interrupted call of the same command.
     pub fn run(&self) -> Result<(), Failure> {
+        self.spec.refuse_set(&self.options.over)?;
         let control = Control::default();
         let harvester = self.spec.harvester()?.with_control(&control);
         let failure = |error| self.spec.failure(error);

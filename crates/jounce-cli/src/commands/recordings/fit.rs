@@ -44,6 +44,16 @@ pub struct Fit {
 }
 
 impl Fit {
+    /// Returns the failure of a fit; faults of the features get the name of their file.
+    fn failure(&self, error: Error) -> Failure {
+        match error {
+            Error::Fit(error) if error.is_of_features() => {
+                Failure::Input(format!("{}: {error}", self.to.display()))
+            }
+            error => self.spec.failure(error),
+        }
+    }
+
     /// Fits and reports.
     pub fn run(&self) -> Result<(), Failure> {
         let features = Features::read(&self.to).map_err(Error::from)?;
@@ -51,7 +61,7 @@ impl Fit {
         let harvester = self.spec.harvester()?.with_control(&control);
         let models = || control.progress().0;
         let result = progress::with_count("models computed", &models, || harvester.fit(&features));
-        let result = result.map_err(|error| self.spec.failure(error))?;
+        let result = result.map_err(|error| self.failure(error))?;
         if let Some(folder) = &self.output.out {
             let manifest = self.spec.manifest(&harvester, "fit", &())?;
             write(folder, &result, &manifest.with("to", self.to.display()))?;

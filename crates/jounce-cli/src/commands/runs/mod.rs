@@ -3,5 +3,6 @@
 pub mod design;
 pub mod ensemble;
 pub mod run;
+mod run_lines;
 pub mod study;
 pub mod sweep;

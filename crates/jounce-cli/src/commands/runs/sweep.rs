@@ -24,6 +24,7 @@ pub struct Sweep {
 impl Sweep {
     /// Sweeps and reports.
     pub fn run(&self) -> Result<(), Failure> {
+        self.spec.refuse_set(&self.options.over)?;
         let control = Control::default();
         let harvester = self.spec.harvester()?.with_control(&control);
         let failure = |error| self.spec.failure(error);

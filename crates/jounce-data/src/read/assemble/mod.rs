@@ -11,13 +11,13 @@ pub(super) use channel::channel_summary;
 use std::io;
 use std::path::Path;
 
-use self::rise::{ascends, is_counter};
+use self::rise::{ascends, is_counter, rounded, uniform_step};
 use self::sample_places::sample_places;
 use self::time::{describe_equal, is_time_column, time_column};
 use crate::read::column::raw::{Raw, RawColumn};
 use crate::read::{ChannelNotes, ChannelSummary, Notes, ReadError, RecordingSummary, SamplePlaces};
 use crate::recording::{
-    Issue, IssueKind, Over, Series as _, inspect_samples, may_be_counts, sizes_with,
+    Issue, IssueKind, Over, Series as _, Unit, inspect_samples, may_be_counts, sizes_with,
 };
 
 /// Builds the recording of a data set.
@@ -63,7 +63,8 @@ pub(in crate::read) fn recording(
     )?;
     let left_out = column_notes.iter().any(|of_column| of_column.left_out);
     let noted = raw.columns.into_iter().zip(column_notes);
-    let mut channels = channels(noted, time, by_column, &mut issues).map_err(scratch_error)?;
+    let rate_hz = by_column.then_some(notes.rate_hz);
+    let mut channels = channels(noted, time, rate_hz, &mut issues).map_err(scratch_error)?;
     if channels.is_empty() && !left_out {
         return Err(ReadError::NoChannel {
             path: path.to_owned(),
@@ -140,21 +141,38 @@ fn check_notes(path: &Path, notes: &Notes, columns: &[String]) -> Result<(), Rea
 }
 
 /// Returns why a column other than the time is not a channel: an index column, a count of the
-/// samples, or an unused time. A column named in the notes is always a channel.
+/// samples, or an unused time. A column named in the notes is always a channel. `rate_hz` is the
+/// rate of the notes; `None` where no column can be the time.
 fn no_channel(
     column: &RawColumn,
     column_notes: &ChannelNotes,
-    by_column: bool,
+    rate_hz: Option<Option<f64>>,
 ) -> io::Result<Option<String>> {
-    if column.left_out.is_some() || *column_notes != ChannelNotes::default() || !by_column {
+    let is_noted = *column_notes != ChannelNotes::default();
+    let Some(rate_hz) = rate_hz.filter(|_| column.left_out.is_none() && !is_noted) else {
         return Ok(column.left_out.clone());
-    }
+    };
     if is_counter(column)? {
         return Ok(Some("it counts the samples".to_owned()));
     }
-    let rises = is_time_column(column) && ascends(&column.values)?;
-    Ok(rises
-        .then(|| "it is a time that is not used, because the time comes from elsewhere".to_owned()))
+    if !is_time_column(column) || !ascends(&column.values)? {
+        return Ok(None);
+    }
+    let unit_s = Unit::read(&column.unit).map_or(1.0, |unit| unit.factor);
+    let own_hz = uniform_step(&column.values)?.map(|step| rounded(1.0 / (step * unit_s)));
+    Ok(Some(match (rate_hz, own_hz) {
+        (Some(rate_hz), Some(own_hz)) => {
+            format!(
+                "its times, which give {own_hz} Hz, are replaced by the given rate of {rate_hz} Hz"
+            )
+        }
+        (Some(rate_hz), None) => {
+            format!("its times are replaced by the given rate of {rate_hz} Hz")
+        }
+        (None, _) => {
+            "it is a time that is not used, because the time comes from elsewhere".to_owned()
+        }
+    }))
 }
 
 /// Removes assumptions about channels whose unit or name the notes give.
@@ -180,7 +198,7 @@ fn drop_noted_assumptions(
 fn channels(
     columns: impl Iterator<Item = (RawColumn, ChannelNotes)>,
     time: Option<usize>,
-    by_column: bool,
+    rate_hz: Option<Option<f64>>,
     issues: &mut Vec<Issue>,
 ) -> io::Result<Vec<ChannelSummary>> {
     let mut channels = Vec::new();
@@ -188,7 +206,7 @@ fn channels(
         if Some(k) == time || column_notes.left_out {
             continue;
         }
-        match no_channel(&column, &column_notes, by_column)? {
+        match no_channel(&column, &column_notes, rate_hz)? {
             None => channels.push(channel_summary(column, column_notes, issues)),
             Some(why) if why.is_empty() => {}
             Some(why) => {

@@ -56,7 +56,8 @@ pub(super) fn read(
         "tolerance",
     ];
     reader.known("", root, &known);
-    let (file, name) = file(reader.text("spec", root.get("spec")))?;
+    let path = reader.text("spec", root.get("spec"));
+    let (file, name) = file(path).map_err(|error| unread_spec(text, root, error))?;
     let spec = file
         .spec()
         .map_err(|faults| DesignError::Spec { file: name, faults })?;
@@ -98,6 +99,17 @@ pub(super) fn read(
         true => Ok(problem),
         false => Err(DesignError::Faults(reader.sorted())),
     }
+}
+
+/// Returns the error of a spec that cannot be read, with the place of its path.
+fn unread_spec(text: &str, root: &Table, error: DesignError) -> DesignError {
+    let DesignError::SpecFile(error) = error else {
+        return error;
+    };
+    let mut reader = FaultCollector::new(text);
+    let span = root.get("spec").and_then(Item::span);
+    reader.fault("spec", span, format!("spec: {error}"));
+    DesignError::Faults(reader.sorted())
 }
 
 /// Reads the goals, the number of starts and the limits, and checks that the spec can have them.

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use toml_edit::{Document, Item, TableLike};
 
+use super::faults::{KINDS, second_mode, syntax_fault};
 use super::table::{FeatureFault, FeatureTable, positive};
 use super::{HistoryFeature, JumpFeature, ModeFeature, PowerFeature, ResponseFeature};
 use crate::fit::FitError;
@@ -70,25 +71,22 @@ impl Features {
     }
 
     fn parse(text: &str) -> Result<Self, Vec<FeatureFault>> {
-        let document = Document::parse(text).map_err(|fault| {
-            vec![FeatureFault {
-                start: fault.span().map(|span| span.start),
-                message: format!("this is not TOML: {}", fault.message()),
-            }]
-        })?;
+        let document = Document::parse(text).map_err(|fault| vec![syntax_fault(text, &fault)])?;
         let (root, mut faults) = (document.as_table(), Vec::new());
         let mut reader = FeatureTable {
             table: root,
             position: String::new(),
             start: None,
+            misspelt: Vec::new(),
             faults: &mut faults,
         };
         reader.refuse_all_but(&KEYS);
         let defaults = [
-            reader.deviation("frequency_deviation"),
-            reader.deviation("damping_deviation"),
+            reader.given_deviation("frequency_deviation"),
+            reader.given_deviation("damping_deviation"),
         ];
         let (hold, free) = (read_hold(&mut reader), read_free(&mut reader));
+        let misspelt = reader.misspelt;
         let result = Self {
             hold,
             free,
@@ -101,13 +99,16 @@ impl Features {
             histories: read_tables(root, "history", &mut faults, HistoryFeature::read),
             folder: PathBuf::new(),
         };
-        let kinds = ["mode", "response", "power", "jump", "history"];
-        if !kinds.iter().any(|kind| root.contains_key(kind)) {
+        let is_meant = |kind: &&str| misspelt.iter().any(|meant| meant == kind);
+        if !(KINDS.iter()).any(|kind| root.contains_key(kind) || is_meant(kind)) {
             let message = "nothing is measured: write [[mode]] with number and frequency, [[response]], [[power]], [[jump]] or [[history]]";
             faults.push(FeatureFault {
                 start: None,
                 message: message.to_owned(),
             });
+        }
+        if faults.is_empty() {
+            faults.extend(second_mode(text, root, &result.modes));
         }
         if faults.is_empty() {
             Ok(result)
@@ -139,6 +140,7 @@ fn read_tables<T>(
             table,
             position: format!("{kind} {}, ", k + 1),
             start: table.span().map(|span| span.start),
+            misspelt: Vec::new(),
             faults: &mut *faults,
         })
     };
@@ -219,6 +221,44 @@ mod tests {
         assert_eq!(faults.len(), 6, "{faults:#?}");
         assert_eq!(Features::from_toml("").unwrap_err().len(), 2);
         assert!(Features::from_toml("[free").is_err());
+    }
+
+    #[test]
+    fn a_mistake_gives_one_fault() {
+        let free = "[free]\n\"beam.b.length\" = 0.01\n";
+        let mode = "[[mode]]\nnumber = 1\nfrequency = \"9 Hz\"\nfrequency_deviation = 0.01\n";
+        for (text, expected) in [
+            (
+                format!("{free}{mode}{mode}"),
+                "mode 1 is measured twice under the same conditions, first on line 3",
+            ),
+            (
+                format!("{free}[mode]\nnumber = 1\n[mode]\nnumber = 2\n"),
+                "write [[mode]] with two brackets",
+            ),
+            (
+                format!(
+                    "frequency_deviation = 0\n{free}[[mode]]\nnumber = 1\nfrequency = \"9 Hz\"\n"
+                ),
+                "above 0",
+            ),
+            (
+                format!("{free}{}", mode.replace("frequency =", "frequncy =")),
+                "did you mean `frequency`?",
+            ),
+            (
+                format!("{free}{}", mode.replace("[[mode]]", "[[modes]]")),
+                "did you mean `mode`?",
+            ),
+        ] {
+            let faults = Features::from_toml(&text).unwrap_err();
+            assert!(
+                faults.len() == 1 && faults[0].contains(expected),
+                "{text}: {faults:?}"
+            );
+        }
+        let loaded = mode.replace("number = 1", "number = 1\nloaded = true");
+        assert!(Features::from_toml(&format!("{free}{mode}{loaded}")).is_ok());
     }
 
     #[test]

@@ -93,7 +93,11 @@ impl HistoryFeature {
         })
     }
 
-    fn file_error(&self, position: &str, reason: String) -> FitError {
+    fn file_error(&self, position: &str, reason: &str) -> FitError {
+        self.unusable(position, format!("{}: {reason}", self.file.display()))
+    }
+
+    fn unusable(&self, position: &str, reason: String) -> FitError {
         FitError::File {
             place: position.to_owned(),
             path: self.file.clone(),
@@ -107,9 +111,9 @@ impl HistoryFeature {
         folder: &Path,
         position: &str,
     ) -> Result<HistorySamples, FitError> {
-        let file_error = |reason: String| self.file_error(position, reason);
+        let file_error = |reason: String| self.file_error(position, &reason);
         let record = read::record(&folder.join(&self.file))
-            .map_err(|fault| file_error(fault.to_string()))?;
+            .map_err(|fault| self.unusable(position, fault.to_string()))?;
         let channel = record
             .channel(&self.channel)
             .map_err(|fault| file_error(fault.to_string()))?;
@@ -164,7 +168,7 @@ impl HistoryFeature {
             "its stamps range from {first_s} to {last_s} s, but the run ends at run.duration = \
             {duration_s} s: if they are times of the run, raise run.duration; otherwise {BEGINS}"
         );
-        Err(self.file_error(position, reason))
+        Err(self.file_error(position, &reason))
     }
 
     /// Warning about a record whose stamps begin later than the run.

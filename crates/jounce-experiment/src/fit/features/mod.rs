@@ -1,4 +1,5 @@
 //! Features of a measurement to fit, as read from a file, and their values in the model.
+mod faults;
 mod file;
 pub(super) mod history;
 pub(super) mod jump;

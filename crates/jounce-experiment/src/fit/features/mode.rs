@@ -53,8 +53,8 @@ impl ModeFeature {
             reader.fault("number", "number must be a whole number from 1");
         }
         let explicit_deviations = [
-            reader.deviation("frequency_deviation"),
-            reader.deviation("damping_deviation"),
+            reader.given_deviation("frequency_deviation"),
+            reader.given_deviation("damping_deviation"),
         ];
         let frequency_hz = reader
             .table

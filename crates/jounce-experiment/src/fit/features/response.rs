@@ -214,21 +214,21 @@ impl MeasuredLines {
         else {
             return Ok((self.clone(), None));
         };
-        let file_error = |reason: String| FitError::File {
+        let unusable = |reason: String| FitError::File {
             place: position.to_owned(),
             path: path.clone(),
             reason,
         };
-        let contents =
-            read::file(&folder.join(path)).map_err(|fault| file_error(fault.to_string()))?;
+        let file_error = |reason: String| unusable(format!("{}: {reason}", path.display()));
+        let contents = read::file(&folder.join(path));
+        let contents = contents.map_err(|fault| unusable(fault.to_string()))?;
         let over = contents.recordings.into_iter().find(|recording| {
             recording.over == Over::Frequency && recording.channel(channel).is_ok()
         });
         let recording =
             over.ok_or_else(|| file_error(format!("it has no channel {channel} over frequency")))?;
-        let result = recording
-            .channel(channel)
-            .map_err(|fault| file_error(fault.to_string()))?;
+        let result = recording.channel(channel);
+        let result = result.map_err(|fault| file_error(fault.to_string()))?;
         let has_unit = expected.check(channel, result).map_err(file_error)?;
         let warning = (!has_unit).then(|| {
             format!(

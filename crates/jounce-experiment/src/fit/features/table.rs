@@ -1,6 +1,6 @@
 //! Parses tables of a features file and collects all faults.
 
-use jounce_spec::Quantity;
+use jounce_spec::{Quantity, did_you_mean, nearest};
 use std::path::Path;
 use toml_edit::{Array, Item, TableLike, Value};
 
@@ -36,6 +36,8 @@ pub(super) struct FeatureTable<'t> {
     pub position: String,
     /// Byte at which the table begins; `None` for the complete file.
     pub start: Option<usize>,
+    /// Keys that unknown keys probably mean.
+    pub misspelt: Vec<String>,
     pub faults: &'t mut Vec<FeatureFault>,
 }
 
@@ -45,14 +47,21 @@ impl<'t> FeatureTable<'t> {
         let is_unknown = |key: &&str| !keys.contains(key);
         let unknown_keys = self.table.iter().map(|(key, _)| key).filter(is_unknown);
         for key in unknown_keys.map(str::to_owned).collect::<Vec<_>>() {
+            let meant = nearest(&key, keys.iter().copied());
+            self.misspelt.extend(meant.map(str::to_owned));
+            let near = did_you_mean(&key, keys.iter().copied());
             let keys = keys.join(", ");
-            let message = format!("{key} is not a key of features; the keys are {keys}");
+            let message = format!("{key} is not a key of features{near}; the keys are {keys}");
             self.fault(&key, message);
         }
     }
 
-    /// Reports a fault of a key, at the key or, if it is missing, at the table.
+    /// Reports a fault of a key, at the key or, if it is missing, at the table; nothing where an
+    /// unknown key probably means the missing one.
     pub fn fault(&mut self, key: &str, message: impl std::fmt::Display) {
+        if !self.table.contains_key(key) && self.misspelt.iter().any(|meant| meant == key) {
+            return;
+        }
         let span = self
             .table
             .get_key_value(key)
@@ -105,6 +114,12 @@ impl<'t> FeatureTable<'t> {
             );
         }
         result
+    }
+
+    /// Returns a deviation if it is given; a wrong one, whose fault is reported, stands for any.
+    pub fn given_deviation(&mut self, key: &str) -> Option<Deviation> {
+        let is_given = self.table.contains_key(key);
+        is_given.then(|| self.deviation(key).unwrap_or(Deviation::Residuals))
     }
 
     /// Returns the required deviation of the table.

@@ -11,6 +11,6 @@ mod spectrogram;
 pub use density::{Density, density_unit};
 pub use density_peaks::DensityPeak;
 pub use mean_power::{MeanPower, mean_power, mean_power_if_long};
-pub use segments::Segments;
+pub use segments::{MIN_SEGMENT_SAMPLES, Segments};
 pub use spectra::{Spectra, SpectraSettings, spectra, spectra_watched};
 pub use spectrogram::{Spectrogram, spectrogram, spectrogram_watched};

@@ -9,7 +9,7 @@ use jounce_fft::RealToComplex;
 use crate::spectral::SpectralError;
 
 /// Minimum number of samples of a segment.
-const MIN_SEGMENT_SAMPLES: usize = 8;
+pub const MIN_SEGMENT_SAMPLES: usize = 8;
 
 /// Division of records into overlapping segments of equal length and window.
 #[derive(Clone)]

@@ -60,7 +60,7 @@ const FAULTS: [(&str, &str, &str); 11] = [
     (
         "run.average_over",
         "30 s",
-        "--set run.average_over=30 s: run.average_over is 30 s; it must be at most run.duration = 20 s: --set run.average_over=\"20 s\" or --set run.duration=\"30 s\"",
+        "--set run.average_over=30 s: run.average_over is 30 s; it must be at most run.duration = 20 s: write run.average_over = \"20 s\" or run.duration = \"30 s\"",
     ),
 ];
 
@@ -114,7 +114,67 @@ fn a_fault_in_the_file_names_the_override_that_causes_it() {
     }
 }
 
-/// Each `--set` of the message, next to that of the user, gives a spec without faults.
+/// An override without which the fault remains is not named.
+#[test]
+fn a_fault_names_only_the_overrides_that_cause_it() {
+    let mut file = SpecFile::from_text(paper());
+    for (key, value) in [
+        ("run.duration", "2 s"),
+        ("run.average_over", "1 s"),
+        ("beam.beam.length", "50 mm"),
+    ] {
+        file.set(key, value).unwrap();
+    }
+    for fault in file.spec().unwrap_err().as_slice() {
+        let (_, causes) = fault.message.split_once("; caused by ").unwrap();
+        assert_eq!(causes, "--set beam.beam.length=50 mm", "{fault}");
+    }
+    // Neither of two alone is the cause.
+    let mut file = SpecFile::from_text(paper());
+    file.set("stop.tip.at", "ground").unwrap();
+    file.set("beam.beam.length", "50 mm").unwrap();
+    assert!(file.sets("beam.beam.length") && !file.sets("beam.beam.width"));
+}
+
+/// A misspelt table or key gives one fault, without the faults that follow from it.
+#[test]
+fn a_misspelling_gives_one_fault() {
+    for (right, wrong) in [
+        ("[beam.beam]", "[beem.beam]"),
+        ("length = \"315 mm\"", "lenght = \"315 mm\""),
+        ("law = \"hertz\"", "laww = \"hertz\""),
+    ] {
+        let text = paper();
+        assert!(text.contains(right), "{right}");
+        let faults = SpecFile::from_text(text.replacen(right, wrong, 1)).spec();
+        let faults = faults.unwrap_err();
+        assert_eq!(faults.as_slice().len(), 1, "{wrong}: {faults}");
+        assert!(faults.to_string().contains("did you mean"), "{faults}");
+    }
+    let beam = "[beam.b]\nlength = \"1 m\"\nwidth = \"1 cm\"\nthickness = \"1 mm\"\n";
+    let faults = |text: &str| SpecFile::from_text(text).spec().unwrap_err().to_string();
+    let misspelt = faults(&format!("{beam}materiel = \"steel\"\n"));
+    assert!(!misspelt.contains("is missing"), "{misspelt}");
+    let missing = faults(beam);
+    assert!(missing.contains("or give `material`"), "{missing}");
+}
+
+/// A table of numbers is no spec.
+#[test]
+fn another_text_gives_one_fault() {
+    let faults = SpecFile::from_text("time [s],voltage [V]\n0,1\n1,2\n").spec();
+    let faults = faults.unwrap_err().to_string();
+    let expected = "line 1, column 1: this is no spec: its first line is neither [TABLE] nor KEY = VALUE; `jounce read` reads a recording";
+    assert_eq!(faults, expected);
+    let quantity = SpecFile::from_text("[beam.b]\nlength = 110 mm\n").spec();
+    let quantity = quantity.unwrap_err().to_string();
+    assert!(
+        quantity.contains("beam.b.length: write the quantity in quotes"),
+        "{quantity}"
+    );
+}
+
+/// Each change of the message, next to that of the user, gives a spec without faults.
 #[test]
 fn a_window_longer_than_the_run_names_the_overrides_that_fit() {
     for (key, value) in [
@@ -124,9 +184,11 @@ fn a_window_longer_than_the_run_names_the_overrides_that_fit() {
     ] {
         let fault = read_with(&[(key, value)]).unwrap_err();
         let named: Vec<(&str, &str)> = fault
-            .split("--set ")
-            .filter_map(|words| words.split_once("=\""))
-            .map(|(key, rest)| (key, rest.split('"').next().unwrap()))
+            .match_indices(" = \"")
+            .map(|(at, equals)| {
+                let key = fault[..at].rsplit(' ').next().unwrap();
+                (key, fault[at + equals.len()..].split('"').next().unwrap())
+            })
             .collect();
         let keys: Vec<&str> = named.iter().map(|(key, _)| *key).collect();
         assert_eq!(keys, ["run.average_over", "run.duration"], "{fault}");

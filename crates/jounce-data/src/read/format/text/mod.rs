@@ -29,6 +29,7 @@ use crate::read::contents::FormatContents;
 use crate::read::error::Damage;
 use crate::read::notes::written::WrittenNotes;
 use crate::recording::{Issue, IssueKind, IssuePlace};
+use jounce_units::clip;
 
 /// Initial and maximum size of the window in which the first row of numbers is searched. The result
 /// does not depend on it: the window grows until complete lines show the rows, and a truncated line
@@ -106,7 +107,11 @@ fn find_layout(file: &mut File, size: u64) -> Result<(TextLayout, Option<usize>)
             return Ok((layout, latin.then_some(invalid)));
         }
         if is_all || window >= MAX_WINDOW {
-            return Err(Damage::new("it contains no rows of numbers"));
+            let first = text.lines().find(|line| !line.trim().is_empty());
+            return Err(Damage::new(format!(
+                "it contains no rows of numbers; columns are separated by commas, semicolons, tabs or blanks, but it begins with {:?}",
+                clip(first.unwrap_or_default().trim())
+            )));
         }
         window *= 4;
     }
