@@ -9,6 +9,7 @@ mod gravity;
 mod hard_cases;
 mod link;
 mod messages;
+mod model_warnings;
 mod names;
 mod new;
 mod orbits;

@@ -1,0 +1,61 @@
+//! Warnings of a run outside the assumptions of the model.
+
+use crate::jounce;
+use crate::warnings::{SINE, STRIP, write_spec};
+
+/// A square plate of 100 mm: its twentieth mode has a half-wavelength of about 25 mm.
+#[test]
+fn a_thick_plate_gives_a_warning() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = "[plate.lid]\nmaterial = \"aluminium\"\nlength = \"100 mm\"\nwidth = \"100 mm\"\nthickness = \"5 mm\"\nleft = \"clamped\"\n\
+        [damping]\nbeyond = 0.01\n[reduction]\nmodes = 20\n[drive.b]\nkind = \"base-acceleration\"\namplitude = \"1 g\"\nfrequency = \"50 Hz\"\n\
+        [run]\nstart = \"linear\"\nduration = \"0.2 s\"\naverage_over = \"0.1 s\"\n";
+    let (code, run, text_out) = jounce(&["run", &write_spec(&folder, text), "--json"]);
+    let warning = &run["warnings"][0];
+    assert!(
+        code == 0
+            && warning["warning"] == "thick-plate"
+            && text_out.contains("plate lid: its thickness of 5.000e-3 m"),
+        "{run} {text_out}"
+    );
+    let half_wavelength_m = warning["half_wavelength_m"].as_f64().unwrap();
+    assert!((0.02..0.035).contains(&half_wavelength_m), "{run}");
+    let thin = text.replace("5 mm", "0.5 mm");
+    let (_, run, _) = jounce(&["run", &write_spec(&folder, &thin), "--json"]);
+    assert!(run["warnings"].as_array().unwrap().is_empty(), "{run}");
+}
+
+/// Each warning with the change of the spec that causes it.
+#[test]
+fn a_run_outside_the_model_gives_a_warning() {
+    let folder = tempfile::tempdir().unwrap();
+    let spec = write_spec(&folder, &format!("{STRIP}{SINE}"));
+    for (kind, key, part) in [
+        (
+            "thick-beam",
+            "beam.s.thickness=40 mm",
+            "3.0 thicknesses long",
+        ),
+        (
+            "large-deflection",
+            "drive.b.amplitude=200 g",
+            "of its length",
+        ),
+        ("part-of-period", "run.average_over=10 ms", "0.330 periods"),
+        ("part-of-period", "run.average_over=0.5 s", "16.500 periods"),
+    ] {
+        let (code, run, text) = jounce(&["run", &spec, "--json", "--set", key]);
+        let warnings = run["warnings"].as_array().unwrap();
+        let has = warnings.iter().any(|warning| warning["warning"] == kind);
+        assert!(code == 0 && has && text.contains(part), "{key}: {text}");
+    }
+    let whole = [
+        "run.average_over=0.3333333333333333 s",
+        "drive.b.amplitude=0.01 g",
+    ];
+    let (_, run, _) = jounce(&["run", &spec, "--json", "--set", whole[0], "--set", whole[1]]);
+    assert_eq!(run["warnings"].as_array().unwrap().len(), 0, "{run}");
+    let still = write_spec(&folder, STRIP);
+    let (_, _, text) = jounce(&["run", &still]);
+    assert!(text.contains("the spec has no drive"), "{text}");
+}
