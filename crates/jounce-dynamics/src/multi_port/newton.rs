@@ -75,6 +75,9 @@ impl Integrator<'_> {
             move_under_forces(w, joint, resting, &mut iterates);
             let mut changes = residuals(&iterates);
             LuFactors::of(&jacobian(joint, resting, &iterates)).solve(&mut changes);
+            if changes.iter().any(|change| !change.is_finite()) {
+                return None;
+            }
             let (mut converged, mut largest_n) = (true, 0.0_f64);
             for (iterate, changes) in iterates.iter_mut().zip(changes.chunks(NODES)) {
                 for (force, change) in iterate.force.0.iter_mut().zip(changes) {
@@ -83,9 +86,6 @@ impl Integrator<'_> {
                 let change = changes.iter().fold(0.0, |max: f64, x| max.max(x.abs()));
                 let size = largest(w, iterate.law, w.load(&iterate.force));
                 converged &= change <= target * size.max(0.0);
-                if !change.is_finite() {
-                    return None;
-                }
                 largest_n = largest_n.max(change);
             }
             if converged {

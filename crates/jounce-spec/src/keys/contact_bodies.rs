@@ -35,7 +35,7 @@ pub(crate) fn no_number(spec: &Spec, path: &str) -> &'static str {
     }) {
         "this stiffness follows from the bodies; vary `radius`, `youngs_modulus` or another of their keys"
     } else {
-        "this spec has no key with a number here"
+        "this spec has no key with a number here; give a key with a number"
     }
 }
 
