@@ -90,7 +90,7 @@ def check_integers(**numbers: int | None) -> None:
 def rate_hz(value: Any) -> float:
     """Returns a sampling rate, Hz, from a number or a frequency with its unit."""
     if value is None:
-        raise ArgumentError("the samples have no times; give sample_rate_hz, as in sample_rate_hz=1000")
+        raise ArgumentError("the samples have no times; give sample_rate_hz, in Hz")
     if is_quantity(value) or isinstance(value, str):
         rate = to_si("frequency", value, "the sample rate")
     else:

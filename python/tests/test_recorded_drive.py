@@ -70,7 +70,7 @@ def test_the_file_of_samples_can_be_named(tmp_path, cache):
 @pytest.mark.parametrize(
     ("keys", "words"),
     [
-        ({"recording": ACCELERATION}, "expected the sampling rate"),
+        ({"recording": ACCELERATION}, "give sample_rate_hz"),
         ({"recording": "floor.csv"}, "give it as `file`"),
         ({"recording": ACCELERATION, "sample_rate": 1e3, "signal": "sine"}, "omit the signal"),
     ],

@@ -58,7 +58,14 @@ const CASES: &[(&[&str], i32, &str)] = &[
         "which is 8 samples, to ",
     ),
     (
-        &["read", "timed.csv", "--sample-rate", "10Hz"],
+        &[
+            "power",
+            "timed.csv",
+            "--resistance",
+            "1kohm",
+            "--sample-rate",
+            "10Hz",
+        ],
         0,
         "its times, which give 100 Hz, are replaced by the given rate of 10 Hz",
     ),

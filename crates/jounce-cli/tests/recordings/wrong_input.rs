@@ -178,7 +178,7 @@ const CASES: &[(&[&str], i32, &str)] = &[
     (&["segments", "switch.csv"], 2, "--drive"),
     (
         &["segments", "switch.csv", "--drive", "400Hz"],
-        4,
+        2,
         "quarter",
     ),
     (
