@@ -122,7 +122,7 @@ fn a_number_beyond_the_list_or_a_duplicate_is_refused() {
         .expect_err("a fault")
         .to_string()
     };
-    let expected = "free.damping.ratios.5: damping.ratios.5: damping.ratios holds 4 numbers; write one of damping.ratios.1 to damping.ratios.4";
+    let expected = "free: damping.ratios.5: damping.ratios holds 4 numbers; write one of damping.ratios.1 to damping.ratios.4";
     assert_eq!(fault(&[("damping.ratios.5", 0.3)]), expected);
     let duplicate = fault(&[("damping.ratios", 0.3), ("damping.ratios.2", 0.3)]);
     assert!(
