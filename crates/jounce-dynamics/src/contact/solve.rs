@@ -60,7 +60,8 @@ impl Integrator<'_> {
             } else {
                 (change / last_change).min(1.0)
             };
-            if change * predicted.min(contraction) <= target * size {
+            // Forces that overflow have not converged.
+            if size.is_finite() && change * predicted.min(contraction) <= target * size {
                 // The last iteration was not needed if it changed this little.
                 let spare = u32::from(change <= target * size);
                 self.count_iterations(step.port, iteration, (iteration - spare).max(1));

@@ -288,7 +288,8 @@ impl PortIterate {
         };
         let diverges = diverges(iteration, change, self.last_change_n);
         self.last_change_n = change;
-        if change * predicted.min(contraction) <= target * size {
+        // Forces that overflow have not converged.
+        if size.is_finite() && change * predicted.min(contraction) <= target * size {
             Convergence::Converged
         } else if diverges || !change.is_finite() {
             Convergence::Diverges
