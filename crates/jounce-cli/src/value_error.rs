@@ -86,7 +86,7 @@ fn called<'c>(command: &'c clap::Command, arguments: &[OsString]) -> (&'c clap::
     called
 }
 
-/// Tells how a key of the spec is set.
+/// States how a key of the spec is set.
 fn set_tip(assignment: &str) -> String {
     let key = assignment.split('=').next().unwrap_or(assignment);
     format!(
@@ -116,7 +116,7 @@ fn short(command: &clap::Command, argument: &str) -> String {
     }
 }
 
-/// Tells how many files or folders a command takes.
+/// States how many files or folders a command takes.
 fn positional_tip(command: &clap::Command, name: &str, argument: &str) -> String {
     let taken = command.get_positionals();
     let taken: Vec<String> = taken

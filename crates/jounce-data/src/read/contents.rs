@@ -118,7 +118,7 @@ const EXTENSIONS: [&str; 11] = [
     "parquet", "npy", "npz", "h5", "hdf5", "mat", "tdms", "wav", "uff", "unv", "lvm",
 ];
 
-/// Tells where a file that was read as text has the name of another format.
+/// States where a file that was read as text has the name of another format.
 fn other_begin(path: &Path, format: &str) -> String {
     let extension = path
         .extension()
