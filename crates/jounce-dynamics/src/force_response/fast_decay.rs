@@ -18,8 +18,9 @@
 //! A Legendre series of the decay would need a number of terms that grows with the root of `z`.
 
 use super::basis::{BasisFunctions, NODES};
-use super::step_response::BlockOnStep;
-use jounce_simd::F64x8;
+use super::output_rows::{OutputRows, OutputRowsTask, RowReading, add_series, ends};
+use super::step_response::{BlockOnStep, StepResponse};
+use jounce_simd::{F64x8, Simd};
 
 /// Response of one fast decay, in the scale of [`super::step_response::StepResponse`]. Lanes 0 to 6
 /// belong to the nodal forces, lane 7 to the free motion.
@@ -78,6 +79,49 @@ impl FastDecay {
         F64x8(std::array::from_fn(|j| {
             h * (end.0[j] * decayed - start.0[j])
         }))
+    }
+}
+
+impl OutputRows {
+    /// Adds the effect of a block whose response is a polynomial and a decay.
+    #[inline(always)]
+    pub(super) fn add_fast_decay<W: Simd>(
+        &mut self,
+        w: W,
+        task: &OutputRowsTask,
+        (state, part): (usize, &BlockOnStep),
+        decay: &FastDecay,
+        series: &mut [Vec<F64x8>],
+    ) {
+        let (h, reader, column) = (task.length_s, task.reader, task.force[state]);
+        let (values, moments) = (decay.values(reader), decay.moments(reader, h));
+        let (amplitudes, none) = (decay.amplitudes(), vec![F64x8::ZERO; decay.series.len()]);
+        let polynomial = StepResponse {
+            first: decay.series.clone(),
+            second: none,
+        };
+        for ((request, response), series) in task.rows.iter().zip(&mut self.rows).zip(series) {
+            let row = request.row[state];
+            let is_pointwise = request.reading == RowReading::Pointwise;
+            let (at, n_terms) = if is_pointwise {
+                response.columns[task.layout.column(state)] = F64x8::ZERO.add_scaled(row, &values);
+                (&values, polynomial.first.len())
+            } else {
+                (&moments, reader.series.len())
+            };
+            let factors = part.forced(&[row], &[column], h);
+            for (j, push) in response.push.iter_mut().enumerate() {
+                *push = push.add_scaled(factors[0] * amplitudes.0[j], at);
+            }
+            add_series(w, series, &polynomial, factors, n_terms);
+        }
+        let [polynomial_end, _] = ends(w, &polynomial).map(|sum| w.store(sum));
+        let end = polynomial_end.add_scaled(values.0[NODES], &amplitudes);
+        self.set_integrals(task.layout.locate(state), [1.0, h], [&moments, &end]);
+        self.decays.push(StateDecay {
+            state,
+            start: F64x8::ZERO.add_scaled(h * column, &decay.start),
+        });
     }
 }
 

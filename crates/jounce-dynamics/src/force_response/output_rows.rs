@@ -103,51 +103,45 @@ impl OutputRows {
         self.series = series;
     }
 
-    /// Adds the effect of a block whose response is a polynomial and a decay.
+    /// Adds the effect of a block through its two responses.
     #[inline(always)]
-    fn add_fast_decay<W: Simd>(
+    fn add_block<W: Simd>(
         &mut self,
         w: W,
         task: &OutputRowsTask,
-        (state, part): (usize, &BlockOnStep),
-        decay: &FastDecay,
+        (first, part): (usize, &BlockOnStep),
+        responses: &StepResponse,
+        [powers, moments]: [&[F64x8]; 2],
         series: &mut [Vec<F64x8>],
     ) {
-        let (h, reader, column) = (task.length_s, task.reader, task.force[state]);
-        let (values, moments) = (decay.values(reader), decay.moments(reader, h));
-        let (amplitudes, none) = (decay.amplitudes(), vec![F64x8::ZERO; decay.series.len()]);
-        let polynomial = StepResponse {
-            first: decay.series.clone(),
-            second: none,
-        };
+        let (h, layout) = (task.length_s, task.layout);
+        let states = first..first + part.states();
+        let free = free_motion(w, responses, powers);
         for ((request, response), series) in task.rows.iter().zip(&mut self.rows).zip(series) {
-            let row = request.row[state];
-            let is_pointwise = request.reading == RowReading::Pointwise;
-            let (at, n_terms) = if is_pointwise {
-                response.columns[task.layout.column(state)] = F64x8::ZERO.add_scaled(row, &values);
-                (&values, polynomial.first.len())
-            } else {
-                (&moments, reader.series.len())
-            };
-            let factors = part.forced(&[row], &[column], h);
-            for (j, push) in response.push.iter_mut().enumerate() {
-                *push = push.add_scaled(factors[0] * amplitudes.0[j], at);
+            let row = &request.row[states.clone()];
+            let mut n_terms = task.reader.series.len();
+            if request.reading == RowReading::Pointwise {
+                n_terms = responses.first.len();
+                for (state, [f, g]) in states.clone().zip(part.free(row, h)) {
+                    response.columns[layout.column(state)] =
+                        w.store(w.fma(w.splat(f), free[0], w.mul(w.splat(g), free[1])));
+                }
             }
-            add_series(w, series, &polynomial, factors, n_terms);
+            let factors = part.forced(row, &task.force[states.clone()], h);
+            add_series(w, series, responses, factors, n_terms);
         }
-        let [polynomial_end, _] = ends(w, &polynomial).map(|sum| w.store(sum));
-        let end = polynomial_end.add_scaled(values.0[NODES], &amplitudes);
-        self.set_integrals(task.layout.locate(state), [1.0, h], [&moments, &end]);
-        self.decays.push(StateDecay {
-            state,
-            start: F64x8::ZERO.add_scaled(h * column, &decay.start),
-        });
+        let mean = free_motion(w, responses, moments).map(|sum| w.store(sum));
+        let end = ends(w, responses).map(|sum| w.store(sum));
+        for (state, factor) in states.zip(part.entries(h)) {
+            let motion = [&mean[state - first], &end[state - first]];
+            self.set_integrals(layout.locate(state), [factor, h * factor], motion);
+        }
     }
 
     /// Sets the integrals of one state: mean and end of its motion under each nodal force, times
     /// factors.
     #[inline(always)]
-    fn set_integrals(
+    pub(super) fn set_integrals(
         &mut self,
         (lane, lane_index): (usize, usize),
         factors: [f64; 2],
@@ -206,9 +200,9 @@ impl Task for OutputRowsTask<'_> {
             layout,
             basis,
             reader,
-            force,
             rows,
             length_s: h,
+            ..
         } = self;
         let task = self;
         let is_fast = |part: &BlockOnStep| FastDecay::applies(part, [basis, reader], h);
@@ -223,12 +217,13 @@ impl Task for OutputRowsTask<'_> {
         let moments: Vec<F64x8> = (reader.series.iter().enumerate())
             .map(|(a, lane)| w.store(w.mul(w.splat(h / (2 * a + 1) as f64), w.load(lane))))
             .collect();
+        let at: [&[F64x8]; 2] = [&powers, &moments];
         let mut series = vec![vec![F64x8::ZERO; count]; rows.len()];
         let mut out = OutputRows::empty(rows, block, layout);
         let mut responses = StepResponse::default();
         let mut factors = Vec::new();
         for (index, (first, part)) in firsts.iter().zip(&all).enumerate() {
-            let (states, lane_index) = (*first..first + part.states(), index % LANES);
+            let lane_index = index % LANES;
             if lane_index == 0 {
                 let group = &all[index..all.len().min(index + LANES)];
                 factors = factored_rows(w, group, h, count_of(group));
@@ -239,38 +234,16 @@ impl Task for OutputRowsTask<'_> {
                 continue;
             }
             responses.solve(w, part, basis, h, (&factors, lane_index));
-            let free = free_motion(w, &responses, &powers);
-            for ((request, response), series) in rows.iter().zip(&mut out.rows).zip(&mut series) {
-                let row = &request.row[states.clone()];
-                if request.reading == RowReading::Pointwise {
-                    for (state, [f, g]) in states.clone().zip(part.free(row, h)) {
-                        response.columns[layout.column(state)] =
-                            w.store(w.fma(w.splat(f), free[0], w.mul(w.splat(g), free[1])));
-                    }
-                }
-                let [f, g] = part.forced(row, &force[states.clone()], h);
-                let n_terms = if request.reading == RowReading::Pointwise {
-                    responses.first.len()
-                } else {
-                    reader.series.len()
-                };
-                add_series(w, series, &responses, [f, g], n_terms);
-            }
-            let mean = free_motion(w, &responses, &moments).map(|sum| w.store(sum));
-            let end = ends(w, &responses).map(|sum| w.store(sum));
-            for (state, factor) in states.zip(part.entries(h)) {
-                let motion = [&mean[state - *first], &end[state - *first]];
-                out.set_integrals(layout.locate(state), [factor, h * factor], motion);
-            }
+            out.add_block(w, &task, (*first, part), &responses, at, &mut series);
         }
-        out.evaluate(w, rows, series, [&powers, &moments]);
+        out.evaluate(w, rows, series, at);
         out
     }
 }
 
 /// Adds the motion of a block, its two responses times factors, to the first terms of a series.
 #[inline(always)]
-fn add_series<W: Simd>(
+pub(super) fn add_series<W: Simd>(
     w: W,
     series: &mut [F64x8],
     responses: &StepResponse,
@@ -338,7 +311,7 @@ fn free_motion<W: Simd>(w: W, responses: &StepResponse, lanes: &[F64x8]) -> [W::
 
 /// Returns both responses at the end of the step, where every Legendre polynomial is 1.
 #[inline(always)]
-fn ends<W: Simd>(w: W, responses: &StepResponse) -> [W::Register; 2] {
+pub(super) fn ends<W: Simd>(w: W, responses: &StepResponse) -> [W::Register; 2] {
     let mut sums = [w.zero(); 2];
     for (first, second) in responses.first.iter().zip(&responses.second) {
         sums = [

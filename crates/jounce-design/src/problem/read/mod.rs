@@ -32,6 +32,20 @@ use std::path::PathBuf;
 use toml_edit::{Item, Table};
 use variants::{check_keys, variants};
 
+/// Keys of a problem.
+const KEYS: [&str; 10] = [
+    "spec",
+    "seed",
+    "evaluations",
+    "seconds",
+    "draws",
+    "free",
+    "goal",
+    "limits",
+    "conditions",
+    "tolerance",
+];
+
 /// Reads a text; `file` finds the spec and its name in messages by the path in the text, `None` if
 /// it names no path.
 pub(super) fn read(
@@ -43,19 +57,7 @@ pub(super) fn read(
         return Err(DesignError::Faults(reader.sorted()));
     };
     let root = document.as_table();
-    let known = [
-        "spec",
-        "seed",
-        "evaluations",
-        "seconds",
-        "draws",
-        "free",
-        "goal",
-        "limits",
-        "conditions",
-        "tolerance",
-    ];
-    reader.known("", root, &known);
+    reader.known("", root, &KEYS);
     let path = reader.text("spec", root.get("spec"));
     let (file, name) = file(path).map_err(|error| unread_spec(text, root, error))?;
     let spec = file
