@@ -14,12 +14,7 @@ impl BasinsResult {
     pub fn table(&self) -> Result<Table, Error> {
         let all = &self.attractors;
         let number = |name: &str, unit: &str, about: &str, value: fn(&AttractorResult) -> f64| {
-            Column::new(
-                name,
-                unit,
-                about,
-                all.iter().map(value).collect::<Vec<f64>>(),
-            )
+            number(all, name, unit, about, value)
         };
         let count = |name: &str, about: &str, value: fn(&AttractorResult) -> u64| {
             Column::new(name, "", about, all.iter().map(value).collect::<Vec<u64>>())
@@ -28,7 +23,7 @@ impl BasinsResult {
         let chaotic: Vec<bool> = all.iter().map(|own| own.chaotic).collect();
         let mirror_of = all.iter().map(|own| own.mirror_of.clone());
         let mirror_of: Vec<String> = mirror_of.map(Option::unwrap_or_default).collect();
-        Ok(Table::new(vec![
+        let mut columns = vec![
             Column::new(
                 "id",
                 "",
@@ -53,6 +48,17 @@ impl BasinsResult {
             count("contacts_per_period", "contacts per period", |own| {
                 own.contacts_per_period
             }),
+        ];
+        columns.extend(self.statistics());
+        Ok(Table::new(columns)?)
+    }
+
+    /// Returns the columns of the exponent and of the share of the starts.
+    fn statistics(&self) -> Vec<Column> {
+        let number = |name: &str, unit: &str, about: &str, value: fn(&AttractorResult) -> f64| {
+            number(&self.attractors, name, unit, about, value)
+        };
+        vec![
             number(
                 "lyapunov_per_s",
                 "1/s",
@@ -78,7 +84,7 @@ impl BasinsResult {
                 "upper end of the 95 % interval of the share",
                 |own| own.fraction_high,
             ),
-        ])?)
+        ]
     }
 
     /// Returns the table of the starts, in order.
@@ -153,6 +159,17 @@ impl BasinsResult {
         }
         Figure::new("Basins of attraction").with(panel)
     }
+}
+
+fn number(
+    all: &[AttractorResult],
+    name: &str,
+    unit: &str,
+    about: &str,
+    value: fn(&AttractorResult) -> f64,
+) -> Column {
+    let values: Vec<f64> = all.iter().map(value).collect();
+    Column::new(name, unit, about, values)
 }
 
 fn axis(axis: GridAxis) -> Axis {
