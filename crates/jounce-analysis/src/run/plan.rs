@@ -33,7 +33,7 @@ impl RunPlan {
     }
 
     /// Returns the length of the window of peaks, s: the averaging window, with periodic drives at
-    /// most its last [`MAX_PEAK_CYCLES`] cycles, whose record fits in memory.
+    /// most its last 1000 cycles, whose record fits in memory.
     pub fn peak_window_s(&self, plant: &Plant) -> f64 {
         let longest_s = plant.period_s().map(|period_s| MAX_PEAK_CYCLES * period_s);
         longest_s.map_or(self.average_over_s, |longest_s| {
