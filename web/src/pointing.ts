@@ -52,19 +52,19 @@ export class Pointing {
         if (held === undefined) {
             if (found && found.away <= CATCH && response.chart.host.style.cursor === "") response.chart.host.style.cursor = "pointer";
             response.hover(found && found.away <= REACH ? found : undefined);
-            return this.beside(event);
+            return this.placeReadout(event);
         }
         if (!found) return;
         if (!this.dragged) response.chart.host.setPointerCapture(event.pointerId);
         this.dragged = true;
         response.hover(found);
-        this.beside(event);
+        this.placeReadout(event);
         const { chosen } = response;
         if (found.branch !== chosen?.branch || found.point !== chosen.point) response.choose({ branch: found.branch, point: found.point });
     }
 
-    /** Places the readout beside the pointer, inside the chart. */
-    private beside({ clientX, clientY }: MouseEvent): void {
+    /** Places the readout next to the pointer, inside the chart. */
+    private placeReadout({ clientX, clientY }: MouseEvent): void {
         const { host } = this.response.chart;
         const [box, own] = [host.getBoundingClientRect(), this.readout.getBoundingClientRect()];
         const [x, y] = [clientX - box.left, clientY - box.top];

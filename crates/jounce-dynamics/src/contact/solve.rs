@@ -70,7 +70,7 @@ impl Integrator<'_> {
                 let [penetration, rate] = motion_under(w, law, table, free, force);
                 return Some(judge(w, law, step, [penetration, rate, force], at_start));
             }
-            if iteration > 4 && change > last_change {
+            if diverges(iteration, change, last_change) {
                 break;
             }
         }
@@ -104,6 +104,12 @@ impl Integrator<'_> {
         self.ports[port].iterations = expected;
         self.work.iterations += u64::from(iterations);
     }
+}
+
+/// True where an iteration grows after its first iterations.
+#[inline(always)]
+pub(crate) fn diverges(iteration: u32, change_n: f64, last_change_n: f64) -> bool {
+    iteration > 4 && change_n > last_change_n
 }
 
 /// Returns penetration and rate at the nodes and the end of a step under nodal forces.

@@ -1,7 +1,7 @@
 //! Joint solution for the nodal forces of all ports in contact.
 
 use super::sticking::StickingPorts;
-use crate::contact::solve::{MAX_FIXED_POINT_ITERATIONS, judge, largest};
+use crate::contact::solve::{MAX_FIXED_POINT_ITERATIONS, diverges, judge, largest};
 use crate::contact::step::{ContactStep, SolvedStep};
 use crate::flow::state::{add_force_response, columns};
 use crate::integrator::Integrator;
@@ -212,12 +212,6 @@ impl<'k> Integrator<'k> {
         }
         iterates
     }
-}
-
-/// True where an iteration grows after its first iterations.
-#[inline(always)]
-pub(super) fn diverges(iteration: u32, change_n: f64, last_change_n: f64) -> bool {
-    iteration > 4 && change_n > last_change_n
 }
 
 /// Computes the forces of the sticking ports, and the motion of each port under the nodal forces of

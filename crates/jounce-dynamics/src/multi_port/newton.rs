@@ -20,9 +20,9 @@
 //! derivative must also resolve oscillations that the motion does not contain: there a spring must
 //! contract on its own.
 
-use super::joint_solve::{JointStep, PortIterate, diverges, move_under_forces};
+use super::joint_solve::{JointStep, PortIterate, move_under_forces};
 use super::sticking::StickingPorts;
-use crate::contact::solve::{MAX_FIXED_POINT_ITERATIONS, largest};
+use crate::contact::solve::{MAX_FIXED_POINT_ITERATIONS, diverges, largest};
 use crate::contact::step::SolvedStep;
 use crate::force_response::basis::NODES;
 use crate::integrator::Integrator;
