@@ -8,6 +8,7 @@ mod drives;
 mod harvester;
 mod plants;
 mod random;
+mod runge_kutta;
 mod sensitivity;
 mod symmetry;
 mod time_integral;

@@ -2,6 +2,7 @@
 
 use super::cell::cell;
 use crate::plants::{from_rest, kernel};
+use crate::runge_kutta::runge_kutta;
 use jounce_analysis::run::{RunPlan, RunResult, StartState, simulate};
 use jounce_analysis::{Model, Sweep, SweepOrder, SweepPoint};
 use jounce_control::Control;
@@ -154,19 +155,7 @@ impl NextToStop {
                 (current.abs() - store / 2.0) / 4.0,
             ]
         };
-        let (mut x, h) = ([0.0; 4], 20.0 / f64::from(steps));
-        for k in 0..steps {
-            let t = f64::from(k) * h;
-            let add = |x: [f64; 4], k: [f64; 4], f: f64| -> [f64; 4] {
-                std::array::from_fn(|i| x[i] + f * k[i])
-            };
-            let a = rates(t, x);
-            let b = rates(t + 0.5 * h, add(x, a, 0.5 * h));
-            let c = rates(t + 0.5 * h, add(x, b, 0.5 * h));
-            let d = rates(t + h, add(x, c, h));
-            x = std::array::from_fn(|i| x[i] + h / 6.0 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i]));
-        }
-        x
+        runge_kutta(rates, [0.0; 4], 20.0, steps)
     }
 
     /// Largest difference of the states at the end.

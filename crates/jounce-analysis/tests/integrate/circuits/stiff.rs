@@ -1,6 +1,7 @@
 //! Circuits far faster than every mode: they are quasi-static, and add no cost.
 
 use crate::plants::{integrate, kernel, physical};
+use crate::runge_kutta::runge_kutta;
 use jounce_model::contact::{Hertz, Law};
 use jounce_model::plant::{Drive, Load, Plant, PlantError, Stop, System};
 use jounce_model::structure::{Modes, PatchModes};
@@ -67,20 +68,7 @@ fn quasi_static_circuit(resistance_ohm: f64, end: f64) -> [f64; 3] {
             resistance_ohm * (COUPLING * v).powi(2),
         ]
     };
-    let steps = 400_000;
-    let h = end / f64::from(steps);
-    let mut x = [0.0; 3];
-    for k in 0..steps {
-        let t = f64::from(k) * h;
-        let add = |x: [f64; 3], k: [f64; 3], f: f64| -> [f64; 3] {
-            std::array::from_fn(|i| x[i] + f * k[i])
-        };
-        let a = rates(t, x);
-        let b = rates(t + 0.5 * h, add(x, a, 0.5 * h));
-        let c = rates(t + 0.5 * h, add(x, b, 0.5 * h));
-        let d = rates(t + h, add(x, c, h));
-        x = std::array::from_fn(|i| x[i] + h / 6.0 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i]));
-    }
+    let mut x = runge_kutta(rates, [0.0; 3], end, 400_000);
     x[2] -= (resistance_ohm * COUPLING * x[1]).powi(2);
     x
 }
