@@ -130,7 +130,7 @@ def through_dask(study: jounce.Study, folder: Path, workers: int) -> Taken:
     def peak_bytes() -> int:
         return 1024 * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
 
-    cluster = {"n_workers": workers, "threads_per_worker": 1, "processes": True, "dashboard_address": None}
+    cluster = {"n_workers": workers, "threads_per_worker": 1, "processes": True, "dashboard_address": ":0"}
     with LocalCluster(**cluster) as stands, Client(stands) as client:
         client.run(lambda: __import__("jounce").__version__)
         begin = time.perf_counter()

@@ -30,7 +30,7 @@ study
 
 # %%
 folder = tempfile.mkdtemp()
-with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster, Client(cluster) as client:
+with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=":0") as cluster, Client(cluster) as client:
     result = study.run(folder, executor=client.get_executor())
 table = result.table()
 assert len(table) == 12 * 8 and result.status.failed_points == 0

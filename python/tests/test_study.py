@@ -133,7 +133,7 @@ def test_dask_computes_the_same_table_and_survives_a_killed_worker(study, table,
 
     with (
         dask.config.set({"distributed.scheduler.allowed-failures": 100, "distributed.worker.memory.terminate": False}),
-        distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as cluster,
+        distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0") as cluster,
         distributed.Client(cluster) as client,
     ):
         workers = list(client.run(os.getpid).values())
