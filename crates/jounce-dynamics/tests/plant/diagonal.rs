@@ -3,7 +3,7 @@
 use crate::systems::{bench, menagerie};
 use jounce_linalg::{Mat, c64};
 use jounce_model::plant::{Plant, System};
-use jounce_model::reference::Harmonic;
+use jounce_model::reference::{Harmonic, PiezoResistor};
 
 /// `A` on `(q, q', V)`, written from the equations, and the factors from states to square roots of
 /// energies.
@@ -128,6 +128,47 @@ fn free_critical_and_overdamped_modes_flow_exactly() {
             assert!(
                 error < allowed,
                 "w {frequency_rad_s}, zeta {zeta}, t {time_s}: {error:e}"
+            );
+        }
+    }
+}
+
+/// A mode at and near critical damping with a weakly coupled patch, whose circuit is two million
+/// times faster. The voltage follows the velocity, `V = -R theta q'`, up to a millionth.
+#[test]
+fn critically_damped_modes_with_a_fast_circuit_flow_exactly() {
+    let (w, theta) = (11.2, 1e-6);
+    for zeta in [1.0, 1.0 - 1e-12, 1.0 + 1e-9, 1.0 - 1e-7, 0.9999, 1.001] {
+        let problem = PiezoResistor {
+            mass_kg: 0.02,
+            frequency_rad_s: w,
+            damping_ratio: zeta,
+            coupling_n_per_v: theta,
+            capacitance_f: 1.3e-9,
+            resistance_ohm: 31.9,
+        };
+        let plant = Plant::new(problem.system(1.0, 1.0)).unwrap();
+        let (t, inverse) = (&plant.diagonal.to_physical, &plant.diagonal.from_physical);
+        for time_s in [0.01, 0.1, 0.5] {
+            let start = [1e-3, -2e-2, 0.0];
+            let y: Vec<f64> = (0..3)
+                .map(|i| (0..3).map(|j| inverse[(i, j)] * start[j]).sum())
+                .collect();
+            let after = plant.diagonal.block.flow(time_s, &y);
+            let x: Vec<f64> = (0..3)
+                .map(|i| (0..3).map(|j| t[(i, j)] * after[j]).sum())
+                .collect();
+            let [q, v] = decay(w, zeta, [start[0], start[1]], time_s);
+            let voltage = -31.9 * theta / 0.02_f64.sqrt() * v;
+            let errors = [
+                (x[0] - q) * w / 1e-2,
+                (x[1] - v) / 1e-2,
+                x[2] / voltage - 1.0,
+            ];
+            eprintln!("{zeta} {time_s}: {errors:?}");
+            assert!(
+                errors[0].abs().max(errors[1].abs()) < 1e-9 && errors[2].abs() < 2e-6,
+                "{zeta}: {errors:?}"
             );
         }
     }

@@ -125,8 +125,8 @@ impl Diagonal {
 
 /// Replaces each computed eigenvalue by the diagonal of `T^-1 A T`, the Rayleigh correction. It
 /// gives low frequencies their own relative roundoff, while the eigenvalue solver does so only for
-/// the largest. Closed forms are retained: near critical damping the roundoff of the product would
-/// exceed the difference of their rates.
+/// the largest. Closed forms and the eigenvalues of nearly defective pairs are retained: near
+/// critical damping the roundoff of the product would exceed the difference of their rates.
 fn polish(block: &mut BlockDiagonal, exact: &[bool], transformed: &Mat<f64>) {
     for (k, pair) in block
         .pairs
