@@ -19,15 +19,17 @@ const MIN_PREFIX_LENGTH: usize = 3;
 /// without one, the nearest candidate within one edit per three characters, and at least one edit;
 /// without one, the longest candidate that the word contains at its beginning or between separators.
 pub fn nearest<'c>(word: &str, candidates: impl IntoIterator<Item = &'c str>) -> Option<&'c str> {
-    let length = word.chars().count();
-    if length > MAX_WORD_LENGTH {
+    if word.chars().count() > MAX_WORD_LENGTH {
         return None;
     }
-    let near: Vec<&str> = candidates
-        .into_iter()
-        .take(MAX_CANDIDATES)
-        .filter(|candidate| candidate.len() <= MAX_WORD_LENGTH)
-        .collect();
+    let all: Vec<&str> = candidates.into_iter().take(MAX_CANDIDATES).collect();
+    nearest_of(word, all)
+}
+
+/// Chooses among a list, for one compiled function in place of one per kind of list.
+fn nearest_of<'c>(word: &str, mut near: Vec<&'c str>) -> Option<&'c str> {
+    let length = word.chars().count();
+    near.retain(|candidate| candidate.len() <= MAX_WORD_LENGTH);
     let is_begun = |candidate: &&&str| {
         let rest = candidate.strip_prefix(word);
         length >= MIN_PREFIX_LENGTH && rest.is_some_and(|rest| !rest.contains('.'))

@@ -86,7 +86,7 @@ fn largest(
     value: impl Fn(&[f64], &TrajectoryState) -> f64,
 ) -> OrbitPeak {
     let plant = &evaluation.kernel.plant;
-    let cycle_s = evaluation.period_s / evaluation.trajectories.len() as f64;
+    let cycle_s = evaluation.cycle_s();
     let of_cycle = |(cycle, trajectory): (usize, &Trajectory)| {
         let at = |times_s: &[f64]| -> Vec<f64> {
             let instants = trajectory.at(&evaluation.kernel, times_s);

@@ -43,7 +43,7 @@ impl TurningPoint {
         if self.is_impact {
             return self;
         }
-        let cycle_s = evaluation.period_s / evaluation.trajectories.len() as f64;
+        let cycle_s = evaluation.cycle_s();
         let half_s = 0.5 * cycle_s / COARSE_SAMPLES_PER_CYCLE;
         let (from_s, to_s) = (
             (self.time_s - half_s).max(0.0),
@@ -67,7 +67,7 @@ impl TurningPoint {
 /// Returns the turning point (maximum or minimum) of any port nearest to the surface of its stop;
 /// `None` without one. Laws that act on both sides of their surface have no turning points.
 pub fn nearest_turn(evaluation: &ShootingEvaluation) -> Option<TurningPoint> {
-    let cycle_s = evaluation.period_s / evaluation.trajectories.len() as f64;
+    let cycle_s = evaluation.cycle_s();
     let stops = &evaluation.kernel.plant.system.stops;
     let ports = (0..stops.len()).filter(|port| !stops[*port].law.acts_on_both_sides());
     let turning = ports.flat_map(|port| {
@@ -97,7 +97,7 @@ pub fn nearest_turn(evaluation: &ShootingEvaluation) -> Option<TurningPoint> {
 /// distance is zero at grazing and smooth through it. Laws that act on both sides of their surface
 /// have no turning points.
 pub fn turns(evaluation: &ShootingEvaluation) -> Vec<TurningPoint> {
-    let cycle_s = evaluation.period_s / evaluation.trajectories.len() as f64;
+    let cycle_s = evaluation.cycle_s();
     let stops = &evaluation.kernel.plant.system.stops;
     let ports = (0..stops.len()).filter(|port| !stops[*port].law.acts_on_both_sides());
     ports
@@ -166,7 +166,7 @@ pub fn displacement_peak_m(evaluation: &ShootingEvaluation) -> f64 {
     if evaluation.kernel.plant.system.stops.is_empty() {
         return 0.0;
     }
-    let cycle_s = evaluation.period_s / evaluation.trajectories.len() as f64;
+    let cycle_s = evaluation.cycle_s();
     let strikes = evaluation
         .kernel
         .plant

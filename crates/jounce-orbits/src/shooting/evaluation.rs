@@ -92,6 +92,11 @@ impl ShootingEvaluation {
         Some((across, length))
     }
 
+    /// Returns the length of a drive cycle, s.
+    pub fn cycle_s(&self) -> f64 {
+        self.period_s / self.trajectories.len() as f64
+    }
+
     /// Returns the relative tolerance of the integration.
     pub fn tolerance(&self) -> f64 {
         self.tolerance
@@ -104,7 +109,7 @@ impl ShootingEvaluation {
         let Some(port) = plant.ports.get(stop) else {
             return vec![0.0; samples];
         };
-        let cycle_s = self.period_s / self.trajectories.len() as f64;
+        let cycle_s = self.cycle_s();
         let times: Vec<f64> = (0..samples)
             .map(|k| self.period_s * k as f64 / samples as f64)
             .collect();

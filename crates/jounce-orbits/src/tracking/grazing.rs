@@ -38,7 +38,7 @@ pub struct GrazingPoint {
 impl GrazingPoint {
     /// Returns the turning point of an orbit nearest to a surface; `None` without one.
     pub fn of(evaluation: &ShootingEvaluation) -> Option<Self> {
-        let cycle_s = evaluation.period_s / evaluation.trajectories.len() as f64;
+        let cycle_s = evaluation.cycle_s();
         let unit_cycles = TIME_SCALE_CYCLES / norm(&evaluation.strobe_states[0]);
         nearest_turn(evaluation).map(|turn| Self {
             port: turn.port,
@@ -91,7 +91,7 @@ pub fn gradients(
         (after[1] - before[1]) / (2.0 * HALF_DIFFERENCE_CYCLES),
     ];
     let flow = flow_until(touch, evaluation, scale, tolerance)?;
-    let cycle_s = evaluation.period_s / evaluation.trajectories.len() as f64;
+    let cycle_s = evaluation.cycle_s();
     let rows = [
         (&plant.ports[touch.port].displacement, 1.0 / scale_m),
         (&plant.ports[touch.port].velocity, cycle_s / scale_m),
@@ -125,7 +125,7 @@ fn flow_until(
 ) -> Result<Mat<f64>, SensitivityError> {
     let plant = &evaluation.kernel.plant;
     let n = scale.len();
-    let cycle_s = evaluation.period_s / evaluation.trajectories.len() as f64;
+    let cycle_s = evaluation.cycle_s();
     let phase = touch
         .phase_cycles
         .rem_euclid(evaluation.trajectories.len() as f64);

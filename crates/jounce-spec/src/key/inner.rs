@@ -39,7 +39,7 @@ impl<P, T> Inner<P> for Named<P, T> {
             node,
             Kind::Things,
             reading,
-            |name, path, node, reading| {
+            &mut |name, path, node, reading| {
                 let mut element = (self.blank)();
                 read_keys(self.keys, path, node, &mut element, reading);
                 (self.open)(parent).insert(name.to_owned(), element);

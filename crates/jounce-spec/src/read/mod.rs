@@ -51,14 +51,17 @@ impl ReadState {
         key: &str,
         text: impl FnOnce() -> String,
     ) {
-        if self.found.len() < Faults::MAX_REPORTED {
-            let message = super::nearest::sentence(key, &text());
-            self.found.push(ReadFault {
-                position,
-                key: key.to_owned(),
-                message,
-            });
+        if self.has_room() {
+            self.add(position, key, &text());
         }
+    }
+
+    fn add(&mut self, position: SourcePlace, key: &str, text: &str) {
+        self.found.push(ReadFault {
+            position,
+            key: key.to_owned(),
+            message: super::nearest::sentence(key, text),
+        });
     }
 
     /// Adds violated rules between keys; a key that already has a fault, or that is absent because

@@ -2,7 +2,7 @@
 
 use super::value::read_slot;
 use super::{ReadState, join, missing_choice};
-use crate::key::{Key, Kind, Need, Slot, applies, chosen};
+use crate::key::{Key, KeyInfo, Kind, Need, Slot, applies, chosen};
 use crate::nearest::{clip, did_you_mean, join_words, nearest};
 use crate::source::{Entry, Node};
 
@@ -23,16 +23,17 @@ pub(crate) fn read_keys<T>(
             )
         });
     };
-    reading.misspelt.extend(misspelt(keys, path, entries));
+    let infos: Vec<&KeyInfo> = keys.iter().map(|key| &key.info).collect();
+    reading.misspelt.extend(misspelt(&infos, path, entries));
     let mut doubtful: Vec<&str> = Vec::new();
-    for key in keys {
+    for (index, key) in keys.iter().enumerate() {
         let info = &key.info;
         if let Some(choice) = info
             .when
             .map(|when| when.key)
             .filter(|choice| doubtful.contains(choice))
         {
-            if first_of_its_name(keys, key)
+            if infos[..index].iter().all(|other| other.name != info.name)
                 && let Some(entry) = entries.iter().find(|entry| entry.name == info.name)
             {
                 missing_choice::check(keys, choice, path, entry, element, reading);
@@ -46,7 +47,7 @@ pub(crate) fn read_keys<T>(
             continue;
         }
         let Some(entry) = entries.iter().find(|entry| entry.name == info.name) else {
-            if missing(keys, key, path, node, reading) {
+            if missing(&infos, info, path, node, reading) {
                 doubtful.push(info.name);
             }
             continue;
@@ -63,17 +64,22 @@ pub(crate) fn read_keys<T>(
             doubtful.push(info.name);
         }
     }
+    let applicable: Vec<&KeyInfo> = (infos.iter().copied())
+        .filter(|info| applies(keys, element, info))
+        .collect();
     for entry in entries {
         if reading.has_room() {
-            check_known(keys, path, entry, element, &doubtful, reading);
+            let all = [&infos[..], &applicable];
+            let chosen = |choice: &str| chosen(keys, element, choice).unwrap_or_default();
+            check_known(all, path, entry, &chosen, &doubtful, reading);
         }
     }
-    check_alternatives(keys, path, entries, element, reading);
+    check_alternatives(&applicable, path, entries, reading);
 }
 
 /// Returns the dotted paths of the keys that unknown keys of a table probably mean.
-fn misspelt<T>(keys: &[Key<T>], path: &str, entries: &[Entry]) -> Vec<String> {
-    let names = || keys.iter().map(|key| key.info.name);
+fn misspelt(infos: &[&KeyInfo], path: &str, entries: &[Entry]) -> Vec<String> {
+    let names = || infos.iter().map(|info| info.name);
     let unknown = entries
         .iter()
         .filter(|entry| names().all(|name| name != entry.name));
@@ -81,48 +87,43 @@ fn misspelt<T>(keys: &[Key<T>], path: &str, entries: &[Entry]) -> Vec<String> {
     meant.map(|meant| join(path, meant)).collect()
 }
 
-fn first_of_its_name<T>(keys: &[Key<T>], key: &Key<T>) -> bool {
-    keys.iter()
-        .find(|other| other.info.name == key.info.name)
-        .is_some_and(|first| std::ptr::eq(first, key))
-}
-
 /// Reports a required key that is absent, unless a misspelt key replaces it; true if one is
 /// missing.
-fn missing<T>(
-    keys: &[Key<T>],
-    key: &Key<T>,
+fn missing(
+    infos: &[&KeyInfo],
+    info: &KeyInfo,
     path: &str,
     node: &Node,
     reading: &mut ReadState,
 ) -> bool {
     let entries = node.entries().unwrap_or_default();
     let stands = |name: &&str| entries.iter().any(|entry| entry.name == *name);
-    let instead =
-        (key.info.unless).map_or_else(String::new, |other| format!(", or give `{other}`"));
-    let text = || match key.info.need {
+    let instead = info
+        .unless
+        .map_or_else(String::new, |other| format!(", or give `{other}`"));
+    let text = || match info.need {
         Need::OneOf(names) => format!("one of {} is missing", quoted(names)),
         _ => format!(
             "`{}` is missing; {}{}",
-            key.info.name,
-            key.info.kind.expectation(),
+            info.name,
+            info.kind.expectation(),
             instead
         ),
     };
-    let is_replaced = key.info.unless.is_some_and(|other| stands(&other));
-    let must = match key.info.need {
+    let is_replaced = info.unless.is_some_and(|other| stands(&other));
+    let must = match info.need {
         _ if is_replaced => false,
         Need::Default | Need::AtMostOne(_) => false,
         Need::Required => true,
-        Need::OneOf(names) => names.first() == Some(&key.info.name) && !names.iter().any(stands),
+        Need::OneOf(names) => names.first() == Some(&info.name) && !names.iter().any(stands),
     };
-    let names = || keys.iter().map(|key| key.info.name);
+    let names = || infos.iter().map(|info| info.name);
     let misspelt = |entry: &Entry| {
         let meant = nearest(&entry.name, names());
         let replaces = |meant: &str| {
-            meant == key.info.name
-                || key.info.unless == Some(meant)
-                || key.info.need.alternatives().contains(&meant)
+            meant == info.name
+                || info.unless == Some(meant)
+                || info.need.alternatives().contains(&meant)
         };
         names().all(|name| name != entry.name) && meant.is_some_and(replaces)
     };
@@ -138,18 +139,19 @@ fn missing<T>(
     must
 }
 
-fn check_known<T>(
-    keys: &[Key<T>],
+/// Reports a key that no row has, or whose rows do not apply.
+fn check_known(
+    [infos, applicable]: [&[&KeyInfo]; 2],
     path: &str,
     entry: &Entry,
-    element: &T,
+    chosen: &dyn Fn(&str) -> String,
     doubtful: &[&str],
     reading: &mut ReadState,
 ) {
-    let named = || keys.iter().filter(|key| key.info.name == entry.name);
+    let named = || infos.iter().filter(|info| info.name == entry.name);
     let key = join(path, &entry.name);
     if named().next().is_none() {
-        let names = distinct(keys.iter().map(|key| key.info.name));
+        let names = distinct(infos.iter().map(|info| info.name));
         return reading.fault(entry.position, &key, || {
             format!(
                 "unknown key{}; keys here: {}",
@@ -158,43 +160,43 @@ fn check_known<T>(
             )
         });
     }
-    if named().any(|key| applies(keys, element, &key.info)) {
+    if applicable.iter().any(|info| info.name == entry.name) {
         return;
     }
     let Some(when) = named()
-        .find_map(|key| key.info.when)
+        .find_map(|info| info.when)
         .filter(|when| !doubtful.contains(&when.key))
     else {
         return;
     };
-    let word = chosen(keys, element, when.key).unwrap_or_default();
     let words = distinct(
         named()
-            .filter_map(|key| key.info.when)
+            .filter_map(|info| info.when)
             .flat_map(|when| when.is.iter().copied()),
     );
     reading.fault(entry.position, &key, || {
         format!(
-            "does not apply with {} = \"{word}\", only with {}",
+            "does not apply with {} = \"{}\", only with {}",
             when.key,
+            chosen(when.key),
             join_words(words.iter().copied())
         )
     });
 }
 
-fn check_alternatives<T>(
-    keys: &[Key<T>],
+/// Reports a second key of a group of which exactly one is given.
+fn check_alternatives(
+    applicable: &[&KeyInfo],
     path: &str,
     entries: &[Entry],
-    element: &T,
     reading: &mut ReadState,
 ) {
-    for key in keys.iter().filter(|key| applies(keys, element, &key.info)) {
-        let names = key.info.need.alternatives();
+    for info in applicable {
+        let names = info.need.alternatives();
         let mut standing = entries
             .iter()
             .filter(|entry| names.contains(&entry.name.as_str()));
-        if names.first() == Some(&key.info.name)
+        if names.first() == Some(&info.name)
             && let (Some(first), Some(second)) = (standing.next(), standing.next())
         {
             let key = join(path, &second.name);
@@ -215,7 +217,7 @@ pub(crate) fn read_named(
     node: &Node,
     kind: Kind,
     reading: &mut ReadState,
-    mut read: impl FnMut(&str, &str, &Node, &mut ReadState),
+    read: &mut dyn FnMut(&str, &str, &Node, &mut ReadState),
 ) {
     let Some(entries) = node.entries() else {
         let hint = match kind {

@@ -42,21 +42,33 @@ pub(super) fn read_slot<T>(
         }
         Slot::NamedQuantities { open, .. } => {
             let map = open(element);
-            read_named(path, node, kind, reading, |name, path, node, reading| {
-                // The name remains known, so references to it are not reported as wrong.
-                let value = one_number(kind, range, path, node, reading).unwrap_or(f64::NAN);
-                reading.positions.insert(path.to_owned(), node.position);
-                map.insert(name.to_owned(), value);
-            });
+            read_named(
+                path,
+                node,
+                kind,
+                reading,
+                &mut |name, path, node, reading| {
+                    // The name remains known, so references to it are not reported as wrong.
+                    let value = one_number(kind, range, path, node, reading).unwrap_or(f64::NAN);
+                    reading.positions.insert(path.to_owned(), node.position);
+                    map.insert(name.to_owned(), value);
+                },
+            );
             true
         }
         Slot::NamedNumbers { open, .. } => {
             let map = open(element);
-            read_named(path, node, kind, reading, |name, path, node, reading| {
-                let list = numbers(&key.info, path, node, reading).unwrap_or_default();
-                reading.positions.insert(path.to_owned(), node.position);
-                map.insert(name.to_owned(), list);
-            });
+            read_named(
+                path,
+                node,
+                kind,
+                reading,
+                &mut |name, path, node, reading| {
+                    let list = numbers(&key.info, path, node, reading).unwrap_or_default();
+                    reading.positions.insert(path.to_owned(), node.position);
+                    map.insert(name.to_owned(), list);
+                },
+            );
             true
         }
         Slot::Inner(_) => true,

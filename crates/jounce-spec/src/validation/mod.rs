@@ -32,11 +32,14 @@ pub(super) struct ValidationFaults {
 
 impl ValidationFaults {
     fn push(&mut self, key: impl FnOnce() -> String, text: impl FnOnce() -> String) {
-        if self.found.len() < Faults::MAX_REPORTED {
-            let key = key();
-            let message = super::nearest::sentence(&key, &text());
-            self.found.push((key, message));
+        if !self.is_full() {
+            self.add(key(), &text());
         }
+    }
+
+    fn add(&mut self, key: String, text: &str) {
+        let message = super::nearest::sentence(&key, text);
+        self.found.push((key, message));
     }
 
     fn is_full(&self) -> bool {

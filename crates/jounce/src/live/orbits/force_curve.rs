@@ -20,7 +20,7 @@ pub struct ForceCurves {
 impl ForceCurves {
     /// Samples an orbit.
     pub(super) fn of(evaluation: &ShootingEvaluation, samples_per_cycle: usize) -> Self {
-        let cycle_s = evaluation.period_s / evaluation.trajectories.len() as f64;
+        let cycle_s = evaluation.cycle_s();
         let stops = evaluation.kernel.plant.system.stops.len();
         let (mut time_s, mut force_n) = (Vec::new(), vec![Vec::new(); stops]);
         for (cycle, trajectory) in evaluation.trajectories.iter().enumerate() {

@@ -154,7 +154,7 @@ pub(super) fn sample_states(
     evaluation: &ShootingEvaluation,
     samples: usize,
 ) -> Vec<TrajectoryState> {
-    let cycle_s = evaluation.period_s / evaluation.trajectories.len() as f64;
+    let cycle_s = evaluation.cycle_s();
     let samples_per_cycle = samples / evaluation.trajectories.len();
     let times: Vec<f64> = (0..samples_per_cycle)
         .map(|k| cycle_s * k as f64 / samples_per_cycle as f64)
