@@ -27,7 +27,7 @@ import { Save } from "./save";
 import { Search } from "./search";
 import { Shake } from "./shake";
 import { shortcuts } from "./shortcuts";
-import { Strain } from "./strain";
+import { Strain, strainLimit } from "./strain";
 import { Tabs } from "./tabs";
 import { Theme } from "./theme";
 import { Wire } from "./wire";
@@ -84,6 +84,8 @@ const requests = new Requests(wire, design, axes, response, {
     say,
     orbit: (frame: Frame, of: ResponseResult, operating: boolean) => {
         orbit.take(frame, () => design.isOld(of));
+        response.strainLimit = strainLimit(frame.head);
+        response.draw();
         point.orbitTaken(operating && !design.isOld(of) && frame.head.parameter === response.at ? frame.head : undefined);
     },
     fault,

@@ -10,6 +10,7 @@ import type { Curve, Mark, Rule } from "./paint";
 import { Pointing } from "./pointing";
 import { type Readout, draftWords, peakWords } from "./readout";
 import type { Head } from "./frame";
+import { stableWords } from "./stability";
 import { colour, nth } from "./theme";
 import { digits, quantity } from "./units";
 
@@ -70,6 +71,8 @@ export class Response {
     /** Value of the key in the present design, and the attractor there that most starts reach. */
     at: number | undefined;
     attractor: { power: number; period: number } | undefined;
+    /** Smallest strain limit of the patches, ppm. */
+    strainLimit: number | undefined;
     /** True while the selected point is the operating point. */
     following = true;
     /** Axis title of a key. */
@@ -173,6 +176,7 @@ export class Response {
         curves.push(...this.lines(result, (branch) => nth(branch.identity), alpha));
         curves.push(...this.sweepPoints(result), ...measuredCurves(this.measured, this.quantity, result.unit));
         const rules: Rule[] = this.quantity === "floquet" ? [{ at: 1, along: "y" as const, words: "stable below" }] : [];
+        if (this.quantity === "strain" && this.strainLimit !== undefined) rules.push({ at: this.strainLimit, along: "y", words: `limit ${digits(this.strainLimit)} ppm` });
         if (this.at !== undefined) rules.push({ at: this.at, along: "x", words: quantity(this.at, result.unit, 5), strong: true });
         this.chart.show({ words: this.words(result.over), unit: result.unit, ends: this.range }, { words, unit, log: this.isLog(result) }, curves, this.marks(result), rules);
         this.tell();
@@ -260,7 +264,7 @@ export class Response {
         if (!result) return;
         const hidden = result.branches.filter((branch) => !this.shows(branch)).length;
         const text = [
-            ...(this.isOld ? ["Draft: of an earlier design; branches may be wrong or missing until the search ends."] : result.draft ? [draftWords(result.draft)] : peakWords(this.widths, result.unit)),
+            ...(this.isOld ? ["Draft: of an earlier design; branches may be wrong or missing until the search ends."] : result.draft ? [draftWords(result.draft)] : [stableWords(result, this.range), ...peakWords(this.widths, result.unit)]),
             ...(this.draftError ? [errorWords(this.draftError)] : []),
             ...(this.swept.some((point) => point.over === result.over && this.design.isOld(point)) ? ["The swept points are of an earlier design."] : []),
             ...this.zeroWords(result),
@@ -269,7 +273,7 @@ export class Response {
             ...(this.band ? ["Shaded: 5 % to 95 % of the designs drawn from the tolerances."] : []),
             ...(hidden > 0 ? [`${hidden} ${hidden === 1 ? "branch" : "branches"} of a period above ${SHORT_PERIOD} not shown.`] : []),
             ...(result.branches.length === 0 && !result.draft && !this.isOld ? ["No periodic orbit was found in this range."] : []),
-        ].join(" ");
+        ].filter(Boolean).join(" ");
         this.readout.show(text, result.note, this.listed(result), result.unit, (found) => this.chooseNear(found));
         const count = result.branches.length;
         this.chart.host.setAttribute("aria-label", `${described(this.quantity, result).words} over ${result.over}: ${count} ${count === 1 ? "branch" : "branches"}. Arrow keys move along the branch. ${text}`);
