@@ -269,6 +269,7 @@ export class Response {
             ...(this.swept.some((point) => point.over === result.over && this.design.isOld(point)) ? ["The swept points are of an earlier design."] : []),
             ...this.zeroWords(result),
             ...(this.quantity === "strain" && result.branches.some(({ values }) => values.strain.length === 0) ? ["Computing the strain."] : []),
+            ...(this.quantity === "strain" && this.strainLimit !== undefined ? [`The strain limit is ${digits(this.strainLimit)} ppm.`] : []),
             ...(this.start ? ["Pale: the start of the design search."] : []),
             ...(this.band ? ["Shaded: 5 % to 95 % of the designs drawn from the tolerances."] : []),
             ...(hidden > 0 ? [`${hidden} ${hidden === 1 ? "branch" : "branches"} of a period above ${SHORT_PERIOD} not shown.`] : []),

@@ -65,7 +65,7 @@ export async function serve(options = {}) {
     return server;
 }
 
-/** Answers a request with the file of the folder, under the headers of the program. */
+/** Answers a request with the file of the folder, under the headers of the program. A request that the program redirects is not replaced. */
 async function replaced(route) {
     const response = await route.fetch();
     const name = new URL(route.request().url()).pathname.match(/[^/]*$/)[0] || "index.html";

@@ -54,6 +54,17 @@ test("contact force, impact speed and strain are those of `jounce run`", async (
     await ready(page);
 });
 
+test("the strain limit is on the chart of the strain", async () => {
+    const spec = await readFile(server.spec, "utf8");
+    await page.locator("#quantity").selectOption("strain");
+    await writeFile(server.spec, spec.replace("[patch.mfc] ", "[patch.mfc]\nstrain_limit = 300e-6\n#"));
+    await until("readout", /The strain limit is 300 ppm\./);
+    await writeFile(server.spec, spec);
+    await page.waitForFunction(() => !/strain limit/.test(document.getElementById("readout").textContent));
+    await page.locator("#quantity").selectOption("power");
+    await ready(page);
+});
+
 test("with a rectified circuit the voltage is that of its storage", async () => {
     const rectified = await serve({ kind: "bimorph-with-rectifier" });
     const own = await open(browser.context, rectified.address);
