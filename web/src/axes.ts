@@ -23,12 +23,13 @@ export class Axes {
 
     constructor(private readonly controls: Controls) {
         this.over.onchange = () => this.pick(this.over.value);
+        find("widen").onclick = () => this.widen();
         this.from.onchange = this.to.onchange = () => this.read();
     }
 
     /** Offers the keys of a design; initially the frequency of the first sinusoidal drive. Returns the key of the axis of a link that the design lacks. */
     offer(): string | undefined {
-        const keys = this.controls.all.filter((control) => !control.count).map((control) => control.key);
+        const keys = this.controls.ordered.filter((control) => !control.count).map((control) => control.key);
         if (keys.join() !== [...this.over.options].map((option) => option.value).join()) {
             this.over.replaceChildren(...keys.map((key) => new Option(this.controls.title(key), key)));
         }
@@ -44,6 +45,15 @@ export class Axes {
         }
         if (isKnown(this.view)) this.show(this.view!);
         return unknown;
+    }
+
+    /** Shows twice the range: twice the ratio of its ends where both are positive. */
+    private widen(): void {
+        if (!this.view) return;
+        const { over, from, to } = this.view;
+        if (!this.controls.find(over)) return;
+        const [half, share] = [(to - from) / 2, Math.sqrt(to / from)];
+        this.change({ over, ...(from > 0 ? { from: from / share, to: to * share } : { from: from - half, to: to + half }) });
     }
 
     /** Takes the view of a link. */

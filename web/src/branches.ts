@@ -77,6 +77,12 @@ export function resultOf(frame: Frame, { design }: Request): ResponseResult {
     return { id: head.id, design, over: head.over, unit: head.unit, branches, bifurcations: head.bifurcations, linear, storage: head.storage, draft: head.stage === "first" ? { origin: "first", lost_share: 1 } : head.draft ?? undefined, note: head.note ?? "" };
 }
 
+/** Change of the logarithm of the power over which a draft is not drawn: such a chord joins two branches. */
+const DRAFT_STEP = 1.5;
+
+/** Whether a segment of a branch is not drawn. */
+export const isGap = (result: ResponseResult, { values }: Branch) => (from: number): boolean => result.draft !== undefined && Math.abs(level(values.power[from + 1]) - level(values.power[from])) > DRAFT_STEP;
+
 export const isStable = (branch: Branch, point: number): boolean => branch.values.floquet[point] < 1;
 
 /** Gives each branch the number of the nearest branch of the previous response, or a new one. */

@@ -2,7 +2,7 @@
 
 import uPlot from "uplot";
 import { type Nearest, nearestPoint } from "./nearest";
-import { type Curve, type Mark, type Rule, unitCircle, drawCurve, drawMark, drawRule } from "./paint";
+import { apart, type Curve, type Mark, type Rule, unitCircle, drawCurve, drawMark, drawRule } from "./paint";
 import type { Drawn } from "./print";
 import { record } from "./recorder";
 import { colour } from "./theme";
@@ -268,7 +268,7 @@ export class Chart implements Drawn {
         if (this.round) unitCircle(plot, ratio);
         for (const rule of this.rules) drawRule(plot, rule, ratio);
         for (const curve of this.curves) drawCurve(plot, curve, ratio);
-        for (const mark of this.marks) drawMark(plot, mark, ratio);
+        for (const mark of apart(plot, this.marks, ratio)) drawMark(plot, mark, ratio);
         this.extra?.(plot);
         ctx.restore();
     }

@@ -43,6 +43,11 @@ export class Controls {
         return this.list;
     }
 
+    /** All, those of stops, circuits and drives first. */
+    get ordered(): Control[] {
+        return [...this.list].sort((a, b) => Number(OPEN.test(b.key)) - Number(OPEN.test(a.key)));
+    }
+
     find(key: string): Control | undefined {
         return this.rows.get(key)?.control;
     }
@@ -63,7 +68,8 @@ export class Controls {
     title(key: string): string {
         const [table, name, ...rest] = key.split(".");
         const alone = new Set(this.list.map((control) => control.key.split(".")).filter((parts) => parts[0] === table && parts.length > 2).map((parts) => parts[1])).size === 1;
-        const words = (rest.length === 0 ? [table, name] : alone ? [table, ...rest] : [table, name, ...rest]).filter(Boolean).join(" ").replaceAll("_", " ");
+        const parts = (rest.length === 0 ? [table, name] : alone ? [table, ...rest] : [table, name, ...rest]).filter(Boolean);
+        const words = parts.filter((own, k) => own !== parts[k - 1]).join(" ").replaceAll("_", " ");
         return words[0].toUpperCase() + words.slice(1);
     }
 
@@ -116,7 +122,8 @@ export class Controls {
         details.open = this.opened.get(name) ?? OPEN.test(`${name}.`);
         details.ontoggle = () => this.opened.set(name, details.open);
         const summary = document.createElement("summary");
-        summary.textContent = name.replace(".", " ");
+        // A beam that is named "beam".
+        summary.textContent = [...new Set(name.split("."))].join(" ");
         const written = controls.filter((control) => control.written);
         const others = controls.filter((control) => !control.written);
         details.append(summary, ...written.map((control) => this.row(control, name)));

@@ -19,6 +19,7 @@ import { Orbit } from "./orbit";
 import { Pins } from "./pins";
 import { OperatingPoint } from "./operating";
 import { preparePrints } from "./print";
+import { Quantities } from "./quantities";
 import { Readout } from "./readout";
 import { Requests } from "./requests";
 import { Response } from "./response";
@@ -26,7 +27,7 @@ import { Save } from "./save";
 import { Search } from "./search";
 import { Shake } from "./shake";
 import { shortcuts } from "./shortcuts";
-import { Strain } from "./strain";
+import { Strain, strainLimit } from "./strain";
 import { Tabs } from "./tabs";
 import { Theme } from "./theme";
 import { Wire } from "./wire";
@@ -70,6 +71,12 @@ const say = (words: string) => {
 };
 const measured = new Measured(response);
 const strain = new Strain(wire, response, say);
+const quantities = new Quantities(controls, (quantity) => {
+    response.quantity = quantity;
+    response.draw();
+    measured.mark();
+    strain.show();
+});
 const pins = new Pins(find("pins"), response, design, say);
 const point = new OperatingPoint(wire, design, { words: find("operating-words"), warnings: find("operating-warnings"), stop: find<HTMLButtonElement>("operating-stop") });
 
@@ -77,6 +84,8 @@ const requests = new Requests(wire, design, axes, response, {
     say,
     orbit: (frame: Frame, of: ResponseResult, operating: boolean) => {
         orbit.take(frame, () => design.isOld(of));
+        response.strainLimit = strainLimit(frame.head);
+        response.draw();
         point.orbitTaken(operating && !design.isOld(of) && frame.head.parameter === response.at ? frame.head : undefined);
     },
     fault,
@@ -139,6 +148,7 @@ point.onChange = () => {
 const showOperating = () => {
     if (!response.following || !response.result || response.isOld) return;
     if (response.chosen) requests.showOrbit();
+    else if (!point.attractor && response.result.draft) orbit.clear("Orbit: its branch is being searched");
     else orbit.clear(`No branch ${response.result.draft ? "found so far" : "found"} has the attractor of the operating point; select another point for its orbit`);
 };
 find("operating-show").onclick = () => {
@@ -167,6 +177,7 @@ wire.on("design", ({ head }, request) => {
     drawing.take(head.drawing);
     const unknown = axes.offer();
     if (unknown) fault("link-axis", [{ key: "", line: 0, message: `this design has no number ${unknown}, which the link puts on the axis` }]);
+    quantities.offer();
     load.offer();
     shake.offer();
     place();
@@ -216,8 +227,7 @@ wire.on("response", (frame, request) => {
     pins.mark();
     measured.mark();
     strain.show();
-    const voltage = described("voltage", response.result!).words;
-    find("quantity").querySelector("[value=voltage]")!.textContent = voltage[0].toLowerCase() + voltage.slice(1);
+    quantities.name("voltage", described("voltage", response.result!).words);
     band.follow();
 });
 wire.on("file", () => {
@@ -285,12 +295,6 @@ find("zoom-range").onclick = () => {
     const [from, to] = response.chart.visible;
     if (!axes.view) return;
     axes.change({ over: axes.view.over, from, to });
-};
-find<HTMLSelectElement>("quantity").onchange = (event) => {
-    response.quantity = (event.target as HTMLSelectElement).value as typeof response.quantity;
-    response.draw();
-    measured.mark();
-    strain.show();
 };
 find<HTMLInputElement>("log").onchange = (event) => {
     response.log = (event.target as HTMLInputElement).checked;

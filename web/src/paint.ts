@@ -33,6 +33,8 @@ export interface Mark {
     colour: string;
     shape: "circle" | "square" | "diamond" | "triangle" | "cross" | "plus" | "ring";
     size?: number;
+    /** Not drawn next to an earlier one that yields. */
+    yields?: boolean;
 }
 
 export interface Rule {
@@ -158,6 +160,18 @@ function line(ctx: CanvasRenderingContext2D, curve: Curve, at: (k: number) => [n
     }
     if (before !== undefined) ctx.stroke();
     ctx.setLineDash([]);
+}
+
+/** Marks without those that yield to an earlier one: between two of them there is room for a third. */
+export function apart(plot: uPlot, marks: Mark[], ratio: number): Mark[] {
+    const drawn: [number, number][] = [];
+    return marks.filter((mark) => {
+        if (!mark.yields) return true;
+        const [x, y] = [plot.valToPos(mark.x, "x", true), plot.valToPos(mark.y, "y", true)];
+        if (drawn.some(([left, top]) => Math.hypot(x - left, y - top) < 4 * (mark.size ?? 0) * ratio)) return false;
+        drawn.push([x, y]);
+        return true;
+    });
 }
 
 export function drawMark(plot: uPlot, mark: Mark, ratio: number): void {

@@ -1,24 +1,25 @@
 // Response over a key: branches, bifurcations, swept points, pins, and the selected point.
 
-import { type Bifurcation, type Branch, type ResponseResult, type Place, type Quantity, described, identify, isStable, level, nearest, operating, pointAt, valueAt } from "./branches";
+import { type Bifurcation, type Branch, type ResponseResult, type Place, type Quantity, described, identify, isGap, isStable, level, nearest, operating, pointAt, valueAt } from "./branches";
 import { Chart } from "./chart";
 import type { Design } from "./design";
+import { type DraftError, draftError, errorWords } from "./draft-error";
 import { LineHandle } from "./line";
 import { type MeasuredPoints, measuredCurves } from "./measured";
 import type { Curve, Mark, Rule } from "./paint";
 import { Pointing } from "./pointing";
 import { type Readout, draftWords, peakWords } from "./readout";
 import type { Head } from "./frame";
+import { stableWords } from "./stability";
 import { colour, nth } from "./theme";
 import { digits, quantity } from "./units";
 
+/** Marks of bifurcations; where they would overlap, the first is drawn. */
 const SHAPES: Record<string, Mark["shape"]> = {
     fold: "square", "period-doubling": "triangle", "neimark-sacker": "diamond", "branch-point": "cross", grazing: "circle", sticking: "ring",
 };
 /** Opacity of a draft. */
 const DRAFT = 0.4;
-/** Change of the logarithm of the power over which a draft is not drawn: such a chord joins two branches. */
-const DRAFT_STEP = 1.5;
 /** Opacity of the start of a design search, and of a band; relative opacity of a band that some drawn designs do not have. */
 const START = 0.35;
 const BAND = 0.3;
@@ -70,11 +71,15 @@ export class Response {
     /** Value of the key in the present design, and the attractor there that most starts reach. */
     at: number | undefined;
     attractor: { power: number; period: number } | undefined;
+    /** Smallest strain limit of the patches, ppm. */
+    strainLimit: number | undefined;
     /** True while the selected point is the operating point. */
     following = true;
     /** Axis title of a key. */
     words: (key: string) => string = (key) => key;
     private widths: Head | undefined;
+    /** Difference of the last draft from its result. */
+    private draftError: DraftError | undefined;
     private hovered: Place | undefined;
     private readonly cursor = document.getElementById("response-cursor")!;
     onChoose: (place: Place, parameter?: number) => void = () => {};
@@ -97,6 +102,7 @@ export class Response {
         const before = chosen && last?.branches[chosen.branch];
         const same = last?.over === result.over;
         if (same) identify(last, result, this.span);
+        if (last?.id === result.id && last.draft && last.draft.origin !== "first" && !result.draft) this.draftError = draftError(last, result, this.span);
         this.hovered = undefined;
         this.result = result;
         this.chosen = undefined;
@@ -170,6 +176,7 @@ export class Response {
         curves.push(...this.lines(result, (branch) => nth(branch.identity), alpha));
         curves.push(...this.sweepPoints(result), ...measuredCurves(this.measured, this.quantity, result.unit));
         const rules: Rule[] = this.quantity === "floquet" ? [{ at: 1, along: "y" as const, words: "stable below" }] : [];
+        if (this.quantity === "strain" && this.strainLimit !== undefined) rules.push({ at: this.strainLimit, along: "y", words: `limit ${digits(this.strainLimit)} ppm` });
         if (this.at !== undefined) rules.push({ at: this.at, along: "x", words: quantity(this.at, result.unit, 5), strong: true });
         this.chart.show({ words: this.words(result.over), unit: result.unit, ends: this.range }, { words, unit, log: this.isLog(result) }, curves, this.marks(result), rules);
         this.tell();
@@ -212,8 +219,9 @@ export class Response {
 
     /** Bifurcations, none on a draft or of an earlier design, and the rings of the hovered and of the selected point. */
     private marks(result: ResponseResult): Mark[] {
-        const shown = this.listed(result);
-        const marks: Mark[] = shown.map((found) => ({ x: found.x, y: valueAt(found, this.quantity, result, this.span), colour: colour("ink"), shape: SHAPES[found.kind] ?? "cross", size: 2.8 }));
+        const rank = ({ kind }: Bifurcation) => Object.keys(SHAPES).indexOf(kind);
+        const shown = [...this.listed(result)].sort((a, b) => rank(a) - rank(b));
+        const marks: Mark[] = shown.map((found) => ({ x: found.x, y: valueAt(found, this.quantity, result, this.span), colour: colour("ink"), shape: SHAPES[found.kind] ?? "cross", size: 2.8, yields: true }));
         for (const [place, size] of [[this.hovered, 5], [this.chosen, 7]] as const) {
             const branch = place && result.branches[place.branch];
             if (!branch) continue;
@@ -256,15 +264,17 @@ export class Response {
         if (!result) return;
         const hidden = result.branches.filter((branch) => !this.shows(branch)).length;
         const text = [
-            ...(this.isOld ? ["Draft: of an earlier design; branches may be wrong or missing until the search ends."] : result.draft ? [draftWords(result.draft)] : peakWords(this.widths, result.unit)),
+            ...(this.isOld ? ["Draft: of an earlier design; branches may be wrong or missing until the search ends."] : result.draft ? [draftWords(result.draft)] : [stableWords(result, this.range), ...peakWords(this.widths, result.unit)]),
+            ...(this.draftError ? [errorWords(this.draftError)] : []),
             ...(this.swept.some((point) => point.over === result.over && this.design.isOld(point)) ? ["The swept points are of an earlier design."] : []),
             ...this.zeroWords(result),
             ...(this.quantity === "strain" && result.branches.some(({ values }) => values.strain.length === 0) ? ["Computing the strain."] : []),
+            ...(this.quantity === "strain" && this.strainLimit !== undefined ? [`The strain limit is ${digits(this.strainLimit)} ppm.`] : []),
             ...(this.start ? ["Pale: the start of the design search."] : []),
             ...(this.band ? ["Shaded: 5 % to 95 % of the designs drawn from the tolerances."] : []),
             ...(hidden > 0 ? [`${hidden} ${hidden === 1 ? "branch" : "branches"} of a period above ${SHORT_PERIOD} not shown.`] : []),
             ...(result.branches.length === 0 && !result.draft && !this.isOld ? ["No periodic orbit was found in this range."] : []),
-        ].join(" ");
+        ].filter(Boolean).join(" ");
         this.readout.show(text, result.note, this.listed(result), result.unit, (found) => this.chooseNear(found));
         const count = result.branches.length;
         this.chart.host.setAttribute("aria-label", `${described(this.quantity, result).words} over ${result.over}: ${count} ${count === 1 ? "branch" : "branches"}. Arrow keys move along the branch. ${text}`);
@@ -310,6 +320,3 @@ export class Response {
         return [...values, `period ${branch.period}`, isStable(branch, point) ? "stable" : "unstable", `${digits(branch.contacts[point])} ${branch.contacts[point] === 1 ? "contact" : "contacts"}`].join(", ");
     }
 }
-
-/** Whether a segment of a branch is not drawn. */
-const isGap = (result: ResponseResult, { values }: Branch) => (from: number): boolean => result.draft !== undefined && Math.abs(level(values.power[from + 1]) - level(values.power[from])) > DRAFT_STEP;

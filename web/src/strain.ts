@@ -1,11 +1,18 @@
 // Strain on the branches of a response: computed by the server once it is shown.
 
 import type { ResponseResult } from "./branches";
+import type { Head } from "./frame";
 import type { Response } from "./response";
 import type { Wire } from "./wire";
 
 /** Parts in a million. */
 const PPM = 1e6;
+
+/** Smallest strain limit of the patches in an orbit, ppm. */
+export function strainLimit({ limits }: Head): number | undefined {
+    const found = ((limits ?? []) as { quantity: string; limits: [number, number] }[]).filter(({ quantity }) => quantity === "strain").map((own) => PPM * own.limits[1]);
+    return found.length > 0 ? Math.min(...found) : undefined;
+}
 
 export class Strain {
     /** Response for which it was requested. */

@@ -1,6 +1,6 @@
 // A server on a copy of a spec, and a real browser on its page.
 import { spawn, spawnSync } from "node:child_process";
-import { cp, mkdtemp, rm, writeFile } from "node:fs/promises";
+import { cp, mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
 import { existsSync } from "node:fs";
 import { createInterface } from "node:readline";
 import { tmpdir } from "node:os";
@@ -10,6 +10,8 @@ import { chromium } from "playwright-core";
 const root = new URL("../../", import.meta.url).pathname;
 const programs = [process.env.JOUNCE, `${root}target/release/jounce`, `${root}target/debug/jounce`];
 export const program = programs.find((path) => path && existsSync(path));
+/** Folder of page files, after `npm run build`, that replace those in the program: the page is tested without a build of the program. */
+const pageFolder = process.env.JOUNCE_PAGE;
 const browsers = [process.env.CHROMIUM, "/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
 export const browserPath = browsers.find((path) => path && existsSync(path));
 /** Far more than anything on the page takes, also on a busy machine. */
@@ -19,6 +21,9 @@ const FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-ru
 
 /** Kinds of templates that `jounce new` writes. */
 export const templates = () => spawnSync(program, ["new"], { encoding: "utf8" }).stdout.trim().split("\n").map((line) => line.split(" ")[0]);
+
+/** A replaced page has no address, so Chromium would refuse its socket to this machine. */
+const OPEN_NETWORK = "--disable-features=LocalNetworkAccessChecks";
 
 /** Starts a server on a copy of the paper's spec, of another example, of the template of a kind, on a text, or on a link. */
 export async function serve(options = {}) {
@@ -60,13 +65,21 @@ export async function serve(options = {}) {
     return server;
 }
 
+/** Answers a request with the file of the folder, under the headers of the program. A request that the program redirects is not replaced. */
+async function replaced(route) {
+    const response = await route.fetch();
+    const name = new URL(route.request().url()).pathname.match(/[^/]*$/)[0] || "index.html";
+    await route.fulfill({ response, body: await readFile(join(pageFolder, name)) });
+}
+
 /** A browser with a fresh profile. */
 export async function browse() {
     const profile = await mkdtemp(join(tmpdir(), "profile-"));
     const context = await chromium.launchPersistentContext(profile, {
-        executablePath: browserPath, headless: true, args: FLAGS, viewport: { width: 1280, height: 800 }, acceptDownloads: true,
+        executablePath: browserPath, headless: true, args: pageFolder ? [...FLAGS, OPEN_NETWORK] : FLAGS, viewport: { width: 1280, height: 800 }, acceptDownloads: true,
     });
     context.setDefaultTimeout(LONGEST_MS);
+    if (pageFolder) await context.route(/\/(index\.html|app\.js|app\.css)?$/, replaced);
     return {
         context,
         close: async () => {

@@ -100,6 +100,9 @@ test("a history, the phase portrait and the motion show the instant that is poin
             assert.ok(Math.abs(x / width - due) < 0.01, `${id} ${x / width} ${due}`);
         }
     };
+    // Large enough for a pixel of the portrait to be less than the tolerance.
+    await page.setViewportSize({ width: 1920, height: 1080 });
+    await page.waitForTimeout(300);
     for (const share of [0.1, 0.37, 0.83]) {
         const box = await over("chart-voltage");
         await page.mouse.move(box.x + share * box.width, box.y + 0.4 * box.height);
@@ -110,6 +113,8 @@ test("a history, the phase portrait and the motion show the instant that is poin
         await page.mouse.move(portrait.x + x, portrait.y + y);
         await agree(share);
     }
+    await page.setViewportSize({ width: 1280, height: 800 });
+    await page.waitForTimeout(300);
 });
 
 test("pointing at the beam shows an instant at which it passes there", async () => {

@@ -4,7 +4,7 @@
 const SAMPLES = 8;
 /** Distance at which two curves are the same: a hundredth of the range, or 5 % of the power. */
 const SAME = 0.01;
-/** Change of the logarithm of the power over which a draft is not drawn, as in src/response.ts. */
+/** Change of the logarithm of the power over which a draft is not drawn, as in src/branches.ts. */
 const DRAFT_STEP = 1.5;
 
 /** Whether each segment of a draft is drawn. */

@@ -24,9 +24,12 @@ const drop = (selector, name, text) => page.evaluate(([at, file, content]) => {
 }, [selector, name, text]);
 /** Rows of a column of the response with dark pixels, as those of the first measured points, and with the blue of the first branch; CSS pixels of the canvas. */
 const rows = (x) => page.locator("#chart-response canvas").evaluate((canvas, at) => {
-    const ratio = canvas.width / canvas.getBoundingClientRect().width;
-    const { data } = canvas.getContext("2d").getImageData(Math.round(at * ratio), 0, 1, canvas.height);
-    const where = (is) => Array.from({ length: canvas.height }, (_, k) => k).filter((k) => data[4 * k + 3] > 200 && is(data[4 * k], data[4 * k + 1], data[4 * k + 2])).map((k) => k / ratio);
+    const box = canvas.getBoundingClientRect();
+    const ratio = canvas.width / box.width;
+    // Above the numbers of the axis.
+    const height = Math.floor((document.querySelector("#chart-response .u-over").getBoundingClientRect().bottom - box.top) * ratio);
+    const { data } = canvas.getContext("2d").getImageData(Math.round(at * ratio), 0, 1, height);
+    const where = (is) => Array.from({ length: height }, (_, k) => k).filter((k) => data[4 * k + 3] > 200 && is(data[4 * k], data[4 * k + 1], data[4 * k + 2])).map((k) => k / ratio);
     return { dark: where((r, g, b) => r < 60 && g < 60 && b < 60), blue: where((r, g, b) => r < 20 && Math.abs(g - 114) < 20 && Math.abs(b - 178) < 20) };
 }, x);
 const place = async (hertz) => {

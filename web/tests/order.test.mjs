@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { readFile, writeFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
 import { browse, ready, serve } from "./browser.mjs";
+import { gate } from "./gate.mjs";
 
 let server;
 let browser;
@@ -22,51 +23,6 @@ after(async () => {
     await browser?.close();
     await server?.close();
 });
-
-/** Holds the frames of the server whose kind and stage `held` names, until they are let in; `late` holds the reading of files. */
-function gate() {
-    const state = { held: undefined, late: undefined, frames: [], files: [], last: {}, hear: undefined };
-    const matches = (pattern, text) => pattern !== undefined && new RegExp(pattern).test(text);
-    window.gate = {
-        hold: (pattern) => (state.held = pattern),
-        holdFiles: (pattern) => (state.late = pattern),
-        /** Lets a fault in as the response to the last request of a kind that had one. */
-        fault: (ask, message) => {
-            const head = new TextEncoder().encode(JSON.stringify({ id: state.last[ask], ask, stage: "fault", faults: [{ key: "", line: 0, message }], arrays: [] }));
-            const data = new ArrayBuffer(4 + head.length);
-            new DataView(data).setUint32(0, head.length, true);
-            new Uint8Array(data, 4).set(head);
-            state.hear({ data });
-        },
-        waiting: () => state.frames.length,
-        open: () => {
-            state.held = undefined;
-            for (const deliver of state.frames.splice(0)) deliver();
-        },
-        openFiles: () => {
-            state.late = undefined;
-            for (const read of state.files.splice(0)) read();
-        },
-    };
-    const Real = window.WebSocket;
-    window.WebSocket = class extends Real {
-        set onmessage(hear) {
-            state.hear = hear;
-            super.onmessage = (event) => {
-                const length = new DataView(event.data).getUint32(0, true);
-                const { id, ask, stage } = JSON.parse(new TextDecoder().decode(new Uint8Array(event.data, 4, length)));
-                state.last[ask] = id;
-                if (matches(state.held, `${ask} ${stage}`)) state.frames.push(() => hear(event));
-                else hear(event);
-            };
-        }
-    };
-    const read = FileReader.prototype.readAsDataURL;
-    FileReader.prototype.readAsDataURL = function (file) {
-        if (matches(state.late, file.name)) state.files.push(() => read.call(this, file));
-        else read.call(this, file);
-    };
-}
 
 const text = (id) => page.locator(`#${id}`).textContent();
 const until = (id, pattern) => page.waitForFunction(([name, source]) => new RegExp(source).test(document.getElementById(name).textContent), [id, pattern.source]);

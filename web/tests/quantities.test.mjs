@@ -1,7 +1,7 @@
 // Quantities of the response against `jounce run` at the same value of the key; the logarithmic axis and values of 0.
 import assert from "node:assert/strict";
 import { execFile } from "node:child_process";
-import { readFile } from "node:fs/promises";
+import { readFile, writeFile } from "node:fs/promises";
 import { test } from "node:test";
 import { promisify } from "node:util";
 import { inked, open, program, ready, serve } from "./browser.mjs";
@@ -21,6 +21,8 @@ const si = (words, unit) => {
     const [, number, prefix] = words.match(new RegExp(`(-?[\\d.]+) (n|µ|m|k|)${unit}$`)) ?? assert.fail(words);
     return Number(number) * PREFIXES[prefix];
 };
+/** Quantities that the page offers. */
+const offered = (own) => own.locator("#quantity option:not([hidden])").evaluateAll((options) => options.map(({ value }) => value));
 const running = async (spec, hertz, key) => JSON.parse((await run(program, ["run", spec, "--set", `${key}=${hertz} Hz`, "--json"])).stdout);
 
 test("contact force, impact speed and strain are those of `jounce run`", async () => {
@@ -52,6 +54,17 @@ test("contact force, impact speed and strain are those of `jounce run`", async (
     await ready(page);
 });
 
+test("the strain limit is on the chart of the strain", async () => {
+    const spec = await readFile(server.spec, "utf8");
+    await page.locator("#quantity").selectOption("strain");
+    await writeFile(server.spec, spec.replace("[patch.mfc] ", "[patch.mfc]\nstrain_limit = 300e-6\n#"));
+    await until("readout", /The strain limit is 300 ppm\./);
+    await writeFile(server.spec, spec);
+    await page.waitForFunction(() => !/strain limit/.test(document.getElementById("readout").textContent));
+    await page.locator("#quantity").selectOption("power");
+    await ready(page);
+});
+
 test("with a rectified circuit the voltage is that of its storage", async () => {
     const rectified = await serve({ kind: "bimorph-with-rectifier" });
     const own = await open(browser.context, rectified.address);
@@ -62,8 +75,29 @@ test("with a rectified circuit the voltage is that of its storage", async () => 
     const due = (await running(rectified.spec, hertz, `${key}.frequency`)).rectified[0].voltage_rms_v;
     const shown = si(words.match(/Storage voltage, rms ([^,]+)/)[1], "V");
     assert.ok(Math.abs(shown / due - 1) < 2e-3, `${words} ${due}`);
+    // Without a stop there is no contact to show.
+    assert.deepEqual(await offered(own), ["power", "voltage", "strain", "floquet"]);
+    assert.ok(await own.locator("#grazings").isHidden());
     await own.close();
     await rectified.close();
+});
+
+test("quantities of contact are offered where there is a stop, and give way when it goes", async () => {
+    const CONTACT = ["penetration", "force", "impact", "displacement"];
+    const missing = async () => CONTACT.filter((own) => !shown.includes(own));
+    let shown = await offered(page);
+    assert.deepEqual(await missing(), []);
+    await page.locator("#quantity").selectOption("force");
+    const spec = await readFile(server.spec, "utf8");
+    await writeFile(server.spec, spec.replace(/\[stop\.tip\][^[]*/, ""));
+    await page.waitForFunction(() => document.getElementById("quantity").value === "power");
+    await ready(page);
+    shown = await offered(page);
+    assert.deepEqual(await missing(), CONTACT);
+    assert.match(await page.locator("#chart-response").getAttribute("aria-label"), /^Mean power over/);
+    await writeFile(server.spec, spec);
+    await page.locator("#quantity option[value=force]:not([hidden])").waitFor({ state: "attached" });
+    await ready(page);
 });
 
 test("a logarithmic axis says which points it cannot show, and is linear where all values are 0", async () => {

@@ -168,6 +168,21 @@ test("the fine result says what its search may miss", async () => {
     await ready(page);
 });
 
+test("the numbers of stable orbits are those of `jounce basins`", async () => {
+    await until("readout", /Stable orbits found: .* then \d+\./);
+    const words = (await text("readout")).match(/Stable orbits found: (.*?), then (\d+)\./);
+    const parts = words[1].split(", ").map((part) => part.match(/^(\d+) up to ([\d.]+) Hz$/).slice(1).map(Number));
+    const ends = [11.44, ...parts.map(([, to]) => to), 14.82];
+    const orbits = [...parts.map(([own]) => own), Number(words[2])];
+    for (const [k, due] of orbits.entries()) {
+        const hertz = (ends[k] + ends[k + 1]) / 2;
+        const { stdout } = await run(program, ["basins", server.spec, "--set", `drive.shaker.frequency=${hertz}Hz`, "--starts", "200", "--json"]);
+        // The search has no longer periods.
+        const found = JSON.parse(stdout).attractors.filter(({ period_cycles }) => period_cycles === 1 || period_cycles === 2);
+        assert.equal(found.length, due, `${hertz} Hz: ${JSON.stringify(found.map(({ id }) => id))} ${words[0]}`);
+    }
+});
+
 test("a fault stays until its cause is gone", async () => {
     await page.locator("#from").fill("0");
     await page.locator("#to").fill("20");

@@ -1,0 +1,63 @@
+// What the page says of the error of its last draft, against a comparison of the frames of the server.
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { browse, ready, serve } from "./browser.mjs";
+import { compare, draws } from "./curves.mjs";
+
+let server;
+let browser;
+let page;
+before(async () => {
+    server = await serve();
+    browser = await browse();
+    page = await browser.context.newPage();
+    page.faults = [];
+    page.on("pageerror", (error) => page.faults.push(String(error)));
+    await page.addInitScript(record);
+    await page.goto(server.address);
+    await ready(page);
+});
+after(async () => {
+    await browser?.close();
+    await server?.close();
+});
+
+/** Keeps the last frame of each stage of the response. */
+function record() {
+    window.stages = {};
+    const Real = window.WebSocket;
+    window.WebSocket = class extends Real {
+        set onmessage(hear) {
+            super.onmessage = (event) => {
+                const length = new DataView(event.data).getUint32(0, true);
+                const head = JSON.parse(new TextDecoder().decode(new Uint8Array(event.data, 4, length)));
+                const list = (name) => head.arrays.filter(([own]) => own === name).flatMap(([, first, size]) => [...new Float64Array(event.data, 4 + length + 8 * first, size)]);
+                if (head.ask === "response" && head.branches) window.stages[head.stage] = { id: head.id, branches: head.branches.map(({ period }, k) => ({ period, x: list(`${k}.x`), power: list(`${k}.power`) })) };
+                hear(event);
+            };
+        }
+    };
+}
+
+for (const gap of ["1.05", "1.6", "4", "7.8"]) {
+    test(`the error of the draft at a gap of ${gap} mm`, async () => {
+        const field = page.getByLabel("stop.tip.gap, value", { exact: true });
+        await field.fill(gap);
+        await field.press("Enter");
+        await ready(page);
+        const { coarse, fine } = await page.evaluate(() => window.stages);
+        assert.equal(coarse.id, fine.id);
+        const due = compare(coarse.branches.map((branch) => ({ ...branch, drawn: draws(branch) })), fine.branches, 14.82 - 11.44);
+        const words = await page.locator("#readout").textContent();
+        const [, range, power, rest] = words.match(/The last draft was off by at most ([\d.e-]+) % of the range or ([\d.e-]+) % of the power(.*?)\./) ?? assert.fail(words);
+        const about = (shown, value) => assert.ok(Math.abs(shown - value) < 0.12 * value + 1e-3, `${words} ${JSON.stringify(due)}`);
+        about(Number(range), 100 * due.farthest);
+        about(Number(power), 100 * Math.expm1(5 * due.farthest));
+        const share = (pattern) => Number(rest.match(pattern)?.[1] ?? 0) / 100;
+        for (const [shown, value] of [[share(/([\d.]+) % of it was not confirmed/), due.off], [share(/lacked ([\d.]+) % of the curves/), due.missing]]) {
+            assert.ok(Math.abs(shown - value) < 0.03, `${words} ${JSON.stringify(due)}`);
+        }
+    });
+}
+
+test("no error was printed in the browser", () => assert.deepEqual(page.faults, []));
