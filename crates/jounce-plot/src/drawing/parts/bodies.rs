@@ -111,27 +111,51 @@ fn beam_body(
     canvas.label_along(anchor, other.into_iter().collect(), toward, words);
 }
 
-/// Returns the position of a beam's name: over a bare face, else at its right end.
+/// Returns the longest stretch of a face of a beam without patch and layer, as distances from the root,
+/// m; its ends are equal where there is none.
+fn bare_stretch(beam: &DrawnBeam, top: bool) -> (f64, f64) {
+    let covers = beam.patches.iter().chain(&beam.layers);
+    let mut covered: Vec<(f64, f64)> = covers
+        .filter(|cover| cover.top == top)
+        .map(|cover| (cover.start_m, cover.start_m + cover.length_m))
+        .collect();
+    covered.sort_by(|a, b| a.0.total_cmp(&b.0));
+    covered.push((beam.length_m, beam.length_m));
+    let (mut longest, mut end_m) = ((0.0, 0.0), 0.0_f64);
+    for (from_m, to_m) in covered {
+        if from_m - end_m > longest.1 - longest.0 {
+            longest = (end_m, from_m);
+        }
+        end_m = end_m.max(to_m);
+    }
+    longest
+}
+
+/// Returns the position of a beam's name: over the middle of the longest bare stretch of its faces, of
+/// the upper one if both are equal; at its right end where both faces are covered.
 fn named_at(
     beam: &DrawnBeam,
     (x, y): (f64, f64),
     sign: f64,
     px_per_m: f64,
 ) -> ((f64, f64), (f64, f64)) {
-    let length = sign * beam.length_m * px_per_m;
     let half = 0.5 * thick(beam.thickness_m, px_per_m);
-    let bare = |top: bool| {
-        beam.patches
-            .iter()
-            .chain(&beam.layers)
-            .all(|cover| cover.top != top)
+    let [above, below] = [true, false].map(|top| bare_stretch(beam, top));
+    let size_m = |(from_m, to_m): (f64, f64)| to_m - from_m;
+    let (stretch, side) = if size_m(above) >= size_m(below) {
+        (above, -1.0)
+    } else {
+        (below, 1.0)
     };
-    match (bare(true), bare(false)) {
-        (true, _) => ((x + 0.5 * length, y - half), (0.0, -1.0)),
-        (_, true) if sign < 0.0 => ((x + 0.5 * length, y + half), (0.0, 1.0)),
-        _ if sign > 0.0 => ((x + length, y), (1.0, 0.0)),
-        _ => ((x + HATCH, y), (1.0, 0.0)),
+    if size_m(stretch) > 0.0 {
+        let middle = x + sign * 0.5 * (stretch.0 + stretch.1) * px_per_m;
+        return ((middle, y + side * half), (0.0, side));
     }
+    let end = match sign > 0.0 {
+        true => x + beam.length_m * px_per_m,
+        false => x + HATCH,
+    };
+    ((end, y), (1.0, 0.0))
 }
 
 /// Draws the spring or the wall of a mass.
@@ -244,9 +268,10 @@ fn beam(canvas: &mut Canvas, beam: &DrawnBeam, sign: f64, (x, y): (f64, f64), px
 }
 
 /// Draws the arm of a stop fixed to a body: from the stop at `tip` over its own height to the side
-/// of its carrier.
+/// of its carrier, where it stands between the middle, which may carry a spring, and the nearer end.
 pub fn arm(canvas: &mut Canvas, tip: (f64, f64), carrier: Rect) {
-    let x = 0.5 * (carrier.left + carrier.right);
+    let middle = 0.5 * (carrier.left + carrier.right);
+    let x = 0.5 * (middle + tip.0.clamp(carrier.left, carrier.right));
     let edge = if tip.1 < carrier.top {
         carrier.top
     } else {
