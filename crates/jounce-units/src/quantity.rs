@@ -295,6 +295,11 @@ mod tests {
             "\"5 newtons\": \"newtons\" is not a known unit; expected a force in N, mN, kN",
         ),
         (
+            Quantity::Acceleration,
+            "1 grms",
+            "\"grms\" is not a known unit (did you mean g?; the key specifies whether the value is rms or zero to peak, a unit does not); expected an acceleration in m/s^2, g",
+        ),
+        (
             Quantity::Damping,
             "5 N/m s",
             "a product after a quotient is ambiguous; use parentheses, as in N/(m s)",
