@@ -33,8 +33,11 @@ pub struct Label {
 /// A leader is drawn to a label farther away than this, px.
 const APART: f64 = 15.0;
 
-/// Cost of a body or another leader between a label and its element, px of distance.
+/// Cost of a body between a label and its element, px of distance.
 const CROSSED: f64 = 200.0;
+
+/// Cost of another leader between a label and its element, px of distance.
+const LEADER_CROSSED: f64 = 0.25 * CROSSED;
 
 /// Half the additional cost of a label opposite to its preferred direction, px of distance.
 const TURNED: f64 = 60.0;
@@ -124,7 +127,7 @@ fn leader(
                 .count();
             (
                 [from, to],
-                CROSSED * (bodies + leaders) as f64 + 1000.0 * names as f64,
+                CROSSED * bodies as f64 + LEADER_CROSSED * leaders as f64 + 1000.0 * names as f64,
                 length,
             )
         });
