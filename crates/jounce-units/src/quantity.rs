@@ -263,7 +263,7 @@ mod tests {
     }
 
     /// Texts that are refused: quantity, text, part of the message.
-    const REFUSED: [(Quantity, &str, &str); 16] = [
+    const REFUSED: [(Quantity, &str, &str); 17] = [
         (
             Quantity::Frequency,
             "13 mm",
