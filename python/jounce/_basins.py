@@ -51,6 +51,13 @@ class BasinsResult(Result):
     starts: Annotated[int, About("number of starts")]
     finished: Annotated[int, About("number of finished starts")]
     seed: Annotated[int, About("seed of the cloud")]
+    gap_m: Annotated[
+        float | None,
+        About(
+            "displacement towards the first stop at which contact begins, its gap, m; ``None`` without a stop, or where the motions of two "
+            "bases change the gap"
+        ),
+    ]
     failed_start: Annotated[Integers, Along("failed", "1", "number of the start")]
     failed_reason: Annotated[list[str], About("reason of each start whose run failed")]
     warnings: Annotated[list[str], About("exceeded limits of patches on attractors")]

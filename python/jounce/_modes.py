@@ -28,11 +28,22 @@ class ModesResult(Result):
     point: Annotated[list[str], About("names of the points")]
     shape: Annotated[Floats, Along("point mode", "kg^-0.5", "mass-normalised shape")]
     patch: Annotated[list[str], About("names of the patches")]
+    capacitance_f: Annotated[Floats, Along("patch", "F", "clamped capacitance")]
     open_circuit_hz: Annotated[
         Floats,
         Along("patch mode", "Hz", "frequency with the patch open", detail="one patch open, for this mode only; NaN for a rigid-body mode"),
     ]
     coupling_squared: Annotated[Floats, Along("patch mode", "1", "modal coupling, squared")]
+    matched_resistance_ohm: Annotated[
+        Floats,
+        Along("patch mode", "ohm", "1/(w C)", detail="at the short-circuit frequency; the optimal load of a weakly coupled patch"),
+    ]
+    optimal_resistance_ohm: Annotated[
+        Floats,
+        Along(
+            "patch mode", "ohm", "resistance with the largest power", detail="at the short-circuit frequency, for this patch and mode only"
+        ),
+    ]
     coupling_n_per_v: Annotated[Floats, Along("patch mode", "N V^-1 kg^-0.5", "modal coupling", "coupling")]
     beams: Annotated[
         dict[str, tuple[Floats, Floats]], About("positions along each beam, m, and the shapes there, kg^-1/2, of shape ``(mode, place)``")

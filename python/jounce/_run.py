@@ -10,6 +10,7 @@ import numpy as np
 
 from ._errors import ArgumentError
 from ._fields import About, Along, Variable
+from ._format import counted
 from ._history import History
 from ._result import Floats, Integers, Result
 from ._state import State
@@ -160,7 +161,11 @@ class RunResult(Result):
         return peaks + [(name, volts) for name, volts in patch_peaks if volts not in self.load_voltage_peak_v]
 
     def _summary(self) -> list[tuple[str, str]]:
-        settled = f"period {self.period_cycles} drive cycles" if self.settled else f"NOT settled, change {self.periodicity_change:.1e}"
+        settled = (
+            f"period of {counted(self.period_cycles, 'drive cycle')}"
+            if self.settled
+            else f"NOT settled, change {self.periodicity_change:.1e}"
+        )
         cause = "a regulator switches at its own times" if self.device else "the drives have no common period"
         settled = f"no period: {cause}" if self.settled is None else settled
         return [

@@ -116,18 +116,27 @@ pub fn of_file(path: &Path, error: Error) -> Failure {
     }
 }
 
+/// Returns the message of an error, with options as arguments.
+fn text_of(error: &Error) -> String {
+    match error {
+        Error::Option { option, .. } | Error::Range { option, .. } => {
+            let text = error.to_string();
+            let rest = text.strip_prefix(option).unwrap_or(&text);
+            on_command_line(&format!("`{option}`{rest}"))
+        }
+        Error::Options(errors) => {
+            let lines: Vec<String> = errors.iter().map(text_of).collect();
+            lines.join("\n")
+        }
+        Error::Channel { .. } => on_command_line(&error.to_string()),
+        Error::Grid(_) => format!("--{error}"),
+        _ => error.to_string(),
+    }
+}
+
 impl From<Error> for Failure {
     fn from(error: Error) -> Self {
-        let text = match &error {
-            Error::Option { option, .. } | Error::Range { option, .. } => {
-                let text = error.to_string();
-                let rest = text.strip_prefix(option).unwrap_or(&text);
-                on_command_line(&format!("`{option}`{rest}"))
-            }
-            Error::Channel { .. } => on_command_line(&error.to_string()),
-            Error::Grid(_) => format!("--{error}"),
-            _ => error.to_string(),
-        };
+        let text = text_of(&error);
         match error.kind() {
             ErrorKind::Option => Failure::Usage(text),
             ErrorKind::NotConverged => Failure::NotConverged(text),

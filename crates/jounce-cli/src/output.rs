@@ -6,6 +6,7 @@ use crate::record;
 use jounce::parts::{Column, Manifest, Record, Values};
 use jounce::{Error, Figure, Table};
 use serde::Serialize;
+use std::fmt::Display;
 use std::io::{ErrorKind, Write};
 use std::path::Path;
 use std::sync::OnceLock;
@@ -47,7 +48,7 @@ pub fn check_printed() -> Result<(), Failure> {
 }
 
 /// Prints a line on stderr. A message that cannot be written does not end the work.
-pub fn note(text: impl std::fmt::Display) {
+pub fn note(text: impl Display) {
     let _ = writeln!(std::io::stderr().lock(), "{text}");
 }
 
@@ -62,7 +63,7 @@ pub fn to_json(result: &impl Serialize) -> Result<serde_json::Value, Failure> {
 }
 
 /// Prints a line on stdout.
-pub fn line(line: impl std::fmt::Display) {
+pub fn line(line: impl Display) {
     text(&format!("{line}\n"));
 }
 
@@ -228,9 +229,23 @@ pub fn origin(record: Option<Record>) -> Manifest {
     }
 }
 
+/// Returns a count with its noun, in the plural unless it is 1.
+pub fn counted(count: impl Display, noun: &str) -> String {
+    match count.to_string().as_str() {
+        "1" => format!("1 {noun}"),
+        many => format!("{many} {noun}s"),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn only_one_is_singular() {
+        let texts = [0, 1, 2].map(|count| counted(count, "drive cycle"));
+        assert_eq!(texts, ["0 drive cycles", "1 drive cycle", "2 drive cycles"]);
+    }
 
     #[test]
     fn a_value_and_its_uncertainty_end_at_one_digit() {

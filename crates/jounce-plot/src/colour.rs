@@ -38,6 +38,20 @@ impl Colour {
         ][index % 6]
     }
 
+    /// Returns the colour of motions of a period in drive cycles, the same in every picture: black
+    /// for no period, one colour for each period up to 5 and one for all longer periods.
+    pub fn of_period(period_cycles: u32) -> Self {
+        match period_cycles {
+            0 => Self::Ink,
+            1 => Self::Blue,
+            2 => Self::Vermilion,
+            3 => Self::Green,
+            4 => Self::Purple,
+            5 => Self::Orange,
+            _ => Self::Sky,
+        }
+    }
+
     /// Returns the colour as `#rrggbb`.
     pub(super) fn hex(self) -> &'static str {
         match self {

@@ -41,11 +41,11 @@ pub use figure::{
     Along, Field, Figure, Line, Marker, Panel, PanelBand, PanelNote, ReferenceLine, Series,
 };
 pub use ready::{
-    BifurcationLine, BranchLine, BranchMark, DensityLine, DiagramDots, DiagramView, LineDirection,
-    ModeShape, PlateShape, ResponseLine, ShapePatch, SpectrumLine, SweepLine, SweepLook,
-    TimeSpectrum, Trace, bifurcations, branches, densities, diagram, ensemble, event_marker,
-    frequency_responses, mode_shapes, plate_motion, plate_shapes, power_against_resistance,
-    spectra, spectrogram, sweep, time_histories,
+    BifurcationLine, BranchLine, BranchMark, DOWN_WORDS, DensityLine, DiagramDots, DiagramView,
+    LineDirection, ModeShape, PlateShape, ResponseLine, ShapePatch, SpectrumLine, SweepLine,
+    SweepLook, TimeSpectrum, Trace, UP_WORDS, bifurcations, branches, densities, diagram, ensemble,
+    event_marker, frequency_responses, mode_shapes, plate_motion, plate_shapes,
+    power_against_resistance, spectra, spectrogram, sweep, time_histories,
 };
 pub use stored::{PictureDifference, StoredPicture};
 pub(crate) use svg::escape;

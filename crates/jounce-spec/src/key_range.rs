@@ -77,38 +77,77 @@ fn points(kind: Kind, text: &str) -> Result<Vec<f64>, String> {
                 clip(text)
             ));
         }
-        return text
-            .split(',')
-            .map(|part| Ok(DecimalNumber::read(kind, part)?.value))
-            .collect();
+        let values = text.split(',').map(|part| number(kind, part));
+        return all_or_reasons(values);
     };
-    let (from, to) = (
-        DecimalNumber::read(kind, from)?,
-        DecimalNumber::read(kind, to)?,
-    );
+    let ends = all_or_reasons([from, to].map(|end| DecimalNumber::read(kind, end)));
+    let (ends, spacing) = match (ends, Spacing::read(kind, spacing)) {
+        (Ok(ends), Ok(spacing)) => (ends, spacing),
+        (ends, spacing) => {
+            let reasons = [ends.err(), spacing.err()].into_iter().flatten();
+            return Err(reasons.collect::<Vec<_>>().join("; "));
+        }
+    };
+    let (from, to) = (&ends[0], &ends[1]);
     if from.value > to.value {
         return Err(format!(
             "the range {} is reversed; write the smaller value first",
             clip(text)
         ));
     }
-    if let Some(count) = spacing.strip_suffix("log") {
-        return logarithmic(from.value, to.value, count_of(count)?);
+    match spacing {
+        Spacing::Logarithmic(count) => logarithmic(from.value, to.value, count),
+        Spacing::Linear(count) => Ok(linear(from.value, to.value, count)),
+        Spacing::Step(step) => stepped(from, to, &step),
     }
-    if let Some(count) = spacing.strip_suffix('x') {
-        return Ok(linear(from.value, to.value, count_of(count)?));
+}
+
+/// Returns all values, or the reasons of all faults, separated by semicolons.
+fn all_or_reasons<T>(
+    results: impl IntoIterator<Item = Result<T, String>>,
+) -> Result<Vec<T>, String> {
+    let (mut values, mut reasons) = (Vec::new(), Vec::new());
+    for result in results {
+        match result {
+            Ok(value) => values.push(value),
+            Err(reason) => reasons.push(reason),
+        }
     }
-    let invalid_step = |reason: &str| {
-        format!(
-            "the step is {}; {reason}, or give a number of points, as in 3x",
-            clip(spacing)
-        )
-    };
-    let step = DecimalNumber::read(kind, spacing).map_err(|reason| invalid_step(&reason))?;
-    if step.value <= 0.0 {
-        return Err(invalid_step("it must be greater than 0"));
+    match reasons.is_empty() {
+        true => Ok(values),
+        false => Err(reasons.join("; ")),
     }
-    stepped(&from, &to, &step)
+}
+
+/// Spacing of the values of a range.
+enum Spacing {
+    Step(DecimalNumber),
+    /// Number of values at equal distances.
+    Linear(usize),
+    /// Number of values at equal ratios.
+    Logarithmic(usize),
+}
+
+impl Spacing {
+    fn read(kind: Kind, text: &str) -> Result<Self, String> {
+        if let Some(count) = text.strip_suffix("log") {
+            return Ok(Self::Logarithmic(count_of(count)?));
+        }
+        if let Some(count) = text.strip_suffix('x') {
+            return Ok(Self::Linear(count_of(count)?));
+        }
+        let invalid = |reason: &str| {
+            format!(
+                "the step is {}; {reason}, or give a number of points, as in 3x",
+                clip(text)
+            )
+        };
+        let step = DecimalNumber::read(kind, text).map_err(|reason| invalid(&reason))?;
+        match step.value > 0.0 {
+            true => Ok(Self::Step(step)),
+            false => Err(invalid("it must be greater than 0")),
+        }
+    }
 }
 
 /// A number as a double and, if it is a decimal, as integer digits times a power of ten.

@@ -99,8 +99,17 @@ impl Quantity {
         let begun = units
             .iter()
             .filter(|known| unit.starts_with(known.as_str()));
-        let near = equal.or(begun.max_by_key(|known| known.len()));
-        near.map_or_else(String::new, |near| format!(" (did you mean {near}?)"))
+        let Some(near) = equal.or(begun.max_by_key(|known| known.len())) else {
+            return String::new();
+        };
+        let rest = unit.strip_prefix(near.as_str()).unwrap_or_default();
+        let note = match rest.trim_matches('_').to_lowercase().as_str() {
+            "rms" | "peak" | "pk" | "pp" => {
+                "; the key specifies whether the value is rms or zero to peak, a unit does not"
+            }
+            _ => "",
+        };
+        format!(" (did you mean {near}?{note})")
     }
 
     pub(super) fn expectation(self) -> String {

@@ -263,7 +263,7 @@ mod tests {
     }
 
     /// Texts that are refused: quantity, text, part of the message.
-    const REFUSED: [(Quantity, &str, &str); 16] = [
+    const REFUSED: [(Quantity, &str, &str); 17] = [
         (
             Quantity::Frequency,
             "13 mm",
@@ -293,6 +293,11 @@ mod tests {
             Quantity::Force,
             "5 newtons",
             "\"5 newtons\": \"newtons\" is not a known unit; expected a force in N, mN, kN",
+        ),
+        (
+            Quantity::Acceleration,
+            "1 grms",
+            "\"grms\" is not a known unit (did you mean g?; the key specifies whether the value is rms or zero to peak, a unit does not); expected an acceleration in m/s^2, g",
         ),
         (
             Quantity::Damping,

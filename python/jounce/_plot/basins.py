@@ -38,6 +38,9 @@ def plot_basins(result: BasinsResult, ax: Axes | None = None) -> Axes:
         left = result.attractor_index < 0
         if left.any():
             ax.plot(x[left], y[left], "x", color="#888888", label="not classified")
+        for name, line in zip(plane, (ax.axvline, ax.axhline)):
+            if name == "start_displacement" and result.gap_m is not None:
+                line(result.gap_m, color="black", linestyle=":", linewidth=0.8, label="gap", gid="guide")
         label(ax.xaxis, *COORDINATES[plane[0]][1:])
         label(ax.yaxis, *COORDINATES[plane[1]][1:])
         ax.legend()

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from .style import COLOURS, axes, label
+from .style import EVENT_COLOURS, axes, label
+
+#: Lines of the curves of one kind, by period and level.
+LINES = ["-", "--", ":", "-."]
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -13,17 +16,18 @@ if TYPE_CHECKING:
 
 
 def plot_bifurcations(result: BifurcationsResult, ax: Axes | None = None) -> Axes:
-    """Draws the curves over the plane of the two keys, a colour for each kind."""
-    kinds = sorted({(one.kind, one.period_cycles) for one in result})
-    labelled_kinds: set[tuple[str, int]] = set()
+    """Draws the curves over the plane of the two keys, a colour for each kind, and in it a line for each period and level."""
+    groups = sorted({(one.kind, one.period_cycles, one.level or one.kind) for one in result})
+    used: set[tuple[str, int, str]] = set()
     with axes(ax) as ax:
         for one in result:
-            kind = (one.kind, one.period_cycles)
-            text = None if kind in labelled_kinds else f"{one.kind}, period {one.period_cycles}"
-            labelled_kinds.add(kind)
-            ax.plot(one.parameter, one.parameter_2, color=COLOURS[kinds.index(kind) % len(COLOURS)], label=text)
+            group = (one.kind, one.period_cycles, one.level or one.kind)
+            text = None if group in used else f"{group[2]}, period {one.period_cycles}"
+            used.add(group)
+            line = LINES[[own for own in groups if own[0] == one.kind].index(group) % len(LINES)]
+            ax.plot(one.parameter, one.parameter_2, line, color=EVENT_COLOURS[one.kind], label=text)
         label(ax.xaxis, result.key, result.unit)
         label(ax.yaxis, result.key_2, result.unit_2)
-        if kinds:
+        if groups:
             ax.legend()
     return ax

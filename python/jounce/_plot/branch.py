@@ -8,7 +8,7 @@ import numpy as np
 
 from .._branch import Branch
 from .._fields import dataset_fields
-from .style import COLOURS, axes, label, label_field
+from .style import axes, label, label_field, period_colour
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -29,7 +29,6 @@ MARKS = {
 
 def plot_branch(result: BranchResult, ax: Axes | None, quantity: str) -> Axes:
     """Draws a quantity over the key: stable solid, unstable dashed, a colour for each period, bifurcations marked where it is known."""
-    periods = sorted({one.period_cycles for one in result})
     used_labels: set[str] = set()
 
     def label_once(text: str) -> str | None:
@@ -39,7 +38,7 @@ def plot_branch(result: BranchResult, ax: Axes | None, quantity: str) -> Axes:
 
     with axes(ax) as ax:
         for one in result:
-            colour = COLOURS[periods.index(one.period_cycles) % len(COLOURS)]
+            colour = period_colour(one.period_cycles)
             for stable in (True, False):
                 values = getattr(one, quantity)
                 segment_values = np.where(_stability_mask(one.stable, stable), values, np.nan)

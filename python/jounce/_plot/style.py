@@ -20,6 +20,21 @@ if TYPE_CHECKING:
 #: Colours that colour-blind readers can distinguish (Okabe and Ito, 2008); black, their first, is omitted.
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"]
 
+#: Words of each direction of a sweep.
+DIRECTION_WORDS = {"up": "up: increasing values", "down": "down: decreasing values", "independent": "independent values"}
+
+#: Colour of each kind of bifurcation curve, the same in every picture; grey for levels.
+EVENT_COLOURS = {
+    "fold": COLOURS[0],
+    "period-doubling": COLOURS[1],
+    "neimark-sacker": COLOURS[2],
+    "branch-point": COLOURS[3],
+    "grazing": COLOURS[4],
+    "sticking": COLOURS[5],
+    "peak": COLOURS[6],
+    "level": "#8A8A8A",
+}
+
 _STYLE: dict[str, Any] = {
     "figure.figsize": (4.8, 3.2),
     "figure.dpi": 150,
@@ -68,6 +83,11 @@ def label(axis: Any, what: str, unit: str, log: bool = False) -> None:
         axis.set_major_locator(ticker.MaxNLocator(nbins=6 if axis.axis_name == "y" else 5))
         unit = ""
     axis.set_label_text(f"{what} [{unit}]" if unit else what)
+
+
+def period_colour(period_cycles: int) -> str:
+    """Returns the colour of motions of a period, the same in every picture: black for no period, one for all periods above 5."""
+    return COLOURS[min(period_cycles, 6) - 1]
 
 
 def has_equal_ratios(values: npt.NDArray[np.float64]) -> bool:

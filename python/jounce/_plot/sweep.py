@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from .._fields import dataset_fields
-from .style import axes, has_equal_ratios, label, label_field
+from .style import DIRECTION_WORDS, axes, has_equal_ratios, label, label_field
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -27,8 +27,8 @@ def plot_sweep(result: SweepResult, ax: Axes | None, text: str | None, quantity:
             points = result.going(direction)
             if len(points) == 0:
                 continue
-            values = getattr(points, quantity)
-            (line,) = ax.plot(points.parameter, values, label=f"{text}, {direction}" if text else direction, color=colour, **style)
+            values, words = getattr(points, quantity), DIRECTION_WORDS[direction]
+            (line,) = ax.plot(points.parameter, values, label=f"{text}, {words}" if text else words, color=colour, **style)
             colour = line.get_color()
             unsettled = ~points.settled
             ax.plot(points.parameter[unsettled], values[unsettled], "o", markersize=9, markerfacecolor="none", color=colour)

@@ -1,9 +1,9 @@
 //! Limits of the model that a run exceeds: points of a force table, modes that a contact needs,
-//! thickness of a beam or a plate.
+//! thickness of a beam, a plate or a composite.
 
 use super::{RunResult, Warning};
 use jounce_dynamics::Kernel;
-use jounce_spec::{Plate, Spec, StopLaw};
+use jounce_spec::{Plate, Spec, StopLaw, material};
 use std::f64::consts::{PI, TAU};
 
 /// Highest retained frequency times the contact duration below which the modes do not resolve a
@@ -17,6 +17,9 @@ const LEAST_FREQUENCY_TIME: f64 = 1.5;
 /// Error of the first frequency of a beam, and of the highest retained one of a plate, above which the
 /// theory of thin beams and plates is not accurate.
 const MAX_SHEAR_ERROR: f64 = 0.02;
+
+/// Relative difference below which two thicknesses are equal.
+const THICKNESS_ROUNDOFF: f64 = 1e-9;
 
 /// Shear correction factor of a homogeneous plate (Mindlin).
 const SHEAR_FACTOR: f64 = PI * PI / 12.0;
@@ -38,6 +41,7 @@ pub(super) fn exceeded(spec: &Spec, kernel: &Kernel, result: &RunResult) -> Vec<
     warnings.extend(short_contacts(spec, highest_hz, result));
     warnings.extend(thick_beams(spec));
     warnings.extend(thick_plates(spec, highest_hz));
+    warnings.extend(composites(spec));
     warnings
 }
 
@@ -114,6 +118,22 @@ fn thick_plates(spec: &Spec, highest_hz: f64) -> Vec<Warning> {
         })
     });
     thick.collect()
+}
+
+/// Patches of a library composite with another thickness than the product, whose constants are those of
+/// its fibres and foils together.
+fn composites(spec: &Spec) -> Vec<Warning> {
+    let other = spec.patch.iter().filter_map(|(name, patch)| {
+        let product_m = material::product_thickness_m(&patch.material)?;
+        let difference = (patch.thickness_m / product_m - 1.0).abs();
+        (difference > THICKNESS_ROUNDOFF).then(|| Warning::CompositeThickness {
+            patch: name.clone(),
+            material: patch.material.clone(),
+            thickness_m: patch.thickness_m,
+            product_m,
+        })
+    });
+    other.collect()
 }
 
 /// Half the length of a straight wave of a frequency on a thin plate, m.

@@ -146,6 +146,20 @@ pub enum Warning {
         /// Estimated relative error of its first frequency.
         error: f64,
     },
+    /// A patch of a library composite has another thickness than the product.
+    #[error(
+        "patch {patch}: its thickness is {:.4} mm, but the constants of {material} are those of a product {:.4} mm thick; give that thickness, or other constants instead of `material`", 1e3 * thickness_m, 1e3 * product_m
+    )]
+    CompositeThickness {
+        /// Name of the patch.
+        patch: String,
+        /// Name of the material.
+        material: String,
+        /// Thickness of the patch, m.
+        thickness_m: f64,
+        /// Thickness of the product, m.
+        product_m: f64,
+    },
     /// A beam bends too far for the linear model.
     #[error(
         "beam {beam}: its deflection reaches {:.0} % of its length; the linear model holds up to about {:.0} %", 100.0 * share, 100.0 * MAX_DEFLECTION_SHARE
@@ -277,6 +291,7 @@ impl Warning {
     pub fn subject(&self) -> &str {
         match self {
             Self::Limit(exceeded) => &exceeded.patch,
+            Self::CompositeThickness { patch, .. } => patch,
             Self::RecordingEnds { drive, .. } | Self::Recording { drive, .. } => drive,
             Self::NeverStarts { circuit, .. } | Self::Cancelling { circuit, .. } => circuit,
             Self::PastTable { stop, .. }

@@ -2,7 +2,7 @@
 
 use crate::expected::{best_resistance, check, peak, plant, spec, voltage_per_g};
 use jounce_linalg::c64;
-use jounce_model::linear::{FrfInput, FrfResponse, frf};
+use jounce_model::linear::{FrfInput, FrfResponse, couplings, frf};
 use jounce_model::reference::Cantilever;
 use jounce_model::structure::modes;
 use jounce_model::structure::section::{CrossSection, patch_moment_n_m_per_v};
@@ -146,4 +146,21 @@ fn voltage_and_motion_are_the_closed_form() {
         }
     }
     assert!(voltage_per_g(&plant, 48.0) > 0.0);
+}
+
+/// One patch and one mode: the load with the largest power at the short-circuit frequency, from the
+/// responses over two resistances, is that of the coupling.
+#[test]
+fn the_coupling_has_the_load_with_the_largest_power() {
+    let single = |resistance: &str| {
+        let mode = ("reduction.modes", "1");
+        plant(EXAMPLE, &[mode, ("circuit.load.resistance", resistance)])
+    };
+    let coupling = &couplings(&modes(&spec(EXAMPLE, &[])).unwrap())[0];
+    let (best_ohm, _) = best_resistance(single, coupling.short_circuit_hz);
+    let error = (coupling.optimal_resistance_ohm / best_ohm - 1.0).abs();
+    assert!(error < 1e-9, "{error:e}");
+    let reactance_ohm = 1.0 / (TAU * coupling.short_circuit_hz * coupling.capacitance_f);
+    let error = (coupling.matched_resistance_ohm / reactance_ohm - 1.0).abs();
+    assert!(error < 1e-14, "{error:e}");
 }

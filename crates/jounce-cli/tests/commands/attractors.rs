@@ -137,6 +137,10 @@ fn basins_start_from_a_plane() {
     );
     assert_eq!((code, json["starts"].as_u64()), (0, Some(12)));
     assert!(folder.path().join("starts.csv").exists() && folder.path().join("basins.png").exists());
+    // Contact begins where the displacement towards the stop is its gap.
+    assert_eq!(json["gap_m"].as_f64(), Some(1e-3));
+    let svg = std::fs::read_to_string(folder.path().join("basins.svg")).unwrap();
+    assert!(svg.contains(">gap</text>"), "{svg}");
     for (invalid_grid, message) in [
         ("speed=1:2:3x", "unknown"),
         ("velocity=1m:2m:3x", "is a length"),

@@ -37,6 +37,11 @@ fn a_run_outside_the_model_gives_a_warning() {
             "3.0 thicknesses long",
         ),
         (
+            "composite-thickness",
+            "patch.m.thickness=3 mm",
+            "3.0000 mm, but the constants of MFC-P2 are those of a product 0.3000 mm thick",
+        ),
+        (
             "large-deflection",
             "drive.b.amplitude=200 g",
             "of its length",

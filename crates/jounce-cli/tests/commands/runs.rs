@@ -149,6 +149,12 @@ fn modes_and_frequency_responses_print_every_key() {
     let (code, json, _) = jounce(&["modes", SPEC, "--fixed-table", "--json"]);
     assert_eq!((code, json["modes"].as_array().unwrap().len()), (0, 7));
     assert!((json["modes"][0]["frequency_hz"].as_f64().unwrap() - 8.66343).abs() < 1e-5);
+    let coupling = &json["couplings"][0];
+    let number = |key: &str| coupling[key].as_f64().unwrap();
+    let angular = std::f64::consts::TAU * number("short_circuit_hz");
+    let matched_ohm = 1.0 / (angular * number("capacitance_f"));
+    assert!((number("matched_resistance_ohm") / matched_ohm - 1.0).abs() < 1e-12);
+    assert!(number("optimal_resistance_ohm") < matched_ohm);
     let arguments = [
         "frf",
         SPEC,

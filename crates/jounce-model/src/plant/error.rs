@@ -58,7 +58,7 @@ pub enum PlantError {
     },
     /// The rate of a circuit is too far above those of the modes.
     #[error(
-        "circuit.{circuit}.{key} is {value:e} {unit}; with {capacitance_f:e} F its time constant is {time_s:.1e} s, more than {most:.0e} times faster than the fastest retained mode, {mode_hz:.4} Hz, so roundoff would swamp the eigenvalues; give at least {least:.1e} {unit}, or a larger capacitance"
+        "circuit.{circuit}.{key} is {value:e} {unit}; with {capacitance_f:e} F its time constant is {time_s:.1e} s, more than {most:.0e} times faster than the fastest retained mode, {mode_hz:.3e} Hz, so roundoff would swamp the eigenvalues; if the mode is too slow, correct the lengths and materials of the structure; else give at least {least:.1e} {unit}, or a larger capacitance"
     )]
     TooFast {
         /// The circuit.

@@ -122,21 +122,21 @@ pub enum StructureError {
     },
     /// Only masses on the ground and free masses can be held fixed.
     #[error(
-        "cannot hold \"{name}\" fixed; only a mass on the base or a free mass can be held ({masses})"
+        "cannot hold {names} fixed; only a mass on the base or a free mass can be held ({masses})"
     )]
     CannotHold {
-        /// Name of the part to hold.
-        name: String,
+        /// Names of the parts to hold, in quotes.
+        names: String,
         /// Existing masses.
         masses: String,
     },
     /// A structure defined by its modes cannot be held at a point.
     #[error(
-        "cannot hold \"{name}\" fixed, because its structure is defined by its modes; give the modes with that point held"
+        "cannot hold {names} fixed, because the structure there is defined by its modes; give the modes with that point held"
     )]
     CannotHoldGiven {
-        /// Name of the part to hold.
-        name: String,
+        /// Names of the parts to hold, in quotes.
+        names: String,
     },
     /// No mode would remain.
     #[error(

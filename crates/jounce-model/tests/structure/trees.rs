@@ -252,4 +252,12 @@ fn a_structure_without_support_is_refused() {
         matches!(error, StructureError::CannotHold { .. }),
         "{error}"
     );
+    let names = ["tip", "tabel"].map(String::from);
+    let error = modes_holding(&with_tip(0.1, 0.0), &names).unwrap_err();
+    assert!(
+        error
+            .to_string()
+            .starts_with("cannot hold \"tip\", \"tabel\" fixed"),
+        "{error}"
+    );
 }

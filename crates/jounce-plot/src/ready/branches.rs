@@ -8,6 +8,8 @@ use crate::{Axis, Colour, Figure, Line, Marker, Panel, Series};
 pub struct BranchLine {
     /// Name: `period 1`.
     pub label: String,
+    /// Colour, the same for all lines of one name.
+    pub colour: Colour,
     /// Parameter along the curve.
     pub parameter: Vec<f64>,
     /// Result.
@@ -40,7 +42,21 @@ pub fn event_marker(kind: &str) -> Marker {
     }
 }
 
-/// Draws branches in one panel: a colour for each label.
+/// Returns the colour of curves of a kind of event, the same in every picture; grey for levels.
+pub(super) fn event_colour(kind: &str) -> Colour {
+    match kind {
+        "fold" => Colour::Blue,
+        "period-doubling" => Colour::Vermilion,
+        "neimark-sacker" => Colour::Green,
+        "branch-point" => Colour::Purple,
+        "grazing" => Colour::Orange,
+        "sticking" => Colour::Sky,
+        "peak" => Colour::Ink,
+        _ => Colour::Grey,
+    }
+}
+
+/// Draws branches in one panel.
 pub fn branches(
     title: &str,
     parameter: Axis,
@@ -59,8 +75,7 @@ pub fn branches(
 pub(super) fn panel(mut panel: Panel, lines: &[BranchLine], marks: &[BranchMark]) -> Panel {
     let mut labels: Vec<&str> = Vec::new();
     for line in lines {
-        let known = labels.iter().position(|label| *label == line.label);
-        let colour = Colour::nth(known.unwrap_or(labels.len()));
+        let colour = line.colour;
         for (stable, style) in [(true, Line::Solid), (false, Line::Dashed)] {
             let values = stability_values(line, stable);
             if values.iter().any(|value| value.is_finite()) {
@@ -71,7 +86,7 @@ pub(super) fn panel(mut panel: Panel, lines: &[BranchLine], marks: &[BranchMark]
                 );
             }
         }
-        if known.is_none() {
+        if !labels.contains(&line.label.as_str()) {
             labels.push(&line.label);
             panel = panel.with(Series::key(&line.label, Some(Line::Solid), None).colour(colour));
         }
@@ -121,6 +136,7 @@ mod tests {
     fn stable_segments_join_with_gaps_elsewhere() {
         let line = BranchLine {
             label: "period 1".into(),
+            colour: Colour::of_period(1),
             parameter: vec![1.0, 2.0, 3.0, 4.0],
             value: vec![5.0, 6.0, 7.0, 8.0],
             stable: vec![true, true, false, false],

@@ -6,8 +6,12 @@ use crate::{Axis, Colour, Figure, Marker, Panel, Series};
 /// Points from integration with one name.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DiagramDots {
-    /// Name: `stepped up`, `1a`.
+    /// Name: `1a`, or the direction of the steps.
     pub label: String,
+    /// Colour of all points.
+    pub colour: Colour,
+    /// Marker of all points.
+    pub marker: Marker,
     /// Parameter of each point.
     pub parameter: Vec<f64>,
     /// Value of each point.
@@ -25,12 +29,6 @@ pub struct DiagramView {
     pub dots: Vec<DiagramDots>,
 }
 
-/// Number of colours for branches; those of dots follow.
-const FIRST_COLOUR: usize = 3;
-
-/// Markers of dots, in order.
-const MARKERS: [Marker; 4] = [Marker::Circle, Marker::Square, Marker::Ring, Marker::Right];
-
 /// Draws panels over one parameter.
 pub fn diagram(title: &str, parameter: &Axis, views: &[DiagramView]) -> Figure {
     let mut figure = Figure::new(title);
@@ -40,17 +38,10 @@ pub fn diagram(title: &str, parameter: &Axis, views: &[DiagramView]) -> Figure {
             &view.lines,
             &[],
         );
-        for (k, dots) in view.dots.iter().enumerate() {
-            let points = Series::points(
-                dots.parameter.clone(),
-                dots.value.clone(),
-                MARKERS[k % MARKERS.len()],
-            );
-            figure_panel = figure_panel.with(
-                points
-                    .colour(Colour::nth(FIRST_COLOUR + k))
-                    .label(&dots.label),
-            );
+        for dots in &view.dots {
+            let (parameter, value) = (dots.parameter.clone(), dots.value.clone());
+            let points = Series::points(parameter, value, dots.marker);
+            figure_panel = figure_panel.with(points.colour(dots.colour).label(&dots.label));
         }
         if !figure.panels.is_empty() {
             // The legend is in the first panel.

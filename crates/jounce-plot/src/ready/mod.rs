@@ -25,5 +25,5 @@ pub use plate_shapes::{PlateShape, plate_motion, plate_shapes};
 pub use resistance::power_against_resistance;
 pub use spectrogram::{TimeSpectrum, spectrogram};
 pub use spectrum::{SpectrumLine, spectra};
-pub use sweep::{LineDirection, SweepLine, SweepLook, sweep};
+pub use sweep::{DOWN_WORDS, LineDirection, SweepLine, SweepLook, UP_WORDS, sweep};
 pub use time_history::{Trace, time_histories};

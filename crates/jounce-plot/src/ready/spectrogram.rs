@@ -83,7 +83,7 @@ fn with_orders(panel: Panel, drive_hz: Option<f64>, high_hz: f64) -> Panel {
         let label = if order == 1 {
             "drive".to_owned()
         } else {
-            format!("{order}×")
+            format!("{order}× drive")
         };
         panel.reference(
             Along::Y,
@@ -103,7 +103,10 @@ fn scale(of: &TimeSpectrum, largest: f64) -> Panel {
         .windows(2)
         .map(|pair| vec![0.5 * (pair[0] + pair[1])])
         .collect();
-    let quantity = format!("{}, peak, over {largest:.3e} {}", of.quantity, of.unit);
+    let quantity = format!(
+        "{} amplitude relative to its largest, {largest:.3e} {}",
+        of.quantity, of.unit
+    );
     let (along, across) = (
         Axis::linear(&quantity, "dB").between(-RANGE_DB, 0.0),
         Axis::linear("", "").between(0.41, 0.59).every(1.0),

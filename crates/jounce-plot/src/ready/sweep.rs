@@ -16,6 +16,12 @@ pub enum LineDirection {
     Linear,
 }
 
+/// Words of the legend for steps from low to high.
+pub const UP_WORDS: &str = "up: increasing values";
+
+/// Words of the legend for steps from high to low.
+pub const DOWN_WORDS: &str = "down: decreasing values";
+
 /// One sweep.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SweepLine {
@@ -66,8 +72,11 @@ pub fn sweep(title: &str, style: &SweepLook, lines: &[SweepLine]) -> Figure {
         }
         named.push(&line.label);
         // If both directions are in the picture, only the colour shows the level; a separate key
-        // explains lines and markers.
-        panel = if both_ways && line.direction != LineDirection::Independent {
+        // explains lines and markers. A single level needs no name.
+        let is_stepped = matches!(line.direction, LineDirection::Up | LineDirection::Down);
+        panel = if both_ways && is_stepped && levels.len() == 1 {
+            panel.with(series)
+        } else if both_ways && line.direction != LineDirection::Independent {
             panel
                 .with(Series::key(&line.label, Some(Line::Solid), None).colour(series.colour))
                 .with(series)
@@ -78,7 +87,13 @@ pub fn sweep(title: &str, style: &SweepLook, lines: &[SweepLine]) -> Figure {
     for line in lines.iter().filter(|line| line.settled.contains(&false)) {
         panel = panel.with(unsettled(line));
     }
-    panel.series.extend(keys(lines));
+    let colour = match levels.len() {
+        1 => Colour::nth(0),
+        _ => Colour::Ink,
+    };
+    let keys = keys(lines).into_iter();
+    panel.series.extend(keys.map(|key| key.colour(colour)));
+    panel.series.extend(unsettled_key(lines));
     Figure::new(title).with(panel)
 }
 
@@ -132,20 +147,22 @@ fn keys(lines: &[SweepLine]) -> Vec<Series> {
     let mut keys = Vec::new();
     if has(LineDirection::Up) && (has(LineDirection::Down) || has(LineDirection::Linear)) {
         keys.push(Series::key(
-            "stepped up",
+            UP_WORDS,
             Some(Line::Solid),
             Some(Marker::Right),
         ));
     }
     if has(LineDirection::Down) {
         keys.push(Series::key(
-            "stepped down",
+            DOWN_WORDS,
             Some(Line::Dashed),
             Some(Marker::Left),
         ));
     }
-    if lines.iter().any(|line| line.settled.contains(&false)) {
-        keys.push(Series::key("not settled", None, Some(Marker::Ring)));
-    }
     keys
+}
+
+fn unsettled_key(lines: &[SweepLine]) -> Option<Series> {
+    let has_unsettled = lines.iter().any(|line| line.settled.contains(&false));
+    has_unsettled.then(|| Series::key("not settled", None, Some(Marker::Ring)))
 }

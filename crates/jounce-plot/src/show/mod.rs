@@ -251,7 +251,7 @@ mod tests {
         let text = format!("{}\n{lump}", starter.spec);
         let drawing_of = drawing("", &Spec::from_toml(&text).unwrap());
         let plan = &drawing_of.plans[0];
-        assert_eq!(plan.points[0].label, "corner: mass lump, stop corner");
+        assert_eq!(plan.points[0].label, "corner: mass lump, stop corner_stop");
         assert_eq!(plan.edges[0], crate::DrawnEdge::Clamped);
         let svg = drawing_of.to_svg();
         let patch = svg

@@ -3,7 +3,7 @@
 use crate::comparison::check;
 use crate::rows::folder;
 use jounce_analysis::{Bifurcation, Branch, BranchSearch, Model, OrbitMethodKind, Parameter};
-use jounce_plot::{Axis, BranchLine, BranchMark, branches};
+use jounce_plot::{Axis, BranchLine, BranchMark, Colour, branches};
 use jounce_spec::SpecFile;
 
 const EXAMPLE: &str = "bouncing-and-impact-oscillators";
@@ -11,6 +11,7 @@ const EXAMPLE: &str = "bouncing-and-impact-oscillators";
 fn line(branch: &Branch) -> BranchLine {
     BranchLine {
         label: format!("period {}", branch.period_cycles),
+        colour: Colour::of_period(branch.period_cycles),
         parameter: branch.points.iter().map(|point| point.parameter).collect(),
         // The cubic spring is relaxed at 0, so its penetration is the displacement.
         value: branch

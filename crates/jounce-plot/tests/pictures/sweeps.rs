@@ -73,8 +73,8 @@ fn sweep_up_and_down_at_three_levels() {
         "50 N",
         "100 N",
         "200 N",
-        "stepped up",
-        "stepped down",
+        "up: increasing values",
+        "down: decreasing values",
         "not settled",
         "Drive frequency (Hz)",
     ];

@@ -37,15 +37,17 @@ fn into_python<'py>(
         plates.set_item(&plate.name, (size, shapes_over(py, plate)?))?;
     }
     let (points, patches, width) = (&result.points, &result.patches, result.modes.len());
-    let mut couplings = [(); 2].map(|()| vec![vec![f64::NAN; width]; patches.len()]);
+    let mut couplings = [(); 4].map(|()| vec![vec![f64::NAN; width]; patches.len()]);
     for one in &result.couplings {
         let patch = patches.iter().position(|patch| patch.name == one.patch);
         if let Some(patch) = patch {
             couplings[0][patch][one.mode] = one.open_circuit_hz;
             couplings[1][patch][one.mode] = one.coupling_squared;
+            couplings[2][patch][one.mode] = one.matched_resistance_ohm;
+            couplings[3][patch][one.mode] = one.optimal_resistance_ohm;
         }
     }
-    let [open_circuit_hz, coupling_squared] = couplings;
+    let [open, squared, matched, optimal] = couplings;
     let names_of_points: Vec<&String> = points.iter().map(|point| &point.name).collect();
     let names_of_patches: Vec<&String> = patches.iter().map(|patch| &patch.name).collect();
     let shape = points.iter().map(|point| point.shape_per_sqrt_kg.clone());
@@ -59,8 +61,11 @@ fn into_python<'py>(
         .with("point", names_of_points)?
         .rows("shape", &shape.collect::<Vec<_>>(), width)?
         .with("patch", names_of_patches)?
-        .rows("open_circuit_hz", &open_circuit_hz, width)?
-        .rows("coupling_squared", &coupling_squared, width)?
+        .each("capacitance_f", patches, |patch| patch.capacitance_f)?
+        .rows("open_circuit_hz", &open, width)?
+        .rows("coupling_squared", &squared, width)?
+        .rows("matched_resistance_ohm", &matched, width)?
+        .rows("optimal_resistance_ohm", &optimal, width)?
         .rows("coupling_n_per_v", &coupling.collect::<Vec<_>>(), width)?
         .with("beams", beams)?
         .with("plates", plates)?

@@ -13,7 +13,7 @@ pub const CONTACT: &[&str] = &["aluminium", "steel", "brass", "bronze"];
 
 /// Thickness of a Macro Fiber Composite with its foils, m; the effective constants refer to this
 /// thickness.
-const MFC_THICKNESS_M: f64 = 0.3e-3;
+pub(super) const MFC_THICKNESS_M: f64 = 0.3e-3;
 
 /// `E2`, `G12` of a Macro Fiber Composite (MFC engineering properties); the table gives no
 /// coefficient across the fibres.

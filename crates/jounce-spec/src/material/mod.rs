@@ -103,6 +103,12 @@ pub fn across_fibres(name: &str) -> Option<Across> {
     known.map(|(_, across)| *across)
 }
 
+/// Returns the thickness to which the constants of a library composite apply, m; `None` for any other
+/// material.
+pub fn product_thickness_m(name: &str) -> Option<f64> {
+    across_fibres(name).map(|_| library::MFC_THICKNESS_M)
+}
+
 /// Returns all electroelastic constants of a library material, if known; they are the basis of a
 /// porous material. Their beam constants differ slightly from [`named`], which uses another source.
 pub fn full_constants(name: &str) -> Option<electroelastic::Electroelastic> {

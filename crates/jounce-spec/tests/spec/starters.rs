@@ -32,6 +32,22 @@ fn every_starter_is_a_spec_that_explains_each_of_its_keys_once() {
     }
 }
 
+/// A name stands for one thing: a point, a mass or a stop.
+#[test]
+fn the_points_masses_and_stops_of_a_starter_have_different_names() {
+    for starter in STARTERS {
+        let spec = SpecFile::from_text(starter.spec).spec().unwrap();
+        let beams = spec.beam.values().flat_map(|beam| beam.point.keys());
+        let plates = spec.plate.values().flat_map(|plate| plate.point.keys());
+        let others = spec.mass.keys().chain(spec.stop.keys());
+        let mut names: Vec<&String> = beams.chain(plates).chain(others).collect();
+        names.sort();
+        let all = names.len();
+        names.dedup();
+        assert_eq!(names.len(), all, "{}: {names:?}", starter.kind);
+    }
+}
+
 #[test]
 fn unknown_kind_error_suggests_the_nearest() {
     assert_eq!(Starter::of("ball").unwrap().kind, "ball");

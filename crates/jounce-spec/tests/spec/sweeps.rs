@@ -14,6 +14,23 @@ fn values(assignment: &str) -> Result<Vec<f64>, String> {
 }
 
 #[test]
+fn all_faults_of_a_range_are_reported_at_once() {
+    let message = values("drive.shaker.frequency=4mm:20kg:0x").unwrap_err();
+    for part in [
+        "\"4mm\" is a length",
+        "\"20kg\" is a mass",
+        "\"0\" is not a number of points",
+    ] {
+        assert!(message.contains(part), "{message}");
+    }
+    let message = values("drive.shaker.frequency=4mm,20Hz,3kg").unwrap_err();
+    assert!(
+        message.contains("is a length") && message.contains("is a mass"),
+        "{message}"
+    );
+}
+
+#[test]
 fn steps_hit_the_decimal_values() {
     let points = values("drive.shaker.frequency=4Hz:20Hz:0.1Hz").unwrap();
     assert_eq!(points.len(), 161);

@@ -46,13 +46,22 @@ impl Harvester {
         // Before the integration, so that a stopped call has nothing left to compute.
         let points = points(&base.kernel.plant, &study.starts);
         let found = on_threads(options.threads, || Ok(study.run()?))?;
-        let result = BasinsResult::new(&found, &study.starts, points, options.seed);
+        let result = BasinsResult {
+            gap_m: fixed_gap_m(&base.kernel.plant),
+            ..BasinsResult::new(&found, &study.starts, points, options.seed)
+        };
         if result.finished == 0 {
             Err(Error::Stopped)
         } else {
             Ok(result)
         }
     }
+}
+
+/// Returns the gap of the first stop, unless the motions of two bases change it.
+fn fixed_gap_m(plant: &Plant) -> Option<f64> {
+    let stop = plant.system.stops.first()?;
+    stop.bases.is_empty().then_some(stop.gap_m)
 }
 
 /// Returns the place of each start.
@@ -93,6 +102,7 @@ impl BasinsResult {
             finished: found.lost.len() + attractor.iter().flatten().count(),
             failed: found.lost.iter().map(failed).collect(),
             seed,
+            gap_m: None,
             points: points.into_iter().zip(attractor).map(point).collect(),
             sides: match starts {
                 InitialStates::Grid(grid) => grid.sides.iter().map(|side| side.axis).collect(),

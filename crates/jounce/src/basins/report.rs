@@ -4,7 +4,7 @@ use super::{AttractorResult, BasinsResult, StartPoint};
 use crate::error::Error;
 use jounce_analysis::GridAxis;
 use jounce_io::table::{Column, Table, Values};
-use jounce_plot::{Axis, Colour, Figure, Marker, Panel, Series};
+use jounce_plot::{Along, Axis, Colour, Figure, Marker, Panel, Series};
 
 impl BasinsResult {
     /// Returns the table of the attractors.
@@ -156,6 +156,13 @@ impl BasinsResult {
                 .unzip();
             let series = Series::points(x, y, marker).colour(Colour::nth(number));
             panel = panel.with(series.label(&attractor.id));
+        }
+        let gap_m = self.gap_m.filter(|_| plane[0] == GridAxis::Displacement);
+        let across_m = self.gap_m.filter(|_| plane[1] == GridAxis::Displacement);
+        for (along, gap_m) in [(Along::X, gap_m), (Along::Y, across_m)] {
+            panel = gap_m.into_iter().fold(panel, |panel, gap_m| {
+                panel.reference(along, gap_m, Some("gap"))
+            });
         }
         Figure::new("Basins of attraction").with(panel)
     }

@@ -25,6 +25,9 @@ pub struct BasinsResult {
     pub failed: Vec<FailedStart>,
     /// Seed of the cloud.
     pub seed: u64,
+    /// Displacement towards the first stop at which contact begins, its gap, m; `None` without a
+    /// stop, or where the motions of two bases change the gap.
+    pub gap_m: Option<f64>,
     /// Each start, in order.
     #[serde(skip)]
     pub points: Vec<StartPoint>,

@@ -3,7 +3,7 @@
 use super::{Bifurcation, Branch, BranchPoint, BranchResult, OrbitQuantity};
 use jounce_analysis::BandLimit;
 use jounce_plot as picture;
-use jounce_plot::{Axis, BranchLine, BranchMark, Figure};
+use jounce_plot::{Axis, BranchLine, BranchMark, Colour, Figure};
 
 /// Returns a limit of a half-power interval in words.
 ///
@@ -90,6 +90,7 @@ pub(crate) fn branch_line(
     let points = &branch.points;
     BranchLine {
         label,
+        colour: Colour::of_period(branch.period_cycles),
         parameter: points.iter().map(|point| point.parameter).collect(),
         value: points.iter().map(value).collect(),
         stable: points.iter().map(|point| point.stable).collect(),

@@ -4,7 +4,17 @@ use super::{DiagramPoint, DiagramResult};
 use crate::branch::branch_line;
 use jounce_analysis::{AttractorTrack, SweepDirection};
 use jounce_plot as picture;
-use jounce_plot::{Axis, BranchLine, DiagramDots, DiagramView, Figure};
+use jounce_plot::{
+    Axis, BranchLine, Colour, DOWN_WORDS, DiagramDots, DiagramView, Figure, Marker, UP_WORDS,
+};
+
+/// Markers of the attractors of one period, in the order of their letters.
+const MARKERS: [Marker; 4] = [
+    Marker::Circle,
+    Marker::Square,
+    Marker::Triangle,
+    Marker::Diamond,
+];
 
 impl DiagramResult {
     /// Returns the figure: displacement at the start of each drive cycle, and mean power where there
@@ -61,9 +71,12 @@ impl DiagramResult {
 
     /// Returns the points by direction, or by attractor where it is known.
     fn dots(&self, values: impl Fn(&DiagramPoint) -> Vec<f64>) -> Vec<DiagramDots> {
-        let dots_of = |label: &str, is_selected: &dyn Fn(&DiagramPoint) -> bool| {
+        let dots_of = |(label, colour, marker): (&str, Colour, Marker),
+                       is_selected: &dyn Fn(&DiagramPoint) -> bool| {
             let mut dots = DiagramDots {
                 label: label.to_owned(),
+                colour,
+                marker,
                 parameter: Vec::new(),
                 value: Vec::new(),
             };
@@ -76,17 +89,26 @@ impl DiagramResult {
             (!dots.value.is_empty()).then_some(dots)
         };
         match &self.attractors {
-            Some(attractors) => (attractors.iter())
-                .filter_map(|AttractorTrack { id, .. }| {
-                    dots_of(id, &|point| point.attractor.as_ref() == Some(id))
+            Some(attractors) => (attractors.iter().enumerate())
+                .filter_map(|(index, track)| {
+                    let look = (
+                        track.id.as_str(),
+                        Colour::of_period(track.period_cycles),
+                        marker(&attractors[..index], track),
+                    );
+                    let id = Some(&track.id);
+                    dots_of(look, &|point| point.attractor.as_ref() == id)
                 })
                 .collect(),
             None => [
-                (SweepDirection::Up, "stepped up"),
-                (SweepDirection::Down, "stepped down"),
+                (SweepDirection::Up, (UP_WORDS, Colour::Ink, Marker::Right)),
+                (
+                    SweepDirection::Down,
+                    (DOWN_WORDS, Colour::Grey, Marker::Left),
+                ),
             ]
             .into_iter()
-            .filter_map(|(direction, label)| dots_of(label, &|point| point.direction == direction))
+            .filter_map(|(direction, look)| dots_of(look, &|point| point.direction == direction))
             .collect(),
         }
     }
@@ -107,6 +129,13 @@ impl DiagramResult {
             )]
         }
     }
+}
+
+/// Returns the marker of an attractor by its number among those of its period.
+fn marker(before: &[AttractorTrack], of: &AttractorTrack) -> Marker {
+    let period_cycles = of.period_cycles;
+    let is_same = |track: &&AttractorTrack| track.period_cycles == period_cycles;
+    MARKERS[before.iter().filter(is_same).count() % MARKERS.len()]
 }
 
 fn label(period_cycles: u32) -> String {

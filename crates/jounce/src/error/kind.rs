@@ -45,6 +45,7 @@ impl Error {
     pub fn kind(&self) -> ErrorKind {
         match self {
             Self::Option { .. }
+            | Self::Options(_)
             | Self::Range { .. }
             | Self::Channel {
                 error: ChannelError::Unnamed { .. },

@@ -56,6 +56,9 @@ pub enum Error {
         /// The allowed values and what to try.
         expected: String,
     },
+    /// Several options have values that are not allowed.
+    #[error("{}", lines(.0))]
+    Options(Vec<Self>),
     /// The key or the range of an option has faults.
     #[error("{option} is {value}; {}", reasons(.faults))]
     Range {
@@ -218,6 +221,14 @@ pub enum Error {
 }
 
 impl Error {
+    /// Returns the only error of some, or all of them as one.
+    pub(crate) fn of_options(mut errors: Vec<Self>) -> Self {
+        match errors.len() {
+            1 => errors.swap_remove(0),
+            _ => Self::Options(errors),
+        }
+    }
+
     /// Returns the error of an option.
     pub(crate) fn option(
         option: &'static str,
@@ -240,6 +251,12 @@ fn of_channel(option: &str, error: &ChannelError) -> String {
         }
         _ => format!("`{option}`: {error}"),
     }
+}
+
+/// Returns the messages of errors, one in each line.
+fn lines(errors: &[Error]) -> String {
+    let lines: Vec<String> = errors.iter().map(ToString::to_string).collect();
+    lines.join("\n")
 }
 
 /// Returns the reasons of faults of a key, without the name of the key in front.

@@ -96,6 +96,7 @@ impl ModesResult {
                 .into_iter()
                 .map(|(name, patch)| PatchCoupling {
                     name,
+                    capacitance_f: patch.capacitance_f,
                     coupling_n_per_v: patch.coupling_n_per_v,
                 })
                 .collect(),

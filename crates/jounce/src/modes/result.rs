@@ -17,7 +17,7 @@ pub struct ModesResult {
     /// Shapes at each point.
     #[serde(skip)]
     pub points: Vec<PointShape>,
-    /// Modal coupling of each patch.
+    /// Capacitance and modal coupling of each patch.
     #[serde(skip)]
     pub patches: Vec<PatchCoupling>,
     /// Shapes along each beam.
@@ -48,11 +48,13 @@ pub struct PointShape {
     pub shape_per_sqrt_kg: Vec<f64>,
 }
 
-/// Modal coupling of one patch.
+/// Capacitance and modal coupling of one patch.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PatchCoupling {
     /// Name of the patch.
     pub name: String,
+    /// Clamped capacitance, F.
+    pub capacitance_f: f64,
     /// Force per voltage along each mass-normalised mode, N/V per kg^1/2.
     pub coupling_n_per_v: Vec<f64>,
 }

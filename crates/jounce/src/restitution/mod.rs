@@ -39,11 +39,19 @@ use jounce_spec::material::{CONTACT, Material, named};
 /// # Ok::<(), jounce::Error>(())
 /// ```
 pub fn restitution(options: &RestitutionOptions) -> Result<RestitutionResult, Error> {
-    let checked = options.checked()?;
     let bodies = [
-        contact_material("material", &options.material)?,
-        contact_material("stop_material", &options.stop_material)?,
+        contact_material("material", &options.material),
+        contact_material("stop_material", &options.stop_material),
     ];
+    let (bodies, checked) = match (bodies, options.checked()) {
+        ([Ok(ball), Ok(stop)], Ok(checked)) => ([ball, stop], checked),
+        (bodies, checked) => {
+            let errors = bodies.into_iter().filter_map(Result::err);
+            return Err(Error::of_options(
+                errors.chain(checked.err().unwrap_or_default()).collect(),
+            ));
+        }
+    };
     let strengths = match options.yield_strength_pa {
         Some(strength_pa) => [strength_pa; 2],
         None => softer_pa(bodies),

@@ -51,33 +51,44 @@ pub(super) struct Checked {
 }
 
 impl RestitutionOptions {
-    /// Checks the ranges and combines both bodies.
-    pub(super) fn checked(&self) -> Result<Checked, Error> {
-        let radius_m = required("radius", self.radius_m, "m", "5mm")?;
-        let mass_kg = required("mass", self.mass_kg, "kg", "4g")?;
-        let speed_m_s = required("speed", self.speed_m_s, "m/s", "\"0.5 m/s\"")?;
-        if let Some(strength_pa) = self.yield_strength_pa {
-            check_above_zero("yield_strength", strength_pa, "Pa")?;
-        }
-        let stop_mass = match self.stop_mass_kg {
-            Some(mass_kg) => check_above_zero("stop_mass", mass_kg, "kg")?.recip(),
-            None => 0.0,
+    /// Checks the ranges and combines both bodies; returns the errors of all options.
+    pub(super) fn checked(&self) -> Result<Checked, Vec<Error>> {
+        let radius_m = required("radius", self.radius_m, "m", "5mm");
+        let mass_kg = required("mass", self.mass_kg, "kg", "4g");
+        let speed_m_s = required("speed", self.speed_m_s, "m/s", "\"0.5 m/s\"");
+        let positive = |option, value: Option<f64>, unit| match value {
+            Some(value) => check_above_zero(option, value, unit).map(f64::recip),
+            None => Ok(0.0),
         };
-        let curvature = 1.0 / radius_m + self.stop_radius_m.map_or(0.0, f64::recip);
-        if !(curvature.is_finite() && curvature > 0.0) {
-            let stop_radius_m = self.stop_radius_m.unwrap_or(f64::NAN);
-            let expected = format!("a concave seat must be wider than the ball, {radius_m} m");
-            return Err(Error::option(
-                "stop_radius",
-                format!("{stop_radius_m} m"),
-                expected,
-            ));
+        let strength = positive("yield_strength", self.yield_strength_pa, "Pa");
+        let stop_mass = positive("stop_mass", self.stop_mass_kg, "kg");
+        let radius_m = radius_m.and_then(|radius_m| self.effective_radius_m(radius_m));
+        match (radius_m, mass_kg, speed_m_s, strength, stop_mass) {
+            (Ok(radius_m), Ok(mass_kg), Ok(speed_m_s), Ok(_), Ok(stop_mass)) => Ok(Checked {
+                radius_m,
+                mass_kg: (1.0 / mass_kg + stop_mass).recip(),
+                speed_m_s,
+            }),
+            (radius_m, mass_kg, speed_m_s, strength, stop_mass) => {
+                let results = [radius_m, mass_kg, speed_m_s, strength, stop_mass];
+                Err(results.into_iter().filter_map(Result::err).collect())
+            }
         }
-        Ok(Checked {
-            radius_m: curvature.recip(),
-            mass_kg: (1.0 / mass_kg + stop_mass).recip(),
-            speed_m_s,
-        })
+    }
+
+    /// Returns `1 / (1/R1 + 1/R2)` for a radius of the ball.
+    fn effective_radius_m(&self, radius_m: f64) -> Result<f64, Error> {
+        let curvature = 1.0 / radius_m + self.stop_radius_m.map_or(0.0, f64::recip);
+        if curvature.is_finite() && curvature > 0.0 {
+            return Ok(curvature.recip());
+        }
+        let stop_radius_m = self.stop_radius_m.unwrap_or(f64::NAN);
+        let expected = format!("a concave seat must be wider than the ball, {radius_m} m");
+        Err(Error::option(
+            "stop_radius",
+            format!("{stop_radius_m} m"),
+            expected,
+        ))
     }
 }
 

@@ -66,6 +66,23 @@ fn both_bodies_and_a_known_strength() -> Result<(), Error> {
 }
 
 #[test]
+fn all_faults_are_reported_at_once() {
+    let options = RestitutionOptions {
+        material: "stel".to_owned(),
+        mass_kg: Some(-1.0),
+        speed_m_s: None,
+        ..steel_on_brass()
+    };
+    let message = restitution(&options).unwrap_err().to_string();
+    let starts = ["material is", "mass is -1 kg", "speed is missing"];
+    let lines: Vec<&str> = message.lines().collect();
+    assert_eq!(lines.len(), starts.len(), "{message}");
+    for (line, start) in lines.iter().zip(starts) {
+        assert!(line.starts_with(start), "{message}");
+    }
+}
+
+#[test]
 fn faults_name_the_option() {
     let good = steel_on_brass;
     for (options, expected) in [

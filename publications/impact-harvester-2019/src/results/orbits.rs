@@ -60,11 +60,12 @@ impl PaperOrbits {
     /// Returns the figure of the branches, with the points of the stepped sweeps.
     pub fn figure(&self, swept: &PowerOverFrequency) -> NamedFigure {
         let (mut lines, mut marks) = (Vec::new(), Vec::new());
-        for (level, bifurcations) in &self.levels {
+        for (number, (level, bifurcations)) in self.levels.iter().enumerate() {
             let power = |point: &BranchPoint| point.orbit.mean_power_w / (level * level);
             lines.extend(bifurcations.iter().map(|branch| {
                 BranchLine {
                     label: format!("{level} N"),
+                    colour: Colour::nth(number),
                     parameter: branch.points.iter().map(|point| point.parameter).collect(),
                     value: branch.points.iter().map(power).collect(),
                     stable: branch

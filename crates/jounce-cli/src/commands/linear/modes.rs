@@ -68,13 +68,21 @@ fn print_lines(result: &ModesResult) {
             "{number:>4}  {frequency_hz:>12.5}  {damping_ratio:>13.5}"
         ));
     }
+    for patch in &result.patches {
+        let (name, capacitance_f) = (&patch.name, patch.capacitance_f);
+        line(format!(
+            "patch {name}: capacitance {capacitance_f:.4e} F; its optimal resistances are for the patch alone"
+        ));
+    }
     for coupling in &result.couplings {
         line(format!(
-            "patch {}, mode {}: open circuit {:.5} Hz, coupling squared {:.4e}",
+            "patch {}, mode {}: open circuit {:.5} Hz, coupling squared {:.4e}, optimal {:.4e} ohm, 1/(w C) {:.4e} ohm",
             coupling.patch,
             coupling.mode + 1,
             coupling.open_circuit_hz,
-            coupling.coupling_squared
+            coupling.coupling_squared,
+            coupling.optimal_resistance_ohm,
+            coupling.matched_resistance_ohm
         ));
     }
 }

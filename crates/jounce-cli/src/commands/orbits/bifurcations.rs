@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::interruption;
 use crate::option_names::on_command_line;
-use crate::output::{self, key_value, line, power, print};
+use crate::output::{self, counted, key_value, line, power, print};
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
@@ -72,10 +72,10 @@ impl Bifurcations {
         let (unit, unit_2) = (&result.unit, &result.unit_2);
         for curve in &result.curves {
             line(format!(
-                "{} of period {}: {} points",
+                "{} of period {}: {}",
                 curve.name(),
                 curve.period_cycles,
-                curve.points.len()
+                counted(curve.points.len(), "point")
             ));
             for point in curve.points.first().into_iter().chain(curve.points.last()) {
                 let stable = match point.stable {

@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::interruption;
 use crate::option_names::on_command_line;
-use crate::output::{self, key_value, line, power, print};
+use crate::output::{self, counted, key_value, line, power, print};
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
@@ -93,9 +93,9 @@ fn print_branch(result: &BranchResult, branch: &Curve) {
         _ => format!(", {undecided} of undecided stability"),
     };
     line(format!(
-        "branch of period {}: {} points, {stable} of them stable{undecided_note}",
+        "branch of period {}: {}, {stable} of them stable{undecided_note}",
         branch.period_cycles,
-        points.len()
+        counted(points.len(), "point")
     ));
     for bifurcation in &branch.bifurcations {
         print_bifurcation(result, bifurcation);

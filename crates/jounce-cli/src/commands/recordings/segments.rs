@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::measured_file::{MeasuredFile, print_issues, print_recording_issues};
-use crate::output::{self, line, print, with_uncertainty};
+use crate::output::{self, counted, line, print, with_uncertainty};
 use crate::spec_arguments::SpecArguments;
 use clap::Args;
 use jounce::parts::{Candidate, MAX_PERIOD_CYCLES, MergeReason, SegmentResult};
@@ -83,8 +83,8 @@ fn print_segments(result: &SegmentsResult) {
     }
     for segment in &result.segments {
         let period = match segment.period_cycles {
-            0 => format!("period longer than {MAX_PERIOD_CYCLES} cycles, or not periodic"),
-            cycles => format!("period {cycles} cycles"),
+            0 => format!("period longer than {MAX_PERIOD_CYCLES} drive cycles, or not periodic"),
+            cycles => format!("period of {}", counted(cycles, "drive cycle")),
         };
         line(format!(
             "{:>10.3} s to {:>10.3} s  rms {:.5e} {}, {period} (mismatch {:.3}){}",

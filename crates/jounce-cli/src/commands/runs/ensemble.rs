@@ -2,7 +2,7 @@
 
 use crate::failure::Failure;
 use crate::interruption;
-use crate::output::{self, line, print};
+use crate::output::{self, counted, line, print};
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
 use clap::Args;
@@ -135,8 +135,8 @@ fn print_device(device: &EnsembleDevice) {
     }
     if device.never_started > 0 {
         line(format!(
-            "  never starts     in {} members",
-            device.never_started
+            "  never starts     in {}",
+            counted(device.never_started, "member")
         ));
     }
     line(format!(

@@ -1,6 +1,6 @@
 //! The result of a run as lines of text.
 
-use crate::output::{line, power};
+use crate::output::{counted, line, power};
 use jounce::RunResult;
 use jounce::parts::{ChargeResult, DeviceResult, LoadResult, RectifiedResult, StopResult};
 
@@ -94,8 +94,9 @@ fn print_device(device: &DeviceResult) {
         device.name
     ));
     line(format!(
-        "  outages          longest {:.6} s, {} starts",
-        device.longest_outage_s, device.starts
+        "  outages          longest {:.6} s, {}",
+        device.longest_outage_s,
+        counted(device.starts, "start")
     ));
     line(format!(
         "  tasks            {} completed, {} interrupted",
@@ -147,7 +148,8 @@ fn print_quality(result: &RunResult) {
     let change = result.periodicity_change.unwrap_or(f64::INFINITY);
     match (result.settled, result.period_cycles) {
         (Some(true), Some(cycles)) => line(format!(
-            "settled            period {cycles} drive cycles, change {change:.1e}"
+            "settled            period of {}, change {change:.1e}",
+            counted(cycles, "drive cycle")
         )),
         (Some(_), _) if change.is_infinite() => {
             line("NOT settled        run.duration is too short to compare two periods; increase it")
@@ -238,8 +240,9 @@ fn print_stop(stop: &StopResult, is_labelled: bool) {
         );
         let share = 100.0 * stop.contact_duty;
         line(format!(
-            "  stop {:<12}  {contacts} contacts, {share:.2} % of the time, penetration {depth:.6e} m, force {force:.4e} N",
-            stop.name
+            "  stop {:<12}  {}, {share:.2} % of the time, penetration {depth:.6e} m, force {force:.4e} N",
+            stop.name,
+            counted(contacts, "contact")
         ));
     }
     if stop.contacts > 0 {

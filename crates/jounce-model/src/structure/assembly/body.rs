@@ -130,9 +130,7 @@ pub(in crate::structure) fn bodies<'a>(
     spec.mass
         .iter()
         .try_for_each(|(name, mass)| check_mass(spec, name, mass))?;
-    fixed_masses
-        .iter()
-        .try_for_each(|name| check_fixable(spec, name))?;
+    check_fixable(spec, fixed_masses)?;
     let mut bodies = Vec::new();
     let mut rooted = |name: &'a str, kind, on| {
         let mut body = Body { parts: Vec::new() };
@@ -290,25 +288,31 @@ fn check_mass(spec: &Spec, name: &str, mass: &Mass) -> Result<(), StructureError
 
 /// A mass on the ground or free can be held; holding a mass on a beam or on another mass would make
 /// the structure statically indeterminate.
-fn check_fixable(spec: &Spec, name: &str) -> Result<(), StructureError> {
-    let is_user_mode = name
-        .split('.')
-        .next()
-        .is_some_and(|first| spec.modal.contains_key(first));
+fn check_fixable(spec: &Spec, names: &[String]) -> Result<(), StructureError> {
+    let is_user_mode = |name: &str| {
+        let first = name.split('.').next();
+        first.is_some_and(|first| spec.modal.contains_key(first))
+    };
     let can = |mass: &Mass| spec.is_base(&mass.on) || mass.on == NO_SUPPORT;
-    match (spec.mass.get(name).is_some_and(can), is_user_mode) {
-        (true, _) => Ok(()),
-        (false, true) => Err(StructureError::CannotHoldGiven { name: name.into() }),
-        (false, false) => {
-            let masses = listed(
-                spec.mass
-                    .iter()
-                    .filter(|(_, mass)| can(mass))
-                    .map(|(name, _)| name.as_str()),
-            );
+    let refused = names
+        .iter()
+        .filter(|name| !spec.mass.get(*name).is_some_and(can));
+    let (given, others): (Vec<&String>, Vec<&String>) =
+        refused.partition(|name| is_user_mode(name));
+    let quoted = |names: &[&String]| {
+        let quoted: Vec<String> = names.iter().map(|name| format!("\"{name}\"")).collect();
+        quoted.join(", ")
+    };
+    match (others.is_empty(), given.is_empty()) {
+        (true, true) => Ok(()),
+        (true, false) => Err(StructureError::CannotHoldGiven {
+            names: quoted(&given),
+        }),
+        (false, _) => {
+            let masses = spec.mass.iter().filter(|(_, mass)| can(mass));
             Err(StructureError::CannotHold {
-                name: name.into(),
-                masses,
+                names: quoted(&[others, given].concat()),
+                masses: listed(masses.map(|(name, _)| name.as_str())),
             })
         }
     }

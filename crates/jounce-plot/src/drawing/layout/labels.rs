@@ -36,6 +36,9 @@ const APART: f64 = 15.0;
 /// Cost of a body between a label and its element, px of distance.
 const CROSSED: f64 = 200.0;
 
+/// Cost of another leader between a label and its element, px of distance.
+const LEADER_CROSSED: f64 = 0.25 * CROSSED;
+
 /// Half the additional cost of a label opposite to its preferred direction, px of distance.
 const TURNED: f64 = 60.0;
 
@@ -89,6 +92,15 @@ pub fn size_of(lines: &[String]) -> (f64, f64) {
     )
 }
 
+/// True where two line segments cross.
+fn cross(one: [(f64, f64); 2], other: [(f64, f64); 2]) -> bool {
+    let side = |[from, to]: [(f64, f64); 2], point: (f64, f64)| {
+        (to.0 - from.0) * (point.1 - from.1) - (to.1 - from.1) * (point.0 - from.0)
+    };
+    let parts = |line, ends: [(f64, f64); 2]| side(line, ends[0]) * side(line, ends[1]) < 0.0;
+    parts(one, other) && parts(other, one)
+}
+
 /// Returns the leader to a label, from the start with the fewest crossings, and its cost. A label
 /// next to its anchor has no leader unless an element lies between.
 fn leader(
@@ -107,13 +119,15 @@ fn leader(
                 distance(from, body.nearest(from)) > 1e-6 && body.grown(0.05).crossed(from, to)
             };
             let bodies = obstacles.iter().filter(other).count();
+            let leaders = labels.iter().filter_map(|label| label.leader);
+            let leaders = leaders.filter(|line| cross(*line, [from, to])).count();
             let names = labels
                 .iter()
                 .filter(|label| label.room.crossed(from, to))
                 .count();
             (
                 [from, to],
-                CROSSED * bodies as f64 + 1000.0 * names as f64,
+                CROSSED * bodies as f64 + LEADER_CROSSED * leaders as f64 + 1000.0 * names as f64,
                 length,
             )
         });
@@ -247,6 +261,14 @@ fn cost(request: &LabelRequest, room: &Rect, obstacles: &[Rect], labels: &[Label
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn lines_cross_where_each_parts_the_ends_of_the_other() {
+        let line = |x: f64| [(x, -1.0), (x, 1.0)];
+        let level = [(0.0, 0.0), (2.0, 0.0)];
+        let crossings = [-1.0, 1.0, 3.0].map(|x| cross(line(x), level));
+        assert_eq!(crossings, [false, true, false]);
+    }
 
     #[test]
     fn labels_at_one_position_do_not_overlap() {

@@ -3,6 +3,7 @@
 use crate::drawing::canvas::{Canvas, INK, THIN};
 use crate::drawing::layout::DrawingLayout;
 use crate::drawing::layout::assembly::{DrawnSpot, SPRING, carrier, room, sides, thick, under};
+use crate::drawing::layout::labels::size_of;
 use crate::drawing::layout::rect::Rect;
 use crate::drawing::symbols::dimension;
 use crate::drawing::symbols::hatch::{HATCH, HatchSide, ground};
@@ -57,12 +58,18 @@ pub fn body(
         DrawnShape::Block | DrawnShape::Given => canvas.solid(covered, BODY),
     }
     seat(canvas, drawing, body, covered);
-    // Off the middle of its side, where a beam may stand on it.
-    let quarters = [-0.25, 0.25].map(|part| (covered.right, middle.1 + part * covered.height()));
-    let others = if body_drawing.shape == DrawnShape::Ball {
-        Vec::new()
-    } else {
-        quarters.to_vec()
+    // Off the middle of its sides, where a beam may stand on it or a spring may carry it.
+    let quarters = [-0.25, 0.25].map(|part| {
+        let along = middle.0 + part * covered.width();
+        [
+            (covered.right, middle.1 + part * covered.height()),
+            (along, covered.top),
+            (along, covered.bottom),
+        ]
+    });
+    let others = match body_drawing.shape == DrawnShape::Ball {
+        true => Vec::new(),
+        false => quarters.concat(),
     };
     canvas.label_along(
         (covered.right, middle.1),
@@ -99,39 +106,66 @@ fn beam_body(
     if body_drawing.seat == Seat::Ground {
         wall(canvas, (spot.x, spot.y), spot.way);
     }
-    let (anchor, toward) = named_at(shape, (spot.x, spot.y), spot.way, layout.px_per_m);
-    // If another beam lies close to this face, the name goes to the other face.
-    let other = (toward.1 != 0.0).then_some((anchor.0, 2.0 * spot.y - anchor.1));
     let mut words = body_drawing.words.clone();
     words.push(dimension::size([
         shape.length_m,
         shape.width_m,
         shape.thickness_m,
     ]));
+    let name_px = size_of(&words).0;
+    let at = (spot.x, spot.y);
+    let (anchor, toward) = named_at(shape, at, spot.way, layout.px_per_m, name_px);
+    // If another beam lies close to this face, the name goes to the other face.
+    let other = (toward.1 != 0.0).then_some((anchor.0, 2.0 * spot.y - anchor.1));
     canvas.label_along(anchor, other.into_iter().collect(), toward, words);
 }
 
-/// Returns the position of a beam's name: over a bare face, else at its right end.
+/// Returns the longest stretch of a face of a beam without patch and layer, as distances from the root,
+/// m; its ends are equal where there is none.
+fn bare_stretch(beam: &DrawnBeam, top: bool) -> (f64, f64) {
+    let covers = beam.patches.iter().chain(&beam.layers);
+    let mut covered: Vec<(f64, f64)> = covers
+        .filter(|cover| cover.top == top)
+        .map(|cover| (cover.start_m, cover.start_m + cover.length_m))
+        .collect();
+    covered.sort_by(|a, b| a.0.total_cmp(&b.0));
+    covered.push((beam.length_m, beam.length_m));
+    let (mut longest, mut end_m) = ((0.0, 0.0), 0.0_f64);
+    for (from_m, to_m) in covered {
+        if from_m - end_m > longest.1 - longest.0 {
+            longest = (end_m, from_m);
+        }
+        end_m = end_m.max(to_m);
+    }
+    longest
+}
+
+/// Returns the position of a beam's name: over the middle of the longest bare stretch of its upper face,
+/// because the names of points hang below it; else of its lower face; else at its right end. A stretch is
+/// the complete face, or as long as the name.
 fn named_at(
     beam: &DrawnBeam,
     (x, y): (f64, f64),
     sign: f64,
     px_per_m: f64,
+    name_px: f64,
 ) -> ((f64, f64), (f64, f64)) {
-    let length = sign * beam.length_m * px_per_m;
     let half = 0.5 * thick(beam.thickness_m, px_per_m);
-    let bare = |top: bool| {
-        beam.patches
-            .iter()
-            .chain(&beam.layers)
-            .all(|cover| cover.top != top)
+    let [above, below] = [true, false].map(|top| bare_stretch(beam, top));
+    let fits = |stretch: &(f64, f64)| {
+        let size_m = stretch.1 - stretch.0;
+        size_m >= beam.length_m || size_m * px_per_m >= name_px
     };
-    match (bare(true), bare(false)) {
-        (true, _) => ((x + 0.5 * length, y - half), (0.0, -1.0)),
-        (_, true) if sign < 0.0 => ((x + 0.5 * length, y + half), (0.0, 1.0)),
-        _ if sign > 0.0 => ((x + length, y), (1.0, 0.0)),
-        _ => ((x + HATCH, y), (1.0, 0.0)),
+    let sides = [(above, -1.0), (below, 1.0)];
+    if let Some((stretch, side)) = sides.into_iter().find(|(stretch, _)| fits(stretch)) {
+        let middle = x + sign * 0.5 * (stretch.0 + stretch.1) * px_per_m;
+        return ((middle, y + side * half), (0.0, side));
     }
+    let end = match sign > 0.0 {
+        true => x + beam.length_m * px_per_m,
+        false => x + HATCH,
+    };
+    ((end, y), (1.0, 0.0))
 }
 
 /// Draws the spring or the wall of a mass.
@@ -244,9 +278,10 @@ fn beam(canvas: &mut Canvas, beam: &DrawnBeam, sign: f64, (x, y): (f64, f64), px
 }
 
 /// Draws the arm of a stop fixed to a body: from the stop at `tip` over its own height to the side
-/// of its carrier.
+/// of its carrier, where it stands between the middle, which may carry a spring, and the nearer end.
 pub fn arm(canvas: &mut Canvas, tip: (f64, f64), carrier: Rect) {
-    let x = 0.5 * (carrier.left + carrier.right);
+    let middle = 0.5 * (carrier.left + carrier.right);
+    let x = 0.5 * (middle + tip.0.clamp(carrier.left, carrier.right));
     let edge = if tip.1 < carrier.top {
         carrier.top
     } else {

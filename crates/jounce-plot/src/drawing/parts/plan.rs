@@ -3,6 +3,8 @@
 
 use super::bodies::{BODY, LAYER, PATCH};
 use crate::drawing::DrawnPlan;
+use crate::drawing::canvas::Canvas;
+use crate::drawing::layout::rect::Rect;
 use crate::drawing::model::{DrawnEdge, DrawnRectangle};
 use crate::drawing::symbols::dimension;
 use crate::drawing::symbols::hatch::{HatchSide, ground};
@@ -59,29 +61,53 @@ pub fn draw(svg: &mut Svg, plan: &DrawnPlan, (x, y): (f64, f64)) {
         rectangle(svg, plan, corner, patch, PATCH);
     }
     edges(svg, plan, corner);
-    let scale = px_per_m(plan);
+    points(svg, plan, (x, y), corner);
+}
+
+/// Draws the points with their labels, which meet neither the heading nor the outline nor a patch's
+/// edge or name.
+fn points(svg: &mut Svg, plan: &DrawnPlan, (x, y): (f64, f64), corner: (f64, f64)) {
+    let (scale, [length, breadth]) = (px_per_m(plan), outline_px(plan));
+    let (wide, high) = size(plan);
+    let mut canvas = Canvas::new(svg, (x, x + wide));
+    canvas.cover(Rect::between((x, y), (x + wide, corner.1 - MARGIN)));
+    canvas.cover(Rect::between((x, y + high - 1.0), (x + wide, y + high)));
+    cover_edges(
+        &mut canvas,
+        Rect::between(corner, (corner.0 + length, corner.1 + breadth)),
+    );
+    for covered in plan.layers.iter().chain(&plan.patches) {
+        let area = area(plan, corner, covered);
+        cover_edges(&mut canvas, area);
+        let middle = (
+            0.5 * (area.left + area.right),
+            0.5 * (area.top + area.bottom),
+        );
+        let name = (width(&name(covered), SMALL), LINE);
+        canvas.cover(Rect::around(middle, name));
+    }
     for point in &plan.points {
         let at = (
             corner.0 + point.x_m * scale,
             corner.1 + breadth - point.y_m * scale,
         );
         let [left, right, level, radius] = [at.0 - POINT, at.0 + POINT, at.1, POINT].map(number);
-        svg.path(
+        canvas.svg.path(
             &format!("M{left} {level}A{radius} {radius} 0 0 1 {right} {level}A{radius} {radius} 0 0 1 {left} {level}Z"),
             DOT,
         );
-        let above = if at.1 - corner.1 < LINE {
-            LINE
-        } else {
-            -POINT - 2.0
-        };
-        svg.text(
-            at.0 + POINT + 2.0,
-            at.1 + above,
-            SMALL,
-            Anchor::Start,
-            &point.label,
-        );
+        canvas.cover(Rect::around(at, (2.0 * POINT, 2.0 * POINT)));
+        canvas.label(at, (1.0, 0.0), vec![point.label.clone()]);
+    }
+    canvas.finish();
+}
+
+/// Marks the edges of a rectangle as covered.
+fn cover_edges(canvas: &mut Canvas, rect: Rect) {
+    let (far, near) = ((rect.right, rect.bottom), (rect.left, rect.top));
+    for end in [(rect.right, rect.top), (rect.left, rect.bottom)] {
+        canvas.cover(Rect::between(near, end).grown(1.0));
+        canvas.cover(Rect::between(end, far).grown(1.0));
     }
 }
 
@@ -109,27 +135,39 @@ fn rectangle(
     covered: &DrawnRectangle,
     style: &str,
 ) {
-    let scale = px_per_m(plan);
-    let [length, breadth] = [covered.x_m, covered.y_m].map(|range| (range[1] - range[0]) * scale);
-    let left = corner.0 + covered.x_m[0] * scale;
-    let top = corner.1 + (plan.width_m - covered.y_m[1]) * scale;
+    let area = area(plan, corner, covered);
     let opacity = if covered.top { "0.9" } else { "0.45" };
     svg.rect(
-        left,
-        top,
-        length,
-        breadth,
+        area.left,
+        area.top,
+        area.width(),
+        area.height(),
         &format!("{style} fill-opacity=\"{opacity}\""),
     );
-    let face = if covered.top { "" } else { " (below)" };
-    let label = format!("{}{face}", covered.label);
     svg.text(
-        left + length / 2.0,
-        top + breadth / 2.0 + 4.0,
+        0.5 * (area.left + area.right),
+        0.5 * (area.top + area.bottom) + 4.0,
         SMALL,
         Anchor::Middle,
-        &label,
+        &name(covered),
     );
+}
+
+/// Returns the area of a layer or a patch on the sheet.
+fn area(plan: &DrawnPlan, corner: (f64, f64), covered: &DrawnRectangle) -> Rect {
+    let scale = px_per_m(plan);
+    let at = |x_m: f64, y_m: f64| {
+        let down_m = plan.width_m - y_m;
+        (corner.0 + x_m * scale, corner.1 + down_m * scale)
+    };
+    let ([left, right], [front, back]) = (covered.x_m, covered.y_m);
+    Rect::between(at(left, back), at(right, front))
+}
+
+/// Returns the name of a layer or a patch, with its face.
+fn name(covered: &DrawnRectangle) -> String {
+    let face = if covered.top { "" } else { " (below)" };
+    format!("{}{face}", covered.label)
 }
 
 /// Draws the supports of the four edges.

@@ -173,6 +173,59 @@ fn no_leader_of_any_example_or_starter_crosses_a_beam() {
     assert!(leader_count > 20, "{leader_count} lines");
 }
 
+/// Returns the four edges of a rectangle.
+fn edges(element: &str) -> [[(f64, f64); 2]; 4] {
+    let (x, y) = (number(element, "x"), number(element, "y"));
+    let (right, bottom) = (x + number(element, "width"), y + number(element, "height"));
+    let corners = [(x, y), (right, y), (right, bottom), (x, bottom)];
+    [0, 1, 2, 3].map(|k| [corners[k], corners[(k + 1) % 4]])
+}
+
+/// No label lies over a leader, an edge of a body or of a patch of a plate.
+#[test]
+fn no_label_lies_over_a_line() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let all = [
+        specs(&root.join("../../examples")),
+        specs(&root.join("../jounce-spec/src/starter")),
+    ];
+    for path in all.concat() {
+        let mut file = SpecFile::read(&path).unwrap();
+        let rides = file.set("stop.tip.frame", "table").is_ok() && file.spec().is_ok();
+        let files = match rides {
+            true => vec![SpecFile::read(&path).unwrap(), file],
+            false => vec![SpecFile::read(&path).unwrap()],
+        };
+        for file in files {
+            let svg = crate::show::drawing("title", &file.spec().unwrap()).to_svg();
+            // The close-ups are pictures with coordinates of their own.
+            let parts = svg.split("<svg").skip(1).enumerate();
+            let outside: String = parts
+                .filter_map(|(number, part)| match number {
+                    0 => Some(part),
+                    _ => Some(part.split_once("</svg>")?.1),
+                })
+                .collect();
+            let rectangles = outside
+                .split("<rect")
+                .filter_map(|rest| rest.split_once('>'));
+            let bodies = rectangles.map(|(element, _)| element).filter(|element| {
+                element.contains("jounce-body") || element.contains("jounce-patch")
+            });
+            let lines = bodies.flat_map(edges).chain(thin_lines(&svg));
+            let lines: Vec<[(f64, f64); 2]> = lines.collect();
+            for (room, text) in texts(&svg) {
+                let over = lines.iter().find(|[from, to]| room.crossed(*from, *to));
+                assert!(
+                    over.is_none(),
+                    "{}: \"{text}\" lies over {over:?}",
+                    path.display()
+                );
+            }
+        }
+    }
+}
+
 /// Returns the width and height of the first rectangle of a class.
 fn rectangle(svg: &str, class: &str) -> (f64, f64) {
     let element = svg

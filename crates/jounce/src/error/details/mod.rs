@@ -87,6 +87,10 @@ impl From<&Error> for ErrorDetails {
             Error::Option { option, value, .. } => {
                 Self::new("ArgumentError").with(json!({ "option": option, "value": value }))
             }
+            Error::Options(errors) => {
+                let faults = errors.iter().map(ToString::to_string);
+                Self::new("ArgumentError").with(json!({ "faults": faults.collect::<Vec<_>>() }))
+            }
             Error::Exchange(error) => Self::new("ArgumentError").with(json!({ "faults": error.0 })),
             Error::Grid(_) => Self::new("ArgumentError").with(json!({ "option": "grid" })),
             Error::NoDrive { .. } | Error::DriveAtRest { .. } | Error::Linear => {
