@@ -236,7 +236,7 @@ mod tests {
     fn tables(block: &BlockDiagonal, is_local: &[[bool; 6]; 2]) -> ExcitationTables {
         let indicator = |states: [bool; 6]| LAYOUT.pack(&states.map(|is| f64::from(u8::from(is))));
         let signal = |(column, is_local): (&[f64; 6], &[bool; 6])| {
-            let rest = block.solve(column, is_local).iter().map(|x| -x).collect();
+            let rest: Vec<f64> = block.solve(column, is_local).iter().map(|x| -x).collect();
             let local: [f64; 6] =
                 std::array::from_fn(|i| if is_local[i] { column[i] } else { 0.0 });
             SignalColumns {
