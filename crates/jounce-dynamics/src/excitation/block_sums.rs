@@ -50,18 +50,21 @@ pub fn columns<'c, W: Simd, const N: usize>(
     sums
 }
 
-/// Adds `u_z X_0 + s_z X_1` to the sum of each signal.
+/// Adds `u_z X_0 + s_z X_1` to the sum of each signal in some blocks, which have a factor of 1; the
+/// others have a factor of 0.
 #[inline(always)]
-pub fn add_to_signals<W: Simd, const N: usize>(
+pub fn add_to_signals<'c, W: Simd, const N: usize>(
     w: W,
     lanes: [usize; N],
     integrals: [[W::Register; N]; 2],
-    sizes: &[SignalSample],
+    (sizes, blocks): (&[SignalSample], impl Iterator<Item = &'c F64x8>),
     sums: &mut [Vec<F64x8>],
 ) {
-    for (sum, [value, slope]) in sums.iter_mut().zip(sizes) {
-        let by_value = scaled(w, *value, integrals[0], load(w, lanes, sum));
-        let by_both = scaled(w, *slope, integrals[1], by_value);
+    for ((sum, [value, slope]), factor) in sums.iter_mut().zip(sizes).zip(blocks) {
+        let factor = w.load(factor);
+        let [first, second] = integrals.map(|integral| integral.map(|x| w.mul(factor, x)));
+        let by_value = scaled(w, *value, first, load(w, lanes, sum));
+        let by_both = scaled(w, *slope, second, by_value);
         for (lane, register) in lanes.into_iter().zip(by_both) {
             sum[lane] = w.store(register);
         }

@@ -1,4 +1,5 @@
-//! Following blocks over a piece of the signals: the integrals of their states with each signal.
+//! Following blocks over a piece of the signals: the integrals of their states with each signal that
+//! they follow.
 //!
 //! On a piece from `0` to `h`, with `y' = A y + B_0 + B_1 t + sum b f` (see [`super::local_blocks`]),
 //!
@@ -73,6 +74,7 @@ impl SignalPiece<'_> {
         }
         let first = blocks.apply(w, change);
         let second = blocks.apply(w, scaled(w, -1.0, first, moment));
-        add_to_signals(w, lanes, [first, second], self.sizes, sums);
+        let follow = (self.tables.signals.iter()).map(|signal| &signal.is_following[lanes[0]]);
+        add_to_signals(w, lanes, [first, second], (self.sizes, follow), sums);
     }
 }

@@ -22,7 +22,7 @@ mod taylor_weights;
 use crate::flow::Flow;
 use crate::kernel::Kernel;
 use cursor::SignalCursor;
-use jounce_model::plant::SignalSample;
+use jounce_model::plant::{SignalSample, local_limit_s};
 use jounce_simd::{F64x8, LANES, Portable, Simd};
 use local_blocks::LocalStep;
 use port::PortExcitation;
@@ -38,6 +38,8 @@ pub(super) struct Excitation {
     pub sizes: Vec<SignalSample>,
     /// Earliest breakpoint, s.
     next_s: f64,
+    /// Largest `|eigenvalue|` of the blocks that are local to a signal that is not 0, rad/s.
+    fastest_rad_s: f64,
     /// For each port, its row over the signals and its forced motion from the current time on.
     ports: Vec<PortExcitation>,
     /// Work of the bases moved by signals through the contacts since the start, J.
@@ -54,6 +56,7 @@ impl Excitation {
             cursors: Vec::new(),
             sizes: Vec::new(),
             next_s: 0.0,
+            fastest_rad_s: 0.0,
             ports: Vec::new(),
             base_work_j: 0.0,
             full: Vec::new(),
@@ -124,11 +127,7 @@ impl Excitation {
     /// of local blocks.
     #[inline(always)]
     pub fn until_s(&self, time_s: f64) -> f64 {
-        if self.tables.limit_s.is_finite() && self.sizes.iter().any(|size| *size != [0.0; 2]) {
-            self.next_s.min(time_s + self.tables.limit_s)
-        } else {
-            self.next_s
-        }
+        self.next_s.min(time_s + local_limit_s(self.fastest_rad_s))
     }
 
     /// True at a breakpoint that has not been passed.
@@ -260,7 +259,8 @@ impl Excitation {
             #[inline(always)]
             || {
                 let local = LocalStep {
-                    tables: &self.tables.local,
+                    tables: &self.tables,
+                    fastest_rad_s: self.fastest_rad_s,
                     generator: &kernel.generator,
                     sizes: &self.sizes,
                     nodes: &self.signal_work.nodes,
@@ -285,8 +285,9 @@ impl Excitation {
     /// Sets the forced displacements of the ports from the current time on.
     #[inline(always)]
     fn aim<W: Simd>(&mut self, w: W, time_s: f64) {
+        self.fastest_rad_s = row::fastest_driven_rad_s(&self.tables.fastest_rad_s, &self.sizes);
         let longest_s = self.until_s(time_s) - time_s;
-        let terms = row::terms(self.tables.local.fastest_rad_s, longest_s);
+        let terms = row::terms(self.fastest_rad_s, longest_s);
         for excitation in &mut self.ports {
             excitation.series = excitation.reading.first_terms(w, &self.sizes, terms);
             if !excitation.approach.is_empty() {

@@ -4,10 +4,10 @@
 //! row . P(t) = sum_s (row . rest) (u + s t) + (row . lag) s + sum_j (u m_(j-1) + s m_(j-2)) t^j / j!,   m_j = row A^j b
 //! ```
 //!
-//! with `m` over local blocks only; for free bodies alone it is a cubic.
+//! with `m` over the blocks that are local to the signal only; for free bodies alone it is a cubic.
 
 use super::taylor_weights::orders;
-use jounce_model::plant::{LOCAL_TERMS, Plant, SignalSample};
+use jounce_model::plant::{LOCAL_TERMS, Plant, SignalSample, local_limit_s};
 use jounce_simd::{F64x8, LANES, Portable, Simd};
 
 /// Number of coefficients of a series.
@@ -48,8 +48,8 @@ pub(crate) struct ExcitationRow {
     signals: Vec<[Coefficients; 2]>,
     /// Number of coefficients that are not always 0.
     used: usize,
-    /// Largest `|eigenvalue|` of the local blocks, rad/s.
-    fastest_rad_s: f64,
+    /// For each signal, the largest `|eigenvalue|` of its local blocks, rad/s.
+    fastest_rad_s: Vec<f64>,
 }
 
 /// Polynomial in the time from the current time on.
@@ -87,7 +87,7 @@ impl ExcitationRow {
         Self {
             signals,
             used,
-            fastest_rad_s: plant.fastest_local_rad_s(),
+            fastest_rad_s: fastest_rad_s(plant),
         }
     }
 
@@ -100,8 +100,14 @@ impl ExcitationRow {
 
     /// Returns the polynomial for given samples of the signals, complete up to a time from now.
     pub fn series(&self, sizes: &[SignalSample], longest_s: f64) -> ExcitationSeries {
-        let terms = terms(self.fastest_rad_s, longest_s);
+        let terms = terms(fastest_driven_rad_s(&self.fastest_rad_s, sizes), longest_s);
         self.first_terms(Portable::new(), sizes, terms)
+    }
+
+    /// Returns the polynomial for given samples of the signals, complete up to the longest step.
+    pub fn longest_series(&self, sizes: &[SignalSample]) -> ExcitationSeries {
+        let fastest_rad_s = fastest_driven_rad_s(&self.fastest_rad_s, sizes);
+        self.series(sizes, local_limit_s(fastest_rad_s))
     }
 
     /// Returns for each signal the integrals of the polynomials of its value and of its slope.
@@ -138,6 +144,22 @@ impl ExcitationRow {
         }
         ExcitationSeries { coefficients, used }
     }
+}
+
+/// Returns for each signal the largest `|eigenvalue|` of its local blocks, rad/s.
+pub(super) fn fastest_rad_s(plant: &Plant) -> Vec<f64> {
+    let fastest = (plant.forcings.iter()).map(|forcing| forcing.fastest_local_rad_s);
+    fastest.collect()
+}
+
+/// Returns the largest `|eigenvalue|` of the blocks that are local to a signal that is not 0, rad/s,
+/// from those of each signal.
+#[inline(always)]
+pub(super) fn fastest_driven_rad_s(fastest_rad_s: &[f64], sizes: &[SignalSample]) -> f64 {
+    let signals = fastest_rad_s.iter().zip(sizes);
+    signals
+        .filter(|(_, size)| **size != [0.0; 2])
+        .fold(0.0, |max, (fastest, _)| max.max(*fastest))
 }
 
 /// Returns the integral of a polynomial from 0 on.

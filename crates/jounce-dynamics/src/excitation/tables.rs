@@ -1,16 +1,16 @@
 //! Parts of the excitation that do not depend on the time, computed once for each kernel.
 
 use super::port::PortExcitation;
-use super::row::ExcitationRow;
+use super::row::{ExcitationRow, fastest_rad_s};
 use crate::flow::Flow;
 use crate::flow::layout::StateLayout;
 use crate::kernel::Kernel;
 use jounce_model::drive::Wave;
-use jounce_model::plant::{Forcing, Plant};
+use jounce_model::plant::{Forcing, Plant, SignalSample};
 use jounce_simd::F64x8;
 
 /// Rows and flows of a kernel under its signals.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(crate) struct ExcitationTables {
     /// Excitation of each port before the first signal; none without signals.
     pub ports: Vec<PortExcitation>,
@@ -25,12 +25,13 @@ pub(crate) struct ExcitationTables {
     pub signals: Vec<SignalColumns>,
     /// Column of the force of each port; none without signals.
     pub forces: Vec<Vec<F64x8>>,
-    /// `A^-1` in following blocks, 0 in local ones; empty without signals.
+    /// `A^-1` in blocks that follow a signal, 0 in those that are local to all of them; empty without
+    /// signals.
     pub inverse: Flow,
-    /// Local blocks; empty without signals.
-    pub local: LocalTables,
-    /// Longest step under signals that are not silent, s.
-    pub limit_s: f64,
+    /// Vectors of blocks with one that is local to a signal, those of pairs first.
+    pub local: Vec<LocalVector>,
+    /// For each signal, the largest `|eigenvalue|` of its local blocks, rad/s.
+    pub fastest_rad_s: Vec<f64>,
 }
 
 /// Columns of one signal (see [`Forcing`]).
@@ -39,18 +40,32 @@ pub(crate) struct SignalColumns {
     pub column: Vec<F64x8>,
     pub rest: Vec<F64x8>,
     pub lag: Vec<F64x8>,
+    /// The column in local blocks, 0 in following ones.
+    pub local: Vec<F64x8>,
+    /// 1 in following blocks, 0 in local ones.
+    pub is_following: Vec<F64x8>,
 }
 
-/// Local blocks of a plant and what acts on them.
-#[derive(Debug, Default)]
-pub(crate) struct LocalTables {
-    /// Vectors of blocks with a local one, those of pairs first, and 1 for each local block.
-    pub vectors: Vec<(usize, F64x8)>,
-    /// Column of each signal, and of the force of each port, in local blocks.
-    pub columns: Vec<Vec<F64x8>>,
-    pub forces: Vec<Vec<F64x8>>,
-    /// Largest `|eigenvalue|`, rad/s.
-    pub fastest_rad_s: f64,
+/// Vector of blocks with one that is local to a signal.
+#[derive(Debug)]
+pub(crate) struct LocalVector {
+    /// Index among the vectors of blocks, those of pairs first.
+    pub index: usize,
+    /// For each signal, 1 in the blocks that are local to it.
+    pub is_local: Vec<F64x8>,
+}
+
+impl LocalVector {
+    /// Returns 1 in the blocks that are local to a signal that is not 0.
+    #[inline(always)]
+    pub fn driven(&self, sizes: &[SignalSample]) -> F64x8 {
+        let signals = self.is_local.iter().zip(sizes);
+        signals
+            .filter(|(_, size)| **size != [0.0; 2])
+            .fold(F64x8::ZERO, |driven, (is_local, _)| {
+                F64x8(std::array::from_fn(|i| driven.0[i].max(is_local.0[i])))
+            })
+    }
 }
 
 impl ExcitationTables {
@@ -76,51 +91,62 @@ impl ExcitationTables {
                 .map(|port| kernel.layout.pack(&port.force))
                 .collect(),
             inverse: match excited {
-                true => Flow::inverse(&plant.diagonal.block, &kernel.layout, &plant.local),
+                true => Flow::inverse(&plant.diagonal.block, &kernel.layout, &local_to_all(plant)),
                 false => Flow::default(),
             },
-            local: match excited {
-                true => LocalTables::of(plant, &kernel.layout),
-                false => LocalTables::default(),
-            },
-            limit_s: plant.local_limit_s(),
+            local: local_vectors(plant, &kernel.layout),
+            fastest_rad_s: fastest_rad_s(plant),
         }
     }
 }
 
 impl SignalColumns {
     fn of(layout: &StateLayout, forcing: &Forcing) -> Self {
-        let [column, rest, lag] =
-            [&forcing.column, &forcing.rest, &forcing.lag].map(|b| layout.pack(b));
-        Self { column, rest, lag }
+        let [column, rest, lag, local] =
+            [&forcing.column, &forcing.rest, &forcing.lag, &forcing.local].map(|b| layout.pack(b));
+        Self {
+            column,
+            rest,
+            lag,
+            local,
+            is_following: indicator(layout, forcing.is_local.iter().map(|local| !local)),
+        }
     }
 }
 
-impl LocalTables {
-    fn of(plant: &Plant, layout: &StateLayout) -> Self {
-        let local_part = |column: &[f64]| {
-            let parts = column.iter().zip(&plant.local);
-            let parts = parts.map(|(b, local)| if *local { *b } else { 0.0 });
-            layout.pack(&parts.collect::<Vec<f64>>())
-        };
-        let is_local = local_part(&vec![1.0; plant.len()]);
-        let first_real = layout.pair_lanes;
+/// Returns 1 in some states, 0 in the others.
+fn indicator(layout: &StateLayout, states: impl Iterator<Item = bool>) -> Vec<F64x8> {
+    let values: Vec<f64> = states.map(|is_one| f64::from(u8::from(is_one))).collect();
+    layout.pack(&values)
+}
+
+/// Returns the states of blocks that are local to all signals; these include all free ones.
+fn local_to_all(plant: &Plant) -> Vec<bool> {
+    let is_local = |state: usize| plant.forcings.iter().all(|forcing| forcing.is_local[state]);
+    (0..plant.len()).map(is_local).collect()
+}
+
+/// Returns the vectors of blocks with one that is local to a signal.
+fn local_vectors(plant: &Plant, layout: &StateLayout) -> Vec<LocalVector> {
+    let of_signal = |forcing: &Forcing| indicator(layout, forcing.is_local.iter().copied());
+    let signals: Vec<Vec<F64x8>> = plant.forcings.iter().map(of_signal).collect();
+    let first_real = layout.pair_lanes;
+    let vector = |index: usize| {
         // Both states of a pair are local, or none.
-        let vectors = (0..first_real + layout.real_lanes).map(|k| match k < first_real {
-            true => (k, is_local[k]),
-            false => (k, is_local[first_real + k]),
-        });
-        Self {
-            vectors: vectors.filter(|(_, is)| *is != F64x8::ZERO).collect(),
-            columns: (plant.forcings.iter())
-                .map(|forcing| layout.pack(&forcing.local))
-                .collect(),
-            forces: (plant.ports.iter())
-                .map(|port| local_part(&port.force))
-                .collect(),
-            fastest_rad_s: plant.fastest_local_rad_s(),
+        let lane = if index < first_real {
+            index
+        } else {
+            first_real + index
+        };
+        LocalVector {
+            index,
+            is_local: signals.iter().map(|signal| signal[lane]).collect(),
         }
-    }
+    };
+    (0..first_real + layout.real_lanes)
+        .map(vector)
+        .filter(|vector| vector.is_local.iter().any(|is| *is != F64x8::ZERO))
+        .collect()
 }
 
 /// Returns the index of the only signal with breakpoints.

@@ -84,9 +84,8 @@ impl<'a, 'p> Linearization<'a, 'p> {
             .map(|index| Phasor::new(&kernel.plant, index, 0.0))
             .collect();
         let packed = vec![F64x8::ZERO; kernel.layout.lanes()];
-        let limit_s = kernel.plant.local_limit_s();
         let series = |port: &Port| {
-            ExcitationRow::of(&kernel.plant, &port.displacement).series(&sizes, limit_s)
+            ExcitationRow::of(&kernel.plant, &port.displacement).longest_series(&sizes)
         };
         let forced = kernel
             .plant

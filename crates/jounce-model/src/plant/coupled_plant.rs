@@ -24,8 +24,6 @@ pub struct Plant {
     pub forcings: Vec<Forcing>,
     /// One per signal: displacement of its base, if a stop depends on it.
     pub travels: Vec<Option<Arc<Travel>>>,
-    /// States with a local response to signals (see [`Forcing`]).
-    pub local: Vec<bool>,
     /// One per stop, in the order of `system.stops`, then one per event function.
     pub ports: Vec<Port>,
     /// Event functions of the bridges.
@@ -62,7 +60,7 @@ impl Plant {
         let electrical = Electrical::of(&system);
         check_speeds(&system, &electrical)?;
         let diagonal = Arc::new(Diagonal::of(&system, &electrical)?);
-        let (tones, forcings, local, ports) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        let (tones, forcings, ports) = (Vec::new(), Vec::new(), Vec::new());
         let guards = system.guards();
         let mut plant = Self {
             system,
@@ -71,12 +69,10 @@ impl Plant {
             tones,
             forcings,
             travels: Vec::new(),
-            local,
             ports,
             guards,
         };
         plant.tones = plant.make_tones()?;
-        plant.local = plant.local_states(&plant.system.signals);
         plant.forcings = plant
             .system
             .signals
@@ -104,7 +100,6 @@ impl Plant {
     /// Returns this plant under other signals.
     pub fn with_signals(&self, signals: Vec<Signal>) -> Self {
         let mut plant = self.clone();
-        plant.local = self.local_states(&signals);
         plant.forcings = signals
             .iter()
             .map(|signal| Forcing::of(&plant, signal))

@@ -47,5 +47,5 @@ pub use energy::{EnergyMeter, Meters};
 pub use error::PlantError;
 pub use forcing::signal::Signal;
 pub use forcing::tone::Tone;
-pub use forcing::{Forcing, LOCAL_TERMS, NEGLIGIBLE_TERM, SignalSample};
+pub use forcing::{Forcing, LOCAL_TERMS, NEGLIGIBLE_TERM, SignalSample, local_limit_s};
 pub use system::{Connection, Dashpot, Drive, Load, Stop, System};

@@ -1,6 +1,6 @@
 //! Exact response of the plant to a drive that is linear in time.
 //!
-//! With `y' = A y + b (u + s t)`, there are two kinds of block:
+//! With `y' = A y + b (u + s t)`, a block responds to a drive in one of two ways:
 //!
 //! ```text
 //! following   P(t) = rest (u + s t) + lag s,                           rest = -A^-1 b,   lag = A^-1 rest
@@ -9,8 +9,11 @@
 //!
 //! so `y - P` evolves as without a drive. If the slope changes by `ds` and the value jumps by `du`,
 //! the state is continuous and `y - P` jumps by `-rest du - lag ds`. Blocks that are slow relative
-//! to the samples of a drive (free bodies are the slowest) are local: their `lag` and its roundoff
-//! would be far larger than their motion. Their `P` is reset at each step.
+//! to the samples of a drive (free bodies are the slowest) are local to it: their `lag` and its
+//! roundoff would be far larger than their motion. Their `P` is reset at each step.
+//!
+//! Each drive has its own local blocks: a constant has no samples, so that only free bodies are
+//! local to it, also next to a drive with fine samples.
 
 mod base_motion;
 pub(super) mod signal;
@@ -24,6 +27,11 @@ use crate::drive::Wave;
 pub struct Forcing {
     /// `b`.
     pub column: Vec<f64>,
+    /// States of the blocks that are local to the signal.
+    pub is_local: Vec<bool>,
+    /// Largest `|eigenvalue|` of these blocks, rad/s; 0 where only free bodies without losses are
+    /// local.
+    pub fastest_local_rad_s: f64,
     /// Response of following blocks to a value; 0 in local blocks.
     pub rest: Vec<f64>,
     /// Response of following blocks to a slope, s; 0 in local blocks.
@@ -50,18 +58,21 @@ impl Forcing {
     pub(super) fn of(plant: &Plant, signal: &Signal) -> Self {
         let block = &plant.diagonal.block;
         let column = plant.signal_column(signal);
+        let is_local = plant.local_states(signal);
         let rest: Vec<f64> = block
-            .solve(&column, &plant.local)
+            .solve(&column, &is_local)
             .into_iter()
             .map(|x| -x)
             .collect();
         let local = column
             .iter()
-            .zip(&plant.local)
+            .zip(&is_local)
             .map(|(b, local)| if *local { *b } else { 0.0 })
             .collect();
         Self {
-            lag: block.solve(&rest, &plant.local),
+            lag: block.solve(&rest, &is_local),
+            fastest_local_rad_s: plant.fastest_rad_s_of(&is_local),
+            is_local,
             rest,
             column,
             local,
@@ -69,28 +80,27 @@ impl Forcing {
     }
 }
 
+/// Returns the longest step that the series of local blocks of at most some `|eigenvalue|` allows, s.
+pub fn local_limit_s(fastest_rad_s: f64) -> f64 {
+    LOCAL_BLOCK_RATE / fastest_rad_s
+}
+
 impl Plant {
-    /// States of local blocks under signals: states without a restoring effect, and states that are
-    /// slow relative to the finest samples.
-    pub(super) fn local_states(&self, signals: &[Signal]) -> Vec<bool> {
-        let steps = signals.iter().filter_map(|signal| {
-            if let Wave::Sampled { step_s, .. } = signal.wave {
-                Some(step_s)
-            } else {
-                None
-            }
-        });
-        // A current that is held drives a storage far from any equilibrium: what matters is the
-        // change over a time of the structure.
-        let slowest_rad_s = (self.system.modes.frequency_rad_s.iter().copied())
-            .filter(|w| *w > 0.0)
-            .reduce(f64::min)
-            .filter(|_| signals.iter().any(|signal| signal.drawn_from.is_some()));
-        let fastest_rad_s = LOCAL_BLOCK_RATE
-            * steps
-                .map(|step_s| 1.0 / step_s)
-                .chain(slowest_rad_s)
-                .fold(0.0, f64::max);
+    /// Returns the states of the blocks that are local to a signal: states without a restoring
+    /// effect, and states that are slow relative to its samples.
+    fn local_states(&self, signal: &Signal) -> Vec<bool> {
+        let slowest_mode_rad_s = || {
+            let modes_rad_s = self.system.modes.frequency_rad_s.iter().copied();
+            modes_rad_s.filter(|w| *w > 0.0).reduce(f64::min)
+        };
+        let changes_per_s = match signal.wave {
+            Wave::Sampled { step_s, .. } => 1.0 / step_s,
+            // A current that is held drives a storage far from any equilibrium: what matters is the
+            // change over a time of the structure.
+            _ if signal.drawn_from.is_some() => slowest_mode_rad_s().unwrap_or(0.0),
+            _ => 0.0,
+        };
+        let fastest_rad_s = LOCAL_BLOCK_RATE * changes_per_s;
         let block = &self.diagonal.block;
         block
             .free()
@@ -100,23 +110,15 @@ impl Plant {
             .collect()
     }
 
-    /// Returns the largest `|eigenvalue|` of the local blocks, rad/s; 0 where only free bodies without
-    /// losses are local.
-    pub fn fastest_local_rad_s(&self) -> f64 {
+    /// Returns the largest `|eigenvalue|` of some states, rad/s; 0 where they only belong to free
+    /// bodies without losses.
+    fn fastest_rad_s_of(&self, states: &[bool]) -> f64 {
         let block = &self.diagonal.block;
         let zero = block.zero_rate();
-        let speeds = block.speeds().into_iter().zip(&self.local);
+        let speeds = block.speeds().into_iter().zip(states);
         speeds
-            .filter(|(speed, local)| **local && *speed > zero)
+            .filter(|(speed, is_one)| **is_one && *speed > zero)
             .fold(0.0_f64, |max, (speed, _)| max.max(speed))
-    }
-
-    /// Returns the longest step that the series of local blocks allows, s.
-    pub fn local_limit_s(&self) -> f64 {
-        match self.fastest_local_rad_s() {
-            0.0 => f64::INFINITY,
-            fastest_rad_s => LOCAL_BLOCK_RATE / fastest_rad_s,
-        }
     }
 
     /// Returns `P`, the forced part of the state under signals, a time after the reset of local
