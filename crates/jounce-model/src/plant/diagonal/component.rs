@@ -8,6 +8,7 @@ use super::conduction_path::ConductionPath;
 use super::coupled_rates::coupled_rates;
 use super::eigen_refinement::refined;
 use super::free_bodies::FreeBodies;
+use super::near_defects::nearly_defective;
 use crate::plant::{BlockPair, Electrical, PlantError, System};
 use jounce_linalg::{Eigen, Mat, c64, eigen};
 
@@ -265,42 +266,6 @@ fn blocks(
         exact: true,
     });
     computed.chain(constant).collect::<Vec<_>>().into_iter()
-}
-
-/// Sine of the angle between two eigenvectors below which their eigenvalues are nearly one.
-const NEARLY_PARALLEL: f64 = 0.1;
-
-/// Marks the blocks of nearly equal eigenvalues with nearly parallel eigenvectors: a mode near
-/// critical damping.
-///
-/// The eigenvalues of the solver and their vectors solve `A T = T J` up to roundoff. A correction of
-/// the eigenvalues alone adds an error of the square of the inverse sine.
-fn nearly_defective(blocks: &[PieceBlock]) -> Vec<bool> {
-    let dot = |u: &[f64], v: &[f64]| -> f64 { u.iter().zip(v).map(|(u, v)| u * v).sum() };
-    let square = NEARLY_PARALLEL * NEARLY_PARALLEL;
-    let are_parallel = |u: &[f64], v: &[f64]| {
-        let (uu, vv) = (dot(u, u), dot(v, v));
-        1.0 - dot(u, v).powi(2) / (uu * vv) < square
-    };
-    let mut marks: Vec<bool> = blocks
-        .iter()
-        .map(|block| match block {
-            // The vectors are `u - i v` and `u + i v`.
-            PieceBlock::Pair(BlockPair::Oscillatory { .. }, [u, v]) => {
-                let (uu, vv, uv) = (dot(u, u), dot(v, v), dot(u, v));
-                1.0 - ((uu - vv).powi(2) + 4.0 * uv * uv) / (uu + vv).powi(2) < square
-            }
-            _ => false,
-        })
-        .collect();
-    for (k, pair) in blocks.windows(2).enumerate() {
-        if let [PieceBlock::Real(_, u), PieceBlock::Real(_, v)] = pair
-            && are_parallel(u, v)
-        {
-            marks[k..k + 2].fill(true);
-        }
-    }
-    marks
 }
 
 /// Returns all eigenvalues and the columns of their eigenvectors, refined where one state may be

@@ -29,6 +29,7 @@ mod conduction_path;
 mod coupled_rates;
 mod eigen_refinement;
 mod free_bodies;
+mod near_defects;
 pub(super) mod stiff;
 
 use super::{BlockDiagonal, BlockPair, Electrical, PlantError, System};
