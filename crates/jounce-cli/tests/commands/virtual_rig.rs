@@ -237,7 +237,7 @@ fn spectra_print_their_convention_and_mark_the_orders() {
     );
     let picture = std::fs::read_to_string(folder.path().join("out/spectrogram.svg")).unwrap();
     assert!(
-        picture.contains(">drive<") && picture.contains(">8×<"),
+        picture.contains(">drive<") && picture.contains(">8× drive<"),
         "order lines are marked"
     );
 }
