@@ -36,7 +36,12 @@ class ModesResult(Result):
     coupling_squared: Annotated[Floats, Along("patch mode", "1", "modal coupling, squared")]
     matched_resistance_ohm: Annotated[
         Floats,
-        Along("patch mode", "ohm", "1/(w C)", detail="at the short-circuit frequency; the optimal load of a weakly coupled patch"),
+        Along(
+            "patch mode",
+            "ohm",
+            "impedance of the capacitance, 1/(w C)",
+            detail="at the short-circuit frequency; the optimal load of a weakly coupled patch",
+        ),
     ]
     optimal_resistance_ohm: Annotated[
         Floats,

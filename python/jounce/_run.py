@@ -163,7 +163,7 @@ class RunResult(Result):
     def _summary(self) -> list[tuple[str, str]]:
         settled = (
             f"period of {counted(self.period_cycles, 'drive cycle')}"
-            if self.settled
+            if self.settled and self.period_cycles is not None
             else f"NOT settled, change {self.periodicity_change:.1e}"
         )
         cause = "a regulator switches at its own times" if self.device else "the drives have no common period"

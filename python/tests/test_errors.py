@@ -174,7 +174,7 @@ def test_wrong_python_types_are_type_errors(harvester):
 def test_errors_carry_their_numbers(harvester):
     with pytest.raises(jounce.StructureError) as excinfo:
         harvester.modes(hold=["beam"])
-    assert excinfo.value.details["name"] == "beam"
+    assert excinfo.value.details["names"] == ["beam"]
     state = harvester.changed({"run.duration": "0.2 s", "run.average_over": "0.1 s"}).run().end
     with pytest.raises(jounce.StartError) as excinfo:
         harvester.changed({"reduction.modes": 5}).run(start=state)

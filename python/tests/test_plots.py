@@ -33,7 +33,7 @@ def plot_functions():
         "branch": branch.plot_branch,
         "bifurcations": harvester.bifurcations(FREQUENCY, "12 Hz:13 Hz", "stop.tip.gap", "0.99 mm:1.01 mm", seeds=0).plot_bifurcations,
         "basins": harvester.basins(starts=3).plot_basins,
-        "diagram": harvester.diagram(FREQUENCY, "12 Hz:13 Hz:3x", branches=False).plot_diagram,
+        "diagram": harvester.diagram(FREQUENCY, "12 Hz:13 Hz:3x", direction="starts", starts=3, branches=False).plot_diagram,
         "ensemble": noisy.ensemble(members=8).plot_ensemble,
         "spectra": noisy.ensemble(members=8, spectrum=True).plot_spectra,
         "noise": noisy.noise().plot_noise,

@@ -122,21 +122,23 @@ pub enum StructureError {
     },
     /// Only masses on the ground and free masses can be held fixed.
     #[error(
-        "cannot hold {names} fixed; only a mass on the base or a free mass can be held ({masses})"
+        "cannot hold {} fixed; only a mass on the base or a free mass can be held ({masses})",
+        quoted(.names)
     )]
     CannotHold {
-        /// Names of the parts to hold, in quotes.
-        names: String,
+        /// Names of the parts to hold.
+        names: Vec<String>,
         /// Existing masses.
         masses: String,
     },
     /// A structure defined by its modes cannot be held at a point.
     #[error(
-        "cannot hold {names} fixed, because the structure there is defined by its modes; give the modes with that point held"
+        "cannot hold {} fixed, because the structure there is defined by its modes; give the modes with that point held",
+        quoted(.names)
     )]
     CannotHoldGiven {
-        /// Names of the parts to hold, in quotes.
-        names: String,
+        /// Names of the parts to hold.
+        names: Vec<String>,
     },
     /// No mode would remain.
     #[error(
@@ -288,4 +290,10 @@ impl StructureError {
             })
         }
     }
+}
+
+/// Returns names in quotes, `"tip", "table"`.
+fn quoted(names: &[String]) -> String {
+    let quoted: Vec<String> = names.iter().map(|name| format!("\"{name}\"")).collect();
+    quoted.join(", ")
 }

@@ -127,7 +127,7 @@ fn modal_structures_need_no_beams() {
     assert_eq!(
         error,
         StructureError::CannotHoldGiven {
-            names: "\"harvester.table\"".into()
+            names: vec!["harvester.table".into()]
         }
     );
     spec.modal

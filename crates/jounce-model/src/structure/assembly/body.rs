@@ -297,21 +297,15 @@ fn check_fixable(spec: &Spec, names: &[String]) -> Result<(), StructureError> {
     let refused = names
         .iter()
         .filter(|name| !spec.mass.get(*name).is_some_and(can));
-    let (given, others): (Vec<&String>, Vec<&String>) =
-        refused.partition(|name| is_user_mode(name));
-    let quoted = |names: &[&String]| {
-        let quoted: Vec<String> = names.iter().map(|name| format!("\"{name}\"")).collect();
-        quoted.join(", ")
-    };
+    let (given, others): (Vec<String>, Vec<String>) =
+        refused.cloned().partition(|name| is_user_mode(name));
     match (others.is_empty(), given.is_empty()) {
         (true, true) => Ok(()),
-        (true, false) => Err(StructureError::CannotHoldGiven {
-            names: quoted(&given),
-        }),
+        (true, false) => Err(StructureError::CannotHoldGiven { names: given }),
         (false, _) => {
             let masses = spec.mass.iter().filter(|(_, mass)| can(mass));
             Err(StructureError::CannotHold {
-                names: quoted(&[others, given].concat()),
+                names: [others, given].concat(),
                 masses: listed(masses.map(|(name, _)| name.as_str())),
             })
         }
