@@ -140,7 +140,7 @@ test("robust shades the band of the power, and a wrong tolerance has a message a
     await until("robust-words", /shaded: 5 % to 95 % of 64 drawn designs/);
     assert.ok(await page.locator("#search-tolerance-stop-tip-gap-fault").isHidden());
     assert.notEqual(await canvas.evaluate((own) => own.toDataURL()), before);
-    assert.match(await text("readout"), /Shaded: 5 % to 95 %/);
+    await until("readout", /Shaded: 5 % to 95 %/);
     // The band follows the design.
     await type("stop.tip.gap", "1.1");
     await page.waitForFunction(() => !/shaded/.test(document.getElementById("robust-words").textContent));

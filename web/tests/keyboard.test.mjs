@@ -101,6 +101,7 @@ test("a control that is hidden, disabled or removed by its own key leaves the fo
     await page.locator("#undo").focus();
     await page.keyboard.press("Enter");
     await page.waitForFunction(() => document.getElementById("undo").disabled && !document.activeElement.matches(":disabled, body"));
+    await ready(page);
     // A pin that is removed.
     await page.locator("#pin").focus();
     await page.keyboard.press("p");
@@ -110,6 +111,8 @@ test("a control that is hidden, disabled or removed by its own key leaves the fo
     // A value that is restored.
     await type("stop.tip.gap", "1.1");
     await ready(page);
+    // A hidden button would not take the focus.
+    await page.getByLabel("stop.tip.gap: restore the value of the file").waitFor();
     await page.getByLabel("stop.tip.gap: restore the value of the file").focus();
     await page.keyboard.press("Enter");
     await page.waitForFunction(() => document.querySelector("[aria-label='stop.tip.gap, value']").value === "1" && document.activeElement.closest(".control"));
