@@ -89,12 +89,13 @@ export async function browse() {
     };
 }
 
-/** Opens the page and waits for its first fine response and orbit. */
-export async function open(context, address) {
+/** Opens the page, with a script before its own, and waits for its first fine response and orbit. */
+export async function open(context, address, script = () => {}) {
     const page = await context.newPage();
     page.faults = [];
     page.on("pageerror", (error) => page.faults.push(String(error)));
     page.on("console", (message) => message.type() === "error" && page.faults.push(message.text()));
+    await page.addInitScript(script);
     await page.goto(address);
     await ready(page);
     return page;

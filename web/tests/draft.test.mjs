@@ -1,7 +1,7 @@
 // What the page says of the error of its last draft, against a comparison of the frames of the server.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { browse, ready, serve } from "./browser.mjs";
+import { browse, open, ready, serve } from "./browser.mjs";
 import { compare, draws } from "./curves.mjs";
 
 let server;
@@ -10,12 +10,7 @@ let page;
 before(async () => {
     server = await serve();
     browser = await browse();
-    page = await browser.context.newPage();
-    page.faults = [];
-    page.on("pageerror", (error) => page.faults.push(String(error)));
-    await page.addInitScript(record);
-    await page.goto(server.address);
-    await ready(page);
+    page = await open(browser.context, server.address, record);
 });
 after(async () => {
     await browser?.close();

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFile, writeFile } from "node:fs/promises";
 import { after, before, test } from "node:test";
-import { browse, ready, serve } from "./browser.mjs";
+import { browse, open, ready, serve } from "./browser.mjs";
 import { gate } from "./gate.mjs";
 
 let server;
@@ -11,12 +11,7 @@ let page;
 before(async () => {
     server = await serve();
     browser = await browse();
-    page = await browser.context.newPage();
-    page.faults = [];
-    page.on("pageerror", (error) => page.faults.push(String(error)));
-    await page.addInitScript(gate);
-    await page.goto(server.address);
-    await ready(page);
+    page = await open(browser.context, server.address, gate);
     await until("operating-words", /of 100 starts/);
 });
 after(async () => {
@@ -33,9 +28,9 @@ const type = async (key, value) => {
 };
 const hold = (pattern) => page.evaluate((source) => window.gate.hold(source), pattern.source);
 const held = (count = 1) => page.waitForFunction((least) => window.gate.waiting() >= least, count);
-const open = () => page.evaluate(() => window.gate.open());
+const letIn = () => page.evaluate(() => window.gate.open());
 const reset = async () => {
-    await open();
+    await letIn();
     if (await page.locator("#reset").isEnabled()) await page.locator("#reset").click();
     await ready(page);
     await until("operating-words", /of 100 starts/);
@@ -76,7 +71,7 @@ test("a design that arrives late does not move a slider back", async () => {
     await page.keyboard.press("ArrowRight");
     await held();
     for (let k = 0; k < 4; k++) await page.keyboard.press("ArrowRight");
-    await open();
+    await letIn();
     assert.equal(Number(await slider.inputValue()), before + 5);
     await page.keyboard.press("ArrowRight");
     await ready(page);
@@ -90,7 +85,7 @@ test("noise runs while a file is read and checked, and the results have the name
     await drop("picture.png", "\u0089PNG\r\n");
     await until("shake-words", /picture\.png/);
     await page.locator("#shake-run").click();
-    await open();
+    await letIn();
     await until("shake-words", /^noise: [\d.]+ .?W on average over 45 s/);
     // A result that arrives while another file is read.
     await hold(/^shake done/);
@@ -98,7 +93,7 @@ test("noise runs while a file is read and checked, and the results have the name
     await held();
     await page.evaluate(() => window.gate.holdFiles("late"));
     await drop("late.csv", sine);
-    await open();
+    await letIn();
     assert.doesNotMatch(await text("shake-words"), /late\.csv.*W on average/);
     // A newer file that is read sooner.
     await drop("newer.csv", sine);
@@ -131,7 +126,7 @@ test("after Stop nothing seems to run, and a map of an earlier design remains on
     await held();
     assert.ok(await page.locator("#basins-stale").isVisible(), "while the new one is computed");
     await page.locator("#basins-run").click();
-    await open();
+    await letIn();
     assert.equal(await text("basins-words"), "stopped");
     assert.ok(await page.locator("#basins-stale").isVisible(), "after Stop");
     await page.locator("#tab-response").click();
@@ -167,7 +162,7 @@ test("a fault of the search remains until a search has ended without it", async 
     await type("stop.tip.gap", "1.05");
     await until("readout", /^Draft(?!: of an earlier)/);
     assert.equal(await text("faults"), message, "with the draft of another design");
-    await open();
+    await letIn();
     await ready(page);
     assert.equal(await text("faults"), "");
     await reset();
@@ -180,7 +175,7 @@ test("curves, bifurcations and orbit of an earlier design are marked until the n
     await held();
     assert.ok(await page.locator(".readout details").first().isHidden());
     assert.ok(await page.locator("#orbit-stale").isVisible());
-    await open();
+    await letIn();
     await ready(page);
     assert.doesNotMatch(await text("readout"), /earlier design/);
     assert.ok(await page.locator("#orbit-stale").isHidden());

@@ -3,7 +3,7 @@
 use super::component::PieceBlock;
 use crate::plant::BlockPair;
 
-/// Sine of the angle between two eigenvectors below which their eigenvalues are nearly one.
+/// Sine of the angle between two eigenvectors below which their pair is nearly defective.
 const NEARLY_PARALLEL: f64 = 0.1;
 
 /// Marks the blocks of nearly equal eigenvalues with nearly parallel eigenvectors: a mode near
