@@ -46,15 +46,12 @@ impl Integrator<'_> {
                 end_s,
             ),
             Some(Law::Hertz(law)) => self.dispatch(law, end_s),
-            Some(Law::KelvinVoigt(law)) => self.dispatch(law, end_s),
-            Some(Law::HuntCrossley(law)) => self.dispatch(law, end_s),
-            Some(Law::Cubic(law)) => self.dispatch(law, end_s),
-            Some(Law::Table(law)) => self.dispatch(law, end_s),
             Some(Law::Rigid(law)) => widest(AdvanceRigid {
                 integrator: self,
                 law,
                 end_s,
             }),
+            Some(law) => self.dispatch(law, end_s),
         }
     }
 
