@@ -18,7 +18,7 @@ const REPORTED_ORDERS: [f64; 8] = [0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0];
 
 impl Recording {
     /// Computes the mean power of the voltage of each recording over its load, with a confidence
-    /// interval that accounts for correlation.
+    /// interval that accounts for correlation. Samples that are missing in a recording do not count.
     ///
     /// # Errors
     /// [`Error::Option`], [`Error::NoChannel`] and [`Error::Channel`] for a channel that does not
@@ -54,11 +54,16 @@ impl Recording {
         let record = self.load(options)?;
         let voltage = &record.channels[0];
         let samples = signal(voltage, record.rate())?;
-        let power = mean_power(&samples, resistance_ohm, options.remove_mean)?;
+        // Interpolated samples have no power of their own.
+        let measured = self.measured_values(options, &record, 0)?;
+        let measured = Samples::new(&measured, record.rate()).map_err(SpectralError::from)?;
+        let power = mean_power(&measured, resistance_ohm, options.remove_mean)?;
         let mean_square = match record.channels.get(1) {
             None => None,
             Some(base) => {
-                let base = signal(base, record.rate())?;
+                signal(base, record.rate())?;
+                let base = self.measured_values(options, &record, 1)?;
+                let base = Samples::new(&base, record.rate()).map_err(SpectralError::from)?;
                 Some(base.rms().powi(2) - base.mean().powi(2))
             }
         };

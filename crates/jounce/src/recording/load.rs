@@ -2,7 +2,8 @@
 
 use super::{Recording, UsesChannels};
 use crate::error::Error;
-use jounce_data::recording::{self as data, Channel, Issue, Over};
+use jounce_data::recording::{self as data, Channel, Issue, IssueKind, Over};
+use std::borrow::Cow;
 
 impl Recording {
     /// Returns the channels that options choose, at even times and without missing samples, with
@@ -32,6 +33,25 @@ impl Recording {
             issues: kept.chain(assumed).cloned().collect(),
         };
         Ok(recording.into_even()?)
+    }
+
+    /// Returns the samples of one of the channels that options choose which were measured: those of
+    /// `even`, its form at even times, without the interpolated ones. Where all had to be resampled,
+    /// all count as measured.
+    pub(crate) fn measured_values<'a>(
+        &'a self,
+        usage: &impl UsesChannels,
+        even: &'a data::Recording,
+        index: usize,
+    ) -> Result<Cow<'a, [f64]>, Error> {
+        let was = |kind| even.issues.iter().any(|issue| issue.kind == kind);
+        if !was(IssueKind::Bridged) || was(IssueKind::Resampled) {
+            return Ok(Cow::Borrowed(&even.channels[index].values));
+        }
+        let chosen = usage.channels(&self.list)?;
+        let values = &self.loaded_channel(chosen[index].number)?.values;
+        let is_measured = |value: &f64| value.is_finite();
+        Ok(values.iter().copied().filter(is_measured).collect())
     }
 
     /// Returns all channels at even times and without missing samples, with their issues and the

@@ -5,6 +5,7 @@ mod cite;
 mod exchange;
 mod live;
 mod options;
+mod power;
 mod restitution;
 mod study_options;
 mod sweep_journal;
