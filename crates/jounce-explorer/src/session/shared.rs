@@ -148,9 +148,9 @@ mod tests {
         assert_eq!(runs.load(Ordering::SeqCst), 2);
         // A third one has the result as long as a page holds it.
         let third = computations.find_or_start("a", share(), work(&runs, &release));
-        let third = third.result(&waiting, |_| ()).await.unwrap().unwrap();
-        assert!(Arc::ptr_eq(&result, &third));
-        drop((two, other));
+        let found = third.result(&waiting, |_| ()).await.unwrap().unwrap();
+        assert!(Arc::ptr_eq(&result, &found));
+        drop((two, third, other));
         let again = computations.find_or_start("a", share(), work(&runs, &release));
         again.result(&waiting, |_| ()).await.unwrap().unwrap();
         assert_eq!(runs.load(Ordering::SeqCst), 3);
