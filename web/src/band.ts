@@ -24,7 +24,7 @@ export class Band {
     follow(): void {
         const { result } = this.response;
         const place = this.response.operatingPlace;
-        const isKnown = result !== undefined && result.draft === undefined && place !== undefined;
+        const isKnown = result !== undefined && result.draft === undefined && !this.response.isOld && place !== undefined;
         const wanted = this.box.checked && isKnown ? JSON.stringify([result.id, place, this.rows.pairs]) : "";
         if (wanted === this.requested) return;
         if (this.requested !== "") this.wire.stop("band");

@@ -3,6 +3,7 @@
 import type { Controls } from "./controls";
 import type { Design } from "./design";
 import { type Grip, Handle, type Held, type Move } from "./handle";
+import { raised } from "./units";
 
 /** Left and upper edge, width, height on the sheet. */
 type Box = [number, number, number, number];
@@ -43,6 +44,7 @@ export class Drawing {
         const before = this.handles;
         this.handles = new Map();
         const whole = new DOMParser().parseFromString(drawn.svg, "image/svg+xml").documentElement;
+        for (const text of whole.querySelectorAll("text")) text.textContent = raised(text.textContent!);
         const boxes = [drawn.side, ...drawn.cells, ...drawn.plans];
         const sheets = boxes.map((box) => sheet(whole, box));
         const plans = sheets.slice(1 + drawn.cells.length);

@@ -14,10 +14,16 @@ export function prefix(value: number): [number, string] {
 /** Units that take a prefix: a single name without powers or quotients. */
 const takesPrefix = (unit: string) => /^[A-Za-z]+$/.test(unit) && !["kg", "rad", "ppm"].includes(unit);
 
+const RAISED: Record<string, string> = { "-": "⁻", ".": "·", "0": "⁰", "1": "¹", "2": "²", "3": "³", "4": "⁴", "5": "⁵", "6": "⁶", "7": "⁷", "8": "⁸", "9": "⁹" };
+
+/** A text with its powers as they are set in print: "1000 N/m¹·⁵". */
+export function raised(text: string): string {
+    return text.replace(/\^(-?[\d.]+)/g, (_, power: string) => [...power].map((own) => RAISED[own]).join(""));
+}
+
 /** A unit as it is set in print: "MΩ", "µF", "N/m¹·⁵". */
 export function sign(unit: string): string {
-    const raised: Record<string, string> = { "-": "⁻", ".": "·", "0": "⁰", "1": "¹", "2": "²", "3": "³", "4": "⁴", "5": "⁵", "6": "⁶", "7": "⁷", "8": "⁸", "9": "⁹" };
-    return unit.replace(/^u(?=[A-Za-z])/, "µ").replace("ohm", "Ω").replace(/\^(-?[\d.]+)/g, (_, power: string) => [...power].map((own) => raised[own]).join(""));
+    return raised(unit.replace(/^u(?=[A-Za-z])/, "µ").replace("ohm", "Ω"));
 }
 
 /** A number with at most `digits` significant digits, without trailing zeros. */

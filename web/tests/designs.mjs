@@ -21,32 +21,36 @@ function random(seed) {
     };
 }
 
-/** Opens a socket in the page, as the page itself does. */
-async function connect(page, address) {
+/** Opens a socket in the page, as the page itself does; `window.join` opens further ones, as other pages would. */
+export async function connect(page, address) {
     await page.addInitScript(() => {
         window.Socket = window.WebSocket;
         window.WebSocket = class {};
     });
     await page.goto(address);
     await page.evaluate(async () => {
-        const socket = new window.Socket(`${location.href.replace("http", "ws")}socket`);
-        socket.binaryType = "arraybuffer";
-        const waits = [];
-        socket.onmessage = ({ data }) => {
-            const length = new DataView(data).getUint32(0, true);
-            const head = JSON.parse(new TextDecoder().decode(new Uint8Array(data, 4, length)));
-            const lists = Object.fromEntries(head.arrays.map(([name, first, size]) => [name, [...new Float64Array(data, 4 + length + 8 * first, size)]]));
-            for (const own of waits) if (own.id === head.id && (own.stage === head.stage || head.stage === "fault")) own.resolve({ head, lists });
+        window.join = async () => {
+            const socket = new window.Socket(`${location.href.replace("http", "ws")}socket`);
+            socket.binaryType = "arraybuffer";
+            const waits = [];
+            socket.onmessage = ({ data }) => {
+                const at = performance.now();
+                const length = new DataView(data).getUint32(0, true);
+                const head = JSON.parse(new TextDecoder().decode(new Uint8Array(data, 4, length)));
+                const lists = Object.fromEntries(head.arrays.map(([name, first, size]) => [name, [...new Float64Array(data, 4 + length + 8 * first, size)]]));
+                for (const own of waits) if (own.id === head.id && (own.stage === head.stage || head.stage === "fault")) own.resolve({ head, lists, at });
+            };
+            await new Promise((resolve) => (socket.onopen = resolve));
+            let id = 0;
+            /** Sends a request and waits for the frames of these stages. */
+            return (ask, body, stages) => {
+                id++;
+                const frames = stages.map((stage) => new Promise((resolve) => waits.push({ id, stage, resolve })));
+                socket.send(JSON.stringify({ id, ask, ...body }));
+                return Promise.all(frames);
+            };
         };
-        await new Promise((resolve) => (socket.onopen = resolve));
-        let id = 0;
-        /** Sends a request and waits for the frames of these stages. */
-        window.ask = (ask, body, stages) => {
-            id++;
-            const frames = stages.map((stage) => new Promise((resolve) => waits.push({ id, stage, resolve })));
-            socket.send(JSON.stringify({ id, ask, ...body }));
-            return Promise.all(frames);
-        };
+        window.ask = await window.join();
     });
     return (ask, body, stages) => page.evaluate(([...words]) => window.ask(...words), [ask, body, stages]);
 }

@@ -1,10 +1,9 @@
-// Long dragging and many pages: `node web/tests/endure.mjs [minutes] [pages]`, with the release build. Prints memory of server and page
-// every tenth of the time, what the cores do afterwards, and how long each of many pages waits for its response.
+// Long dragging: `node web/tests/endure.mjs [minutes]`, with the release build. Prints memory of server and page every tenth of the time, and
+// what the cores do afterwards.
 import { readFile } from "node:fs/promises";
 import { browse, open, ready, serve } from "./browser.mjs";
 
 const minutes = Number(process.argv[2] ?? 10);
-const pages = Number(process.argv[3] ?? 20);
 const server = await serve();
 const browser = await browse();
 const page = await open(browser.context, server.address);
@@ -45,15 +44,5 @@ await page.waitForTimeout(5000);
 console.log(`server afterwards: ${(((await spent()) - before) / (performance.now() - began) * 1e5).toFixed(1)} % of a core`);
 await page.close();
 
-const many = [];
-for (let k = 0; k < pages; k++) many.push(await browser.context.newPage());
-const waits = await Promise.all(many.map(async (own) => {
-    const start = performance.now();
-    await own.goto(server.address);
-    await ready(own);
-    return performance.now() - start;
-}));
-const sorted = waits.sort((a, b) => a - b);
-console.log(`${pages} pages opened at once: fine response and orbit after ${(sorted[0] / 1000).toFixed(1)} to ${(sorted.at(-1) / 1000).toFixed(1)} s`);
 await browser.close();
 await server.close();

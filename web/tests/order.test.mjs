@@ -203,4 +203,33 @@ test("a file whose drives lose their period leaves no fault of the response", as
     await ready(page);
 });
 
+test("a band of tolerances is requested once for a design, after its search", async () => {
+    await page.locator("#tab-design").click();
+    await page.locator("#robust").check();
+    await page.getByLabel("Add a tolerance", { exact: true }).selectOption("stop.tip.gap");
+    await page.getByLabel("Add this tolerance", { exact: true }).click();
+    await until("robust-words", /shaded/);
+    await page.evaluate(() => {
+        window.bands = 0;
+        const { send } = Object.getPrototypeOf(window.WebSocket.prototype);
+        window.WebSocket.prototype.send = function (words) {
+            window.bands += JSON.parse(words).ask === "band" ? 1 : 0;
+            send.call(this, words);
+        };
+    });
+    await hold(/^response/);
+    // The operating point lies at another point of the old branches.
+    await page.evaluate(() => (location.hash = "set=stop.tip.gap%3D1.1+mm&set=drive.shaker.frequency%3D12.3+Hz"));
+    // The operating point is known before the branches.
+    await until("operating-words", /of 100 starts/);
+    await held();
+    assert.equal(await page.evaluate(() => window.bands), 0);
+    await letIn();
+    await until("robust-words", /shaded/);
+    assert.equal(await page.evaluate(() => window.bands), 1);
+    await page.locator("#robust").uncheck();
+    await page.locator("#tab-response").click();
+    await reset();
+});
+
 test("no error was printed in the browser", () => assert.deepEqual(page.faults, []));

@@ -46,6 +46,16 @@ test("the line at the drive frequency is tied to the slider", async () => {
     await until("orbit-title", /Orbit at 13\.(49|5)\d* Hz/);
     await reset();
     await until("orbit-title", /Orbit at 13 Hz/);
+    // And the slider moves the line.
+    const line = () => page.locator("#chart-response canvas").evaluate((canvas) => canvas.toDataURL());
+    const before = await line();
+    await page.getByRole("slider", { name: "drive.shaker.frequency", exact: true }).focus();
+    for (let k = 0; k < 20; k++) await page.keyboard.press("ArrowRight");
+    await until("operating-words", /At 13\.\d+ Hz: .*reached by/);
+    await until("orbit-title", /Orbit at 13\.\d+ Hz/);
+    assert.notEqual(await line(), before);
+    await reset();
+    await until("orbit-title", /Orbit at 13 Hz/);
 });
 
 test("basins: the attractors of the command line, cells without gaps, the interval of the expected power", async () => {
@@ -71,6 +81,56 @@ test("basins: the attractors of the command line, cells without gaps, the interv
     assert.equal(bare.length, due.length, bare.join(" "));
 });
 
+test("basins: as many colours as attractors, also after six", async () => {
+    const other = await browser.context.newPage();
+    // The frame of the map, as if its starts reached nine attractors.
+    await other.addInitScript(() => {
+        const COUNT = 9;
+        const many = (data) => {
+            const length = new DataView(data).getUint32(0, true);
+            const head = JSON.parse(new TextDecoder().decode(new Uint8Array(data, 4, length)));
+            if (head.ask !== "basins" || head.stage !== "done") return data;
+            const [, first, size] = head.arrays.find(([name]) => name === "attractor");
+            head.attractors = Array.from({ length: COUNT }, (_, k) => ({ ...head.attractors[0], id: `A${k}` }));
+            const words = new TextEncoder().encode(JSON.stringify(head));
+            const padded = Math.ceil((words.length + 4) / 8) * 8 - 4;
+            const numbers = new Float64Array(data.slice(4 + length));
+            for (let k = 0; k < size; k++) numbers[first + k] = k % COUNT;
+            const bytes = new Uint8Array(4 + padded + numbers.byteLength).fill(32);
+            new DataView(bytes.buffer).setUint32(0, padded, true);
+            bytes.set(words, 4);
+            bytes.set(new Uint8Array(numbers.buffer), 4 + padded);
+            return bytes.buffer;
+        };
+        const Real = window.WebSocket;
+        window.WebSocket = class extends Real {
+            set onmessage(hear) {
+                super.onmessage = ({ data }) => hear({ data: many(data) });
+            }
+        };
+    });
+    await other.goto(server.address);
+    await ready(other);
+    await other.locator("#tab-basins").click();
+    await other.locator("#basins-starts").selectOption("225");
+    await other.locator("#basins-run").click();
+    await until("basins-words", /expected power/, other);
+    const named = await other.locator("#attractors li").evaluateAll((list) => list.map((own) => getComputedStyle(own).getPropertyValue("--own")));
+    assert.equal(new Set(named).size, 9, named.join());
+    const drawn = await other.locator("#chart-basins canvas").evaluate((canvas) => {
+        const over = document.querySelector("#chart-basins .u-over").getBoundingClientRect();
+        const box = canvas.getBoundingClientRect();
+        const ratio = canvas.width / box.width;
+        const { data } = canvas.getContext("2d").getImageData((over.left - box.left + 3) * ratio, (over.top - box.top + 3) * ratio, (over.width - 6) * ratio, (over.height - 6) * ratio);
+        const counts = new Map();
+        for (let k = 0; k < data.length; k += 4) counts.set(data.slice(k, k + 4).join(), (counts.get(data.slice(k, k + 4).join()) ?? 0) + 1);
+        // Without the mixtures at the edges of the cells.
+        return [...counts.values()].filter((count) => count > 100).length;
+    });
+    assert.equal(drawn, 9);
+    await other.close();
+});
+
 test("a result of an earlier design says so, until the design is that one again", async () => {
     assert.ok(await page.locator("#basins-stale").isHidden());
     await type("stop.tip.gap", "1.1");
@@ -78,6 +138,14 @@ test("a result of an earlier design says so, until the design is that one again"
     await page.keyboard.press("Escape");
     await page.locator("#undo").click();
     await page.locator("#basins-stale").waitFor({ state: "hidden" });
+    await page.locator("#tab-load").click();
+    await until("load-words", /[3-9] of \d+ values computed/);
+    assert.ok(await page.locator("#load-stale").isHidden());
+    await type("stop.tip.gap", "1.1");
+    await page.locator("#load-stale").waitFor({ state: "visible" });
+    await page.locator("#undo").click();
+    await page.locator("#load-stale").waitFor({ state: "hidden" });
+    await page.locator("#load-run").click();
     await page.locator("#tab-response").click();
     await reset();
     await page.locator("#sweep").click();

@@ -20,7 +20,8 @@
 //! ```
 //!
 //! *Order.* Each socket runs one request of each kind. A new request of a kind cancels the previous
-//! one: its computation ends within the integration of one period, and its response is never sent.
+//! one: its computation ends within the integration of one period, unless another page has requested the
+//! same and shares it; its response is never sent.
 //! The first response over a key is preceded by `first` (the harvester without contact). Each response
 //! is sent as `coarse` (branches continued from the orbits of the previous design), then as `fine`
 //! (the search of `jounce branch`). Work that takes longer than

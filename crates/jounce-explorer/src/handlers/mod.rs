@@ -9,7 +9,7 @@ pub(super) mod export;
 pub(super) mod load;
 pub(super) mod operating_point;
 pub(super) mod orbit;
-mod progress;
+pub(super) mod progress;
 pub(super) mod response;
 pub(super) mod save;
 pub(super) mod strain;

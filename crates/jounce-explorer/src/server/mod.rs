@@ -13,6 +13,9 @@ pub use launch::open_in_browser;
 pub use proxy_origin::ProxyOrigin;
 pub use saved_address::state_folder;
 
+use crate::handlers::operating_point::OperatingPointKey;
+use crate::handlers::response::{ResponseKey, SharedResponse};
+use crate::session::shared::SharedComputations;
 use crate::source::Source;
 use assets::{refusal, serve};
 use authenticator::{Authenticator, RequestRefusal};
@@ -22,7 +25,9 @@ use axum::extract::ws::WebSocketUpgrade;
 use axum::extract::ws::rejection::WebSocketUpgradeRejection;
 use axum::http::{HeaderMap, Method, StatusCode, Uri};
 use axum::response::{IntoResponse as _, Redirect, Response};
-use jounce::live::KeySpan;
+use jounce::BasinsResult;
+use jounce::live::{Bandwidth, KeySpan};
+use rayon::{ThreadPool, ThreadPoolBuilder};
 use saved_address::SavedAddress;
 use std::net::{Ipv4Addr, SocketAddr};
 use std::path::{Path, PathBuf};
@@ -135,6 +140,18 @@ pub struct Host {
     pub sockets: Arc<Semaphore>,
     /// One permit for each further computation that a page waits for.
     pub quick_permits: Arc<Semaphore>,
+    /// One permit for each further operating point whose attractors are sought.
+    pub operating_point_permits: Arc<Semaphore>,
+    /// One permit for each further search for branches.
+    pub branch_search_permits: Arc<Semaphore>,
+    /// Threads of these searches: drafts of other pages do not wait for them.
+    pub branch_search_pool: ThreadPool,
+    /// Drafts and searched responses that several pages can share.
+    pub responses: SharedComputations<ResponseKey, SharedResponse>,
+    /// Bandwidths of searched responses.
+    pub bandwidths: SharedComputations<ResponseKey, Option<Bandwidth>>,
+    /// Attractors of operating points.
+    pub operating_points: SharedComputations<OperatingPointKey, BasinsResult>,
     /// One permit for each further computation of many integrations, which take all cores.
     pub long_permits: Arc<Semaphore>,
     /// Permits for searches for a design, of which one runs at a time.
@@ -224,6 +241,14 @@ impl Explorer {
             authenticator: self.authenticator,
             sockets: Arc::new(Semaphore::new(self.options.limits.sockets)),
             quick_permits: Arc::new(Semaphore::new(QUICK_PER_CORE * cores.max(2))),
+            operating_point_permits: Arc::new(Semaphore::new(cores)),
+            branch_search_permits: Arc::new(Semaphore::new(cores)),
+            branch_search_pool: ThreadPoolBuilder::new()
+                .build()
+                .map_err(std::io::Error::other)?,
+            responses: SharedComputations::default(),
+            bandwidths: SharedComputations::default(),
+            operating_points: SharedComputations::default(),
             long_permits: Arc::new(Semaphore::new(1)),
             search_permits: Arc::new(Semaphore::new(1)),
             versions: file_watch::start(self.options.spec.file().map(Path::to_path_buf)),

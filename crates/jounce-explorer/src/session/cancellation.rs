@@ -3,6 +3,7 @@
 use jounce::Control;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use tokio::sync::Notify;
 
 /// Cancellation of a computation, shared by its clones. Every integration under its control ends
 /// before its next step.
@@ -10,12 +11,23 @@ use std::sync::atomic::{AtomicBool, Ordering};
 pub struct Cancellation {
     control: Control,
     timed_out: Arc<AtomicBool>,
+    notify: Arc<Notify>,
 }
 
 impl Cancellation {
     /// Cancels the computation.
     pub fn stop(&self) {
         self.control.stop();
+        self.notify.notify_waiters();
+    }
+
+    /// Waits until it is cancelled.
+    pub async fn stopped(&self) {
+        // A waiter is notified from its creation on.
+        let notified = self.notify.notified();
+        if !self.is_stopped() {
+            notified.await;
+        }
     }
 
     /// Cancels the computation because it reached the time limit.

@@ -4,12 +4,13 @@ use jounce::Error;
 use jounce::live::FieldFault;
 use serde_json::{Value, json};
 use std::path::Path;
+use std::sync::Arc;
 
 /// Reason why a request has no result.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub enum RequestFault {
     /// Error of the library.
-    Library(Box<Error>),
+    Library(Arc<Error>),
     /// Faults of the fields of a design.
     Fields(Vec<FieldFault>),
     /// One sentence.
@@ -59,7 +60,7 @@ fn text(message: &str) -> Value {
 
 impl From<Error> for RequestFault {
     fn from(error: Error) -> Self {
-        Self::Library(Box::new(error))
+        Self::Library(Arc::new(error))
     }
 }
 

@@ -1,34 +1,45 @@
 //! Session of one page: its requests, and data that speed up the next response.
 
+pub(super) mod blocking;
 pub(super) mod cancellation;
 pub(super) mod fault;
 pub(super) mod frame;
 mod latest_requests;
 pub(super) mod request;
+pub(super) mod shared;
 
 use crate::handlers::export::export;
+use crate::handlers::progress::progress;
 use crate::handlers::save::save;
 use crate::handlers::{
     band, basins, design, design_search, excitation, load, operating_point, orbit, response,
     strain, sweep,
 };
 use crate::server::Host;
+use blocking::Share;
 use cancellation::Cancellation;
 use fault::RequestFault;
 use frame::Frame;
+use jounce::Control;
 use jounce::live::{Design, LiveAnalysis};
 use latest_requests::LatestRequests;
 use request::{Request, RequestKind};
 use serde_json::json;
-use std::sync::Arc;
-use std::time::Duration;
-use tokio::sync::{Semaphore, mpsc};
+use shared::Computation;
+use std::any::Any;
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Instant;
+use tokio::sync::mpsc;
 
 /// Session of a page.
 pub struct Session {
-    host: Arc<Host>,
+    /// Data of all pages.
+    pub host: Arc<Host>,
     sender: mpsc::Sender<Vec<u8>>,
     latest_requests: LatestRequests,
+    /// Last shared computation of each stage: other pages find it.
+    held: Mutex<HashMap<&'static str, Arc<dyn Any + Send + Sync>>>,
     /// Computations, with data that speed up the next one.
     pub analysis: LiveAnalysis,
 }
@@ -40,6 +51,7 @@ impl Session {
             host,
             sender,
             latest_requests: LatestRequests::default(),
+            held: Mutex::default(),
             analysis: LiveAnalysis::default(),
         }
     }
@@ -47,6 +59,13 @@ impl Session {
     /// Sends a frame.
     pub async fn send_async(&self, frame: Frame) {
         let _ = self.sender.send(frame.encode()).await;
+    }
+
+    /// Sends a frame, unless its request is cancelled.
+    pub async fn send_unless_stopped(&self, cancellation: &Cancellation, frame: Frame) {
+        if !cancellation.is_stopped() {
+            self.send_async(frame).await;
+        }
     }
 
     /// Sends a frame from a computing thread, unless it is cancelled.
@@ -80,17 +99,47 @@ impl Session {
         self.latest_requests.stop_all();
     }
 
-    /// Returns the permits for which a request waits, and its longest time.
-    fn share(&self, kind: &RequestKind) -> (&Arc<Semaphore>, Duration) {
-        let (host, limits) = (&self.host, &self.host.options.limits);
+    /// Returns the share of the processors of short computations for which a page waits.
+    pub fn quick_share(&self) -> Share {
+        Share {
+            permits: Arc::clone(&self.host.quick_permits),
+            max_time: self.host.options.limits.max_computation_time,
+        }
+    }
+
+    /// Returns the share of the processors of an operating point: drafts do not wait for it.
+    pub fn operating_point_share(&self) -> Share {
+        Share {
+            permits: Arc::clone(&self.host.operating_point_permits),
+            ..self.quick_share()
+        }
+    }
+
+    /// Returns the share of the processors of a search for branches.
+    pub fn branch_search_share(&self) -> Share {
+        Share {
+            permits: Arc::clone(&self.host.branch_search_permits),
+            ..self.quick_share()
+        }
+    }
+
+    /// Returns the share of the processors of a request.
+    fn share(&self, kind: &RequestKind) -> Share {
+        let host = &self.host;
         match kind {
-            RequestKind::DesignSearch(_) => (&host.search_permits, limits.max_search_time),
+            RequestKind::DesignSearch(_) => Share {
+                permits: Arc::clone(&host.search_permits),
+                max_time: host.options.limits.max_search_time,
+            },
             RequestKind::Sweep { .. }
             | RequestKind::Load(_)
             | RequestKind::Basins(_)
             | RequestKind::Band(_)
-            | RequestKind::Shake { .. } => (&host.long_permits, limits.max_computation_time),
-            _ => (&host.quick_permits, limits.max_computation_time),
+            | RequestKind::Shake { .. } => Share {
+                permits: Arc::clone(&host.long_permits),
+                ..self.quick_share()
+            },
+            _ => self.quick_share(),
         }
     }
 
@@ -102,38 +151,10 @@ impl Session {
         let cancellation = self.latest_requests.register(request.kind.name());
         let session = Arc::clone(self);
         tokio::spawn(async move {
-            let (permits, max_time) = session.share(&request.kind);
-            let Ok(_permit) = Arc::clone(permits).acquire_owned().await else {
-                return;
-            };
-            if cancellation.is_stopped() {
-                return;
-            }
-            let timeout_cancellation = cancellation.clone();
-            let timer = tokio::spawn(async move {
-                tokio::time::sleep(max_time).await;
-                timeout_cancellation.stop_on_timeout();
-            });
             let (id, name, removed) = (request.id, request.kind.name(), request.removed_keys());
-            let (worker, worker_cancellation) = (Arc::clone(&session), cancellation.clone());
-            let outcome =
-                tokio::task::spawn_blocking(move || worker.compute(&request, &worker_cancellation))
-                    .await;
-            timer.abort();
-            let fault = match outcome {
-                _ if cancellation.is_timed_out() => Some(RequestFault::Text(format!(
-                    "this took longer than {} s and was stopped; request less",
-                    max_time.as_secs()
-                ))),
-                Ok(Ok(())) => None,
-                Ok(Err(fault)) => Some(fault),
-                Err(_) => Some(RequestFault::Text(
-                    "the computation failed unexpectedly; please report the spec that caused it"
-                        .to_owned(),
-                )),
-            };
-            if let Some(fault) =
-                fault.filter(|_| !cancellation.is_stopped() || cancellation.is_timed_out())
+            let outcome = session.respond(request, &cancellation).await;
+            if let Err(fault) = outcome
+                && (!cancellation.is_stopped() || cancellation.is_timed_out())
             {
                 let mut frame = Frame::new(id, name, "fault");
                 let path = session.host.options.spec.name();
@@ -143,9 +164,56 @@ impl Session {
         });
     }
 
+    async fn respond(
+        self: &Arc<Self>,
+        request: Request,
+        cancellation: &Cancellation,
+    ) -> Result<(), RequestFault> {
+        match request.kind {
+            RequestKind::Response { .. } => response::respond(self, request, cancellation).await,
+            RequestKind::OperatingPoint(_) => {
+                operating_point::respond(self, request, cancellation).await
+            }
+            _ => {
+                let (session, share) = (Arc::clone(self), self.share(&request.kind));
+                let compute =
+                    move |cancellation: &Cancellation| session.compute(&request, cancellation);
+                let outcome = share.compute(cancellation, compute).await;
+                outcome.unwrap_or(Ok(()))
+            }
+        }
+    }
+
+    /// Waits for a shared computation and sends its progress, then holds it for other pages until
+    /// the next one of its stage; `None` where the request is cancelled first.
+    pub async fn shared<T: Send + Sync + 'static>(
+        &self,
+        (id, kind, stage): (u64, &str, &'static str),
+        computation: Arc<Computation<T>>,
+        cancellation: &Cancellation,
+    ) -> Result<Option<Arc<T>>, RequestFault> {
+        let start_time = Instant::now();
+        let report = |control: &Control| {
+            if let Some(frame) = progress((id, kind), control, start_time) {
+                self.try_send(cancellation, frame);
+            }
+        };
+        let Some(outcome) = computation.result(cancellation, report).await else {
+            return Ok(None);
+        };
+        let mut held = self.held.lock().unwrap_or_else(PoisonError::into_inner);
+        held.insert(stage, computation);
+        outcome.map(Some)
+    }
+
+    /// Returns the design of a request.
+    pub fn design(&self, request: &Request) -> Result<Design, RequestFault> {
+        Ok(Design::new(&self.host.options.spec.read()?, &request.set)?)
+    }
+
     fn compute(&self, request: &Request, cancellation: &Cancellation) -> Result<(), RequestFault> {
         let source = &self.host.options.spec;
-        let design = &Design::new(&source.read()?, &request.set)?;
+        let design = &self.design(request)?;
         let id = request.id;
         match &request.kind {
             RequestKind::Design => {
@@ -158,9 +226,6 @@ impl Session {
                 self.send(cancellation, frame);
                 Ok(())
             }
-            RequestKind::Response { span, options } => {
-                response::respond(self, id, design, (span, options), cancellation)
-            }
             RequestKind::Orbit(place) => orbit::respond(self, id, place, cancellation),
             RequestKind::Strain { response } => strain::respond(self, id, *response, cancellation),
             RequestKind::Sweep { span, points } => {
@@ -169,9 +234,6 @@ impl Session {
             RequestKind::Load(options) => load::respond(self, id, design, options, cancellation),
             RequestKind::Basins(options) => {
                 basins::respond(self, id, design, options, cancellation)
-            }
-            RequestKind::OperatingPoint(options) => {
-                operating_point::respond(self, id, design, options, cancellation)
             }
             RequestKind::DesignOffer => {
                 let frame = design::offer(self, id, design, cancellation)?;
@@ -194,7 +256,10 @@ impl Session {
                 self.send(cancellation, frame);
                 Ok(())
             }
-            RequestKind::Stop { .. } => Ok(()),
+            // These three are handled before.
+            RequestKind::Response { .. }
+            | RequestKind::OperatingPoint(_)
+            | RequestKind::Stop { .. } => Ok(()),
         }
     }
 }

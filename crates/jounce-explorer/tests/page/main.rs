@@ -6,5 +6,6 @@ mod client;
 mod design;
 mod excitation;
 mod link;
+mod many_pages;
 mod plates;
 mod responses;

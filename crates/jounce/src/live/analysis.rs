@@ -50,12 +50,7 @@ impl LiveAnalysis {
     /// Returns the model of a design under a control; parts shared with the previous model are
     /// reused.
     pub(super) fn model(&self, spec: &Spec, control: &Control) -> Result<Model, Error> {
-        let previous = self
-            .last_model
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
-            .clone();
-        let model = match previous {
+        let model = match copy(&self.last_model) {
             Some(previous) if previous.spec == *spec => previous,
             previous => {
                 let model = Arc::new(match previous {
@@ -86,12 +81,66 @@ impl LiveAnalysis {
         Ok(shapes)
     }
 
+    /// Returns an analysis with the same stored data; what one of both stores later, the other
+    /// lacks. A computation that several pages share has such an analysis of its own.
+    #[must_use]
+    pub fn fork(&self) -> Self {
+        Self {
+            last_model: Mutex::new(copy(&self.last_model)),
+            shapes: Mutex::new(copy(&self.shapes)),
+            responses: self.responses.fork(),
+            linear: self.linear.fork(),
+        }
+    }
+
+    /// Stores a response of another analysis under a number, with its model.
+    ///
+    /// # Errors
+    /// [`Error::Option`] for a response that the other analysis does not store.
+    pub fn adopt(&self, id: u64, other: &Self, other_id: u64) -> Result<(), Error> {
+        let stored = other.stored_response(other_id)?;
+        *self
+            .last_model
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner) = copy(&other.last_model);
+        self.responses.store(StoredResponse {
+            id,
+            ..(*stored).clone()
+        });
+        Ok(())
+    }
+
+    /// Returns the response over a key from which the next one starts.
+    pub fn history(&self, key: &str) -> ResponseHistory {
+        ResponseHistory(self.responses.last(key))
+    }
+
     /// Returns an earlier response.
     pub(super) fn stored_response(&self, id: u64) -> Result<Arc<StoredResponse>, Error> {
         self.responses.find(id).ok_or_else(|| {
             Error::option("response", id, "it is no longer stored; compute it again")
         })
     }
+}
+
+/// Response from which the next one over its key starts. Two are equal where one computation gave
+/// both, or where there is none.
+#[derive(Debug, Clone)]
+pub struct ResponseHistory(Option<Arc<StoredResponse>>);
+
+impl PartialEq for ResponseHistory {
+    fn eq(&self, other: &Self) -> bool {
+        match (&self.0, &other.0) {
+            (Some(one), Some(two)) => Arc::ptr_eq(&one.branches, &two.branches),
+            (one, two) => one.is_none() && two.is_none(),
+        }
+    }
+}
+
+/// Returns a copy of a guarded value.
+fn copy<T: Clone>(guarded: &Mutex<T>) -> T {
+    let value = guarded.lock().unwrap_or_else(PoisonError::into_inner);
+    value.clone()
 }
 
 #[cfg(test)]

@@ -15,6 +15,13 @@ pub struct Design {
     keys: Vec<String>,
 }
 
+impl PartialEq for Design {
+    /// True where both give the same results: specs and set keys are equal.
+    fn eq(&self, other: &Self) -> bool {
+        self.spec() == other.spec() && self.keys == other.keys
+    }
+}
+
 impl Design {
     /// Sets numbers of a harvester together. A key that holds no number is refused, so a page
     /// cannot change the path of a file.

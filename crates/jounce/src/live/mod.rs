@@ -19,6 +19,7 @@
 //! | the best design, with each better one as soon as it is found | [`Design::search`] |
 //! | band of the power over a key, under tolerances | [`LiveAnalysis::band`] |
 //! | response to noise or to a recording | [`LiveAnalysis::excite`] |
+//! | a computation for several pages | [`LiveAnalysis::fork`], [`LiveAnalysis::adopt`] |
 
 mod analysis;
 mod channel_file;
@@ -36,12 +37,13 @@ mod search;
 mod sweep;
 mod time_history;
 
-pub use analysis::LiveAnalysis;
+pub use analysis::{LiveAnalysis, ResponseHistory};
 pub use channel_file::ChannelFile;
 pub use controls::{DesignControl, SliderScale};
 pub use design::Design;
 pub use drawing::{DesignDrawing, Grip, GripKind};
 pub use excitation::{Excitation, ExcitationResult};
+pub use jounce_analysis::Bandwidth;
 pub use key_span::KeySpan;
 pub use load::{LinearLoad, LoadOptions};
 pub use mode_figures::ModeFigure;

@@ -50,6 +50,12 @@ struct StoredLinear {
 pub struct LastLinear(Mutex<Option<Arc<StoredLinear>>>);
 
 impl LastLinear {
+    /// Returns a copy that curves stored later in one of both do not change.
+    pub fn fork(&self) -> Self {
+        let last = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        Self(Mutex::new(last.clone()))
+    }
+
     /// Returns the curve of a design over a key.
     pub fn curve(&self, design: &Spec, parameter: &Parameter, range: (f64, f64)) -> LinearCurve {
         let mut spec = design.clone();

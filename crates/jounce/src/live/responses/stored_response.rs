@@ -10,7 +10,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 const MAX_STORED_RESPONSES: usize = 8;
 
 /// Stored response.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct StoredResponse {
     /// Number of the response.
     pub id: u64,
@@ -38,6 +38,11 @@ pub struct StoredResponses(Mutex<VecDeque<Arc<StoredResponse>>>);
 impl StoredResponses {
     fn lock(&self) -> MutexGuard<'_, VecDeque<Arc<StoredResponse>>> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Returns a copy that the responses stored later in one of both do not change.
+    pub fn fork(&self) -> Self {
+        Self(Mutex::new(self.lock().clone()))
     }
 
     /// Stores a response; a fine response replaces the coarse one of its number.
