@@ -67,9 +67,17 @@ export function draftError(draft: ResponseResult, result: ResponseResult, span: 
     return { ...strays(own, due), missing: strays(due, own).off };
 }
 
+/** A share, rounded up to two digits. */
+function share(value: number): string {
+    const unit = 10 ** (Math.floor(Math.log10(100 * value)) - 1);
+    return `${value > 0 ? digits(Math.ceil((100 * value) / unit) * unit, 2) : 0} %`;
+}
+
+/** A largest distance in words. */
+export const distanceWords = (distance: number): string => `${share(distance)} of the range or ${share(Math.expm1(distance / WEIGHT))} of the power`;
+
 /** A sentence about a draft and its search. */
 export function errorWords({ farthest, off, missing }: DraftError): string {
-    const share = (value: number) => `${digits(100 * value, 2)} %`;
     const more = [off >= 0.005 ? `${share(off)} of it was not confirmed` : "", missing >= 0.005 ? `it lacked ${share(missing)} of the curves` : ""].filter(Boolean);
-    return `The last draft was off by at most ${share(farthest)} of the range or ${share(Math.expm1(farthest / WEIGHT))} of the power${more.map((own) => `; ${own}`).join("")}.`;
+    return `The last draft was off by at most ${distanceWords(farthest)}${more.map((own) => `; ${own}`).join("")}.`;
 }

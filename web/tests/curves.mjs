@@ -4,11 +4,11 @@
 const SAMPLES = 8;
 /** Distance at which two curves are the same: a hundredth of the range, or 5 % of the power. */
 const SAME = 0.01;
-/** Change of the logarithm of the power over which a draft is not drawn, as in src/branches.ts. */
-const DRAFT_STEP = 1.5;
+/** Whether each line of a branch of a draft is drawn. */
+export const draws = ({ error }, draft) => error.map((own) => draft.error !== null && own <= draft.error);
 
-/** Whether each segment of a draft is drawn. */
-export const draws = ({ power }) => power.slice(1).map((own, k) => Math.abs(Math.log(own / power[k])) <= DRAFT_STEP);
+/** Whether the drawn lines of a draft are no farther from its result than it says; `off` and `farthest` of their comparison. */
+export const holds = ({ off, farthest }, draft) => off === 0 && farthest <= (draft.error ?? 0);
 
 /** Points of a branch on the scale of the comparison. */
 const scaled = ({ x, power }, span) => x.map((own, k) => [own / span, 0.2 * Math.log(power[k])]);

@@ -1,5 +1,6 @@
 // Random designs of six specs, and the requests of the page for them: for the trials of drafts and of results.
 import { program, serve } from "./browser.mjs";
+import { draws } from "./curves.mjs";
 import { execFile } from "node:child_process";
 import { promisify } from "node:util";
 
@@ -51,8 +52,10 @@ async function connect(page, address) {
     return (ask, body, stages) => page.evaluate(([...words]) => window.ask(...words), [ask, body, stages]);
 }
 
-/** The branches of a frame of the page. */
-export const branches = ({ head, lists }) => head.branches.map(({ period }, k) => ({ period, x: lists[`${k}.x`], power: lists[`${k}.power`] }));
+/** The branches of a frame of the page; of a draft also which lines are drawn. */
+export const branches = ({ head, lists }) => head.branches.map(({ period }, k) => ({
+    period, x: lists[`${k}.x`], power: lists[`${k}.power`], ...(head.draft && { drawn: draws({ error: lists[`${k}.error`] }, head.draft) }),
+}));
 const words = (pairs) => pairs.flatMap(([key, value]) => ["--set", `${key}=${value}`]);
 /** Time for one command. */
 const LONGEST_MS = 90_000;

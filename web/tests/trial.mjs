@@ -1,9 +1,9 @@
 // Results of the page against the program: `node web/tests/trial.mjs [minutes] [seed] [spec...]`, with the release build. Random designs and
 // moves over six specs, one of each in turn. The branches of each finished search are compared with `jounce branch`, the attractors of the
-// operating point with `jounce basins`. The page also starts from the orbits of the design before: what `jounce branch` lacks then
+// operating point with `jounce basins`, and each draft with its result: it must be no farther off than it says. The page also starts from the orbits of the design before: what `jounce branch` lacks then
 // is compared with a search from more seeds. The exit status is 1 where a result differs. Not part of the tests: it runs as long as it may.
 import { browse } from "./browser.mjs";
-import { compare, draws } from "./curves.mjs";
+import { compare, holds } from "./curves.mjs";
 import { OPTIONS, SPECS, attractors, branches, nameOf, ofProgram, walk } from "./designs.mjs";
 
 const minutes = Number(process.argv[2] ?? 20);
@@ -18,7 +18,7 @@ const NONE = 0.001;
 
 const percent = (share) => `${(100 * share).toFixed(1)} %`;
 
-const NOTHING = { designs: 0, refused: 0, late: 0, missing: 0, more: 0, unconfirmed: 0, attractors: 0, drafts: [] };
+const NOTHING = { designs: 0, refused: 0, late: 0, missing: 0, more: 0, unconfirmed: 0, attractors: 0, held: 0, drafts: [] };
 
 /** Compares the branches of a design. */
 async function compareBranches({ spec, span }, set, shown, found, words) {
@@ -56,8 +56,11 @@ async function check(own) {
     found.attractors = Number(point.due !== undefined && point.shown !== point.due);
     if (point.due === undefined) found.late = 1;
     if (found.attractors) words.push(`attractors ${point.shown} | ${point.due}`);
-    found.drafts = [compare(branches(coarse).map((branch) => ({ ...branch, drawn: draws(branch) })), shown, span.to - span.from)];
-    if (found.missing + found.more + found.attractors > 0) words.push(`set ${JSON.stringify(set)}`);
+    const draft = compare(branches(coarse), shown, span.to - span.from);
+    found.drafts = [draft];
+    found.held = Number(holds(draft, coarse.head.draft));
+    if (!found.held) words.push(`the draft is off by ${draft.farthest.toFixed(5)} and says ${coarse.head.draft.error}, ${percent(draft.off)} is off`);
+    if (found.missing + found.more + found.attractors > 0 || !found.held) words.push(`set ${JSON.stringify(set)}`);
     return { ...found, words: words.join("; ") };
 }
 
@@ -75,8 +78,8 @@ for (let turn = 0; performance.now() < end; turn++) {
 }
 const most = (list, name) => percent(Math.max(0, ...list.map((own) => own[name])));
 walks.forEach(({ name }, k) => {
-    const { designs, refused, late, missing, more, unconfirmed, attractors: differ, drafts } = sums[k];
-    console.log(`${name}: ${designs} designs, ${refused} refused, ${late} not all compared; ${missing} lack a part of jounce branch, ${more} have more than it, ${unconfirmed} more than ${MORE_SEEDS} seeds find, ${differ} differ from jounce basins; drafts off up to ${most(drafts, "off")}, missing up to ${most(drafts, "missing")}`);
+    const { designs, refused, late, missing, more, unconfirmed, attractors: differ, held, drafts } = sums[k];
+    console.log(`${name}: ${designs} designs, ${refused} refused, ${late} not all compared; ${missing} lack a part of jounce branch, ${more} have more than it, ${unconfirmed} more than ${MORE_SEEDS} seeds find, ${differ} differ from jounce basins; of ${drafts.length} drafts ${held} are as near as they say, off up to ${most(drafts, "off")}, missing up to ${most(drafts, "missing")}`);
 });
 for (const { close } of walks) await close();
 await browser.close();

@@ -105,6 +105,7 @@ fn put_branch(frame: &mut Frame, index: usize, branch: &ResponseBranch) {
         ("impact", &branch.max_impact_velocity_m_s),
         ("displacement", &branch.displacement_peak_m),
         ("floquet", &branch.floquet_max_abs),
+        ("error", &branch.line_error),
     ];
     for (name, list) in lists {
         frame.array(&format!("{index}.{name}"), list.iter().copied());

@@ -73,7 +73,7 @@ impl<H: ParametricModel> Shooting<'_, H> {
     ///
     /// # Errors
     /// The integration fails.
-    pub(crate) fn mean_power_w(
+    pub fn mean_power_w(
         &self,
         unknown: &[f64],
         parameter: f64,

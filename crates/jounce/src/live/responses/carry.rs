@@ -11,7 +11,7 @@ use jounce_continuation::StepControl;
 use std::sync::Arc;
 
 /// Relative tolerance of the integration.
-const TOLERANCE: f64 = 1e-6;
+pub(super) const TOLERANCE: f64 = 1e-6;
 /// Goal of Newton's method for settled orbits, relative to the state.
 const SETTLED_RESIDUAL: f64 = 1e-6;
 /// Relative corrections of updated points below this are omitted: curves are accurate to a
@@ -120,7 +120,6 @@ fn updated(
         range: last.range,
         tolerance: TOLERANCE,
         accuracy: MIN_CORRECTION,
-        resolution: MAX_LAST_MOVE,
         trend,
     };
     let updated = update.run(&known);

@@ -1,14 +1,15 @@
 //! Response over a key: first the branches near those of the previous design, then all branches.
 
 use super::ResponseResult;
-use super::carry::CarriedBranches;
+use super::carry::{CarriedBranches, TOLERANCE};
 use super::stored_response::StoredResponse;
 use crate::branch::search_note;
 use crate::error::Error;
 use crate::live::{Design, KeySpan, LiveAnalysis};
 use crate::options::check_tolerance;
 use jounce_analysis::{
-    Bandwidth, BandwidthSearch, BranchOptions, BranchSearch, Model, OrbitMethodKind, Parameter,
+    Bandwidth, BandwidthSearch, BranchOptions, BranchSearch, LineErrors, Model, OrbitMethodKind,
+    Parameter,
 };
 use jounce_control::Control;
 use jounce_model::plant::System;
@@ -94,7 +95,16 @@ impl LiveAnalysis {
             || self.linear.curve(design.spec(), &parameter, range),
         );
         let mut result = ResponseResult::new(&key, system(&base), linear, &carried.branches);
-        result.draft = Some(carried.draft);
+        let errors = LineErrors {
+            harvester: &parameter,
+            kernel: &base.kernel,
+            range,
+            tolerance: TOLERANCE,
+        };
+        for (drawn, branch) in result.branches.iter_mut().zip(&carried.branches) {
+            drawn.line_error = errors.of(branch);
+        }
+        result.draft = Some(carried.draft.with_lines(&result.branches));
         let CarriedBranches {
             branches,
             origin,
