@@ -16,6 +16,9 @@ export interface DraftError {
     missing: number;
 }
 
+/** Places along a line that are compared. */
+const PLACES = [0, 0.25, 0.5, 0.75, 1];
+
 /** Drawn lines of the branches of one period, from each point to the next: the ends of both coordinates. */
 type Lines = Map<number, [number, number, number, number][]>;
 
@@ -50,10 +53,12 @@ function strays(all: Lines, others: Lines): { off: number; farthest: number } {
         const same = others.get(period) ?? [];
         for (const [a, b, c, d] of own) {
             const length = Math.hypot(c - a, d - b);
-            const away = Math.max(distance(a, b, same), distance((a + c) / 2, (b + d) / 2, same), distance(c, d, same));
             sum += length;
-            if (away > SAME) off += length;
-            if (Number.isFinite(away)) farthest = Math.max(farthest, away);
+            for (const share of PLACES) {
+                const away = distance(a + share * (c - a), b + share * (d - b), same);
+                if (away > SAME) off += length / PLACES.length;
+                if (Number.isFinite(away)) farthest = Math.max(farthest, away);
+            }
         }
     }
     return { off: sum > 0 ? off / sum : 0, farthest };

@@ -33,7 +33,7 @@ pub fn respond(
     if let Some(first) = analysis.first_response(design, span, control)? {
         session.send(cancellation, frame(id, "first", &first, start_time));
     }
-    let coarse = analysis.coarse_response(id, design, span, control)?;
+    let coarse = analysis.coarse_response(id, design, span, options, control)?;
     session.send(cancellation, frame(id, "coarse", &coarse, start_time));
 
     let rest_start = Instant::now();
