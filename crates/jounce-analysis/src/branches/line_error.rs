@@ -70,7 +70,8 @@ impl LineErrors<'_> {
         drawn.windows(2).map(error).collect()
     }
 
-    /// Returns a point with its direction and error; `None` where an integration fails.
+    /// Returns a point with its direction and error; `None` where an integration fails, or where
+    /// diodes pass so little power that its relative error is not known.
     fn drawn(
         &self,
         shooting: &Shooting<'_, Parameter<'_>>,
@@ -79,6 +80,10 @@ impl LineErrors<'_> {
         let position = at(point);
         let scale = parameter_scale(self.range);
         let local = shooting.at(&position.unknown, position.parameter).ok()?;
+        let has_diodes = !local.kernel.plant.system.bridges.is_empty();
+        if has_diodes && point.orbit.mean_power_w < local.least_power_w() {
+            return None;
+        }
         let metric = Metric::at(&position, scale);
         let up = Direction {
             unknown: vec![0.0; position.unknown.len()],
