@@ -10,8 +10,18 @@ export const draws = ({ error }, draft) => error.map((own) => draft.error !== nu
 /** Whether the drawn lines of a draft are no farther from its result than it says; `off` and `farthest` of their comparison. */
 export const holds = ({ off, farthest }, draft) => off === 0 && farthest <= (draft.error ?? 0);
 
-/** Points of a branch on the scale of the comparison; a harvester without a load has no power. */
-const scaled = ({ x, power }, span) => x.map((own, k) => [own / span, 0.2 * Math.log(Math.max(power[k], Number.MIN_VALUE))]);
+/** Tolerance of the searches: a power below this share of the largest one is the noise of the integrations. */
+const TOLERANCE = 1e-9;
+
+/** Points of a branch on the scale of the comparison. */
+const scaled = ({ x, power }, span) => x.map((own, k) => [own / span, 0.2 * Math.log(power[k])]);
+
+/** Branches with at least the power of the noise; a harvester without a load has no power. */
+function aboveNoise(branches, others) {
+    const largest = [...branches, ...others].flatMap(({ power }) => power).reduce((most, own) => Math.max(most, own), 0);
+    const least = Math.max(TOLERANCE * largest, Number.MIN_VALUE);
+    return branches.map((branch) => ({ ...branch, power: branch.power.map((own) => Math.max(own, least)) }));
+}
 
 function* samples(branch, span) {
     const points = scaled(branch, span);
@@ -55,6 +65,7 @@ function strays(branches, others, span) {
 
 /** Compares a response with the due one: the share of its length that is off, and of the due length that is missing. */
 export function compare(shown, due, span) {
-    const off = strays(shown, due, span);
-    return { off: off.share, farthest: off.farthest, missing: strays(due, shown, span).share };
+    const [own, others] = [aboveNoise(shown, due), aboveNoise(due, shown)];
+    const off = strays(own, others, span);
+    return { off: off.share, farthest: off.farthest, missing: strays(others, own, span).share };
 }
