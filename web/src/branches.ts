@@ -29,6 +29,8 @@ export interface Branch {
     /** Values of each quantity; those of the strain are empty until they are requested. */
     values: Record<Quantity, Float64Array>;
     contacts: Float64Array;
+    /** Of a draft: largest distance of each line between two points from its curve; empty for a searched result. */
+    error: Float64Array;
 }
 
 export interface Bifurcation extends Record<Exclude<Quantity, "strain">, number> {
@@ -59,6 +61,8 @@ export interface ResponseResult {
 export interface Draft {
     origin: "first" | "updated" | "continued" | "settled";
     lost_share: number;
+    /** Largest distance of a drawn line from its curve, on the scale of `away`; lines with a larger error are not drawn. */
+    error: number | null;
 }
 
 export interface Place {
@@ -71,17 +75,14 @@ export function resultOf(frame: Frame, { design }: Request): ResponseResult {
     const { head } = frame;
     const branches = (head.branches as { period: number }[]).map((branch, k): Branch => {
         const values = Object.fromEntries(Object.keys(QUANTITIES).map((name) => [name, frame.array(`${k}.${name}`)]));
-        return { identity: k, period: branch.period, x: frame.array(`${k}.x`), values: values as Branch["values"], contacts: frame.array(`${k}.contacts`) };
+        return { identity: k, period: branch.period, x: frame.array(`${k}.x`), values: values as Branch["values"], contacts: frame.array(`${k}.contacts`), error: frame.array(`${k}.error`) };
     });
     const linear = { x: frame.array("linear.x"), power: frame.array("linear.power") };
-    return { id: head.id, design, over: head.over, unit: head.unit, branches, bifurcations: head.bifurcations, linear, storage: head.storage, draft: head.stage === "first" ? { origin: "first", lost_share: 1 } : head.draft ?? undefined, note: head.note ?? "" };
+    return { id: head.id, design, over: head.over, unit: head.unit, branches, bifurcations: head.bifurcations, linear, storage: head.storage, draft: head.stage === "first" ? { origin: "first", lost_share: 1, error: null } : head.draft ?? undefined, note: head.note ?? "" };
 }
 
-/** Change of the logarithm of the power over which a draft is not drawn: such a chord joins two branches. */
-const DRAFT_STEP = 1.5;
-
-/** Whether a segment of a branch is not drawn. */
-export const isGap = (result: ResponseResult, { values }: Branch) => (from: number): boolean => result.draft !== undefined && Math.abs(level(values.power[from + 1]) - level(values.power[from])) > DRAFT_STEP;
+/** Whether the line from a point of a branch to the next is not drawn: a draft does not know its curve there. */
+export const isGap = ({ draft }: ResponseResult, { error }: Branch) => (from: number): boolean => draft !== undefined && !(draft.error !== null && error[from] <= draft.error);
 
 export const isStable = (branch: Branch, point: number): boolean => branch.values.floquet[point] < 1;
 

@@ -16,6 +16,9 @@ export interface DraftError {
     missing: number;
 }
 
+/** Places along a line that are compared. */
+const PLACES = [0, 0.25, 0.5, 0.75, 1];
+
 /** Drawn lines of the branches of one period, from each point to the next: the ends of both coordinates. */
 type Lines = Map<number, [number, number, number, number][]>;
 
@@ -50,10 +53,12 @@ function strays(all: Lines, others: Lines): { off: number; farthest: number } {
         const same = others.get(period) ?? [];
         for (const [a, b, c, d] of own) {
             const length = Math.hypot(c - a, d - b);
-            const away = Math.max(distance(a, b, same), distance((a + c) / 2, (b + d) / 2, same), distance(c, d, same));
             sum += length;
-            if (away > SAME) off += length;
-            if (Number.isFinite(away)) farthest = Math.max(farthest, away);
+            for (const share of PLACES) {
+                const away = distance(a + share * (c - a), b + share * (d - b), same);
+                if (away > SAME) off += length / PLACES.length;
+                if (Number.isFinite(away)) farthest = Math.max(farthest, away);
+            }
         }
     }
     return { off: sum > 0 ? off / sum : 0, farthest };
@@ -67,9 +72,17 @@ export function draftError(draft: ResponseResult, result: ResponseResult, span: 
     return { ...strays(own, due), missing: strays(due, own).off };
 }
 
+/** A share, rounded up to two digits. */
+function share(value: number): string {
+    const unit = 10 ** (Math.floor(Math.log10(100 * value)) - 1);
+    return `${value > 0 ? digits(Math.ceil((100 * value) / unit) * unit, 2) : 0} %`;
+}
+
+/** A largest distance in words. */
+export const distanceWords = (distance: number): string => `${share(distance)} of the range or ${share(Math.expm1(distance / WEIGHT))} of the power`;
+
 /** A sentence about a draft and its search. */
 export function errorWords({ farthest, off, missing }: DraftError): string {
-    const share = (value: number) => `${digits(100 * value, 2)} %`;
     const more = [off >= 0.005 ? `${share(off)} of it was not confirmed` : "", missing >= 0.005 ? `it lacked ${share(missing)} of the curves` : ""].filter(Boolean);
-    return `The last draft was off by at most ${share(farthest)} of the range or ${share(Math.expm1(farthest / WEIGHT))} of the power${more.map((own) => `; ${own}`).join("")}.`;
+    return `The last draft was off by at most ${distanceWords(farthest)}${more.map((own) => `; ${own}`).join("")}.`;
 }

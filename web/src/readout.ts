@@ -1,6 +1,7 @@
 // Text and table below the response: peak and bandwidth, what the search may miss, bifurcations.
 
 import type { Bifurcation, Draft } from "./branches";
+import { distanceWords } from "./draft-error";
 import type { Head } from "./frame";
 import { digits, quantity } from "./units";
 
@@ -40,12 +41,13 @@ function row(found: Bifurcation, unit: string, choose: (found: Bifurcation) => v
     return line;
 }
 
-/** A sentence about how far a draft is to be trusted. */
-export function draftWords({ origin, lost_share }: Draft): string {
+/** A sentence about how far a draft is to be trusted: the distance of its lines from the curves, and what it lacks. */
+export function draftWords({ origin, lost_share, error }: Draft): string {
     if (origin === "first") return "Draft: without contact only, until the first orbits are found.";
-    if (origin !== "updated") return "Draft from a few orbits: branches may be wrong or missing until the search ends.";
-    const lost = lost_share >= 0.005 ? `${digits(100 * lost_share, 2)} % of the last searched curves is lost; ` : "";
-    return `Draft: ${lost}branches may be wrong or missing until the search ends.`;
+    const from = origin === "updated" ? "" : " from a few orbits";
+    const lines = error === null ? "no curve is known well enough to be drawn" : `lines within ${distanceWords(error)}`;
+    const lost = lost_share >= 0.005 ? ` ${digits(100 * lost_share, 2)} % of the last searched curves is lost;` : "";
+    return `Draft${from}: ${lines};${lost} curves may be missing until the search ends.`;
 }
 
 /** Sentences about the peak of the stable orbits and the half-power bandwidth. Where the peak or the band ends only with the range, they say so. */

@@ -264,7 +264,7 @@ export class Response {
         if (!result) return;
         const hidden = result.branches.filter((branch) => !this.shows(branch)).length;
         const text = [
-            ...(this.isOld ? ["Draft: of an earlier design; branches may be wrong or missing until the search ends."] : result.draft ? [draftWords(result.draft)] : [stableWords(result, this.range), ...peakWords(this.widths, result.unit)]),
+            ...(this.isOld ? ["Draft: of an earlier design; curves may be wrong or missing until the search ends."] : result.draft ? [draftWords(result.draft)] : [stableWords(result, this.range), ...peakWords(this.widths, result.unit)]),
             ...(this.draftError ? [errorWords(this.draftError)] : []),
             ...(this.swept.some((point) => point.over === result.over && this.design.isOld(point)) ? ["The swept points are of an earlier design."] : []),
             ...this.zeroWords(result),

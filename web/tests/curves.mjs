@@ -1,17 +1,27 @@
 // Comparison of the branches of two responses by their length.
 
 /** Samples along each segment of a branch. */
-const SAMPLES = 8;
+const SAMPLES = 9;
 /** Distance at which two curves are the same: a hundredth of the range, or 5 % of the power. */
 const SAME = 0.01;
-/** Change of the logarithm of the power over which a draft is not drawn, as in src/branches.ts. */
-const DRAFT_STEP = 1.5;
+/** Whether each line of a branch of a draft is drawn. */
+export const draws = ({ error }, draft) => error.map((own) => draft.error !== null && own <= draft.error);
 
-/** Whether each segment of a draft is drawn. */
-export const draws = ({ power }) => power.slice(1).map((own, k) => Math.abs(Math.log(own / power[k])) <= DRAFT_STEP);
+/** Whether the drawn lines of a draft are no farther from its result than it says; `off` and `farthest` of their comparison. */
+export const holds = ({ off, farthest }, draft) => off === 0 && farthest <= (draft.error ?? 0);
+
+/** Tolerance of the searches: a power below this share of the largest one is the noise of the integrations. */
+const TOLERANCE = 1e-9;
 
 /** Points of a branch on the scale of the comparison. */
 const scaled = ({ x, power }, span) => x.map((own, k) => [own / span, 0.2 * Math.log(power[k])]);
+
+/** Branches with at least the power of the noise; a harvester without a load has no power. */
+function aboveNoise(branches, others) {
+    const largest = [...branches, ...others].flatMap(({ power }) => power).reduce((most, own) => Math.max(most, own), 0);
+    const least = Math.max(TOLERANCE * largest, Number.MIN_VALUE);
+    return branches.map((branch) => ({ ...branch, power: branch.power.map((own) => Math.max(own, least)) }));
+}
 
 function* samples(branch, span) {
     const points = scaled(branch, span);
@@ -19,7 +29,7 @@ function* samples(branch, span) {
         if (branch.drawn?.[k] === false) continue;
         const [[x, y], [toX, toY]] = [points[k], points[k + 1]];
         for (let part = 0; part < SAMPLES; part++) {
-            const share = (part + 0.5) / SAMPLES;
+            const share = part / (SAMPLES - 1);
             yield { at: [x + share * (toX - x), y + share * (toY - y)], length: Math.hypot(toX - x, toY - y) / SAMPLES };
         }
     }
@@ -55,7 +65,7 @@ function strays(branches, others, span) {
 
 /** Compares a response with the due one: the share of its length that is off, and of the due length that is missing. */
 export function compare(shown, due, span) {
-    const known = (list) => list.filter(({ power }) => power.every((own) => own > 0));
-    const off = strays(known(shown), known(due), span);
-    return { off: off.share, farthest: off.farthest, missing: strays(known(due), known(shown), span).share };
+    const [own, others] = [aboveNoise(shown, due), aboveNoise(due, shown)];
+    const off = strays(own, others, span);
+    return { off: off.share, farthest: off.farthest, missing: strays(others, own, span).share };
 }

@@ -1,5 +1,6 @@
 // Random designs of six specs, and the requests of the page for them: for the trials of drafts and of results.
 import { program, serve } from "./browser.mjs";
+import { draws } from "./curves.mjs";
 import { execFile } from "node:child_process";
 import { promisify } from "node:util";
 
@@ -55,8 +56,12 @@ export async function connect(page, address) {
     return (ask, body, stages) => page.evaluate(([...words]) => window.ask(...words), [ask, body, stages]);
 }
 
-/** The branches of a frame of the page. */
-export const branches = ({ head, lists }) => head.branches.map(({ period }, k) => ({ period, x: lists[`${k}.x`], power: lists[`${k}.power`] }));
+/** The quantity of a frame that is compared: a harvester without a load has no power. */
+export const comparable = ({ head, lists }) => (head.branches.some((_, k) => lists[`${k}.power`].some((own) => own > 0)) ? "power" : "displacement");
+/** The branches of a frame of the page with a quantity; of a draft also which lines are drawn. */
+export const branches = ({ head, lists }, quantity = "power") => head.branches.map(({ period }, k) => ({
+    period, x: lists[`${k}.x`], power: lists[`${k}.${quantity}`], ...(head.draft && { drawn: draws({ error: lists[`${k}.error`] }, head.draft) }),
+}));
 const words = (pairs) => pairs.flatMap(([key, value]) => ["--set", `${key}=${value}`]);
 /** Time for one command. */
 const LONGEST_MS = 90_000;
@@ -69,11 +74,12 @@ async function asked(command, spec, options, set) {
     }
 }
 
-/** The branches of `jounce branch`; undefined where there is no result. */
-export async function ofProgram(spec, set, span, seeds = OPTIONS.seeds) {
+/** The branches of `jounce branch` with a quantity; undefined where there is no result. */
+export async function ofProgram(spec, set, span, quantity, seeds = OPTIONS.seeds) {
+    const name = { power: "mean_power_w", displacement: "displacement_peak_m" }[quantity];
     const options = ["--over", `${span.over}=${span.from}Hz:${span.to}Hz`, "--seeds", String(seeds), "--longest-period", String(OPTIONS.longest_period), "--tolerance", String(OPTIONS.tolerance)];
     const result = await asked("branch", spec, options, set);
-    return result?.branches?.map((branch) => ({ period: branch.period_cycles, x: branch.points.map((own) => own.parameter), power: branch.points.map((own) => own.mean_power_w) }));
+    return result?.branches?.map((branch) => ({ period: branch.period_cycles, x: branch.points.map((own) => own.parameter), power: branch.points.map((own) => own[name]) }));
 }
 
 /** The attractors of `jounce basins`, undefined where it takes too long, and those of the operating point of the page. */

@@ -1,8 +1,8 @@
-// What the page says of the error of its last draft, against a comparison of the frames of the server.
+// What the page says of the error of a draft, before and after its search, against a comparison of the frames of the server.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { browse, open, ready, serve } from "./browser.mjs";
-import { compare, draws } from "./curves.mjs";
+import { compare, draws, holds } from "./curves.mjs";
 
 let server;
 let browser;
@@ -27,8 +27,9 @@ function record() {
                 const length = new DataView(event.data).getUint32(0, true);
                 const head = JSON.parse(new TextDecoder().decode(new Uint8Array(event.data, 4, length)));
                 const list = (name) => head.arrays.filter(([own]) => own === name).flatMap(([, first, size]) => [...new Float64Array(event.data, 4 + length + 8 * first, size)]);
-                if (head.ask === "response" && head.branches) window.stages[head.stage] = { id: head.id, branches: head.branches.map(({ period }, k) => ({ period, x: list(`${k}.x`), power: list(`${k}.power`) })) };
+                if (head.ask === "response" && head.branches) window.stages[head.stage] = { id: head.id, draft: head.draft, branches: head.branches.map(({ period }, k) => ({ period, x: list(`${k}.x`), power: list(`${k}.power`), error: list(`${k}.error`) })) };
                 hear(event);
+                if (head.stage === "coarse") window.stages.coarse.words = document.getElementById("readout").textContent;
             };
         }
     };
@@ -42,7 +43,10 @@ for (const gap of ["1.05", "1.6", "4", "7.8"]) {
         await ready(page);
         const { coarse, fine } = await page.evaluate(() => window.stages);
         assert.equal(coarse.id, fine.id);
-        const due = compare(coarse.branches.map((branch) => ({ ...branch, drawn: draws(branch) })), fine.branches, 14.82 - 11.44);
+        const due = compare(coarse.branches.map((branch) => ({ ...branch, drawn: draws(branch, coarse.draft) })), fine.branches, 14.82 - 11.44);
+        assert.ok(holds(due, coarse.draft), `${JSON.stringify(due)} ${JSON.stringify(coarse.draft)}`);
+        const said = coarse.words.match(/^Draft.*: lines within ([\d.e-]+) % of the range or ([\d.e-]+) % of the power;.* curves may be missing until the search ends\./) ?? assert.fail(coarse.words);
+        for (const [shown, value] of [[said[1], 100 * coarse.draft.error], [said[2], 100 * Math.expm1(5 * coarse.draft.error)]]) assert.ok(Number(shown) >= value * (1 - 1e-12) && Number(shown) < 1.11 * value, coarse.words);
         const words = await page.locator("#readout").textContent();
         const [, range, power, rest] = words.match(/The last draft was off by at most ([\d.e-]+) % of the range or ([\d.e-]+) % of the power(.*?)\./) ?? assert.fail(words);
         const about = (shown, value) => assert.ok(Math.abs(shown - value) < 0.12 * value + 1e-3, `${words} ${JSON.stringify(due)}`);

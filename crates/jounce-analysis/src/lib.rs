@@ -34,7 +34,7 @@ pub use bifurcations::{
 };
 pub use branches::{
     Bifurcation, Branch, BranchKind, BranchOptions, BranchPoint, BranchSearch, BranchUpdate,
-    Termination, UpdatedBranches, WarmStart,
+    LineErrors, Termination, UpdatedBranches, WarmStart,
 };
 pub use branches::{
     Extrapolation, KnownOrbit, NotProved, OrbitMethodKind, ProofGap, QuantityLevel,

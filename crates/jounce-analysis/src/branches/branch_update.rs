@@ -3,24 +3,19 @@
 //! A small change of the design changes each orbit little. Newton's method corrects every known
 //! point to the curve of the new design, in the hyperplane across the chord between its neighbours.
 //! Points at the edges of the range keep their parameter. The points are independent, so all cores
-//! work on them. The result is a fast approximation with three limits:
-//!
-//! - New branches are not found.
-//! - Multipliers that pass a critical value and return between two points are not found.
-//! - A fold is not found about which points overtake each other.
-//!
-//! [`BranchSearch`](super::BranchSearch) finds them all.
+//! work on them. The result is a fast approximation: new branches and bifurcations are not found.
+//! [`BranchSearch`](super::BranchSearch) finds them.
 
-use super::branch::{Bifurcation, Branch, BranchPoint};
-use super::branch_tracer::orbit_point::OrbitPoint;
-use super::branch_tracer::tracer::BranchTracer;
+use super::branch::{Branch, BranchPoint};
+use super::branch_tracer::tracer::parameter_scale;
 use crate::Parameter;
-use jounce_continuation::{
-    Corrector, CurvePoint, Direction, Metric, Position, StepControl, correct, tangent,
-};
+use jounce_continuation::{Corrector, Direction, Metric, Position, correct};
 use jounce_dynamics::Kernel;
 use jounce_orbits::{OrbitMethod, Shooting};
 use rayon::prelude::*;
+
+/// Largest number of evaluations of a correction.
+const MAX_EVALUATIONS: u32 = 6;
 
 /// Definition of an update of branches.
 #[derive(Debug)]
@@ -36,8 +31,6 @@ pub struct BranchUpdate<'s> {
     /// Length of a correction, in the metric, below which it is omitted. A state counts relative to
     /// its size, the parameter to a twentieth of the range.
     pub accuracy: f64,
-    /// Length in the metric to which bifurcations are located.
-    pub resolution: f64,
     /// Previous change of the design, for the prediction of the points.
     pub trend: Option<Extrapolation<'s>>,
 }
@@ -54,7 +47,7 @@ pub struct Extrapolation<'s> {
 /// Result of an update.
 #[derive(Debug, Default)]
 pub struct UpdatedBranches {
-    /// Updated branches; a branch is cut where points are lost.
+    /// Updated branches, without bifurcations; a branch is cut where points are lost.
     pub branches: Vec<Branch>,
     /// Points at which Newton's method failed.
     pub lost: usize,
@@ -63,19 +56,6 @@ pub struct UpdatedBranches {
 impl BranchUpdate<'_> {
     /// Updates the branches.
     pub fn run(&self, known: &[Branch]) -> UpdatedBranches {
-        let corrector = Corrector {
-            goal: self.accuracy,
-            most: 6,
-        };
-        let tracer = BranchTracer {
-            range: self.range,
-            corrector,
-            control: StepControl::default(),
-            most_points: usize::MAX,
-            budget: usize::MAX,
-            resolution: self.resolution,
-            levels: Vec::new(),
-        };
         let mut updated = UpdatedBranches::default();
         for (index, branch) in known.iter().enumerate() {
             // After a branch was cut or lost, the indices do not match.
@@ -84,12 +64,7 @@ impl BranchUpdate<'_> {
                 .filter(|extrapolation| extrapolation.before.len() == known.len());
             let predicted_positions =
                 extrapolation.and_then(|extrapolation| extrapolation.likely(index, branch));
-            self.update_branch(
-                &tracer,
-                branch,
-                predicted_positions.as_deref(),
-                &mut updated,
-            );
+            self.update_branch(branch, predicted_positions.as_deref(), &mut updated);
         }
         updated
     }
@@ -97,7 +72,6 @@ impl BranchUpdate<'_> {
     /// Adds the updated pieces of a branch to the result.
     fn update_branch(
         &self,
-        tracer: &BranchTracer,
         branch: &Branch,
         predicted_positions: Option<&[Position]>,
         updated: &mut UpdatedBranches,
@@ -116,50 +90,37 @@ impl BranchUpdate<'_> {
             updated.lost += branch.points.len();
             return;
         }
-        let updated_points =
-            self.corrected_points(tracer, &shooting, &branch.points, predicted_positions);
+        let updated_points = self.corrected_points(&shooting, &branch.points, predicted_positions);
         updated.lost += updated_points
             .iter()
             .filter(|corrected| corrected.is_none())
             .count();
         let is_inside = |value: f64| (self.range.0..=self.range.1).contains(&value);
-        let ends = |corrected: &Option<_>| {
-            !corrected.as_ref().is_some_and(|corrected: &OrbitPoint<_>| {
-                is_inside(corrected.step.position.parameter)
-            })
+        let ends = |corrected: &Option<BranchPoint>| {
+            !corrected
+                .as_ref()
+                .is_some_and(|point| is_inside(point.parameter))
         };
         for run in updated_points.split(ends).filter(|run| run.len() > 1) {
-            let orbit_points: Vec<_> = run.iter().flatten().collect();
-            let between = orbit_points.par_windows(2).map(|pair| {
-                let events = tracer.between(&shooting, pair[0], pair[1]);
-                events.unwrap_or_default().bifurcations().collect()
-            });
-            let bifurcations: Vec<Vec<Bifurcation>> = between.collect();
             updated.branches.push(Branch {
                 period_cycles: branch.period_cycles,
-                points: orbit_points
-                    .iter()
-                    .map(|corrected| corrected.point.clone())
-                    .collect(),
-                bifurcations: bifurcations.into_iter().flatten().collect(),
-                not_proved: Vec::new(),
+                points: run.iter().flatten().cloned().collect(),
                 endings: branch.endings.clone(),
-                not_followed: 0,
+                ..Branch::default()
             });
         }
     }
 
     /// Corrects all points of a branch: from their predicted positions, then from their old ones,
     /// then from those of corrected neighbours.
-    fn corrected_points<'p, 's>(
+    fn corrected_points(
         &self,
-        tracer: &BranchTracer,
-        shooting: &Shooting<'p, Parameter<'s>>,
+        shooting: &Shooting<'_, Parameter<'_>>,
         points: &[BranchPoint],
         predicted_positions: Option<&[Position]>,
-    ) -> Vec<Option<OrbitPoint<Shooting<'p, Parameter<'s>>>>> {
+    ) -> Vec<Option<BranchPoint>> {
         let corrected = |index: usize, guess: Option<Position>| {
-            self.corrected(tracer, shooting, points, (index, guess))
+            self.corrected(shooting, points, (index, guess))
         };
         let count = points.len();
         let first = |index: usize| {
@@ -181,7 +142,7 @@ impl BranchUpdate<'_> {
                     .filter(|_| updated_points[index].is_none())
                     .find_map(|other| Some((other, updated_points[other].as_ref()?)))?;
                 let guess = at(&points[index])
-                    .offset_along(&at(&points[other]).to(&neighbour_point.step.position), 1.0);
+                    .offset_along(&at(&points[other]).to(&at(neighbour_point)), 1.0);
                 Some((index, corrected(index, Some(guess))?))
             };
             let more: Vec<_> = (0..count).into_par_iter().filter_map(retry).collect();
@@ -196,46 +157,35 @@ impl BranchUpdate<'_> {
     /// Returns the corrected point, from a guess or from its old position.
     fn corrected<M: OrbitMethod>(
         &self,
-        tracer: &BranchTracer,
         method: &M,
         points: &[BranchPoint],
         (index, guess): (usize, Option<Position>),
-    ) -> Option<OrbitPoint<M>> {
+    ) -> Option<BranchPoint> {
         let position = at(&points[index]);
-        let metric = Metric::at(&position, tracer.parameter_scale());
-        let chord = metric.unit(
-            at(&points[index.saturating_sub(1)])
-                .to(&at(&points[(index + 1).min(points.len() - 1)])),
-        );
+        let metric = Metric::at(&position, parameter_scale(self.range));
         let at_edge = position.parameter == self.range.0 || position.parameter == self.range.1;
-        let parameter_direction = Direction {
-            unknown: vec![0.0; position.unknown.len()],
-            parameter: metric.parameter,
-        };
         let mut guess = guess.unwrap_or_else(|| position.clone());
-        if at_edge {
+        let normal = if at_edge {
             guess.parameter = position.parameter;
-        }
-        let corrected_point = correct(
-            method,
-            &tracer.corrector,
-            &metric,
-            if at_edge {
-                &parameter_direction
-            } else {
-                &chord
-            },
-            guess,
-        )
-        .ok()?;
-        let tangent = tangent(&corrected_point.local, &metric, &chord)?;
-        let step = CurvePoint {
-            position: corrected_point.position,
-            tangent,
-            local: corrected_point.local,
-            error: corrected_point.error,
+            Direction {
+                unknown: vec![0.0; position.unknown.len()],
+                parameter: metric.parameter,
+            }
+        } else {
+            let before = at(&points[index.saturating_sub(1)]);
+            let after = at(&points[(index + 1).min(points.len() - 1)]);
+            metric.unit(before.to(&after))
         };
-        OrbitPoint::new(method, step).ok()
+        let corrector = Corrector {
+            goal: self.accuracy,
+            most: MAX_EVALUATIONS,
+        };
+        let corrected = correct(method, &corrector, &metric, &normal, guess).ok()?;
+        let orbit = method.orbit(&corrected.local, corrected.error).ok()?;
+        Some(BranchPoint {
+            parameter: corrected.position.parameter,
+            orbit,
+        })
     }
 }
 
@@ -258,7 +208,7 @@ impl Extrapolation<'_> {
 }
 
 /// Returns the position of a point.
-fn at(point: &BranchPoint) -> Position {
+pub(super) fn at(point: &BranchPoint) -> Position {
     Position {
         unknown: point.orbit.start().to_vec(),
         parameter: point.parameter,

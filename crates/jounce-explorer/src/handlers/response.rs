@@ -24,8 +24,9 @@ const SLIDER_REST: Duration = Duration::from_millis(120);
 pub struct ResponseKey {
     design: Arc<Design>,
     span: KeySpan,
-    /// Options of the search; `None` for a draft.
-    options: Option<ResponseOptions>,
+    /// Draft or search.
+    stage: &'static str,
+    options: ResponseOptions,
     history: ResponseHistory,
 }
 
@@ -94,11 +95,12 @@ pub async fn respond(
 impl ResponseRequest<'_> {
     /// Sends the coarse response; returns whether it was sent.
     async fn send_coarse(&self, start_time: Instant) -> Result<bool, RequestFault> {
-        let (id, span, share) = (self.id, self.span.clone(), self.session.quick_share());
+        let (id, span, options) = (self.id, self.span.clone(), self.options.clone());
+        let share = self.session.quick_share();
         let compute = move |analysis: &LiveAnalysis, design: &Design, control: &Control| {
-            analysis.coarse_response(id, design, &span, control)
+            analysis.coarse_response(id, design, &span, &options, control)
         };
-        let Some(coarse) = self.shared("coarse", share, None, compute).await? else {
+        let Some(coarse) = self.shared("coarse", share, compute).await? else {
             return Ok(false);
         };
         self.send(frame(id, "coarse", &coarse.result, start_time))
@@ -118,8 +120,7 @@ impl ResponseRequest<'_> {
             let pool = &host.branch_search_pool;
             pool.install(|| analysis.fine_response(id, design, &span, &options, control))
         };
-        let options = Some(self.options.clone());
-        let Some(fine) = self.shared("fine", share, options, search).await? else {
+        let Some(fine) = self.shared("fine", share, search).await? else {
             return Ok(());
         };
         self.send(frame(id, "fine", &fine.result, start_time)).await;
@@ -137,7 +138,7 @@ impl ResponseRequest<'_> {
             Ok(pool.install(|| fine.analysis.bandwidth(fine.id, &options, control))?)
         };
         let computation = session.host.bandwidths.find_or_start(
-            self.key(Some(self.options.clone())),
+            self.key("fine"),
             session.branch_search_share(),
             measure,
         );
@@ -165,7 +166,6 @@ impl ResponseRequest<'_> {
         &self,
         stage: &'static str,
         share: Share,
-        options: Option<ResponseOptions>,
         compute: impl FnOnce(&LiveAnalysis, &Design, &Control) -> Result<ResponseResult, Error>
         + Send
         + 'static,
@@ -183,7 +183,7 @@ impl ResponseRequest<'_> {
         let computation = session
             .host
             .responses
-            .find_or_start(self.key(options), share, work);
+            .find_or_start(self.key(stage), share, work);
         let stage = (id, "response", stage);
         let found = session
             .shared(stage, computation, self.cancellation)
@@ -196,11 +196,12 @@ impl ResponseRequest<'_> {
     }
 
     /// Returns what the response depends on; the history is that of the present time.
-    fn key(&self, options: Option<ResponseOptions>) -> ResponseKey {
+    fn key(&self, stage: &'static str) -> ResponseKey {
         ResponseKey {
             design: Arc::clone(&self.design),
             span: self.span.clone(),
-            options,
+            stage,
+            options: self.options.clone(),
             history: self.session.analysis.history(&self.span.over),
         }
     }
@@ -253,6 +254,7 @@ fn put_branch(frame: &mut Frame, index: usize, branch: &ResponseBranch) {
         ("impact", &branch.max_impact_velocity_m_s),
         ("displacement", &branch.displacement_peak_m),
         ("floquet", &branch.floquet_max_abs),
+        ("error", &branch.line_error),
     ];
     for (name, list) in lists {
         frame.array(&format!("{index}.{name}"), list.iter().copied());

@@ -51,15 +51,7 @@ impl<H: ParametricModel> Shooting<'_, H> {
             .collect();
         // Near a fold the correction can lead to a state that cannot be integrated: its length is
         // then the only estimate.
-        //
-        // Diodes may pass arbitrarily little power: the error is relative to at least a small
-        // fraction of the energy of the motion.
-        let least_w = if evaluation.kernel.plant.system.bridges.is_empty() {
-            f64::MIN_POSITIVE
-        } else {
-            MIN_ENERGY_SHARE * 0.5 * size(&evaluation.strobe_states[0]).powi(2)
-                / evaluation.period_s
-        };
+        let least_w = evaluation.least_power_w();
         let power = self
             .integrated_power_w(&evaluation.kernel, &predicted_end)
             .map_or(state, |exact_w| {
@@ -73,7 +65,7 @@ impl<H: ParametricModel> Shooting<'_, H> {
     ///
     /// # Errors
     /// The integration fails.
-    pub(crate) fn mean_power_w(
+    pub fn mean_power_w(
         &self,
         unknown: &[f64],
         parameter: f64,
@@ -125,6 +117,17 @@ fn voltage_rms_v(system: &System, power_w: f64) -> f64 {
 }
 
 impl ShootingEvaluation {
+    /// Returns the power below which the relative error of a power is not known, W. Diodes may pass
+    /// arbitrarily little power: the error is relative to at least a small fraction of the energy
+    /// of the motion.
+    pub fn least_power_w(&self) -> f64 {
+        if self.kernel.plant.system.bridges.is_empty() {
+            f64::MIN_POSITIVE
+        } else {
+            MIN_ENERGY_SHARE * 0.5 * norm(&self.strobe_states[0]).powi(2) / self.period_s
+        }
+    }
+
     /// Returns the integrated period as an orbit with these multipliers.
     pub(super) fn as_orbit(&self, multipliers: Vec<c64>) -> Orbit {
         Orbit {

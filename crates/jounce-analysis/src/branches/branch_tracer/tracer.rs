@@ -31,6 +31,11 @@ pub(in crate::branches) fn newton_tolerance(tolerance: f64) -> f64 {
         .clamp(NEWTON_GOAL_LIMITS.0, NEWTON_GOAL_LIMITS.1.max(tolerance))
 }
 
+/// Returns the scale of the parameter in the metric.
+pub(in crate::branches) fn parameter_scale(range: (f64, f64)) -> f64 {
+    (range.1 - range.0) / 20.0
+}
+
 /// Continuation of branches with its settings.
 #[derive(Debug, Clone)]
 pub struct BranchTracer {
@@ -75,7 +80,7 @@ impl BranchTracer {
 
     /// Returns the scale of the parameter in the metric.
     pub fn parameter_scale(&self) -> f64 {
-        (self.range.1 - self.range.0) / 20.0
+        parameter_scale(self.range)
     }
 
     /// Follows both directions from the orbit that Newton's method finds near a state in energy

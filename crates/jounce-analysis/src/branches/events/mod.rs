@@ -20,9 +20,10 @@ mod step_events;
 mod test_data;
 mod turning_points;
 
+pub(super) use interpolant::Interpolant;
 pub use level::QuantityLevel;
 pub use not_proved::{NotProved, ProofGap};
 pub(super) use spectrum::{TestFunction, contradiction, doubling, fold, torus};
 pub(super) use step_events::StepEvents;
-pub(super) use test_data::TestDataPair;
+pub(super) use test_data::{TestDataPair, slope_distance};
 pub(super) use turning_points::{Extremum, extrema};

@@ -11,6 +11,11 @@ use jounce_orbits::{Orbit, OrbitMethod, ShootingEvaluation, TurningPoint, discs,
 /// There the integration error in the difference and the neglected curvature are about equal.
 const SLOPE_DISTANCE: f64 = 10.0;
 
+/// Returns the distance ahead, in the metric, for a tolerance of the integrations.
+pub(in crate::branches) fn slope_distance(tolerance: f64) -> f64 {
+    SLOPE_DISTANCE * tolerance.sqrt()
+}
+
 /// Data of the test functions of an orbit.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::branches) struct TestData {
@@ -104,7 +109,7 @@ impl TestDataPair {
         let metric = Metric::at(&step.position, parameter_scale);
         let unit = metric.unit(step.tangent.clone());
         let on_side = |side: f64| {
-            let length = side * SLOPE_DISTANCE * evaluation.tolerance().sqrt();
+            let length = side * slope_distance(evaluation.tolerance());
             let neighbour = step.position.offset_along(&unit, length);
             let local = method.at(&neighbour.unknown, neighbour.parameter).ok()?;
             let near = method.shot(&local).ok()?;

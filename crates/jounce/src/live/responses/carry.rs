@@ -3,7 +3,7 @@
 use super::draft::{Draft, DraftOrigin};
 use super::shorter_period::without_shorter_periods;
 use super::stored_response::{Origin, StoredResponse};
-use crate::live::{Design, LiveAnalysis};
+use crate::live::Design;
 use jounce_analysis::{
     Branch, BranchUpdate, Extrapolation, KnownOrbit, Model, Parameter, WarmStart, settled_orbit,
 };
@@ -11,7 +11,7 @@ use jounce_continuation::StepControl;
 use std::sync::Arc;
 
 /// Relative tolerance of the integration.
-const TOLERANCE: f64 = 1e-6;
+pub(super) const TOLERANCE: f64 = 1e-6;
 /// Goal of Newton's method for settled orbits, relative to the state.
 const SETTLED_RESIDUAL: f64 = 1e-6;
 /// Relative corrections of updated points below this are omitted: curves are accurate to a
@@ -45,41 +45,83 @@ pub(super) struct CarriedBranches {
     pub draft: Draft,
 }
 
-impl LiveAnalysis {
-    /// Returns the branches near those of the previous design. They are updated point by point, or
+/// Problem of a draft.
+pub(super) struct DraftProblem<'s> {
+    pub design: &'s Design,
+    pub base: &'s Model,
+    pub parameter: &'s Parameter<'s>,
+    pub range: (f64, f64),
+    /// Longest period, in drive cycles.
+    pub longest_period: u32,
+}
+
+impl DraftProblem<'_> {
+    /// Returns the branches near those of the last response. They are updated point by point, or
     /// continued again if that loses points or the range has changed. Without known branches,
     /// continuation starts from settled orbits.
-    pub(super) fn carried_branches(
-        &self,
-        design: &Design,
-        base: &Model,
-        parameter: &Parameter,
-        range: (f64, f64),
-    ) -> CarriedBranches {
-        let kernel = &base.kernel;
-        let last = self.responses.last(parameter.key().path());
+    pub(super) fn branches(&self, last: Option<Arc<StoredResponse>>) -> CarriedBranches {
+        let (kernel, range) = (&self.base.kernel, self.range);
         if let Some(last) = last.as_ref().filter(|last| last.range == range)
-            && let Some(carried) = updated(last, design, base, parameter)
+            && let Some(carried) = self.updated(last)
         {
             return carried;
         }
         let warm_start = WarmStart {
-            harvester: parameter,
+            harvester: self.parameter,
             kernel,
             range,
             tolerance: TOLERANCE,
             control: LONG_STEPS,
             resolution: MAX_LAST_MOVE,
         };
-        let from = |orbits: &[KnownOrbit]| {
-            without_shorter_periods(warm_start.run(orbits).unwrap_or_default())
+        let from = |mut orbits: Vec<KnownOrbit>| {
+            orbits.retain(|orbit| orbit.period_cycles <= self.longest_period);
+            without_shorter_periods(warm_start.run(&orbits).unwrap_or_default())
         };
-        let branches = last.map(|last| from(&last.orbits())).unwrap_or_default();
+        let branches = last.map(|last| from(last.orbits())).unwrap_or_default();
         if !branches.is_empty() || kernel.control.is_stopped() {
             return CarriedBranches::continued(branches, DraftOrigin::Continued);
         }
-        let branches = from(&settled_orbits(parameter, base, range));
+        let branches = from(settled_orbits(self.parameter, self.base, range));
         CarriedBranches::continued(branches, DraftOrigin::Settled)
+    }
+
+    /// Returns the branches of the last response, updated point by point; `None` where too many
+    /// points are lost.
+    fn updated(&self, last: &StoredResponse) -> Option<CarriedBranches> {
+        // A fine response has more points than a curve needs; an updated one retains its points, so
+        // that their changes can be extrapolated.
+        let is_shown = |branch: &&Branch| branch.period_cycles <= self.longest_period;
+        let thinned = |branch: &Branch| branch.thinned(SIMPLIFY_SHARE);
+        let known = match last.origin {
+            Some(_) => Arc::clone(&last.branches),
+            None => Arc::new(last.branches.iter().filter(is_shown).map(thinned).collect()),
+        };
+        let points: usize = known.iter().map(|branch| branch.points.len()).sum();
+        if points == 0 {
+            return None;
+        }
+        let trend = last.origin.as_ref().and_then(|(spec, branches)| {
+            Some(Extrapolation {
+                before: branches,
+                reach: self.design.change_ratio(spec, &last.spec)?,
+            })
+        });
+        let update = BranchUpdate {
+            harvester: self.parameter,
+            kernel: &self.base.kernel,
+            range: last.range,
+            tolerance: TOLERANCE,
+            accuracy: MIN_CORRECTION,
+            trend,
+        };
+        let updated = update.run(&known);
+        let lost_share = updated.lost as f64 / points as f64;
+        (lost_share <= MAX_LOST_SHARE).then(|| CarriedBranches {
+            branches: without_shorter_periods(updated.branches),
+            origin: Some((last.spec.clone(), known)),
+            draft: Draft::updated(last.draft, lost_share),
+        })
     }
 }
 
@@ -91,46 +133,6 @@ impl CarriedBranches {
             draft: Draft::continued(origin),
         }
     }
-}
-
-/// Returns the branches of the last response, updated point by point; `None` where too many points
-/// are lost.
-fn updated(
-    last: &StoredResponse,
-    design: &Design,
-    base: &Model,
-    parameter: &Parameter,
-) -> Option<CarriedBranches> {
-    // A fine response has more points than a curve needs; an updated one retains its points, so
-    // that their changes can be extrapolated.
-    let thinned = |branch: &Branch| branch.thinned(SIMPLIFY_SHARE);
-    let known = match last.origin {
-        Some(_) => Arc::clone(&last.branches),
-        None => Arc::new(last.branches.iter().map(thinned).collect()),
-    };
-    let trend = last.origin.as_ref().and_then(|(spec, branches)| {
-        Some(Extrapolation {
-            before: branches,
-            reach: design.change_ratio(spec, &last.spec)?,
-        })
-    });
-    let update = BranchUpdate {
-        harvester: parameter,
-        kernel: &base.kernel,
-        range: last.range,
-        tolerance: TOLERANCE,
-        accuracy: MIN_CORRECTION,
-        resolution: MAX_LAST_MOVE,
-        trend,
-    };
-    let updated = update.run(&known);
-    let points: usize = known.iter().map(|branch| branch.points.len()).sum();
-    let lost_share = updated.lost as f64 / points as f64;
-    (lost_share <= MAX_LOST_SHARE).then(|| CarriedBranches {
-        branches: without_shorter_periods(updated.branches),
-        origin: Some((last.spec.clone(), known)),
-        draft: Draft::updated(last.draft, lost_share),
-    })
 }
 
 /// Returns the orbits on which an integration from rest and from the steady state settles at both

@@ -1,6 +1,10 @@
 //! Origin of a draft, and what of it is known to be missing.
 
+use super::response_result::ResponseBranch;
 use serde::Serialize;
+
+/// Largest error of a line that is drawn: a hundredth of the range, or 5 % of the power.
+const MAX_LINE_ERROR: f64 = 0.01;
 
 /// Draft of a response, computed without a search.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -9,6 +13,12 @@ pub struct Draft {
     pub origin: DraftOrigin,
     /// Share of the points of the last searched response that were lost since.
     pub lost_share: f64,
+    /// Largest distance of a drawn line from its curve, in the range and a fifth of the
+    /// logarithm of the power. Lines with a larger [`line_error`] are not drawn. `None` where no
+    /// line is drawn.
+    ///
+    /// [`line_error`]: super::ResponseBranch::line_error
+    pub error: Option<f64>,
 }
 
 /// How the branches of a draft were found.
@@ -31,6 +41,7 @@ impl Draft {
         Self {
             origin: DraftOrigin::Updated,
             lost_share: 1.0 - kept,
+            error: None,
         }
     }
 
@@ -39,6 +50,17 @@ impl Draft {
         Self {
             origin,
             lost_share: 0.0,
+            error: None,
+        }
+    }
+
+    /// Returns the draft with the largest error of the lines that are drawn.
+    pub(super) fn with_lines(self, branches: &[ResponseBranch]) -> Self {
+        let lines = branches.iter().flat_map(|branch| &branch.line_error);
+        let drawn = lines.copied().filter(|error| *error <= MAX_LINE_ERROR);
+        Self {
+            error: drawn.max_by(f64::total_cmp),
+            ..self
         }
     }
 }

@@ -1,14 +1,15 @@
 //! Response over a key: first the branches near those of the previous design, then all branches.
 
 use super::ResponseResult;
-use super::carry::CarriedBranches;
+use super::carry::{CarriedBranches, DraftProblem, TOLERANCE};
 use super::stored_response::StoredResponse;
 use crate::branch::search_note;
 use crate::error::Error;
 use crate::live::{Design, KeySpan, LiveAnalysis};
 use crate::options::check_tolerance;
 use jounce_analysis::{
-    Bandwidth, BandwidthSearch, BranchOptions, BranchSearch, Model, OrbitMethodKind, Parameter,
+    Bandwidth, BandwidthSearch, BranchOptions, BranchSearch, LineErrors, Model, OrbitMethodKind,
+    Parameter,
 };
 use jounce_control::Control;
 use jounce_model::plant::System;
@@ -60,21 +61,21 @@ impl ResponseOptions {
 impl LiveAnalysis {
     /// Computes the branches over a key near those of the last response over this key. Without
     /// one, continuation starts from the orbits on which the harvester settles at both ends of the
-    /// range. The response is stored under its number.
+    /// range. Of the options it has the longest period. The response is stored under its number.
     ///
     /// # Errors
     /// [`Error::Spec`] and [`Error::Option`] for the key and its range, [`Error::Analysis`] for a
     /// design without a model.
     ///
     /// ```
-    /// use jounce::{Control, Harvester, live::{Design, KeySpan, LiveAnalysis}};
+    /// use jounce::{Control, Harvester, live::{Design, KeySpan, LiveAnalysis, ResponseOptions}};
     /// # std::env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).unwrap();
     /// let harvester = Harvester::read("examples/impact-harvester-2019/harvester.toml")?;
     /// let span = KeySpan { over: "drive.shaker.frequency".into(), from: 12.9, to: 13.0 };
-    /// let analysis = LiveAnalysis::default();
+    /// let (analysis, options) = (LiveAnalysis::default(), ResponseOptions::default());
     /// for (id, gap) in (1..).zip(["1 mm", "0.99 mm"]) {
     ///     let design = Design::new(&harvester, &[("stop.tip.gap".into(), gap.into())])?;
-    ///     let response = analysis.coarse_response(id, &design, &span, &Control::default())?;
+    ///     let response = analysis.coarse_response(id, &design, &span, &options, &Control::default())?;
     ///     assert!(!response.branches.is_empty());
     /// }
     /// # Ok::<(), jounce::Error>(())
@@ -84,17 +85,35 @@ impl LiveAnalysis {
         id: u64,
         design: &Design,
         span: &KeySpan,
+        options: &ResponseOptions,
         control: &Control,
     ) -> Result<ResponseResult, Error> {
+        options.check()?;
         let (key, range) = (span.key(design)?, span.ends());
         let base = self.model(design.spec(), control)?;
         let parameter = Parameter::new(&base, &key, range.1 - range.0);
+        let problem = DraftProblem {
+            design,
+            base: &base,
+            parameter: &parameter,
+            range,
+            longest_period: options.longest_period,
+        };
         let (carried, linear) = rayon::join(
-            || self.carried_branches(design, &base, &parameter, range),
+            || problem.branches(self.responses.last(key.path())),
             || self.linear.curve(design.spec(), &parameter, range),
         );
         let mut result = ResponseResult::new(&key, system(&base), linear, &carried.branches);
-        result.draft = Some(carried.draft);
+        let errors = LineErrors {
+            harvester: &parameter,
+            kernel: &base.kernel,
+            range,
+            tolerance: TOLERANCE,
+        };
+        for (drawn, branch) in result.branches.iter_mut().zip(&carried.branches) {
+            drawn.line_error = errors.of(branch);
+        }
+        result.draft = Some(carried.draft.with_lines(&result.branches));
         let CarriedBranches {
             branches,
             origin,

@@ -56,6 +56,9 @@ pub struct ResponseBranch {
     pub floquet_max_abs: Vec<f64>,
     /// Contacts per period.
     pub contacts: Vec<u64>,
+    /// Of a draft: estimated largest distance from the curve of each line between two neighbouring
+    /// points, see [`Draft::error`]; infinite where it is not known. Empty for a searched response.
+    pub line_error: Vec<f64>,
 }
 
 /// A bifurcation or grazing point.
@@ -126,6 +129,7 @@ impl ResponseBranch {
             displacement_peak_m: list(|point| point.orbit.displacement_peak_m),
             floquet_max_abs: list(|point| point.orbit.floquet_max_abs()),
             contacts: branch.points.iter().map(contacts).collect(),
+            line_error: Vec::new(),
         }
     }
 }
