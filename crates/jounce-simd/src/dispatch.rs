@@ -1,6 +1,5 @@
 //! Selection of the instruction set, once per task.
 
-use super::portable::Portable;
 use super::registers::{Registers, Simd};
 use pulp::{Arch, Simd as PulpSimd, WithSimd};
 
@@ -25,7 +24,7 @@ impl<T: Task> WithSimd for Dispatch<T> {
             8 => self.0.run(Registers::<S, 1>(simd)),
             4 => self.0.run(Registers::<S, 2>(simd)),
             2 => self.0.run(Registers::<S, 4>(simd)),
-            _ => self.0.run(Portable::new()),
+            _ => self.0.run(Registers::<S, 8>(simd)),
         }
     }
 }

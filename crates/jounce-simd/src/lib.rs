@@ -6,12 +6,10 @@
 
 mod dispatch;
 mod f64x8;
-mod portable;
 mod power;
 mod registers;
 
 pub use dispatch::{Task, widest};
 pub use f64x8::{F64x8, LANES};
-pub use portable::Portable;
 pub use power::power;
-pub use registers::{Registers, Simd};
+pub use registers::{Portable, Registers, Simd};

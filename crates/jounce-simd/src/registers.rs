@@ -1,8 +1,8 @@
 //! Arithmetic on eight numbers in registers.
 
-use super::f64x8::F64x8;
-use pulp::Simd as PulpSimd;
+use super::f64x8::{F64x8, LANES};
 use pulp::bytemuck::{Pod, cast};
+use pulp::{Scalar, Simd as PulpSimd};
 
 /// Arithmetic on eight numbers at once.
 pub trait Simd: Copy {
@@ -65,6 +65,22 @@ pub trait Simd: Copy {
 /// `N` registers of the instruction set `S` that hold eight numbers.
 #[derive(Debug, Clone, Copy)]
 pub struct Registers<S, const N: usize>(pub S);
+
+/// Scalar implementation, for code off the hot path.
+pub type Portable = Registers<Scalar, LANES>;
+
+impl Portable {
+    /// Returns the only value of this type.
+    pub const fn new() -> Self {
+        Registers(Scalar)
+    }
+}
+
+impl Default for Portable {
+    fn default() -> Self {
+        Self::new()
+    }
+}
 
 impl<S: PulpSimd, const N: usize> Registers<S, N>
 where
@@ -154,7 +170,12 @@ where
 
     #[inline(always)]
     fn fma_one(self, a: f64, b: f64, c: f64) -> f64 {
-        a.mul_add(b, c)
+        // Without such an instruction a library call would dominate the cost.
+        if S::F64_LANES >= 4 {
+            a.mul_add(b, c)
+        } else {
+            a * b + c
+        }
     }
 
     #[inline(always)]
@@ -202,5 +223,50 @@ where
     fn largest(self, a: Self::Register) -> f64 {
         self.0
             .reduce_max_f64s(self.folded(a, |simd, a, b| simd.max_f64s(a, b)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Task, widest};
+
+    struct Every;
+
+    impl Task for Every {
+        type Output = [F64x8; 7];
+
+        #[inline(always)]
+        fn run<W: Simd>(self, simd: W) -> Self::Output {
+            let a = simd.load(&F64x8([1.0, -2.0, 3.0, -4.0, 5.0, -6.0, 7.0, -8.5]));
+            let b = simd.splat(0.5);
+            let sums = [
+                simd.sum(a),
+                simd.largest(a),
+                simd.sum(simd.sub(a, b)),
+                0.0,
+                0.0,
+                0.0,
+                0.0,
+                0.0,
+            ];
+            [
+                simd.store(simd.fma(a, b, b)),
+                simd.store(simd.max(a, simd.zero())),
+                simd.store(simd.sqrt(simd.abs(a))),
+                simd.store(simd.add(a, b)),
+                simd.store(simd.mul(a, b)),
+                simd.store(simd.div(b, a)),
+                F64x8(sums),
+            ]
+        }
+    }
+
+    #[test]
+    fn this_machine_and_plain_numbers_agree() {
+        // Every value here is exact in binary except the roots and quotients, which are correctly
+        // rounded everywhere.
+        assert_eq!(widest(Every), Every.run(Portable::new()));
+        assert_eq!(Every.run(Portable::new())[6].0[..3], [-4.5, 7.0, -8.5]);
     }
 }
