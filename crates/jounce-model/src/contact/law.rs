@@ -113,7 +113,6 @@ impl ContactLaw for Law {
         Law::slopes(self, penetration_m, rate_m_s)
     }
 
-    #[inline(always)]
     fn steepest(&self, reach_m: f64) -> Slopes {
         match self {
             Law::Hertz(law) => law.steepest(reach_m),
@@ -212,7 +211,6 @@ impl Law {
     }
 
     /// Compressive force, N; not finite for a rigid stop.
-    #[inline]
     pub fn force_n(&self, penetration_m: f64, rate_m_s: f64) -> f64 {
         match self {
             Law::Hertz(law) => law.force_n(penetration_m, rate_m_s),
@@ -225,7 +223,6 @@ impl Law {
     }
 
     /// Both slopes of the force; not defined for a rigid stop.
-    #[inline]
     pub fn slopes(&self, penetration_m: f64, rate_m_s: f64) -> Slopes {
         match self {
             Law::Hertz(law) => law.slopes(penetration_m, rate_m_s),
