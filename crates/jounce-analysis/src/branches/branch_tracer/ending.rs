@@ -26,7 +26,7 @@ impl BranchTracer {
             NoncontactEnd::between(&before.point, &after.point, branch).or(beginning.noncontact);
         let points = branch.points.len() + 1;
         let return_point = self.return_point(beginning, before, after, points);
-        let merge = if return_point.is_none() && points > 3 {
+        let merge = if return_point.is_none() {
             merge(before, after)
         } else {
             None

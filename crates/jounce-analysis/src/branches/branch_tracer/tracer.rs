@@ -103,22 +103,36 @@ impl BranchTracer {
             unknown: vec![0.0; position.unknown.len()],
             parameter: 1.0,
         };
+        self.both_ways_from(method, || {
+            let first = correct_at(method, &self.corrector, &metric, position.clone()).ok()?;
+            let direction = tangent(&first.local, &metric, &up)?;
+            Some((first, direction))
+        })
+    }
+
+    /// Continues from an orbit along a tangent and against it, and joins both parts; `None` without
+    /// a start.
+    ///
+    /// # Errors
+    /// As [`BranchTracer::walk`].
+    pub(in crate::branches) fn both_ways_from<M: OrbitMethod>(
+        &self,
+        method: &M,
+        start: impl Fn() -> Option<(CorrectedPoint<M::Evaluation>, Direction)>,
+    ) -> Result<Option<Branch>, M::Error> {
         let mut ways = Vec::new();
         for sign in [-1.0, 1.0] {
-            let at_edge = parameter
-                == if sign < 0.0 {
-                    self.range.0
-                } else {
-                    self.range.1
-                };
-            let Ok(first) = correct_at(method, &self.corrector, &metric, position.clone()) else {
-                return Ok(None);
-            };
-            let Some(mut direction) = tangent(&first.local, &metric, &up) else {
+            let Some((first, mut direction)) = start() else {
                 return Ok(None);
             };
             direction.unknown.iter_mut().for_each(|d| *d *= sign);
             direction.parameter *= sign;
+            let edge = if direction.parameter < 0.0 {
+                self.range.0
+            } else {
+                self.range.1
+            };
+            let at_edge = first.position.parameter == edge;
             let closed = ways
                 .last()
                 .is_some_and(|branch: &Branch| branch.endings.contains(&Termination::Closed));
@@ -128,7 +142,7 @@ impl BranchTracer {
         }
         let mut ways = ways.into_iter();
         Ok(match (ways.next(), ways.next()) {
-            (Some(down), Some(up)) => Some(down.joined(up)),
+            (Some(against), Some(along)) => Some(against.joined(along)),
             (one, _) => one,
         })
     }

@@ -242,19 +242,21 @@ impl BranchSearch<'_> {
                     continue;
                 };
                 let method = make(cycles)?;
-                let Some((first, direction)) = self.displaced_orbit(tracer, &method, &at) else {
+                let start = || self.displaced_orbit(tracer, &method, &at);
+                let Some((first, _)) = start() else {
                     branches[parent].not_followed += 1;
                     continue;
                 };
                 let orbit = method.orbit(&first.local, first.error)?;
                 if !self.is_known(branches, tracer, (&orbit, first.position.parameter)) {
-                    let found = within.walk(&method, first, direction)?;
+                    let found = within.both_ways_from(&method, start)?;
                     // A continuation of one point has fallen back to the parent.
-                    if found.points.len() > 1 {
-                        branches.push(found);
-                        entered.push(false);
-                    } else {
-                        branches[parent].not_followed += 1;
+                    match found.filter(|found| found.points.len() > 1) {
+                        Some(found) => {
+                            branches.push(found);
+                            entered.push(false);
+                        }
+                        None => branches[parent].not_followed += 1,
                     }
                 }
             }
