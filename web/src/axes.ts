@@ -56,6 +56,15 @@ export class Axes {
         this.change({ over, ...(from > 0 ? { from: from / share, to: to * share } : { from: from - half, to: to + half }) });
     }
 
+    /** Extends the range to a value, with a twentieth of its width beyond it: of the ratio of its ends where all are positive. */
+    include(value: number): void {
+        if (!this.view) return;
+        const { over, from, to } = this.view;
+        const [room, share] = [(to - from) / 20, (to / from) ** 0.05];
+        const [low, high] = from > 0 && value > 0 ? [value / share, value * share] : [value - room, value + room];
+        this.change({ over, from: Math.min(from, low), to: Math.max(to, high) });
+    }
+
     /** Takes the view of a link. */
     set(view: View): void {
         this.linked = true;

@@ -3,6 +3,7 @@
 import { Chart } from "./chart";
 import type { Design } from "./design";
 import type { Frame } from "./frame";
+import type { ShownOrbit } from "./shown-orbit";
 import { colour, shade } from "./theme";
 import { digits, quantity } from "./units";
 import { Stale } from "./stale";
@@ -32,7 +33,7 @@ export class Basins {
     onPick: (attractor: Attractor) => boolean = () => false;
     private readonly stale: Stale;
 
-    constructor(private readonly wire: Wire, private readonly design: Design) {
+    constructor(private readonly wire: Wire, private readonly design: Design, private readonly orbit: ShownOrbit) {
         this.stale = new Stale(find("panel-basins"), find("basins-stale"), design);
         wire.on("basins", (frame, request) => this.take(frame, request));
         find("basins-run").onclick = () => (this.running ? this.stop() : this.run());
@@ -55,6 +56,7 @@ export class Basins {
     /** Shows whether the result belongs to the present design. */
     mark(): void {
         this.stale.mark();
+        this.tellOrbit();
     }
 
     /** The lost connection has taken the computation with it. */
@@ -83,7 +85,7 @@ export class Basins {
             this.set(false);
             this.frame = frame;
             this.stale.shows(request);
-            this.note.textContent = "";
+            this.tellOrbit();
             const [expected, low, high] = [head.expected_power_w, head.expected_power_low_w, head.expected_power_high_w].map((watt) => quantity(watt, "W"));
             this.words.textContent = `at ${quantity(head.frequency_hz, "Hz")}: expected power ${expected} (95 %: ${low} to ${high})${head.failed.length > 0 ? `, ${head.failed.length} runs failed` : ""}`;
             this.redraw();
@@ -108,7 +110,25 @@ export class Basins {
         if (!attractor) this.note.textContent = "This start has no attractor.";
         else if (this.stale.isOld) this.note.textContent = "These basins are of an earlier design; run them again.";
         else if (attractor.period_cycles === 0 || !this.onPick(attractor)) this.note.textContent = `No branch of the response has the orbit of ${attractor.id}.`;
-        else this.note.textContent = `The orbit of ${attractor.id} is shown.`;
+        else this.note.textContent = `The orbit of ${attractor.id} is being computed.`;
+    }
+
+    /** Names the attractor whose orbit is shown. */
+    tellOrbit(): void {
+        const shown = this.frame && !this.stale.isOld ? this.orbit.among(this.frame.head.attractors as Attractor[]) : undefined;
+        this.note.textContent = shown ? `The orbit of ${shown.id} is shown.` : "";
+    }
+
+    /** The starts, and the attractor where each ends. */
+    table(): string | undefined {
+        if (!this.frame) return undefined;
+        const attractors = this.frame.head.attractors as Attractor[];
+        const [x, y, attractor] = ["displacement_m", "velocity_m_s", "attractor"].map((name) => this.frame!.array(name));
+        const lines = Array.from(x, (own, k) => {
+            const end = attractors[attractor[k]];
+            return [own, y[k], ...(end ? [end.id, end.period_cycles, end.mean_power_w] : ["", "", ""])].join(",");
+        });
+        return `displacement_m,velocity_m_s,attractor,period_cycles,mean_power_w\n${lines.join("\n")}\n`;
     }
 
     redraw(): void {

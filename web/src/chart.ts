@@ -176,6 +176,16 @@ export class Chart implements Drawn {
         return this.plot?.ctx.canvas;
     }
 
+    /** Points of all curves, in the units of `titles`. */
+    get points(): [number, number][] {
+        return this.curves.flatMap(({ x, y }) => Array.from(x, (value, k): [number, number] => [value, y[k]]));
+    }
+
+    /** Words and SI units of both axes. */
+    get titles(): string[] {
+        return [this.x, this.y].map(({ words, unit }) => (unit ? `${words} (${unit})` : words));
+    }
+
     /** The chart as an SVG document, on `paper` if it is given. */
     svg(paper?: string): string | undefined {
         const { plot } = this;

@@ -89,6 +89,14 @@ export class Load {
         this.redraw();
     }
 
+    /** The points, and the power without contact. */
+    table(): string | undefined {
+        const [x, y] = this.linear;
+        if (x.length === 0) return undefined;
+        const lines = [...this.points.map((point) => ["integrated", ...point]), ...Array.from(x, (ohm, k) => ["without contact", ohm, y[k]])];
+        return `curve,${this.shown}_ohm,mean_power_w\n${lines.map((line) => line.join(",")).join("\n")}\n`;
+    }
+
     redraw(): void {
         const [x, y] = this.linear;
         if (x.length === 0) return;

@@ -133,6 +133,11 @@ export class Response {
         return result && at !== undefined ? operating(result, at, this.attractor) : undefined;
     }
 
+    /** True where the present value of the key is outside the range that was searched. */
+    get isOutside(): boolean {
+        return this.at !== undefined && !(this.at >= this.range[0] && this.at <= this.range[1]);
+    }
+
     /** True where the response belongs to an earlier design. */
     get isOld(): boolean {
         return this.result !== undefined && this.design.isOld(this.result);
@@ -157,7 +162,7 @@ export class Response {
 
     /** Selects the point at the present value of the key that has an attractor; returns false where no branch has it. */
     chooseAttractor(attractor: { power: number; period: number }): boolean {
-        const place = this.result && this.at !== undefined ? operating(this.result, this.at, attractor) : undefined;
+        const place = this.result && !this.isOld && this.at !== undefined ? operating(this.result, this.at, attractor) : undefined;
         if (place) this.choose(place, this.at);
         return place !== undefined;
     }
