@@ -133,7 +133,6 @@ axes.onChange = () => {
     requests.change(performance.now());
     remember();
 };
-axes.onWrong = (message) => fault("axes", message ? [{ key: "", line: 0, message }] : []);
 response.onChoose = (chosen, parameter) => {
     find("operating-show").hidden = false;
     requests.orbit(chosen, parameter);
@@ -230,7 +229,7 @@ wire.on("response", (frame, request) => {
     band.follow();
 });
 wire.on("file", () => {
-    say("the file has changed");
+    say(save.takeChange() ? `saved as ${find("file").textContent}` : "the file has changed");
     design.fileChanged();
     search.fileChanged();
     requests.forgetDesign();

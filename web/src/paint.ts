@@ -88,6 +88,14 @@ export function drawRule(plot: uPlot, rule: Rule, ratio: number): void {
     }
 }
 
+/** Words in the middle of the chart. */
+export function drawWords({ ctx, bbox }: uPlot, words: string, ratio: number): void {
+    ctx.fillStyle = colour("quiet");
+    ctx.font = `${14 * ratio}px system-ui, sans-serif`;
+    [ctx.textAlign, ctx.textBaseline] = ["center", "middle"];
+    ctx.fillText(words, bbox.left + bbox.width / 2, bbox.top + bbox.height / 2);
+}
+
 export function drawCurve(plot: uPlot, curve: Curve, ratio: number): void {
     const { ctx, bbox } = plot;
     ctx.globalAlpha = curve.alpha ?? 1;

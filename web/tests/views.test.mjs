@@ -107,4 +107,74 @@ test("a value outside the shown range is named, and the range extends to it", as
     await ready(page);
 });
 
+test("a row of a bifurcation shows its own orbit, and the draft is described apart from the result", async () => {
+    await page.locator("#bifurcations-title").click();
+    const rows = await page.locator("#bifurcations tr").count();
+    assert.ok(rows > 2);
+    for (let k = 0; k < rows; k++) {
+        await page.locator("#bifurcations button").nth(k).click();
+        await ready(page);
+        const [, x, power] = (await page.locator("#bifurcations tr").nth(k).innerText()).match(/([\d.]+) Hz\s+([\d.]+) .?W/);
+        const [, at, own] = (await text("orbit-title")).match(/^Orbit at ([\d.]+) Hz: ([\d.]+) .?W/);
+        // At a fold Newton's method may not converge; the orbit is then that of the nearest point of the branch.
+        const isFold = (await page.locator("#bifurcations button").nth(k).textContent()) === "fold";
+        assert.ok(at === x && Math.abs(own / power - 1) < (isFold ? 0.05 : 1e-3), `${at} ${own}, ${x} ${power}`);
+    }
+    await page.locator("#bifurcations-title").click();
+    await type("stop.tip.gap", "1.05");
+    await ready(page);
+    assert.doesNotMatch(await text("readout"), /draft/i);
+    assert.match(await text("draft-words"), /^The last draft was off by at most /);
+    await page.locator("#reset").click();
+    await ready(page);
+});
+
+test("a strain that is not computed yet has words and no numbers on its axis", async () => {
+    // Text of the chart, as it is drawn.
+    await page.evaluate(() => {
+        window.drawn = [];
+        const own = CanvasRenderingContext2D.prototype.fillText;
+        CanvasRenderingContext2D.prototype.fillText = function (words, ...place) {
+            if (this.canvas.closest("#chart-response")) window.drawn.push(words);
+            return own.call(this, words, ...place);
+        };
+    });
+    await page.locator("#quantity").selectOption("strain");
+    await page.waitForFunction(() => window.drawn.includes("computing strain"));
+    await shot("strain-computing");
+    const first = await page.evaluate(() => window.drawn.slice(0, window.drawn.indexOf("computing strain")));
+    assert.ok(!first.includes("0.1") && !first.includes("0.2"), first.join());
+    await page.waitForFunction(() => !/Computing the strain/.test(document.getElementById("readout").textContent));
+    await page.evaluate(() => (window.drawn = []));
+    await page.locator("#log").uncheck();
+    await page.waitForFunction(() => window.drawn.length > 3);
+    assert.ok(!(await page.evaluate(() => window.drawn)).includes("computing strain"));
+    await shot("strain");
+    await page.locator("#log").check();
+    await page.locator("#quantity").selectOption("power");
+});
+
+test("a wrong range and a gap of stable orbits have words, and a save names the file", async () => {
+    await page.locator("#from").fill("80");
+    await page.locator("#from").press("Enter");
+    await until("range-fault", /The range must go from a smaller to a larger number/);
+    await shot("range-fault");
+    await page.locator("#from").fill("11.44");
+    await page.locator("#from").press("Enter");
+    await page.locator("#range-fault").waitFor({ state: "hidden" });
+    await ready(page);
+    assert.match(await text("readout"), /, no stable periodic orbit up to 12\.802 Hz, then 1\./);
+    await page.evaluate(() => {
+        window.said = [];
+        new MutationObserver(() => window.said.push(document.getElementById("status").textContent)).observe(document.getElementById("status"), { childList: true, characterData: true, subtree: true });
+    });
+    await type("stop.tip.gap", "0.9");
+    await ready(page);
+    await page.locator("#save").click();
+    await page.locator("#save-write").click();
+    await page.waitForFunction(() => window.said.includes("saved as harvester.toml"));
+    assert.ok(!(await page.evaluate(() => window.said)).includes("the file has changed"));
+    await ready(page);
+});
+
 test("no error was printed in the browser", () => assert.deepEqual(page.faults, []));
