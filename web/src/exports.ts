@@ -17,6 +17,7 @@ export class Exports {
     private readonly dialog = find<HTMLDialogElement>("export-dialog");
     private spec = "";
     private stem = "harvester";
+    private link = "";
 
     constructor(private readonly response: Response, private readonly drawing: Drawing, private readonly tables: Tables) {
         find("export-spec").onclick = () => save(`${this.stem}.toml`, "application/toml", this.spec);
@@ -27,11 +28,15 @@ export class Exports {
         find("export-drawing").onclick = () => save(`${this.stem}.svg`, "image/svg+xml", this.drawing.svg);
         find("export-picture").onclick = () => this.picture();
         find("export-vectors").onclick = () => this.vectors();
+        find("export-copy-link").onclick = () => copyText(this.link);
+        find("export-copy-command").onclick = () => copyText(find("export-link").textContent!);
     }
 
     /** Opens the dialog with the data of the server. */
     open(head: Head, file: string): void {
         this.spec = head.spec;
+        this.link = head.link;
+        find("export-copied").textContent = "";
         this.stem = file.split(/[\\/]/).pop()!.replace(/\.[^.]*$/, "") || "harvester";
         find("export-link").textContent = `jounce explore --link '${head.link}'`;
         find("export-shell").textContent = head.shell;
@@ -94,6 +99,13 @@ export class Exports {
         const width = Math.max(...charts.map((chart) => chart.canvas!.width));
         save(name, "image/svg+xml", `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${top}" viewBox="0 0 ${width} ${top}">${parts.join("")}</svg>\n`);
     }
+}
+
+/** Copies a text, and says in the dialog whether the browser allowed it. */
+function copyText(text: string): void {
+    const copied = navigator.clipboard?.writeText(text) ?? Promise.reject(new Error("no clipboard"));
+    const say = (words: string) => (find("export-copied").textContent = words);
+    copied.then(() => say("copied"), () => say("the browser refuses; select the text below"));
 }
 
 /** Points of the curves of some charts, named after the axes. */

@@ -178,6 +178,7 @@ wire.on("design", ({ head }, request) => {
     quantities.offer();
     load.offer();
     shake.offer();
+    basins.designTaken(controls.all.find(({ key }) => key.startsWith("stop."))?.key.split(".")[1]);
     place();
     requests.designTaken(head.drive_frequency_hz !== null);
     remember();

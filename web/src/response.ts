@@ -173,7 +173,7 @@ export class Response {
         const { words, unit } = described(this.quantity, result);
         const alpha = result.draft || this.isOld ? DRAFT : 1;
         const curves: Curve[] = [];
-        if (this.quantity === "power") curves.push({ x: result.linear.x, y: result.linear.power, colour: colour("grey"), width: 1.4 });
+        if (this.quantity === "power") curves.push({ x: result.linear.x, y: result.linear.power, colour: colour("grey"), width: 1.4, words: "without contact" });
         curves.push(...this.bandArea(result, alpha));
         if (this.start?.over === result.over) curves.push(...this.lines(this.start, () => colour("ink"), START));
         const pins = this.pins.filter((pin) => pin.result.over === result.over);
@@ -224,7 +224,7 @@ export class Response {
         const old = this.swept.some((point) => this.design.isOld(point));
         return [true, false].map((up) => {
             const points = this.swept.filter((point) => point.over === over && point.up === up && point.values[this.quantity] !== undefined);
-            return { x: points.map((p) => p.x), y: points.map((p) => p.values[this.quantity]!), colour: colour(up ? "ink" : "orange"), dots: up ? 2 : 1.5, alpha: old ? 0.25 : 1 };
+            return { x: points.map((p) => p.x), y: points.map((p) => p.values[this.quantity]!), colour: colour(up ? "ink" : "orange"), shape: up ? ("up" as const) : ("down" as const), size: 3.5, alpha: old ? 0.25 : 1 };
         });
     }
 

@@ -42,5 +42,11 @@ test("the export shows the command that opens the link", async () => {
     await page.locator("#export").click();
     await page.locator("#export-dialog").waitFor({ state: "visible" });
     assert.match(await page.locator("#export-link").textContent(), /^jounce explore --link 'jounce:\?set=[^' ]+'$/);
+    const command = await page.locator("#export-link").textContent();
+    for (const [id, due] of [["link", command.match(/'(.*)'/)[1]], ["command", command]]) {
+        await page.locator(`#export-copy-${id}`).click();
+        await page.waitForFunction(() => document.getElementById("export-copied").textContent === "copied");
+        await page.waitForFunction(async (text) => (await navigator.clipboard.readText()) === text, due);
+    }
     await page.keyboard.press("Escape");
 });

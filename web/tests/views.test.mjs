@@ -154,6 +154,38 @@ test("a strain that is not computed yet has words and no numbers on its axis", a
     await page.locator("#quantity").selectOption("power");
 });
 
+test("both shares say which starts they count, and the basins say what is shown", async () => {
+    await ready(page);
+    await until("operating-words", /reached by [\d.]+ % \(95 %: [\d.]+ to [\d.]+\) of 100 starts drawn at random/);
+    await basins();
+    assert.match(await page.locator("#attractors button").first().textContent(), /of the starts of the map/);
+    assert.ok(await page.locator("#basins-about").isHidden());
+    const box = await page.locator("#chart-basins .u-over").boundingBox();
+    const before = await page.locator("#chart-basins canvas").evaluate((own) => own.toDataURL());
+    await page.mouse.click(box.x + 0.7 * box.width, box.y + 0.3 * box.height);
+    await until("basins-cursor", /^Start at [\d.]+ mm, [\d.]+ .?m\/s: \w+, [\d.]+ .?W$/);
+    await until("basins-note", /The orbit of \w+ is shown|No branch/);
+    assert.notEqual(await page.locator("#chart-basins canvas").evaluate((own) => own.toDataURL()), before);
+    await shot("basins");
+    await page.locator("#theme").click();
+    await shot("basins-dark");
+    await page.locator("#theme").click();
+    await page.locator("#tab-response").click();
+});
+
+test("the points of a sweep have their own symbols, and the curve without contact its name", async () => {
+    await page.locator("#sweep").click();
+    await until("status", /^[4-9]\d of \d+ values computed/);
+    await page.locator("#sweep").click();
+    await shot("sweep");
+    const symbols = await page.locator("#panel-response details").last().textContent();
+    assert.match(symbols, /△ sweep up, ▽ sweep down/);
+    await page.evaluate(() => (window.drawn = []));
+    await page.locator("#log").uncheck();
+    await page.waitForFunction(() => window.drawn.includes("without contact"));
+    await page.locator("#log").check();
+});
+
 test("a wrong range and a gap of stable orbits have words, and a save names the file", async () => {
     await page.locator("#from").fill("80");
     await page.locator("#from").press("Enter");
