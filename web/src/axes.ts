@@ -12,14 +12,13 @@ export class Axes {
     private readonly from = find<HTMLInputElement>("from");
     private readonly to = find<HTMLInputElement>("to");
     private readonly unit = find("over-unit");
+    private readonly fault = find("range-fault");
     view: View | undefined;
     /** View over a key that the present design lacks; it returns with its key. */
     private missing: View | undefined;
     /** True while the view is that of a link, and no design has been seen with it. */
     private linked = false;
     onChange: () => void = () => {};
-    /** Called with the error of a range, or with nothing for a valid one. */
-    onWrong: (words: string) => void = () => {};
 
     constructor(private readonly controls: Controls) {
         this.over.onchange = () => this.pick(this.over.value);
@@ -56,6 +55,15 @@ export class Axes {
         this.change({ over, ...(from > 0 ? { from: from / share, to: to * share } : { from: from - half, to: to + half }) });
     }
 
+    /** Extends the range to a value, with a twentieth of its width beyond it: of the ratio of its ends where all are positive. */
+    include(value: number): void {
+        if (!this.view) return;
+        const { over, from, to } = this.view;
+        const [room, share] = [(to - from) / 20, (to / from) ** 0.05];
+        const [low, high] = from > 0 && value > 0 ? [value / share, value * share] : [value - room, value + room];
+        this.change({ over, from: Math.min(from, low), to: Math.max(to, high) });
+    }
+
     /** Takes the view of a link. */
     set(view: View): void {
         this.linked = true;
@@ -67,7 +75,6 @@ export class Axes {
     change(view: View): void {
         this.missing = undefined;
         this.view = view;
-        this.onWrong("");
         this.show(view);
         this.onChange();
     }
@@ -87,16 +94,21 @@ export class Axes {
         write(this.from, digits(view.from / control.factor, 5));
         write(this.to, digits(view.to / control.factor, 5));
         this.unit.textContent = sign(control.unit);
-        for (const field of [this.from, this.to]) field.setAttribute("aria-invalid", "false");
+        this.tell("");
     }
 
     private read(): void {
         const control = this.controls.find(this.over.value);
         if (!control) return;
         const [from, to] = [Number(this.from.value) * control.factor, Number(this.to.value) * control.factor];
-        const right = from < to;
-        for (const field of [this.from, this.to]) field.setAttribute("aria-invalid", String(!right));
-        if (!right) return this.onWrong(`${control.key}: the range must go from a smaller to a larger number`);
+        if (!(from < to)) return this.tell("The range must go from a smaller to a larger number.");
         this.change({ over: control.key, from, to });
+    }
+
+    /** Shows the fault of the ends, or none. */
+    private tell(words: string): void {
+        for (const field of [this.from, this.to]) field.setAttribute("aria-invalid", String(words !== ""));
+        this.fault.textContent = words;
+        this.fault.hidden = words === "";
     }
 }

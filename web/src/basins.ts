@@ -3,6 +3,7 @@
 import { Chart } from "./chart";
 import type { Design } from "./design";
 import type { Frame } from "./frame";
+import type { ShownOrbit } from "./shown-orbit";
 import { colour, shade } from "./theme";
 import { digits, quantity } from "./units";
 import { Stale } from "./stale";
@@ -28,15 +29,22 @@ export class Basins {
     private readonly bar = find<HTMLProgressElement>("basins-progress");
     private frame: Frame | undefined;
     private running = false;
+    /** Number of the start that was clicked. */
+    private picked: number | undefined;
+    /** Direction of the displacement and the velocity of a start. */
+    private direction = "";
     /** Called with the attractor that is clicked; returns false where its orbit cannot be shown. */
     onPick: (attractor: Attractor) => boolean = () => false;
     private readonly stale: Stale;
 
-    constructor(private readonly wire: Wire, private readonly design: Design) {
+    constructor(private readonly wire: Wire, private readonly design: Design, private readonly orbit: ShownOrbit) {
         this.stale = new Stale(find("panel-basins"), find("basins-stale"), design);
         wire.on("basins", (frame, request) => this.take(frame, request));
         find("basins-run").onclick = () => (this.running ? this.stop() : this.run());
-        this.chart.host.addEventListener("click", (event) => this.click(event));
+        const { host } = this.chart;
+        host.addEventListener("click", (event) => this.click(event));
+        host.addEventListener("pointermove", (event) => this.hover(event));
+        host.addEventListener("pointerleave", () => (find("basins-cursor").textContent = ""));
     }
 
     run(): void {
@@ -52,9 +60,15 @@ export class Basins {
         this.words.textContent = "stopped";
     }
 
+    /** Takes the first stop of the design. */
+    designTaken(stop: string | undefined): void {
+        this.direction = stop === undefined ? "" : ` towards stop ${stop}`;
+    }
+
     /** Shows whether the result belongs to the present design. */
     mark(): void {
         this.stale.mark();
+        this.tellOrbit();
     }
 
     /** The lost connection has taken the computation with it. */
@@ -82,33 +96,75 @@ export class Basins {
         } else {
             this.set(false);
             this.frame = frame;
+            this.picked = undefined;
+            find("basins-about").hidden = true;
             this.stale.shows(request);
-            this.note.textContent = "";
+            this.tellOrbit();
             const [expected, low, high] = [head.expected_power_w, head.expected_power_low_w, head.expected_power_high_w].map((watt) => quantity(watt, "W"));
             this.words.textContent = `at ${quantity(head.frequency_hz, "Hz")}: expected power ${expected} (95 %: ${low} to ${high})${head.failed.length > 0 ? `, ${head.failed.length} runs failed` : ""}`;
             this.redraw();
         }
     }
 
-    /** Shows the orbit of the attractor of the start that is nearest to a click. */
-    private click(event: MouseEvent): void {
+    /** The start that is nearest to the pointer. */
+    private nearest(event: MouseEvent): number | undefined {
         const box = this.chart.over?.getBoundingClientRect();
-        if (!this.frame || !box) return;
-        const [x, y, attractor] = ["displacement_m", "velocity_m_s", "attractor"].map((name) => this.frame!.array(name));
+        if (!this.frame || !box) return undefined;
+        const [x, y] = ["displacement_m", "velocity_m_s"].map((name) => this.frame!.array(name));
         const away = (k: number) => {
             const [left, top] = this.chart.place(x[k], y[k]);
             return Math.hypot(left + box.left - event.clientX, top + box.top - event.clientY);
         };
         let nearest = 0;
         for (let k = 1; k < x.length; k++) if (away(k) < away(nearest)) nearest = k;
-        this.pick((this.frame.head.attractors as Attractor[])[attractor[nearest]]);
+        return nearest;
+    }
+
+    private attractorOf(start: number): Attractor | undefined {
+        return (this.frame!.head.attractors as Attractor[])[this.frame!.array("attractor")[start]];
+    }
+
+    /** Shows the orbit of the attractor of the start that is clicked. */
+    private click(event: MouseEvent): void {
+        const start = this.nearest(event);
+        if (start === undefined) return;
+        this.picked = start;
+        this.redraw();
+        this.pick(this.attractorOf(start));
+    }
+
+    /** Shows the start under the pointer, and where it ends. */
+    private hover(event: MouseEvent): void {
+        const start = this.nearest(event);
+        if (start === undefined) return;
+        const [x, y] = ["displacement_m", "velocity_m_s"].map((name) => this.frame!.array(name)[start]);
+        const end = this.attractorOf(start);
+        find("basins-cursor").textContent = `Start at ${quantity(x, "m", 3)}, ${quantity(y, "m/s", 3)}: ${end ? `${end.id}, ${quantity(end.mean_power_w, "W")}` : "no attractor"}`;
     }
 
     private pick(attractor: Attractor | undefined): void {
         if (!attractor) this.note.textContent = "This start has no attractor.";
         else if (this.stale.isOld) this.note.textContent = "These basins are of an earlier design; run them again.";
         else if (attractor.period_cycles === 0 || !this.onPick(attractor)) this.note.textContent = `No branch of the response has the orbit of ${attractor.id}.`;
-        else this.note.textContent = `The orbit of ${attractor.id} is shown.`;
+        else this.note.textContent = `The orbit of ${attractor.id} is being computed.`;
+    }
+
+    /** Names the attractor whose orbit is shown. */
+    tellOrbit(): void {
+        const shown = this.frame && !this.stale.isOld ? this.orbit.among(this.frame.head.attractors as Attractor[]) : undefined;
+        this.note.textContent = shown ? `The orbit of ${shown.id} is shown.` : "";
+    }
+
+    /** The starts, and the attractor where each ends. */
+    table(): string | undefined {
+        if (!this.frame) return undefined;
+        const attractors = this.frame.head.attractors as Attractor[];
+        const [x, y, attractor] = ["displacement_m", "velocity_m_s", "attractor"].map((name) => this.frame!.array(name));
+        const lines = Array.from(x, (own, k) => {
+            const end = attractors[attractor[k]];
+            return [own, y[k], ...(end ? [end.id, end.period_cycles, end.mean_power_w] : ["", "", ""])].join(",");
+        });
+        return `displacement_m,velocity_m_s,attractor,period_cycles,mean_power_w\n${lines.join("\n")}\n`;
     }
 
     redraw(): void {
@@ -122,13 +178,13 @@ export class Basins {
             const own = [...attractor.keys()].filter((index) => attractor[index] === k);
             return { x: own.map((index) => x[index]), y: own.map((index) => y[index]), colour: k < 0 ? colour("grey") : shade(k), cell };
         });
-        this.chart.show({ words: "Displacement", unit: "m", ends: ends(x, cell[0]) }, { words: "Velocity", unit: "m/s", ends: ends(y, cell[1]) }, curves);
+        this.chart.show({ words: `Displacement${this.direction}`, unit: "m", ends: ends(x, cell[0]) }, { words: `Velocity${this.direction}`, unit: "m/s", ends: ends(y, cell[1]) }, curves, this.picked === undefined ? [] : [{ x: x[this.picked], y: y[this.picked], colour: colour("ink"), shape: "ring", size: 7 }]);
         const share = (value: number) => `${digits(100 * value, 3)} %`;
         const legend = attractors.map((a, k) => {
             const item = document.createElement("li");
             item.style.setProperty("--own", shade(k));
             const button = document.createElement("button");
-            button.textContent = `${a.id}: ${share(a.fraction)} of the starts (${share(a.fraction_low)} to ${share(a.fraction_high)}), ${quantity(a.mean_power_w, "W")}`;
+            button.textContent = `${a.id}: ${share(a.fraction)} of the starts of the map (${share(a.fraction_low)} to ${share(a.fraction_high)}), ${quantity(a.mean_power_w, "W")}`;
             button.title = "Show the orbit";
             button.onclick = () => this.pick(a);
             item.append(button);

@@ -138,6 +138,9 @@ export function nearest(result: ResponseResult, x: number, power: number, span: 
 /** Largest difference of the powers of an attractor and of its branch, on the scale of `away`. */
 const SAME_POWER = 0.05;
 
+/** Whether two powers may be those of one orbit. */
+export const isSamePower = (one: number, other: number): boolean => 0.2 * Math.abs(level(one) - level(other)) < SAME_POWER;
+
 /** A point of a stable branch next to a value of the key: of the given attractor, or of the largest power. */
 export function operating(result: ResponseResult, x: number, attractor: { power: number; period: number } | undefined): Place | undefined {
     let found: Place | undefined;

@@ -2,7 +2,7 @@
 
 import uPlot from "uplot";
 import { type Nearest, nearestPoint } from "./nearest";
-import { apart, type Curve, type Mark, type Rule, unitCircle, drawCurve, drawMark, drawRule } from "./paint";
+import { apart, type Curve, type Mark, type Rule, unitCircle, drawCurve, drawMark, drawRule, drawWords } from "./paint";
 import type { Drawn } from "./print";
 import { record } from "./recorder";
 import { colour } from "./theme";
@@ -51,6 +51,8 @@ export class Chart implements Drawn {
     /** Called when another part is magnified. */
     onZoom: () => void = () => {};
     private round = false;
+    /** Words in place of curves that are not computed yet. */
+    waiting = "";
     /** Draws more, in device pixels. */
     extra: ((plot: uPlot) => void) | undefined;
 
@@ -67,13 +69,18 @@ export class Chart implements Drawn {
         if (this.part && before !== JSON.stringify([x, y.words, y.log])) this.magnify(undefined);
         this.full = [drawable(x.ends ?? this.span("x", x.log), x.log), drawable(y.ends ?? this.span("y", y.log), y.log)];
         this.ends = this.part ?? this.full;
-        const shape = JSON.stringify([x.words, x.log, y.words, y.log, document.documentElement.dataset.theme, axisUnit(this.ends[0][1], x.unit), axisUnit(this.ends[1][1], y.unit), this.ends.map(([low, high]) => [high / low < NARROW, high / low > MANY])]);
+        const shape = JSON.stringify([x.words, x.log, y.words, y.log, document.documentElement.dataset.theme, axisUnit(this.ends[0][1], x.unit), axisUnit(this.ends[1][1], y.unit), this.isEmpty, this.ends.map(([low, high]) => [high / low < NARROW, high / low > MANY])]);
         if (!this.plot || shape !== this.shape) {
             this.shape = shape;
             this.build();
         } else {
             this.plot.setData(this.dummy());
         }
+    }
+
+    /** True without a value on the vertical axis: its ends are then not of the data, so it has no numbers. */
+    private get isEmpty(): boolean {
+        return this.y.ends === undefined && !this.curves.some(({ y }) => Array.prototype.some.call(y, Number.isFinite));
     }
 
     private dummy(): uPlot.AlignedData {
@@ -176,6 +183,16 @@ export class Chart implements Drawn {
         return this.plot?.ctx.canvas;
     }
 
+    /** Points of all curves, in the units of `titles`. */
+    get points(): [number, number][] {
+        return this.curves.flatMap(({ x, y }) => Array.from(x, (value, k): [number, number] => [value, y[k]]));
+    }
+
+    /** Words and SI units of both axes. */
+    get titles(): string[] {
+        return [this.x, this.y].map(({ words, unit }) => (unit ? `${words} (${unit})` : words));
+    }
+
     /** The chart as an SVG document, on `paper` if it is given. */
     svg(paper?: string): string | undefined {
         const { plot } = this;
@@ -230,7 +247,7 @@ export class Chart implements Drawn {
             // uPlot 1.6.32 loops forever where a logarithmic axis begins just below a power of ten.
             ...(axis.log ? { splits: (_: uPlot, __: number, low: number, high: number) => decades(low, high) } : {}),
             ...(axis.flag ? { splits: (_: uPlot, __: number, low: number, high: number) => [0, 1].filter((value) => value >= low && value <= high) } : {}),
-            values: (_, splits) => splits.map((value) => (value === null || !isLabelled(value, axis) ? "" : axis.flag ? (value === 1 ? "yes" : "no") : digits(value / step, 6))),
+            values: (_, splits) => splits.map((value) => (value === null || (side === 3 && this.isEmpty) || !isLabelled(value, axis) ? "" : axis.flag ? (value === 1 ? "yes" : "no") : digits(value / step, 6))),
         };
     }
 
@@ -269,6 +286,7 @@ export class Chart implements Drawn {
         for (const rule of this.rules) drawRule(plot, rule, ratio);
         for (const curve of this.curves) drawCurve(plot, curve, ratio);
         for (const mark of apart(plot, this.marks, ratio)) drawMark(plot, mark, ratio);
+        if (this.waiting) drawWords(plot, this.waiting, ratio);
         this.extra?.(plot);
         ctx.restore();
     }

@@ -43,6 +43,7 @@ export class Load {
         }
         this.set(this.wire.ask("load", { set: this.design.pairs, over: this.over.value, points: POINTS }) !== 0);
         this.words.textContent = "integrating";
+        this.redraw();
     }
 
     private stop(): void {
@@ -89,14 +90,24 @@ export class Load {
         this.redraw();
     }
 
+    /** The points, and the power without contact. */
+    table(): string | undefined {
+        const [x, y] = this.linear;
+        if (x.length === 0) return undefined;
+        const lines = [...this.points.map((point) => ["integrated", ...point]), ...Array.from(x, (ohm, k) => ["without contact", ohm, y[k]])];
+        return `curve,${this.shown}_ohm,mean_power_w\n${lines.map((line) => line.join(",")).join("\n")}\n`;
+    }
+
     redraw(): void {
         const [x, y] = this.linear;
-        if (x.length === 0) return;
+        const waits = x.length === 0 || ![...y, ...this.points.map((point) => point[1])].some((watt) => watt > 0);
+        this.chart.waiting = waits ? (this.running ? "computing the power" : "no power at any load") : "";
+        if (x.length === 0 && !this.running) return;
         const sorted = [...this.points].sort((a, b) => a[0] - b[0]);
         const [px, py] = [sorted.map((point) => point[0]), sorted.map((point) => point[1])];
         this.chart.host.setAttribute("aria-label", `Mean power over ${this.shown}. ${this.words.textContent}`);
         this.chart.show(
-            { words: this.shown, unit: "ohm", log: true, ends: [x[0], x[x.length - 1]] },
+            { words: this.shown || this.over.value, unit: "ohm", log: true, ends: x.length > 0 ? [x[0], x[x.length - 1]] : undefined },
             { words: "Mean power", unit: "W", log: true },
             [{ x, y, colour: colour("grey") }, { x: px, y: py, colour: colour("blue"), width: 1.5 }, { x: px, y: py, colour: colour("blue"), dots: 2.5 }],
         );

@@ -9,7 +9,7 @@ import { Controls } from "./controls";
 import { Design, fromFragment, toFragment } from "./design";
 import { Drawing } from "./drawing";
 import { acceptDrops } from "./drops";
-import { Exports } from "./exports";
+import { Exports, chartTable } from "./exports";
 import { keepFocus } from "./focus";
 import type { Fault, Frame, Head } from "./frame";
 import { Load } from "./load";
@@ -17,6 +17,7 @@ import { Measured } from "./measured";
 import { Modes } from "./modes";
 import { Orbit } from "./orbit";
 import { Pins } from "./pins";
+import { OperatingOrbit } from "./operating-orbit";
 import { OperatingPoint } from "./operating";
 import { preparePrints } from "./print";
 import { Quantities } from "./quantities";
@@ -27,6 +28,7 @@ import { Save } from "./save";
 import { Search } from "./search";
 import { Shake } from "./shake";
 import { shortcuts } from "./shortcuts";
+import { ShownOrbit } from "./shown-orbit";
 import { Strain, strainLimit } from "./strain";
 import { Tabs } from "./tabs";
 import { Theme } from "./theme";
@@ -50,7 +52,8 @@ const orbit = new Orbit();
 const axes = new Axes(controls);
 const modes = new Modes(wire, design);
 const load = new Load(wire, controls, design);
-const basins = new Basins(wire, design);
+const shownOrbit = new ShownOrbit(response, design);
+const basins = new Basins(wire, design, shownOrbit);
 const search = new Search(wire, controls, design, response);
 const band = new Band(wire, design, response, search.problem.tolerance);
 const shake = new Shake(wire, controls, design, () => find("tab-shake").click());
@@ -58,7 +61,11 @@ acceptDrops(async (file, target) => {
     const isOnResponse = find("response-view").contains(target);
     if (!isOnResponse || !(await measured.dropped(file))) shake.dropped(file);
 });
-const exports = new Exports(response, drawing);
+const exports = new Exports(response, drawing, {
+    load: () => load.table(),
+    basins: () => basins.table(),
+    excitation: () => chartTable(Chart.all.filter(({ host }) => find("panel-shake").contains(host))),
+});
 const save = new Save(wire, design);
 /** What the export is requested for. */
 let wanted: "export" | "save" | "link" = "export";
@@ -82,14 +89,17 @@ const point = new OperatingPoint(wire, design, { words: find("operating-words"),
 
 const requests = new Requests(wire, design, axes, response, {
     say,
-    orbit: (frame: Frame, of: ResponseResult, operating: boolean) => {
+    orbit: (frame: Frame, of: ResponseResult) => {
         orbit.take(frame, () => design.isOld(of));
+        shownOrbit.take(frame.head, of);
         response.strainLimit = strainLimit(frame.head);
         response.draw();
-        point.orbitTaken(operating && !design.isOld(of) && frame.head.parameter === response.at ? frame.head : undefined);
+        operatingOrbit.tell();
     },
     fault,
 });
+
+const operatingOrbit = new OperatingOrbit({ axes, basins, orbit, point, requests, response, shown: shownOrbit });
 
 // A browser is slow to set an address, and limits their rate: one when the design rests.
 let resting = 0;
@@ -111,7 +121,7 @@ const remember = () => {
 const changed = () => {
     for (const source of ["link", "link-axis"]) fault(source, []);
     for (const view of [point, modes, load, basins, shake, search, orbit]) view.mark();
-    response.draw();
+    operatingOrbit.designChanged();
     requests.change(performance.now());
 };
 design.onChange = (moving) => {
@@ -123,7 +133,6 @@ axes.onChange = () => {
     requests.change(performance.now());
     remember();
 };
-axes.onWrong = (message) => fault("axes", message ? [{ key: "", line: 0, message }] : []);
 response.onChoose = (chosen, parameter) => {
     find("operating-show").hidden = false;
     requests.orbit(chosen, parameter);
@@ -143,18 +152,7 @@ point.onChange = () => {
     requests.searchAgain();
     response.follow();
     band.follow();
-    showOperating();
-};
-const showOperating = () => {
-    if (!response.following || !response.result || response.isOld) return;
-    if (response.chosen) requests.showOrbit();
-    else if (!point.attractor && response.result.draft) orbit.clear("Orbit: its branch is being searched");
-    else orbit.clear(`No branch ${response.result.draft ? "found so far" : "found"} has the attractor of the operating point; select another point for its orbit`);
-};
-find("operating-show").onclick = () => {
-    find("operating-show").hidden = true;
-    response.follow(true);
-    showOperating();
+    operatingOrbit.show();
 };
 
 wire.on("hello", ({ head }) => {
@@ -180,6 +178,7 @@ wire.on("design", ({ head }, request) => {
     quantities.offer();
     load.offer();
     shake.offer();
+    basins.designTaken(controls.all.find(({ key }) => key.startsWith("stop."))?.key.split(".")[1]);
     place();
     requests.designTaken(head.drive_frequency_hz !== null);
     remember();
@@ -189,7 +188,7 @@ wire.on("design", ({ head }, request) => {
     kindOfDrive(head.drive_frequency_hz === null);
     point.mark();
     point.designTaken(head.drive_frequency_hz);
-    showOperating();
+    operatingOrbit.show();
 });
 /** A link with keys that this spec does not have: the other keys are shown, with a message. */
 const designFault = (head: Head) => {
@@ -209,7 +208,7 @@ const kindOfDrive = (aperiodic: boolean) => {
     if (shaken === "") find("tab-shake").click();
     shaken = design.signature;
     find("readout").textContent = "The drives have no common period, so there are no periodic orbits; Sweep integrates over a key.";
-    orbit.clear("No periodic orbit");
+    operatingOrbit.clear("No periodic orbit");
     shake.ofSpec();
 };
 shake.onSpec = (words, request) => request.design === design.signature && point.runTaken(`Under ${words}`);
@@ -223,7 +222,7 @@ wire.on("response", (frame, request) => {
     response.at = controls.find(frame.head.over)?.value;
     requests.responseTaken(frame.head, resultOf(frame, request));
     orbit.mark();
-    if (!response.chosen) showOperating();
+    if (!response.chosen) operatingOrbit.show();
     pins.mark();
     measured.mark();
     strain.show();
@@ -231,7 +230,7 @@ wire.on("response", (frame, request) => {
     band.follow();
 });
 wire.on("file", () => {
-    say("the file has changed");
+    say(save.takeChange() ? `saved as ${find("file").textContent}` : "the file has changed");
     design.fileChanged();
     search.fileChanged();
     requests.forgetDesign();

@@ -10,6 +10,8 @@ export interface Attractor {
     period_cycles: number;
     mean_power_w: number;
     fraction: number;
+    fraction_low: number;
+    fraction_high: number;
 }
 
 interface Parts {
@@ -148,12 +150,12 @@ export class OperatingPoint {
         if (this.message) return this.message;
         if (this.periodic === false) return "The drives of this spec have no common period.";
         if (!head || !attractor) return [this.run || "Operating point", this.computing && (this.progress || `integrating ${STARTS[0]} starts`)].filter(Boolean).join(": ");
-        const share = (own: Attractor) => `${digits(100 * own.fraction, 3)} % of ${head.finished} starts`;
+        const share = (own: Attractor) => `${digits(100 * own.fraction, 3)} % (95 %: ${digits(100 * own.fraction_low, 2)} to ${digits(100 * own.fraction_high, 2)}) of ${head.finished} starts`;
         const kind = (own: Attractor) => (own.period_cycles > 0 ? `period ${own.period_cycles}, stable` : own.id);
         const others = (head.attractors as Attractor[]).filter((own) => own !== attractor);
         const more = others.map((own) => `${quantity(own.mean_power_w, "W")}, ${kind(own)}, by ${share(own)}`);
         return [
-            `At ${quantity(head.frequency_hz, "Hz", 5)}: ${quantity(attractor.mean_power_w, "W")}, ${kind(attractor)}, reached by ${share(attractor)}${this.limits()}`,
+            `At ${quantity(head.frequency_hz, "Hz", 5)}: ${quantity(attractor.mean_power_w, "W")}, ${kind(attractor)}, reached by ${share(attractor)} drawn at random${this.limits()}`,
             ...(more.length > 0 ? [`also ${more.join("; ")}`] : []),
         ].join("; ");
     }

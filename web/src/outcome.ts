@@ -11,6 +11,8 @@ interface Limit {
     limit: number;
     active: boolean;
     price: number | null;
+    /** Amount, relative to the limit, by which it is exceeded. */
+    violation: number;
 }
 
 interface Key {
@@ -20,6 +22,8 @@ interface Key {
     at_end: string | null;
 }
 
+/** State of a limit that is not kept. */
+const EXCEEDED = "exceeded";
 const share = (value: number) => `${digits(100 * value, 3)} %`;
 
 export class Outcome {
@@ -67,9 +71,9 @@ export class Outcome {
 
     private limits(limits: Limit[]): HTMLElement[] {
         if (limits.length === 0) return [];
-        const row = ({ name, value, limit, active, price }: Limit) => [
+        const row = ({ name, value, limit, active, price, violation }: Limit) => [
             name.replaceAll(".", " ").replaceAll("_", " "), value === null ? "unknown" : this.problem.limitText(name, value), this.problem.limitText(name, limit),
-            active ? "binds" : "does not bind", price === null ? "" : this.problem.priceText(name, price),
+            violation > 0 ? EXCEEDED : active ? "binds" : "does not bind", price === null ? "" : this.problem.priceText(name, price),
         ];
         return [table("Limits", ["limit", "value", "allowed", "", "price"], limits.map(row))];
     }
@@ -108,6 +112,7 @@ function table(title: string, columns: string[], rows: string[][]): HTMLElement 
         const cell = document.createElement(text === "" && kind(k) === "th" ? "td" : kind(k));
         if (cell.tagName === "TH") cell.setAttribute("scope", scope);
         cell.textContent = text;
+        cell.classList.toggle("warning", text === EXCEEDED);
         return cell;
     });
     made.createTHead().insertRow().append(...cells(columns, () => "th", "col"));

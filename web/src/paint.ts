@@ -17,12 +17,15 @@ export interface Curve {
     dots?: number;
     /** Points as marks instead of a line. */
     shape?: Mark["shape"];
+    size?: number;
     /** Points as cells of this width and height, in the units of the axes. */
     cell?: [number, number];
     /** Upper end of an area that is filled from `y` on. */
     upper?: ArrayLike<number>;
     /** Opacity of the area at a point, relative to `alpha`; 0 ends it. */
     fill?: (at: number) => number;
+    /** Name of the curve, written at its first point. */
+    words?: string;
     /** Stems down to the lowest value. */
     stems?: boolean;
 }
@@ -31,7 +34,7 @@ export interface Mark {
     x: number;
     y: number;
     colour: string;
-    shape: "circle" | "square" | "diamond" | "triangle" | "cross" | "plus" | "ring";
+    shape: "circle" | "square" | "diamond" | "triangle" | "cross" | "plus" | "ring" | "up" | "down";
     size?: number;
     /** Not drawn next to an earlier one that yields. */
     yields?: boolean;
@@ -88,6 +91,14 @@ export function drawRule(plot: uPlot, rule: Rule, ratio: number): void {
     }
 }
 
+/** Words in the middle of the chart. */
+export function drawWords({ ctx, bbox }: uPlot, words: string, ratio: number): void {
+    ctx.fillStyle = colour("quiet");
+    ctx.font = `${14 * ratio}px system-ui, sans-serif`;
+    [ctx.textAlign, ctx.textBaseline] = ["center", "middle"];
+    ctx.fillText(words, bbox.left + bbox.width / 2, bbox.top + bbox.height / 2);
+}
+
 export function drawCurve(plot: uPlot, curve: Curve, ratio: number): void {
     const { ctx, bbox } = plot;
     ctx.globalAlpha = curve.alpha ?? 1;
@@ -98,7 +109,7 @@ export function drawCurve(plot: uPlot, curve: Curve, ratio: number): void {
     if (curve.upper) {
         area(plot, curve, curve.upper);
     } else if (curve.shape) {
-        for (let k = 0; k < curve.x.length; k++) drawMark(plot, { x: curve.x[k], y: curve.y[k], colour: curve.colour, shape: curve.shape }, ratio);
+        for (let k = 0; k < curve.x.length; k++) drawMark(plot, { x: curve.x[k], y: curve.y[k], colour: curve.colour, shape: curve.shape, size: curve.size }, ratio);
     } else if (curve.cell) {
         cells(plot, curve, curve.cell);
     } else if (curve.dots || curve.stems) {
@@ -109,6 +120,11 @@ export function drawCurve(plot: uPlot, curve: Curve, ratio: number): void {
         }
     } else {
         line(ctx, curve, at, ratio);
+    }
+    if (curve.words && curve.x.length > 0) {
+        ctx.font = `${10 * ratio}px system-ui, sans-serif`;
+        [ctx.textAlign, ctx.textBaseline] = ["left", "alphabetic"];
+        ctx.fillText(curve.words, at(0)[0] + 6 * ratio, at(0)[1] - 6 * ratio);
     }
     ctx.globalAlpha = 1;
 }
@@ -185,6 +201,8 @@ export function drawMark(plot: uPlot, mark: Mark, ratio: number): void {
     else if (mark.shape === "square") ctx.rect(x - 0.85 * r, y - 0.85 * r, 1.7 * r, 1.7 * r);
     else if (mark.shape === "diamond") polygon(ctx, [[x, y - 1.2 * r], [x + 1.2 * r, y], [x, y + 1.2 * r], [x - 1.2 * r, y]]);
     else if (mark.shape === "triangle") polygon(ctx, [[x, y - 1.2 * r], [x + 1.1 * r, y + r], [x - 1.1 * r, y + r]]);
+    else if (mark.shape === "up") polygon(ctx, [[x, y - r], [x + r, y + 0.8 * r], [x - r, y + 0.8 * r]]);
+    else if (mark.shape === "down") polygon(ctx, [[x, y + r], [x + r, y - 0.8 * r], [x - r, y - 0.8 * r]]);
     else if (mark.shape === "plus") {
         for (const [dx, dy] of [[r, 0], [0, r]]) {
             ctx.moveTo(x - dx, y - dy);
@@ -200,7 +218,7 @@ export function drawMark(plot: uPlot, mark: Mark, ratio: number): void {
         ctx.stroke();
         return;
     }
-    if (mark.shape === "ring") ctx.stroke();
+    if (mark.shape === "ring" || mark.shape === "up" || mark.shape === "down") ctx.stroke();
     else ctx.fill();
 }
 

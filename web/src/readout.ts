@@ -7,16 +7,19 @@ import { digits, quantity } from "./units";
 
 export class Readout {
     private shown = "";
+    private readonly draft = document.getElementById("draft-words")!;
 
     constructor(private readonly words: HTMLElement, private readonly note: HTMLElement, private readonly title: HTMLElement, private readonly rows: HTMLElement) {}
 
-    /** Shows the text, the note of the search, and the bifurcations; `choose` is called with the one that is clicked. */
-    show(text: string, note: string, found: Bifurcation[], unit: string, choose: (found: Bifurcation) => void): void {
+    /** Shows the text, the note of the search, the words about the last draft, and the bifurcations; `choose` is called with the one that is clicked. */
+    show(text: string, note: string, draft: string, found: Bifurcation[], unit: string, choose: (found: Bifurcation) => void): void {
         if (this.words.textContent !== text) this.words.textContent = text;
         // The rest names options of the command line.
         const first = note.replaceAll("`", "").split(";")[0];
         this.note.textContent = first && `${first[0].toUpperCase()}${first.slice(1)}.`;
         this.note.hidden = note === "";
+        this.draft.textContent = draft;
+        this.draft.parentElement!.hidden = draft === "";
         this.title.parentElement!.hidden = found.length === 0;
         const own = JSON.stringify(found);
         if (own === this.shown) return;

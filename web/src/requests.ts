@@ -9,8 +9,8 @@ import type { Request, Wire } from "./wire";
 
 interface Hears {
     say: (words: string) => void;
-    /** An orbit of a response; `operating` for that of the operating point. */
-    orbit: (frame: Frame, of: ResponseResult, operating: boolean) => void;
+    /** An orbit of a response. */
+    orbit: (frame: Frame, of: ResponseResult) => void;
     fault: (source: string, faults: Fault[]) => void;
 }
 
@@ -33,13 +33,14 @@ export class Requests {
     private orbitAsked = false;
     /** Design, without the key of the axis, and view of the last response. */
     private requested = "";
-    private atOperating = false;
     /** Response of the requested orbit. */
     private orbitOf: ResponseResult | undefined;
     /** Stage that the last response with a fault had reached. */
     private failedAfter = -1;
     private stage = -1;
     private clicked = 0;
+    /** Point and value of the key of the requested orbit. */
+    private orbitAt: [Place, number | undefined] | undefined;
     private orbitWaiting: [Place, number | undefined] | undefined;
     private sweeping = false;
     /** True where the drives have a common period, so that there are periodic orbits. */
@@ -203,8 +204,8 @@ export class Requests {
         }
         const { result } = this.response;
         if (!result) return;
-        this.atOperating = this.response.following && parameter !== undefined;
         this.orbitOf = result;
+        this.orbitAt = [place, parameter];
         this.orbitAsked = this.wire.ask("orbit", { response: result.id, branch: place.branch, point: place.point, parameter }) !== 0;
         this.clicked = performance.now();
         this.mark();
@@ -213,9 +214,12 @@ export class Requests {
     private takeOrbit(frame: Frame): void {
         this.orbitAsked = false;
         if (frame.head.stage === "done") {
-            this.hears.orbit(frame, this.orbitOf!, this.atOperating);
+            this.hears.orbit(frame, this.orbitOf!);
             const since = this.clicked;
             requestAnimationFrame(() => performance.measure("click-to-orbit", { start: since }));
+        } else if (frame.head.stage === "fault" && this.orbitAt?.[1] !== undefined && !this.response.following) {
+            // At a fold Newton's method may not converge: the orbit of the point itself.
+            this.orbitWaiting ??= [this.orbitAt[0], undefined];
         } else if (frame.head.stage === "fault") {
             document.getElementById("orbit-title")!.textContent = `Orbit: ${frame.head.faults[0]?.message}`;
         }

@@ -133,6 +133,11 @@ export class Response {
         return result && at !== undefined ? operating(result, at, this.attractor) : undefined;
     }
 
+    /** True where the present value of the key is outside the range that was searched. */
+    get isOutside(): boolean {
+        return this.at !== undefined && !(this.at >= this.range[0] && this.at <= this.range[1]);
+    }
+
     /** True where the response belongs to an earlier design. */
     get isOld(): boolean {
         return this.result !== undefined && this.design.isOld(this.result);
@@ -157,7 +162,7 @@ export class Response {
 
     /** Selects the point at the present value of the key that has an attractor; returns false where no branch has it. */
     chooseAttractor(attractor: { power: number; period: number }): boolean {
-        const place = this.result && this.at !== undefined ? operating(this.result, this.at, attractor) : undefined;
+        const place = this.result && !this.isOld && this.at !== undefined ? operating(this.result, this.at, attractor) : undefined;
         if (place) this.choose(place, this.at);
         return place !== undefined;
     }
@@ -168,7 +173,7 @@ export class Response {
         const { words, unit } = described(this.quantity, result);
         const alpha = result.draft || this.isOld ? DRAFT : 1;
         const curves: Curve[] = [];
-        if (this.quantity === "power") curves.push({ x: result.linear.x, y: result.linear.power, colour: colour("grey"), width: 1.4 });
+        if (this.quantity === "power") curves.push({ x: result.linear.x, y: result.linear.power, colour: colour("grey"), width: 1.4, words: "without contact" });
         curves.push(...this.bandArea(result, alpha));
         if (this.start?.over === result.over) curves.push(...this.lines(this.start, () => colour("ink"), START));
         const pins = this.pins.filter((pin) => pin.result.over === result.over);
@@ -178,8 +183,14 @@ export class Response {
         const rules: Rule[] = this.quantity === "floquet" ? [{ at: 1, along: "y" as const, words: "stable below" }] : [];
         if (this.quantity === "strain" && this.strainLimit !== undefined) rules.push({ at: this.strainLimit, along: "y", words: `limit ${digits(this.strainLimit)} ppm` });
         if (this.at !== undefined) rules.push({ at: this.at, along: "x", words: quantity(this.at, result.unit, 5), strong: true });
+        this.chart.waiting = this.isComputing(result) ? "computing strain" : "";
         this.chart.show({ words: this.words(result.over), unit: result.unit, ends: this.range }, { words, unit, log: this.isLog(result) }, curves, this.marks(result), rules);
         this.tell();
+    }
+
+    /** True where the strain is shown and the server computes it. */
+    private isComputing({ branches }: ResponseResult): boolean {
+        return this.quantity === "strain" && branches.some(({ values }) => values.strain.length === 0);
     }
 
     /** True where the vertical axis is logarithmic: not where all values are 0. */
@@ -213,7 +224,7 @@ export class Response {
         const old = this.swept.some((point) => this.design.isOld(point));
         return [true, false].map((up) => {
             const points = this.swept.filter((point) => point.over === over && point.up === up && point.values[this.quantity] !== undefined);
-            return { x: points.map((p) => p.x), y: points.map((p) => p.values[this.quantity]!), colour: colour(up ? "ink" : "orange"), dots: up ? 2 : 1.5, alpha: old ? 0.25 : 1 };
+            return { x: points.map((p) => p.x), y: points.map((p) => p.values[this.quantity]!), colour: colour(up ? "ink" : "orange"), shape: up ? ("up" as const) : ("down" as const), size: 3.5, alpha: old ? 0.25 : 1 };
         });
     }
 
@@ -265,17 +276,16 @@ export class Response {
         const hidden = result.branches.filter((branch) => !this.shows(branch)).length;
         const text = [
             ...(this.isOld ? ["Draft: of an earlier design; curves may be wrong or missing until the search ends."] : result.draft ? [draftWords(result.draft)] : [stableWords(result, this.range), ...peakWords(this.widths, result.unit)]),
-            ...(this.draftError ? [errorWords(this.draftError)] : []),
             ...(this.swept.some((point) => point.over === result.over && this.design.isOld(point)) ? ["The swept points are of an earlier design."] : []),
             ...this.zeroWords(result),
-            ...(this.quantity === "strain" && result.branches.some(({ values }) => values.strain.length === 0) ? ["Computing the strain."] : []),
+            ...(this.isComputing(result) ? ["Computing the strain."] : []),
             ...(this.quantity === "strain" && this.strainLimit !== undefined ? [`The strain limit is ${digits(this.strainLimit)} ppm.`] : []),
             ...(this.start ? ["Pale: the start of the design search."] : []),
             ...(this.band ? ["Shaded: 5 % to 95 % of the designs drawn from the tolerances."] : []),
             ...(hidden > 0 ? [`${hidden} ${hidden === 1 ? "branch" : "branches"} of a period above ${SHORT_PERIOD} not shown.`] : []),
             ...(result.branches.length === 0 && !result.draft && !this.isOld ? ["No periodic orbit was found in this range."] : []),
         ].filter(Boolean).join(" ");
-        this.readout.show(text, result.note, this.listed(result), result.unit, (found) => this.chooseNear(found));
+        this.readout.show(text, result.note, this.draftError ? errorWords(this.draftError) : "", this.listed(result), result.unit, (found) => this.chooseNear(found));
         const count = result.branches.length;
         this.chart.host.setAttribute("aria-label", `${described(this.quantity, result).words} over ${result.over}: ${count} ${count === 1 ? "branch" : "branches"}. Arrow keys move along the branch. ${text}`);
         this.tellPoint(result);
@@ -291,7 +301,8 @@ export class Response {
     private chooseNear(found: Bifurcation): void {
         const branch = this.result!.branches[found.branch];
         const away = Array.from(branch.x, (x, k) => Math.hypot((x - found.x) / this.span, 0.2 * (level(branch.values.power[k]) - level(found.power))));
-        this.choose({ branch: found.branch, point: away.indexOf(Math.min(...away)) });
+        const point = away.indexOf(Math.min(...away));
+        this.choose({ branch: found.branch, point }, found.x);
     }
 
     /** Shows the values of the point under the pointer. */

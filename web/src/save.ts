@@ -12,6 +12,8 @@ export class Save {
     private readonly write = find<HTMLButtonElement>("save-write");
     private readonly words = find("save-words");
     private before = "";
+    /** True from a save until the server reports the change of the file. */
+    private isSaved = false;
 
     constructor(private readonly wire: Wire, private readonly design: Design) {
         wire.on("save", ({ head }) => this.saved(head));
@@ -29,12 +31,20 @@ export class Save {
         if (!this.dialog.open) this.dialog.showModal();
     }
 
+    /** Returns whether a change of the file is that of the last save. */
+    takeChange(): boolean {
+        const { isSaved } = this;
+        this.isSaved = false;
+        return isSaved;
+    }
+
     private saved(head: Head): void {
         if (head.stage === "fault") {
             this.words.textContent = head.faults[0]?.message ?? "";
             return;
         }
         this.dialog.close();
+        this.isSaved = true;
         // The file now has the values.
         this.design.fileChanged();
         this.design.reset();

@@ -35,12 +35,8 @@ export class Search {
         this.outcome = new Outcome(find("search-result"), this.problem, controls);
         wire.on("design-offer", ({ head }) => (head.stage === "fault" ? this.problem.tell(head.faults) : this.problem.offer(head)));
         wire.on("design-search", (frame) => this.hear(frame));
-        // A form without a button of type "submit" does not submit at Enter.
-        find<HTMLFormElement>("search-form").onkeydown = (event) => {
-            if (event.key !== "Enter" || !(event.target instanceof HTMLInputElement)) return;
-            event.preventDefault();
-            if (!this.running) this.begin();
-        };
+        // Enter accepts a value, and the form itself has no address.
+        find<HTMLFormElement>("search-form").onsubmit = (event) => event.preventDefault();
         this.run.onclick = () => (this.running ? this.stop("stopped") : this.begin());
         this.take.onclick = () => this.move(false);
         this.back.onclick = () => this.goBack();

@@ -68,7 +68,9 @@ export function stableWords(result: ResponseResult, range: [number, number]): st
     const numbers = counts.map(({ orbits }) => orbits);
     if (result.branches.length === 0 || counts.length === 0) return "";
     if (counts.length > FEW) return `Stable orbits found: ${Math.min(...numbers)} to ${Math.max(...numbers)}, by the value of the key.`;
+    const own = (orbits: number) => (orbits === 0 ? "no stable periodic orbit" : String(orbits));
+    if (counts.length === 1 && numbers[0] === 0) return "No stable periodic orbit was found in the complete range.";
     if (counts.length === 1) return `Stable orbits found: ${numbers[0]} in the complete range.`;
-    const words = counts.map(({ to, orbits }, k) => (k + 1 < counts.length ? `${orbits} up to ${quantity(to, result.unit, 5)}` : `then ${orbits}`));
+    const words = counts.map(({ to, orbits }, k) => (k + 1 < counts.length ? `${own(orbits)} up to ${quantity(to, result.unit, 5)}` : `then ${own(orbits)}`));
     return `Stable orbits found: ${words.join(", ")}.`;
 }

@@ -59,7 +59,11 @@ test("a wrong range and a wrong limit have the messages of the command at their 
     await put("Stop gap, to", "3");
     await put("Patch mfc strain, limit", "600");
     await put("starts", "many");
+    // Enter accepts the value; the search begins with its button.
     await page.keyboard.press("Enter");
+    assert.equal(await page.locator("#search-run").textContent(), "Start");
+    assert.ok(await page.locator("#search-goal-fault").isHidden());
+    await page.locator("#search-run").click();
     await until("search-goal-fault", /goal\.starts is "many"; it must be a whole number/);
     assert.ok(await page.locator("#search-free-stop-tip-gap-fault").isHidden());
     await put("starts", "10");
@@ -123,6 +127,23 @@ test("Stop ends the search with the best design so far, and so does a change by 
     await type("circuit.load.resistance", "2");
     await until("search-words", /because the design has changed/);
     await page.locator("#reset").click();
+    await ready(page);
+});
+
+test("a limit that no design keeps is exceeded, in the colour of warnings", async () => {
+    await put("Patch mfc strain, limit", "1");
+    await put("designs, at most", "40");
+    await page.locator("#search-run").click();
+    await until("search-words", /^finished; no design keeps all limits$/);
+    const state = page.locator("#search-result td.warning");
+    assert.deepEqual(await state.allTextContents(), ["exceeded"]);
+    assert.doesNotMatch(await page.locator("#search-result table").last().textContent(), /bind/);
+    const [own, due] = await Promise.all([state, page.locator("#search-stale")].map((one) => one.evaluate((element) => getComputedStyle(element).color)));
+    assert.equal(own, due);
+    await put("Patch mfc strain, limit", "600");
+    await put("designs, at most", "300");
+    await page.locator("#search-back").click();
+    await gapShows(/^1$/);
     await ready(page);
 });
 

@@ -47,7 +47,7 @@ for (const gap of ["1.05", "1.6", "4", "7.8"]) {
         assert.ok(holds(due, coarse.draft), `${JSON.stringify(due)} ${JSON.stringify(coarse.draft)}`);
         const said = coarse.words.match(/^Draft.*: lines within ([\d.e-]+) % of the range or ([\d.e-]+) % of the power;.* curves may be missing until the search ends\./) ?? assert.fail(coarse.words);
         for (const [shown, value] of [[said[1], 100 * coarse.draft.error], [said[2], 100 * Math.expm1(5 * coarse.draft.error)]]) assert.ok(Number(shown) >= value * (1 - 1e-12) && Number(shown) < 1.11 * value, coarse.words);
-        const words = await page.locator("#readout").textContent();
+        const words = await page.locator("#draft-words").textContent();
         const [, range, power, rest] = words.match(/The last draft was off by at most ([\d.e-]+) % of the range or ([\d.e-]+) % of the power(.*?)\./) ?? assert.fail(words);
         const about = (shown, value) => assert.ok(Math.abs(shown - value) < 0.12 * value + 1e-3, `${words} ${JSON.stringify(due)}`);
         about(Number(range), 100 * due.farthest);

@@ -7,8 +7,8 @@ import { browser, page, server, type } from "./suite.mjs";
 let elsewhere;
 after(() => elsewhere?.close());
 
-/** Text of the result, without that of the draft before it. */
-const result = async (own) => (await own.locator("#readout").textContent()).replace(/ The last draft .*/, "");
+/** Text of the result. */
+const result = (own) => own.locator("#readout").textContent();
 
 test("the copied link opens spec, changes and axis elsewhere", async () => {
     await type("stop.tip.gap", "0.7 mm");
@@ -42,5 +42,11 @@ test("the export shows the command that opens the link", async () => {
     await page.locator("#export").click();
     await page.locator("#export-dialog").waitFor({ state: "visible" });
     assert.match(await page.locator("#export-link").textContent(), /^jounce explore --link 'jounce:\?set=[^' ]+'$/);
+    const command = await page.locator("#export-link").textContent();
+    for (const [id, due] of [["link", command.match(/'(.*)'/)[1]], ["command", command]]) {
+        await page.locator(`#export-copy-${id}`).click();
+        await page.waitForFunction(() => document.getElementById("export-copied").textContent === "copied");
+        await page.waitForFunction(async (text) => (await navigator.clipboard.readText()) === text, due);
+    }
     await page.keyboard.press("Escape");
 });

@@ -268,13 +268,13 @@ test("a fault stays until its cause is gone", async () => {
     await reset();
     await page.locator("#from").fill("15");
     await page.locator("#from").press("Enter");
-    await until("faults", /smaller to a larger/);
+    await until("range-fault", /smaller to a larger/);
     await type("stop.tip.gap", "1");
     await page.waitForTimeout(500);
-    assert.match(await text("faults"), /smaller to a larger/);
+    assert.match(await text("range-fault"), /smaller to a larger/);
     await page.locator("#from").fill("11.44");
     await page.locator("#from").press("Enter");
-    await page.waitForFunction(() => document.getElementById("faults").textContent === "");
+    await page.waitForFunction(() => document.getElementById("range-fault").textContent === "");
     await ready(page);
 });
 
