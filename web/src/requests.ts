@@ -9,8 +9,8 @@ import type { Request, Wire } from "./wire";
 
 interface Hears {
     say: (words: string) => void;
-    /** An orbit of a response; `operating` for that of the operating point. */
-    orbit: (frame: Frame, of: ResponseResult, operating: boolean) => void;
+    /** An orbit of a response. */
+    orbit: (frame: Frame, of: ResponseResult) => void;
     fault: (source: string, faults: Fault[]) => void;
 }
 
@@ -33,7 +33,6 @@ export class Requests {
     private orbitAsked = false;
     /** Design, without the key of the axis, and view of the last response. */
     private requested = "";
-    private atOperating = false;
     /** Response of the requested orbit. */
     private orbitOf: ResponseResult | undefined;
     /** Stage that the last response with a fault had reached. */
@@ -203,7 +202,6 @@ export class Requests {
         }
         const { result } = this.response;
         if (!result) return;
-        this.atOperating = this.response.following && parameter !== undefined;
         this.orbitOf = result;
         this.orbitAsked = this.wire.ask("orbit", { response: result.id, branch: place.branch, point: place.point, parameter }) !== 0;
         this.clicked = performance.now();
@@ -213,7 +211,7 @@ export class Requests {
     private takeOrbit(frame: Frame): void {
         this.orbitAsked = false;
         if (frame.head.stage === "done") {
-            this.hears.orbit(frame, this.orbitOf!, this.atOperating);
+            this.hears.orbit(frame, this.orbitOf!);
             const since = this.clicked;
             requestAnimationFrame(() => performance.measure("click-to-orbit", { start: since }));
         } else if (frame.head.stage === "fault") {
