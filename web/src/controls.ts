@@ -3,6 +3,7 @@
 import type { Design } from "./design";
 import type { Fault } from "./frame";
 import { write } from "./typed";
+import { withUnit } from "./rows";
 import { digits, sign } from "./units";
 
 export interface Control {
@@ -17,6 +18,13 @@ export interface Control {
     to: number;
     count: boolean;
     written: boolean;
+}
+
+/** A number that the spec lacks and may have. */
+export interface OptionalKey {
+    key: string;
+    unit: string;
+    about: string;
 }
 
 const STEPS = 1000;
@@ -35,6 +43,7 @@ export class Controls {
     private readonly rows = new Map<string, Row>();
     private readonly opened = new Map<string, boolean>();
     private list: Control[] = [];
+    private optional: OptionalKey[] = [];
     private readonly faults = new Map<string, Fault[]>();
 
     constructor(private readonly host: HTMLElement, private readonly general: HTMLElement, private readonly design: Design) {}
@@ -56,10 +65,11 @@ export class Controls {
      * Shows the controls of a design; rows with equal keys are reused, so that a held slider remains held. Where the user has set a
      * newer value of a key, `isPresent` is false, and its slider and field remain.
      */
-    take(list: Control[], isPresent: (key: string) => boolean): void {
+    take(list: Control[], optional: OptionalKey[], isPresent: (key: string) => boolean): void {
         // A key that is set for the first time moves to another place of the list; its row remains.
-        const same = list.length === this.rows.size && list.every((control) => this.rows.has(control.key));
+        const same = list.length === this.rows.size && list.every((control) => this.rows.has(control.key)) && optional.length === this.optional.length;
         this.list = list;
+        this.optional = optional;
         if (!same) this.build();
         for (const control of list) this.put(control, isPresent(control.key));
     }
@@ -109,8 +119,7 @@ export class Controls {
         this.rows.clear();
         const groups = new Map<string, Control[]>();
         for (const control of this.list) {
-            const parts = control.key.split(".");
-            const name = parts.length > 2 ? `${parts[0]}.${parts[1]}` : parts[0];
+            const name = groupOf(control.key);
             groups.set(name, [...(groups.get(name) ?? []), control]);
         }
         const order = [...groups].sort(([a], [b]) => Number(OPEN.test(`${b}.`)) - Number(OPEN.test(`${a}.`)));
@@ -127,6 +136,8 @@ export class Controls {
         const written = controls.filter((control) => control.written);
         const others = controls.filter((control) => !control.written);
         details.append(summary, ...written.map((control) => this.row(control, name)));
+        const optional = this.optional.filter(({ key }) => groupOf(key) === name);
+        details.append(...optional.map((one) => this.optionalRow(one, name)));
         if (others.length > 0) {
             const more = document.createElement("details");
             more.className = "more";
@@ -140,13 +151,36 @@ export class Controls {
         return details;
     }
 
+    /** A field for a number that the spec lacks; once it is set, the number has a slider. */
+    private optionalRow({ key, unit, about }: OptionalKey, group: string): HTMLElement {
+        const row = document.createElement("div");
+        row.className = "control";
+        const label = document.createElement("label");
+        label.textContent = words(key, group);
+        label.title = `${label.textContent}: ${about}`;
+        const field = document.createElement("input");
+        field.className = "field";
+        field.placeholder = "none";
+        field.id = `control-${key.replaceAll(".", "-")}`;
+        field.setAttribute("aria-label", `${key}, value`);
+        label.htmlFor = field.id;
+        field.onchange = () => {
+            if (field.value.trim()) this.design.set(key, withUnit(field.value, unit));
+        };
+        const sized = document.createElement("span");
+        sized.className = "unit";
+        sized.textContent = unit;
+        row.append(label, field, sized);
+        return row;
+    }
+
     private row(control: Control, group: string): HTMLElement {
         const row = document.createElement("div");
         row.className = "control";
         const id = `control-${control.key.replaceAll(".", "-")}`;
         const label = document.createElement("label");
         label.htmlFor = id;
-        label.textContent = control.key.slice(group.length + 1).replaceAll(".", " ").replaceAll("_", " ") || control.key;
+        label.textContent = words(control.key, group) || control.key;
         label.title = `${label.textContent}: ${control.about}`;
         const slider = document.createElement("input");
         slider.type = "range";
@@ -220,8 +254,17 @@ export class Controls {
 
     private type(key: string): void {
         const { control, field } = this.rows.get(key)!;
-        const text = field.value.trim();
-        const bare = /^[-+.\deE]+$/.test(text);
-        this.design.set(key, bare && control.unit ? `${text} ${control.unit}` : text);
+        this.design.set(key, withUnit(field.value, control.unit));
     }
+}
+
+/** Table and name of a key: "stop.tip". */
+function groupOf(key: string): string {
+    const parts = key.split(".");
+    return parts.length > 2 ? `${parts[0]}.${parts[1]}` : parts[0];
+}
+
+/** Words of a key in its group. */
+function words(key: string, group: string): string {
+    return key.slice(group.length + 1).replaceAll(".", " ").replaceAll("_", " ");
 }

@@ -36,6 +36,8 @@ import { Wire } from "./wire";
 
 const find = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;
 
+/** Density of the noise of a drive. */
+const NOISE = /^drive\.[^.]+\.psd$/;
 /** Time without changes after which the address is updated. */
 const ADDRESS_RESTS_MS = 250;
 
@@ -171,7 +173,7 @@ wire.on("hello", ({ head }) => {
 wire.on("design", ({ head }, request) => {
     if (head.stage === "fault") return designFault(head);
     const asked = new Map<string, string>(request.body.set);
-    controls.take(head.controls, (key) => design.overrides.get(key) === asked.get(key));
+    controls.take(head.controls, head.optional, (key) => design.overrides.get(key) === asked.get(key));
     drawing.take(head.drawing);
     const unknown = axes.offer();
     if (unknown) fault("link-axis", [{ key: "", line: 0, message: `this design has no number ${unknown}, which the link puts on the axis` }]);
@@ -187,7 +189,7 @@ wire.on("design", ({ head }, request) => {
     for (const view of [modes, search]) view.designTaken();
     kindOfDrive(head.drive_frequency_hz === null);
     point.mark();
-    point.designTaken(head.drive_frequency_hz);
+    point.designTaken(head.drive_frequency_hz, controls.all.some(({ key }) => NOISE.test(key)));
     operatingOrbit.show();
 });
 /** A link with keys that this spec does not have: the other keys are shown, with a message. */
@@ -204,14 +206,17 @@ const designFault = (head: Head) => {
 let shaken = "";
 const kindOfDrive = (aperiodic: boolean) => {
     document.body.classList.toggle("aperiodic", aperiodic);
+    const reason = aperiodic ? "Response, Load and Basins need periodic motion; the drives of this spec have no common period." : "";
+    if (find("tabs-words").textContent !== reason) find("tabs-words").textContent = reason;
+    find("tabs-words").hidden = !aperiodic;
+    search.problem.periodic = !aperiodic;
+    if (tabs.disable(aperiodic ? ["tab-response", "tab-load", "tab-basins"] : [], reason)) find("tab-shake").click();
     if (!aperiodic || shaken === design.signature) return;
-    if (shaken === "") find("tab-shake").click();
     shaken = design.signature;
-    find("readout").textContent = "The drives have no common period, so there are no periodic orbits; Sweep integrates over a key.";
     operatingOrbit.clear("No periodic orbit");
     shake.ofSpec();
 };
-shake.onSpec = (words, request) => request.design === design.signature && point.runTaken(`Under ${words}`);
+shake.onSpec = (words, warnings, request) => request.design === design.signature && point.runTaken(`Under ${words}`, warnings);
 // A design that settles late: its run from the start of the spec is the first picture.
 point.onSlow = () => shake.offerSpec();
 wire.on("response", (frame, request) => {
@@ -307,7 +312,7 @@ for (const [id, name] of [["grazings", "grazings"], ["long-periods", "longPeriod
     };
 }
 find("sweep").onclick = () => requests.sweep(find("sweep"));
-new Tabs(document.querySelector<HTMLElement>("[role=tablist]")!, (id) => {
+const tabs = new Tabs(document.querySelector<HTMLElement>("[role=tablist]")!, (id) => {
     // One response: the chart moves to the tab that shows it.
     if (id === "tab-response" || id === "tab-design") find(id === "tab-design" ? "design-chart" : "response-chart").append(find("response-view"));
     if (id === "tab-response") response.chart.redraw();

@@ -44,7 +44,6 @@ export class OperatingOrbit {
         const isOperating = point.attractor !== undefined && shown.among([point.attractor]) !== undefined;
         this.back.hidden = response.following || isOperating;
         this.extend.hidden = true;
-        point.orbitTaken(response.following || isOperating ? shown.present : undefined);
         basins.tellOrbit();
     }
 

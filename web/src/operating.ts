@@ -1,4 +1,4 @@
-// The operating point: what the present design does at its own drive, from a cloud of starts and from the orbit there.
+// The operating point: what the present design does at its own drive, from a cloud of starts, or from realisations of noise.
 
 import type { Design } from "./design";
 import type { Frame, Head } from "./frame";
@@ -9,9 +9,18 @@ export interface Attractor {
     id: string;
     period_cycles: number;
     mean_power_w: number;
+    contacts_per_period: number;
     fraction: number;
     fraction_low: number;
     fraction_high: number;
+}
+
+/** Peaks and warnings of an attractor. */
+interface Peaks {
+    strain_peak: number | null;
+    voltage_peak_v: number | null;
+    limits: { quantity: string; reached: number; limits: [number, number] }[];
+    warnings: string[];
 }
 
 interface Parts {
@@ -31,10 +40,14 @@ export class OperatingPoint {
     /** The attractor that most starts reach; undefined until it is computed for the present design. */
     attractor: Attractor | undefined;
     private head: Head | undefined;
-    private orbit: Head | undefined;
     private message = "";
     /** Result of a run from the start of the spec, until the attractors are known. */
     private run = "";
+    /** Warnings of that run. */
+    private runWarnings: string[] = [];
+    /** Result over many realisations of the noise of the spec. */
+    private ensemble: Head | undefined;
+    private noisy = false;
     private progress = "";
     private computing = false;
     private slow = false;
@@ -50,6 +63,7 @@ export class OperatingPoint {
 
     constructor(private readonly wire: Wire, private readonly design: Design, private readonly parts: Parts) {
         wire.on("operating-point", (frame) => this.take(frame));
+        wire.on("ensemble", (frame) => this.takeEnsemble(frame));
         parts.stop.onclick = () => this.stop();
     }
 
@@ -58,17 +72,19 @@ export class OperatingPoint {
         if (this.signature === this.design.signature) return;
         this.signature = this.design.signature;
         this.requested = "";
-        this.wire.stop("operating-point");
+        this.stopAll();
         for (const timer of this.timers) clearTimeout(timer);
-        this.attractor = this.head = this.orbit = undefined;
+        this.attractor = this.head = this.ensemble = undefined;
         this.message = this.run = this.progress = "";
+        this.runWarnings = [];
         this.slow = this.computing = false;
         this.show();
     }
 
     /** Requests the attractors of the present design once it rests; `hertz` is null without a periodic drive. */
-    designTaken(hertz: number | null): void {
+    designTaken(hertz: number | null, noisy: boolean): void {
         this.periodic = hertz !== null;
+        this.noisy = noisy;
         if (this.requested === this.design.signature) return;
         this.requested = this.design.signature;
         this.computing = this.periodic;
@@ -87,11 +103,16 @@ export class OperatingPoint {
         this.wire.ask("operating-point", { set: this.design.pairs, starts });
     }
 
-    private stop(): void {
+    private stopAll(): void {
         this.wire.stop("operating-point");
+        this.wire.stop("ensemble");
+    }
+
+    private stop(): void {
+        this.stopAll();
         this.computing = false;
         this.progress = "";
-        if (!this.head) this.message = ["Operating point: stopped", this.run].filter(Boolean).join(". ");
+        if (this.periodic && !this.head) this.message = ["Operating point: stopped", this.run].filter(Boolean).join(". ");
         this.show();
     }
 
@@ -121,16 +142,25 @@ export class OperatingPoint {
         this.show();
     }
 
-    /** Takes the orbit at the operating point, or nothing while another orbit is shown. */
-    orbitTaken(head: Head | undefined): void {
-        this.orbit = head;
+    /** Takes the result of a run from the start of the spec; one under noise is followed by an ensemble. */
+    runTaken(words: string, warnings: string[]): void {
+        this.run = words;
+        this.runWarnings = warnings;
+        if (!this.periodic && this.noisy && !this.ensemble && !this.computing) {
+            this.computing = this.slow = this.wire.ask("ensemble", { set: this.design.pairs }) !== 0;
+        }
         this.show();
     }
 
-    /** Takes the result of a run from the start of the spec. */
-    runTaken(words: string): void {
-        if (this.periodic) this.run = words;
-        else this.message = words;
+    private takeEnsemble({ head }: Frame): void {
+        if (head.stage === "progress") {
+            this.progress = `${Math.round((100 * head.done) / head.of)} %`;
+            return this.show();
+        }
+        this.computing = false;
+        this.progress = "";
+        if (head.stage === "fault") this.runWarnings = [...this.runWarnings, head.faults[0]?.message ?? ""];
+        else this.ensemble = head;
         this.show();
     }
 
@@ -140,7 +170,7 @@ export class OperatingPoint {
         if (words.textContent !== text) words.textContent = text;
         words.ariaBusy = String(this.computing);
         stop.hidden = !(this.computing && this.slow);
-        const found = ((this.orbit?.warnings ?? []) as string[]).join(". ");
+        const found = this.warnings().join(". ");
         if (warnings.textContent !== found) warnings.textContent = found;
         warnings.hidden = found === "";
     }
@@ -148,22 +178,53 @@ export class OperatingPoint {
     private text(): string {
         const { head, attractor } = this;
         if (this.message) return this.message;
-        if (this.periodic === false) return "The drives of this spec have no common period.";
+        if (this.periodic === false) return this.noiseText();
         if (!head || !attractor) return [this.run || "Operating point", this.computing && (this.progress || `integrating ${STARTS[0]} starts`)].filter(Boolean).join(": ");
         const share = (own: Attractor) => `${digits(100 * own.fraction, 3)} % (95 %: ${digits(100 * own.fraction_low, 2)} to ${digits(100 * own.fraction_high, 2)}) of ${head.finished} starts`;
         const kind = (own: Attractor) => (own.period_cycles > 0 ? `period ${own.period_cycles}, stable` : own.id);
         const others = (head.attractors as Attractor[]).filter((own) => own !== attractor);
         const more = others.map((own) => `${quantity(own.mean_power_w, "W")}, ${kind(own)}, by ${share(own)}`);
         return [
-            `At ${quantity(head.frequency_hz, "Hz", 5)}: ${quantity(attractor.mean_power_w, "W")}, ${kind(attractor)}, reached by ${share(attractor)} drawn at random${this.limits()}`,
+            `At ${quantity(head.frequency_hz, "Hz", 5)}: ${quantity(attractor.mean_power_w, "W")}, ${kind(attractor)}, reached by ${share(attractor)} drawn at random${this.peaksText(attractor)}`,
             ...(more.length > 0 ? [`also ${more.join("; ")}`] : []),
         ].join("; ");
     }
 
-    /** The largest strain of the orbit with its limit. */
-    private limits(): string {
-        const found = ((this.orbit?.limits ?? []) as { quantity: string; reached: number; limits: [number, number] }[]).filter((own) => own.quantity === "strain");
-        const strain = found.sort((a, b) => Math.abs(b.reached / b.limits[1]) - Math.abs(a.reached / a.limits[1]))[0];
-        return strain ? `, strain ${digits(1e6 * Math.abs(strain.reached), 3)} ppm of ${digits(1e6 * strain.limits[1], 3)}` : "";
+    private noiseText(): string {
+        const { ensemble, run } = this;
+        if (!run) return "The drives of this spec have no common period.";
+        if (!ensemble) return [run, ...(this.computing ? [`more realisations of the noise: ${this.progress || "starting"}`] : [])].join("; ");
+        const half = ensemble.mean_power_half_width_w;
+        const interval = half === null ? "" : ` ± ${quantity(half, "W", 2)}`;
+        return `${quantity(ensemble.mean_power_w, "W")}${interval} (95 %, ${ensemble.members.length} realisations of the noise). ${run}`;
+    }
+
+    /** Warnings of the attractor, then of the others; under noise those of the run and of its realisations. */
+    private warnings(): string[] {
+        const { head, attractor } = this;
+        if (!head || !attractor) return [...this.runWarnings, ...((this.ensemble?.warnings ?? []) as string[])];
+        const others = (head.attractors as Attractor[]).filter((own) => own !== attractor);
+        const named = others.flatMap((own) => this.peaks(own).warnings.map((warning) => `At ${quantity(own.mean_power_w, "W")}, ${warning}`));
+        return [...this.peaks(attractor).warnings, ...named];
+    }
+
+    private peaks(attractor: Attractor): Peaks {
+        return this.head!.peaks[this.head!.attractors.indexOf(attractor)];
+    }
+
+    /** Strain with its limit, voltage, and contacts of an attractor. */
+    private peaksText(attractor: Attractor): string {
+        const { strain_peak, voltage_peak_v, limits } = this.peaks(attractor);
+        const { stops } = this.head!;
+        const limited = limits.filter((own) => own.quantity === "strain");
+        const nearest = limited.sort((a, b) => Math.abs(b.reached / b.limits[1]) - Math.abs(a.reached / a.limits[1]))[0];
+        const ppm = (strain: number) => digits(1e6 * Math.abs(strain), 3);
+        const contacts = attractor.contacts_per_period / attractor.period_cycles;
+        const parts = [
+            nearest ? `strain ${ppm(nearest.reached)} ppm of ${ppm(nearest.limits[1])}` : strain_peak === null ? "" : `strain ${ppm(strain_peak)} ppm, no strain limit given`,
+            voltage_peak_v === null ? "" : `voltage ${quantity(voltage_peak_v, "V", 3)} peak`,
+            stops === 0 || attractor.period_cycles === 0 ? "" : contacts > 0 ? `${digits(contacts, 3)} ${contacts === 1 ? "contact" : "contacts"} per drive cycle` : stops === 1 ? "the stop is not struck" : "no stop is struck",
+        ];
+        return parts.filter(Boolean).map((part) => `, ${part}`).join("");
     }
 }

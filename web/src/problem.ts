@@ -31,6 +31,8 @@ interface Stored {
     robust: boolean;
 }
 
+/** Goal that needs no periodic orbits. */
+const MEAN_POWER = "mean-power";
 /** Share of a value that is offered as its tolerance. */
 const TOLERANCE = 0.05;
 
@@ -40,6 +42,8 @@ export class Problem {
     readonly tolerance: Rows;
     private readonly goal = find<HTMLSelectElement>("search-goal");
     private goals: Goal[] = [];
+    /** False where the drives have no common period, so that only a mean over time can be a goal. */
+    periodic = true;
     private allowed: AllowedLimit[] = [];
 
     constructor(private readonly controls: Controls) {
@@ -88,6 +92,8 @@ export class Problem {
             const chosen = this.goal.value;
             this.goal.replaceChildren(...this.goals.map(({ name }) => new Option(name.replaceAll("-", " "), name, false, name === chosen)));
         }
+        const isPossible = this.periodic || !this.goals.find(({ name }) => name === this.goal.value)?.needs_starts;
+        if (!isPossible) this.goal.value = MEAN_POWER;
         this.limits.offer(this.allowed.map(({ name }): [string, string] => [name, limitTitle(name)]));
         this.needStarts();
     }
@@ -155,8 +161,18 @@ export class Problem {
 
     private limit(name: string, describe: string): Fields {
         const { example } = this.limitOf(name);
-        const value = field(`${limitTitle(name)}, limit`, example, describe, 10);
-        return { parts: [value], read: () => withUnit(value.value, example.replace(/^[-+.\deE]+\s*/, "")) };
+        const [text, origin] = this.firstLimit(name);
+        const value = field(`${limitTitle(name)}, limit`, text, describe, 10);
+        return { parts: [value, words(`${text}: ${origin}`)], read: () => withUnit(value.value, example.replace(/^[-+.\deE]+\s*/, "")) };
+    }
+
+    /** The first value of a limit, and its origin: the limit of the patch, or else an example. */
+    private firstLimit(name: string): [string, string] {
+        const { example, unit, factor } = this.limitOf(name);
+        const control = this.controls.find(`${name}_limit`);
+        if (!control) return [example, "only an example"];
+        const text = `${digits(control.value / factor)} ${unit}`;
+        return [text, control.written ? "strain limit of the spec" : "recommended for the material of the patch"];
     }
 
     private scatter(key: string, describe: string): Fields {

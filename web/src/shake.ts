@@ -5,7 +5,7 @@ import type { Controls } from "./controls";
 import type { Design } from "./design";
 import type { Frame } from "./frame";
 import { colour } from "./theme";
-import { quantity } from "./units";
+import { digits, quantity, sign } from "./units";
 import { Stale } from "./stale";
 import type { Request, Wire } from "./wire";
 
@@ -31,8 +31,10 @@ export class Shake {
     /** True once the user has started a run. */
     private chosen = false;
     private offered = false;
+    /** Size of the unit in which the density of the noise is typed, SI. */
+    private densityFactor = 1;
     /** Called with the result under the drives of the spec. */
-    onSpec: (words: string, request: Request) => void = () => {};
+    onSpec: (words: string, warnings: string[], request: Request) => void = () => {};
 
     constructor(private readonly wire: Wire, private readonly controls: Controls, private readonly design: Design, private readonly show: () => void) {
         this.stale = new Stale(find("panel-shake"), find("shake-stale"), design);
@@ -50,16 +52,26 @@ export class Shake {
         this.choose(() => void this.recording(file));
     }
 
-    /** Offers noise with the power of the first sinusoid in an octave and a half around it. */
+    /** Offers the noise of the spec, or else noise with the power of the first sinusoid in an octave and a half around it. */
     offer(): void {
-        const value = (name: string) => this.controls.all.find(({ key }) => new RegExp(`^drive\\.[^.]+\\.${name}$`).test(key))?.value;
-        const [amplitude, hertz] = [value("amplitude"), value("frequency")];
-        if (this.offered || !amplitude || !hertz) return;
+        const control = (name: string) => this.controls.all.find(({ key }) => new RegExp(`^drive\\.[^.]+\\.${name}$`).test(key));
+        const [density, low, high, amplitude, frequency] = ["psd", "low", "high", "amplitude", "frequency"].map(control);
+        if (this.offered) return;
+        if (density && high) this.put(density.value, density, [low?.value ?? 0, high.value], 6);
+        else if (amplitude?.value && frequency?.value) {
+            const hertz = frequency.value;
+            const unit = /^[A-Za-z]*$/.test(amplitude.unit) ? amplitude.unit : `(${amplitude.unit})`;
+            this.put(amplitude.value ** 2 / 2 / hertz, { unit: `${unit}^2/Hz`, factor: amplitude.factor ** 2 }, [0.5 * hertz, 1.5 * hertz], 2);
+        }
+    }
+
+    /** Fills in a noise: its density in a unit, and its band. */
+    private put(density: number, { unit, factor }: { unit: string; factor: number }, [low, high]: [number, number], count: number): void {
         this.offered = true;
-        const put = (id: string, si: number) => (find<HTMLInputElement>(id).value = String(Number(si.toPrecision(2))));
-        put("shake-density", amplitude ** 2 / 2 / hertz);
-        put("shake-low", 0.5 * hertz);
-        put("shake-high", 1.5 * hertz);
+        this.densityFactor = factor;
+        find("shake-density-unit").textContent = sign(unit);
+        const texts = { "shake-density": density / factor, "shake-low": low, "shake-high": high };
+        for (const [id, value] of Object.entries(texts)) find<HTMLInputElement>(id).value = digits(value, count);
     }
 
     /** Integrates under the drives of the spec. */
@@ -83,7 +95,7 @@ export class Shake {
         const [density, low_hz, high_hz] = ["shake-density", "shake-low", "shake-high"].map(number);
         if (![density, low_hz, high_hz].every(Number.isFinite)) return this.say("noise needs three numbers: its density and the ends of its band");
         this.runs++;
-        this.ask({ noise: { density, low_hz, high_hz } });
+        this.ask({ noise: { density: density * this.densityFactor, low_hz, high_hz } });
     }
 
     private async recording(file: File): Promise<void> {
@@ -142,10 +154,11 @@ export class Shake {
         const contacts = frame.has("displacement.time") ? `; ${(head.contacts / head.average_over_s).toFixed(1)} contacts per second` : "";
         const name = head.channel ? `${by} (${head.channel})` : by;
         const noticed = head.issues?.length > 0 ? `. Issues: ${head.issues.join("; ")}` : "";
-        this.say(`${name}: ${quantity(head.mean_power_w, "W")} on average over ${quantity(head.average_over_s, "s")}${linear}${contacts}${noticed}`);
+        const words = `${name}: ${quantity(head.mean_power_w, "W")} on average over ${quantity(head.average_over_s, "s")}${linear}${contacts}${noticed}`;
+        this.say([words, ...head.warnings].join(". "));
         this.last = frame;
         this.stale.shows(request);
-        if (request.body.by === "spec") this.onSpec(this.words.textContent!, request);
+        if (request.body.by === "spec") this.onSpec(words, head.warnings, request);
         this.redraw();
     }
 
@@ -170,7 +183,7 @@ export class Shake {
 /** Words for what excites the harvester. */
 function nameOf(by: Excitation): string {
     if (by === "spec") return "the drives of the spec";
-    return "recording" in by ? by.recording.name : "noise";
+    return "recording" in by ? by.recording.name : "other noise";
 }
 
 function base64(file: File): Promise<string> {

@@ -2,28 +2,40 @@
 
 export class Tabs {
     private readonly tabs: HTMLButtonElement[];
+    private readonly titles = new Map<HTMLButtonElement, string>();
 
     constructor(list: HTMLElement, private readonly shown: (id: string) => void) {
         this.tabs = [...list.querySelectorAll<HTMLButtonElement>("[role=tab]")];
-        this.tabs.forEach((tab, k) => {
-            tab.onclick = () => this.choose(k);
+        for (const tab of this.tabs) {
+            this.titles.set(tab, tab.title);
+            tab.onclick = () => this.choose(tab);
             tab.onkeydown = (event) => {
-                const count = this.tabs.length;
+                const open = this.tabs.filter((own) => !own.disabled);
+                const [k, count] = [open.indexOf(tab), open.length];
                 const next = { ArrowRight: k + 1, ArrowLeft: k - 1 + count, Home: 0, End: count - 1 }[event.key];
                 if (next === undefined) return;
                 event.preventDefault();
-                this.choose(next % count);
+                this.choose(open[next % count]);
             };
-        });
+        }
     }
 
-    private choose(chosen: number): void {
-        this.tabs.forEach((tab, k) => {
-            tab.setAttribute("aria-selected", String(k === chosen));
-            tab.tabIndex = k === chosen ? 0 : -1;
-            document.getElementById(tab.getAttribute("aria-controls")!)!.hidden = k !== chosen;
-        });
-        this.tabs[chosen].focus();
-        this.shown(this.tabs[chosen].id);
+    /** Disables tabs for a reason, and enables the others; returns true where the shown one is disabled. */
+    disable(ids: string[], reason: string): boolean {
+        for (const tab of this.tabs) {
+            tab.disabled = ids.includes(tab.id);
+            tab.title = tab.disabled ? reason : this.titles.get(tab)!;
+        }
+        return this.tabs.some((tab) => tab.disabled && tab.ariaSelected === "true");
+    }
+
+    private choose(chosen: HTMLButtonElement): void {
+        for (const tab of this.tabs) {
+            tab.setAttribute("aria-selected", String(tab === chosen));
+            tab.tabIndex = tab === chosen ? 0 : -1;
+            document.getElementById(tab.getAttribute("aria-controls")!)!.hidden = tab !== chosen;
+        }
+        chosen.focus();
+        this.shown(chosen.id);
     }
 }

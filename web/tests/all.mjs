@@ -14,7 +14,7 @@ if (missing.length > 0) {
     process.exit(1);
 }
 const began = performance.now();
-const tests = ["page", "cursor", "measured", "quantities", "range", "order", "first-picture", "draft", "keyboard", "axe", "truth", "use", "explore", "views", "design", "plate", "link", "print", "study"].map((name) => new URL(`${name}.test.mjs`, import.meta.url).pathname);
+const tests = ["page", "cursor", "measured", "quantities", "range", "order", "first-picture", "draft", "keyboard", "axe", "truth", "use", "noise", "explore", "views", "design", "plate", "link", "print", "study"].map((name) => new URL(`${name}.test.mjs`, import.meta.url).pathname);
 const { status } = spawnSync(process.execPath, ["--test", "--test-concurrency=1", ...tests], { stdio: "inherit", timeout: LONGEST_MS });
 console.log(`page in a browser: ${((performance.now() - began) / 1000).toFixed(0)} s`);
 if (status === null) console.error(`the tests of the page took longer than ${LONGEST_MS / 1000} s`);

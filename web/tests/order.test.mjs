@@ -86,7 +86,7 @@ test("noise runs while a file is read and checked, and the results have the name
     await until("shake-words", /picture\.png/);
     await page.locator("#shake-run").click();
     await letIn();
-    await until("shake-words", /^noise: [\d.]+ .?W on average over 45 s/);
+    await until("shake-words", /^other noise: [\d.]+ .?W on average over 45 s/);
     // A result that arrives while another file is read.
     await hold(/^shake done/);
     await page.locator("#shake-run").click();

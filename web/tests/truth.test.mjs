@@ -321,7 +321,7 @@ test("the operating point gives the strain with its limit, and a limit that is e
     const spec = await readFile(server.spec, "utf8");
     const limited = (ppm) => writeFile(server.spec, spec.replace("[patch.mfc] ", `[patch.mfc]\nstrain_limit = ${ppm}e-6\n#`));
     await limited(600);
-    await until("operating-words", /At 13 Hz: .*, strain [\d.]+ ppm of 600$/);
+    await until("operating-words", /At 13 Hz: .*, strain [\d.]+ ppm of 600,/);
     const reached = Number((await text("operating-words")).match(/strain ([\d.]+) ppm/)[1]);
     await limited(Math.floor(reached / 2));
     await until("operating-warnings", /patch mfc: its strain reaches \d+ ppm/);

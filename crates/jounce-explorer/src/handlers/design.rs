@@ -15,6 +15,7 @@ pub fn describe(id: u64, design: &Design, source: &Source) -> Frame {
     frame
         .put("drawing", json!(design.drawing(&title.to_string_lossy())))
         .put("controls", json!(design.controls()))
+        .put("optional", json!(design.optional_keys()))
         .put("drive_frequency_hz", design.drive_frequency_hz().ok());
     frame
 }

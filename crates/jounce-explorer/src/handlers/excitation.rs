@@ -38,6 +38,8 @@ pub fn respond(
         .put("max_penetration_m", result.max_penetration_m)
         .put("duration_s", result.duration_s)
         .put("linear_power_w", result.linear_power_w);
+    let messages = result.warnings.iter().map(ToString::to_string);
+    frame.put("warnings", messages.collect::<Vec<_>>());
     if let Some(channel) = channel {
         frame
             .put("channel", channel.channel)

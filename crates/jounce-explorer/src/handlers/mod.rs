@@ -4,6 +4,7 @@ pub(super) mod band;
 pub(super) mod basins;
 pub(super) mod design;
 pub(super) mod design_search;
+pub(super) mod ensemble;
 pub(super) mod excitation;
 pub(super) mod export;
 pub(super) mod load;

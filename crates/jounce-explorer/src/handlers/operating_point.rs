@@ -13,7 +13,7 @@ use std::sync::Arc;
 /// What the attractors of an operating point depend on.
 pub type OperatingPointKey = (Arc<Design>, BasinsOptions);
 
-/// Sends the progress, then the attractors with their basin fractions. Pages with the same design
+/// Sends the progress, then the attractors with their basin fractions, peaks and warnings. Pages with the same design
 /// share the computation.
 ///
 /// # Errors
@@ -34,14 +34,11 @@ pub async fn respond(
         return Ok(());
     };
     let key = (Arc::clone(&design), options.clone());
-    let drives = Arc::clone(&design);
+    let (drives, analysis) = (Arc::clone(&design), session.analysis.fork());
     let found = session.host.operating_points.find_or_start(
         key,
         session.operating_point_share(),
-        move |control| {
-            let harvester = design.harvester().with_control(control);
-            Ok(harvester.basins(&options)?)
-        },
+        move |control| Ok(analysis.operating_point(&design, &options, control)?),
     );
     let stage = (id, "operating-point", "operating-point");
     let Some(result) = session.shared(stage, found, cancellation).await? else {
@@ -49,7 +46,9 @@ pub async fn respond(
     };
     let mut frame = Frame::new(id, "operating-point", "done");
     frame
-        .put_all(&json!(*result))
+        .put_all(&json!(result.basins))
+        .put("peaks", json!(result.peaks))
+        .put("stops", result.stops)
         .put("frequency_hz", drives.drive_frequency_hz()?);
     session.send_unless_stopped(cancellation, frame).await;
     Ok(())

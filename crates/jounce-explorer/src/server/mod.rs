@@ -25,8 +25,7 @@ use axum::extract::ws::WebSocketUpgrade;
 use axum::extract::ws::rejection::WebSocketUpgradeRejection;
 use axum::http::{HeaderMap, Method, StatusCode, Uri};
 use axum::response::{IntoResponse as _, Redirect, Response};
-use jounce::BasinsResult;
-use jounce::live::{Bandwidth, KeySpan};
+use jounce::live::{Bandwidth, KeySpan, OperatingPoint};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use saved_address::SavedAddress;
 use std::net::{Ipv4Addr, SocketAddr};
@@ -151,7 +150,7 @@ pub struct Host {
     /// Bandwidths of searched responses.
     pub bandwidths: SharedComputations<ResponseKey, Option<Bandwidth>>,
     /// Attractors of operating points.
-    pub operating_points: SharedComputations<OperatingPointKey, BasinsResult>,
+    pub operating_points: SharedComputations<OperatingPointKey, OperatingPoint>,
     /// One permit for each further computation of many integrations, which take all cores.
     pub long_permits: Arc<Semaphore>,
     /// Permits for searches for a design, of which one runs at a time.

@@ -12,8 +12,8 @@ use crate::handlers::export::export;
 use crate::handlers::progress::progress;
 use crate::handlers::save::save;
 use crate::handlers::{
-    band, basins, design, design_search, excitation, load, operating_point, orbit, response,
-    strain, sweep,
+    band, basins, design, design_search, ensemble, excitation, load, operating_point, orbit,
+    response, strain, sweep,
 };
 use crate::server::Host;
 use blocking::Share;
@@ -134,6 +134,7 @@ impl Session {
             RequestKind::Sweep { .. }
             | RequestKind::Load(_)
             | RequestKind::Basins(_)
+            | RequestKind::Ensemble(_)
             | RequestKind::Band(_)
             | RequestKind::Shake { .. } => Share {
                 permits: Arc::clone(&host.long_permits),
@@ -234,6 +235,9 @@ impl Session {
             RequestKind::Load(options) => load::respond(self, id, design, options, cancellation),
             RequestKind::Basins(options) => {
                 basins::respond(self, id, design, options, cancellation)
+            }
+            RequestKind::Ensemble(options) => {
+                ensemble::respond(self, id, design, options, cancellation)
             }
             RequestKind::DesignOffer => {
                 let frame = design::offer(self, id, design, cancellation)?;

@@ -1,7 +1,7 @@
 //! Requests of the page.
 
-use jounce::BasinsOptions;
 use jounce::live::{BandOptions, BranchPlace, DesignFields, KeySpan, LoadOptions, ResponseOptions};
+use jounce::{BasinsOptions, EnsembleOptions};
 use serde::Deserialize;
 
 /// Largest number of overrides of a request.
@@ -94,6 +94,8 @@ pub enum RequestKind {
     Basins(BasinsOptions),
     /// Attractors at the present design from a cloud of starts.
     OperatingPoint(BasinsOptions),
+    /// Mean power over realisations of the noise of the spec.
+    Ensemble(EnsembleOptions),
     /// Goals and limits that a design can have.
     DesignOffer,
     /// The best design.
@@ -132,6 +134,7 @@ impl RequestKind {
             RequestKind::Load(_) => "load",
             RequestKind::Basins(_) => "basins",
             RequestKind::OperatingPoint(_) => "operating-point",
+            RequestKind::Ensemble(_) => "ensemble",
             RequestKind::DesignOffer => "design-offer",
             RequestKind::DesignSearch(_) => "design-search",
             RequestKind::Band(_) => "band",

@@ -15,6 +15,11 @@ pub fn paper() -> PathBuf {
         .join("../../examples/impact-harvester-2019/harvester.toml")
 }
 
+/// The spec under noise, whose patch has a strain limit.
+pub fn random_base() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/random-base/harvester.toml")
+}
+
 /// A running server; it ends with its value.
 pub struct TestServer {
     pub host: String,

@@ -1,9 +1,9 @@
 //! The harvester under noise and under recordings.
 
-use crate::client::{TestServer, paper};
+use crate::client::{TestServer, paper, random_base};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use jounce::{Harvester, RunOptions};
+use jounce::{EnsembleOptions, Harvester, RunOptions};
 use jounce_explorer::ServerLimits;
 use serde_json::json;
 
@@ -112,4 +112,46 @@ async fn a_faulty_recording_is_reported_with_its_name() {
                 .is_empty()
         );
     }
+}
+
+/// A strain limit below the strain of any run.
+const STRAIN_LIMIT: [&str; 2] = ["patch.mfc.strain_limit", "100 ppm"];
+
+#[tokio::test]
+async fn the_drives_of_the_spec_have_the_warnings_of_a_run() {
+    let server = TestServer::new(&random_base(), ServerLimits::default());
+    let mut page = server.page().await;
+    let body = json!({ "set": [STRAIN_LIMIT], "by": "spec" });
+    page.send_request("shake", body).await;
+    let response = page.receive_until("shake", "done").await;
+    let harvester = Harvester::read(random_base()).unwrap();
+    let harvester = harvester.changed([STRAIN_LIMIT.into()]).unwrap();
+    let run = harvester.run(&RunOptions::default()).unwrap();
+    let expected: Vec<String> = run.warnings.iter().map(ToString::to_string).collect();
+    assert!(
+        expected[0].contains("100 ppm are recommended"),
+        "{expected:?}"
+    );
+    assert_eq!(response.head["warnings"], json!(expected));
+}
+
+#[tokio::test]
+async fn the_ensemble_is_that_of_the_command() {
+    let server = TestServer::new(&random_base(), ServerLimits::default());
+    let mut page = server.page().await;
+    page.send_request("ensemble", json!({ "set": [STRAIN_LIMIT] }))
+        .await;
+    let response = page.receive_until("ensemble", "done").await;
+    let harvester = Harvester::read(random_base()).unwrap();
+    let harvester = harvester.changed([STRAIN_LIMIT.into()]).unwrap();
+    let expected = harvester.ensemble(&EnsembleOptions::default()).unwrap();
+    let found = &response.head;
+    assert_eq!(found["mean_power_w"], json!(expected.mean_power_w));
+    assert_eq!(
+        found["mean_power_half_width_w"],
+        json!(expected.mean_power_half_width_w)
+    );
+    assert_eq!(found["members"].as_array().map(Vec::len), Some(16));
+    assert_eq!(found["warnings"], json!(expected.warnings()));
+    assert!(expected.warnings()[0].contains("16 of 16 members exceed"));
 }

@@ -7,5 +7,6 @@ mod design;
 mod excitation;
 mod link;
 mod many_pages;
+mod operating_point;
 mod plates;
 mod responses;

@@ -2,6 +2,7 @@
 
 use jounce_analysis::run::ExceededLimit;
 use jounce_analysis::{Attractor, GridAxis};
+use jounce_orbits::Orbit;
 use serde::Serialize;
 
 /// Attractors reached from a cloud or a grid of starts, and the share of the starts that reach
@@ -64,6 +65,9 @@ pub struct AttractorResult {
     pub fraction_high: f64,
     /// Exceeded limits of patches.
     pub warnings: Vec<ExceededLimit>,
+    /// Orbit of a periodic attractor.
+    #[serde(skip)]
+    pub(crate) orbit: Option<Orbit>,
 }
 
 /// A start whose run failed.
@@ -104,6 +108,7 @@ impl AttractorResult {
             fraction_low: attractor.share.low,
             fraction_high: attractor.share.high,
             warnings: attractor.exceeded.clone(),
+            orbit: attractor.orbit.clone(),
         }
     }
 }

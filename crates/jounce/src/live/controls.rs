@@ -41,6 +41,17 @@ pub struct DesignControl {
     pub written: bool,
 }
 
+/// A number that the spec lacks and may have.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct OptionalKey {
+    /// The key.
+    pub key: String,
+    /// Unit of a bare number.
+    pub unit: &'static str,
+    /// Help text.
+    pub about: &'static str,
+}
+
 /// Scale of a slider.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
@@ -79,6 +90,26 @@ impl Design {
             self.control(&key, text.as_deref())
         };
         keys.iter().filter_map(control).collect()
+    }
+
+    /// Returns the strain limits of the patches that have none.
+    pub fn optional_keys(&self) -> Vec<OptionalKey> {
+        let mut limited = self.spec().clone();
+        limited
+            .patch
+            .retain(|_, patch| patch.strain_limit.is_none());
+        for patch in limited.patch.values_mut() {
+            patch.strain_limit = Some(f64::EPSILON);
+        }
+        let optional = |name: &String| {
+            let key = NumericKey::find(&limited, &format!("patch.{name}.strain_limit")).ok()?;
+            Some(OptionalKey {
+                key: key.path().to_owned(),
+                unit: "ppm",
+                about: key.about(),
+            })
+        };
+        limited.patch.keys().filter_map(optional).collect()
     }
 
     /// Returns one control. Numbers are shown in the unit of the file.

@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::harvester::Harvester;
-use jounce_spec::{NumericKey, Spec};
+use jounce_spec::{Faults, NumericKey, Spec, SpecFile};
 
 /// Largest ratio of a change to the previous one for which that is extrapolated.
 const MAX_CHANGE_RATIO: f64 = 4.0;
@@ -23,8 +23,8 @@ impl PartialEq for Design {
 }
 
 impl Design {
-    /// Sets numbers of a harvester together. A key that holds no number is refused, so a page
-    /// cannot change the path of a file.
+    /// Sets numbers of a harvester together; a key may be one that its spec lacks. A key that holds
+    /// no number is refused, so a page cannot change the path of a file.
     ///
     /// # Errors
     /// [`Error::Spec`] with the faults of all keys.
@@ -40,8 +40,13 @@ impl Design {
     pub fn new(harvester: &Harvester, set: &[(String, String)]) -> Result<Self, Error> {
         let (mut file, mut faults) = (harvester.file().clone(), Vec::new());
         for (key, value) in set {
-            let result = NumericKey::find(harvester.spec(), key).and_then(|_| file.set(key, value));
-            faults.extend(result.err());
+            let result = match NumericKey::find(harvester.spec(), key) {
+                Err(fault) if value.trim().is_empty() => Err(fault.into()),
+                Err(_) => check_added(&file, key, value),
+                Ok(_) => Ok(()),
+            };
+            let result = result.and_then(|()| Ok(file.set(key, value)?));
+            faults.extend(result.err().iter().flat_map(|all| all.as_slice().to_vec()));
         }
         if !faults.is_empty() {
             return Err(Error::Spec(faults.into()));
@@ -88,4 +93,12 @@ impl Design {
         let off_direction = second_norm2 - ratio * dot > 0.01 * second_norm2;
         (first_norm2 > 0.0 && ratio.abs() < MAX_CHANGE_RATIO && !off_direction).then_some(ratio)
     }
+}
+
+/// Checks that a key that the spec lacks holds a number once it is set.
+fn check_added(file: &SpecFile, key: &str, value: &str) -> Result<(), Faults> {
+    let mut changed = file.clone();
+    changed.set(key, value)?;
+    changed.numeric_key(key)?;
+    Ok(())
 }

@@ -3,7 +3,7 @@
 use super::time_history::{self, Extremes, SpectralDensity};
 use super::{Design, LiveAnalysis};
 use crate::error::Error;
-use jounce_analysis::run::{RunPlan, simulate};
+use jounce_analysis::run::{RunPlan, Warning, output_peaks, simulate};
 use jounce_control::Control;
 use jounce_model::linear::Random;
 use jounce_spec::{DriveSignal, Spec, SpecFile};
@@ -66,6 +66,8 @@ pub struct ExcitationResult {
     pub gap_m: Option<f64>,
     /// Spectral density of the voltage, V^2/Hz; `None` for a run that is too short.
     pub density: Option<SpectralDensity>,
+    /// Warnings, as those of [`crate::Harvester::run`].
+    pub warnings: Vec<Warning>,
 }
 
 impl LiveAnalysis {
@@ -110,6 +112,9 @@ impl LiveAnalysis {
             }
         };
         let histories = time_history::of_run(&kernel, &result, duration_s)?;
+        let mut warnings = Warning::of(&spec, &kernel, &plan, &result);
+        let peaks = output_peaks(&kernel, &result);
+        warnings.extend(Warning::of_deflections(&spec, &kernel.plant, &peaks));
         Ok(ExcitationResult {
             mean_power_w: result.mean_power_w,
             linear_power_w,
@@ -121,6 +126,7 @@ impl LiveAnalysis {
             displacement: histories.displacement,
             gap_m: kernel.plant.system.stops.first().map(|stop| stop.gap_m),
             density: histories.density,
+            warnings,
         })
     }
 }

@@ -7,12 +7,14 @@
 //! | computation | method |
 //! |---|---|
 //! | every number with its unit and the range of its slider | [`Design::controls`] |
+//! | numbers that the spec lacks and may have | [`Design::optional_keys`] |
 //! | scale drawing with the keys that move its parts | [`Design::drawing`] |
 //! | mode shapes along its beams and over its plates | [`Design::mode_figures`] |
 //! | the harvester without contact over a key | [`LiveAnalysis::first_response`] |
 //! | branches over a key, carried over from the previous design | [`LiveAnalysis::coarse_response`] |
 //! | all branches over a key; their peak and bandwidth | [`LiveAnalysis::fine_response`], [`LiveAnalysis::bandwidth`] |
 //! | orbit of one point with the motion of its beams and plates | [`LiveAnalysis::orbit`] |
+//! | attractors of a design with the peaks and warnings of their orbits | [`LiveAnalysis::operating_point`] |
 //! | points up and down over a key, one by one | [`Design::sweep`] |
 //! | power over the load, without and with contact | [`LiveAnalysis::linear_load`], [`Design::load_sweep`] |
 //! | options of [`crate::Harvester::basins`] for a plane of starts | [`Design::in_plane`] |
@@ -39,7 +41,7 @@ mod time_history;
 
 pub use analysis::{LiveAnalysis, ResponseHistory};
 pub use channel_file::ChannelFile;
-pub use controls::{DesignControl, SliderScale};
+pub use controls::{DesignControl, OptionalKey, SliderScale};
 pub use design::Design;
 pub use drawing::{DesignDrawing, Grip, GripKind};
 pub use excitation::{Excitation, ExcitationResult};
@@ -47,7 +49,10 @@ pub use jounce_analysis::Bandwidth;
 pub use key_span::KeySpan;
 pub use load::{LinearLoad, LoadOptions};
 pub use mode_figures::ModeFigure;
-pub use orbits::{BeamMotion, BranchPlace, ForceCurves, OrbitResult, OrbitStop, PlateMotion};
+pub use orbits::{
+    AttractorPeaks, BeamMotion, BranchPlace, ForceCurves, OperatingPoint, OrbitResult, OrbitStop,
+    PlateMotion,
+};
 pub use responses::{
     Draft, DraftOrigin, LinearCurve, ResponseBifurcation, ResponseBranch, ResponseOptions,
     ResponseResult,
