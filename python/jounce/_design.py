@@ -68,6 +68,13 @@ class DesignResult(Result):
         dict[str, Any] | None,
         About("nearest fold over the frequency of the drive: ``key``, ``frequency_hz``, ``distance_hz``"),
     ]
+    noise: Annotated[
+        dict[str, Any] | None,
+        About(
+            "mean power under realisations of the noise other than that of the search: ``realisations``, ``mean_power_w``, "
+            "``mean_power_low_w``, ``mean_power_high_w``; ``None`` without a goal ``mean-power`` under noise"
+        ),
+    ]
     limits: Annotated[
         list[dict[str, Any]],
         About("limits: ``name``, ``value``, ``limit``, ``violation``, ``active``, ``price``; SI"),
@@ -98,13 +105,19 @@ class DesignResult(Result):
         keys = [(key, f"{self.value[k]}, before {self.before[k]}") for k, key in enumerate(self.key)]
         orbit = f"period {self.period_cycles}, {self.mean_power_w:.6g} W, reached by {100 * self.basin_fraction:.1f} % of the starts"
         limits = [
-            (one["name"], f"{one['value']:.6g} of {one['limit']:.6g}{', binds' if one['active'] else ''}")
+            (one["name"], f"{one['value']:.6g} of {one['limit']:.6g}{', exceeded' if one['violation'] > 0 else ', binds' if one['active'] else ''}")
             for one in self.limits
             if one["value"] is not None
         ]
+        noise = (
+            f"{self.noise['mean_power_w']:.6g} W ({self.noise['mean_power_low_w']:.3g} to {self.noise['mean_power_high_w']:.3g}) "
+            f"under {self.noise['realisations']} other realisations"
+            if self.noise
+            else ""
+        )
         end = f"{self.evaluations} evaluations; {_ENDS[self.ended_by]}{'' if self.feasible else '; beyond the limits'}"
         warnings = [("warning", text) for text in self.warnings]
-        return [*goals, *keys, *([("orbit", orbit)] if self.stable else []), *limits, *warnings, ("search", end)]
+        return [*goals, *keys, *([("orbit", orbit)] if self.stable else []), *([("noise", noise)] if noise else []), *limits, *warnings, ("search", end)]
 
     def _repr_html_(self) -> str:
         rows = [list(row) for row in zip(self.key, self.value, self.before, self.at_end)]

@@ -37,6 +37,8 @@ export interface Bifurcation extends Record<Exclude<Quantity, "strain">, number>
     branch: number;
     kind: string;
     x: number;
+    /** Estimated error of `x`; null where it is not known. */
+    error: number | null;
     contacts: number;
 }
 

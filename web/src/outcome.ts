@@ -85,6 +85,8 @@ export class Outcome {
             const fold = best.nearest_fold;
             found.push(fold ? `Nearest fold at ${quantity(fold.frequency_hz, "Hz", 5)}, ${quantity(fold.distance_hz, "Hz", 3)} away.` : "No fold near the frequency of the drive.");
         }
+        const { noise } = best;
+        if (noise) found.push(`Under ${noise.realisations} realisations of the noise other than that of the search: ${quantity(noise.mean_power_w, "W")} (95 %: ${quantity(noise.mean_power_low_w, "W")} to ${quantity(noise.mean_power_high_w, "W")}).`);
         if (robust) {
             const quantiles = (robust.quantiles as { share: number; mean_power_w: number }[]).map((one) => `${digits(100 * one.share, 2)} %: ${quantity(one.mean_power_w, "W")}`);
             found.push(`Power under the tolerances, quantiles of ${robust.draws} draws: ${quantiles.join(", ")}${robust.lost_fraction > 0 ? `; the orbit is lost in ${share(robust.lost_fraction)}` : ""}.`);

@@ -3,7 +3,7 @@
 import type { Bifurcation, Draft } from "./branches";
 import { distanceWords } from "./draft-error";
 import type { Head } from "./frame";
-import { digits, quantity } from "./units";
+import { digits, quantity, quantityWithError } from "./units";
 
 export class Readout {
     private shown = "";
@@ -35,7 +35,7 @@ function row(found: Bifurcation, unit: string, choose: (found: Bifurcation) => v
     button.textContent = found.kind;
     button.title = "Show the orbit";
     button.onclick = () => choose(found);
-    const cells = [button, quantity(found.x, unit, 5), quantity(found.power, "W")].map((content) => {
+    const cells = [button, quantityWithError(found.x, found.error, unit), quantity(found.power, "W")].map((content) => {
         const cell = document.createElement("td");
         cell.append(content);
         return cell;

@@ -39,8 +39,6 @@ export class Requests {
     private failedAfter = -1;
     private stage = -1;
     private clicked = 0;
-    /** Point and value of the key of the requested orbit. */
-    private orbitAt: [Place, number | undefined] | undefined;
     private orbitWaiting: [Place, number | undefined] | undefined;
     private sweeping = false;
     /** True where the drives have a common period, so that there are periodic orbits. */
@@ -205,7 +203,6 @@ export class Requests {
         const { result } = this.response;
         if (!result) return;
         this.orbitOf = result;
-        this.orbitAt = [place, parameter];
         this.orbitAsked = this.wire.ask("orbit", { response: result.id, branch: place.branch, point: place.point, parameter }) !== 0;
         this.clicked = performance.now();
         this.mark();
@@ -217,9 +214,6 @@ export class Requests {
             this.hears.orbit(frame, this.orbitOf!);
             const since = this.clicked;
             requestAnimationFrame(() => performance.measure("click-to-orbit", { start: since }));
-        } else if (frame.head.stage === "fault" && this.orbitAt?.[1] !== undefined && !this.response.following) {
-            // At a fold Newton's method may not converge: the orbit of the point itself.
-            this.orbitWaiting ??= [this.orbitAt[0], undefined];
         } else if (frame.head.stage === "fault") {
             document.getElementById("orbit-title")!.textContent = `Orbit: ${frame.head.faults[0]?.message}`;
         }

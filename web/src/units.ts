@@ -40,6 +40,18 @@ export function quantity(value: number, unit: string, count = 4): string {
     return `${digits(value / step, count)} ${name}${sign(unit)}`;
 }
 
+/** Most digits of a value with an error. */
+const MOST_DIGITS = 9;
+
+/** A value with its error and unit, "12.590016 ± 2.5e-10 Hz", with the digits that the error supports. */
+export function quantityWithError(value: number, error: number | null, unit: string): string {
+    if (!error || value === 0) return quantity(value, unit, 5);
+    const [step, name] = takesPrefix(unit) ? prefix(value) : [1, ""];
+    const supported = Math.floor(Math.log10(Math.abs(value))) - Math.floor(Math.log10(error)) + 1;
+    const text = (value / step).toPrecision(Math.min(Math.max(supported, 1), MOST_DIGITS));
+    return `${text} ± ${digits(error / step, 2)} ${name}${sign(unit)}`;
+}
+
 /** Divisor and unit of an axis up to a value. */
 export function axisUnit(most: number, unit: string): [number, string] {
     if (!takesPrefix(unit)) return [1, sign(unit)];

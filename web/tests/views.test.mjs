@@ -114,11 +114,10 @@ test("a row of a bifurcation shows its own orbit, and the draft is described apa
     for (let k = 0; k < rows; k++) {
         await page.locator("#bifurcations button").nth(k).click();
         await ready(page);
-        const [, x, power] = (await page.locator("#bifurcations tr").nth(k).innerText()).match(/([\d.]+) Hz\s+([\d.]+) .?W/);
-        const [, at, own] = (await text("orbit-title")).match(/^Orbit at ([\d.]+) Hz: ([\d.]+) .?W/);
-        // At a fold Newton's method may not converge; the orbit is then that of the nearest point of the branch.
-        const isFold = (await page.locator("#bifurcations button").nth(k).textContent()) === "fold";
-        assert.ok(at === x && Math.abs(own / power - 1) < (isFold ? 0.05 : 1e-3), `${at} ${own}, ${x} ${power}`);
+        const [, x, error, power, unit] = (await page.locator("#bifurcations tr").nth(k).innerText()).match(/([\d.]+) ± ([\d.e-]+) Hz\s+([\d.]+) (.?W)/);
+        const [, at, own, ownUnit] = (await text("orbit-title")).match(/^Orbit at ([\d.]+) Hz: ([\d.]+) (.?W)/);
+        assert.ok(Math.abs(at / x - 1) < 1e-4 && error < 1e-6 && x.replace(".", "").length === 9, `${at}, ${x} ± ${error}`);
+        assert.ok(Math.abs(own / power - 1) < 1e-3 && unit === ownUnit, `${own} ${ownUnit}, ${power} ${unit}`);
     }
     await page.locator("#bifurcations-title").click();
     await type("stop.tip.gap", "1.05");

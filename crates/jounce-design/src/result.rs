@@ -65,6 +65,23 @@ pub struct BestDesign {
     pub period_cycles: u32,
     /// Nearest fold of the main orbit over the frequency of the drive.
     pub nearest_fold: Option<NearestFold>,
+    /// Mean power under other noise than that of the search; `null` without a goal `mean-power` under
+    /// noise.
+    pub noise: Option<NoisePower>,
+}
+
+/// Mean power of the best design under realisations of the noise of its spec. The search uses one
+/// realisation, and its best design is partly the best for that one only.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct NoisePower {
+    /// Number of realisations of each condition.
+    pub realisations: usize,
+    /// Mean power, W.
+    pub mean_power_w: f64,
+    /// Lower end of its 95 % interval, W.
+    pub mean_power_low_w: f64,
+    /// Upper end of its 95 % interval, W.
+    pub mean_power_high_w: f64,
 }
 
 /// Value of a free key.

@@ -40,8 +40,8 @@ pub use jounce_data::recording::{
 };
 pub use jounce_design::{
     AllowedLimit, BestDesign, DesignBefore, DesignError, DesignOutcome, FreeValue, FrontPoint,
-    Improvement, Journaled, LimitResult, NearestFold, OnImprovement, PowerBand, Quantile,
-    Robustness, SearchEnd, SobolIndex, TracePoint,
+    Improvement, Journaled, LimitResult, NearestFold, NoisePower, OnImprovement, PowerBand,
+    Quantile, Robustness, SearchEnd, SobolIndex, TracePoint,
 };
 pub use jounce_experiment::draw::PulseFigure;
 pub use jounce_experiment::fit::{

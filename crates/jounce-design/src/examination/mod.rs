@@ -2,14 +2,15 @@
 //! robustness, and free keys without an effect.
 
 mod effects;
+mod noise_power;
 mod prices;
 
 use crate::DesignError;
 use crate::evaluation::{Evaluation, Evaluator, examined_fold};
 use crate::problem::{FreeKey, FreeValues, Goal, Problem};
 use crate::result::{
-    BestDesign, DesignBefore, DesignOutcome, FreeValue, Improvement, LimitResult, NearestFold,
-    SearchEnd, TracePoint,
+    BestDesign, DesignBefore, DesignOutcome, FreeValue, Improvement, LimitResult, SearchEnd,
+    TracePoint,
 };
 use crate::robustness::robustness;
 use crate::search::{Candidate, Followed};
@@ -51,7 +52,11 @@ pub fn examine(
         evaluations: 0,
         seed: problem.seed,
         wall_time_s: 0.0,
-        best: best_design(problem, best, nearest_fold),
+        best: BestDesign {
+            nearest_fold,
+            noise: noise_power::noise_power(evaluator, &best.place)?,
+            ..best_design(problem, best)
+        },
     })
 }
 
@@ -89,11 +94,7 @@ fn limits(problem: &Problem, best: &Candidate, followed: Option<&Followed>) -> V
     limits.collect()
 }
 
-fn best_design(
-    problem: &Problem,
-    best: &Candidate,
-    nearest_fold: Option<NearestFold>,
-) -> BestDesign {
+fn best_design(problem: &Problem, best: &Candidate) -> BestDesign {
     let evaluation = &best.evaluation;
     let orbit = evaluation.orbit.as_ref();
     let [expected, expected_low, expected_high] = evaluation.expected_power_w;
@@ -117,7 +118,8 @@ fn best_design(
         basin_fraction_high: fraction_high,
         stable: orbit.is_some(),
         period_cycles: orbit.map_or(0, |orbit| orbit.period_cycles),
-        nearest_fold,
+        nearest_fold: None,
+        noise: None,
     }
 }
 

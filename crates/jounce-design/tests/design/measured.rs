@@ -1,6 +1,6 @@
 //! Designs under band-limited noise and under a recorded gait.
 
-use super::{LINEAR, outcome_of};
+use super::{LINEAR, harvester, outcome_of};
 use std::io::Write;
 use std::path::Path;
 
@@ -43,6 +43,37 @@ fn the_best_load_under_noise_is_that_of_a_scan() {
         power_w >= best_w && power_w < 1.02 * best_w,
         "{power_w} {best_w}"
     );
+    let noise = found.best.noise.unwrap();
+    let exact_w = mean_power_under_noise_w(load_ohm(&found.best.keys[0].value));
+    assert!(noise.realisations == 16 && noise.mean_power_high_w < 1.2 * exact_w);
+    assert!(
+        noise.mean_power_low_w < exact_w && exact_w < noise.mean_power_high_w,
+        "{noise:?} {exact_w}"
+    );
+}
+
+/// Returns a resistance from its text with the unit.
+fn load_ohm(text: &str) -> f64 {
+    let (number, unit) = text.split_once(' ').unwrap();
+    let factor = match unit {
+        "ohm" => 1.0,
+        "kohm" => 1e3,
+        other => panic!("{other}"),
+    };
+    factor * number.parse::<f64>().unwrap()
+}
+
+/// Returns `S / R` times the integral of `|V / F|^2` over the band from 5 to 20 Hz.
+fn mean_power_under_noise_w(resistance_ohm: f64) -> f64 {
+    const LINES: u32 = 30_000;
+    let step_hz = 15.0 / f64::from(LINES);
+    let harvester = harvester(resistance_ohm);
+    let square = |k: u32| {
+        harvester
+            .voltage_per_newton(5.0 + (f64::from(k) + 0.5) * step_hz)
+            .norm_sqr()
+    };
+    0.1 / resistance_ohm * step_hz * (0..LINES).map(square).sum::<f64>()
 }
 
 /// A foot that walks from 50 s to 180 s after 6 s of zeros.

@@ -265,7 +265,7 @@ fn put_branch(frame: &mut Frame, index: usize, branch: &ResponseBranch) {
 
 fn bifurcation(own: &ResponseBifurcation) -> Value {
     json!({
-        "branch": own.branch, "kind": own.kind, "x": own.parameter, "power": own.mean_power_w,
+        "branch": own.branch, "kind": own.kind, "x": own.parameter, "error": own.parameter_error, "power": own.mean_power_w,
         "voltage": own.voltage_rms_v, "penetration": own.max_penetration_m, "floquet": own.floquet_max_abs,
         "force": own.max_contact_force_n, "impact": own.max_impact_velocity_m_s, "displacement": own.displacement_peak_m,
         "contacts": own.contacts,

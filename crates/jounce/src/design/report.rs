@@ -2,7 +2,9 @@
 
 use super::DesignResult;
 use crate::error::Error;
-use jounce_design::{FreeValue, FrontPoint, Goal, LimitResult, NearestFold, SearchEnd, SobolIndex};
+use jounce_design::{
+    FreeValue, FrontPoint, Goal, LimitResult, NearestFold, NoisePower, SearchEnd, SobolIndex,
+};
 use jounce_io::table::{Column, Table};
 use std::collections::BTreeSet;
 
@@ -115,9 +117,8 @@ impl DesignResult {
                 if is_one { "" } else { " in the condition with the fewest" }
             ));
         }
-        if let Some(fold) = &best.nearest_fold {
-            lines.push(fold_text(fold));
-        }
+        lines.extend(best.nearest_fold.as_ref().map(fold_text));
+        lines.extend(best.noise.as_ref().map(noise_text));
         lines.extend(self.outcome.limits.iter().map(limit_text));
         lines.extend(self.outcome.robust.iter().flat_map(robust_lines));
         if !self.outcome.front.is_empty() {
@@ -215,6 +216,13 @@ fn fold_text(fold: &NearestFold) -> String {
     )
 }
 
+fn noise_text(noise: &NoisePower) -> String {
+    format!(
+        "noise            {:.6e} W ({:.3e} to {:.3e}) under {} realisations of the noise other than that of the search",
+        noise.mean_power_w, noise.mean_power_low_w, noise.mean_power_high_w, noise.realisations
+    )
+}
+
 fn limit_text(limit: &LimitResult) -> String {
     let price = limit.price.map_or_else(String::new, |price| {
         format!(
@@ -222,10 +230,10 @@ fn limit_text(limit: &LimitResult) -> String {
             0.01 * price * limit.limit
         )
     });
-    let state = if limit.active {
-        "binds"
-    } else {
-        "does not bind"
+    let state = match (limit.violation > 0.0, limit.active) {
+        (true, _) => "exceeded",
+        (false, true) => "binds",
+        (false, false) => "does not bind",
     };
     format!(
         "{:<16} {:.6e} of {:.6e}, {state}{price}",

@@ -110,6 +110,7 @@ impl LiveAnalysis {
     pub fn orbit(&self, place: &BranchPlace, control: &Control) -> Result<OrbitResult, Error> {
         let response = self.stored_response(place.response)?;
         let (cycles, point) = point_at(&response, place)?;
+        let point = bifurcation_at(&response, place).unwrap_or(point);
         let base = self.model(&response.spec, control)?;
         let parameter = response.parameter(&base);
         let shooting = Shooting::new(&parameter, &base.kernel, cycles, TOLERANCE);
@@ -147,6 +148,18 @@ pub(in crate::live) fn point_at<'r>(
             "this response has no such point; choose a point of its curves",
         )
     })
+}
+
+/// Returns the bifurcation of the branch at the requested value of the key. At a fixed value Newton's
+/// method finds no orbit from a neighbour of a fold.
+fn bifurcation_at<'r>(
+    response: &'r StoredResponse,
+    place: &BranchPlace,
+) -> Option<&'r BranchPoint> {
+    let parameter = place.parameter?;
+    let mut all = response.branches.get(place.branch)?.bifurcations.iter();
+    all.find(|own| own.at.parameter == parameter)
+        .map(|own| &own.at)
 }
 
 /// Returns the states at so many equally spaced times of the period.

@@ -70,6 +70,8 @@ pub struct ResponseBifurcation {
     pub kind: &'static str,
     /// Value of the key, SI.
     pub parameter: f64,
+    /// Estimated error of this value; `None` where it is not known.
+    pub parameter_error: Option<f64>,
     /// Mean power of all loads, W.
     pub mean_power_w: f64,
     /// Rms voltage of the first load, V.
@@ -141,6 +143,7 @@ impl ResponseBifurcation {
             branch,
             kind: bifurcation.kind.name(),
             parameter: bifurcation.at.parameter,
+            parameter_error: bifurcation.parameter_error,
             mean_power_w: orbit.mean_power_w,
             voltage_rms_v: orbit.voltage_rms_v,
             max_penetration_m: orbit.max_penetration_m,
