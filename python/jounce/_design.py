@@ -45,6 +45,16 @@ _ENDS = {
 }
 
 
+def _limit_text(limit: dict[str, Any]) -> str:
+    state = ", exceeded" if limit["violation"] > 0 else ", binds" if limit["active"] else ""
+    return f"{limit['value']:.6g} of {limit['limit']:.6g}{state}"
+
+
+def _noise_text(noise: dict[str, Any]) -> str:
+    interval = f"({noise['mean_power_low_w']:.3g} to {noise['mean_power_high_w']:.3g})"
+    return f"{noise['mean_power_w']:.6g} W {interval} under {noise['realisations']} other realisations of the noise"
+
+
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
 class DesignResult(Result):
     """Best design with its limits, its robustness and, for several goals, the front."""
@@ -104,20 +114,12 @@ class DesignResult(Result):
             goals.append((name, f"{now}{interval if name == 'expected-power' else ''}, before {before}"))
         keys = [(key, f"{self.value[k]}, before {self.before[k]}") for k, key in enumerate(self.key)]
         orbit = f"period {self.period_cycles}, {self.mean_power_w:.6g} W, reached by {100 * self.basin_fraction:.1f} % of the starts"
-        limits = [
-            (one["name"], f"{one['value']:.6g} of {one['limit']:.6g}{', exceeded' if one['violation'] > 0 else ', binds' if one['active'] else ''}")
-            for one in self.limits
-            if one["value"] is not None
-        ]
-        noise = (
-            f"{self.noise['mean_power_w']:.6g} W ({self.noise['mean_power_low_w']:.3g} to {self.noise['mean_power_high_w']:.3g}) "
-            f"under {self.noise['realisations']} other realisations"
-            if self.noise
-            else ""
-        )
+        limits = [(one["name"], _limit_text(one)) for one in self.limits if one["value"] is not None]
+        orbits = [("orbit", orbit)] if self.stable else []
+        noise = [("noise", _noise_text(self.noise))] if self.noise else []
         end = f"{self.evaluations} evaluations; {_ENDS[self.ended_by]}{'' if self.feasible else '; beyond the limits'}"
         warnings = [("warning", text) for text in self.warnings]
-        return [*goals, *keys, *([("orbit", orbit)] if self.stable else []), *([("noise", noise)] if noise else []), *limits, *warnings, ("search", end)]
+        return [*goals, *keys, *orbits, *noise, *limits, *warnings, ("search", end)]
 
     def _repr_html_(self) -> str:
         rows = [list(row) for row in zip(self.key, self.value, self.before, self.at_end)]

@@ -7,9 +7,9 @@ use super::orbit_stop::OrbitStop;
 use crate::error::Error;
 use crate::live::LiveAnalysis;
 use crate::live::responses::StoredResponse;
-use jounce_analysis::BranchPoint;
 use jounce_analysis::run::ExceededLimit;
-use jounce_continuation::{CorrectedPoint, Corrector, Metric, Position, correct_at};
+use jounce_analysis::{BranchPoint, Parameter};
+use jounce_continuation::{CorrectedPoint, Corrector, Metric, Position, Problem, correct_at};
 use jounce_control::Control;
 use jounce_dynamics::TrajectoryState;
 use jounce_model::plant::Stop;
@@ -110,17 +110,13 @@ impl LiveAnalysis {
     pub fn orbit(&self, place: &BranchPlace, control: &Control) -> Result<OrbitResult, Error> {
         let response = self.stored_response(place.response)?;
         let (cycles, point) = point_at(&response, place)?;
-        let point = bifurcation_at(&response, place).unwrap_or(point);
         let base = self.model(&response.spec, control)?;
         let parameter = response.parameter(&base);
         let shooting = Shooting::new(&parameter, &base.kernel, cycles, TOLERANCE);
-        let position = Position {
-            unknown: point.orbit.start().to_vec(),
-            parameter: place.parameter.unwrap_or(point.parameter),
+        let (orbit, solution) = match bifurcation_at(&response, place) {
+            Some(own) => own_orbit(&shooting, own)?,
+            None => corrected(&shooting, point, place.parameter.unwrap_or(point.parameter))?,
         };
-        let metric = Metric::at(&position, 1.0);
-        let solution = correct_at(&shooting, &CORRECTOR, &metric, position)?;
-        let orbit = shooting.orbit(&solution.local, solution.error)?;
         let shapes = self.shapes(&response.spec)?;
         let motion = motion::of_bodies(&solution.local, &shapes);
         let limits = limits::reached(&response.spec, &solution.local);
@@ -150,8 +146,47 @@ pub(in crate::live) fn point_at<'r>(
     })
 }
 
-/// Returns the bifurcation of the branch at the requested value of the key. At a fixed value Newton's
-/// method finds no orbit from a neighbour of a fold.
+/// Orbit with its motion.
+type Solution = (Orbit, CorrectedPoint<ShootingEvaluation>);
+
+/// Returns the orbit at a value of the key from a point near it.
+fn corrected(
+    shooting: &Shooting<'_, Parameter<'_>>,
+    point: &BranchPoint,
+    parameter: f64,
+) -> Result<Solution, Error> {
+    let position = Position {
+        unknown: point.orbit.start().to_vec(),
+        parameter,
+    };
+    let metric = Metric::at(&position, 1.0);
+    let solution = correct_at(shooting, &CORRECTOR, &metric, position)?;
+    Ok((shooting.orbit(&solution.local, solution.error)?, solution))
+}
+
+/// Returns the orbit of a bifurcation as it was located. At a fixed value of the key Newton's method
+/// finds no orbit at a fold.
+fn own_orbit(
+    shooting: &Shooting<'_, Parameter<'_>>,
+    bifurcation: &BranchPoint,
+) -> Result<Solution, Error> {
+    let (orbit, parameter) = (bifurcation.orbit.clone(), bifurcation.parameter);
+    let position = Position {
+        unknown: orbit.start().to_vec(),
+        parameter,
+    };
+    let local = shooting.at(orbit.start(), parameter)?;
+    let error = orbit.error_estimate;
+    let solution = CorrectedPoint {
+        position,
+        local,
+        error,
+        evaluations: 1,
+    };
+    Ok((orbit, solution))
+}
+
+/// Returns the bifurcation of the branch at the requested value of the key.
 fn bifurcation_at<'r>(
     response: &'r StoredResponse,
     place: &BranchPlace,
