@@ -71,7 +71,7 @@ pub struct BestDesign {
 }
 
 /// Mean power of the best design under realisations of the noise of its spec. The search uses one
-/// realisation, and its best design is partly the best for that one only.
+/// realisation and fits the design to it, so its own power tends to be too high.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct NoisePower {
     /// Number of realisations of each condition.

@@ -65,6 +65,9 @@ pub struct EnsembleResult {
 }
 
 impl Ensemble<'_> {
+    /// Number of members where not given.
+    pub const DEFAULT_MEMBERS: usize = 16;
+
     /// Integrates the members. After cancellation the result covers the finished members, possibly
     /// zero.
     ///

@@ -9,11 +9,12 @@ use crate::DesignError;
 use crate::evaluation::{Evaluation, Evaluator, examined_fold};
 use crate::problem::{FreeKey, FreeValues, Goal, Problem};
 use crate::result::{
-    BestDesign, DesignBefore, DesignOutcome, FreeValue, Improvement, LimitResult, SearchEnd,
-    TracePoint,
+    BestDesign, DesignBefore, DesignOutcome, FreeValue, Improvement, LimitResult, NearestFold,
+    NoisePower, SearchEnd, TracePoint,
 };
 use crate::robustness::robustness;
 use crate::search::{Candidate, Followed};
+use noise_power::noise_power;
 use std::collections::BTreeMap;
 
 /// Share of a limit above which it binds.
@@ -37,6 +38,7 @@ pub fn examine(
     let orbit = followed.as_ref().zip(evaluation.orbit.as_ref());
     let nearest_fold = orbit
         .and_then(|(followed, orbit)| examined_fold(&followed.model, orbit, &problem.tolerances));
+    let noise = noise_power(evaluator, &best.place)?;
     let mut warnings = effects::warnings(evaluator, best, followed.as_ref())?;
     warnings.extend(effects::unsettled(problem, evaluation));
     Ok(DesignOutcome {
@@ -52,11 +54,7 @@ pub fn examine(
         evaluations: 0,
         seed: problem.seed,
         wall_time_s: 0.0,
-        best: BestDesign {
-            nearest_fold,
-            noise: noise_power::noise_power(evaluator, &best.place)?,
-            ..best_design(problem, best)
-        },
+        best: best_design(problem, best, nearest_fold, noise),
     })
 }
 
@@ -94,7 +92,12 @@ fn limits(problem: &Problem, best: &Candidate, followed: Option<&Followed>) -> V
     limits.collect()
 }
 
-fn best_design(problem: &Problem, best: &Candidate) -> BestDesign {
+fn best_design(
+    problem: &Problem,
+    best: &Candidate,
+    nearest_fold: Option<NearestFold>,
+    noise: Option<NoisePower>,
+) -> BestDesign {
     let evaluation = &best.evaluation;
     let orbit = evaluation.orbit.as_ref();
     let [expected, expected_low, expected_high] = evaluation.expected_power_w;
@@ -118,8 +121,8 @@ fn best_design(problem: &Problem, best: &Candidate) -> BestDesign {
         basin_fraction_high: fraction_high,
         stable: orbit.is_some(),
         period_cycles: orbit.map_or(0, |orbit| orbit.period_cycles),
-        nearest_fold: None,
-        noise: None,
+        nearest_fold,
+        noise,
     }
 }
 

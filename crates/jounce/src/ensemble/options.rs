@@ -2,6 +2,7 @@
 
 use crate::error::Error;
 use crate::options::defaults;
+use jounce_analysis::Ensemble;
 use serde::{Deserialize, Serialize};
 
 /// Largest number of members of a round.
@@ -14,7 +15,7 @@ const MIN_SPECTRUM_MEMBERS: usize = 2;
 #[serde(default, deny_unknown_fields)]
 pub struct EnsembleOptions {
     /// Number of realisations; with a relative width, number per round.
-    #[arg(long, default_value_t = 16)]
+    #[arg(long, default_value_t = Ensemble::DEFAULT_MEMBERS)]
     pub members: usize,
     /// Seed of the realisations.
     #[arg(long, default_value_t = 1)]

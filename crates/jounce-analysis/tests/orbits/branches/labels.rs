@@ -112,7 +112,7 @@ fn a_doubled_branch_reaches_from_doubling_to_doubling_without_labels_there() {
     for method in METHODS {
         let branches_found = branches_of(&file, (4.0, 5.2), method, 0, 2);
         let (doubled, parents): (Vec<_>, Vec<_>) =
-            (branches_found.iter()).partition(|b| b.period_cycles == 2);
+            (branches_found.iter()).partition(|branch| branch.period_cycles == 2);
         let doublings: Vec<f64> = (parents.iter().flat_map(|branch| &branch.bifurcations))
             .filter(|label| label.kind == BranchKind::PeriodDoubling)
             .map(|label| label.at.parameter)

@@ -2,6 +2,7 @@
 
 use super::limits;
 use super::motion;
+use super::orbit::TOLERANCE;
 use crate::basins::{AttractorResult, BasinsOptions, BasinsResult};
 use crate::error::Error;
 use crate::live::analysis::Shapes;
@@ -11,9 +12,6 @@ use jounce_analysis::{KeyLine, Model};
 use jounce_control::Control;
 use jounce_orbits::{OrbitQuantity, ParametricModel, Shooting, ShootingEvaluation};
 use serde::Serialize;
-
-/// Relative tolerance of the integration.
-const TOLERANCE: f64 = 1e-9;
 
 /// Attractors at the operating point of a design.
 #[derive(Debug, Clone, PartialEq)]
@@ -71,12 +69,14 @@ impl AttractorPeaks {
     fn of(attractor: &AttractorResult, base: &Model, shapes: &Shapes) -> Self {
         let period = period(attractor, base);
         let over_period = period.map(|period| Self::over_period(&period, base, shapes));
-        let found = attractor.warnings.iter().cloned().map(Warning::Limit);
-        over_period.unwrap_or_else(|| Self {
-            strain_peak: None,
-            voltage_peak_v: None,
-            limits: Vec::new(),
-            warnings: found.map(|warning| warning.to_string()).collect(),
+        over_period.unwrap_or_else(|| {
+            let found = attractor.warnings.iter().cloned().map(Warning::Limit);
+            Self {
+                strain_peak: None,
+                voltage_peak_v: None,
+                limits: Vec::new(),
+                warnings: found.map(|warning| warning.to_string()).collect(),
+            }
         })
     }
 

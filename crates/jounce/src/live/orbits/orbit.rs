@@ -26,7 +26,7 @@ const MIN_SAMPLES_PER_CYCLE: usize = 60;
 /// Largest frequency of the spectrum, in orders of the drive.
 const MAX_SPECTRUM_ORDER: f64 = 12.0;
 /// Relative tolerance of the integration.
-const TOLERANCE: f64 = 1e-9;
+pub(super) const TOLERANCE: f64 = 1e-9;
 /// Goal of Newton's method and its largest number of iterations.
 const CORRECTOR: Corrector = Corrector {
     goal: 50.0 * TOLERANCE,
