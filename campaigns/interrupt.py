@@ -30,7 +30,7 @@ from trial import BUSY, Trial, Violation
 
 SIGNALS = ("SIGKILL", "SIGTERM", "SIGINT")
 PROGRESS = re.compile(r"^continuing after| so far$| left$")
-FULL = ("No space left on device", "File too large")
+FULL = ("no space left on device", "file too large")
 
 
 def is_whole(name, content):

@@ -13,7 +13,7 @@ import numpy as np
 from ._errors import ArgumentError, FileError
 from ._fields import About, Along
 from ._format import html_table
-from ._quantity import toml
+from ._quantity import inline_toml, toml
 from ._result import Floats, Result, column
 
 if TYPE_CHECKING:
@@ -47,7 +47,9 @@ _ENDS = {
 
 def _limit_text(limit: dict[str, Any]) -> str:
     state = ", exceeded" if limit["violation"] > 0 else ", binds" if limit["active"] else ""
-    return f"{limit['value']:.6g} of {limit['limit']:.6g}{state}"
+    noise = limit["noise"]
+    others = f", beyond it in {noise['exceeded']} of {noise['realisations']} other realisations of the noise" if noise else ""
+    return f"{limit['value']:.6g} of {limit['limit']:.6g}{state}{others}"
 
 
 def _noise_text(noise: dict[str, Any]) -> str:
@@ -87,7 +89,11 @@ class DesignResult(Result):
     ]
     limits: Annotated[
         list[dict[str, Any]],
-        About("limits: ``name``, ``value``, ``limit``, ``violation``, ``active``, ``price``; SI"),
+        About(
+            "limits: ``name``, ``value``, ``limit``, ``violation``, ``active``, ``price``, ``noise``; SI. ``value`` is the worst of all "
+            "conditions, attractors and realisations; ``noise`` has ``realisations``, ``exceeded``, ``exceeded_fraction_low`` and "
+            "``exceeded_fraction_high``, of other realisations than that of the search, or is ``None``"
+        ),
     ]
     robust: Annotated[dict[str, Any] | None, About("quantiles and Sobol indices of the power; ``None`` without tolerances")]
     front: Annotated[list[dict[str, Any]], About("designs that no other beats in all goals: ``set`` and ``goals``; empty for one goal")]
@@ -173,7 +179,7 @@ def problem_text(problem: str | PathLike[str] | Mapping[str, Any]) -> tuple[str,
 
 def _condition(condition: Mapping[str, Any]) -> str:
     rest = {key: value for key, value in condition.items() if key != "set"}
-    return f"\n[[conditions]]\n{toml(rest)}\n[conditions.set]\n{toml(dict(condition.get('set', {})))}"
+    return f"\n[[conditions]]\nset = {inline_toml(condition.get('set', {}))}\n{toml(rest)}"
 
 
 def make_design(result: dict[str, Any], spec: Spec, manifest: dict[str, Any]) -> DesignResult:

@@ -118,6 +118,11 @@ def toml(tables: Mapping[str, Any]) -> str:
     return "\n".join(lines).strip() + "\n"
 
 
+def inline_toml(table: Mapping[str, Any]) -> str:
+    """Returns a table in one line of TOML."""
+    return _value(plain(table, "spec"))
+
+
 def _table(table: dict[str, Any], path: str, lines: list[str]) -> None:
     entries = {key: value for key, value in table.items() if not isinstance(value, dict)}
     if path and (entries or not table):

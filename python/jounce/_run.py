@@ -45,8 +45,8 @@ class RunResult(Result):
             "load",
             "V",
             "voltage, peak",
-            detail="largest magnitude within a period of the orbit where the run has settled, else within the last eight drive cycles; "
-            "NaN without a common period and without a record",
+            detail="largest magnitude in the averaging window; NaN without a record of it: "
+            "with drives without a common period, and with more than 10000 drive cycles without steady state",
         ),
     ]
     patch: Annotated[list[str], About("names of the patches")]
@@ -166,7 +166,7 @@ class RunResult(Result):
             if self.settled and self.period_cycles is not None
             else f"NOT settled, change {self.periodicity_change:.1e}"
         )
-        cause = "a regulator switches at its own times" if self.device else "the drives have no common period"
+        cause = "a regulator switches at its own times" if self.device else "no drives with a common period"
         settled = f"no period: {cause}" if self.settled is None else settled
         return [
             ("mean power", f"{self.mean_power_w:.6e} W"),
@@ -210,7 +210,7 @@ class RunResult(Result):
     def to_xarray(self) -> Dataset:
         """Returns an ``xarray.Dataset`` of the means over loads, patches, circuits and stops, without the record."""
         settling = {
-            "settled": Variable((), bool(self.settled), "1", "settled when averaged"),
+            "settled": Variable((), bool(self.settled), "1", "settled at the end of the average"),
             "period_cycles": Variable((), self.period_cycles or 0, "1", "period in drive cycles, 0 without a period"),
         }
         coords = {

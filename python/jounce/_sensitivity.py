@@ -35,6 +35,15 @@ class SensitivityResult(Result):
     derivative: Annotated[Floats, Along("key quantity", "", "derivative of the result by the key, SI")]
     relative: Annotated[Floats, Along("key quantity", "1", "relative change of the result per relative change of the key")]
     relative_error: Annotated[Floats, Along("key quantity", "1", "estimated error of the relative change")]
+    grazing_change: Annotated[Floats, Along("key", "", "change of the key that leads to the nearest grazing, to first order, SI")]
+    grazing: Annotated[
+        dict[str, str] | None,
+        About(
+            "nearest grazing: ``stop``; ``turning_point``, ``maximum`` where a contact appears or ``minimum`` where one is divided; "
+            "``side`` of the orbit, ``contact`` or ``no-contact``; derivatives ``across`` the grazing, ``continuous``, ``jump`` or "
+            "``unbounded``"
+        ),
+    ]
     failed: Annotated[dict[str, str], About("keys without derivatives, with the reason")]
 
     def __len__(self) -> int:
@@ -98,5 +107,7 @@ def make_sensitivity(result: dict[str, Any], manifest: dict[str, Any]) -> Sensit
         derivative=table("derivative"),
         relative=table("relative"),
         relative_error=table("relative_error"),
+        grazing_change=np.array([np.nan if one["grazing_change"] is None else one["grazing_change"] for one in keys], dtype=np.float64),
+        grazing=result["grazing"],
         failed={one["key"]: one["reason"] for one in result["failed"]},
     )

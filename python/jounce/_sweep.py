@@ -32,7 +32,7 @@ class SweepResult(Result):
     voltage_rms_v: Annotated[Floats, Along("point", "V", "rms voltage of the first load, else of the output of the first rectifier")]
     max_penetration_m: Annotated[Floats, Along("point", "m", "largest penetration of the stop")]
     contact_rate_hz: Annotated[Floats, Along("point", "1/s", "contacts per second")]
-    settled: Annotated[Truths, Along("point", "1", "settled when averaged")]
+    settled: Annotated[Truths, Along("point", "1", "settled at the end of the average")]
     period_cycles: Annotated[Integers, Along("point", "1", "period in drive cycles")]
     energy_residual_relative: Annotated[Floats, Along("point", "1", "energy residual of the run")]
     simulated_time_s: Annotated[Floats, Along("point", "s", "simulated time")]

@@ -25,13 +25,17 @@ SHORT = {"drive.shaker.amplitude": "50 N", "drive.shaker.frequency": "11 Hz", "r
 SHORTER = {**SHORT, "run.duration": "1 s", "run.average_over": "0.5 s"}
 
 
-#: Tests that take longest: an environment with every library, and the checks of types.
-LONGEST = ("test_readme_works_in_an_empty_environment", "test_types", "test_pyright_accepts_the_package_and_a_program")
+def pytest_addoption(parser):
+    parser.addoption("--all", action="store_true", help="run the tests marked as long, too")
 
 
-def pytest_collection_modifyitems(items):
-    """The longest first, so that at the end no process waits for one of them."""
-    items.sort(key=lambda item: not item.name.startswith(LONGEST))
+def pytest_collection_modifyitems(config, items):
+    """The long ones first, so that at the end no process waits for one of them; only with --all."""
+    items.sort(key=lambda item: item.get_closest_marker("long") is None)
+    if not config.getoption("--all"):
+        for item in items:
+            if item.get_closest_marker("long"):
+                item.add_marker(pytest.mark.skip(reason="long: runs with ./test --all"))
 
 
 def sine(peak, frequency_hz, rate_hz, seconds):

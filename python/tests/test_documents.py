@@ -40,6 +40,7 @@ def test_the_blocks_of_a_document_run_in_sequence(document, tmp_path):
         pytest.skip(f"{', '.join(sorted(missing))} is not installed, so its recipes in {document.name} did not run")
 
 
+@pytest.mark.long
 def test_readme_works_in_an_empty_environment(tmp_path):
     """The install command of README, run with the wheel that the tests were given in place of the sources where there is one."""
     command = re.search(r"^(pip install .*)$", (ROOT / "README.md").read_text(encoding="utf-8"), re.MULTILINE)

@@ -36,6 +36,7 @@ def test_it_is_stored_without_outputs(notebook):
     assert all(not cell.outputs and cell.execution_count is None for cell in code)
 
 
+@pytest.mark.long
 # The kernel and its client warn of their own future changes.
 @pytest.mark.filterwarnings("ignore::DeprecationWarning", "ignore::ResourceWarning")
 def test_it_leads_from_the_question_to_a_drawing(notebook, tmp_path):

@@ -9,6 +9,7 @@ from conftest import ROOT
 NOTEBOOKS = sorted((ROOT / "python/notebooks").glob("*.py"))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("notebook", NOTEBOOKS, ids=lambda path: path.stem)
 def test_a_notebook_runs(notebook):
     runpy.run_path(str(notebook))

@@ -15,6 +15,7 @@ def has_unit(axis):
     return "[" in axis.get_label_text() or bool(getattr(formatter, "unit", "")) or is_named
 
 
+@pytest.mark.long
 def test_every_quantity_of_every_result_is_drawn_with_units_on_every_axis(results):
     for result in results:
         assert result.quantities and len(set(result.quantities)) == len(result.quantities), type(result)

@@ -100,4 +100,4 @@ def test_an_oscillator_in_noise_equals_its_closed_form():
 
 def test_a_run_under_noise_has_no_period_to_settle_to():
     result = jounce.examples()["random-base"].changed({"run.duration": "2 s", "run.average_over": "1 s"}).run()
-    assert result.settled is None and result.period_cycles is None and "no common period" in repr(result)
+    assert result.settled is None and result.period_cycles is None and "no drives with a common period" in repr(result)

@@ -10,6 +10,7 @@ from conftest import ROOT
 STUBTEST_SETTINGS = "[mypy]\n[mypy-jounce]\nfollow_imports = skip\n"
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("tool", ["mypy", "stubtest"])
 def test_types(tool, tmp_path):
     settings = tmp_path / "stubtest.ini"
@@ -28,6 +29,7 @@ def test_the_stubs_equal_the_sources():
     assert stored == generated, "make them again: python -P python/stubs.py > python/jounce/_core.pyi"
 
 
+@pytest.mark.long
 def test_pyright_accepts_the_package_and_a_program():
     pytest.importorskip("pyright")
     command = [sys.executable, "-m", "pyright", "--pythonpath", sys.executable]

@@ -4,6 +4,7 @@ import type { Design } from "./design";
 import type { Frame } from "./frame";
 import type { Response } from "./response";
 import type { FieldFault, Rows } from "./rows";
+import type { Selection } from "./selection";
 import type { Wire } from "./wire";
 
 const find = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;
@@ -14,7 +15,7 @@ export class Band {
     /** What was requested last: orbit and tolerances. */
     private requested = "";
 
-    constructor(private readonly wire: Wire, private readonly design: Design, private readonly response: Response, private readonly rows: Rows) {
+    constructor(private readonly wire: Wire, private readonly design: Design, private readonly response: Response, private readonly selection: Selection, private readonly rows: Rows) {
         wire.on("band", (frame) => this.take(frame));
         this.box.onchange = () => this.follow();
         rows.list.addEventListener("change", () => this.follow());
@@ -23,7 +24,7 @@ export class Band {
     /** Requests the band of a searched response at the operating point, where it is not known. */
     follow(): void {
         const { result } = this.response;
-        const place = this.response.operatingPlace;
+        const { operating: place } = this.selection;
         const isKnown = result !== undefined && result.draft === undefined && !this.response.isOld && place !== undefined;
         const wanted = this.box.checked && isKnown ? JSON.stringify([result.id, place, this.rows.pairs]) : "";
         if (wanted === this.requested) return;

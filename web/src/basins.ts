@@ -3,9 +3,11 @@
 import { Chart } from "./chart";
 import type { Design } from "./design";
 import type { Frame } from "./frame";
-import type { ShownOrbit } from "./shown-orbit";
+import type { LegendEntry } from "./legend";
+import type { AttractorPlace, ShownOrbit } from "./shown-orbit";
 import { colour, shade } from "./theme";
 import { digits, quantity } from "./units";
+import { Plane } from "./plane";
 import { Stale } from "./stale";
 import type { Request, Wire } from "./wire";
 
@@ -29,16 +31,29 @@ export class Basins {
     private readonly bar = find<HTMLProgressElement>("basins-progress");
     private frame: Frame | undefined;
     private running = false;
+    /** Plane of the last request. */
+    private requested = "";
     /** Number of the start that was clicked. */
     private picked: number | undefined;
+    /** Why the last attractor that was picked has no orbit to show. */
+    private refusal = () => "";
     /** Direction of the displacement and the velocity of a start. */
     private direction = "";
-    /** Called with the attractor that is clicked; returns false where its orbit cannot be shown. */
-    onPick: (attractor: Attractor) => boolean = () => false;
+    /** Called with the attractor that is clicked. */
+    onPick: (place: AttractorPlace) => void = () => {};
+    /** Called when another plane is chosen. */
+    onPlane: () => void = () => {};
+    /** Called with new basins, which may have the orbit that is shown. */
+    onTake: () => void = () => {};
+    /** The plane of starts. */
+    readonly plane = new Plane(() => {
+        this.stale.mark();
+        this.onPlane();
+    });
     private readonly stale: Stale;
 
     constructor(private readonly wire: Wire, private readonly design: Design, private readonly orbit: ShownOrbit) {
-        this.stale = new Stale(find("panel-basins"), find("basins-stale"), design);
+        this.stale = new Stale(find("panel-basins"), find("basins-stale"), design, () => this.plane.text);
         wire.on("basins", (frame, request) => this.take(frame, request));
         find("basins-run").onclick = () => (this.running ? this.stop() : this.run());
         const { host } = this.chart;
@@ -48,8 +63,13 @@ export class Basins {
     }
 
     run(): void {
-        const starts = Number(find<HTMLSelectElement>("basins-starts").value);
-        this.set(this.wire.ask("basins", { set: this.design.pairs, starts, tolerance: TOLERANCE }) !== 0);
+        const { fault, options } = this.plane;
+        if (fault) {
+            this.words.textContent = fault;
+            return;
+        }
+        this.set(this.wire.ask("basins", { set: this.design.pairs, ...options, tolerance: TOLERANCE }) !== 0);
+        this.requested = this.plane.text;
         this.bar.value = 0;
         this.words.textContent = "integrating";
     }
@@ -97,11 +117,13 @@ export class Basins {
             this.set(false);
             this.frame = frame;
             this.picked = undefined;
+            this.refusal = () => "";
             find("basins-about").hidden = true;
-            this.stale.shows(request);
+            this.stale.shows(request, this.requested);
+            this.onTake();
             this.tellOrbit();
             const [expected, low, high] = [head.expected_power_w, head.expected_power_low_w, head.expected_power_high_w].map((watt) => quantity(watt, "W"));
-            this.words.textContent = `at ${quantity(head.frequency_hz, "Hz")}: expected power ${expected} (95 %: ${low} to ${high})${head.failed.length > 0 ? `, ${head.failed.length} runs failed` : ""}`;
+            this.words.textContent = `at ${quantity(head.frequency_hz, "Hz")}: expected power ${expected} (95 %: ${low} to ${high})${head.failed.length > 0 ? `, ${head.failed.length} runs failed` : ""}; ${this.plane.taken(frame)}`;
             this.redraw();
         }
     }
@@ -143,16 +165,21 @@ export class Basins {
     }
 
     private pick(attractor: Attractor | undefined): void {
-        if (!attractor) this.note.textContent = "This start has no attractor.";
-        else if (this.stale.isOld) this.note.textContent = "These basins are of an earlier design; run them again.";
-        else if (attractor.period_cycles === 0 || !this.onPick(attractor)) this.note.textContent = `No branch of the response has the orbit of ${attractor.id}.`;
-        else this.note.textContent = `The orbit of ${attractor.id} is being computed.`;
+        this.refusal = () => {
+            if (!attractor) return "This start has no attractor.";
+            if (this.stale.isOld) return "These basins are of an earlier design; run them again.";
+            return attractor.period_cycles === 0 ? `${attractor.id} has no periodic orbit.` : "";
+        };
+        this.tellOrbit();
+        if (!attractor || this.refusal() !== "") return;
+        this.note.textContent = `The orbit of ${attractor.id} is being computed.`;
+        this.onPick({ attractors: this.frame!.head.id, attractor: attractor.id });
     }
 
-    /** Names the attractor whose orbit is shown. */
+    /** Names the attractor whose orbit is shown, or says why the picked one has none. */
     tellOrbit(): void {
-        const shown = this.frame && !this.stale.isOld ? this.orbit.among(this.frame.head.attractors as Attractor[]) : undefined;
-        this.note.textContent = shown ? `The orbit of ${shown.id} is shown.` : "";
+        const shown = this.frame && !this.stale.isOld ? this.orbit.among(this.frame.head.id) : undefined;
+        this.note.textContent = this.refusal() || (shown ? `The orbit of ${shown} is shown.` : "");
     }
 
     /** The starts, and the attractor where each ends. */
@@ -167,6 +194,14 @@ export class Basins {
         return `displacement_m,velocity_m_s,attractor,period_cycles,mean_power_w\n${lines.join("\n")}\n`;
     }
 
+    /** Legend of the map: the attractors. */
+    legend(): LegendEntry[] {
+        const attractors = (this.frame?.head.attractors ?? []) as Attractor[];
+        const known = attractors.map((own, k) => ({ words: attractorWords(own), colour: shade(k), area: true }));
+        const isLost = this.frame?.array("attractor").includes(-1);
+        return [...known, ...(isLost ? [{ words: "no attractor", colour: colour("grey"), area: true }] : [])];
+    }
+
     redraw(): void {
         if (!this.frame) return;
         const { head } = this.frame;
@@ -179,12 +214,11 @@ export class Basins {
             return { x: own.map((index) => x[index]), y: own.map((index) => y[index]), colour: k < 0 ? colour("grey") : shade(k), cell };
         });
         this.chart.show({ words: `Displacement${this.direction}`, unit: "m", ends: ends(x, cell[0]) }, { words: `Velocity${this.direction}`, unit: "m/s", ends: ends(y, cell[1]) }, curves, this.picked === undefined ? [] : [{ x: x[this.picked], y: y[this.picked], colour: colour("ink"), shape: "ring", size: 7 }]);
-        const share = (value: number) => `${digits(100 * value, 3)} %`;
         const legend = attractors.map((a, k) => {
             const item = document.createElement("li");
             item.style.setProperty("--own", shade(k));
             const button = document.createElement("button");
-            button.textContent = `${a.id}: ${share(a.fraction)} of the starts of the map (${share(a.fraction_low)} to ${share(a.fraction_high)}), ${quantity(a.mean_power_w, "W")}`;
+            button.textContent = attractorWords(a);
             button.title = "Show the orbit";
             button.onclick = () => this.pick(a);
             item.append(button);
@@ -193,6 +227,12 @@ export class Basins {
         find("attractors").replaceChildren(...legend);
         this.chart.host.setAttribute("aria-label", `Attractors of ${x.length} starts. ${legend.map((item) => item.textContent).join("; ")}`);
     }
+}
+
+/** Share of the starts of an attractor, and its power. */
+function attractorWords(own: Attractor): string {
+    const share = (value: number) => `${digits(100 * value, 3)} %`;
+    return `${own.id}: ${share(own.fraction)} of the starts of the map (${share(own.fraction_low)} to ${share(own.fraction_high)}), ${quantity(own.mean_power_w, "W")}`;
 }
 
 /** Distance between neighbouring values of a grid. */

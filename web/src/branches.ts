@@ -57,6 +57,8 @@ export interface ResponseResult {
     draft: Draft | undefined;
     /** Branches that the search may miss. */
     note: string;
+    /** Branches that the search has left for lack of budget. */
+    budgetNote: string;
 }
 
 /** Branches before the search has ended: `first` for the harvester without contact alone. */
@@ -80,7 +82,7 @@ export function resultOf(frame: Frame, { design }: Request): ResponseResult {
         return { identity: k, period: branch.period, x: frame.array(`${k}.x`), values: values as Branch["values"], contacts: frame.array(`${k}.contacts`), error: frame.array(`${k}.error`) };
     });
     const linear = { x: frame.array("linear.x"), power: frame.array("linear.power") };
-    return { id: head.id, design, over: head.over, unit: head.unit, branches, bifurcations: head.bifurcations, linear, storage: head.storage, draft: head.stage === "first" ? { origin: "first", lost_share: 1, error: null } : head.draft ?? undefined, note: head.note ?? "" };
+    return { id: head.id, design, over: head.over, unit: head.unit, branches, bifurcations: head.bifurcations, linear, storage: head.storage, draft: head.stage === "first" ? { origin: "first", lost_share: 1, error: null } : head.draft ?? undefined, note: head.note ?? "", budgetNote: head.budget_note ?? "" };
 }
 
 /** Whether the line from a point of a branch to the next is not drawn: a draft does not know its curve there. */
@@ -124,42 +126,19 @@ function away(branch: Branch, point: number, x: number, power: number, span: num
     return Math.hypot((branch.x[point] - x) / span, 0.2 * (level(branch.values.power[point]) - level(power)));
 }
 
-/** The point of a new response nearest to a point of an old one. */
-export function nearest(result: ResponseResult, x: number, power: number, span: number): Place | undefined {
-    let found: Place | undefined;
-    let least = Infinity;
-    result.branches.forEach((branch, k) => {
-        for (let point = 0; point < branch.x.length; point++) {
-            const own = away(branch, point, x, power, span);
-            if (own < least) [least, found] = [own, { branch: k, point }];
-        }
-    });
-    return found;
-}
-
-/** Largest difference of the powers of an attractor and of its branch, on the scale of `away`. */
-const SAME_POWER = 0.05;
-
-/** Whether two powers may be those of one orbit. */
-export const isSamePower = (one: number, other: number): boolean => 0.2 * Math.abs(level(one) - level(other)) < SAME_POWER;
-
-/** A point of a stable branch next to a value of the key: of the given attractor, or of the largest power. */
-export function operating(result: ResponseResult, x: number, attractor: { power: number; period: number } | undefined): Place | undefined {
-    let found: Place | undefined;
-    let least = attractor ? SAME_POWER : Infinity;
-    result.branches.forEach((branch, k) => {
-        if (attractor && branch.period !== attractor.period) return;
-        const { power } = branch.values;
-        for (let point = 0; point + 1 < branch.x.length; point++) {
-            const share = (x - branch.x[point]) / (branch.x[point + 1] - branch.x[point]);
+/** A stable point next to a value of the key: of the branch of a number, or else of the largest power. */
+export function stablePlace(result: ResponseResult, x: number, identity: number | undefined): Place | undefined {
+    const found: (Place & { isSame: boolean; power: number })[] = [];
+    result.branches.forEach((own, branch) => {
+        for (let from = 0; from + 1 < own.x.length; from++) {
+            const share = (x - own.x[from]) / (own.x[from + 1] - own.x[from]);
             if (!(share >= 0 && share <= 1)) continue;
-            const near = share < 0.5 ? point : point + 1;
-            const logarithm = (1 - share) * level(power[point]) + share * level(power[point + 1]);
-            const own = attractor ? 0.2 * Math.abs(logarithm - level(attractor.power)) : -logarithm;
-            if (isStable(branch, near) && own < least) [least, found] = [own, { branch: k, point: near }];
+            const point = share < 0.5 ? from : from + 1;
+            if (isStable(own, point)) found.push({ branch, point, isSame: own.identity === identity, power: own.values.power[point] });
         }
     });
-    return found;
+    const [first] = found.sort((a, b) => Number(b.isSame) - Number(a.isSame) || b.power - a.power);
+    return first && { branch: first.branch, point: first.point };
 }
 
 /** Value of the key and of a quantity between a point of a branch and one of its neighbours. */

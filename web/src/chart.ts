@@ -1,11 +1,13 @@
 // Chart of curves on axes: uPlot draws axes, grid and scales.
 
 import uPlot from "uplot";
+import { mirror } from "./mirror";
 import { type Nearest, nearestPoint } from "./nearest";
 import { apart, type Curve, type Mark, type Rule, unitCircle, drawCurve, drawMark, drawRule, drawWords } from "./paint";
 import type { Drawn } from "./print";
 import { record } from "./recorder";
 import { colour } from "./theme";
+import { decades, labelled } from "./ticks";
 import { axisUnit, digits } from "./units";
 
 export interface Axis {
@@ -22,13 +24,11 @@ export interface Axis {
 
 export type Range = [number, number];
 
-/** Ratio of the ends of a logarithmic axis below which it has the steps of a linear one. */
-const NARROW = 4;
-/** Ratio above which only powers of ten have a label. */
-const MANY = 300;
-
 /** Smallest width of a magnified axis, relative to its values: the labels of its lines differ. */
 const NARROWEST = 1e-4;
+
+/** Room for a label of a logarithmic axis, horizontally and vertically, CSS pixels. */
+const SPACE = [60, 18];
 
 /** Pixels of axes and margins in a small chart, horizontally and vertically. */
 export const AROUND = [56, 38];
@@ -48,8 +48,8 @@ export class Chart implements Drawn {
     private full: [Range, Range] = [[0, 1], [0, 1]];
     private part: [Range, Range] | undefined;
     private readonly pointers: HTMLElement[] = [];
-    /** Called when another part is magnified. */
-    onZoom: () => void = () => {};
+    /** Called when another part is magnified; `byUser` is false where another range or quantity ends it. */
+    onZoom: (byUser: boolean) => void = () => {};
     private round = false;
     /** Words in place of curves that are not computed yet. */
     waiting = "";
@@ -66,10 +66,10 @@ export class Chart implements Drawn {
         const before = JSON.stringify([this.x, this.y.words, this.y.log]);
         [this.x, this.y, this.curves, this.marks, this.rules, this.round] = [x, y, curves, marks, rules, round];
         // Another range or quantity is shown complete.
-        if (this.part && before !== JSON.stringify([x, y.words, y.log])) this.magnify(undefined);
+        if (this.part && before !== JSON.stringify([x, y.words, y.log])) this.magnify(undefined, false);
         this.full = [drawable(x.ends ?? this.span("x", x.log), x.log), drawable(y.ends ?? this.span("y", y.log), y.log)];
         this.ends = this.part ?? this.full;
-        const shape = JSON.stringify([x.words, x.log, y.words, y.log, document.documentElement.dataset.theme, axisUnit(this.ends[0][1], x.unit), axisUnit(this.ends[1][1], y.unit), this.isEmpty, this.ends.map(([low, high]) => [high / low < NARROW, high / low > MANY])]);
+        const shape = JSON.stringify([x.words, x.log, y.words, y.log, document.documentElement.dataset.theme, axisUnit(this.ends[0][1], x.unit), axisUnit(this.ends[1][1], y.unit), this.isEmpty]);
         if (!this.plot || shape !== this.shape) {
             this.shape = shape;
             this.build();
@@ -118,9 +118,24 @@ export class Chart implements Drawn {
         this.redraw();
     }
 
-    private magnify(part: [Range, Range] | undefined): void {
+    /** Ends of both axes where a part is magnified. */
+    get visiblePart(): [Range, Range] | undefined {
+        return this.part;
+    }
+
+    /** Magnifies a part, from its ends on both axes; returns false where the chart does not have it. */
+    showPart(ends: number[]): boolean {
+        const part: [Range, Range] = [[ends[0], ends[1]], [ends[2], ends[3]]];
+        const isInside = part.every(([low, high], k) => low < high && low < this.full[k][1] && high > this.full[k][0] && (low > 0 || ![this.x, this.y][k].log));
+        if (!isInside) return false;
+        this.magnify(part);
+        this.redraw();
+        return true;
+    }
+
+    private magnify(part: [Range, Range] | undefined, byUser = true): void {
         this.part = part;
-        this.onZoom();
+        this.onZoom(byUser);
     }
 
     /** Changes the visible part, inside all that is shown. */
@@ -200,6 +215,12 @@ export class Chart implements Drawn {
         return plot && record(plot.ctx, () => plot.batch(() => plot.redraw(false)), paper);
     }
 
+    /** Draws the chart on another canvas, larger by a factor, and so far below its upper end. */
+    drawOn(target: CanvasRenderingContext2D, factor: number, top: number): void {
+        const { plot } = this;
+        if (plot) mirror(plot.ctx, () => plot.batch(() => plot.redraw(false)), target, factor, top);
+    }
+
     private span(which: "x" | "y", log = false): [number, number] {
         let [low, high] = [Infinity, -Infinity];
         for (const curve of this.curves) {
@@ -245,9 +266,13 @@ export class Chart implements Drawn {
             grid: { stroke: colour("grid"), width: 1 },
             ticks: { show: false },
             // uPlot 1.6.32 loops forever where a logarithmic axis begins just below a power of ten.
-            ...(axis.log ? { splits: (_: uPlot, __: number, low: number, high: number) => decades(low, high) } : {}),
+            ...(axis.log ? { splits: (_: uPlot, __: number, low: number, high: number) => decades(low, high), filter: (_: uPlot, splits: number[]) => splits } : {}),
             ...(axis.flag ? { splits: (_: uPlot, __: number, low: number, high: number) => [0, 1].filter((value) => value >= low && value <= high) } : {}),
-            values: (_, splits) => splits.map((value) => (value === null || (side === 3 && this.isEmpty) || !isLabelled(value, axis) ? "" : axis.flag ? (value === 1 ? "yes" : "no") : digits(value / step, 6))),
+            values: (plot, splits) => {
+                const room = side === 2 ? (plot.width - AROUND[0]) / SPACE[0] : (plot.height - AROUND[1]) / SPACE[1];
+                const shown = axis.log ? labelled(splits, this.ends[side === 2 ? 0 : 1], room) : splits;
+                return splits.map((value) => (value === null || (side === 3 && this.isEmpty) || !shown.includes(value) ? "" : axis.flag ? (value === 1 ? "yes" : "no") : digits(value / step, 6)));
+            },
         };
     }
 
@@ -265,7 +290,7 @@ export class Chart implements Drawn {
                 legend: { show: false },
                 cursor: { show: false },
                 scales: { x: scale(0, this.x.log), y: scale(1, this.y.log) },
-                axes: [this.axis({ ...this.x, ends: this.ends[0] }, this.ends[0][1], 2), this.axis({ ...this.y, ends: this.ends[1] }, Math.max(Math.abs(this.ends[1][0]) * Number(!this.y.log), this.ends[1][1]), 3)],
+                axes: [this.axis(this.x, this.ends[0][1], 2), this.axis(this.y, Math.max(Math.abs(this.ends[1][0]) * Number(!this.y.log), this.ends[1][1]), 3)],
                 series: [{}, { paths: () => null, points: { show: false } }],
                 hooks: { draw: [(made) => this.draw(made)] },
             },
@@ -283,35 +308,13 @@ export class Chart implements Drawn {
         ctx.clip();
         const ratio = devicePixelRatio || 1;
         if (this.round) unitCircle(plot, ratio);
-        for (const rule of this.rules) drawRule(plot, rule, ratio);
+        for (const rule of this.rules) drawRule(plot, rule, this.curves, ratio);
         for (const curve of this.curves) drawCurve(plot, curve, ratio);
         for (const mark of apart(plot, this.marks, ratio)) drawMark(plot, mark, ratio);
         if (this.waiting) drawWords(plot, this.waiting, ratio);
         this.extra?.(plot);
         ctx.restore();
     }
-}
-
-/** Positions of the lines of a logarithmic grid: 1 to 9 in each decade, only 1 over many decades. */
-function decades(low: number, high: number): number[] {
-    if (high / low < NARROW) return steps(low, high);
-    const factors = high / low > 1e4 ? [1] : [1, 2, 3, 4, 5, 6, 7, 8, 9];
-    const found: number[] = [];
-    for (let power = Math.floor(Math.log10(low)); power <= Math.ceil(Math.log10(high)); power++) {
-        for (const factor of factors) {
-            const place = Number(`${factor}e${power}`);
-            if (place >= low && place <= high) found.push(place);
-        }
-    }
-    return found;
-}
-
-/** Multiples of 1, 2 or 5 times a power of ten, about five of them. */
-function steps(low: number, high: number): number[] {
-    const wanted = (high - low) / 5;
-    const ten = 10 ** Math.floor(Math.log10(wanted));
-    const size = [1, 2, 5, 10].map((factor) => factor * ten).find((step) => step >= wanted)!;
-    return Array.from({ length: Math.floor(high / size) - Math.ceil(low / size) + 1 }, (_, k) => (Math.ceil(low / size) + k) * size);
 }
 
 /** Ends of an axis for a single value, away from 0 if the value is not 0. */
@@ -329,12 +332,4 @@ function drawable([low, high]: Range, log = false): Range {
     }
     const least = 1e-7 * Math.max(Math.abs(low), Math.abs(high), 1e-12);
     return high - low > least ? [low, high] : [low - 1e3 * least, low + 1e3 * least];
-}
-
-/** On a logarithmic axis 1, 2 and 5 have a label, and only 1 over many decades. */
-function isLabelled(value: number, { log, ends }: Axis): boolean {
-    if (!log || (ends && ends[1] / ends[0] < NARROW)) return true;
-    const mantissa = Math.round((1e6 * value) / 10 ** Math.floor(Math.log10(value) + 1e-9)) / 1e6;
-    const many = ends !== undefined && ends[1] / ends[0] > MANY;
-    return mantissa === 1 || (!many && (mantissa === 2 || mantissa === 5));
 }

@@ -50,6 +50,14 @@ export class Cursor {
         return found && (found.point % length) / length;
     }
 
+    /** Shows no instant: the charts do not show an orbit. */
+    clear(): void {
+        this.frame = undefined;
+        for (const chart of this.charts.histories) chart.cursor();
+        this.charts.phase.cursor();
+        this.words.textContent = "";
+    }
+
     private place(phase: number): void {
         const { frame } = this;
         if (!frame) return;

@@ -124,8 +124,8 @@ export class Design {
     }
 }
 
-/** The fragment with a design and its view. */
-export function toFragment(pairs: [string, string][], view: View | undefined): string {
+/** The fragment with a design, its range, and what the page shows of it. */
+export function toFragment(pairs: [string, string][], view: View | undefined, page: [string, string][]): string {
     const words = new URLSearchParams();
     for (const [key, value] of pairs) words.append("set", `${key}=${value}`);
     if (view) {
@@ -133,11 +133,15 @@ export function toFragment(pairs: [string, string][], view: View | undefined): s
         words.set("from", String(view.from));
         words.set("to", String(view.to));
     }
+    for (const [name, value] of page) words.set(name, value);
     return words.toString();
 }
 
-/** The design in a fragment, if it has one. */
-export function fromFragment(fragment: string): { pairs: [string, string][]; view: View | undefined } | undefined {
+/** Fields of a fragment that are its design and its range. */
+const DESIGN_FIELDS = ["set", "over", "from", "to"];
+
+/** The design in a fragment with its range, if it has one, and the other fields. */
+export function fromFragment(fragment: string): { design: { pairs: [string, string][]; view: View | undefined } | undefined; page: [string, string][] } {
     const words = new URLSearchParams(fragment.replace(/^#/, ""));
     const pairs = words.getAll("set").filter((text) => text.includes("=")).map((text): [string, string] => {
         const split = text.indexOf("=");
@@ -146,5 +150,6 @@ export function fromFragment(fragment: string): { pairs: [string, string][]; vie
     const over = words.get("over");
     const [from, to] = [Number(words.get("from")), Number(words.get("to"))];
     const view = over && from < to ? { over, from, to } : undefined;
-    return pairs.length > 0 || view ? { pairs, view } : undefined;
+    const page = [...words].filter(([name, value]) => !DESIGN_FIELDS.includes(name) && value !== "");
+    return { design: pairs.length > 0 || view ? { pairs, view } : undefined, page };
 }

@@ -8,6 +8,9 @@ const SAME = 0.01;
 /** Part of the logarithm of the power that counts as much as the same part of the range. */
 const WEIGHT = 0.2;
 
+/** Powers below this part of the largest one count as equal: that of a rectifier that hardly conducts is practically 0, so its relative error says nothing. */
+const NEGLIGIBLE = 1e-6;
+
 export interface DraftError {
     /** Largest distance of a point of the draft from the result, as a share of the range; `WEIGHT` of it for the logarithm of the power. */
     farthest: number;
@@ -22,13 +25,13 @@ const PLACES = [0, 0.25, 0.5, 0.75, 1];
 /** Drawn lines of the branches of one period, from each point to the next: the ends of both coordinates. */
 type Lines = Map<number, [number, number, number, number][]>;
 
-function lines(result: ResponseResult, span: number): Lines {
+function lines(result: ResponseResult, span: number, least: number): Lines {
     const all: Lines = new Map();
     for (const branch of result.branches) {
         const own = all.get(branch.period) ?? [];
         all.set(branch.period, own);
         const gap = isGap(result, branch);
-        const at = (k: number): [number, number] => [branch.x[k] / span, WEIGHT * level(branch.values.power[k])];
+        const at = (k: number): [number, number] => [branch.x[k] / span, WEIGHT * level(Math.max(branch.values.power[k], least))];
         for (let k = 0; k + 1 < branch.x.length; k++) if (!gap(k)) own.push([...at(k), ...at(k + 1)]);
     }
     return all;
@@ -66,9 +69,10 @@ function strays(all: Lines, others: Lines): { off: number; farthest: number } {
 
 /** Compares a draft with the result of its search; undefined where neither has a power to compare. */
 export function draftError(draft: ResponseResult, result: ResponseResult, span: number): DraftError | undefined {
-    const hasPower = ({ branches }: ResponseResult) => branches.every(({ values }: Branch) => values.power.every((power) => power > 0));
-    if (draft.branches.length + result.branches.length === 0 || !hasPower(draft) || !hasPower(result)) return undefined;
-    const [own, due] = [lines(draft, span), lines(result, span)];
+    const powers = [draft, result].flatMap(({ branches }) => branches.flatMap(({ values }: Branch) => [...values.power]));
+    const largest = powers.reduce((most, power) => Math.max(most, power), 0);
+    if (largest === 0) return undefined;
+    const [own, due] = [lines(draft, span, NEGLIGIBLE * largest), lines(result, span, NEGLIGIBLE * largest)];
     return { ...strays(own, due), missing: strays(due, own).off };
 }
 

@@ -5,7 +5,10 @@ import { Chart } from "./chart";
 import type { Drawing } from "./drawing";
 import type { Head } from "./frame";
 import type { Drawn } from "./print";
+import { type LegendEntry, drawLegend, legendHeight } from "./legend";
 import type { Response } from "./response";
+import { record } from "./recorder";
+import { responseLegend } from "./response-legend";
 import { colour } from "./theme";
 
 const find = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;
@@ -19,7 +22,7 @@ export class Exports {
     private stem = "harvester";
     private link = "";
 
-    constructor(private readonly response: Response, private readonly drawing: Drawing, private readonly tables: Tables) {
+    constructor(private readonly response: Response, private readonly drawing: Drawing, private readonly tables: Tables, private readonly legends: Record<string, () => LegendEntry[]>) {
         find("export-spec").onclick = () => save(`${this.stem}.toml`, "application/toml", this.spec);
         find("export-table").onclick = () => {
             const content = this.table();
@@ -70,34 +73,50 @@ export class Exports {
         return this.tables[this.name]?.();
     }
 
-    /** Saves the charts below each other. */
+    /** Legend of the shown tab. */
+    private get legend(): LegendEntry[] {
+        return this.name === "response" ? responseLegend(this.response) : this.legends[this.name]?.() ?? [];
+    }
+
+    /** Saves the charts below each other, with their legend, at the chosen size. */
     private picture(): void {
-        const canvases = this.charts.map((chart) => chart.canvas!);
+        const { charts, legend } = this;
+        const factor = Number(find<HTMLSelectElement>("export-size").value);
+        const canvases = charts.map((chart) => chart.canvas!);
         const sheet = document.createElement("canvas");
-        [sheet.width, sheet.height] = [Math.max(...canvases.map((own) => own.width)), canvases.reduce((sum, own) => sum + own.height, 0)];
         const ctx = sheet.getContext("2d")!;
+        const [width, ratio] = [Math.max(...canvases.map((own) => own.width)), devicePixelRatio || 1];
+        const below = canvases.reduce((sum, own) => sum + own.height, 0);
+        [sheet.width, sheet.height] = [factor * width, Math.ceil(factor * (below + ratio * legendHeight(ctx, legend, width / ratio)))];
         ctx.fillStyle = colour("paper");
         ctx.fillRect(0, 0, sheet.width, sheet.height);
         let top = 0;
-        for (const own of canvases) {
-            ctx.drawImage(own, 0, top);
-            top += own.height;
-        }
+        charts.forEach((chart, k) => {
+            chart.drawOn(ctx, factor, top);
+            top += factor * canvases[k].height;
+        });
+        ctx.setTransform(factor * ratio, 0, 0, factor * ratio, 0, top);
+        drawLegend(ctx, legend, width / ratio);
         sheet.toBlob((blob) => blob && save(`${this.stem}-${this.name}.png`, "image/png", blob));
     }
 
+    /** Saves the charts below each other as vectors, with their legend. */
     private vectors(): void {
-        const { charts } = this;
-        const name = `${this.stem}-${this.name}.svg`;
-        if (charts.length === 1) return saveChart(name, charts[0]);
+        const { charts, legend } = this;
+        const [width, ratio] = [Math.max(...charts.map((chart) => chart.canvas!.width)), devicePixelRatio || 1];
         let top = 0;
-        const parts = charts.map((chart) => {
-            const part = (chart.svg(colour("paper")) ?? "").replace("<svg ", `<svg y="${top}" `);
-            top += chart.canvas!.height;
+        const below = (svg: string, height: number) => {
+            const part = svg.replace("<svg ", `<svg y="${top}" `);
+            top += height;
             return part;
-        });
-        const width = Math.max(...charts.map((chart) => chart.canvas!.width));
-        save(name, "image/svg+xml", `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${top}" viewBox="0 0 ${width} ${top}">${parts.join("")}</svg>\n`);
+        };
+        const parts = charts.map((chart) => below(chart.svg(colour("paper")) ?? "", chart.canvas!.height));
+        const sheet = document.createElement("canvas");
+        const ctx = sheet.getContext("2d")!;
+        [sheet.width, sheet.height] = [width, Math.ceil(ratio * legendHeight(ctx, legend, width / ratio))];
+        ctx.setTransform(ratio, 0, 0, ratio, 0, 0);
+        if (legend.length > 0) parts.push(below(record(ctx, () => drawLegend(ctx, legend, width / ratio), colour("paper")), sheet.height));
+        save(`${this.stem}-${this.name}.svg`, "image/svg+xml", `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${top}" viewBox="0 0 ${width} ${top}">${parts.join("")}</svg>\n`);
     }
 }
 

@@ -4,6 +4,7 @@ import { Chart } from "./chart";
 import type { Controls } from "./controls";
 import type { Design } from "./design";
 import type { Frame } from "./frame";
+import type { LegendEntry } from "./legend";
 import { colour } from "./theme";
 import { quantity } from "./units";
 import { Stale } from "./stale";
@@ -96,6 +97,11 @@ export class Load {
         if (x.length === 0) return undefined;
         const lines = [...this.points.map((point) => ["integrated", ...point]), ...Array.from(x, (ohm, k) => ["without contact", ohm, y[k]])];
         return `curve,${this.shown}_ohm,mean_power_w\n${lines.map((line) => line.join(",")).join("\n")}\n`;
+    }
+
+    /** Legend of the chart. */
+    legend(): LegendEntry[] {
+        return [{ words: "integrated", colour: colour("blue") }, { words: "without contact", colour: colour("grey") }];
     }
 
     redraw(): void {

@@ -1,17 +1,19 @@
 // The page: one design, one socket, and the views that follow them.
 
+import { Address } from "./address";
 import { Axes } from "./axes";
 import { Band } from "./band";
 import { Basins } from "./basins";
-import { type ResponseResult, described, resultOf } from "./branches";
+import { described, resultOf } from "./branches";
 import { Chart } from "./chart";
 import { Controls } from "./controls";
-import { Design, fromFragment, toFragment } from "./design";
+import { Design } from "./design";
 import { Drawing } from "./drawing";
 import { acceptDrops } from "./drops";
 import { Exports, chartTable } from "./exports";
 import { keepFocus } from "./focus";
 import type { Fault, Frame, Head } from "./frame";
+import { Linked } from "./linked";
 import { Load } from "./load";
 import { Measured } from "./measured";
 import { Modes } from "./modes";
@@ -26,9 +28,10 @@ import { Requests } from "./requests";
 import { Response } from "./response";
 import { Save } from "./save";
 import { Search } from "./search";
+import { Selection } from "./selection";
 import { Shake } from "./shake";
 import { shortcuts } from "./shortcuts";
-import { ShownOrbit } from "./shown-orbit";
+import { type OrbitSource, ShownOrbit } from "./shown-orbit";
 import { Strain, strainLimit } from "./strain";
 import { Tabs } from "./tabs";
 import { Theme } from "./theme";
@@ -38,8 +41,6 @@ const find = <T extends HTMLElement>(id: string) => document.getElementById(id) 
 
 /** Density of the noise of a drive. */
 const NOISE = /^drive\.[^.]+\.psd$/;
-/** Time without changes after which the address is updated. */
-const ADDRESS_RESTS_MS = 250;
 
 const design = new Design();
 const wire = new Wire(design);
@@ -54,10 +55,9 @@ const orbit = new Orbit();
 const axes = new Axes(controls);
 const modes = new Modes(wire, design);
 const load = new Load(wire, controls, design);
-const shownOrbit = new ShownOrbit(response, design);
+const shownOrbit = new ShownOrbit(design);
 const basins = new Basins(wire, design, shownOrbit);
 const search = new Search(wire, controls, design, response);
-const band = new Band(wire, design, response, search.problem.tolerance);
 const shake = new Shake(wire, controls, design, () => find("tab-shake").click());
 acceptDrops(async (file, target) => {
     const isOnResponse = find("response-view").contains(target);
@@ -67,13 +67,12 @@ const exports = new Exports(response, drawing, {
     load: () => load.table(),
     basins: () => basins.table(),
     excitation: () => chartTable(Chart.all.filter(({ host }) => find("panel-shake").contains(host))),
-});
+}, { load: () => load.legend(), basins: () => basins.legend() });
 const save = new Save(wire, design);
 /** What the export is requested for. */
 let wanted: "export" | "save" | "link" = "export";
 const status = find("status");
 let file = "";
-let begun = false;
 
 const say = (words: string) => {
     if (status.textContent !== words) status.textContent = status.title = words;
@@ -85,35 +84,35 @@ const quantities = new Quantities(controls, (quantity) => {
     response.draw();
     measured.mark();
     strain.show();
+    remember();
 });
 const pins = new Pins(find("pins"), response, design, say);
-const point = new OperatingPoint(wire, design, { words: find("operating-words"), warnings: find("operating-warnings"), stop: find<HTMLButtonElement>("operating-stop") });
+const point = new OperatingPoint(wire, design, { words: find("operating-words"), warnings: find("operating-warnings"), safety: find("operating-safety"), stop: find<HTMLButtonElement>("operating-stop") });
+const selection = new Selection(wire, response, point);
+const band = new Band(wire, design, response, selection, search.problem.tolerance);
 
 const requests = new Requests(wire, design, axes, response, {
     say,
-    orbit: (frame: Frame, of: ResponseResult) => {
-        orbit.take(frame, () => design.isOld(of));
+    response: () => {
+        selection.follow();
+        if (response.following) operatingOrbit.show();
+    },
+    orbit: (frame: Frame, of: OrbitSource) => {
+        orbit.take(frame, of.at, () => design.isOld(of));
         shownOrbit.take(frame.head, of);
+        selection.computed(frame.head, of);
+        remember();
         response.strainLimit = strainLimit(frame.head);
         response.draw();
-        operatingOrbit.tell();
+        operatingOrbit.orbitTaken();
     },
     fault,
 });
 
-const operatingOrbit = new OperatingOrbit({ axes, basins, orbit, point, requests, response, shown: shownOrbit });
+const operatingOrbit = new OperatingOrbit({ axes, basins, design, orbit, point, requests, response, selection, shown: shownOrbit, wire });
 
-// A browser is slow to set an address, and limits their rate: one when the design rests.
-let resting = 0;
-const address = () => {
-    clearTimeout(resting);
-    if (!begun) return;
-    history.replaceState(null, "", `#${toFragment(design.pairs, axes.view)}`);
-};
-addEventListener("pagehide", address);
 const remember = () => {
-    clearTimeout(resting);
-    resting = setTimeout(address, ADDRESS_RESTS_MS);
+    address.change();
     find<HTMLButtonElement>("undo").disabled = !design.canUndo;
     find<HTMLButtonElement>("redo").disabled = !design.canRedo;
     find<HTMLButtonElement>("reset").disabled = design.overrides.size === 0;
@@ -121,7 +120,8 @@ const remember = () => {
 
 /** Marks what belongs to the design before, and requests what belongs to the present one. */
 const changed = () => {
-    for (const source of ["link", "link-axis"]) fault(source, []);
+    for (const source of ["link", "link-axis", "link-design", "link-response"]) fault(source, []);
+    linked.drop("orbit");
     for (const view of [point, modes, load, basins, shake, search, orbit]) view.mark();
     operatingOrbit.designChanged();
     requests.change(performance.now());
@@ -136,38 +136,42 @@ axes.onChange = () => {
     remember();
 };
 response.onChoose = (chosen, parameter) => {
+    linked.drop("orbit");
+    selection.chosen();
+    remember();
     find("operating-show").hidden = false;
-    requests.orbit(chosen, parameter);
+    requests.orbit(response.orbitSource(chosen, parameter));
 };
-basins.onPick = ({ mean_power_w, period_cycles }) => response.chooseAttractor({ power: mean_power_w, period: period_cycles });
+basins.onPick = (place) => {
+    selection.pick(place);
+    find("operating-show").hidden = false;
+    operatingOrbit.request(place);
+};
+basins.onPlane = () => remember();
+basins.onTake = () => requests.compareAgain(shownOrbit.of);
 response.onMove = (value, moving) => response.result && design.set(response.result.over, controls.words(response.result.over, value), moving);
 response.words = (key) => controls.title(key);
 
 /** Shows the present value of the key of the response, and the orbit there. */
 const place = () => {
     response.at = response.result && controls.find(response.result.over)?.value;
-    response.follow();
+    selection.follow();
 };
 point.onChange = () => {
     const { attractor } = point;
-    if (attractor) response.attractor = { power: attractor.mean_power_w, period: attractor.period_cycles };
+    if (attractor) response.attractorPeriod = attractor.period_cycles;
     requests.searchAgain();
-    response.follow();
-    band.follow();
+    selection.follow();
     operatingOrbit.show();
 };
+selection.onOperating = () => band.follow();
+selection.onMove = ({ parameter, ...place }) => requests.orbit(response.orbitSource(place, parameter));
 
 wire.on("hello", ({ head }) => {
     file = head.file;
     find("file").textContent = file.split(/[\\/]/).pop()!;
     document.title = `${find("file").textContent} – jounce explore`;
-    if (!begun) {
-        const kept = fromFragment(location.hash);
-        design.begin(kept?.pairs ?? head.set);
-        const view = kept?.view ?? head.view;
-        if (view) axes.set(view);
-        begun = true;
-    }
+    address.begin(head);
     requests.change(performance.now());
 });
 wire.on("design", ({ head }, request) => {
@@ -182,8 +186,10 @@ wire.on("design", ({ head }, request) => {
     shake.offer();
     basins.designTaken(controls.all.find(({ key }) => key.startsWith("stop."))?.key.split(".")[1]);
     place();
+    linked.reached("design");
     requests.designTaken(head.drive_frequency_hz !== null);
     remember();
+    if (requests.isResponseShown) linked.reached("response");
     // The drawing follows a moving slider; the rest waits for the design to which it moves.
     if (request.design !== design.signature) return;
     for (const view of [modes, search]) view.designTaken();
@@ -227,12 +233,11 @@ wire.on("response", (frame, request) => {
     response.at = controls.find(frame.head.over)?.value;
     requests.responseTaken(frame.head, resultOf(frame, request));
     orbit.mark();
-    if (!response.chosen) operatingOrbit.show();
     pins.mark();
     measured.mark();
     strain.show();
     quantities.name("voltage", described("voltage", response.result!).words);
-    band.follow();
+    if (frame.head.stage === "fine") linked.reached("response");
 });
 wire.on("file", () => {
     say(save.takeChange() ? `saved as ${find("file").textContent}` : "the file has changed");
@@ -258,7 +263,7 @@ wire.onLost = (full) => {
         ? "The server has too many open pages. Close one; this page then connects."
         : "The server has stopped. Start jounce explore again; this page then reconnects.";
     say(full ? "too many pages are open" : "the server has stopped");
-    for (const view of [requests, point, modes, load, basins, shake, search, band]) view.forget();
+    for (const view of [requests, selection, operatingOrbit, point, modes, load, basins, shake, search, band]) view.forget();
 };
 
 const act: Record<string, () => void> = {
@@ -272,7 +277,8 @@ const act: Record<string, () => void> = {
 };
 const exporting = (purpose: typeof wanted) => {
     wanted = purpose;
-    if (axes.view) wire.ask("export", { set: design.pairs, ...axes.view });
+    // A link has the motion of the selected orbit.
+    requests.whenOrbitShown(() => axes.view && wire.ask("export", { set: design.pairs, page: linked.pairs, ...axes.view }));
 };
 /** Copies a link; where the browser refuses, the export shows it. */
 const copy = (link: string) => {
@@ -291,8 +297,10 @@ preparePrints(theme, () => [...Chart.all, orbit.motion], () => {
     find("printed-design").textContent = design.pairs.map(([key, value]) => `${key} = ${value}`).join("; ");
 });
 
-response.chart.onZoom = () => {
+response.chart.onZoom = (byUser) => {
     find("zoom-tools").hidden = !response.chart.isZoomed;
+    if (byUser) linked.drop("zoom");
+    remember();
 };
 find("zoom-out").onclick = () => response.chart.unzoom();
 find("zoom-range").onclick = () => {
@@ -303,12 +311,14 @@ find("zoom-range").onclick = () => {
 find<HTMLInputElement>("log").onchange = (event) => {
     response.log = (event.target as HTMLInputElement).checked;
     response.draw();
+    remember();
 };
 for (const [id, name] of [["grazings", "grazings"], ["long-periods", "longPeriods"]] as const) {
     find<HTMLInputElement>(id).onchange = (event) => {
         response[name] = (event.target as HTMLInputElement).checked;
         response.draw();
         requests.searchAgain();
+        remember();
     };
 }
 find("sweep").onclick = () => requests.sweep(find("sweep"));
@@ -321,16 +331,11 @@ const tabs = new Tabs(document.querySelector<HTMLElement>("[role=tablist]")!, (i
     if (id === "tab-load") load.run();
     if (id === "tab-basins") basins.redraw();
     if (id === "tab-shake") shake.redraw();
+    remember();
 });
+const linked = new Linked({ basins, quantities, response, selection, tabs }, (stage, faults) => fault(`link-${stage}`, faults));
+const address = new Address({ axes, controls, design, linked, requests });
 
 keepFocus();
 shortcuts({ ...act, theme: () => theme.toggle() });
-// A link that is pasted into the address of the open page.
-addEventListener("hashchange", (event) => {
-    const linked = fromFragment(new URL(event.newURL).hash);
-    if (linked?.view) axes.set(linked.view);
-    // The design says whether it has the key of the axis.
-    if (linked?.view && !controls.find(linked.view.over)) requests.forgetDesign();
-    if (linked) design.replace(linked.pairs);
-});
 wire.connect();

@@ -2,6 +2,8 @@
 
 import type { Design } from "./design";
 import type { Frame, Head } from "./frame";
+import { safetyWords } from "./safety";
+import type { AttractorPlace } from "./shown-orbit";
 import { quantity, digits } from "./units";
 import type { Wire } from "./wire";
 
@@ -15,17 +17,32 @@ export interface Attractor {
     fraction_high: number;
 }
 
+/** Limit of a patch, with the value that exceeds it most or is nearest to it. */
+export interface Limit {
+    patch: string;
+    quantity: string;
+    reached: number;
+    limits: [number, number];
+    /** The limit that the value exceeds or is nearest to, and the excess over it; negative within. */
+    bound: number;
+    excess: number;
+}
+
 /** Peaks and warnings of an attractor. */
-interface Peaks {
+export interface Peaks {
     strain_peak: number | null;
     voltage_peak_v: number | null;
-    limits: { quantity: string; reached: number; limits: [number, number] }[];
+    /** Null where the peaks are not known. */
+    max_impact_velocity_m_s: number | null;
+    limits: Limit[];
     warnings: string[];
 }
 
 interface Parts {
     words: HTMLElement;
     warnings: HTMLElement;
+    /** Limits for all starts. */
+    safety: HTMLElement;
     stop: HTMLButtonElement;
 }
 
@@ -65,6 +82,21 @@ export class OperatingPoint {
         wire.on("operating-point", (frame) => this.take(frame));
         wire.on("ensemble", (frame) => this.takeEnsemble(frame));
         parts.stop.onclick = () => this.stop();
+    }
+
+    /** The attractor that most starts reach, where it has an orbit. */
+    get place(): AttractorPlace | undefined {
+        return this.head && this.attractor && this.attractor.period_cycles > 0 ? { attractors: this.head.id, attractor: this.attractor.id } : undefined;
+    }
+
+    /** Number of the attractors. */
+    get number(): number | undefined {
+        return this.head?.id;
+    }
+
+    /** Drive frequency of the attractors, Hz. */
+    get hertz(): number {
+        return this.head?.frequency_hz;
     }
 
     /** Clears what belongs to an earlier design. */
@@ -165,7 +197,7 @@ export class OperatingPoint {
     }
 
     private show(): void {
-        const { words, warnings, stop } = this.parts;
+        const { words, warnings, safety, stop } = this.parts;
         const text = this.text();
         if (words.textContent !== text) words.textContent = text;
         words.ariaBusy = String(this.computing);
@@ -173,6 +205,10 @@ export class OperatingPoint {
         const found = this.warnings().join(". ");
         if (warnings.textContent !== found) warnings.textContent = found;
         warnings.hidden = found === "";
+        const limits = this.head && this.attractor && !this.message ? safetyWords(this.head) : "";
+        if (safety.textContent !== limits) safety.textContent = limits;
+        safety.hidden = limits === "";
+        safety.className = this.head?.limit_shares.beyond.fraction > 0 ? "warning" : "words";
     }
 
     private text(): string {
@@ -180,12 +216,12 @@ export class OperatingPoint {
         if (this.message) return this.message;
         if (this.periodic === false) return this.noiseText();
         if (!head || !attractor) return [this.run || "Operating point", this.computing && (this.progress || `integrating ${STARTS[0]} starts`)].filter(Boolean).join(": ");
-        const share = (own: Attractor) => `${digits(100 * own.fraction, 3)} % (95 %: ${digits(100 * own.fraction_low, 2)} to ${digits(100 * own.fraction_high, 2)}) of ${head.finished} starts`;
-        const kind = (own: Attractor) => (own.period_cycles > 0 ? `period ${own.period_cycles}, stable` : own.id);
+        const share = (own: Attractor, about = "") => `${digits(100 * own.fraction, 3)} % (${about}${digits(100 * own.fraction_low, 2)} to ${digits(100 * own.fraction_high, 2)})`;
+        const kind = (own: Attractor) => (own.period_cycles > 0 ? `period ${own.period_cycles}` : own.id);
         const others = (head.attractors as Attractor[]).filter((own) => own !== attractor);
         const more = others.map((own) => `${quantity(own.mean_power_w, "W")}, ${kind(own)}, by ${share(own)}`);
         return [
-            `At ${quantity(head.frequency_hz, "Hz", 5)}: ${quantity(attractor.mean_power_w, "W")}, ${kind(attractor)}, reached by ${share(attractor)} drawn at random${this.peaksText(attractor)}`,
+            `At ${quantity(head.frequency_hz, "Hz", 5)}: ${quantity(attractor.mean_power_w, "W")}, ${kind(attractor)}${attractor.period_cycles > 0 ? ", stable" : ""}, reached by ${share(attractor, "95 %: ")} of ${head.finished} starts drawn at random${this.peaksText(attractor)}`,
             ...(more.length > 0 ? [`also ${more.join("; ")}`] : []),
         ].join("; ");
     }
@@ -221,7 +257,7 @@ export class OperatingPoint {
         const ppm = (strain: number) => digits(1e6 * Math.abs(strain), 3);
         const contacts = attractor.contacts_per_period / attractor.period_cycles;
         const parts = [
-            nearest ? `strain ${ppm(nearest.reached)} ppm of ${ppm(nearest.limits[1])}` : strain_peak === null ? "" : `strain ${ppm(strain_peak)} ppm, no strain limit given`,
+            nearest ? `strain ${ppm(nearest.reached)} ppm of ${ppm(nearest.limits[1])}` : strain_peak === null ? "" : `strain ${ppm(strain_peak)} ppm`,
             voltage_peak_v === null ? "" : `voltage ${quantity(voltage_peak_v, "V", 3)} peak`,
             stops === 0 || attractor.period_cycles === 0 ? "" : contacts > 0 ? `${digits(contacts, 3)} ${contacts === 1 ? "contact" : "contacts"} per drive cycle` : stops === 1 ? "the stop is not struck" : "no stop is struck",
         ];

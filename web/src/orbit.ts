@@ -5,6 +5,8 @@ import { Cursor } from "./cursor";
 import type { Frame } from "./frame";
 import { Motion } from "./motion";
 import { Plates } from "./plates";
+import { orbitStability } from "./stability";
+import { drawStretch, stretchWords } from "./stretch";
 import { colour, nth } from "./theme";
 import { digits, quantity } from "./units";
 
@@ -12,9 +14,9 @@ const find = (id: string) => document.getElementById(id)!;
 
 export class Orbit {
     readonly motion = new Motion(find("motion") as HTMLCanvasElement, new Plates(find("plate-motion")));
-    private readonly displacement = new Chart(find("chart-displacement"), true);
-    private readonly phase = new Chart(find("chart-phase"), true);
-    private readonly voltage = new Chart(find("chart-voltage"), true);
+    readonly displacement = new Chart(find("chart-displacement"), true);
+    readonly phase = new Chart(find("chart-phase"), true);
+    readonly voltage = new Chart(find("chart-voltage"), true);
     private readonly force = new Chart(find("chart-force"), true);
     private readonly spectrum = new Chart(find("chart-spectrum"), true);
     private readonly multipliers = new Chart(find("chart-multipliers"), true);
@@ -22,7 +24,11 @@ export class Orbit {
     private readonly title = find("orbit-title");
     private readonly warnings = find("orbit-warnings");
     private frame: Frame | undefined;
+    /** Stretch of a motion without a period, shown in place of an orbit. */
+    private stretch: Frame | undefined;
     private isOld: () => boolean = () => false;
+    /** Value of the key of the response, with its unit. */
+    private at = "";
     /** True while words stand in place of the orbit. */
     private isCleared = false;
 
@@ -45,11 +51,13 @@ export class Orbit {
         show(this.motion.playing);
     }
 
-    /** Takes an orbit; `isOld` says whether it belongs to an earlier design. */
-    take(frame: Frame, isOld: () => boolean): void {
+    /** Takes an orbit at a value of the key; `isOld` says whether it belongs to an earlier design. */
+    take(frame: Frame, at: string, isOld: () => boolean): void {
         this.frame = frame;
+        this.at = at;
         this.isOld = isOld;
         this.isCleared = false;
+        this.show(undefined);
         this.mark();
         this.motion.take(frame);
         this.draw();
@@ -61,18 +69,34 @@ export class Orbit {
         this.title.textContent = words;
         this.warnings.textContent = "";
         this.isCleared = true;
+        this.show(undefined);
         this.mark();
+    }
+
+    /** Shows a stretch of a motion without a period below the words in place of the orbit. */
+    takeStretch(frame: Frame): void {
+        this.show(frame);
+        this.mark();
+        this.cursor.clear();
+        drawStretch(frame, this);
+    }
+
+    private show(stretch: Frame | undefined): void {
+        this.stretch = stretch;
+        find("stretch-words").textContent = stretch ? stretchWords(stretch) : "";
+        find("orbit").classList.toggle("stretch", stretch !== undefined);
     }
 
     /** Shows whether the orbit belongs to the present design. */
     mark(): void {
         const isOld = !this.isCleared && this.isOld();
         find("orbit-stale").hidden = !isOld;
-        find("orbit").classList.toggle("stale", this.isCleared || isOld);
+        find("orbit").classList.toggle("stale", (this.isCleared && !this.stretch) || isOld);
     }
 
     redraw(): void {
-        if (this.frame) this.draw();
+        if (this.stretch) drawStretch(this.stretch, this);
+        else if (this.frame) this.draw();
     }
 
     private draw(): void {
@@ -80,7 +104,7 @@ export class Orbit {
         const { head } = frame;
         const [time, stops] = [frame.array("time"), head.stops as { name: string; gap: number }[]];
         const seconds = { words: "Time", unit: "s", ends: [0, head.period_s] as [number, number] };
-        this.title.textContent = `Orbit at ${quantity(head.parameter, head.unit, 5)}: ${quantity(head.mean_power_w, "W")}, period ${head.period_cycles}, ${head.stable ? "stable" : "unstable"}`;
+        this.title.textContent = `Orbit at ${this.at}: ${quantity(head.mean_power_w, "W")}, period ${head.period_cycles}, ${orbitStability(head)}`;
         this.warnings.textContent = (head.warnings as string[]).join(". ");
         this.free(stops.length === 0);
         if (stops.length > 0) this.contact(frame, stops);
@@ -89,7 +113,7 @@ export class Orbit {
         this.amplitudes(frame);
         this.circle(frame);
         this.label(this.voltage, `Voltage over one period: ${quantity(head.voltage_rms_v, "V")} rms`);
-        this.label(this.multipliers, `Floquet multipliers and the unit circle: largest modulus ${digits(head.floquet_max_abs)}, ${head.stable ? "stable" : "unstable"}`);
+        this.label(this.multipliers, `Floquet multipliers and the unit circle: largest modulus ${digits(head.floquet_max_abs)}, ${orbitStability(head)}`);
     }
 
     /** Without a stop there is no contact force, and no motion towards it. */

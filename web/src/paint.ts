@@ -1,6 +1,7 @@
 // Elements on the axes of a chart: curves, which may turn back in x, rules and marks.
 
 import type uPlot from "uplot";
+import { labelPlace } from "./label-place";
 import { colour } from "./theme";
 
 export interface Curve {
@@ -48,7 +49,7 @@ export interface Rule {
     strong?: boolean;
 }
 
-const DASH = [6, 5];
+export const DASH = [6, 5];
 
 /** Unit circle of the multipliers. */
 export function unitCircle(plot: uPlot, ratio: number): void {
@@ -63,7 +64,7 @@ export function unitCircle(plot: uPlot, ratio: number): void {
     ctx.stroke();
 }
 
-export function drawRule(plot: uPlot, rule: Rule, ratio: number): void {
+export function drawRule(plot: uPlot, rule: Rule, curves: Curve[], ratio: number): void {
     const { ctx, bbox } = plot;
     const at = plot.valToPos(rule.at, rule.along === "x" ? "x" : "y", true);
     ctx.strokeStyle = colour(rule.strong ? "accent" : "grey");
@@ -83,11 +84,7 @@ export function drawRule(plot: uPlot, rule: Rule, ratio: number): void {
         ctx.fillStyle = colour(rule.strong ? "accent" : "quiet");
         ctx.font = `${10 * ratio}px system-ui, sans-serif`;
         [ctx.textAlign, ctx.textBaseline] = ["left", "alphabetic"];
-        const size = ctx.measureText(rule.words).width;
-        // Inside the chart: left of a line at the right edge, below a line at the upper edge.
-        const isRight = at + 3 * ratio + size > bbox.left + bbox.width;
-        const isHigh = at - 13 * ratio < bbox.top;
-        ctx.fillText(rule.words, rule.along === "x" ? (isRight ? at - 3 * ratio - size : at + 3 * ratio) : bbox.left + 4 * ratio, rule.along === "x" ? bbox.top + 11 * ratio : isHigh ? at + 11 * ratio : at - 3 * ratio);
+        ctx.fillText(rule.words, ...labelPlace(plot, { at, along: rule.along, size: ctx.measureText(rule.words).width }, curves, ratio));
     }
 }
 

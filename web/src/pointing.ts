@@ -11,6 +11,8 @@ const REACH = 40;
 const CATCH = 8;
 /** Distance of the readout from the pointer, CSS pixels. */
 const AWAY = 14;
+/** Half the size of the ring around the point, with its line. */
+const RING = 7;
 
 /** The response, as far as it is pointed at. */
 interface Pointed {
@@ -51,27 +53,44 @@ export class Pointing {
         const found = this.at(event, held);
         if (held === undefined) {
             if (found && found.away <= CATCH && response.chart.host.style.cursor === "") response.chart.host.style.cursor = "pointer";
-            response.hover(found && found.away <= REACH ? found : undefined);
-            return this.placeReadout(event);
+            const near = found && found.away <= REACH ? found : undefined;
+            response.hover(near);
+            return this.placeReadout(event, near);
         }
         if (!found) return;
         if (!this.dragged) response.chart.host.setPointerCapture(event.pointerId);
         this.dragged = true;
         response.hover(found);
-        this.placeReadout(event);
+        this.placeReadout(event, found);
         const { chosen } = response;
         if (found.branch !== chosen?.branch || found.point !== chosen.point) response.choose({ branch: found.branch, point: found.point });
     }
 
-    /** Places the readout next to the pointer, inside the chart. */
-    private placeReadout({ clientX, clientY }: MouseEvent): void {
+    /** Places the readout next to the pointer, inside the chart, away from the point that it describes. */
+    private placeReadout({ clientX, clientY }: MouseEvent, place: Place | undefined): void {
         const { host } = this.response.chart;
         const [box, own] = [host.getBoundingClientRect(), this.readout.getBoundingClientRect()];
-        const [x, y] = [clientX - box.left, clientY - box.top];
-        const left = x < 0.5 * box.width ? x + AWAY : x - AWAY - own.width;
-        const top = y < 0.5 * box.height ? y + AWAY : y - AWAY - own.height;
-        this.readout.style.left = `${Math.max(0, Math.min(left, box.width - own.width))}px`;
+        const pointer: [number, number] = [clientX - box.left, clientY - box.top];
+        const avoided = [pointer, ...(place ? [this.positionOf(place)] : [])];
+        const inside = (at: number, room: number) => Math.max(0, Math.min(at, room));
+        const sides = (at: number, size: number, room: number) => {
+            const both = [at + AWAY, at - AWAY - size].map((start) => inside(start, room - size));
+            return at < 0.5 * room ? both : both.reverse();
+        };
+        const free = avoided.flatMap(([x, y]) => sides(y, own.height, box.height).flatMap((top) => sides(x, own.width, box.width).map((left): [number, number] => [left, top])));
+        const covers = ([left, top]: [number, number]) => avoided.some(([x, y]) => x > left - RING && x < left + own.width + RING && y > top - RING && y < top + own.height + RING);
+        const [left, top] = free.find((at) => !covers(at)) ?? free[0];
+        this.readout.style.left = `${left}px`;
         this.readout.style.top = `${top}px`;
+    }
+
+    /** Position of a point on the chart, CSS pixels. */
+    private positionOf({ branch, point }: Place): [number, number] {
+        const { chart } = this.response;
+        const [drawn, over] = [this.response.drawn().find((own) => own.branch === branch)!, chart.over!.getBoundingClientRect()];
+        const [x, y] = chart.place(drawn.x[point], drawn.y[point]);
+        const box = chart.host.getBoundingClientRect();
+        return [x + over.left - box.left, y + over.top - box.top];
     }
 
     /** Point nearest to the pointer, of one branch if it is given. */

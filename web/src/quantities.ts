@@ -27,6 +27,17 @@ export class Quantities {
         this.select.dispatchEvent(new Event("change"));
     }
 
+    /** Chooses a quantity by its name; returns a message where the design does not have it. */
+    choose(name: string): string | undefined {
+        const option = [...this.select.options].find(({ value }) => value === name);
+        if (!option) return `the link shows "${name}", which is no quantity of the response`;
+        if (option.disabled) return `the link shows ${option.textContent}, which this design does not have`;
+        if (this.select.value === name) return undefined;
+        this.select.value = name;
+        this.select.dispatchEvent(new Event("change"));
+        return undefined;
+    }
+
     /** Sets the words of a quantity. */
     name(quantity: Quantity, words: string): void {
         this.select.querySelector(`[value=${quantity}]`)!.textContent = words[0].toLowerCase() + words.slice(1);

@@ -15,8 +15,7 @@ export class Readout {
     show(text: string, note: string, draft: string, found: Bifurcation[], unit: string, choose: (found: Bifurcation) => void): void {
         if (this.words.textContent !== text) this.words.textContent = text;
         // The rest names options of the command line.
-        const first = note.replaceAll("`", "").split(";")[0];
-        this.note.textContent = first && `${first[0].toUpperCase()}${first.slice(1)}.`;
+        this.note.textContent = sentence(note.replaceAll("`", "").split(";")[0]);
         this.note.hidden = note === "";
         this.draft.textContent = draft;
         this.draft.parentElement!.hidden = draft === "";
@@ -28,6 +27,9 @@ export class Readout {
         this.rows.replaceChildren(...[...found].sort((a, b) => a.x - b.x).map((one) => row(one, unit, choose)));
     }
 }
+
+/** A message of the program as a sentence. */
+export const sentence = (words: string): string => words && `${words[0].toUpperCase()}${words.slice(1)}.`;
 
 function row(found: Bifurcation, unit: string, choose: (found: Bifurcation) => void): HTMLElement {
     const line = document.createElement("tr");

@@ -1,16 +1,18 @@
 // Order of requests: one coarse response is computed at a time, only the newest position waits for it, older ones are dropped.
 
-import type { ResponseResult, Place } from "./branches";
+import type { ResponseResult } from "./branches";
 import type { Axes } from "./axes";
 import type { Design } from "./design";
 import type { Fault, Frame, Head } from "./frame";
 import type { Response } from "./response";
+import type { OrbitSource } from "./shown-orbit";
 import type { Request, Wire } from "./wire";
 
 interface Hears {
     say: (words: string) => void;
-    /** An orbit of a response. */
-    orbit: (frame: Frame, of: ResponseResult) => void;
+    /** A response, from which the orbit to show may follow. */
+    response: () => void;
+    orbit: (frame: Frame, of: OrbitSource) => void;
     fault: (source: string, faults: Fault[]) => void;
 }
 
@@ -19,6 +21,8 @@ const PATIENCE_MS = 333;
 /** Time after which a newer position cancels the computation of an older one. */
 const STALE_MS = 4000;
 const SWEEP_POINTS = 61;
+/** A page in one column, as in `app.css`. */
+const NARROW = matchMedia("(max-width: 700px)");
 /** Stages of a response, in their order. */
 const STAGES = ["first", "coarse", "fine"];
 
@@ -33,13 +37,14 @@ export class Requests {
     private orbitAsked = false;
     /** Design, without the key of the axis, and view of the last response. */
     private requested = "";
-    /** Response of the requested orbit. */
-    private orbitOf: ResponseResult | undefined;
+    private requestedOrbit: OrbitSource | undefined;
     /** Stage that the last response with a fault had reached. */
     private failedAfter = -1;
     private stage = -1;
     private clicked = 0;
-    private orbitWaiting: [Place, number | undefined] | undefined;
+    private orbitWaiting: OrbitSource | undefined;
+    /** Called once no orbit is computed. */
+    private afterOrbit: (() => void) | undefined;
     private sweeping = false;
     /** True where the drives have a common period, so that there are periodic orbits. */
     private periodic: boolean | undefined;
@@ -51,6 +56,7 @@ export class Requests {
         wire.on("orbit", (frame) => this.takeOrbit(frame));
         wire.on("sweep", ({ head }, request) => this.takeSwept(head, request));
         document.getElementById("response-stop")!.onclick = () => this.stop();
+        NARROW.onchange = () => this.change(performance.now());
         setInterval(() => this.patience(), 100);
     }
 
@@ -58,6 +64,12 @@ export class Requests {
     change(time: number): void {
         this.waiting = this.designWaits = time;
         this.pump();
+    }
+
+    /** True where the searched response of the present design is shown. */
+    get isResponseShown(): boolean {
+        const { result, isOld } = this.response;
+        return result !== undefined && !result.draft && !isOld && !this.refining && !this.coarseAsked && this.waiting === undefined;
     }
 
     /** Requests the response again where its range or the periods to search for have changed. */
@@ -85,7 +97,7 @@ export class Requests {
         const set = this.design.pairs;
         if (this.designWaits !== undefined && !this.designAsked) {
             this.designWaits = undefined;
-            this.designAsked = this.wire.ask("design", { set }) !== 0;
+            this.designAsked = this.wire.ask("design", { set, width: sheetWidth() }) !== 0;
         }
         // A long computation is cancelled; a short one is completed, so that the curve follows a moving slider.
         const late = performance.now() - this.asked > STALE_MS;
@@ -152,8 +164,8 @@ export class Requests {
             this.hears.fault("response", []);
         }
         this.response.take(result);
+        this.hears.response();
         if (head.stage === "first") return;
-        this.showOrbit();
         if (head.stage === "coarse") {
             const since = this.since;
             // Measured to the frame that shows the branch, with the server's own time.
@@ -188,30 +200,34 @@ export class Requests {
         document.getElementById("response-stop")!.hidden = !canStop;
     }
 
-    /** Requests the orbit of the selected point, or at the operating point. */
-    showOrbit(): void {
-        const { chosen } = this.response;
-        if (chosen) this.orbit(chosen);
-    }
-
-    /** Requests the orbit of a point, or at a value of the key next to it; the newest request waits for the running one. */
-    orbit(place: Place, parameter = this.response.following ? this.response.at : undefined): void {
+    /** Requests an orbit; the newest request waits for the running one. */
+    orbit(of: OrbitSource | undefined): void {
+        if (!of) return;
         if (this.orbitAsked) {
-            this.orbitWaiting = [place, parameter];
+            this.orbitWaiting = of;
             return;
         }
-        const { result } = this.response;
-        if (!result) return;
-        this.orbitOf = result;
-        this.orbitAsked = this.wire.ask("orbit", { response: result.id, branch: place.branch, point: place.point, parameter }) !== 0;
+        this.requestedOrbit = of;
+        this.orbitAsked = this.wire.ask("orbit", of.place) !== 0;
         this.clicked = performance.now();
         this.mark();
+    }
+
+    /** Requests the shown orbit, or the one that is being computed, again: the server compares it with the attractors that it has found since. */
+    compareAgain(shown: OrbitSource | undefined): void {
+        this.orbit(this.orbitAsked ? this.orbitWaiting ?? this.requestedOrbit : shown);
+    }
+
+    /** Calls a function once the requested orbit is shown. */
+    whenOrbitShown(run: () => void): void {
+        if (this.orbitAsked) this.afterOrbit = run;
+        else run();
     }
 
     private takeOrbit(frame: Frame): void {
         this.orbitAsked = false;
         if (frame.head.stage === "done") {
-            this.hears.orbit(frame, this.orbitOf!);
+            this.hears.orbit(frame, this.requestedOrbit!);
             const since = this.clicked;
             requestAnimationFrame(() => performance.measure("click-to-orbit", { start: since }));
         } else if (frame.head.stage === "fault") {
@@ -219,7 +235,11 @@ export class Requests {
         }
         const next = this.orbitWaiting;
         this.orbitWaiting = undefined;
-        if (next) this.orbit(...next);
+        if (next) this.orbit(next);
+        else {
+            this.afterOrbit?.();
+            this.afterOrbit = undefined;
+        }
         this.mark();
     }
 
@@ -254,6 +274,9 @@ export class Requests {
         }
     }
 }
+
+/** Width of the sheet of the drawing, px, where it must be narrow for its labels to be readable. */
+const sheetWidth = (): number | undefined => (NARROW.matches ? document.getElementById("side")!.clientWidth : undefined);
 
 function found(branches: number, ms: number): string {
     if (branches === 0) return "no branch of periodic orbits was found in this range; use Sweep to integrate over it";

@@ -1,6 +1,7 @@
 // Response over a key: branches, bifurcations, swept points, pins, and the selected point.
 
-import { type Bifurcation, type Branch, type ResponseResult, type Place, type Quantity, described, identify, isGap, isStable, level, nearest, operating, pointAt, valueAt } from "./branches";
+import { kindOf, rank } from "./bifurcations";
+import { type Bifurcation, type Branch, type ResponseResult, type Place, type Quantity, described, identify, isGap, isStable, level, pointAt, valueAt } from "./branches";
 import { Chart } from "./chart";
 import type { Design } from "./design";
 import { type DraftError, draftError, errorWords } from "./draft-error";
@@ -8,16 +9,13 @@ import { LineHandle } from "./line";
 import { type MeasuredPoints, measuredCurves } from "./measured";
 import type { Curve, Mark, Rule } from "./paint";
 import { Pointing } from "./pointing";
-import { type Readout, draftWords, peakWords } from "./readout";
+import { type Readout, draftWords, peakWords, sentence } from "./readout";
 import type { Head } from "./frame";
+import type { OrbitSource } from "./shown-orbit";
 import { stableWords } from "./stability";
 import { colour, nth } from "./theme";
 import { digits, quantity } from "./units";
 
-/** Marks of bifurcations; where they would overlap, the first is drawn. */
-const SHAPES: Record<string, Mark["shape"]> = {
-    fold: "square", "period-doubling": "triangle", "neimark-sacker": "diamond", "branch-point": "cross", grazing: "circle", sticking: "ring",
-};
 /** Opacity of a draft. */
 const DRAFT = 0.4;
 /** Opacity of the start of a design search, and of a band; relative opacity of a band that some drawn designs do not have. */
@@ -57,6 +55,8 @@ export class Response {
     readonly chart: Chart;
     result: ResponseResult | undefined;
     chosen: Place | undefined;
+    /** Value of the key of the selected orbit, where it differs from that of the point. */
+    chosenParameter: number | undefined;
     swept: Swept[] = [];
     pins: Pinned[] = [];
     measured: MeasuredPoints[] = [];
@@ -68,9 +68,9 @@ export class Response {
     range: [number, number] = [0, 1];
     grazings = false;
     longPeriods = false;
-    /** Value of the key in the present design, and the attractor there that most starts reach. */
+    /** Value of the key in the present design, and the period of the attractor there that most starts reach. */
     at: number | undefined;
-    attractor: { power: number; period: number } | undefined;
+    attractorPeriod: number | undefined;
     /** Smallest strain limit of the patches, ppm. */
     strainLimit: number | undefined;
     /** True while the selected point is the operating point. */
@@ -96,41 +96,24 @@ export class Response {
         new Pointing(this, line, this.cursor);
     }
 
-    /** Shows a new response. A point that the user has selected is retained; else the operating point is selected. */
+    /** Shows a new response, without a ring until its place is known. One over another key shows the operating point. */
     take(result: ResponseResult): void {
-        const { result: last, chosen } = this;
-        const before = chosen && last?.branches[chosen.branch];
+        const { result: last } = this;
         const same = last?.over === result.over;
         if (same) identify(last, result, this.span);
+        else this.following = true;
         if (last?.id === result.id && last.draft && last.draft.origin !== "first" && !result.draft) this.draftError = draftError(last, result, this.span);
         this.hovered = undefined;
         this.result = result;
-        this.chosen = undefined;
-        if (before && same && !this.following) {
-            this.chosen = nearest(result, before.x[chosen.point], before.values.power[chosen.point], this.span);
-        } else {
-            this.following = true;
-            this.chooseOperating();
-        }
+        this.chosen = this.chosenParameter = undefined;
         this.widths = undefined;
+    }
+
+    /** Draws the ring at a point, or at a value of the key next to it. */
+    mark(place: Place | undefined, parameter?: number): void {
+        this.chosen = place && { branch: place.branch, point: place.point };
+        this.chosenParameter = parameter;
         this.draw();
-    }
-
-    /** Selects the point at the present value of the key; after a selection by the user only if `anew`. */
-    follow(anew = false): void {
-        if (anew) this.following = true;
-        if (this.following) this.chooseOperating();
-        this.draw();
-    }
-
-    private chooseOperating(): void {
-        if (this.result && this.at !== undefined) this.chosen = this.operatingPlace;
-    }
-
-    /** Point at the present value of the key that has the attractor of the operating point. */
-    get operatingPlace(): Place | undefined {
-        const { result, at } = this;
-        return result && at !== undefined ? operating(result, at, this.attractor) : undefined;
     }
 
     /** True where the present value of the key is outside the range that was searched. */
@@ -154,17 +137,18 @@ export class Response {
 
     /** Selects a point, with the orbit at a value of the key next to it. */
     choose(place: Place, parameter?: number): void {
-        this.chosen = place;
         this.following = false;
-        this.draw();
+        this.mark(place, parameter);
         this.onChoose(place, parameter);
     }
 
-    /** Selects the point at the present value of the key that has an attractor; returns false where no branch has it. */
-    chooseAttractor(attractor: { power: number; period: number }): boolean {
-        const place = this.result && !this.isOld && this.at !== undefined ? operating(this.result, this.at, attractor) : undefined;
-        if (place) this.choose(place, this.at);
-        return place !== undefined;
+    /** The orbit of a point, or at a value of the key next to it. */
+    orbitSource({ branch, point }: Place, parameter?: number): OrbitSource | undefined {
+        const { result } = this;
+        if (!result) return undefined;
+        const { id, design, over, unit, branches } = result;
+        const at = quantity(parameter ?? branches[branch].x[point], unit, 5);
+        return { place: { response: id, branch, point, parameter }, at, design, over };
     }
 
     draw(): void {
@@ -230,31 +214,32 @@ export class Response {
 
     /** Bifurcations, none on a draft or of an earlier design, and the rings of the hovered and of the selected point. */
     private marks(result: ResponseResult): Mark[] {
-        const rank = ({ kind }: Bifurcation) => Object.keys(SHAPES).indexOf(kind);
-        const shown = [...this.listed(result)].sort((a, b) => rank(a) - rank(b));
-        const marks: Mark[] = shown.map((found) => ({ x: found.x, y: valueAt(found, this.quantity, result, this.span), colour: colour("ink"), shape: SHAPES[found.kind] ?? "cross", size: 2.8, yields: true }));
+        const shown = [...this.listed(result)].sort((a, b) => rank(a.kind) - rank(b.kind));
+        const marks: Mark[] = shown.map((found) => ({ x: found.x, y: valueAt(found, this.quantity, result, this.span), colour: colour("ink"), shape: kindOf(found.kind).shape, size: 2.8, yields: true }));
         for (const [place, size] of [[this.hovered, 5], [this.chosen, 7]] as const) {
             const branch = place && result.branches[place.branch];
             if (!branch) continue;
-            const [x, y] = place === this.chosen && this.following ? pointAt(branch, place.point, this.at!, this.quantity) : [branch.x[place.point], branch.values[this.quantity][place.point]];
+            const own = place === this.chosen ? this.chosenBifurcation : undefined;
+            const at = place === this.chosen ? this.chosenAt : undefined;
+            const [x, y] = own ? [own.x, valueAt(own, this.quantity, result, this.span)] : at === undefined ? [branch.x[place.point], branch.values[this.quantity][place.point]] : pointAt(branch, place.point, at, this.quantity);
             marks.push({ x, y, colour: colour("vermilion"), shape: "ring", size });
         }
         return marks;
     }
 
     /** Bifurcations that are shown: grazings, and those of long periods, only on request. */
-    private listed(result: ResponseResult): Bifurcation[] {
+    listed(result: ResponseResult): Bifurcation[] {
         if (result.draft || this.isOld) return [];
         return result.bifurcations.filter((found) => (this.grazings || found.kind !== "grazing") && this.shows(result.branches[found.branch]));
     }
 
-    private shows(branch: Branch): boolean {
-        return branch.period <= (this.longPeriods ? Infinity : SHORT_PERIOD) || branch.period === this.attractor?.period;
+    shows(branch: Branch): boolean {
+        return branch.period <= (this.longPeriods ? Infinity : SHORT_PERIOD) || branch.period === this.attractorPeriod;
     }
 
     /** Longest period to search for: short, unless longer ones are shown or the attractor of the operating point has one. */
     get longestPeriod(): number {
-        return Math.max(this.longPeriods ? LONG_PERIOD : SHORT_PERIOD, this.attractor?.period ?? 0);
+        return Math.max(this.longPeriods ? LONG_PERIOD : SHORT_PERIOD, this.attractorPeriod ?? 0);
     }
 
     private lines(result: ResponseResult, own: (branch: Branch) => string, alpha: number): Curve[] {
@@ -275,7 +260,7 @@ export class Response {
         if (!result) return;
         const hidden = result.branches.filter((branch) => !this.shows(branch)).length;
         const text = [
-            ...(this.isOld ? ["Draft: of an earlier design; curves may be wrong or missing until the search ends."] : result.draft ? [draftWords(result.draft)] : [stableWords(result, this.range), ...peakWords(this.widths, result.unit)]),
+            ...(this.isOld ? ["Draft: of an earlier design; curves may be wrong or missing until the search ends."] : result.draft ? [draftWords(result.draft)] : [stableWords(result, this.range), ...peakWords(this.widths, result.unit), sentence(result.budgetNote)]),
             ...(this.swept.some((point) => point.over === result.over && this.design.isOld(point)) ? ["The swept points are of an earlier design."] : []),
             ...this.zeroWords(result),
             ...(this.isComputing(result) ? ["Computing the strain."] : []),
@@ -293,9 +278,21 @@ export class Response {
 
     /** The selected point, for screen readers. */
     private tellPoint({ branches }: ResponseResult): void {
-        const x = this.chosen && branches[this.chosen.branch]?.x[this.chosen.point];
-        const value = { now: x ?? this.range[0], min: this.range[0], max: this.range[1], text: this.pointWords(this.chosen) || "no point selected" };
+        const found = this.chosenBifurcation;
+        const x = found?.x ?? (this.chosen && (this.chosenAt ?? branches[this.chosen.branch]?.x[this.chosen.point]));
+        const words = found ? `${found.kind}, ${quantity(found.x, this.result!.unit, 5)}, ${quantity(found.power, "W")}` : this.pointWords(this.chosen);
+        const value = { now: x ?? this.range[0], min: this.range[0], max: this.range[1], text: words || "no point selected" };
         for (const [name, own] of Object.entries(value)) this.chart.host.setAttribute(`aria-value${name}`, String(own));
+    }
+
+    /** Value of the key of the selected orbit, where it is next to the point. */
+    private get chosenAt(): number | undefined {
+        return this.following ? this.at : this.chosenParameter;
+    }
+
+    /** The bifurcation whose orbit is selected. */
+    get chosenBifurcation(): Bifurcation | undefined {
+        return this.result?.bifurcations.find((own) => own.branch === this.chosen?.branch && own.x === this.chosenParameter);
     }
 
     private chooseNear(found: Bifurcation): void {

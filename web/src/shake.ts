@@ -150,7 +150,7 @@ export class Shake {
         if (head.stage === "progress") return this.say(`integrating under ${by}: ${Math.round((100 * head.done) / head.of)} %`);
         this.set(false);
         if (head.stage === "fault") return this.say(head.faults[0]?.message ?? "");
-        const linear = head.linear_power_w > 0 ? `, ${quantity(head.linear_power_w, "W")} without contact` : "";
+        const linear = head.linear_power_w > 0 ? ` (the same harvester without contact: ${quantity(head.linear_power_w, "W")})` : "";
         const contacts = frame.has("displacement.time") ? `; ${(head.contacts / head.average_over_s).toFixed(1)} contacts per second` : "";
         const name = head.channel ? `${by} (${head.channel})` : by;
         const noticed = head.issues?.length > 0 ? `. Issues: ${head.issues.join("; ")}` : "";

@@ -1,39 +1,54 @@
-// The orbit in the panel: whether it is that of the present design, and which attractor it is.
+// The orbit in the panel: whether it is that of the present design, and which attractors have it.
 
-import { type ResponseResult, isSamePower } from "./branches";
 import type { Design } from "./design";
 import type { Head } from "./frame";
-import type { Response } from "./response";
 
-/** An attractor, as far as an orbit is compared with it. */
-interface Compared {
-    period_cycles: number;
-    mean_power_w: number;
+/** An attractor of an operating point or of basins, named by the number of that result. */
+export interface AttractorPlace {
+    attractors: number;
+    attractor: string;
+}
+
+/** A point of a response. */
+export interface BranchPlace {
+    response: number;
+    branch: number;
+    point: number;
+    parameter?: number;
+}
+
+/** Where the orbit comes from that is requested or shown. */
+export interface OrbitSource {
+    place: BranchPlace | AttractorPlace;
+    /** Value of the key of the response, with its unit. */
+    at: string;
+    /** Signature of its design. */
+    design: string;
+    /** Key whose value does not belong to the design of a response; empty for an attractor. */
+    over: string;
 }
 
 export class ShownOrbit {
     private head: Head | undefined;
-    private of: ResponseResult | undefined;
+    /** The orbit that the panel shows; undefined where it shows words. */
+    of: OrbitSource | undefined;
 
-    constructor(private readonly response: Response, private readonly design: Design) {}
+    constructor(private readonly design: Design) {}
 
-    /** Registers the orbit of a response that the panel shows; nothing where it shows words. */
-    take(head?: Head, of?: ResponseResult): void {
+    /** Registers the orbit that the panel shows; nothing where it shows words. */
+    take(head?: Head, of?: OrbitSource): void {
         [this.head, this.of] = [head, of];
     }
 
-    /** The orbit, where it is that of the present design. */
-    get present(): Head | undefined {
-        const { head, of } = this;
-        return head && of && !this.design.isOld(of) && head.parameter === this.response.at ? head : undefined;
+    /** True where the panel shows the orbit of a place. */
+    isOf(place: AttractorPlace): boolean {
+        return JSON.stringify(this.of?.place) === JSON.stringify(place);
     }
 
-    /** The attractor, of some of the present design, whose orbit is shown. */
-    among<T extends Compared>(attractors: T[]): T | undefined {
-        const orbit = this.present;
-        if (!orbit?.stable) return undefined;
-        const away = (own: T) => Math.abs(Math.log(own.mean_power_w / orbit.mean_power_w));
-        const same = attractors.filter((own) => own.period_cycles === orbit.period_cycles && isSamePower(own.mean_power_w, orbit.mean_power_w));
-        return same.sort((a, b) => away(a) - away(b))[0];
+    /** Id of the attractor, of those of a number and of the present design, whose orbit is shown: the server compares whole motions. */
+    among(attractors: number): string | undefined {
+        const { head, of } = this;
+        if (!head || !of || this.design.isOld(of)) return undefined;
+        return (head.attractors as AttractorPlace[]).find((own) => own.attractors === attractors)?.attractor;
     }
 }

@@ -1,12 +1,21 @@
 // Numbers of stable orbits over ranges of the key: where one motion alone is possible, and where starts decide.
 
+import { kindOf } from "./bifurcations";
 import { type Bifurcation, type ResponseResult, isStable, level } from "./branches";
+import type { Head } from "./frame";
 import { quantity } from "./units";
 
 /** Width, as a share of the range, below which two ends are one: the corrected points of a bifurcation. */
 const SAME = 1e-6;
 /** Most ranges that fit into a sentence. */
 const FEW = 5;
+
+/** Stability of an orbit in words. */
+export function orbitStability({ stable, bifurcation, is_at_stability_limit }: Head): string {
+    if (!is_at_stability_limit) return stable ? "stable" : "unstable";
+    const kind = kindOf(bifurcation ?? "");
+    return `at the stability limit (${kind.isCritical ? kind.words : "a multiplier of modulus 1"})`;
+}
 
 export interface Count {
     from: number;

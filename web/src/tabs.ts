@@ -29,13 +29,29 @@ export class Tabs {
         return this.tabs.some((tab) => tab.disabled && tab.ariaSelected === "true");
     }
 
+    /** Element of the shown tab. */
+    get shownId(): string {
+        return this.tabs.find((tab) => tab.ariaSelected === "true")!.id;
+    }
+
+    /** Shows a tab without a change of the focus; returns false where there is none of this id. */
+    show(id: string): boolean {
+        const tab = this.tabs.find((own) => own.id === id);
+        if (tab && !tab.disabled && id !== this.shownId) this.open(tab);
+        return tab !== undefined;
+    }
+
     private choose(chosen: HTMLButtonElement): void {
+        this.open(chosen);
+        chosen.focus();
+    }
+
+    private open(chosen: HTMLButtonElement): void {
         for (const tab of this.tabs) {
             tab.setAttribute("aria-selected", String(tab === chosen));
             tab.tabIndex = tab === chosen ? 0 : -1;
             document.getElementById(tab.getAttribute("aria-controls")!)!.hidden = tab !== chosen;
         }
-        chosen.focus();
         this.shown(chosen.id);
     }
 }

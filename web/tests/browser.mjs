@@ -25,6 +25,10 @@ export const templates = () => spawnSync(program, ["new"], { encoding: "utf8" })
 /** A replaced page has no address, so Chromium would refuse its socket to this machine. */
 const OPEN_NETWORK = "--disable-features=LocalNetworkAccessChecks";
 
+/** Servers that run. They do not keep the tests from ending: one that a failed test has left open ends with them. */
+const running = new Set();
+process.on("exit", () => running.forEach((child) => child.kill("SIGKILL")));
+
 /** Starts a server on a copy of the paper's spec, of another example, of the template of a kind, on a text, or on a link. */
 export async function serve(options = {}) {
     const folder = await mkdtemp(join(tmpdir(), "explore-"));
@@ -41,11 +45,16 @@ export async function serve(options = {}) {
             createInterface({ input: child.stdout }).once("line", resolve);
             child.once("exit", (code) => reject(new Error(`jounce explore ended with ${code}`)));
         });
+        running.add(child);
+        child.unref();
+        child.stdout.unref();
         return { child, page: JSON.parse(line).page };
     };
     const first = await begin(options.listen);
     const end = (child) => new Promise((resolve) => {
         if (child.exitCode !== null) return resolve();
+        running.delete(child);
+        child.ref();
         child.once("exit", resolve);
         child.kill("SIGINT");
     });

@@ -54,10 +54,12 @@ test("a print says what is changed in the design", { skip: missing }, async () =
 
 test("the saved vectors of the response are the picture of its canvas", async () => {
     await page.waitForFunction(() => !document.querySelector("[aria-busy=true]") && /branch/.test(document.getElementById("status").textContent));
+    await page.evaluate(() => (document.getElementById("export-size").value = "1"));
     const [vectors, pixels] = [await exported("#export-vectors"), await exported("#export-picture")];
     const { different, inked, sizes } = await compare(page, png(pixels), svg(vectors));
     assert.deepEqual(sizes[0], sizes[1]);
     assert.ok(inked > 0.01 && different < 0.1 * inked, `${different} of ${inked}`);
+    assert.ok(vectors.includes(">unstable</text>"), "the legend");
     assert.ok(vectors.includes(">Drive frequency (Hz)</text>") && !vectors.includes("<image"));
 });
 

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { readFile } from "node:fs/promises";
 import { inked, open, ready, serve } from "./browser.mjs";
-import { browser, field, page, server, type, until } from "./suite.mjs";
+import { badLabels, browser, field, page, server, type, until } from "./suite.mjs";
 
 const reset = async () => {
     if (await page.locator("#reset").isEnabled()) await page.locator("#reset").click();
@@ -200,16 +200,6 @@ test("a long status stays on one line", async () => {
     await page.locator("#reset").click();
     await ready(page);
 });
-
-/** Labels of the drawing that cover each other or leave their part of it. */
-const badLabels = (own) => own.evaluate(() => [...document.querySelectorAll("#drawing > div > svg")].flatMap((view) => {
-    const box = view.getBoundingClientRect();
-    const labels = [...view.querySelectorAll("text")].map((text) => ({ words: text.textContent, ...text.getBoundingClientRect().toJSON() }));
-    const covers = (a, b) => Math.min(a.right, b.right) - Math.max(a.left, b.left) > 1 && Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 3;
-    const pairs = labels.flatMap((a, k) => labels.slice(k + 1).filter((b) => covers(a, b)).map((b) => `${a.words} / ${b.words}`));
-    const cut = labels.filter((own) => own.left < box.left - 1 || own.right > box.right + 1 || own.top < box.top - 1 || own.bottom > box.bottom + 1);
-    return [...pairs, ...cut.map((own) => `cut: ${own.words}`)];
-}));
 
 test("no label of the drawing covers another one or is cut", async () => {
     await page.locator("#groups > details").evaluateAll((list) => list.forEach((group) => (group.open = true)));

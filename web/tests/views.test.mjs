@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { test } from "node:test";
-import { ready } from "./browser.mjs";
+import { inked, ready } from "./browser.mjs";
 import { page, server, type, until } from "./suite.mjs";
 
 const text = (id) => page.locator(`#${id}`).textContent();
@@ -36,7 +36,8 @@ test("the export has picture and table of the tab that is shown", async () => {
     const first = (await page.locator("#attractors button").first().textContent()).match(/^(\w+): ([\d.]+) %/);
     assert.ok(Math.abs(lines.filter((line) => line.split(",")[2] === first[1]).length / 225 - Number(first[2]) / 100) < 1e-3);
     const chart = await page.locator("#chart-basins canvas").evaluate(({ width, height }) => [width, height]);
-    assert.deepEqual([picture.content.readUInt32BE(16), picture.content.readUInt32BE(20)], chart);
+    assert.equal(picture.content.readUInt32BE(16), 2 * chart[0]);
+    assert.ok(picture.content.readUInt32BE(20) > 2 * chart[1], "the legend is below the chart");
     assert.match(vectors.content.toString(), /Displacement/);
     await page.keyboard.press("Escape");
     await page.locator("#tab-modes").click();
@@ -61,10 +62,17 @@ test("the sentence below the basins and the button follow the orbit that is show
         await until("basins-note", new RegExp(`The orbit of ${entries[k][0]} is shown`));
         const [, power, unit] = (await text("orbit-title")).match(/: ([\d.]+) (.?W), /);
         assert.ok(unit === entries[k][2] && Math.abs(power / entries[k][1] - 1) < 0.01, `${await text("orbit-title")} ${entries[k]}`);
+        // The ring is at the point of the curves that has this orbit.
+        await ready(page);
+        const [, ring, ringUnit] = (await page.locator("#chart-response").getAttribute("aria-valuetext")).match(/Hz, ([\d.]+) (.?W), period 1, stable/) ?? assert.fail(entries[k][0]);
+        assert.ok(ringUnit === unit && Math.abs(ring / power - 1) < 0.1, `${ring} ${power}`);
         const [, own] = (await text("operating-words")).match(/: ([\d.]+) .?W/);
         assert.equal(await page.locator("#operating-show").isVisible(), Math.abs(own / power - 1) > 0.01, `${own} ${power}`);
     }
     await shot("basins-picked");
+    // At 1280 x 800 map and legend are complete without scrolling.
+    const [height, shown] = await page.locator("#panel-basins").evaluate((panel) => [panel.scrollHeight, panel.clientHeight]);
+    assert.ok(height <= shown, `${height} of ${shown}`);
     if (await page.locator("#operating-show").isHidden()) await buttons.first().click();
     await page.locator("#operating-show").waitFor({ state: "visible" });
     await page.locator("#operating-show").click();
@@ -96,7 +104,8 @@ test("a value outside the shown range is named, and the range extends to it", as
     await page.locator("#over").selectOption("drive.shaker.frequency");
     await ready(page);
     await type("drive.shaker.frequency", "9");
-    await until("orbit-title", /^9 Hz is outside the shown range$/);
+    await until("orbit-extend", /^9 Hz is outside the shown range: extend it$/);
+    await until("orbit-title", /^Orbit at 9 Hz: .*, stable/);
     await shot("outside");
     await page.locator("#orbit-extend").click();
     await ready(page);
@@ -105,6 +114,28 @@ test("a value outside the shown range is named, and the range extends to it", as
     assert.ok(await page.locator("#orbit-extend").isHidden());
     await page.locator("#reset").click();
     await ready(page);
+});
+
+test("a motion without a period keeps its words when the basins arrive", async () => {
+    await type("drive.shaker.frequency", "12.7");
+    await until("orbit-title", /^Most starts end in torus, which has no periodic orbit/);
+    await ready(page);
+    // Its motion: a point per drive cycle in the phase portrait, and its histories.
+    await until("stretch-words", /^500 drive cycles from a start that reached it: Poincaré section, a point at the start of each cycle; histories of the first 20\./);
+    assert.match(await page.locator("#chart-phase").getAttribute("aria-label"), /^Poincaré section: .* of 500 drive cycles$/);
+    for (const id of ["phase", "displacement", "voltage"]) assert.ok(await inked(page, `#chart-${id} canvas`) > 0.01, id);
+    for (const id of ["force", "spectrum", "multipliers"]) assert.ok(await page.locator(`#chart-${id}`).isHidden(), id);
+    assert.ok(await page.locator("#motion").isHidden());
+    await shot("torus");
+    await basins();
+    await ready(page);
+    assert.match(await text("orbit-title"), /^Most starts end in torus, which has no periodic orbit/);
+    await page.locator("#tab-response").click();
+    await page.locator("#reset").click();
+    await ready(page);
+    await until("orbit-title", /^Orbit at 13 Hz/);
+    assert.ok(await page.locator("#chart-multipliers").isVisible());
+    assert.equal(await text("stretch-words"), "");
 });
 
 test("a row of a bifurcation shows its own orbit, and the draft is described apart from the result", async () => {

@@ -49,7 +49,7 @@ impl<P: Serialize + DeserializeOwned> Journal<P> {
     /// [`JournalError`]: a folder that cannot be written, another process that computes the same.
     pub fn open(folder: &Path, key: &str) -> Result<Self, JournalError> {
         let path = folder.join(format!("{key}.jsonl"));
-        let fault = |error: std::io::Error| JournalError::new(&path, error);
+        let fault = |error: std::io::Error| JournalError::new(&path, store::reason(&error));
         std::fs::create_dir_all(folder).map_err(fault)?;
         let Some(mut file) = store::open_locked(&path).map_err(fault)? else {
             const BUSY: &str = "another process computes the same; wait for it";
@@ -94,7 +94,7 @@ impl<P: Serialize + DeserializeOwned> Journal<P> {
             // Points of other threads must not follow a part of a line, after which none is read.
             line.inspect_err(|_| drop(cut(&mut file, length)))
         });
-        written.map_err(|error| fault(error.to_string()))
+        written.map_err(|error| fault(store::reason(&error)))
     }
 
     /// Removes the journal of a complete sweep.
@@ -104,7 +104,7 @@ impl<P: Serialize + DeserializeOwned> Journal<P> {
     pub fn finish(self) -> Result<(), JournalError> {
         match std::fs::remove_file(&self.path) {
             Err(error) if error.kind() != ErrorKind::NotFound => {
-                Err(JournalError::new(&self.path, error))
+                Err(JournalError::new(&self.path, store::reason(&error)))
             }
             _ => Ok(()),
         }

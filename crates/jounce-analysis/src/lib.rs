@@ -55,8 +55,8 @@ pub use model_at_start::ModelAtStart;
 pub use nearest_fold::{FoldPlace, nearest_fold};
 pub use nearest_peak::{PeakDerivative, PeakPlace, nearest_peak};
 pub use orbit_derivatives::{
-    Derivative, DerivativeAccuracy, DerivativeKey, OrbitDerivatives, fold_derivatives,
-    orbit_derivatives,
+    AcrossGrazing, Derivative, DerivativeAccuracy, DerivativeKey, NearestGrazing, OrbitDerivatives,
+    fold_derivatives, nearest_grazing, orbit_derivatives,
 };
 pub use parameter::Parameter;
 pub(crate) use recognition::settled_orbits;

@@ -45,7 +45,7 @@ pub struct SweepPoint {
     pub max_penetration_m: f64,
     /// Contacts per second.
     pub contact_rate_hz: f64,
-    /// True if the response had settled before the average.
+    /// True if the response had settled at the end of the average, which may contain a transient.
     pub settled: bool,
     /// Period of the response in drive cycles.
     pub period_cycles: u32,

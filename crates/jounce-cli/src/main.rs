@@ -8,6 +8,7 @@
 mod arguments;
 mod cache;
 mod commands;
+mod destinations;
 mod failure;
 mod hammer_arguments;
 mod interruption;
@@ -20,7 +21,7 @@ mod record;
 mod spec_arguments;
 mod value_error;
 
-use clap::{CommandFactory, FromArgMatches};
+use clap::{ArgMatches, CommandFactory, FromArgMatches};
 use mimalloc::MiMalloc;
 use std::process::ExitCode;
 
@@ -34,15 +35,23 @@ fn main() -> ExitCode {
     let command = arguments::Arguments::command()
         .mut_subcommands(|command| command.allow_negative_numbers(true));
     let given = value_error::with_joined_values(std::env::args_os());
-    let arguments = (command.clone().try_get_matches_from(&given))
-        .and_then(|matches| arguments::Arguments::from_arg_matches(&matches))
+    let read = |matches: ArgMatches| {
+        arguments::Arguments::from_arg_matches(&matches).map(|arguments| (arguments, matches))
+    };
+    let (arguments, matches) = (command.clone().try_get_matches_from(&given))
+        .and_then(read)
         .unwrap_or_else(|error| {
             let error = value_error::with_tip(error, &command, &given);
             value_error::explained(error).exit()
         });
     record::begin(std::env::args_os().skip(1));
     let json = arguments.command.wants_json();
-    match commands::run(arguments.command).and_then(|()| output::check_printed()) {
+    let work = || {
+        destinations::check(&command, &matches)?;
+        commands::run(arguments.command)?;
+        output::check_printed()
+    };
+    match work() {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => failure.report(json),
     }

@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use crate::option_names::on_command_line;
 use crate::record;
-use jounce::parts::{Column, Manifest, Record, Values};
+use jounce::parts::{Column, Manifest, Record, Values, system_reason};
 use jounce::{Error, Figure, Table};
 use serde::Serialize;
 use std::fmt::Display;
@@ -30,7 +30,7 @@ pub fn text(text: &str) {
     if let Err(error) = written
         && error.kind() != ErrorKind::BrokenPipe
     {
-        let _ = UNPRINTED.set(error.to_string());
+        let _ = UNPRINTED.set(system_reason(&error));
     }
 }
 
@@ -154,6 +154,15 @@ pub fn key_value(value: f64) -> String {
         size if size >= 1e-4 => format!("{value:.10}"),
         _ => format!("{value:.6e}"),
     }
+}
+
+/// Returns the heading of a column of values of a key, as wide as its values.
+pub fn key_heading(key: &str, unit: &str) -> String {
+    let heading = match unit {
+        "" => key.to_owned(),
+        _ => format!("{key} [{unit}]"),
+    };
+    format!("{heading:>14}")
 }
 
 /// Formats a power in W: seven digits and a power of ten, so powers of any size compare at a glance.

@@ -30,6 +30,15 @@ pub fn with_parts<T>(name: &'static str, control: &Control, work: impl FnOnce() 
     with_polling(bar, &|bar| set_parts(bar, control), work)
 }
 
+/// Shows the finished percentage of the parts that a control counts, with its unit, while `work` runs.
+pub fn with_percent<T>(unit: &'static str, control: &Control, work: impl FnOnce() -> T) -> T {
+    let update = |bar: &ProgressBar| {
+        let (done, expected) = control.progress();
+        bar.set_position(100 * done / expected.max(1));
+    };
+    with_polling(counting_bar(100, unit), &update, work)
+}
+
 fn set_parts(bar: &ProgressBar, control: &Control) {
     let (done, expected) = control.progress();
     bar.set_length(expected);

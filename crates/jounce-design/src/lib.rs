@@ -31,7 +31,8 @@ pub use problem::{
 };
 pub use result::{
     BestDesign, DesignBefore, DesignOutcome, FreeValue, FrontPoint, Improvement, LimitResult,
-    NearestFold, NoisePower, PowerBand, Quantile, Robustness, SearchEnd, SobolIndex, TracePoint,
+    NearestFold, NoiseLimit, NoisePower, PowerBand, Quantile, Robustness, SearchEnd, SobolIndex,
+    TracePoint,
 };
 pub use robustness::PowerBandSearch;
 pub use search::design;

@@ -17,7 +17,7 @@ pub struct DesignOutcome {
     pub front: Vec<FrontPoint>,
     /// Spec as given, evaluated in the same way.
     pub before: DesignBefore,
-    /// True where the best design keeps all limits.
+    /// True where the best design keeps all limits, under noise in all examined realisations.
     pub feasible: bool,
     /// Sum of the relative violations of the limits, and the share of the starts of which no limit
     /// is known; 0 within the limits.
@@ -116,7 +116,7 @@ pub struct NearestFold {
 pub struct LimitResult {
     /// Name.
     pub name: String,
-    /// Value at the design, SI; the worst of all conditions and attractors.
+    /// Value at the design, SI; the worst of all conditions, attractors and realisations of the noise.
     pub value: f64,
     /// Limit, SI.
     pub limit: f64,
@@ -128,16 +128,34 @@ pub struct LimitResult {
     /// Gain of mean power per unit of the limit, W per SI unit, where the limit binds and the main
     /// orbit has derivatives.
     pub price: Option<f64>,
+    /// The limit under other noise than that of the search; `null` without noise, and for a limit that
+    /// does not depend on it.
+    pub noise: Option<NoiseLimit>,
+}
+
+/// Limit of the best design under realisations of the noise other than that of its spec. The search
+/// examines each design in them before it counts, so that a design within its limits exceeds none.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct NoiseLimit {
+    /// Number of realisations; each has a run in every condition.
+    pub realisations: usize,
+    /// Number of these in which the limit is exceeded in a condition.
+    pub exceeded: usize,
+    /// Lower end of the 95 % interval of the share of all realisations that exceed the limit.
+    pub exceeded_fraction_low: f64,
+    /// Upper end of this interval.
+    pub exceeded_fraction_high: f64,
 }
 
 /// Spec as given.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct DesignBefore {
-    /// Value of each goal, in W or Hz.
+    /// Value of each goal, in W or Hz; empty where the spec cannot be evaluated or the search was
+    /// stopped.
     pub goals: BTreeMap<String, f64>,
-    /// Expected power of a start, W.
+    /// Expected power of a start, W; NaN without goals.
     pub expected_power_w: f64,
-    /// Sum of the relative violations of the limits; `None` where the spec cannot be evaluated.
+    /// Sum of the relative violations of the limits; `None` without goals.
     pub violation: Option<f64>,
 }
 

@@ -1,12 +1,14 @@
-//! Link to a design of the page that opens on any machine: the changed keys, the axis, the spec.
+//! Link to a view of the page that opens on any machine: the changed keys, the axis, what the page
+//! shows, the spec.
 //!
 //! ```text
 //! jounce:?set=stop.tip.gap%3D0.9%20mm&over=drive.shaker.frequency&from=12&to=14&spec=TEXT
 //! ```
 //!
 //! The fields are those of the fragment in the address of the page, so an address is a link too, but
-//! without a spec. `spec` is the text of the spec, compressed (RFC 1951), in base64 for addresses
-//! (RFC 4648, section 5). A link holds no address and no token of a server.
+//! without a spec. The page alone reads the fields of [`PAGE_FIELDS`]. `spec` is the text of the spec,
+//! compressed (RFC 1951), in base64 for addresses (RFC 4648, section 5). A link holds no address and no
+//! token of a server.
 
 use base64::Engine;
 use base64::engine::general_purpose::URL_SAFE_NO_PAD;
@@ -26,13 +28,30 @@ const ENCODED: &AsciiSet = &NON_ALPHANUMERIC.remove(b'.').remove(b'-').remove(b'
 /// Largest spec in a link, bytes.
 const MAX_SPEC_BYTES: u64 = 4 << 20;
 
-/// Design of a page.
+/// Fields that the page writes and reads: the open tab, the quantity of the vertical axis, the toggles,
+/// the magnified part of the chart, the selected orbit and the plane of the basins. Each has a default.
+pub const PAGE_FIELDS: [&str; 10] = [
+    "tab",
+    "show",
+    "log",
+    "grazings",
+    "long_periods",
+    "zoom",
+    "orbit",
+    "starts",
+    "displacement",
+    "velocity",
+];
+
+/// View of a page.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Link {
     /// Changed keys, as in `--set`.
     pub set: Vec<(String, String)>,
     /// Range of the axis; `None` for that of a new page.
     pub view: Option<KeySpan>,
+    /// Values of the fields of `PAGE_FIELDS`; the page reports a value that it does not know.
+    pub page: Vec<(String, String)>,
     /// Text of the spec; `None` in an address of a page.
     pub spec: Option<String>,
 }
@@ -80,6 +99,7 @@ impl Link {
                 "from" => ends[0] = Some(number(name, &value)?),
                 "to" => ends[1] = Some(number(name, &value)?),
                 "spec" => link.spec = Some(spec(&value)?),
+                _ if PAGE_FIELDS.contains(&name) => link.page.push((name.to_owned(), value)),
                 _ => return Err(fault(name, "a link has no such field")),
             }
         }
@@ -110,6 +130,9 @@ impl fmt::Display for Link {
             add("over", over);
             add("from", &from.to_string());
             add("to", &to.to_string());
+        }
+        for (name, value) in &self.page {
+            add(name, value);
         }
         if let Some(spec) = &self.spec {
             let mut compressed = Vec::new();
@@ -180,6 +203,10 @@ mod tests {
                 from: 0.1 + 0.2,
                 to: 1e300,
             }),
+            page: vec![
+                ("tab".to_owned(), "basins".to_owned()),
+                ("orbit".to_owned(), "12.5:1:4e-3:-0.1:20:fold".to_owned()),
+            ],
             spec: Some("# Balken µm\n[mass.a]\nmass = \"1 kg\"\n".repeat(50)),
         }
     }
@@ -205,6 +232,12 @@ mod tests {
         let view = read.view.unwrap();
         assert_eq!((view.from, view.to), (12.0, 14.5));
         assert_eq!(read.spec, None);
+        let read = Link::parse(&format!("{address}&tab=load&zoom=1%3A2%3A3%3A4")).unwrap();
+        let expected = [("tab", "load"), ("zoom", "1:2:3:4")];
+        assert_eq!(
+            read.page,
+            expected.map(|(name, value)| (name.to_owned(), value.to_owned()))
+        );
     }
 
     #[test]

@@ -111,7 +111,7 @@ impl StoredPicture {
         }
         .map_err(read)?;
         let manifest = serde_json::from_str(&text)
-            .map_err(|fault| read(format!("its origin is not that of jounce ({fault})")))?;
+            .map_err(|_| read("its origin is not that of jounce".to_owned()))?;
         Ok(Self { manifest, content })
     }
 

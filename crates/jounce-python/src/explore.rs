@@ -71,6 +71,7 @@ impl Explorer {
             spec: source,
             set: Vec::new(),
             view: None,
+            page: Vec::new(),
             listen,
             proxy,
             frames,

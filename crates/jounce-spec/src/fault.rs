@@ -69,19 +69,29 @@ impl fmt::Display for Fault {
 
 impl std::error::Error for Fault {}
 
-/// All faults of a spec, sorted by place; never empty. At most the first 100 are reported.
+/// All faults of a spec, sorted by place; never empty. Only the first 100 are reported, with a last
+/// one that there are more.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[serde(transparent)]
 pub struct Faults(Vec<Fault>);
 
 impl Faults {
     /// Largest number of reported faults.
-    pub(super) const MAX_REPORTED: usize = 100;
+    const MAX_REPORTED: usize = 100;
+
+    /// Number of faults after which the search for more ends.
+    pub(super) const MAX_FOUND: usize = Self::MAX_REPORTED + 1;
+
+    /// Message that a list of faults does not contain all.
+    pub(super) const MORE: &str = "there are more faults; correct those above, then check again";
 
     pub(super) fn new(mut faults: Vec<Fault>) -> Self {
         faults.sort();
         faults.dedup();
-        faults.truncate(Self::MAX_REPORTED);
+        if faults.len() > Self::MAX_REPORTED {
+            faults.truncate(Self::MAX_REPORTED);
+            faults.push(Fault::without_position("", Self::MORE));
+        }
         Self(faults)
     }
 
@@ -114,3 +124,23 @@ impl fmt::Display for Faults {
 }
 
 impl std::error::Error for Faults {}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+    use crate::Spec;
+
+    #[test]
+    fn a_list_that_is_cut_has_a_last_fault() {
+        let faults = |text: &str| Spec::from_toml(text).unwrap_err().0;
+        let last = |faults: &[Fault]| faults.last().map(|fault| fault.message.clone());
+        let more = Some(Faults::MORE.to_owned());
+        let unknown: String = (0..200).map(|k| format!("[unknown{k}]\n")).collect();
+        let unknown = faults(&unknown);
+        assert_eq!((unknown.len(), last(&unknown)), (101, more.clone()));
+        let lines: String = (0..30).map(|k| format!("[run]\nkey{k} = 3 m\n")).collect();
+        assert_eq!(last(&faults(&lines)), more);
+        assert_ne!(last(&faults("[unknown]\n")), more);
+    }
+}

@@ -205,6 +205,10 @@ fn stepped(
     if steps.is_nan() || steps >= MAX_POINTS as f64 {
         return Err(too_long());
     }
+    if steps < 1.0 && from.value < to.value {
+        let reason = "the step is larger than the range; make it smaller, or give one value";
+        return Err(reason.to_owned());
+    }
     let exponent = [from, to, step]
         .iter()
         .filter_map(|number| number.exact)

@@ -140,6 +140,10 @@ impl Harvester {
             return Ok(self.clone());
         };
         let key = "run.tolerance";
+        if self.file.sets(key) {
+            let expected = format!("{key} is set too; omit one of them");
+            return Err(Error::option("tolerance", tolerance, expected));
+        }
         let (low, high) = NumericKey::find(self.spec(), key)?.limits();
         if !(low..=high).contains(&tolerance) {
             let expected = format!("it must be from {low:e} to {high}");

@@ -22,7 +22,7 @@ pub use crate::recording::{ChannelList, ChosenChannel, UsesChannels};
 pub use crate::rig::BaseMotion;
 pub use crate::run::{History, HistorySamples, LoadResult, PatchResult, PointResult};
 pub use crate::segments::SegmentResult;
-pub use crate::sensitivity::{FailedKey, KeyDerivative, KeySensitivity, OrbitResult};
+pub use crate::sensitivity::{FailedKey, KeyDerivative, KeySensitivity, OrbitGrazing, OrbitResult};
 pub use crate::spectra::OrderPeak;
 pub use crate::study::{Shard, StudyStatus};
 pub use crate::sweep::{SweepOrder, SweepPoint};
@@ -40,8 +40,8 @@ pub use jounce_data::recording::{
 };
 pub use jounce_design::{
     AllowedLimit, BestDesign, DesignBefore, DesignError, DesignOutcome, FreeValue, FrontPoint,
-    Improvement, Journaled, LimitResult, NearestFold, NoisePower, OnImprovement, PowerBand,
-    Quantile, Robustness, SearchEnd, SobolIndex, TracePoint,
+    Improvement, Journaled, LimitResult, NearestFold, NoiseLimit, NoisePower, OnImprovement,
+    PowerBand, Quantile, Robustness, SearchEnd, SobolIndex, TracePoint,
 };
 pub use jounce_experiment::draw::PulseFigure;
 pub use jounce_experiment::fit::{
@@ -51,7 +51,10 @@ pub use jounce_experiment::segmentation::{
     Candidate, MAX_PERIOD_CYCLES, MergeReason, MergedChange,
 };
 pub use jounce_identification::contact::AllowedLaws;
-pub use jounce_io::store::{unreadable, unwritable_folder, write as write_file};
+pub use jounce_io::store::{
+    check_file, check_folder, reason as system_reason, unreadable, unwritable_folder,
+    write as write_file,
+};
 pub use jounce_io::table::{
     Column, Manifest, Record, RecordedInput, StoredTable, TableDifference, Values,
 };

@@ -23,8 +23,11 @@ pub struct Attractor {
     pub mean_power_w: f64,
     /// Contacts per period; 0 without contact.
     pub contacts_per_period: u64,
-    /// Orbit of a periodic attractor.
-    pub orbit: Option<Orbit>,
+    /// Orbit of a periodic attractor, with the ball that proves that it attracts.
+    pub attracting: Option<Arc<AttractingOrbit>>,
+    /// State (physical) of an aperiodic attractor at the start of a drive cycle: the last one of
+    /// its first start.
+    pub last_state: Option<Vec<f64>>,
     /// Largest Lyapunov exponent and its error, 1/s, of an aperiodic attractor.
     pub lyapunov: Option<(f64, f64)>,
     /// Id of the orbit whose mirror image, half a drive cycle later, is this one.
@@ -68,13 +71,19 @@ impl Attractor {
             period_cycles: 0,
             mean_power_w,
             contacts_per_period: 0,
-            orbit: None,
+            attracting: None,
+            last_state: None,
             lyapunov: None,
             mirror_of: None,
             share: wilson(starts.len(), of),
             starts,
             exceeded: Vec::new(),
         }
+    }
+
+    /// Returns the orbit of a periodic attractor.
+    pub fn orbit(&self) -> Option<&Orbit> {
+        Some(&self.attracting.as_ref()?.orbit)
     }
 
     /// True for a chaotic attractor: neighbouring trajectories diverge exponentially.
@@ -171,7 +180,7 @@ fn periodic(
         attractors.push(Attractor {
             period_cycles: orbit.period_cycles,
             contacts_per_period: orbit.contacts,
-            orbit: Some(orbit.clone()),
+            attracting: Some(Arc::clone(attracting)),
             mirror_of,
             ..Attractor::new(
                 id,
@@ -238,7 +247,9 @@ fn aperiodic(kind: AttractorKind, ends: &[(usize, SteadyState)], of: usize) -> O
         / exponent_count
         / exponent_count.sqrt();
     let starts: Vec<usize> = found.iter().map(|(index, _)| *index).collect();
+    let last_state = found.first().map(|(_, own)| own.state.clone());
     (!found.is_empty()).then(|| Attractor {
+        last_state,
         lyapunov: (!exponents.is_empty()).then_some((exponent, error)),
         ..Attractor::new(kind.name().to_owned(), kind, mean_power_w, starts, of)
     })

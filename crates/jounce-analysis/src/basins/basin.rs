@@ -112,7 +112,7 @@ impl Basins<'_> {
         end: Option<&SteadyState>,
     ) -> Result<Vec<ExceededLimit>, IntegrationError> {
         let tolerance = self.recognition.tolerance;
-        match (&attractor.orbit, end) {
+        match (attractor.orbit(), end) {
             (Some(orbit), _) => exceeded_by_orbit(limits, (line, kernel), orbit, tolerance),
             (None, Some(SteadyState::Aperiodic(end))) => {
                 exceeded_over_cycles(limits, kernel, &end.state, LATE_CYCLES, tolerance)

@@ -65,6 +65,9 @@ pub struct Bifurcation {
     pub at: BranchPoint,
     /// Estimated error of the key there, SI; `None` where the event ended the branch.
     pub parameter_error: Option<f64>,
+    /// Values of the key at the neighbouring points of the branch, SI; `None` where the event ended
+    /// the branch.
+    pub neighbours: Option<[f64; 2]>,
 }
 
 /// Termination of a branch.
@@ -125,6 +128,7 @@ impl Bifurcation {
             stop,
             at,
             parameter_error: None,
+            neighbours: None,
         }
     }
 }
@@ -247,6 +251,10 @@ impl Branch {
     pub fn joined(mut self, other: Branch) -> Branch {
         self.points.reverse();
         self.bifurcations.reverse();
+        let neighbours = self.bifurcations.iter_mut();
+        neighbours
+            .filter_map(|bifurcation| bifurcation.neighbours.as_mut())
+            .for_each(|ends| ends.reverse());
         self.not_proved.reverse();
         self.endings.reverse();
         self.points.extend(other.points.into_iter().skip(1));

@@ -65,7 +65,7 @@ impl Estimate {
     }
 
     /// Estimate from independent values.
-    pub(super) fn of(values: &[f64], interval: IntervalOver) -> Self {
+    pub fn of(values: &[f64], interval: IntervalOver) -> Self {
         let count = values.len() as f64;
         let mean = values.iter().sum::<f64>() / count;
         let variance = values

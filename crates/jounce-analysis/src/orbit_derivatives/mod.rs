@@ -9,12 +9,14 @@
 mod differences;
 mod exact;
 mod fold;
+mod grazing;
 mod plant_derivatives;
 
 use super::{AnalysisError, KeyLine, Model};
 use differences::Differences;
 use exact::ExactKey;
 pub use fold::fold_derivatives;
+pub use grazing::{AcrossGrazing, NearestGrazing, nearest_grazing};
 use jounce_continuation::{Corrector, Metric, Position, correct_at};
 use jounce_model::plant::PlantError;
 use jounce_orbits::{Orbit, OrbitError, OrbitQuantity, Shooting, ShootingEvaluation};

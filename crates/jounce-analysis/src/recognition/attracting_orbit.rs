@@ -12,8 +12,9 @@
 //! orbit, and at least roundoff.
 //!
 //! Limits: `sup |DP|` is taken over states at the radius, along the displacement of the motion and
-//! both ways along the plane of the leading multipliers, not over all directions. Each motion must
-//! show the contraction of its own displacement over a period.
+//! both ways along the plane of the leading multipliers, not over all directions. The ball
+//! therefore ends at half the largest radius that satisfies the bound, and each motion must show
+//! the contraction of its own displacement over a period.
 //!
 //! Source: the contraction principle as "radii polynomials", J. B. van den Berg and J.-P. Lessard,
 //! Notices AMS 62 (2015) 1057.
@@ -25,6 +26,11 @@ use jounce_orbits::Orbit;
 /// Smallest initial radius, relative to the size of the orbit. A motion that begins on the orbit
 /// gives no information on the ball around it.
 const FIRST_RADIUS: f64 = 1e-3;
+
+/// Radius of the ball, relative to the largest one that satisfies the bound in the directions that
+/// are examined. With the largest one, 3 of 19,600 starts of random harvesters were attributed to an
+/// orbit that they pass at 0.84 to 0.93 of it and leave again.
+const RADIUS_MARGIN: f64 = 0.5;
 
 /// Largest number of doublings of a radius: where no stop is within reach every radius satisfies
 /// the bound.
@@ -134,7 +140,7 @@ impl AttractingOrbit {
                 norm,
                 rate,
                 error,
-                radius,
+                radius: RADIUS_MARGIN * radius,
             },
         })
     }
@@ -195,7 +201,7 @@ impl AttractingOrbit {
 
     /// True when an orbit passes the ball, which contains only one orbit of the period, except in a
     /// family over a charge.
-    pub(super) fn holds(&self, orbit: &Orbit) -> bool {
+    pub fn holds(&self, orbit: &Orbit) -> bool {
         !self.keeps_charge
             && self.orbit.period_cycles == orbit.period_cycles
             && self.passes(&orbit.strobe_states)

@@ -3,14 +3,16 @@
 use super::return_times::ReturnTimes;
 use super::weighted_average::half_difference;
 use jounce_dynamics::{IntegrationError, Integrator, Kernel};
+use jounce_linalg::norm;
 
 /// Drive cycles after which the integration restarts at time 0, so that the phase of a drive loses
 /// no digits over a long run.
 const RESTART_CYCLES: u32 = 256;
 
 /// Difference of two weighted averages, relative to the deviation of the samples, below which a
-/// motion is quasi-periodic. For chaos the difference is the inverse square root of the number of
-/// samples, above 1e-2 for all that are used.
+/// motion is quasi-periodic. For chaos the difference scatters like the inverse square root of the
+/// number of samples, 1e-2 for all that are used: one in a thousand is below the limit by chance,
+/// so two quantities must be.
 const CONVERGED_DIFFERENCE: f64 = 1e-5;
 
 /// Motion from a start.
@@ -32,6 +34,8 @@ pub struct Transient<'k> {
     /// Energy delivered in each drive cycle after the first restart, J: few starts take longer, and
     /// reading the energies has a cost.
     energies_j: Vec<f64>,
+    /// Length of the state (energy coordinates) at the end of the same cycles.
+    lengths: Vec<f64>,
     /// States at the start of the last drive cycles, energy coordinates.
     pub returns: ReturnTimes,
     /// Present state.
@@ -63,6 +67,7 @@ impl<'k> Transient<'k> {
             tolerance,
             delivered_j: 0.0,
             energies_j: Vec::new(),
+            lengths: Vec::new(),
             returns: ReturnTimes::up_to(longest),
             state: Vec::new(),
         })
@@ -77,17 +82,18 @@ impl<'k> Transient<'k> {
         self.cycles += 1;
         self.integrator
             .advance_to(f64::from(self.since) * self.cycle_s)?;
-        if self.cycles > RESTART_CYCLES {
-            let delivered_j = self.integrator.energies().delivered_j();
-            self.energies_j.push(delivered_j - self.delivered_j);
-            self.delivered_j = delivered_j;
-        }
         self.state = self
             .physical()
             .iter()
             .zip(&self.scale)
             .map(|(x, w)| x * w)
             .collect();
+        if self.cycles > RESTART_CYCLES {
+            let delivered_j = self.integrator.energies().delivered_j();
+            self.energies_j.push(delivered_j - self.delivered_j);
+            self.delivered_j = delivered_j;
+            self.lengths.push(norm(&self.state));
+        }
         self.returns.push(self.state.clone());
         Ok(())
     }
@@ -120,10 +126,12 @@ impl<'k> Transient<'k> {
         }
     }
 
-    /// True when the averages of the power over the second half of the cycles have converged as for
-    /// a quasi-periodic motion.
+    /// True when the averages of the power and of the length of the state over the second half of the
+    /// cycles have converged as for a quasi-periodic motion.
     pub fn is_quasi_periodic(&self) -> bool {
-        half_difference(&self.energies_j[self.energies_j.len() / 2..])
-            .is_some_and(|difference| difference < CONVERGED_DIFFERENCE)
+        [&self.energies_j, &self.lengths].iter().all(|samples| {
+            half_difference(&samples[samples.len() / 2..])
+                .is_some_and(|difference| difference < CONVERGED_DIFFERENCE)
+        })
     }
 }

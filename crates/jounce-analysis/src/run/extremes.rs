@@ -51,6 +51,11 @@ impl RecordWindow {
         })
     }
 
+    /// True where the record is not shorter than a window.
+    pub fn is_of(&self, length_s: f64) -> bool {
+        self.end_s - self.begin_s >= length_s * (1.0 - 1e-9)
+    }
+
     /// Returns the smallest and the largest value of each output over its sources; NaN without a
     /// source.
     pub fn extremes(

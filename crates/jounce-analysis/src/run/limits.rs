@@ -4,6 +4,7 @@
 
 use super::extremes::RecordWindow;
 use super::output_row::OutputSource;
+use super::subject::named;
 use jounce_dynamics::{Kernel, Trajectory};
 use jounce_model::plant::Plant;
 use jounce_spec::Spec;
@@ -41,8 +42,8 @@ impl fmt::Display for ExceededLimit {
             LimitedQuantity::Strain => {
                 write!(
                     out,
-                    "patch {}: its strain reaches {:.0} ppm; {:.0} ppm are recommended",
-                    self.patch,
+                    "{}: its strain reaches {:.0} ppm; {:.0} ppm are recommended",
+                    named("patch", &self.patch),
                     1e6 * self.reached,
                     1e6 * high
                 )
@@ -50,8 +51,9 @@ impl fmt::Display for ExceededLimit {
             LimitedQuantity::Voltage => {
                 write!(
                     out,
-                    "patch {}: its voltage reaches {:.3} V; it bears {low} V to {high} V",
-                    self.patch, self.reached
+                    "{}: its voltage reaches {:.3} V; it bears {low} V to {high} V",
+                    named("patch", &self.patch),
+                    self.reached
                 )
             }
         }
@@ -293,6 +295,14 @@ mod tests {
             "{} {strain}",
             warned[0].reached
         );
+        let message = warned[0].to_string();
+        assert!(message.starts_with("patch p: its strain"), "{message}");
+        let same_word = ExceededLimit {
+            patch: "patch".to_owned(),
+            ..warned[0].clone()
+        };
+        let message = same_word.to_string();
+        assert!(message.starts_with("patch: its strain"), "{message}");
         assert!(
             warned[0].to_string().contains("600 ppm are recommended"),
             "{}",

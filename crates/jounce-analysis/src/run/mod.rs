@@ -5,6 +5,7 @@ mod charge;
 mod device;
 mod error;
 mod extremes;
+mod ineffective;
 mod limits;
 mod model_limits;
 mod output_peak;
@@ -15,6 +16,7 @@ mod result;
 mod settle;
 mod simulate;
 mod start;
+mod subject;
 mod warning;
 
 pub use charge::{ChargeResult, charges};

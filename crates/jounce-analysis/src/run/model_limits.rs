@@ -61,9 +61,10 @@ fn passed_tables(spec: &Spec, result: &RunResult) -> Vec<Warning> {
 }
 
 /// Stops on beams and plates whose contacts are too short for the retained modes. Masses and
-/// structures given by modes have no further ones.
+/// structures given by modes have no further ones; the impacts of rigid stops have no duration.
 fn short_contacts(spec: &Spec, highest_hz: f64, result: &RunResult) -> Vec<Warning> {
-    let short = result.stops.iter().filter_map(|of| {
+    let deformed = result.stops.iter().filter(|of| !of.is_rigid);
+    let short = deformed.filter_map(|of| {
         let stop = spec.stop.get(&of.name)?;
         let is_flexible = [&stop.at, &stop.frame].iter().any(|place| {
             let body = place.split('.').next().unwrap_or_default();

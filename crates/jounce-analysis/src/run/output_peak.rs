@@ -18,7 +18,7 @@ use super::extremes::RecordWindow;
 use super::output_row::{OutputRow, OutputSource};
 use jounce_dynamics::Kernel;
 
-/// Peaks of the outputs, zero to peak; NaN without a record.
+/// Peaks of the outputs, zero to peak; NaN without a record of the averaging window.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct OutputPeaks {
     /// Voltage across the resistor of each load, V, in the order of the loads.
@@ -43,12 +43,13 @@ impl OutputPeaks {
     }
 }
 
-/// Returns the peaks of the averaging window of a run; NaN without a record.
+/// Returns the peaks of the averaging window of a run; NaN without a record of it.
 pub fn output_peaks(kernel: &Kernel, result: &RunResult) -> OutputPeaks {
     let plant = &kernel.plant;
     let modes = &plant.system.modes;
     let (loads, patches) = (plant.system.loads.len(), modes.patch.len());
-    let Some(window) = RecordWindow::of(plant, &result.trajectory, result.peak_window_s) else {
+    let window = RecordWindow::of(plant, &result.trajectory, result.peak_window_s);
+    let Some(window) = window.filter(|window| window.is_of(result.peak_window_s)) else {
         let none = |count: usize| vec![f64::NAN; count];
         return OutputPeaks {
             loads_v: none(loads),

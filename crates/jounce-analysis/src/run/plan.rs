@@ -4,8 +4,8 @@ use super::Limits;
 use jounce_model::plant::Plant;
 use jounce_spec::{Run, Spec};
 
-/// Largest number of drive cycles of the window of peaks.
-const MAX_PEAK_CYCLES: f64 = 1000.0;
+/// Largest number of drive cycles of a record for peaks, which fits in memory.
+const MAX_PEAK_CYCLES: f64 = 10_000.0;
 
 /// Duration, averaging window, tolerance and record of a run.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,24 +32,14 @@ impl RunPlan {
         }
     }
 
-    /// Returns the length of the window of peaks, s: the averaging window, with periodic drives at
-    /// most its last 1000 cycles, whose record fits in memory.
-    pub fn peak_window_s(&self, plant: &Plant) -> f64 {
-        let longest_s = plant.period_s().map(|period_s| MAX_PEAK_CYCLES * period_s);
-        longest_s.map_or(self.average_over_s, |longest_s| {
-            self.average_over_s.min(longest_s)
-        })
-    }
-
-    /// Returns the plan with a record of the window of peaks; without a common period of the drives
-    /// only if a patch has limits.
+    /// Returns the plan with a record of the averaging window, at most 10000 drive cycles; without a
+    /// common period of the drives only if a patch has limits.
     #[must_use]
     pub fn watching(self, spec: &Spec, plant: &Plant) -> Self {
-        let records = plant.period_s().is_some() || !Limits::of(spec, plant).is_empty();
-        let window_s = if records {
-            self.peak_window_s(plant)
-        } else {
-            0.0
+        let window_s = match plant.period_s() {
+            Some(period_s) => self.average_over_s.min(MAX_PEAK_CYCLES * period_s),
+            None if Limits::of(spec, plant).is_empty() => 0.0,
+            None => self.average_over_s,
         };
         Self {
             record_s: self.record_s.max(window_s),

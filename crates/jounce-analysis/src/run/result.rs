@@ -61,6 +61,9 @@ pub struct StopResult {
     pub mean_impact_velocity_m_s: f64,
     /// Largest impact velocity, m/s.
     pub max_impact_velocity_m_s: f64,
+    /// True for a rigid stop. Its impacts have no duration; its time in contact is rest on the stop.
+    #[serde(skip)]
+    pub is_rigid: bool,
     /// Mean contact duration, s: time in contact over number of contacts that began.
     pub mean_contact_duration_s: f64,
     /// Longest contact duration within the window, s.

@@ -4,6 +4,7 @@
 //! to the orbit is about `d_2 r / (1 - r)`, `r = d_2 / d_1`: a slow mode changes little in a period
 //! and may still be far from its orbit.
 
+use super::StartState;
 use jounce_dynamics::{Integrator, Kernel, Trajectory, TrajectorySegment};
 use serde::Serialize;
 use std::f64::consts::TAU;
@@ -98,30 +99,31 @@ pub(super) fn settled(
 }
 
 /// Returns the length of the part of a window at the end of a run that has its peaks, s: the period of
-/// a steady state that repeats over the window, else the window.
+/// a steady state that repeats over the window, else the window. `begin` is the state at its start.
 pub(super) fn repeated_window_s(
     kernel: &Kernel,
     trajectory: &Trajectory,
-    (end_s, window_s): (f64, f64),
+    (begin, begin_s, end_s): (&StartState, f64, f64),
     settlement: Option<&Settlement>,
 ) -> f64 {
+    let window_s = end_s - begin_s;
     let (Some(period_s), Some(settlement)) = (kernel.plant.period_s(), settlement) else {
         return window_s;
     };
     let orbit_s = f64::from(settlement.period_cycles) * period_s;
     let orbits = (window_s / orbit_s * (1.0 + 1e-12)).floor();
-    let begin_s = end_s - orbits * orbit_s;
-    let record_s = trajectory.segments().first().map(|first| first.start_s);
-    let is_recorded = record_s.is_some_and(|record_s| record_s <= begin_s);
-    if !settlement.settled || orbits < 1.0 || !is_recorded {
+    if !settlement.settled || orbits < 1.0 {
         return window_s;
     }
     let scales = energy_scales(kernel, period_s);
-    let states = energy_states(kernel, trajectory, &[begin_s, end_s], &scales);
-    let [first, last] = &states[..] else {
+    let last_s = end_s.min(begin_s + orbits * orbit_s);
+    let states = energy_states(kernel, trajectory, &[last_s], &scales);
+    let Some(last) = states.first() else {
         return window_s;
     };
-    let change = norm(first.iter().zip(last).map(|(a, b)| a - b));
+    let first = begin.physical();
+    let first = first.iter().zip(&scales).map(|(x, s)| x * s);
+    let change = norm(first.zip(last).map(|(a, b)| a - b));
     match change <= SETTLED_DISTANCE * norm(last.iter().copied()) {
         true => orbit_s,
         false => window_s,

@@ -10,6 +10,7 @@ use jounce_dynamics::{
     ContactStatistics, DeviceStatistics, Energies, IntegrationError, Integrator, Kernel,
     RectifiedEnergies,
 };
+use jounce_model::contact::Law;
 use jounce_model::plant::{Bridge, Leak, Plant, Storage};
 use std::time::Instant;
 
@@ -43,7 +44,7 @@ pub fn simulate(
     let trajectory = integrator.take_record();
     let noise = Noise::of(&integrator, plan.tolerance);
     let settlement = period_s.map(|period_s| settled(kernel, &trajectory, end_s, period_s, noise));
-    let window = (end_s, plan.peak_window_s(plant));
+    let window = (&opened.state, window_s, end_s);
     let peak_window_s = repeated_window_s(kernel, &trajectory, window, settlement.as_ref());
     let energies = integrator.energies();
     let statistics = integrator.statistics();
@@ -221,6 +222,7 @@ fn leaks(plant: &Plant, [start, end]: [&Energies; 2], average_over_s: f64) -> Ve
 fn stops(plant: &Plant, integrator: &Integrator, average_over_s: f64) -> Vec<StopResult> {
     let result = |(stop, statistics): (&jounce_model::plant::Stop, ContactStatistics)| StopResult {
         name: stop.name.clone(),
+        is_rigid: matches!(stop.law, Law::Rigid(_)),
         contacts: statistics.contacts,
         contact_rate_hz: statistics.contacts as f64 / average_over_s,
         mean_impact_velocity_m_s: statistics.mean_impact_velocity_m_s(),

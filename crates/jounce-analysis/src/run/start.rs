@@ -45,8 +45,7 @@ impl StartState {
         };
         let text = std::fs::read_to_string(path);
         let text = text.map_err(|error| fault(store::unreadable(path, &error)))?;
-        let not_a_state =
-            |error| fault(format!("{} holds no start state: {error}", path.display()));
+        let not_a_state = |_| fault(format!("{} holds no start state", path.display()));
         serde_json::from_str(&text).map_err(not_a_state)
     }
 

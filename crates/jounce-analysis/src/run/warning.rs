@@ -1,11 +1,12 @@
 //! Warnings of a run.
 
 use super::{
-    ExceededLimit, Limits, OutputPeaks, RunPlan, RunResult, StopResult, model_limits, polarity,
+    ExceededLimit, Limits, OutputPeaks, RunPlan, RunResult, StopResult, ineffective, model_limits,
+    polarity, subject::named,
 };
 use jounce_data::recording::Issue;
 use jounce_dynamics::Kernel;
-use jounce_model::plant::{Bridge, Plant};
+use jounce_model::plant::Plant;
 use jounce_spec::{DriveSignal, Spec};
 use serde::{Deserialize, Serialize};
 
@@ -34,7 +35,8 @@ pub enum Warning {
     Limit(ExceededLimit),
     /// A recording ends before the averaging window.
     #[error(
-        "drive {drive}: its recording ends at {ends_s} s, but the averaging window goes from {from_s} s to {to_s} s, and after its end the drive is 0; shorten run.duration, or give a longer recording"
+        "{}: its recording ends at {ends_s} s, but the averaging window goes from {from_s} s to {to_s} s, and after its end the drive is 0; shorten run.duration, or give a longer recording",
+        named("drive", drive)
     )]
     RecordingEnds {
         /// Name of the drive.
@@ -47,7 +49,7 @@ pub enum Warning {
         to_s: f64,
     },
     /// The recording of a drive has a data-quality issue.
-    #[error("drive {drive}: {issue}")]
+    #[error("{}: {issue}", named("drive", drive))]
     Recording {
         /// Name of the drive.
         drive: String,
@@ -56,7 +58,8 @@ pub enum Warning {
     },
     /// A device never starts.
     #[error(
-        "circuit {circuit}: the device never starts in this run: the storage reaches {storage_v:.3} V at its end, and the regulator starts at {start_v} V; increase run.duration, or reduce the storage capacitance"
+        "{}: the device never starts in this run: the storage reaches {storage_v:.3} V at its end, and the regulator starts at {start_v} V; increase run.duration, or reduce the storage capacitance",
+        named("circuit", circuit)
     )]
     NeverStarts {
         /// Name of the circuit.
@@ -68,7 +71,8 @@ pub enum Warning {
     },
     /// A contact passes the last point of its force table.
     #[error(
-        "stop {stop}: the penetration reaches {penetration_m:.3e} m, past the last point of its table at {last_m:.3e} m, where the slope of the end continues; measure the law to larger forces"
+        "{}: the penetration reaches {penetration_m:.3e} m, past the last point of its table at {last_m:.3e} m, where the slope of the end continues; measure the law to larger forces",
+        named("stop", stop)
     )]
     PastTable {
         /// Name of the stop.
@@ -80,7 +84,8 @@ pub enum Warning {
     },
     /// The retained modes do not resolve a contact.
     #[error(
-        "stop {stop}: a contact lasts {duration_s:.2e} s on average and excites modes up to about {needed_hz:.3e} Hz, but the highest retained mode has {highest_hz:.3e} Hz; retain more modes until the results do not change (`reduction.modes`)"
+        "{}: a contact lasts {duration_s:.2e} s on average and excites modes up to about {needed_hz:.3e} Hz, but the highest retained mode has {highest_hz:.3e} Hz; retain more modes until the results do not change (`reduction.modes`)",
+        named("stop", stop)
     )]
     ShortContact {
         /// Name of the stop.
@@ -94,7 +99,7 @@ pub enum Warning {
     },
     /// Samples do not resolve the force of a contact.
     #[error(
-        "stop {stop}: a contact lasts {duration_s:.2e} s on average, but the stored samples are {:.2e} s apart, so that its force curve lacks contacts and peaks; store at least {needed_hz} samples per second (`--sample-rate`)", 1.0 / sample_rate_hz
+        "{}: a contact lasts {duration_s:.2e} s on average, but the stored samples are {:.2e} s apart, so that its force curve lacks contacts and peaks; store at least {needed_hz} samples per second (`--sample-rate`)", named("stop", stop), 1.0 / sample_rate_hz
     )]
     Undersampled {
         /// Name of the stop.
@@ -108,7 +113,8 @@ pub enum Warning {
     },
     /// The patches of a circuit cancel each other.
     #[error(
-        "circuit {circuit}: its patches act against each other in every mode, so that they give less than one of them alone; reverse the polarity with a minus: patches = {reversed:?} instead of {patches:?}"
+        "{}: its patches act against each other in every mode, so that they give less than one of them alone; reverse the polarity with a minus: patches = {reversed:?} instead of {patches:?}",
+        named("circuit", circuit)
     )]
     Cancelling {
         /// Name of the circuit.
@@ -120,7 +126,7 @@ pub enum Warning {
     },
     /// A plate is too thick for the theory of thin plates.
     #[error(
-        "plate {plate}: its thickness of {thickness_m:.3e} m is not small against the half-wavelength of the highest retained mode, {half_wavelength_m:.3e} m: without shear and rotary inertia this frequency is about {:.1} % too high; retain fewer modes, or import the matrices of a solid", 100.0 * error
+        "{}: its thickness of {thickness_m:.3e} m is not small against the half-wavelength of the highest retained mode, {half_wavelength_m:.3e} m: without shear and rotary inertia this frequency is about {:.1} % too high; retain fewer modes, or import the matrices of a solid", named("plate", plate), 100.0 * error
     )]
     ThickPlate {
         /// Name of the plate.
@@ -134,7 +140,7 @@ pub enum Warning {
     },
     /// A beam is too thick for Euler-Bernoulli theory.
     #[error(
-        "beam {beam}: it is {:.1} thicknesses long: without shear and rotary inertia the frequency of its first mode is about {:.1} % too high; import the matrices of a solid", length_m / thickness_m, 100.0 * error
+        "{}: it is {:.1} thicknesses long: without shear and rotary inertia the frequency of its first mode is about {:.1} % too high; import the matrices of a solid", named("beam", beam), length_m / thickness_m, 100.0 * error
     )]
     ThickBeam {
         /// Name of the beam.
@@ -148,7 +154,7 @@ pub enum Warning {
     },
     /// A patch of a library composite has another thickness than the product.
     #[error(
-        "patch {patch}: its thickness is {:.4} mm, but the constants of {material} are those of a product {:.4} mm thick; give that thickness, or other constants instead of `material`", 1e3 * thickness_m, 1e3 * product_m
+        "{}: its thickness is {:.4} mm, but the constants of {material} are those of a product {:.4} mm thick; give that thickness, or other constants instead of `material`", named("patch", patch), 1e3 * thickness_m, 1e3 * product_m
     )]
     CompositeThickness {
         /// Name of the patch.
@@ -162,7 +168,7 @@ pub enum Warning {
     },
     /// A beam bends too far for the linear model.
     #[error(
-        "beam {beam}: its deflection reaches {:.0} % of its length; the linear model holds up to about {:.0} %", 100.0 * share, 100.0 * MAX_DEFLECTION_SHARE
+        "{}: its deflection reaches {:.0} % of its length; the linear model holds up to about {:.0} %", named("beam", beam), 100.0 * share, 100.0 * MAX_DEFLECTION_SHARE
     )]
     LargeDeflection {
         /// Name of the beam.
@@ -185,6 +191,15 @@ pub enum Warning {
         "the spec has no drive, and nothing moves; add a [drive.NAME], or start from a state with `--start`"
     )]
     NoDrive,
+    /// A force acts where no retained mode moves.
+    #[error(
+        "{}: it acts at a point that no retained mode moves, so that it has no effect; give a point that moves in `at`",
+        named("drive", drive)
+    )]
+    Ineffective {
+        /// Name of the drive.
+        drive: String,
+    },
     /// The energy balance does not close.
     #[error(
         "the energy balance is off by {residual_relative:.1e} of the largest energy, so rounding errors make these results unreliable; find the value of the spec that is far too large or too small, often a wrong unit (`jounce show` draws the harvester to scale), and correct it"
@@ -227,7 +242,8 @@ impl Warning {
     /// within a half-sine pulse miss its peak by up to `1 - cos(pi / (2 n))`, 1.2 % for ten. A shorter
     /// or steeper pulse than the mean one needs more.
     pub fn of_sampling(stops: &[StopResult], sample_rate_hz: f64) -> Vec<Self> {
-        let coarse = stops.iter().filter_map(|stop| {
+        let deformed = stops.iter().filter(|stop| !stop.is_rigid);
+        let coarse = deformed.filter_map(|stop| {
             let duration_s = stop.mean_contact_duration_s;
             let needed_hz = (SAMPLES_PER_CONTACT / duration_s).ceil();
             (duration_s > 0.0 && sample_rate_hz < needed_hz).then(|| Self::Undersampled {
@@ -269,30 +285,14 @@ impl Warning {
         })
     }
 
-    /// Returns a warning for each device that never starts.
-    fn of_devices(kernel: &Kernel, result: &RunResult) -> Vec<Self> {
-        let plant = &kernel.plant;
-        let never = |(k, bridge): (usize, &Bridge)| {
-            let regulator = bridge.regulator()?;
-            let device = (result.devices.iter()).find(|device| device.name == bridge.name)?;
-            let storage = plant.electrical.bridges[k].storage?;
-            let storage_v = *result.end.voltage_v.get(storage)?;
-            device.cold_start_s.is_none().then(|| Self::NeverStarts {
-                circuit: bridge.name.clone(),
-                storage_v,
-                start_v: regulator.start_v,
-            })
-        };
-        let bridges = plant.system.bridges.iter().enumerate();
-        bridges.filter_map(never).collect()
-    }
-
     /// Returns the stop, beam, plate, circuit, drive or patch that the warning names; empty for none.
     pub fn subject(&self) -> &str {
         match self {
             Self::Limit(exceeded) => &exceeded.patch,
             Self::CompositeThickness { patch, .. } => patch,
-            Self::RecordingEnds { drive, .. } | Self::Recording { drive, .. } => drive,
+            Self::RecordingEnds { drive, .. }
+            | Self::Recording { drive, .. }
+            | Self::Ineffective { drive } => drive,
             Self::NeverStarts { circuit, .. } | Self::Cancelling { circuit, .. } => circuit,
             Self::PastTable { stop, .. }
             | Self::ShortContact { stop, .. }
@@ -319,13 +319,13 @@ impl Warning {
             issue: issue.clone(),
         });
         limits
-            .chain(Self::of_devices(kernel, result))
+            .chain(ineffective::devices(&kernel.plant, result))
             .chain(Self::of_recordings(spec, plan))
             .chain(noticed)
             .chain(model_limits::exceeded(spec, kernel, result))
             .chain(polarity::cancelling(&kernel.plant))
             .chain(Self::of_window(&kernel.plant, plan))
-            .chain((spec.drive.is_empty() && result.is_trivial()).then_some(Self::NoDrive))
+            .chain(ineffective::drives(spec, &kernel.plant, result))
             .chain(unbalanced)
             .collect()
     }

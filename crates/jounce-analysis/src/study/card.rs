@@ -33,9 +33,9 @@ impl StudyCard {
         let text = std::fs::read_to_string(&path).map_err(|_| StudyError::NoStudy {
             folder: folder.to_owned(),
         })?;
-        serde_json::from_str(&text).map_err(|reason| StudyError::Damaged {
+        serde_json::from_str(&text).map_err(|_| StudyError::Damaged {
             path,
-            reason: reason.to_string(),
+            reason: "it is no card of a study".to_owned(),
         })
     }
 

@@ -48,7 +48,7 @@ impl Folder {
         let parts = path.join("parts");
         let unwritable = |reason: std::io::Error| StudyError::Folder {
             folder: parts.clone(),
-            reason: reason.to_string(),
+            reason: store::reason(&reason),
         };
         std::fs::create_dir_all(&parts).map_err(unwritable)?;
         let manifest = study.manifest();

@@ -16,7 +16,7 @@ impl Lock {
         let path = folder.join(format!(".shard-{}-of-{}.lock", shard.index, shard.of));
         let unwritable = |reason: std::io::Error| StudyError::Folder {
             folder: folder.to_owned(),
-            reason: reason.to_string(),
+            reason: store::reason(&reason),
         };
         match store::open_locked(&path).map_err(unwritable)? {
             Some(file) => Ok(Self(file)),

@@ -76,6 +76,7 @@ pub(super) fn read(
     let points = number_of_samples(&mut reader, root, sampling);
     let quantity = quantity(&mut reader, root.get("quantity"), &file);
     check_sides(&mut reader, root.get("vary"), sampling, &varied);
+    check_swept(&mut reader, root.get("vary"), &varied, &quantity);
     if !reader.faults.is_empty() {
         return Err(StudyError::Faults(reader.sorted()));
     }
@@ -267,6 +268,24 @@ fn varied(
             .for_each(|fault| reader.fault(key, item.span(), fault.message));
     }
     entries
+}
+
+/// Refuses to vary a key that the quantity sweeps.
+fn check_swept(
+    reader: &mut FaultCollector,
+    item: Option<&Item>,
+    varied: &[Varied],
+    quantity: &Quantity,
+) {
+    for (option, swept) in quantity.swept() {
+        if varied.iter().any(|one| one.key.path() == swept) {
+            let span = item.and_then(|item| item.get(swept)).and_then(Item::span);
+            let message = format!(
+                "vary.{swept}: quantity.{option} gives the values of this key; remove it from one of the two"
+            );
+            reader.fault(swept, span, message);
+        }
+    }
 }
 
 /// Checks that the values are compatible.

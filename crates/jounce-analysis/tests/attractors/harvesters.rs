@@ -87,6 +87,19 @@ fn a_few_random_harvesters_end_where_brute_force_ends() {
     }
 }
 
+/// Three starts of harvester 32 pass an orbit at 0.84 to 0.93 of the largest radius at which the
+/// examined directions contract, approach it for a few cycles, and end on the other one.
+#[test]
+fn starts_that_only_pass_an_orbit_are_not_attributed_to_it() {
+    let file = SpecFile::from_text(random_spec(SEED, 32));
+    let effort = Effort {
+        known: stored::read(32).expect("stored endings"),
+        ..Effort::new(PATIENCE, STEP_TOLERANCE)
+    };
+    let agreement = compare(&file, cloud(STARTS), &effort);
+    assert_eq!(agreement.count(Verdict::Same), STARTS, "{agreement}");
+}
+
 /// File for the result of each start of a harvester, if a folder for them is given.
 fn results(index: usize) -> Option<PathBuf> {
     let folder = std::env::var("JOUNCE_DRAWN_RESULTS").ok()?;

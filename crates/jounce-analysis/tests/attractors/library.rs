@@ -58,7 +58,7 @@ fn account(attractor: &Attractor) -> Account {
         kind,
         mean_power_w: attractor.mean_power_w,
         // The last state equals the first.
-        strobe: attractor.orbit.as_ref().map_or(Vec::new(), |orbit| {
+        strobe: attractor.orbit().map_or(Vec::new(), |orbit| {
             orbit.strobe_states[..orbit.period_cycles as usize].to_vec()
         }),
         share: attractor.share,

@@ -20,7 +20,7 @@ use std::path::PathBuf;
 pub struct Explore {
     #[command(flatten)]
     spec: Option<SpecArguments>,
-    /// Opens the design, the axis and the spec of a link, which Copy link of a page copies; with a SPEC
+    /// Opens the design, the view and the spec of a link, which Copy link of a page copies; with a SPEC
     /// its file is used. By default the page opens with the values of the spec.
     #[arg(long, value_name = "LINK")]
     link: Option<String>,
@@ -80,6 +80,7 @@ impl Explore {
             spec: self.source(&link)?,
             set: [link.set, given].concat(),
             view: link.view,
+            page: link.page,
             listen: self.listen,
             proxy: None,
             frames: false,

@@ -48,6 +48,7 @@ fn a_link_is_served_without_a_file_and_with_one() {
     let mut link = Link {
         set: vec![("stop.tip.gap".to_owned(), "0.9 mm".to_owned())],
         view: None,
+        page: Vec::new(),
         spec: Some(text.clone()),
     };
     let (line, errors) = serve(&["--link", &link.to_string()]);

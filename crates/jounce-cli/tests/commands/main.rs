@@ -14,6 +14,7 @@ mod names;
 mod new;
 mod orbits;
 mod outputs;
+mod printed;
 #[path = "../program/mod.rs"]
 mod program;
 mod rerun;

@@ -8,7 +8,7 @@ use jounce::{BranchOptions, BranchResult};
 const GAP_OVER: &str = "stop.tip.gap=1mm:2mm:3";
 
 /// Commands with a wrong option, and the message of each; `SPEC` precedes the options.
-const WRONG_OPTIONS: [(&str, &[&str], &str); 21] = [
+const WRONG_OPTIONS: [(&str, &[&str], &str); 26] = [
     (
         "check",
         &["--set", "stop.tip.gap=1 mm", "--set", "stop.tip.gap=2 mm"],
@@ -25,6 +25,31 @@ const WRONG_OPTIONS: [(&str, &[&str], &str); 21] = [
         "SPEC does not apply to recordings: omit it, or omit --measured",
     ),
     ("frf", &["--estimator", "h2"], "--estimator applies to"),
+    (
+        "frf",
+        &["--input", "table", "--hold", "table"],
+        "--input is table; it moves nothing, so that all responses are 0",
+    ),
+    (
+        "run",
+        &["--record", "1 s"],
+        "--record is 1 s; the stored end goes to --out DIR or --json",
+    ),
+    (
+        "run",
+        &["--tolerance", "1e-8", "--set", "run.tolerance=1e-9"],
+        "run.tolerance is set too; omit one of them",
+    ),
+    (
+        "sweep",
+        &["--tolerance", "1e-8", "--over", "run.tolerance=1e-9,1e-8"],
+        "--over gives the values of run.tolerance; omit one of them",
+    ),
+    (
+        "export",
+        &["--matrices", "x", "--spice", "x"],
+        "--spice is x; it is the folder of the matrices too",
+    ),
     (
         "frf",
         &["--base", "--frequency", "10Hz", "--low", "1Hz"],
@@ -140,6 +165,12 @@ fn faults_of_a_study_name_the_file_and_the_place() {
             "study.toml:line 4, column 1: quantity.command is missing",
         ),
         (
+            format!(
+                "spec = {SPEC:?}\n{vary}[quantity]\ncommand = \"sweep\"\nover = \"stop.tip.gap=1mm,2mm\"\n"
+            ),
+            "study.toml:line 3, column 18: vary.stop.tip.gap: quantity.over gives the values of this key",
+        ),
+        (
             format!("spec = {SPEC:?}\n[set]\n\"stop.tip.gap\" = \"1 kg\"\n{vary}"),
             "study.toml:line 3, column 18: set: stop.tip.gap",
         ),
@@ -238,7 +269,7 @@ fn a_run_names_what_does_not_fit() {
     let (code, _, stderr) = jounce(&[&run[..], &fewer].concat());
     let named = stderr.contains("--start is ") && stderr.contains("of another harvester: ");
     assert!(code == 4 && named && !stderr.contains("drives"), "{stderr}");
-    let slow = ["--record", "0.2 s", "--sample-rate", "10Hz"];
+    let slow = ["--json", "--record", "0.2 s", "--sample-rate", "10Hz"];
     let (code, _, stderr) = jounce(&[&run[..], &slow].concat());
     let warning = "warning: --sample-rate is 10 Hz, below twice the drive frequency";
     assert!(code == 0 && stderr.contains(warning), "{stderr}");

@@ -101,6 +101,34 @@ fn without_a_file_the_spec_goes_to_stdout() {
     assert!(std::fs::read_dir(folder.path()).unwrap().next().is_none());
 }
 
+/// The comments of the starter propose this sweep: every point settles, and the directions differ.
+#[test]
+fn the_sweep_that_the_cantilever_proposes_settles_and_has_hysteresis() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = ["new", "cantilever-with-stop", "--out", "FILE"];
+    assert_eq!(jounce(folder.path(), &file).0, 0);
+    let text = std::fs::read_to_string(folder.path().join("FILE")).unwrap();
+    let proposed = text.lines().find(|line| line.contains("--direction both"));
+    let proposed = proposed.unwrap().replace('"', "");
+    // The value of --set has a space, and is the last argument.
+    let (arguments, stiffness) = proposed.split_once("--set ").unwrap();
+    let arguments = arguments
+        .trim_start_matches("#   jounce ")
+        .split_whitespace();
+    let arguments: Vec<&str> = arguments.chain(["--set", stiffness, "--json"]).collect();
+    let (code, stdout, stderr) = jounce(folder.path(), &arguments);
+    assert_eq!((code, stderr.contains("settled")), (0, false), "{stderr}");
+    let json: Value = serde_json::from_str(&stdout).unwrap();
+    let power_w = |direction: &str| {
+        let mut points = json["points"].as_array().unwrap().iter();
+        let is_at = |point: &&Value| point["parameter"] == 31.0 && point["direction"] == direction;
+        points.find(is_at).unwrap()["mean_power_w"]
+            .as_f64()
+            .unwrap()
+    };
+    assert!(power_w("up") > 50.0 * power_w("down"), "{stdout}");
+}
+
 #[test]
 fn an_existing_file_is_reported_and_not_overwritten() {
     let folder = tempfile::tempdir().unwrap();

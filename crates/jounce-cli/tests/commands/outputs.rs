@@ -1,7 +1,7 @@
 //! Where results are written: missing folders are created, and an output that cannot be written is an
 //! error after which the same command continues.
 
-use crate::{SPEC, jounce_in, outcome, program};
+use crate::{SPEC, jounce, jounce_in, outcome, program};
 use std::path::Path;
 
 const SHORT: [&str; 3] = [
@@ -71,7 +71,7 @@ fn results_replace_files_and_specs_do_not() {
 fn a_diagram_that_cannot_be_written_continues() {
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| folder.path().join(name);
-    std::fs::write(at("out"), "").unwrap();
+    std::fs::create_dir_all(at("out/diagram.csv")).unwrap();
     let diagram = || {
         let mut command = program();
         command.args(["diagram", SPEC, "--no-branches", "--out=out"]);
@@ -81,10 +81,10 @@ fn a_diagram_that_cannot_be_written_continues() {
     };
     let (code, _, stderr) = diagram();
     assert!(
-        code == 4 && stderr.contains("\"out\" is not a folder"),
+        code == 4 && stderr.contains("it is a folder"),
         "{code}: {stderr}"
     );
-    std::fs::remove_file(at("out")).unwrap();
+    std::fs::remove_dir(at("out/diagram.csv")).unwrap();
     let (code, _, stderr) = diagram();
     assert!(
         code == 0 && stderr.contains("continuing after 4 finished runs"),
@@ -119,7 +119,7 @@ mod full_disk {
         let output = sweep(cache.path()).stdout(full()).output().unwrap();
         let stderr = String::from_utf8(output.stderr).unwrap();
         assert_eq!(output.status.code(), Some(4), "{stderr}");
-        let reason = "cannot write the result to stdout: No space left on device";
+        let reason = "cannot write the result to stdout: no space left on device";
         assert!(stderr.contains(reason), "{stderr}");
         let again = sweep(cache.path()).output().unwrap();
         let stderr = String::from_utf8(again.stderr).unwrap();
@@ -142,4 +142,34 @@ mod full_disk {
             Some(4)
         );
     }
+}
+
+/// The folder or file of the results is tested before the computation, and no folder is created.
+#[test]
+fn an_output_that_cannot_be_written_is_found_before_the_computation() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).to_string_lossy().into_owned();
+    std::fs::write(path("file"), "").unwrap();
+    let (file, inside) = (path("file"), path("file/out"));
+    let here = folder.path().to_string_lossy().into_owned();
+    for (command, option, value, reason) in [
+        ("run", "--out", &file, "is not a folder"),
+        ("modes", "--out", &inside, "is not a folder"),
+        ("run", "--save-state", &here, "it is a folder"),
+        ("show", "--out", &inside, "is not a folder"),
+        ("rig", "--to", &here, "it is a folder"),
+        ("export", "--spice", &here, "it is a folder"),
+    ] {
+        let (code, stdout, stderr) = jounce(&[command, SPEC, option, value]);
+        let is_known = stderr.contains("cannot write") && stderr.contains(reason);
+        assert!(
+            code == 4 && is_known && stdout.is_null() && !stderr.contains("os error"),
+            "{command} {option}: {code} {stderr}"
+        );
+    }
+    let (_, _, stderr) = jounce(&["check", "no.toml"]);
+    assert!(stderr.contains("no.toml does not exist"), "{stderr}");
+    let new = path("new");
+    assert_eq!(jounce(&["run", "no.toml", "--out", &new]).0, 4);
+    assert!(!folder.path().join("new").exists());
 }

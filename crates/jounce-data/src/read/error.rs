@@ -2,13 +2,15 @@
 
 use std::path::PathBuf;
 
+use jounce_io::store;
+
 use crate::recording::{GridError, Issue, IssuePlace};
 
 /// A file that cannot be read.
 #[derive(Debug, thiserror::Error)]
 pub enum ReadError {
     /// The file cannot be opened.
-    #[error("{}", jounce_io::store::unreadable(path, reason))]
+    #[error("{}", store::unreadable(path, reason))]
     Open {
         /// The file.
         path: PathBuf,
@@ -136,9 +138,10 @@ fn at(place: Option<IssuePlace>) -> String {
 fn reason_text(reason: &std::io::Error) -> String {
     let folder = crate::read::column::samples::folder();
     format!(
-        "its numbers cannot be stored in {}: {reason}; set TMPDIR to a folder with room for 8 \
+        "its numbers cannot be stored in {}: {}; set TMPDIR to a folder with room for 8 \
         bytes per number",
-        folder.display()
+        folder.display(),
+        store::reason(reason)
     )
 }
 
@@ -168,7 +171,7 @@ impl Damage {
         let why = if reason.kind() == std::io::ErrorKind::UnexpectedEof {
             "it ends too early".to_owned()
         } else {
-            reason.to_string()
+            store::reason(&reason)
         };
         Self::new(format!("{why}; is the file truncated?"))
     }

@@ -49,6 +49,8 @@ pub enum IssueKind {
     HeaderDisagrees,
     /// Samples are not numbers.
     NotANumber,
+    /// One sample dominates all others.
+    Outlier,
     /// Exact zeros precede or follow the signal.
     ZeroPadding,
     /// Flat tops at the largest or smallest value.

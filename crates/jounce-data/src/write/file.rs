@@ -66,7 +66,7 @@ pub enum WriteError {
         letter: char,
     },
     /// The scratch file cannot be read.
-    #[error("the scratch file cannot be read: {0}")]
+    #[error("the scratch file cannot be read: {}", jounce_io::store::reason(.0))]
     Scratch(#[from] std::io::Error),
     /// A table cannot be built or written.
     #[error(transparent)]

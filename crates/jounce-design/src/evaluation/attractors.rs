@@ -2,7 +2,7 @@
 
 use super::nearest_fold::fold_distance_hz;
 use super::{Effort, InCondition, MainOrbit, PROBE_STARTS, SCREENING_STARTS};
-use crate::problem::{Goal, LimitedQuantity, Problem};
+use crate::problem::{Goal, LimitedQuantity, Problem, larger};
 use jounce_analysis::{
     AnalysisError, Attractor, Basins, BasinsResult, Cloud, InitialStates, KeyLine, Model,
     Recognition, farthest_hz,
@@ -50,7 +50,7 @@ pub(super) fn evaluate(
         },
         LimitedQuantity::Size(_) => f64::NAN,
     };
-    let aperiodic = result.attractors.iter().filter(|one| one.orbit.is_none());
+    let aperiodic = result.attractors.iter().filter(|one| one.orbit().is_none());
     let lost = result.lost.len() as f64 / starts as f64;
     let goal = |goal: &Goal| match goal {
         Goal::ExpectedPower => expected_w(&result),
@@ -116,7 +116,7 @@ fn expected_w(result: &BasinsResult) -> f64 {
     let undecided: f64 = result
         .attractors
         .iter()
-        .filter(|one| one.orbit.is_none())
+        .filter(|one| one.orbit().is_none())
         .map(|one| one.share.fraction * one.mean_power_w)
         .sum();
     result.expected_power_w - undecided
@@ -132,7 +132,7 @@ fn main_attractor<'r>(problem: &Problem, result: &'r BasinsResult) -> Option<&'r
     result
         .attractors
         .iter()
-        .filter(|one| one.orbit.is_some())
+        .filter(|one| one.orbit().is_some())
         .max_by(|a, b| contribution(a).total_cmp(&contribution(b)))
 }
 
@@ -141,7 +141,7 @@ fn reached_orbits(result: &BasinsResult, main: Option<&Attractor>) -> Vec<MainOr
     let is_other = |one: &&Attractor| main.is_none_or(|main| main.id != one.id);
     let others = result.attractors.iter().filter(is_other);
     let all = main.into_iter().chain(others);
-    all.filter_map(|one| Some(main_orbit(one, one.orbit.as_ref()?)))
+    all.filter_map(|one| Some(main_orbit(one, one.orbit()?)))
         .collect()
 }
 
@@ -163,12 +163,9 @@ struct Peaks<'m> {
 impl Peaks<'_> {
     /// NaN where an orbit cannot be integrated, or where there is none.
     fn largest(&self, result: &BasinsResult, quantity: OrbitQuantity) -> f64 {
-        let orbits = result
-            .attractors
-            .iter()
-            .filter_map(|one| one.orbit.as_ref());
+        let orbits = result.attractors.iter().filter_map(|one| one.orbit());
         let peaks = orbits.map(|orbit| self.of(orbit, quantity));
-        peaks.reduce(super::larger).unwrap_or(f64::NAN)
+        peaks.reduce(larger).unwrap_or(f64::NAN)
     }
 
     fn of(&self, orbit: &Orbit, quantity: OrbitQuantity) -> f64 {

@@ -1,8 +1,6 @@
 //! Evaluates designs.
 
-use super::{
-    Effort, Evaluation, InCondition, Journaled, attractors, bandwidth, larger, run_goals, smaller,
-};
+use super::{Effort, Evaluation, InCondition, Journaled, attractors, bandwidth, run_goals};
 use crate::DesignError;
 use crate::problem::{Condition, Goal, LimitedQuantity, Problem};
 use crate::result::Improvement;
@@ -18,7 +16,8 @@ pub type OnImprovement<'f> = &'f (dyn Fn(&Improvement) + Sync);
 /// Evaluates designs, each once.
 pub struct Evaluator<'p> {
     pub problem: &'p Problem,
-    pub models: Vec<Model>,
+    /// Models of each change by a condition, for each combination of choices.
+    models: Vec<Vec<Model>>,
     pub control: Control,
     known: HashMap<(Vec<u64>, Effort), Evaluation>,
     journal: Option<&'p Journal<Journaled>>,
@@ -61,7 +60,7 @@ impl<'p> Evaluator<'p> {
 
     /// Returns the model of a design in a condition.
     pub fn model(&self, place: &[f64], condition: &Condition) -> Result<Model, AnalysisError> {
-        let base = &self.models[self.problem.variant(place)];
+        let base = &self.models[condition.change][self.problem.variant(place)];
         let mut values = self.problem.numbers(place);
         values.extend(condition.values.iter().map(|(key, value)| (key, *value)));
         let mut spec = base.spec.clone();
@@ -78,9 +77,10 @@ impl<'p> Evaluator<'p> {
         if let Some(known) = self.known.get(&(bits(place), effort)) {
             return Ok(known.clone());
         }
-        let base = &self.models[self.problem.variant(place)];
+        let variant = self.problem.variant(place);
+        let bases: Vec<&Model> = self.models.iter().map(|models| &models[variant]).collect();
         let evaluation = self
-            .at(base, &self.problem.numbers(place), effort)
+            .at(&bases, &self.problem.numbers(place), effort)
             .unwrap_or_else(|error| Evaluation::failed(self.problem, error.to_string()));
         // JSON has no infinity and no NaN; such a design is cheap to evaluate again.
         let is_finite = evaluation.violation.is_finite()
@@ -100,28 +100,45 @@ impl<'p> Evaluator<'p> {
 
     /// Evaluates the spec as given, with all starts.
     pub fn given(&self) -> Evaluation {
-        Model::watched(self.problem.spec.clone(), &self.control.apart())
-            .and_then(|model| self.at(&model, &[], Effort::Full))
-            .unwrap_or_else(|error| Evaluation::failed(self.problem, error.to_string()))
+        let (problem, control) = (self.problem, self.control.apart());
+        let model = |change| problem.changed_model(&problem.file, change, &control);
+        let models: Result<Vec<Model>, DesignError> =
+            (0..problem.changes.len()).map(model).collect();
+        let evaluated = models.and_then(|models| {
+            let bases: Vec<&Model> = models.iter().collect();
+            let evaluation = self.at(&bases, &[], Effort::Full)?;
+            match control.is_stopped() {
+                true => Err(DesignError::Stopped),
+                false => Ok(evaluation),
+            }
+        });
+        evaluated.unwrap_or_else(|error| Evaluation::failed(self.problem, error.to_string()))
     }
 
-    /// Evaluates a model with other values of some keys, in all conditions.
+    /// Evaluates the models of each change by a condition, with other values of some keys, in all
+    /// conditions.
     ///
     /// # Errors
     /// A value that the spec does not allow, or a model that cannot be built.
-    pub fn at(
+    fn at(
         &self,
-        base: &Model,
+        bases: &[&Model],
         values: &[(&NumericKey, f64)],
         effort: Effort,
     ) -> Result<Evaluation, AnalysisError> {
         let mut all = Vec::with_capacity(self.problem.conditions.len());
-        for condition in &self.problem.conditions {
+        for (number, condition) in self.problem.conditions.iter().enumerate() {
             let own = condition.values.iter().map(|(key, value)| (key, *value));
             let values: Vec<(&NumericKey, f64)> = values.iter().copied().chain(own).collect();
+            let base = bases[condition.change];
             let mut spec = base.spec.clone();
             NumericKey::set_all(&mut spec, &values)?;
-            all.push(self.in_condition(&base.changed(spec)?, effort)?);
+            let model = base.changed(spec)?;
+            let mut found = self.in_condition(&model, effort)?;
+            if effort == Effort::Full && self.problem.limits_noise() {
+                self.raise_by_noise(&model, number, &mut found.limits)?;
+            }
+            all.push(found);
         }
         Ok(self.together(&all))
     }
@@ -158,11 +175,6 @@ impl<'p> Evaluator<'p> {
             true => Some(run_goals::run(self.problem, model, &mut found.limits)?),
             false => None,
         };
-        for (limit, value) in self.problem.limits.iter().zip(&mut found.limits) {
-            if let (LimitedQuantity::MeanPower, Some(run)) = (limit.quantity, &run) {
-                *value = run_goals::value(Goal::MeanPower, run);
-            }
-        }
         for (goal, value) in goals.iter().zip(&mut found.goals) {
             match goal {
                 Goal::Bandwidth => {
@@ -181,6 +193,24 @@ impl<'p> Evaluator<'p> {
         Ok(found)
     }
 
+    /// Replaces the limited quantities of a run by the worst of all realisations of the noise in a
+    /// condition.
+    fn raise_by_noise(
+        &self,
+        model: &Model,
+        number: usize,
+        values: &mut [f64],
+    ) -> Result<(), AnalysisError> {
+        let seed = self.problem.noise_seed(number);
+        let runs = run_goals::realised(self.problem, model, seed)?;
+        let limits = self.problem.limits.iter().zip(values).enumerate();
+        for (index, (limit, value)) in limits.filter(|(_, (limit, _))| limit.depends_on_run()) {
+            let others = runs.iter().map(|run| run.limits[index]);
+            *value = limit.worst(others.chain([*value]));
+        }
+        Ok(())
+    }
+
     /// Combines the conditions: weighted means of the goals, the worst of the limits.
     fn together(&self, all: &[InCondition]) -> Evaluation {
         let problem = self.problem;
@@ -192,10 +222,7 @@ impl<'p> Evaluator<'p> {
         };
         let worst = |index: usize| {
             let values = all.iter().map(|one| one.limits[index]);
-            match problem.limits[index].is_lower() {
-                true => values.fold(f64::INFINITY, smaller),
-                false => values.fold(0.0, larger),
-            }
+            problem.limits[index].worst(values)
         };
         let limits: Vec<f64> = (0..problem.limits.len()).map(worst).collect();
         let pairs = problem.limits.iter().zip(&limits);

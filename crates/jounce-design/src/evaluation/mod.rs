@@ -8,6 +8,7 @@ mod run_goals;
 
 pub use evaluator::{Evaluator, OnImprovement};
 pub use nearest_fold::examined_fold;
+pub use run_goals::{REALISATIONS, RealisedRun, realised};
 
 use crate::problem::Problem;
 use serde::{Deserialize, Serialize};
@@ -24,7 +25,7 @@ pub enum Effort {
     Probe,
     /// A few starts for a few hundred drive cycles.
     Screening,
-    /// All starts, for more drive cycles.
+    /// All starts, for more drive cycles; limits of a run under noise in all realisations.
     Full,
 }
 
@@ -33,7 +34,7 @@ pub enum Effort {
 pub struct Evaluation {
     /// Value of each goal, in its unit.
     pub goals: Vec<f64>,
-    /// Value of each limited quantity, SI: the worst of all conditions and attractors.
+    /// Value of each limited quantity, SI: the worst of all conditions, attractors and realisations.
     pub limits: Vec<f64>,
     /// Sum of the relative violations of the limits. Where a limit is on a peak, the share of the
     /// starts without a proved attractor is added: no peak is known of their motions.
@@ -104,14 +105,4 @@ struct InCondition {
     basin_fraction: [f64; 3],
     /// Orbits that the starts reach, the main one first.
     orbits: Vec<MainOrbit>,
-}
-
-/// Returns the smaller of two numbers; NaN if one is NaN.
-fn smaller(a: f64, b: f64) -> f64 {
-    if a.is_nan() || a < b { a } else { b }
-}
-
-/// Returns the larger of two numbers; NaN if one is NaN.
-fn larger(a: f64, b: f64) -> f64 {
-    if a.is_nan() || a > b { a } else { b }
 }

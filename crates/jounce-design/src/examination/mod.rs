@@ -2,19 +2,19 @@
 //! robustness, and free keys without an effect.
 
 mod effects;
-mod noise_power;
+mod noise;
 mod prices;
 
 use crate::DesignError;
 use crate::evaluation::{Evaluation, Evaluator, examined_fold};
-use crate::problem::{FreeKey, FreeValues, Goal, Problem};
+use crate::problem::{FreeKey, FreeValues, Goal, Limit, Problem};
 use crate::result::{
     BestDesign, DesignBefore, DesignOutcome, FreeValue, Improvement, LimitResult, NearestFold,
     NoisePower, SearchEnd, TracePoint,
 };
 use crate::robustness::robustness;
 use crate::search::{Candidate, Followed};
-use noise_power::noise_power;
+use noise::Noise;
 use std::collections::BTreeMap;
 
 /// Share of a limit above which it binds.
@@ -38,12 +38,12 @@ pub fn examine(
     let orbit = followed.as_ref().zip(evaluation.orbit.as_ref());
     let nearest_fold = orbit
         .and_then(|(followed, orbit)| examined_fold(&followed.model, orbit, &problem.tolerances));
-    let noise = noise_power(evaluator, &best.place)?;
+    let noise = Noise::of(evaluator, &best.place)?;
     let mut warnings = effects::warnings(evaluator, best, followed.as_ref())?;
     warnings.extend(effects::unsettled(problem, evaluation));
     Ok(DesignOutcome {
         warnings,
-        limits: limits(problem, best, followed.as_ref()),
+        limits: limits(problem, best, followed.as_ref(), noise.as_ref()),
         robust: robustness(evaluator, best)?,
         front: Vec::new(),
         before: before(evaluator),
@@ -54,7 +54,12 @@ pub fn examine(
         evaluations: 0,
         seed: problem.seed,
         wall_time_s: 0.0,
-        best: best_design(problem, best, nearest_fold, noise),
+        best: best_design(
+            problem,
+            best,
+            nearest_fold,
+            noise.and_then(|noise| noise.power()),
+        ),
     })
 }
 
@@ -63,33 +68,39 @@ pub fn improvement(problem: &Problem, design: &Candidate, point: TracePoint) -> 
     Improvement {
         point,
         set: settings(problem, &design.place),
-        limits: limits(problem, design, None),
+        limits: limits(problem, design, None, None),
     }
 }
 
 /// Returns the value of each limit, with its price where it binds.
-fn limits(problem: &Problem, best: &Candidate, followed: Option<&Followed>) -> Vec<LimitResult> {
-    let pairs = || problem.limits.iter().zip(&best.evaluation.limits);
-    let active: Vec<bool> = pairs()
-        .map(|(limit, value)| match limit.is_lower() {
-            true => value * ACTIVE_SHARE <= limit.value,
-            false => *value >= ACTIVE_SHARE * limit.value,
-        })
-        .collect();
-    let prices = match followed {
-        Some(followed) => prices::prices(problem, &best.place, followed, &active),
-        None => vec![None; active.len()],
-    };
-    let limits = pairs().zip(active).zip(prices);
-    let limits = limits.map(|(((limit, value), active), price)| LimitResult {
+fn limits(
+    problem: &Problem,
+    best: &Candidate,
+    followed: Option<&Followed>,
+    noise: Option<&Noise<'_>>,
+) -> Vec<LimitResult> {
+    let limit = |(index, (limit, value)): (usize, (&Limit, &f64))| LimitResult {
         name: limit.name.clone(),
         value: *value,
         limit: limit.value,
         violation: limit.violation(*value),
-        active,
-        price,
-    });
-    limits.collect()
+        active: match limit.is_lower() {
+            true => value * ACTIVE_SHARE <= limit.value,
+            false => *value >= ACTIVE_SHARE * limit.value,
+        },
+        price: None,
+        noise: noise.and_then(|noise| noise.limit(index)),
+    };
+    let pairs = problem.limits.iter().zip(&best.evaluation.limits);
+    let mut limits: Vec<LimitResult> = pairs.enumerate().map(limit).collect();
+    if let Some(followed) = followed {
+        let active: Vec<bool> = limits.iter().map(|limit| limit.active).collect();
+        let prices = prices::prices(problem, &best.place, followed, &active);
+        for (limit, price) in limits.iter_mut().zip(prices) {
+            limit.price = price;
+        }
+    }
+    limits
 }
 
 fn best_design(
@@ -161,6 +172,13 @@ fn keys(problem: &Problem, place: &[f64]) -> Vec<FreeValue> {
 fn before(evaluator: &Evaluator<'_>) -> DesignBefore {
     let problem = evaluator.problem;
     let evaluation = evaluator.given();
+    if evaluation.failure.is_some() {
+        return DesignBefore {
+            goals: BTreeMap::new(),
+            expected_power_w: f64::NAN,
+            violation: None,
+        };
+    }
     DesignBefore {
         goals: goals(problem, &evaluation),
         expected_power_w: evaluation.expected_power_w[0],

@@ -48,6 +48,13 @@ impl Problem {
         all.collect::<Vec<_>>().join(", ")
     }
 
+    /// Returns the change of a condition as it is written.
+    pub(super) fn change_text(&self, change: usize) -> String {
+        let pairs = self.changes[change].iter();
+        let text = pairs.map(|(path, value)| format!("{path} = {value}"));
+        text.collect::<Vec<_>>().join(", ")
+    }
+
     /// True where a free key belongs to the choices at a place of the unit cube.
     pub(crate) fn applies(&self, index: usize, place: &[f64]) -> bool {
         let with = self.free[index].with;

@@ -9,7 +9,7 @@ pub enum Goal {
     StablePower,
     /// Half-power bandwidth over the frequency of the drive.
     Bandwidth,
-    /// Mean power of a run, under noise or a recording.
+    /// Mean power of one run from `run.start`, by default from rest: for noise and recordings.
     MeanPower,
     /// Share of the time that the device behind the regulator is on, in a run.
     TimeOn,

@@ -59,6 +59,23 @@ impl Limit {
         )
     }
 
+    /// True where a run gives the value, so that it depends on the realisation of the noise.
+    pub fn depends_on_run(&self) -> bool {
+        matches!(
+            self.quantity,
+            LimitedQuantity::Peak(_) | LimitedQuantity::MeanPower
+        )
+    }
+
+    /// Returns the value that is farthest beyond the limit or nearest to it: the largest, or the
+    /// smallest for a limit from below; NaN if one is NaN.
+    pub fn worst(&self, values: impl Iterator<Item = f64>) -> f64 {
+        match self.is_lower() {
+            true => values.fold(f64::INFINITY, smaller),
+            false => values.fold(0.0, larger),
+        }
+    }
+
     /// Returns the share of a value that lies beyond the limit or, of a limit from below, the missing
     /// share of the limit: 0 within it, 1 where the value is not known. So an unknown value never
     /// ranks before a known one.
@@ -74,6 +91,16 @@ impl Limit {
             (1.0 - share).max(0.0)
         }
     }
+}
+
+/// Returns the smaller of two numbers; NaN if one is NaN.
+fn smaller(a: f64, b: f64) -> f64 {
+    if a.is_nan() || a < b { a } else { b }
+}
+
+/// Returns the larger of two numbers; NaN if one is NaN.
+pub fn larger(a: f64, b: f64) -> f64 {
+    if a.is_nan() || a > b { a } else { b }
 }
 
 #[cfg(test)]

@@ -18,6 +18,7 @@ pub use free_key::{Choice, ChoiceIndex, FreeKey, FreeValues};
 pub use free_range::FreeRange;
 pub use goal::Goal;
 pub use limit::Limit;
+pub(crate) use limit::larger;
 pub use limited_quantity::LimitedQuantity;
 pub use size::Size;
 pub use tolerance::Tolerance;
@@ -52,6 +53,10 @@ pub struct Problem {
     pub limits: Vec<Limit>,
     /// Conditions; one without changes if the file has none.
     pub conditions: Vec<Condition>,
+    /// Changes of the spec by text in conditions, as `--set` takes them; the first has none.
+    pub changes: Vec<Vec<(String, String)>>,
+    /// True where a drive is noise, in any condition.
+    has_noise: bool,
     /// Tolerances of the workshop.
     pub tolerances: Vec<Tolerance>,
     /// Number of draws for each quantile and index.
@@ -122,16 +127,36 @@ impl Problem {
         &self.hash_hex
     }
 
-    /// Returns the models of all combinations of choices.
-    pub(crate) fn models(&self, control: &Control) -> Result<Vec<Model>, DesignError> {
-        let model = |file: &SpecFile| {
-            let spec = file.spec().map_err(|faults| DesignError::Spec {
-                file: "a choice of the design".to_owned(),
-                faults,
-            })?;
-            Ok(Model::watched(spec, control)?)
+    /// Returns the models of all combinations of choices, for each change by a condition.
+    pub(crate) fn models(&self, control: &Control) -> Result<Vec<Vec<Model>>, DesignError> {
+        let of_change = |change: usize| {
+            let files = self.variants.iter();
+            let models = files.map(|file| self.changed_model(file, change, control));
+            models.collect()
         };
-        self.variants.iter().map(model).collect()
+        (0..self.changes.len()).map(of_change).collect()
+    }
+
+    /// Returns the model of a spec with the change of a condition.
+    pub(crate) fn changed_model(
+        &self,
+        file: &SpecFile,
+        change: usize,
+        control: &Control,
+    ) -> Result<Model, DesignError> {
+        let (mut file, mut faults) = (file.clone(), Vec::new());
+        for (path, value) in &self.changes[change] {
+            faults.extend(file.set(path, value).err());
+        }
+        let spec = match faults.is_empty() {
+            true => file.spec(),
+            false => Err(faults.into()),
+        };
+        let spec = spec.map_err(|faults| DesignError::Spec {
+            file: "a choice or a condition of the design".to_owned(),
+            faults,
+        })?;
+        Ok(Model::watched(spec, control)?)
     }
 
     /// Returns the values of the numeric keys of the design at a place of the unit cube, SI.
@@ -151,12 +176,28 @@ impl Problem {
         self.goals[0].needs_starts() && self.conditions.len() == 1
     }
 
-    /// Returns the effort of a first evaluation: a goal without starts has only one.
+    /// Returns the effort of a first evaluation: a goal without starts has only one, unless limits are
+    /// examined under noise.
     pub(crate) fn screening(&self) -> Effort {
-        match self.goals.iter().any(|goal| goal.needs_starts()) {
+        match self.goals.iter().any(|goal| goal.needs_starts()) || self.limits_noise() {
             true => Effort::Screening,
             false => Effort::Full,
         }
+    }
+
+    /// True where a limit depends on the realisation of the noise.
+    pub(crate) fn limits_noise(&self) -> bool {
+        self.realises_noise() && self.limits.iter().any(Limit::depends_on_run)
+    }
+
+    /// True where a goal depends on the realisation of the noise.
+    pub(crate) fn realises_noise(&self) -> bool {
+        self.has_noise && self.goals.iter().any(|goal| goal.needs_run())
+    }
+
+    /// Returns the seed of the realisations of the noise in a condition.
+    pub(crate) fn noise_seed(&self, condition: usize) -> u64 {
+        self.seed.wrapping_add(condition as u64)
     }
 
     /// Returns the limits of peaks with their indices.

@@ -1,6 +1,12 @@
 //! Designs under band-limited noise and under a recorded gait.
 
-use super::{LINEAR, harvester, outcome_of};
+use super::{
+    DRIVE_HZ, FORCE_N, LINEAR, harvester, linear, optimal_resistance, outcome_of, problem_of,
+};
+use jounce_linalg::c64;
+use jounce_signal::RandomStream;
+use rayon::prelude::*;
+use std::f64::consts::TAU;
 use std::io::Write;
 use std::path::Path;
 
@@ -74,6 +80,172 @@ fn mean_power_under_noise_w(resistance_ohm: f64) -> f64 {
             .norm_sqr()
     };
     0.1 / resistance_ohm * step_hz * (0..LINES).map(square).sum::<f64>()
+}
+
+/// Writes a recorded sine with half the force of the spec.
+fn write_force(path: &Path) {
+    let rate_hz = 200.0 * DRIVE_HZ;
+    let row = |k: u32| {
+        let time_s = f64::from(k) / rate_hz;
+        format!(
+            "{time_s:.9},{:.9}\n",
+            0.5 * FORCE_N * (TAU * DRIVE_HZ * time_s).sin()
+        )
+    };
+    let rows: String = (0..=(8.5 * rate_hz) as u32).map(row).collect();
+    std::fs::write(path, format!("time [s],force [N]\n{rows}")).unwrap();
+}
+
+/// A recorded force next to the sine of the spec, with half its amplitude: a quarter of its power, by the
+/// closed form of the linear response.
+#[test]
+fn a_recording_is_a_condition_with_its_weight() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("force.csv");
+    write_force(&path);
+    let spec = LINEAR
+        .replace("duration = \"1 s\"", "duration = \"8 s\"")
+        .replace(
+            "average_over = \"1 s\"",
+            &format!("average_over = \"{} s\"", 20.0 / DRIVE_HZ),
+        );
+    let text = |recorded: &str| {
+        format!(
+            "evaluations = 60\n[free]\n\"circuit.load.resistance\" = \"10kohm:1Mohm:log\"\n\
+             [goal]\nmaximise = \"mean-power\"\n[limits]\n\"patch.m.p.voltage\" = \"1 kV\"\n\
+             [[conditions]]\nset = {{ \"run.start\" = \"linear\" }}\nweight = 1\n\
+             [[conditions]]\nset = {{ {recorded} }}\nweight = 3\n"
+        )
+    };
+    let file = path.display();
+    let table = format!(
+        "\"drive.d\" = {{ at = \"m.tip\", kind = \"force\", signal = \"recording\", file = '{file}' }}"
+    );
+    let keys = format!(
+        "\"drive.d.amplitude\" = \"\", \"drive.d.frequency\" = \"\", \"drive.d.signal\" = \"recording\", \"drive.d.file\" = '{file}'"
+    );
+    let found = [table, keys].map(|recorded| outcome_of(&spec, &text(&recorded)));
+    // The same condition with its table below a header.
+    let header = text("").replace("set = {  }\n", "");
+    let header = format!(
+        "{header}[conditions.set.\"drive.d\"]\nat = \"m.tip\"\nkind = \"force\"\nsignal = \"recording\"\nfile = '{file}'\n"
+    );
+    assert_eq!(outcome_of(&spec, &header).before, found[0].before);
+    let (voltage_v, power_w) = linear(80e3);
+    let expected_w = power_w * (1.0 + 3.0 / 4.0) / 4.0;
+    let before_w = found[0].before.goals["mean-power"];
+    assert!(
+        (before_w / expected_w - 1.0).abs() < 2e-3,
+        "{before_w} {expected_w}"
+    );
+    // Both powers are largest at the same load.
+    let best_w = found[0].best.goals["mean-power"];
+    let largest_w = linear(optimal_resistance()).1 * 7.0 / 16.0;
+    assert!(
+        (best_w / largest_w - 1.0).abs() < 2e-3,
+        "{best_w} {largest_w}"
+    );
+    assert!(found[0].limits[0].value > voltage_v && found[0].limits[0].noise.is_none());
+    assert_eq!(found[0].best, found[1].best);
+    let error = problem_of(&spec, &text("\"drive.d.fil\" = \"a.csv\"")).unwrap_err();
+    assert!(error.to_string().contains("drive.d.fil"), "{error}");
+    let orbits = text(&format!(
+        "\"drive.d\" = {{ at = \"m.tip\", kind = \"force\", signal = \"recording\", file = '{file}' }}"
+    ));
+    let orbits = orbits.replace("mean-power", "expected-power");
+    let error = problem_of(&spec, &orbits).unwrap_err().to_string();
+    assert!(error.contains("choose \"mean-power\""), "{error}");
+}
+
+/// The largest voltage of a run under noise, from sums of sinusoids of random amplitudes through the
+/// closed form of the response: runs in which it exceeds its median are half of all, and the median is
+/// that of Rice's crossings, `s sqrt(2 ln(2 f T / ln 2))`, which for a narrow band is a little large.
+#[test]
+fn limits_under_noise_are_exceeded_as_often_as_in_simulated_responses() {
+    let peaks_v = simulated_peaks_v();
+    let median_v = 0.5 * (peaks_v[SIMULATED / 2 - 1] + peaks_v[SIMULATED / 2]);
+    let deviation_v = (mean_power_under_noise_w(80e3) * 80e3).sqrt();
+    let crossings = 2.0 * 9.9 * WINDOW_S / 2.0_f64.ln();
+    let rice_v = deviation_v * (2.0 * crossings.ln()).sqrt();
+    assert!(
+        (0.85..1.0).contains(&(median_v / rice_v)),
+        "{median_v} {rice_v}"
+    );
+    let found = outcome_of(
+        &noisy(),
+        &format!(
+            "evaluations = 1\n[free]\n\"circuit.load.resistance\" = \"79kohm:81kohm\"\n\
+             [goal]\nmaximise = \"mean-power\"\n[limits]\n\"patch.m.p.voltage\" = \"{median_v} V\"\n"
+        ),
+    );
+    let voltage = &found.limits[0];
+    let noise = voltage.noise.unwrap();
+    eprintln!(
+        "{} of 16 above {median_v} V, largest {} V",
+        noise.exceeded, voltage.value
+    );
+    // 99 % of a binomial distribution.
+    assert!(noise.realisations == 16 && (3..=13).contains(&noise.exceeded));
+    let share = noise.exceeded as f64 / 16.0;
+    assert!((noise.exceeded_fraction_low..noise.exceeded_fraction_high).contains(&share));
+    // The largest of 17 runs: the share of runs below it is at least 0.005^(1/17).
+    let low_v = peaks_v[(0.73 * SIMULATED as f64) as usize];
+    let high_v = 1.1 * peaks_v[SIMULATED - 1];
+    assert!(
+        (low_v..high_v).contains(&voltage.value),
+        "{low_v} {high_v} {voltage:?}"
+    );
+    assert!(!found.feasible && voltage.violation > 0.0, "{found:?}");
+}
+
+const SIMULATED: usize = 600;
+const WINDOW_S: f64 = 6.0;
+
+fn noisy() -> String {
+    LINEAR
+        .replace(
+            "amplitude = \"0.7 N\"",
+            "signal = \"noise\"\npsd = \"0.1 N^2/Hz\"\nlow = \"5 Hz\"",
+        )
+        .replace("frequency = \"9.7 Hz\"", "high = \"20 Hz\"")
+        .replace("duration = \"1 s\"", "duration = \"10 s\"")
+        .replace(
+            "average_over = \"1 s\"",
+            &format!("average_over = \"{WINDOW_S} s\""),
+        )
+}
+
+/// Returns the largest voltages of simulated runs, in order.
+fn simulated_peaks_v() -> Vec<f64> {
+    const STEP_HZ: f64 = 1.0 / 24.0;
+    const SAMPLES: u32 = 1440;
+    let harvester = harvester(80e3);
+    let lines_hz: Vec<f64> = (0..360)
+        .map(|k| 5.0 + (f64::from(k) + 0.5) * STEP_HZ)
+        .collect();
+    let gains: Vec<c64> = lines_hz
+        .iter()
+        .map(|hz| harvester.voltage_per_newton(*hz))
+        .collect();
+    let peak_v = |run: usize| {
+        let mut stream = RandomStream::new(7, run as u64);
+        let mut lines: Vec<[c64; 2]> = Vec::with_capacity(lines_hz.len());
+        for (hz, gain) in lines_hz.iter().zip(&gains) {
+            let [re, im] = stream.normal_pair();
+            let turn = c64::cis(TAU * hz * WINDOW_S / f64::from(SAMPLES));
+            lines.push([*gain * c64::new(re, im) * (0.1 * STEP_HZ).sqrt(), turn]);
+        }
+        let mut largest_v = 0.0_f64;
+        for _ in 0..SAMPLES {
+            let sum_v: f64 = lines.iter().map(|[value, _]| value.re).sum();
+            largest_v = largest_v.max(sum_v.abs());
+            lines.iter_mut().for_each(|[value, turn]| *value *= *turn);
+        }
+        largest_v
+    };
+    let mut peaks_v: Vec<f64> = (0..SIMULATED).into_par_iter().map(peak_v).collect();
+    peaks_v.sort_by(f64::total_cmp);
+    peaks_v
 }
 
 /// A foot that walks from 50 s to 180 s after 6 s of zeros.

@@ -21,7 +21,7 @@ fn peak(model: &Model) -> PeakPlace {
         recognition: Recognition::at(1e-10),
     };
     let attractors = study.run().unwrap().attractors;
-    let orbit = attractors[0].orbit.as_ref().unwrap();
+    let orbit = attractors[0].orbit().unwrap();
     let found = nearest_peak(model, orbit.period_cycles, orbit.start()).unwrap();
     found.unwrap()
 }
@@ -164,6 +164,7 @@ fn the_peak_of_one_mode_and_its_derivatives_are_those_of_the_closed_form() {
 }
 
 #[test]
+#[ignore = "long: runs with ./test --all"]
 fn derivatives_of_a_peak_with_contact_are_those_of_peaks_at_changed_keys() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("../../examples/impact-harvester-2019/harvester.toml");

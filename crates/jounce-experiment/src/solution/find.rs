@@ -125,14 +125,13 @@ struct Continuation<'m> {
 impl Continuation<'_> {
     fn solution(&self, attractor: Attractor) -> Result<Solution, SolutionError> {
         let (start, waveform) = attractor
-            .orbit
-            .as_ref()
+            .orbit()
             .map(|orbit| self.on_orbit(orbit))
             .transpose()?
             .unzip();
         Ok(Solution {
+            period_cycles: attractor.orbit().map(|orbit| orbit.period_cycles),
             id: attractor.id,
-            period_cycles: attractor.orbit.as_ref().map(|orbit| orbit.period_cycles),
             mean_power_w: attractor.mean_power_w,
             contacts: attractor.contacts_per_period,
             share: attractor.share.fraction,

@@ -34,6 +34,7 @@ pub fn respond(
         harvester.basins(&options)
     });
     let result = outcome?;
+    session.analysis.store_attractors(id, design, &result);
     let points = &result.points;
     let attractor = |point: &StartPoint| point.attractor.map_or(NO_ATTRACTOR, |k| k as f64);
     let mut frame = Frame::new(id, "basins", "done");

@@ -8,12 +8,15 @@ use crate::source::Source;
 use jounce::live::Design;
 use serde_json::json;
 
-/// Returns the drawing and the controls.
-pub fn describe(id: u64, design: &Design, source: &Source) -> Frame {
+/// Returns the drawing, on a sheet of a width in pixels if one is given, and the controls.
+pub fn describe(id: u64, design: &Design, width: Option<f64>, source: &Source) -> Frame {
     let title = source.name().file_stem().unwrap_or_default();
     let mut frame = Frame::new(id, "design", "done");
     frame
-        .put("drawing", json!(design.drawing(&title.to_string_lossy())))
+        .put(
+            "drawing",
+            json!(design.drawing(&title.to_string_lossy(), width)),
+        )
         .put("controls", json!(design.controls()))
         .put("optional", json!(design.optional_keys()))
         .put("drive_frequency_hz", design.drive_frequency_hz().ok());

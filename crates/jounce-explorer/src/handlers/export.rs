@@ -6,8 +6,8 @@ use crate::session::frame::Frame;
 use crate::source::Source;
 use jounce::live::{Design, KeySpan};
 
-/// Returns the spec as text, the text of its file, the link to the page, and the commands that give the
-/// response over a range.
+/// Returns the spec as text, the text of its file, the link to the page with its changed keys and the
+/// fields that the page reads, and the commands that give the response over a range.
 ///
 /// # Errors
 /// [`RequestFault`]: faults of the range.
@@ -16,6 +16,7 @@ pub fn export(
     design: &Design,
     span: &KeySpan,
     set: &[(String, String)],
+    page: &[(String, String)],
     source: &Source,
 ) -> Result<Frame, RequestFault> {
     let (range, over) = (span.text(design)?, &span.over);
@@ -40,6 +41,7 @@ pub fn export(
     let link = Link {
         set: set.to_vec(),
         view: Some(span.clone()),
+        page: page.to_vec(),
         spec: Some(file.clone()),
     };
     let mut frame = Frame::new(id, "export", "done");

@@ -1,7 +1,9 @@
 //! Computation of the result of each kind of request.
 
+pub(super) mod aperiodic_motion;
 pub(super) mod band;
 pub(super) mod basins;
+pub(super) mod branch_points;
 pub(super) mod design;
 pub(super) mod design_search;
 pub(super) mod ensemble;

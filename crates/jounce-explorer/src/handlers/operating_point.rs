@@ -44,10 +44,13 @@ pub async fn respond(
     let Some(result) = session.shared(stage, found, cancellation).await? else {
         return Ok(());
     };
+    let basins = &result.basins;
+    session.analysis.store_attractors(id, &drives, basins);
     let mut frame = Frame::new(id, "operating-point", "done");
     frame
-        .put_all(&json!(result.basins))
+        .put_all(&json!(basins))
         .put("peaks", json!(result.peaks))
+        .put("limit_shares", json!(result.limit_shares))
         .put("stops", result.stops)
         .put("frequency_hz", drives.drive_frequency_hz()?);
     session.send_unless_stopped(cancellation, frame).await;

@@ -1,21 +1,22 @@
-//! Orbit of a point of a response.
+//! Orbit of a point of a response or of an attractor.
 
 use crate::session::Session;
 use crate::session::cancellation::Cancellation;
 use crate::session::fault::RequestFault;
 use crate::session::frame::Frame;
 use jounce::Error;
-use jounce::live::{BeamMotion, BranchPlace, OrbitResult, OrbitStop, PlateMotion};
+use jounce::live::{BeamMotion, OrbitPlace, OrbitResult, OrbitStop, PlateMotion};
 use serde_json::{Value, json};
 
-/// Sends the orbit of a point.
+/// Sends the orbit of a point or of an attractor.
 ///
 /// # Errors
-/// [`RequestFault`]: the response is not stored, has no such point, or the orbit cannot be computed.
+/// [`RequestFault`]: the response or the attractors are not stored, have no such point or
+/// orbit, or the orbit cannot be computed.
 pub fn respond(
     session: &Session,
     id: u64,
-    place: &BranchPlace,
+    place: &OrbitPlace,
     cancellation: &Cancellation,
 ) -> Result<(), RequestFault> {
     let orbit = session.analysis.orbit(place, cancellation.control())?;
@@ -40,9 +41,6 @@ pub fn respond(
 fn put_head(frame: &mut Frame, orbit: &OrbitResult) {
     let beam = |own: &BeamMotion| json!({ "name": own.name, "places": own.position_m.len() });
     frame
-        .put("parameter", orbit.parameter)
-        .put("over", orbit.over.as_str())
-        .put("unit", orbit.unit.as_str())
         .put("period_cycles", orbit.period_cycles)
         .put("period_s", orbit.period_s)
         .put("mean_power_w", orbit.mean_power_w)
@@ -50,9 +48,13 @@ fn put_head(frame: &mut Frame, orbit: &OrbitResult) {
         .put("contacts", orbit.contacts)
         .put("max_penetration_m", orbit.max_penetration_m)
         .put("stable", orbit.stable)
+        .put("bifurcation", orbit.bifurcation)
+        .put("section", json!(orbit.section))
+        .put("is_at_stability_limit", orbit.is_at_stability_limit)
         .put("floquet_max_abs", orbit.floquet_max_abs)
         .put("error_estimate", orbit.error_estimate)
         .put("beams", orbit.beams.iter().map(beam).collect::<Vec<_>>())
+        .put("attractors", json!(orbit.attractors))
         .put("limits", json!(orbit.limits))
         .put("warnings", json!(orbit.warnings))
         .put("pictures", orbit.frames)

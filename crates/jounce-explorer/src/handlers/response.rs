@@ -220,6 +220,7 @@ fn frame(id: u64, stage: &str, response: &ResponseResult, start_time: Instant) -
         .put("storage", response.is_storage_voltage)
         .put("patches", response.patches)
         .put("note", json!(response.note))
+        .put("budget_note", json!(response.budget_note))
         .put("draft", json!(response.draft))
         .put("ms", 1e3 * start_time.elapsed().as_secs_f64());
     frame.curve("linear", &response.linear);

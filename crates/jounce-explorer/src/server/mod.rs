@@ -5,18 +5,19 @@ mod authenticator;
 mod connections;
 mod file_watch;
 mod launch;
+mod options;
 mod proxy_origin;
 mod saved_address;
 mod socket;
 
 pub use launch::open_in_browser;
+pub use options::{ServerLimits, ServerOptions};
 pub use proxy_origin::ProxyOrigin;
 pub use saved_address::state_folder;
 
 use crate::handlers::operating_point::OperatingPointKey;
 use crate::handlers::response::{ResponseKey, SharedResponse};
 use crate::session::shared::SharedComputations;
-use crate::source::Source;
 use assets::{refusal, serve};
 use authenticator::{Authenticator, RequestRefusal};
 use axum::Router;
@@ -25,66 +26,17 @@ use axum::extract::ws::WebSocketUpgrade;
 use axum::extract::ws::rejection::WebSocketUpgradeRejection;
 use axum::http::{HeaderMap, Method, StatusCode, Uri};
 use axum::response::{IntoResponse as _, Redirect, Response};
-use jounce::live::{Bandwidth, KeySpan, OperatingPoint};
+use jounce::live::{Bandwidth, OperatingPoint};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use saved_address::SavedAddress;
 use std::net::{Ipv4Addr, SocketAddr};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
 use tokio::sync::{Semaphore, watch};
 
 /// Short computations per core at the same time: some of them only wait until a slider rests.
 const QUICK_PER_CORE: usize = 3;
-
-/// Options of a server.
-#[derive(Debug, Clone)]
-pub struct ServerOptions {
-    /// The spec.
-    pub spec: Source,
-    /// Initial overrides of the page, as in `--set`.
-    pub set: Vec<(String, String)>,
-    /// Initial axis of the page; by default the page chooses one.
-    pub view: Option<KeySpan>,
-    /// Address to listen on; by default a free port of the loopback interface.
-    pub listen: Option<SocketAddr>,
-    /// Proxy through which browsers reach the server: requests to it, by its pages, are accepted too.
-    pub proxy: Option<ProxyOrigin>,
-    /// Allows pages of this machine, and of the proxy, to embed the page in a frame.
-    pub frames: bool,
-    /// Folder in which the address is saved for the next server of this file. Without it, or for a
-    /// spec without a file, nothing is saved.
-    pub state_folder: Option<PathBuf>,
-    /// Limits.
-    pub limits: ServerLimits,
-}
-
-/// Limits of a server.
-#[derive(Debug, Clone)]
-pub struct ServerLimits {
-    /// Largest number of open pages.
-    pub sockets: usize,
-    /// Largest message from a page, bytes.
-    pub message_bytes: usize,
-    /// Longest time of one computation.
-    pub max_computation_time: Duration,
-    /// Longest time of a search for a design.
-    pub max_search_time: Duration,
-    /// Longest time in which a connection must send the headers of a request.
-    pub max_header_time: Duration,
-}
-
-impl Default for ServerLimits {
-    fn default() -> Self {
-        Self {
-            sockets: 64,
-            message_bytes: 16 << 20,
-            max_computation_time: Duration::from_secs(120),
-            max_search_time: Duration::from_secs(600),
-            max_header_time: Duration::from_secs(5),
-        }
-    }
-}
 
 /// Error of starting the server.
 #[derive(Debug, thiserror::Error)]

@@ -12,8 +12,8 @@ use crate::handlers::export::export;
 use crate::handlers::progress::progress;
 use crate::handlers::save::save;
 use crate::handlers::{
-    band, basins, design, design_search, ensemble, excitation, load, operating_point, orbit,
-    response, strain, sweep,
+    aperiodic_motion, band, basins, branch_points, design, design_search, ensemble, excitation,
+    load, operating_point, orbit, response, strain, sweep,
 };
 use crate::server::Host;
 use blocking::Share;
@@ -90,6 +90,7 @@ impl Session {
             .put("file", options.spec.name().display().to_string())
             .put("set", json!(options.set))
             .put("view", json!(options.view))
+            .put("page", json!(options.page))
             .put("jounce", env!("CARGO_PKG_VERSION"));
         self.send_async(frame).await;
     }
@@ -217,8 +218,8 @@ impl Session {
         let design = &self.design(request)?;
         let id = request.id;
         match &request.kind {
-            RequestKind::Design => {
-                self.send(cancellation, design::describe(id, design, source));
+            RequestKind::Design { width } => {
+                self.send(cancellation, design::describe(id, design, *width, source));
                 Ok(())
             }
             RequestKind::Modes => {
@@ -228,6 +229,12 @@ impl Session {
                 Ok(())
             }
             RequestKind::Orbit(place) => orbit::respond(self, id, place, cancellation),
+            RequestKind::AperiodicMotion(place) => {
+                aperiodic_motion::respond(self, id, place, cancellation)
+            }
+            RequestKind::BranchPoints { response, orbits } => {
+                branch_points::respond(self, id, *response, orbits, cancellation)
+            }
             RequestKind::Strain { response } => strain::respond(self, id, *response, cancellation),
             RequestKind::Sweep { span, points } => {
                 sweep::respond(self, id, design, (span, *points), cancellation)
@@ -250,8 +257,8 @@ impl Session {
             }
             RequestKind::Band(options) => band::respond(self, id, design, options, cancellation),
             RequestKind::Shake { by } => excitation::respond(self, id, design, by, cancellation),
-            RequestKind::Export(span) => {
-                let frame = export(id, design, span, &request.set, source)?;
+            RequestKind::Export { span, page } => {
+                let frame = export(id, design, span, &request.set, page, source)?;
                 self.send(cancellation, frame);
                 Ok(())
             }

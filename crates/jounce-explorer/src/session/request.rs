@@ -1,6 +1,9 @@
 //! Requests of the page.
 
-use jounce::live::{BandOptions, BranchPlace, DesignFields, KeySpan, LoadOptions, ResponseOptions};
+use jounce::live::{
+    AttractorPlace, BandOptions, DesignFields, KeySpan, LoadOptions, OrbitPlace, ResponseOptions,
+    SoughtOrbit,
+};
 use jounce::{BasinsOptions, EnsembleOptions};
 use serde::Deserialize;
 
@@ -61,7 +64,11 @@ pub enum ExcitationRequest {
 #[serde(tag = "ask", rename_all = "kebab-case")]
 pub enum RequestKind {
     /// Faults, controls and drawing.
-    Design,
+    Design {
+        /// Width of the sheet of the drawing, px.
+        #[serde(default)]
+        width: Option<f64>,
+    },
     /// Figures of the mode shapes.
     Modes,
     /// Branches over a key.
@@ -73,8 +80,17 @@ pub enum RequestKind {
         #[serde(flatten)]
         options: ResponseOptions,
     },
-    /// Orbit of a point of a response.
-    Orbit(BranchPlace),
+    /// Orbit of a point of a response or of an attractor.
+    Orbit(OrbitPlace),
+    /// Stretch of the motion of an attractor without a period.
+    AperiodicMotion(AttractorPlace),
+    /// Points of a response whose orbits are given ones.
+    BranchPoints {
+        /// Number of the response.
+        response: u64,
+        /// The orbits; none where the page knows none.
+        orbits: Vec<Option<SoughtOrbit>>,
+    },
     /// Strain at the points of a response.
     Strain {
         /// Number of the response.
@@ -108,7 +124,14 @@ pub enum RequestKind {
         by: ExcitationRequest,
     },
     /// Spec as text with the overrides, and the commands that give the same response.
-    Export(KeySpan),
+    Export {
+        /// Range.
+        #[serde(flatten)]
+        span: KeySpan,
+        /// Fields of the link that the page reads.
+        #[serde(default)]
+        page: Vec<(String, String)>,
+    },
     /// Writes the numbers into the file of the spec.
     Save {
         /// Text of the file with which the page has compared the design.
@@ -125,10 +148,12 @@ impl RequestKind {
     /// Returns the name of the kind.
     pub fn name(&self) -> &'static str {
         match self {
-            RequestKind::Design => "design",
+            RequestKind::Design { .. } => "design",
             RequestKind::Modes => "modes",
             RequestKind::Response { .. } => "response",
             RequestKind::Orbit(_) => "orbit",
+            RequestKind::AperiodicMotion(_) => "aperiodic-motion",
+            RequestKind::BranchPoints { .. } => "branch-points",
             RequestKind::Strain { .. } => "strain",
             RequestKind::Sweep { .. } => "sweep",
             RequestKind::Load(_) => "load",
@@ -139,7 +164,7 @@ impl RequestKind {
             RequestKind::DesignSearch(_) => "design-search",
             RequestKind::Band(_) => "band",
             RequestKind::Shake { .. } => "shake",
-            RequestKind::Export(_) => "export",
+            RequestKind::Export { .. } => "export",
             RequestKind::Save { .. } => "save",
             RequestKind::Stop { .. } => "stop",
         }

@@ -299,6 +299,7 @@ async fn behind_a_proxy_only_its_pages_are_accepted_and_notebooks_may_embed_the_
         spec: Source::File(paper()),
         set: Vec::new(),
         view: None,
+        page: Vec::new(),
         listen: None,
         proxy: ProxyOrigin::parse(origin),
         frames: true,

@@ -48,6 +48,7 @@ impl TestServer {
             spec,
             set: Vec::new(),
             view: None,
+            page: Vec::new(),
             listen: None,
             proxy: None,
             frames: false,

@@ -10,7 +10,7 @@ async fn the_link_of_the_export_serves_the_same_page() {
     let server = TestServer::new(&paper(), ServerLimits::default());
     let mut page = server.page().await;
     let set = json!([["stop.tip.gap", "0.5 mm"]]);
-    let range = json!({ "set": set, "over": "drive.shaker.frequency", "from": 12.0, "to": 13.0 });
+    let range = json!({ "set": set, "over": "drive.shaker.frequency", "from": 12.0, "to": 13.0, "page": [["tab", "load"]] });
     page.send_request("export", range).await;
     let response = page.receive_until("export", "done").await;
     let text = response.head["link"].as_str().unwrap();
@@ -32,6 +32,7 @@ async fn the_link_of_the_export_serves_the_same_page() {
         },
         set: link.set,
         view: link.view,
+        page: link.page,
         listen: None,
         proxy: None,
         frames: false,
@@ -46,4 +47,5 @@ async fn the_link_of_the_export_serves_the_same_page() {
         hello["view"],
         json!({ "over": "drive.shaker.frequency", "from": 12.0, "to": 13.0 })
     );
+    assert_eq!(hello["page"], json!([["tab", "load"]]));
 }

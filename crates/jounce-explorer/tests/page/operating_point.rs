@@ -60,6 +60,7 @@ async fn a_number_that_the_spec_lacks_can_be_set() {
         spec: Source::File(paper()),
         set: vec![STRAIN_LIMIT.map(str::to_owned).into()],
         view: None,
+        page: Vec::new(),
         listen: None,
         proxy: None,
         frames: false,

@@ -1,6 +1,7 @@
 //! Atomic writing of files.
 
 use super::clean::clean;
+use super::reason::reason;
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -16,11 +17,15 @@ pub struct StoreError {
 }
 
 impl StoreError {
-    fn new(path: &Path, reason: impl ToString) -> Self {
+    pub(super) fn new(path: &Path, reason: impl ToString) -> Self {
         Self {
             path: path.to_owned(),
             reason: reason.to_string(),
         }
+    }
+
+    pub(super) fn of_system(path: &Path, error: &io::Error) -> Self {
+        Self::new(path, reason(error))
     }
 }
 
@@ -45,7 +50,7 @@ impl PendingFile {
         let (path, target) = (self.path, self.target);
         self.file
             .persist(&target)
-            .map_err(|fault| StoreError::new(&path, fault.error))?;
+            .map_err(|fault| StoreError::of_system(&path, &fault.error))?;
         flush_name(&target);
         Ok(())
     }
@@ -120,14 +125,14 @@ pub fn create(path: &Path, content: &[u8]) -> Result<(), StoreError> {
         .persist_noclobber(path)
         .map_err(|fault| match fault.error.kind() {
             io::ErrorKind::AlreadyExists => StoreError::new(path, TAKEN),
-            _ => StoreError::new(path, fault.error),
+            _ => StoreError::of_system(path, &fault.error),
         })?;
     flush_name(path);
     Ok(())
 }
 
 /// Returns the folder of a file.
-fn folder_of(path: &Path) -> &Path {
+pub(super) fn folder_of(path: &Path) -> &Path {
     path.parent()
         .filter(|parent| !parent.as_os_str().is_empty())
         .unwrap_or(Path::new("."))
@@ -141,7 +146,10 @@ fn made_folder_of(path: &Path) -> Result<&Path, StoreError> {
         let name = folder.display();
         let reason = match folder.exists() {
             true => format!("\"{name}\" is not a folder"),
-            false => format!("the folder \"{name}\" cannot be created: {fault}"),
+            false => format!(
+                "the folder \"{name}\" cannot be created: {}",
+                reason(&fault)
+            ),
         };
         StoreError::new(path, reason)
     })?;
@@ -151,7 +159,7 @@ fn made_folder_of(path: &Path) -> Result<&Path, StoreError> {
 
 /// Returns the regular file to replace: the end of a chain of links, or the path itself for a new
 /// file.
-fn target_of(path: &Path) -> Result<PathBuf, StoreError> {
+pub(super) fn target_of(path: &Path) -> Result<PathBuf, StoreError> {
     if path.file_name().is_none() {
         return Err(StoreError::new(path, "it names no file"));
     }
@@ -173,7 +181,7 @@ fn target_of(path: &Path) -> Result<PathBuf, StoreError> {
             "it is read-only; make it writable or choose another name",
         ));
     }
-    fs::canonicalize(path).map_err(|fault| StoreError::new(path, fault))
+    fs::canonicalize(path).map_err(|fault| StoreError::of_system(path, &fault))
 }
 
 /// Creates a temporary file in the folder of the target, with the content, flushed to the disk.
@@ -192,7 +200,7 @@ fn pending(
         temporary.as_file().sync_all()?;
         Ok(temporary)
     };
-    let file = written().map_err(|fault| StoreError::new(path, fault))?;
+    let file = written().map_err(|fault| StoreError::of_system(path, &fault))?;
     Ok(PendingFile {
         path: path.to_owned(),
         target: target.to_owned(),
@@ -209,7 +217,7 @@ fn flush_name(target: &Path) {
 
 /// Creates a temporary file with the permissions of an ordinary new file (the process's mask
 /// applies).
-fn temporary_file(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
+pub(super) fn temporary_file(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(PREFIX);
     #[cfg(unix)]

@@ -19,7 +19,7 @@ pub fn unreadable(path: &Path, error: &Error) -> String {
                 path.display()
             )
         }
-        _ => format!("{} cannot be read: {error}", path.display()),
+        _ => format!("{} cannot be read: {}", path.display(), reason(error)),
     }
 }
 
@@ -29,4 +29,16 @@ pub fn unwritable_folder(path: &Path, reason: impl Display) -> String {
         "cannot write into the folder \"{}\": {reason}; choose another one, where you may write",
         path.display()
     )
+}
+
+/// Returns the reason of a failure, without the number of the system, the name of a temporary file
+/// and the words of a library around it.
+pub fn reason(error: &(dyn std::error::Error + 'static)) -> String {
+    let system = std::iter::successors(Some(error), |error| error.source())
+        .find_map(|error| error.downcast_ref::<Error>());
+    let text = system.map_or_else(|| error.to_string(), ToString::to_string);
+    let text = text.split(" (os error").next().unwrap_or_default();
+    let mut letters = text.chars();
+    let first = letters.next().map(|first| first.to_ascii_lowercase());
+    first.into_iter().chain(letters).collect()
 }

@@ -1,5 +1,6 @@
 //! Comma-separated text: one header line of names, one line per row; notes in a sidecar.
 
+use crate::store::reason;
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 
@@ -33,7 +34,7 @@ pub(super) fn join<W: Write, E>(
     failed: impl Fn(String) -> E,
 ) -> Result<(), E> {
     let mut writer = csv::Writer::from_writer(BufWriter::new(target));
-    let to_error = |fault: csv::Error| failed(fault.to_string());
+    let to_error = |fault: csv::Error| failed(reason(&fault));
     let mut names = None;
     for table in tables {
         let table = table?;
@@ -55,7 +56,7 @@ pub(super) fn join<W: Write, E>(
         rows(&mut writer, &table).map_err(to_error)?;
     }
     match names {
-        Some(_) => writer.flush().map_err(|fault| failed(fault.to_string())),
+        Some(_) => writer.flush().map_err(|fault| failed(reason(&fault))),
         None => Err(failed("there is no table to write".to_owned())),
     }
 }
@@ -79,7 +80,7 @@ fn rows<W: Write>(writer: &mut csv::Writer<W>, table: &Table) -> Result<(), csv:
 pub(super) fn decode(path: &Path) -> Result<(Table, Manifest), String> {
     let sidecar = sidecar_path(path);
     let notes = std::fs::read_to_string(&sidecar)
-        .map_err(|fault| format!("its notes \"{}\": {fault}", sidecar.display()))?;
+        .map_err(|fault| format!("its notes \"{}\": {}", sidecar.display(), reason(&fault)))?;
     let notes = Notes::from_json(&notes)?;
     let mut reader = csv::Reader::from_path(path).map_err(|fault| fault.to_string())?;
     let expected: Vec<_> = notes

@@ -41,8 +41,7 @@ impl Notes {
     }
 
     pub(super) fn from_json(text: &str) -> Result<Self, String> {
-        serde_json::from_str(text)
-            .map_err(|fault| format!("its notes are not those of jounce ({fault})"))
+        serde_json::from_str(text).map_err(|_| "its notes are not those of jounce".to_owned())
     }
 
     /// Combines the notes with the values of each column.

@@ -5,6 +5,7 @@ use std::io::Write;
 use std::path::Path;
 use std::sync::Arc;
 
+use crate::store::reason;
 use parquet::basic::{Compression, LogicalType, Repetition, Type as Physical};
 use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
 use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
@@ -63,15 +64,14 @@ pub(super) fn join<E>(
     for table in tables {
         let table = table?;
         if let Some(target) = target.take() {
-            writer =
-                Some(begin(target, &table, manifest).map_err(|fault| failed(fault.to_string()))?);
+            writer = Some(begin(target, &table, manifest).map_err(|fault| failed(reason(&fault)))?);
         }
         if let Some(writer) = &mut writer {
-            append(writer, &table).map_err(|fault| failed(fault.to_string()))?;
+            append(writer, &table).map_err(|fault| failed(reason(&fault)))?;
         }
     }
     match writer {
-        Some(writer) => end(writer).map_err(|fault| failed(fault.to_string())),
+        Some(writer) => end(writer).map_err(|fault| failed(reason(&fault))),
         None => Err(failed("there is no table to write".to_owned())),
     }
 }

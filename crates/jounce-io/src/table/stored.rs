@@ -2,6 +2,7 @@
 
 use super::error::TableError;
 use super::{Column, Manifest, Table};
+use crate::store::reason;
 use serde_json::{Map, Value};
 use std::path::Path;
 
@@ -140,7 +141,7 @@ impl TableDifference {
 
 /// Reads the JSON of a table.
 fn from_json(path: &Path) -> Result<StoredTable, String> {
-    let text = std::fs::read_to_string(path).map_err(|fault| fault.to_string())?;
+    let text = std::fs::read_to_string(path).map_err(|fault| reason(&fault))?;
     let value: Value = serde_json::from_str(&text).map_err(|fault| fault.to_string())?;
     let part = |name: &str| value.get(name).and_then(Value::as_object);
     let (Some(columns), Some(units), Some(about), Some(manifest)) = (
@@ -154,7 +155,7 @@ fn from_json(path: &Path) -> Result<StoredTable, String> {
         );
     };
     let manifest = serde_json::from_value(manifest.clone())
-        .map_err(|fault| format!("its manifest is not that of jounce ({fault})"))?;
+        .map_err(|_| "its manifest is not that of jounce".to_owned())?;
     let text = |map: &Map<String, Value>, name: &str| {
         let text = map.get(name).and_then(Value::as_str);
         text.unwrap_or_default().to_owned()

@@ -33,7 +33,13 @@ impl Drawing {
 
     /// Returns the drawing with the positions of its parts, for a page in which they can be moved.
     pub fn sheet(&self) -> GripSheet {
-        sheet::draw_sheet(self)
+        sheet::draw_sheet(self, sheet::WIDTH)
+    }
+
+    /// Returns the drawing as [`Drawing::sheet`] on a sheet of a width in pixels, between 320 and the
+    /// default.
+    pub fn sheet_of_width(&self, width: f64) -> GripSheet {
+        sheet::draw_sheet(self, width.clamp(sheet::MIN_WIDTH, sheet::WIDTH))
     }
 
     /// Returns the drawing as a PNG file of `scale` times its size in pixels.

@@ -11,8 +11,11 @@ use super::{Drawing, DrawnCircuit, DrawnContact, DrawnPlan, GripSheet};
 use crate::svg::{Anchor, Svg};
 use crate::text::{SMALL, TITLE, wrap};
 
-/// Width of the sheet, px.
-const WIDTH: f64 = 900.0;
+/// Width of a sheet by default, px, and the smallest width.
+pub const WIDTH: f64 = 900.0;
+pub const MIN_WIDTH: f64 = 320.0;
+/// Largest length of the scale bar, relative to the width.
+const BAR: f64 = 200.0 / WIDTH;
 /// Free edge, px.
 const EDGE: f64 = 14.0;
 /// Distance of two elements on the sheet, px.
@@ -47,11 +50,11 @@ struct Content {
     cells: Vec<Rect>,
 }
 
-/// Returns the drawing with the positions of its parts.
-pub fn draw_sheet(drawing: &Drawing) -> GripSheet {
-    let layout = scale::fitted(drawing);
-    let mut svg = Svg::new(WIDTH, &drawing.title);
-    let sheet_content = content(&mut svg, drawing, &layout);
+/// Returns the drawing on a sheet of a width, with the positions of its parts.
+pub fn draw_sheet(drawing: &Drawing, sheet_width: f64) -> GripSheet {
+    let layout = scale::fitted(drawing, sheet_width / WIDTH);
+    let mut svg = Svg::new(sheet_width, &drawing.title);
+    let sheet_content = content(&mut svg, drawing, &layout, sheet_width);
     let first_plan = sheet_content.cells.len() - drawing.plans.len();
     let (cells, plans) = sheet_content.cells.split_at(first_plan);
     let (circuits, close_ups) = cells.split_at(drawing.circuits.len());
@@ -67,22 +70,22 @@ pub fn draw_sheet(drawing: &Drawing) -> GripSheet {
 }
 
 /// Draws all elements.
-fn content(svg: &mut Svg, drawing: &Drawing, layout: &DrawingLayout) -> Content {
+fn content(svg: &mut Svg, drawing: &Drawing, layout: &DrawingLayout, sheet_width: f64) -> Content {
     let mut y = 12.0;
-    for line in wrap(&drawing.title, TITLE, WIDTH - 2.0 * EDGE) {
+    for line in wrap(&drawing.title, TITLE, sheet_width - 2.0 * EDGE) {
         y += TITLE + 4.0;
         svg.text(EDGE, y, TITLE, Anchor::Start, &line);
     }
     y += SPACE;
     let (mut side, mut shifts) = (Rect::EMPTY, Vec::new());
     for number in 0..layout.groups() {
-        let (covered, shift) = group(svg, drawing, layout, number, y);
+        let (covered, shift) = group(svg, drawing, layout, number, (sheet_width, y));
         y = covered.bottom + SPACE;
         side = side.joined(&covered);
         shifts.push(shift);
     }
     if layout.px_per_m > 0.0 {
-        let bar_m = dimension::round_below(200.0 / layout.px_per_m);
+        let bar_m = dimension::round_below(BAR * sheet_width / layout.px_per_m);
         dimension::bar(svg, EDGE, y, bar_m * layout.px_per_m);
         let words = format!("{}, the same in both directions", dimension::length(bar_m));
         svg.text(
@@ -113,7 +116,7 @@ fn content(svg: &mut Svg, drawing: &Drawing, layout: &DrawingLayout) -> Content 
             .map(Cell::Circuit)
             .chain(close_ups)
             .chain(drawing.plans.iter().map(Cell::Plan)),
-        y,
+        (sheet_width, y),
     );
     Content {
         height,
@@ -130,14 +133,23 @@ fn group(
     drawing: &Drawing,
     layout: &DrawingLayout,
     number: usize,
-    y: f64,
+    (sheet_width, y): (f64, f64),
 ) -> (Rect, (f64, f64)) {
     let room = layout.extent(drawing, number);
-    let x = 0.5 * (WIDTH - room.width()) - room.left;
+    let x = 0.5 * (sheet_width - room.width()) - room.left;
     // Labels may extend above the bodies; a first attempt gives the height.
-    let attempt = scene(&mut Svg::new(WIDTH, ""), drawing, layout, number, (x, 0.0));
+    let attempt = scene(
+        &mut Svg::new(sheet_width, ""),
+        drawing,
+        layout,
+        number,
+        (sheet_width, (x, 0.0)),
+    );
     let shift = (x, y - attempt.top);
-    (scene(svg, drawing, layout, number, shift), shift)
+    (
+        scene(svg, drawing, layout, number, (sheet_width, shift)),
+        shift,
+    )
 }
 
 fn scene(
@@ -145,9 +157,9 @@ fn scene(
     drawing: &Drawing,
     layout: &DrawingLayout,
     number: usize,
-    shift: (f64, f64),
+    (sheet_width, shift): (f64, (f64, f64)),
 ) -> Rect {
-    let mut canvas = Canvas::new(svg, (EDGE, WIDTH - EDGE));
+    let mut canvas = Canvas::new(svg, (EDGE, sheet_width - EDGE));
     layout
         .members(number)
         .for_each(|body| bodies::body(&mut canvas, drawing, layout, body, shift));
@@ -163,7 +175,7 @@ fn scene(
             &mut canvas,
             drawing,
             (
-                WIDTH - EDGE - 20.0,
+                sheet_width - EDGE - 20.0,
                 layout.extent(drawing, number).top + shift.1,
             ),
         );
@@ -177,12 +189,12 @@ fn cells<'d>(
     drawing: &Drawing,
     layout: &DrawingLayout,
     cells: impl Iterator<Item = Cell<'d>>,
-    mut y: f64,
+    (sheet_width, mut y): (f64, f64),
 ) -> (f64, Vec<Rect>) {
     let (mut x, mut high, mut covered) = (EDGE, 0.0_f64, Vec::new());
     for cell in cells {
         let (width, height) = cell.size();
-        if x > EDGE && x + width > WIDTH - EDGE {
+        if x > EDGE && x + width > sheet_width - EDGE {
             (x, y, high) = (EDGE, y + high + SPACE, 0.0);
         }
         match cell {

@@ -45,8 +45,7 @@ pub enum SpectralError {
     },
     /// There are fewer samples than the minimum of a segment.
     #[error(
-        "{samples} samples are too few for a spectrum: a segment, and therefore the record, needs \
-        at least 8 samples"
+        "a segment of {samples} samples is too short for a spectrum; it needs at least 8 samples: use a longer record"
     )]
     Few {
         /// Samples of the segment, or of the record.

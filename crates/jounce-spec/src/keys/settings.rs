@@ -21,7 +21,7 @@ pub(super) static DAMPING: &[Key<Damping>] = &[
     Key::with_slot(
         "beyond",
         Kind::Number,
-        "damping ratio of every mode after those of the list",
+        "damping ratio of every flexible mode that `ratios` does not list: of all of them without `ratios`",
         Slot::Optional {
             get: |d: &Damping| d.beyond,
             set: |d, x| d.beyond = Some(x),

@@ -138,7 +138,7 @@ impl ReadState {
 
     /// True while there is room for more faults.
     pub(super) fn has_room(&self) -> bool {
-        self.found.len() < Faults::MAX_REPORTED
+        self.found.len() < Faults::MAX_FOUND
     }
 }
 

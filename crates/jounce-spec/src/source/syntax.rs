@@ -8,6 +8,7 @@ use toml_edit::Document;
 
 use super::lines::{Lines, boundary};
 use super::node::{Node, Value, entries};
+use crate::fault::Faults;
 use crate::nearest::clip;
 use jounce_units::Decimal;
 
@@ -54,12 +55,13 @@ pub(crate) fn parse(text: &str) -> Source {
         return source;
     }
     let most = (MAX_REREAD_BYTES / text.len().max(1)).clamp(1, MAX_SYNTAX_ERRORS);
-    while source.errors.len() < most {
+    loop {
         let error = match Document::parse(work.as_str()) {
             Ok(document) => {
                 source.root.value = Value::Table(entries(&work, document.as_table(), 0));
                 return source;
             }
+            Err(_) if source.errors.len() == most => break,
             Err(error) => error,
         };
         let span = error.span().unwrap_or(0..0);
@@ -72,10 +74,16 @@ pub(crate) fn parse(text: &str) -> Source {
             malformed(&work, offset, error.message())
         });
         if !leave_out(&mut work, offset, duplicate) {
-            break;
+            source.complete = false;
+            return source;
         }
     }
     source.complete = false;
+    source.errors.push(SyntaxError {
+        offset: text.len(),
+        key: String::new(),
+        message: Faults::MORE.to_owned(),
+    });
     source
 }
 

@@ -43,7 +43,7 @@ impl ValidationFaults {
     }
 
     fn is_full(&self) -> bool {
-        self.found.len() >= Faults::MAX_REPORTED
+        self.found.len() >= Faults::MAX_FOUND
     }
 }
 

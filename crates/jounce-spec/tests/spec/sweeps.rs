@@ -76,7 +76,7 @@ fn counts_and_lists_hit_their_ends() {
 }
 
 /// Range, and a part of the refusal.
-const WRONG_RANGES: [(&str, &str); 21] = [
+const WRONG_RANGES: [(&str, &str); 22] = [
     (
         "drive.shaker.frequency=4Hz:20Hz:0.1mm",
         "\"0.1mm\" is a length; expected a frequency",
@@ -86,6 +86,10 @@ const WRONG_RANGES: [(&str, &str); 21] = [
         "4 has no unit; expected a frequency in Hz, kHz, 1/min",
     ),
     ("drive.shaker.frequency=20Hz:4Hz:0.1Hz", "is reversed"),
+    (
+        "drive.shaker.frequency=4Hz:20Hz:17Hz",
+        "the step is larger than the range; make it smaller, or give one value",
+    ),
     (
         "drive.shaker.frequency=4Hz:20Hz:0Hz",
         "the step is 0Hz; it must be greater than 0",

@@ -15,7 +15,7 @@ pub struct BasinsOptions {
     /// Number of starts.
     #[arg(long, default_value_t = 200)]
     pub starts: usize,
-    /// Seed of the cloud.
+    /// Seed of the random numbers that draw the cloud; another seed draws other starts.
     #[arg(long, default_value_t = 1)]
     pub seed: u64,
     /// Size of the cloud at the stop, in gaps (or in steady amplitudes, if larger).
@@ -64,6 +64,27 @@ impl BasinsOptions {
             ..
         } = self;
         Ok(InitialStates::Cloud(cloud(starts, seed, spread)?))
+    }
+
+    /// Returns how the starts are drawn, in words.
+    ///
+    /// ```
+    /// let text = jounce::BasinsOptions { starts: 20, ..Default::default() }.starts_text();
+    /// assert!(text.starts_with("20 random starts (seed 1)"), "{text}");
+    /// ```
+    pub fn starts_text(&self) -> String {
+        if !self.grid.is_empty() {
+            return format!("starts on a grid: {}", self.grid.join(", "));
+        }
+        let &Self {
+            starts,
+            seed,
+            spread,
+            ..
+        } = self;
+        format!(
+            "{starts} random starts (seed {seed}): displacement and velocity of every mode are uniform, up to a motion of {spread} gaps at the stop (or steady amplitudes, if larger) at the frequency of the drive"
+        )
     }
 
     /// Returns the options of the recognition of attractors.

@@ -1,9 +1,9 @@
 //! Result of basins of attraction.
 
 use jounce_analysis::run::ExceededLimit;
-use jounce_analysis::{Attractor, GridAxis};
-use jounce_orbits::Orbit;
+use jounce_analysis::{AttractingOrbit, Attractor, GridAxis};
 use serde::Serialize;
+use std::sync::Arc;
 
 /// Attractors reached from a cloud or a grid of starts, and the share of the starts that reach
 /// each.
@@ -65,9 +65,12 @@ pub struct AttractorResult {
     pub fraction_high: f64,
     /// Exceeded limits of patches.
     pub warnings: Vec<ExceededLimit>,
-    /// Orbit of a periodic attractor.
+    /// Orbit of a periodic attractor, with the ball that proves that it attracts.
     #[serde(skip)]
-    pub(crate) orbit: Option<Orbit>,
+    pub(crate) attracting: Option<Arc<AttractingOrbit>>,
+    /// State (physical) of an aperiodic attractor at the start of a drive cycle.
+    #[serde(skip)]
+    pub(crate) last_state: Option<Vec<f64>>,
 }
 
 /// A start whose run failed.
@@ -108,7 +111,8 @@ impl AttractorResult {
             fraction_low: attractor.share.low,
             fraction_high: attractor.share.high,
             warnings: attractor.exceeded.clone(),
-            orbit: attractor.orbit.clone(),
+            attracting: attractor.attracting.clone(),
+            last_state: attractor.last_state.clone(),
         }
     }
 }

@@ -18,8 +18,8 @@ pub struct BifurcationsOptions {
     /// Relative tolerance of the integration that computes the orbits.
     #[arg(long, default_value = "1e-9")]
     pub tolerance: f64,
-    /// Number of values inside a range at which orbits are sought by integration; they find
-    /// isolated branches.
+    /// Number of values of the key inside a range, at equal distances, at which integrations search for
+    /// orbits; they find isolated branches. 0: only branches that cross an end of a range.
     #[arg(long, default_value_t = BifurcationSearch::DEFAULT_SEEDS)]
     pub seeds: usize,
     /// Longest period of a branch, in drive cycles; longer ones are omitted.
@@ -46,9 +46,13 @@ impl Default for BifurcationsOptions {
 impl BifurcationsOptions {
     /// Returns the note on the curves that the search may miss.
     pub(super) fn note(&self) -> String {
+        let branches = match self.seeds {
+            0 => "that cross no end of the range in which they are searched".to_owned(),
+            seeds => format!("that none of {seeds} seeds converges to"),
+        };
         format!(
-            "the search misses curves that pass neither an edge of the two ranges nor the second key's value in the spec, and curves of branches that none of {} seeds converges to or of a period above {} cycles; other ranges, more `seeds` and a larger `longest_period` find more",
-            self.seeds, self.longest_period
+            "the search misses curves that pass neither an edge of the two ranges nor the second key's value in the spec, and curves of branches {branches} or of a period above {} cycles; other ranges, more `seeds` and a larger `longest_period` find more",
+            self.longest_period
         )
     }
 }

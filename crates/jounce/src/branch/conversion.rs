@@ -62,6 +62,7 @@ impl Bifurcation {
             contacts_per_period: orbit.contacts,
             level: bifurcation.level.clone(),
             stop: bifurcation.stop.clone(),
+            neighbours: bifurcation.neighbours,
         }
     }
 }

@@ -4,6 +4,7 @@ mod conversion;
 mod options;
 mod report;
 mod result;
+mod stable_ranges;
 mod tables;
 mod warnings;
 
@@ -14,7 +15,7 @@ pub use result::{
     Bifurcation, Branch, BranchPoint, BranchResult, HalfPowerBandwidth, NotProved, OrbitQuantity,
     Termination, TerminationReason,
 };
-pub(crate) use warnings::search_note;
+pub(crate) use warnings::{budget_note, search_note};
 
 use crate::continuation_options;
 use crate::error::Error;

@@ -37,8 +37,8 @@ pub struct BranchOptions {
     /// Relative tolerance of the integration that computes the orbits.
     #[arg(long, default_value = "5e-10")]
     pub tolerance: f64,
-    /// Number of values inside the range at which orbits are sought by integration; they find
-    /// isolated branches.
+    /// Number of values of the key inside the range, at equal distances, at which integrations search for
+    /// orbits; they find isolated branches. 0: only branches that cross an end of the range.
     #[arg(long, default_value_t = BranchSearch::DEFAULT_SEEDS)]
     pub seeds: usize,
     /// Longest period of a branch, in drive cycles; longer ones are omitted.

@@ -97,6 +97,10 @@ pub struct Bifurcation {
     pub level: Option<String>,
     /// Stop of a grazing or of sticking; `None` for other kinds.
     pub stop: Option<String>,
+    /// Values of the key at the neighbouring points of the branch, SI; `None` where the event ends
+    /// the branch.
+    #[serde(skip)]
+    pub neighbours: Option<[f64; 2]>,
 }
 
 /// Interval of a branch on which the listed events of a kind are not proved: there may be more, or

@@ -2,15 +2,32 @@
 
 use super::{BranchResult, OrbitMethod, Termination, TerminationReason};
 use jounce_analysis::run::WorstExcess;
+use jounce_analysis::{self as analysis, Branch};
 
 /// Error estimates above this have a warning.
 const MAX_ERROR_ESTIMATE: f64 = 1e-3;
 
 /// Returns the note on the branches that a search may miss.
 pub(crate) fn search_note(seeds: usize, longest_period: u32) -> String {
+    let branches = match seeds {
+        0 => "branches that cross no end of the range".to_owned(),
+        _ => format!("branches that none of {seeds} seeds converges to"),
+    };
     format!(
-        "the search misses branches that none of {seeds} seeds converges to, and branches of a period above {longest_period} cycles; more `seeds` and a larger `longest_period` find more"
+        "the search misses {branches}, and branches of a period above {longest_period} cycles; more `seeds` and a larger `longest_period` find more"
     )
+}
+
+/// Returns the note on branches that a search did not follow to their end, or not at all; `None`
+/// where there are none.
+pub(crate) fn budget_note(branches: &[Branch], budget: usize) -> Option<String> {
+    let is_stopped = |own: &&Branch| own.endings.contains(&analysis::Termination::Points);
+    let stopped = branches.iter().filter(is_stopped).count();
+    let missing: usize = branches.iter().map(|own| own.not_followed).sum();
+    (stopped + missing > 0).then(|| format!(
+        "the search may use {budget} drive cycles of orbits: {stopped} of {} branches were stopped, and the branches of {missing} period doublings were not continued; a shorter range has more of them",
+        branches.len()
+    ))
 }
 
 impl BranchResult {
@@ -112,5 +129,31 @@ impl BranchResult {
             .unzip();
         let place = |index: usize| format!("{} = {:.6} {}", self.key, values[index], self.unit);
         WorstExcess::messages(&exceeded, "points", place)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_spent_budget_is_named_with_what_is_missing() {
+        let whole = Branch {
+            endings: vec![analysis::Termination::Range; 2],
+            ..Branch::default()
+        };
+        let stopped = Branch {
+            endings: vec![analysis::Termination::Range, analysis::Termination::Points],
+            ..Branch::default()
+        };
+        let parent = Branch {
+            not_followed: 3,
+            ..whole.clone()
+        };
+        assert_eq!(budget_note(std::slice::from_ref(&whole), 10), None);
+        let note = budget_note(&[whole, stopped, parent], 10).unwrap_or_default();
+        assert!(note.contains("may use 10 drive cycles"), "{note}");
+        assert!(note.contains("1 of 3 branches were stopped"), "{note}");
+        assert!(note.contains("branches of 3 period doublings"), "{note}");
     }
 }

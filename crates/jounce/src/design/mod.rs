@@ -177,15 +177,20 @@ impl Design {
         let work = || Ok(design(&problem, &self.control, journal, improved)?);
         let outcome = on_threads(options.threads, work)?;
         let given = Harvester::of(problem.file.clone(), problem.folder.clone())?;
-        let mut values: Vec<(String, String)> = outcome.best.set.clone().into_iter().collect();
+        let mut values: Vec<(String, String)> = Vec::new();
         if let [condition] = problem.conditions.as_slice() {
-            values.extend(settings(condition).filter(|(key, _)| !key.starts_with(RUN)));
+            let own = settings(&problem, condition);
+            values.extend(own.filter(|(key, _)| !key.starts_with(RUN)));
         }
+        values.extend(outcome.best.set.clone());
         let pairs = values.iter();
         let harvester = given.changed(pairs.map(|(key, value)| (key.as_str(), value.as_str())))?;
         let conditions = match problem.conditions.as_slice() {
             [_] => Vec::new(),
-            several => several.iter().map(condition_text).collect(),
+            several => several
+                .iter()
+                .map(|one| condition_text(&problem, one))
+                .collect(),
         };
         Ok(DesignResult {
             outcome,
@@ -229,16 +234,23 @@ impl DesignResult {
 }
 
 /// Returns the keys of a condition with their values as text.
-fn settings(condition: &Condition) -> impl Iterator<Item = (String, String)> + '_ {
-    condition.values.iter().map(|(key, value)| {
+fn settings<'p>(
+    problem: &'p Problem,
+    condition: &'p Condition,
+) -> impl Iterator<Item = (String, String)> + 'p {
+    let numbers = condition.values.iter().map(|(key, value)| {
         let text = format!("{value:?} {}", key.unit());
         (key.path().to_owned(), text.trim_end().to_owned())
-    })
+    });
+    problem.changes[condition.change]
+        .iter()
+        .cloned()
+        .chain(numbers)
 }
 
 /// Returns a condition in words.
-fn condition_text(condition: &Condition) -> String {
-    let values = settings(condition).map(|(key, value)| format!("{key} = {value}"));
+fn condition_text(problem: &Problem, condition: &Condition) -> String {
+    let values = settings(problem, condition).map(|(key, value)| format!("{key} = {value}"));
     let values: Vec<String> = values.collect();
     format!("{}; weight {}", values.join(", "), condition.weight)
 }

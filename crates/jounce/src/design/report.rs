@@ -3,7 +3,8 @@
 use super::DesignResult;
 use crate::error::Error;
 use jounce_design::{
-    FreeValue, FrontPoint, Goal, LimitResult, NearestFold, NoisePower, SearchEnd, SobolIndex,
+    FreeValue, FrontPoint, Goal, LimitResult, NearestFold, NoiseLimit, NoisePower, SearchEnd,
+    SobolIndex,
 };
 use jounce_io::table::{Column, Table};
 use std::collections::BTreeSet;
@@ -65,6 +66,16 @@ impl DesignResult {
             number("value", "value at the best design, SI", |one| one.value),
             number("limit", "limit, SI", |one| one.limit),
             Column::new("active", "", "the limit binds", active),
+            number(
+                "exceeded_fraction",
+                "share of the other realisations of the noise that exceed the limit",
+                |one| {
+                    let noise = one.noise.as_ref();
+                    noise.map_or(f64::NAN, |noise| {
+                        noise.exceeded as f64 / noise.realisations as f64
+                    })
+                },
+            ),
             number(
                 "price",
                 "gain of power per unit of the limit, W per SI unit",
@@ -141,14 +152,11 @@ impl DesignResult {
         let best = &self.outcome.best;
         let mut lines = Vec::new();
         for (name, value) in &best.goals {
-            let before = self
-                .outcome
-                .before
-                .goals
-                .get(name)
-                .copied()
-                .unwrap_or(f64::NAN);
             let unit = unit(name);
+            let before = match self.outcome.before.goals.get(name) {
+                Some(before) => format!(", before {before:.6e} {unit}"),
+                None => String::new(),
+            };
             let interval = match name == Goal::ExpectedPower.name() {
                 true => format!(
                     " ({:.3e} to {:.3e})",
@@ -156,8 +164,12 @@ impl DesignResult {
                 ),
                 false => String::new(),
             };
+            let of_run = match name == Goal::MeanPower.name() {
+                true => " (of one run from run.start)",
+                false => "",
+            };
             lines.push(format!(
-                "{name:<16} {value:.6e} {unit}{interval}, before {before:.6e} {unit}"
+                "{name:<16} {value:.6e} {unit}{interval}{before}{of_run}"
             ));
         }
         lines
@@ -235,9 +247,23 @@ fn limit_text(limit: &LimitResult) -> String {
         (false, true) => "binds",
         (false, false) => "does not bind",
     };
+    let noise = limit.noise.as_ref();
     format!(
-        "{:<16} {:.6e} of {:.6e}, {state}{price}",
-        limit.name, limit.value, limit.limit
+        "{:<16} {:.6e} of {:.6e}, {state}{price}{}",
+        limit.name,
+        limit.value,
+        limit.limit,
+        noise.map_or_else(String::new, noise_limit_text)
+    )
+}
+
+fn noise_limit_text(noise: &NoiseLimit) -> String {
+    format!(
+        ", beyond it in {} of {} other realisations of the noise ({:.1} % to {:.1} % of all)",
+        noise.exceeded,
+        noise.realisations,
+        100.0 * noise.exceeded_fraction_low,
+        100.0 * noise.exceeded_fraction_high,
     )
 }
 

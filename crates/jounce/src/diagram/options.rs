@@ -45,7 +45,7 @@ pub struct DiagramOptions {
     /// Number of starts at each value, with direction starts; 20 by default.
     #[arg(long)]
     pub starts: Option<usize>,
-    /// Seed of their cloud; 1 by default.
+    /// Seed of the random numbers that draw their cloud; another seed draws other starts; 1 by default.
     #[arg(long)]
     pub seed: Option<u64>,
     /// Size of the cloud at the stop, in gaps (or in steady amplitudes, if larger); 10 by default.

@@ -148,7 +148,7 @@ pub enum Error {
     #[error(transparent)]
     ReadRecording(#[from] jounce_data::read::ReadError),
     /// The scratch file of a recording cannot be used.
-    #[error("the scratch file cannot be used: {0}")]
+    #[error("the scratch file cannot be used: {}", jounce_io::store::reason(.0))]
     Scratch(#[source] std::io::Error),
     /// Samples cannot form a recording.
     #[error(transparent)]

@@ -22,7 +22,8 @@ impl Harvester {
     /// The matrices have no loads, stops and drives; the circuit has all of them.
     ///
     /// # Errors
-    /// [`Error::Option`] without any output; [`Error::Analysis`] for a structure without a solution;
+    /// [`Error::Option`] without any output, or with one path for both;
+    /// [`Error::Analysis`] for a structure without a solution;
     /// [`Error::Exchange`] for elements without an equivalent circuit; [`Error::File`].
     ///
     /// ```
@@ -39,6 +40,12 @@ impl Harvester {
         if options.matrices.is_none() && options.spice.is_none() {
             let expected = "give a folder for the matrices, a file for the circuit, or both";
             return Err(Error::option("matrices", "none", expected));
+        }
+        if let Some(path) = &options.spice
+            && options.matrices.as_ref() == Some(path)
+        {
+            let expected = "it is the folder of the matrices too; give the circuit another name";
+            return Err(Error::option("spice", path.display(), expected));
         }
         let model = self.model()?;
         let system = &model.kernel.plant.system;

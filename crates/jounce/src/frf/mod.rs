@@ -20,9 +20,9 @@ impl Harvester {
     /// per m/s^2 of the base.
     ///
     /// # Errors
-    /// [`Error::Option`] for a wrong frequency or a missing input, [`Error::Analysis`] for an
-    /// unknown point or mass, a circuit that is not linear or an undamped resonance,
-    /// [`Error::Stopped`].
+    /// [`Error::Option`] for a wrong frequency, a missing input or one that moves nothing,
+    /// [`Error::Analysis`] for an unknown point or mass, a circuit that is not linear or an undamped
+    /// resonance, [`Error::Stopped`].
     ///
     /// ```
     /// use jounce::{FrfOptions, Harvester};
@@ -43,6 +43,7 @@ impl Harvester {
         if self.control().is_stopped() {
             return Err(Error::Stopped);
         }
+        check_effect(&functions, &input)?;
         let response = |function: Frf| FrfResponse {
             name: function.response.name(),
             re: function.value.iter().map(|value| value.re).collect(),
@@ -95,6 +96,23 @@ impl Harvester {
             &is_stopped,
         )?)
     }
+}
+
+/// Refuses an excitation without any response.
+fn check_effect(functions: &[Frf], input: &FrfInput) -> Result<(), Error> {
+    let mut values = functions.iter().flat_map(|function| &function.value);
+    if values.any(|value| value.norm() > 0.0) {
+        return Ok(());
+    }
+    let expected = "it moves nothing, so that all responses are 0";
+    Err(match input {
+        FrfInput::Force(point) => Error::option(
+            "input",
+            point,
+            format!("{expected}; give a point that moves, or omit its mass from `hold`"),
+        ),
+        FrfInput::BaseAcceleration => Error::option("base", true, expected),
+    })
 }
 
 /// Returns the excitation: by default the point of the first force.

@@ -1,6 +1,8 @@
 //! Data that speed up the next computation.
 
-use super::responses::{LastLinear, StoredResponse, StoredResponses};
+use super::orbits::StoredAttractors;
+use super::recent::Recent;
+use super::responses::{LastLinear, StoredResponse};
 use crate::error::Error;
 use crate::modes::{PlateShapes, modes_and_plates};
 use jounce_analysis::{AnalysisError, Model, has_same_modes};
@@ -37,12 +39,14 @@ impl Shapes {
 }
 
 /// Computations on designs that follow one another. It stores only data that speed up the next
-/// computation: the last model, the last responses, and the last curve without contact.
+/// computation or that a later one names: the last model, the last responses and attractors, and the
+/// last curve without contact.
 #[derive(Debug, Default)]
 pub struct LiveAnalysis {
     last_model: Mutex<Option<Arc<Model>>>,
     shapes: Mutex<Option<(Spec, Arc<Shapes>)>>,
-    pub(super) responses: StoredResponses,
+    pub(super) responses: Recent<StoredResponse>,
+    pub(super) attractors: Recent<StoredAttractors>,
     pub(super) linear: LastLinear,
 }
 
@@ -89,6 +93,7 @@ impl LiveAnalysis {
             last_model: Mutex::new(copy(&self.last_model)),
             shapes: Mutex::new(copy(&self.shapes)),
             responses: self.responses.fork(),
+            attractors: self.attractors.fork(),
             linear: self.linear.fork(),
         }
     }
@@ -103,16 +108,20 @@ impl LiveAnalysis {
             .last_model
             .lock()
             .unwrap_or_else(PoisonError::into_inner) = copy(&other.last_model);
-        self.responses.store(StoredResponse {
-            id,
-            ..(*stored).clone()
-        });
+        self.responses.store(id, stored);
         Ok(())
     }
 
     /// Returns the response over a key from which the next one starts.
     pub fn history(&self, key: &str) -> ResponseHistory {
-        ResponseHistory(self.responses.last(key))
+        ResponseHistory(self.last_response(key))
+    }
+
+    /// Returns the last response over a key that has branches.
+    pub(super) fn last_response(&self, key: &str) -> Option<Arc<StoredResponse>> {
+        let responses = self.responses.all().into_iter();
+        let mut over_key = responses.map(|(_, own)| own);
+        over_key.find(|own| own.key.path() == key && !own.branches.is_empty())
     }
 
     /// Returns an earlier response.

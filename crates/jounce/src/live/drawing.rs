@@ -53,19 +53,19 @@ pub enum GripKind {
 }
 
 impl Design {
-    /// Draws the design to scale.
+    /// Draws the design to scale, on a sheet of a width in pixels if one is given.
     ///
     /// ```
     /// use jounce::{Harvester, live::Design};
     /// # std::env::set_current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).unwrap();
     /// let harvester = Harvester::read("examples/impact-harvester-2019/harvester.toml")?;
-    /// let drawing = Design::new(&harvester, &[])?.drawing("harvester");
+    /// let drawing = Design::new(&harvester, &[])?.drawing("harvester", None);
     /// assert!(drawing.grips.iter().any(|grip| grip.key == "stop.tip.gap"));
     /// # Ok::<(), jounce::Error>(())
     /// ```
-    pub fn drawing(&self, title: &str) -> DesignDrawing {
+    pub fn drawing(&self, title: &str, width: Option<f64>) -> DesignDrawing {
         let drawing = show::drawing(title, self.spec());
-        let sheet = drawing.sheet();
+        let sheet = width.map_or_else(|| drawing.sheet(), |width| drawing.sheet_of_width(width));
         let grip = |grip: &jounce_plot::Grip| {
             let (kind, name, key, length) = self.moved(&drawing, grip.part)?;
             Some(Grip {

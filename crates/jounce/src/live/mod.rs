@@ -13,7 +13,9 @@
 //! | the harvester without contact over a key | [`LiveAnalysis::first_response`] |
 //! | branches over a key, carried over from the previous design | [`LiveAnalysis::coarse_response`] |
 //! | all branches over a key; their peak and bandwidth | [`LiveAnalysis::fine_response`], [`LiveAnalysis::bandwidth`] |
-//! | orbit of one point with the motion of its beams and plates | [`LiveAnalysis::orbit`] |
+//! | orbit of one point or attractor with the motion of its beams and plates | [`LiveAnalysis::orbit`] |
+//! | point of a branch that has the orbit of an attractor, or of a link | [`LiveAnalysis::branch_point`] |
+//! | stretch of the motion of an attractor without a period | [`LiveAnalysis::aperiodic_motion`] |
 //! | attractors of a design with the peaks and warnings of their orbits | [`LiveAnalysis::operating_point`] |
 //! | points up and down over a key, one by one | [`Design::sweep`] |
 //! | power over the load, without and with contact | [`LiveAnalysis::linear_load`], [`Design::load_sweep`] |
@@ -34,6 +36,7 @@ mod load;
 mod mode_figures;
 mod orbits;
 mod plane;
+mod recent;
 mod responses;
 mod search;
 mod sweep;
@@ -50,8 +53,9 @@ pub use key_span::KeySpan;
 pub use load::{LinearLoad, LoadOptions};
 pub use mode_figures::ModeFigure;
 pub use orbits::{
-    AttractorPeaks, BeamMotion, BranchPlace, ForceCurves, OperatingPoint, OrbitResult, OrbitStop,
-    PlateMotion,
+    AperiodicMotion, AttractorPeaks, AttractorPlace, BeamMotion, BranchPlace, ForceCurves,
+    LimitShares, OperatingPoint, OrbitIdentity, OrbitPlace, OrbitResult, OrbitStop, PlateMotion,
+    ReachedLimit, SoughtOrbit,
 };
 pub use responses::{
     Draft, DraftOrigin, LinearCurve, ResponseBifurcation, ResponseBranch, ResponseOptions,

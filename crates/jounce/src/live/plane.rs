@@ -12,7 +12,8 @@ const STARTS: std::ops::RangeInclusive<usize> = 4..=6561;
 
 impl Design {
     /// Returns options whose starts form a square plane of displacement and velocity towards the
-    /// stop instead of a cloud, with at most as many starts.
+    /// stop instead of a cloud, with at most as many starts. `grid` may have the ends of both sides,
+    /// `displacement=FROM:TO`; a side without them has the size of the motion.
     ///
     /// # Errors
     /// [`Error::Option`] for a number of starts that is not allowed, [`Error::NoDrive`] and
@@ -26,6 +27,9 @@ impl Design {
     /// let options = BasinsOptions { starts: 225, ..Default::default() };
     /// let plane = design.in_plane(&options)?;
     /// assert!(plane.grid[1].starts_with("velocity=-") && plane.grid[1].ends_with(":15x"));
+    /// let grid = vec!["displacement=0 mm:2 mm".to_owned()];
+    /// let plane = design.in_plane(&BasinsOptions { grid, ..options })?;
+    /// assert_eq!(plane.grid[0], "displacement=0 mm:2 mm:15x");
     /// # Ok::<(), jounce::Error>(())
     /// ```
     pub fn in_plane(&self, options: &BasinsOptions) -> Result<BasinsOptions, Error> {
@@ -42,10 +46,17 @@ impl Design {
         let tone = plant.tones.first();
         let velocity_m_s = displacement_m * tone.map_or(0.0, |tone| tone.angular_frequency_rad_s);
         let side = starts.isqrt();
+        let of = |name: &str, half_width: f64, unit: &str| {
+            let is_own = |text: &&String| text.split('=').next() == Some(name);
+            let own = options.grid.iter().find(is_own).cloned();
+            let ends =
+                own.unwrap_or_else(|| format!("{name}=-{half_width}{unit}:{half_width}{unit}"));
+            format!("{ends}:{side}x")
+        };
         Ok(BasinsOptions {
             grid: vec![
-                format!("displacement=-{displacement_m}m:{displacement_m}m:{side}x"),
-                format!("velocity=-{velocity_m_s}m/s:{velocity_m_s}m/s:{side}x"),
+                of("displacement", displacement_m, "m"),
+                of("velocity", velocity_m_s, "m/s"),
             ],
             starts: default.starts,
             ..options.clone()

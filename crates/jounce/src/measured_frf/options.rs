@@ -88,6 +88,10 @@ impl Default for MeasuredFrfOptions {
 impl MeasuredFrfOptions {
     pub(super) fn settings(&self) -> Result<ImpactSettings, Error> {
         let noise_ratio = check_above_zero("noise_ratio", self.noise_ratio, "")?;
+        if self.estimator != FrfEstimator::Hv {
+            let expected = "it applies to the `estimator` hv; choose it, or omit this";
+            refuse_changed(self, &["noise_ratio"], expected)?;
+        }
         let &Self {
             force_window,
             end_ratio,

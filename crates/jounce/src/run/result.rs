@@ -89,8 +89,7 @@ pub struct LoadResult {
     pub mean_power_w: f64,
     /// Voltage, rms, V.
     pub voltage_rms_v: f64,
-    /// Largest magnitude of the voltage, V; `None` for drives without a common period and without a
-    /// record.
+    /// Largest magnitude of the voltage, V; `None` without a record of the averaging window.
     pub voltage_peak_v: Option<f64>,
 }
 
@@ -99,8 +98,7 @@ pub struct LoadResult {
 pub struct PatchResult {
     /// Name of the patch.
     pub name: String,
-    /// Largest magnitude of the voltage, V; `None` for drives without a common period and without a
-    /// record.
+    /// Largest magnitude of the voltage, V; `None` without a record of the averaging window.
     pub voltage_peak_v: Option<f64>,
     /// Largest magnitude of the strain of its outer face; `None` as for the voltage, and for a
     /// structure given by its modes.
@@ -112,8 +110,8 @@ pub struct PatchResult {
 pub struct PointResult {
     /// Name of the point.
     pub name: String,
-    /// Largest magnitude of the displacement relative to the base of its body, m; `None` for drives
-    /// without a common period and without a record.
+    /// Largest magnitude of the displacement relative to the base of its body, m; `None`
+    /// without a record of the averaging window.
     pub displacement_peak_m: Option<f64>,
 }
 

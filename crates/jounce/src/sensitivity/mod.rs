@@ -1,12 +1,15 @@
 //! Sensitivities: derivatives of the results of an orbit with respect to keys of the spec.
 
 mod along_branch;
+mod grazing;
 mod options;
 mod report;
 mod result;
 
 pub use options::SensitivityOptions;
-pub use result::{FailedKey, KeyDerivative, KeySensitivity, OrbitResult, SensitivityResult};
+pub use result::{
+    FailedKey, KeyDerivative, KeySensitivity, OrbitGrazing, OrbitResult, SensitivityResult,
+};
 
 use crate::basins::cloud;
 use crate::error::Error;
@@ -125,9 +128,7 @@ fn chosen<'a>(
     let mut with_orbit = attractors.iter().filter_map(|one| {
         Some((
             one,
-            one.orbit
-                .as_ref()
-                .filter(|orbit| !orbit.multipliers.is_empty())?,
+            one.orbit().filter(|orbit| !orbit.multipliers.is_empty())?,
         ))
     });
     let found = match at {
@@ -165,8 +166,9 @@ fn sensitivity(
     let accuracy = DerivativeAccuracy::Estimated;
     let OrbitDerivatives { values, by_key } =
         orbit_derivatives(base, orbit, &wanted, &quantities, accuracy)?;
+    let (grazing, changes) = grazing::nearest(base, orbit, &wanted)?;
     let mut rows = Vec::new();
-    for (key, row) in keys.iter().zip(by_key) {
+    for ((key, row), grazing_change) in keys.iter().zip(by_key).zip(changes) {
         let path = key.path().to_owned();
         let relative = |(derivative, result): (&Derivative, &f64)| KeyDerivative {
             derivative: derivative.value,
@@ -179,6 +181,7 @@ fn sensitivity(
                 unit: key.unit(),
                 value: value(key),
                 derivatives: row.iter().zip(&values).map(relative).collect(),
+                grazing_change,
             }),
             Err(error) => failed.push(FailedKey {
                 key: path,
@@ -197,6 +200,7 @@ fn sensitivity(
             .map(|((name, unit, _), value)| OrbitResult { name, unit, value })
             .collect(),
         keys: rows,
+        grazing,
         failed: Vec::new(),
     })
 }

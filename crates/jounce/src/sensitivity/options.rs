@@ -24,7 +24,7 @@ pub struct SensitivityOptions {
     /// Number of starts of the cloud.
     #[arg(long, default_value_t = 50)]
     pub starts: usize,
-    /// Seed of the cloud.
+    /// Seed of the random numbers that draw the cloud; another seed draws other starts.
     #[arg(long, default_value_t = 1)]
     pub seed: u64,
     /// Number of threads; by default one per core. The result does not depend on it.

@@ -15,6 +15,8 @@ pub struct SensitivityResult {
     pub quantities: Vec<OrbitResult>,
     /// Keys with their derivatives, the largest relative one of the mean power first.
     pub keys: Vec<KeySensitivity>,
+    /// Turning point of the orbit that is nearest to the surface of a stop; `null` without one.
+    pub grazing: Option<OrbitGrazing>,
     /// Keys without derivatives, with the reason.
     pub failed: Vec<FailedKey>,
 }
@@ -42,6 +44,24 @@ pub struct KeySensitivity {
     pub value: f64,
     /// Derivative of each result, in the order of `quantities`.
     pub derivatives: Vec<KeyDerivative>,
+    /// Change of the key that brings the orbit to the nearest grazing, to first order, SI; `null` where
+    /// it is not known.
+    pub grazing_change: Option<f64>,
+}
+
+/// The grazing that is nearest to an orbit. The derivatives of the results are those of the side of
+/// the orbit.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct OrbitGrazing {
+    /// Name of the stop.
+    pub stop: String,
+    /// `maximum`, where a contact begins to exist at the grazing, or `minimum`, where one is divided.
+    pub turning_point: &'static str,
+    /// Side of the orbit: `contact` where the turning point is past the surface, else `no-contact`.
+    pub side: &'static str,
+    /// Derivatives on the other side: `continuous` where they are the same at the grazing, `jump`
+    /// where they differ, or `unbounded` where they grow without bound on the side with contact.
+    pub across: &'static str,
 }
 
 /// Derivative of a result with respect to a key.

@@ -111,6 +111,10 @@ impl Harvester {
     fn swept(&self, options: &SweepOptions) -> Result<(Self, KeyRange), Error> {
         let harvester = self.with_tolerance(options.tolerance)?;
         let range = key_range(&harvester, "over", &options.over)?;
+        if let ("run.tolerance", Some(tolerance)) = (range.key().path(), options.tolerance) {
+            let expected = "`over` gives the values of run.tolerance; omit one of them";
+            return Err(Error::option("tolerance", tolerance, expected));
+        }
         Ok((harvester, range))
     }
 }

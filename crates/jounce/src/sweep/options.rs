@@ -28,8 +28,8 @@ pub struct SweepOptions {
     #[arg(long, value_enum, default_value = "up")]
     pub direction: SweepOrder,
     /// Runs every point for run.duration and averages over run.average_over, instead of until
-    /// steady state. This also holds for drives without a common period, which restart at each
-    /// point.
+    /// steady state: the average may contain a transient, also where the point has settled at its
+    /// end. This also holds for drives without a common period, which restart at each point.
     #[arg(long)]
     pub fixed_duration: bool,
     /// Required relative error of the response; overrides run.tolerance.

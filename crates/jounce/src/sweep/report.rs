@@ -57,7 +57,12 @@ impl SweepResult {
                 "contacts per second",
                 number(|point| point.contact_rate_hz),
             ),
-            column("settled", "", "settled when averaged", settled.into()),
+            column(
+                "settled",
+                "",
+                "settled at the end of the average",
+                settled.into(),
+            ),
             column("period_cycles", "", "period in drive cycles", period.into()),
             column(
                 "energy_residual_relative",

@@ -37,7 +37,7 @@ pub struct SweepPoint {
     pub max_penetration_m: f64,
     /// Contacts per second, Hz.
     pub contact_rate_hz: f64,
-    /// True where the response had settled before the average.
+    /// True where the response had settled at the end of the average, which may contain a transient.
     pub settled: bool,
     /// Period of the response in drive cycles.
     pub period_cycles: u32,
@@ -71,6 +71,15 @@ impl SweepResult {
                 self.points.len()
             )
         })
+    }
+
+    /// Returns the note on the starts of the points of a stepped sweep; `None` where each point starts
+    /// from `run.start`.
+    pub fn carried_over(&self) -> Option<&'static str> {
+        let is_stepped = |point: &SweepPoint| point.direction != SweepDirection::Independent;
+        self.points.iter().any(is_stepped).then_some(
+            "each point starts from the motion at the point before; with `direction` independent each starts from run.start",
+        )
     }
 
     /// Returns the messages about warnings of points: of each limit the worst case, of others the

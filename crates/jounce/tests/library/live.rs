@@ -1,10 +1,13 @@
 //! The live page against the questions of the command line.
 
-use jounce::live::{BranchPlace, Design, KeySpan, LiveAnalysis, OrbitResult, ResponseOptions};
-use jounce::{Control, Harvester, RunOptions};
+use jounce::live::{
+    AttractorPlace, BranchPlace, Design, KeySpan, LiveAnalysis, OrbitPlace, OrbitResult,
+    ResponseOptions,
+};
+use jounce::{BasinsOptions, Control, Harvester, RunOptions};
 use jounce_analysis::{BranchSearch, Model, OrbitMethodKind, Parameter};
 
-fn paper() -> Harvester {
+pub(crate) fn paper() -> Harvester {
     let path = concat!(
         env!("CARGO_MANIFEST_DIR"),
         "/../../examples/impact-harvester-2019/harvester.toml"
@@ -32,12 +35,12 @@ fn first_orbit(
     analysis
         .fine_response(1, &design, span, options, &control)
         .unwrap();
-    let place = BranchPlace {
+    let place = OrbitPlace::Branch(BranchPlace {
         response: 1,
         branch: 0,
         point: 0,
         parameter,
-    };
+    });
     analysis.orbit(&place, &control).unwrap()
 }
 
@@ -73,11 +76,13 @@ fn the_fine_response_is_the_search_of_branch_and_its_orbits_are_found_again() {
         assert_eq!(branch.mean_power_w, powers_w);
     }
 
-    let place = |response, point| BranchPlace {
-        response,
-        branch: 0,
-        point,
-        parameter: None,
+    let place = |response, point| {
+        OrbitPlace::Branch(BranchPlace {
+            response,
+            branch: 0,
+            point,
+            parameter: None,
+        })
     };
     let orbit = analysis.orbit(&place(5, 0), &control).unwrap();
     let ratio = orbit.mean_power_w / fine.branches[0].mean_power_w[0];
@@ -89,6 +94,71 @@ fn the_fine_response_is_the_search_of_branch_and_its_orbits_are_found_again() {
     assert!(missing.to_string().starts_with("response is 6"));
     let width = analysis.bandwidth(5, &options, &control).unwrap().unwrap();
     assert!(width.width > 0.0 && width.width <= span.to - span.from);
+}
+
+/// At 12.55 Hz a period-1 orbit without contact and one with contact attract (`jounce basins`).
+#[test]
+fn the_orbit_of_an_attractor_is_its_own_and_a_point_of_a_branch_is_recognised_by_its_motion() {
+    let harvester = paper();
+    let (analysis, control) = (LiveAnalysis::default(), Control::default());
+    let frequency = |value: &str| ("drive.shaker.frequency".to_owned(), value.to_owned());
+    let design = Design::new(&harvester, &[frequency("12.55 Hz")]).unwrap();
+    let basins = BasinsOptions {
+        starts: 40,
+        ..Default::default()
+    };
+    let found = analysis
+        .operating_point(&design, &basins, &control)
+        .unwrap();
+    analysis.store_attractors(7, &design, &found.basins);
+    let place = |id: &str| AttractorPlace {
+        attractors: 7,
+        attractor: id.to_owned(),
+    };
+    assert_eq!(found.basins.attractors.len(), 2);
+    for own in &found.basins.attractors {
+        let orbit = OrbitPlace::Attractor(place(&own.id));
+        let orbit = analysis.orbit(&orbit, &control).unwrap();
+        assert_eq!(orbit.attractors, [place(&own.id)]);
+        assert_eq!(orbit.mean_power_w, own.mean_power_w);
+    }
+    let missing = OrbitPlace::Attractor(place("9z"));
+    let missing = analysis.orbit(&missing, &control).unwrap_err();
+    assert!(missing.to_string().starts_with("attractor is 9z"));
+
+    let span = KeySpan {
+        from: 12.4,
+        to: 12.6,
+        ..span()
+    };
+    let options = ResponseOptions::default();
+    let fine = analysis
+        .fine_response(8, &design, &span, &options, &control)
+        .unwrap();
+    let mut recognised = Vec::new();
+    for (number, branch) in fine.branches.iter().enumerate() {
+        for (point, ends) in branch.parameter.windows(2).enumerate() {
+            if (ends[0] - 12.55) * (ends[1] - 12.55) > 0.0 {
+                continue;
+            }
+            let own = OrbitPlace::Branch(BranchPlace {
+                response: 8,
+                branch: number,
+                point,
+                parameter: Some(12.55),
+            });
+            let orbit = analysis.orbit(&own, &control).unwrap();
+            assert_eq!(orbit.stable, orbit.attractors.len() == 1);
+            for place in orbit.attractors {
+                let mut all = found.basins.attractors.iter();
+                let same = all.find(|own| own.id == place.attractor).unwrap();
+                assert!((orbit.mean_power_w / same.mean_power_w - 1.0).abs() < 1e-5);
+                recognised.push(place.attractor);
+            }
+        }
+    }
+    recognised.sort();
+    assert_eq!(recognised, ["1a", "1b"]);
 }
 
 #[test]

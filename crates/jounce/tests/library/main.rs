@@ -3,7 +3,9 @@
 
 mod cite;
 mod exchange;
+mod grazing;
 mod live;
+mod live_recognition;
 mod options;
 mod power;
 mod restitution;

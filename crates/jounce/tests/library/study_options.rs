@@ -16,7 +16,7 @@ const OVER: &str = "drive.shaker.frequency=10Hz:14Hz:1Hz";
 /// Reads the quantity of a study with the options that are required, and no other.
 fn quantity(command: &str, required: &str) -> Quantity {
     let text = format!(
-        "[vary]\n\"stop.tip.gap\" = \"1 mm\"\n[quantity]\ncommand = \"{command}\"\n{required}"
+        "[vary]\n\"mass.table.mass\" = \"10 kg\"\n[quantity]\ncommand = \"{command}\"\n{required}"
     );
     let study = Study::with_spec(SpecFile::from_text(SPEC), Path::new(""), &text);
     study.expect("the study is valid").quantity

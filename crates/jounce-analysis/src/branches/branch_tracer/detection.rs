@@ -126,6 +126,7 @@ impl BranchTracer {
             stop,
             at,
             parameter_error: self.parameter_error(method, event, (a, b), &step),
+            neighbours: Some([a, b].map(|end| end.point.parameter)),
         };
         Ok(Some((self.along(&a.step, &b.step, &step.position), event)))
     }
@@ -210,12 +211,14 @@ pub(super) fn add_crossings(turns: bool, at: &BranchPoint, branch: &mut Branch) 
         .into_iter()
         .map(DetectedEvent::kind)
         .chain(grazes);
+    let neighbours = Some([last.parameter, at.parameter]);
     branch.bifurcations.extend(kinds.map(|kind| Bifurcation {
         kind,
         level: None,
         stop: None,
         at: at.clone(),
         parameter_error: None,
+        neighbours,
     }));
 }
 

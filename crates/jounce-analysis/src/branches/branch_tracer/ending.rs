@@ -80,6 +80,7 @@ impl BranchTracer {
                 stop: Some(stop),
                 at: last.point,
                 parameter_error: None,
+                neighbours: None,
             });
             branch.endings.push(Termination::Sticking {
                 why: reason,

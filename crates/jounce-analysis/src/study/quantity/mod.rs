@@ -99,6 +99,20 @@ pub enum Quantity {
 }
 
 impl Quantity {
+    /// Returns the options that name a key with its own values, with the key.
+    pub(in crate::study) fn swept(&self) -> Vec<(&'static str, &str)> {
+        match self {
+            Self::Sweep { over, .. } | Self::Diagram { over, .. } | Self::Branch { over, .. } => {
+                vec![("over", over)]
+            }
+            Self::Bifurcations {
+                keys: [over, against],
+                ..
+            } => vec![("over", over), ("against", against)],
+            _ => Vec::new(),
+        }
+    }
+
     /// Returns the command that computes it.
     pub fn command(&self) -> &'static str {
         match self {

@@ -114,7 +114,7 @@ fn no_start_is_attributed_to_an_orbit_that_it_does_not_reach() {
             "{:e}",
             long.mean_power_w
         );
-        assert!((long.orbit.as_ref().unwrap().floquet_max_abs() - 0.364).abs() < 1e-3);
+        assert!((long.orbit().unwrap().floquet_max_abs() - 0.364).abs() < 1e-3);
         let kernel = parameter.at(value).unwrap().kernel;
         let shooting = Shooting::new(parameter, &kernel, 1, 1e-8);
         for index in (0..starts.len()).step_by(9) {
@@ -124,7 +124,7 @@ fn no_start_is_attributed_to_an_orbit_that_it_does_not_reach() {
                 .find(|a| a.starts.contains(&index))
                 .unwrap();
             let end = end_of_long_integration(&kernel, &starts.start(&kernel.plant, index), value);
-            let distance_to_orbit = distance(&shooting, home.orbit.as_ref().unwrap(), &end);
+            let distance_to_orbit = distance(&shooting, home.orbit().unwrap(), &end);
             assert!(
                 distance_to_orbit < 1e-5,
                 "start {index}: {distance_to_orbit:e} from {}",

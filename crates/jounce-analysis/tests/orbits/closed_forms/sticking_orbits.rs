@@ -102,7 +102,7 @@ fn below_one_g_every_start_comes_to_rest_and_above_none_stays_there() {
             ),
             ("1a", 1, 0, 0.0)
         );
-        let orbit = rest.orbit.as_ref().unwrap();
+        let orbit = rest.orbit().unwrap();
         eprintln!("{amplitude}: closes to {:e}", orbit.error_estimate);
         assert!(orbit.is_stable() && orbit.multipliers.is_empty() && orbit.error_estimate < 1e-8);
     }

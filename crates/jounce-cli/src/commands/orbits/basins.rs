@@ -46,7 +46,7 @@ impl Basins {
         }
         match self.output.json {
             true => print(&output::to_json(&result)?),
-            false => print_result(&result)?,
+            false => self.print_result(&result)?,
         }
         interruption::end(&control, || {
             format!("{} of {} starts", result.finished, result.starts)
@@ -64,16 +64,17 @@ impl Basins {
         output::table(folder, "starts", &result.starts_table()?, &manifest)?;
         output::figure(folder, "basins", &result.figure())
     }
-}
 
-/// Prints the table of the attractors, and the expected power.
-fn print_result(result: &BasinsResult) -> Result<(), Failure> {
-    output::print_table(&result.table()?);
-    line(format!(
-        "expected power {} W ({:.3e} to {:.3e})",
-        output::power(result.expected_power_w),
-        result.expected_power_low_w,
-        result.expected_power_high_w
-    ));
-    Ok(())
+    /// Prints the table of the attractors, the expected power and how the starts are drawn.
+    fn print_result(&self, result: &BasinsResult) -> Result<(), Failure> {
+        output::print_table(&result.table()?);
+        line(format!(
+            "expected power {} W ({:.3e} to {:.3e})",
+            output::power(result.expected_power_w),
+            result.expected_power_low_w,
+            result.expected_power_high_w
+        ));
+        line(self.options.starts_text());
+        Ok(())
+    }
 }

@@ -97,29 +97,45 @@ fn print_branch(result: &BranchResult, branch: &Curve) {
         branch.period_cycles,
         counted(points.len(), "point")
     ));
+    for (low, high) in branch.stable_ranges() {
+        line(format!(
+            "  {:<16} {:>12} {} to {} {}",
+            "stable from",
+            key_value(low),
+            result.unit,
+            key_value(high),
+            result.unit
+        ));
+    }
     for bifurcation in &branch.bifurcations {
-        print_bifurcation(result, bifurcation);
+        let is_end = branch.ends_stable_part(bifurcation);
+        print_bifurcation(result, bifurcation, is_end);
     }
     print_bandwidth(result, &branch.peak, &branch.half_power_bandwidth);
 }
 
-fn print_bifurcation(result: &BranchResult, bifurcation: &Bifurcation) {
+fn print_bifurcation(result: &BranchResult, bifurcation: &Bifurcation, is_end: bool) {
     let name = bifurcation.level.as_ref().or(bifurcation.stop.as_ref());
     let error = bifurcation.parameter_error;
     line(format!(
-        "  {:<16} {:>12} {}{}  {:.6e} {}{}",
+        "  {:<16} {:>12} {}{}  {:.6e} {}{}{}",
         bifurcation.kind.name(),
         key_value(bifurcation.parameter),
         result.unit,
         error.map_or_else(String::new, |error| format!(" +- {error:.1e}")),
         result.quantity.at(bifurcation),
         result.quantity.unit(),
-        name.map_or_else(String::new, |name| format!("  {name}"))
+        name.map_or_else(String::new, |name| format!("  {name}")),
+        if is_end {
+            "  end of a stable range"
+        } else {
+            ""
+        }
     ));
 }
 
 fn print_bandwidth(
-    BranchResult { unit, .. }: &BranchResult,
+    BranchResult { key, unit, .. }: &BranchResult,
     peak: &Option<PowerPeak>,
     bandwidth: &Option<HalfPowerBandwidth>,
 ) {
@@ -134,8 +150,8 @@ fn print_bandwidth(
         band_limit_text(peak.at)
     ));
     line(format!(
-        "  {:<16} {:>12} {unit}  +- {:.1e}",
-        "half-power width",
+        "  {:<16} {:>12} {unit}  +- {:.1e}  (range of {key} in which a stable power is at least half of it)",
+        "half-power range",
         key_value(bandwidth.width),
         bandwidth.width_error
     ));

@@ -12,6 +12,9 @@ use jounce::parts::{AttractorTrack, DiagramPoint, Transition};
 use jounce::{Control, DiagramOptions, DiagramResult, Harvester};
 use std::path::Path;
 
+/// What the values of an attractor mean.
+const FOUND_AMONG_STARTS: &str = "first found, missing: the first value of the key at which runs, from the starts or from the value before, reach the attractor, or no longer do; `jounce branch` locates the bifurcations";
+
 /// Arguments of `diagram`.
 #[derive(Debug, Args)]
 pub struct Diagram {
@@ -87,16 +90,18 @@ fn print_lines(result: &DiagramResult) {
         for attractor in attractors {
             print_attractor(&result.unit, attractor);
         }
+        line(FOUND_AMONG_STARTS);
         return;
     }
+    let heading = output::key_heading(&result.key, &result.unit);
+    let width = heading.len();
     line(format!(
-        "{:>14}  direction    motion     period  contacts    mean_power_w",
-        format!("parameter [{}]", result.unit)
+        "{heading}  direction    motion     period  contacts    mean_power_w"
     ));
     for point in &result.points {
         line(format!(
-            "{:>14.6}  {:<11}  {:<9}  {:>6}  {:>8}    {}",
-            point.parameter,
+            "{:>width$}  {:<11}  {:<9}  {:>6}  {:>8}    {}",
+            output::key_value(point.parameter),
             point.direction.name(),
             point.motion.name(),
             point.period_cycles,
@@ -111,10 +116,11 @@ fn print_attractor(unit: &str, attractor: &AttractorTrack) {
     let (Some(first), Some(last)) = (attractor.seen.first(), attractor.seen.last()) else {
         return;
     };
-    let transition = |transition: &Option<Transition>, verb: &str, preposition: &str| {
+    let transition = |transition: &Option<Transition>, verb: &str, where_it_ends: &str| {
         transition.as_ref().map_or_else(String::new, |transition| {
             let other = transition.other.as_ref();
-            let other = other.map_or_else(String::new, |other| format!(" {preposition} {other}"));
+            let other =
+                other.map_or_else(String::new, |other| format!(" ({where_it_ends} {other})"));
             format!(", {verb} at {} {unit}{other}", transition.parameter)
         })
     };
@@ -126,7 +132,7 @@ fn print_attractor(unit: &str, attractor: &AttractorTrack) {
         last.parameter,
         first.mean_power_w,
         last.mean_power_w,
-        transition(&attractor.born, "born", "off"),
-        transition(&attractor.died, "gone", "to")
+        transition(&attractor.born, "first found", "one value back it ends on"),
+        transition(&attractor.died, "missing", "it ends on")
     ));
 }

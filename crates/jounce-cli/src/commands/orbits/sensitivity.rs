@@ -65,6 +65,9 @@ fn print_lines(result: &SensitivityResult) {
         result.period_cycles,
         output::power(result.mean_power_w)
     ));
+    if let Some(text) = result.grazing_text() {
+        line(text);
+    }
     line("1 % more of a key changes the mean power by");
     for one in &result.keys {
         let power = &one.derivatives[0];

@@ -6,7 +6,7 @@
 
 use crate::failure::Failure;
 use crate::record::{CONVERTED, Destination, essential};
-use jounce::parts::{Record, RecordedInput, file_sha256, text_sha256};
+use jounce::parts::{Record, RecordedInput, file_sha256, system_reason, text_sha256};
 use std::path::{Component, Path, PathBuf};
 use std::process::{Command, Stdio};
 
@@ -29,8 +29,9 @@ impl Mirror {
     /// # Errors
     /// All recordings that are missing or have changed; a folder that cannot be written.
     pub fn new(record: &Record) -> Result<Self, Failure> {
-        let unwritable =
-            |error: std::io::Error| Failure::Input(format!("temporary folder: {error}"));
+        let unwritable = |error: std::io::Error| {
+            Failure::Input(format!("temporary folder: {}", system_reason(&error)))
+        };
         let mirror = Self {
             folder: tempfile::tempdir().map_err(unwritable)?,
             current: std::env::current_dir().map_err(unwritable)?,

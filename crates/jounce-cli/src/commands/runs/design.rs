@@ -22,8 +22,9 @@ const FORMAT: &str = r#"DESIGN.toml, a small one:
   "circuit.load.resistance" = "10kohm:3Mohm:log"
 
   [goal]
-  maximise = "expected-power"                # or stable-power, bandwidth, mean-power, time-on,
-  starts = 100                               # power-margin, or a list of several for a front
+  maximise = "expected-power"                # or stable-power, bandwidth, mean-power (of one run
+  starts = 100                               # from run.start, by default rest), time-on,
+                                             # power-margin, or a list of several for a front
 
   [limits]
   "patch.mfc.strain" = "600 ppm"

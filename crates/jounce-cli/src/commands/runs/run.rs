@@ -18,7 +18,8 @@ pub struct Run {
     spec: SpecArguments,
     #[command(flatten)]
     options: RunOptions,
-    /// Starts from the state that another run saved; overrides run.start.
+    /// Starts from the state that another run saved with --save-state, or from `rest` or `linear` as
+    /// run.start; overrides run.start, by default rest.
     #[arg(long, value_name = "FILE")]
     start: Option<PathBuf>,
     /// Saves the last state, from which another run can continue.
@@ -43,6 +44,18 @@ impl Run {
         Err(Failure::Usage(text))
     }
 
+    /// Refuses to record the end of the run for no output.
+    fn check_record(&self) -> Result<(), Failure> {
+        let record_s = self.options.record_s;
+        if record_s == 0.0 || self.output.json || self.output.out.is_some() {
+            return Ok(());
+        }
+        let text = format!(
+            "--record is {record_s} s; the stored end goes to --out DIR or --json: give one of them, or omit --record"
+        );
+        Err(Failure::Usage(text))
+    }
+
     /// Returns the failure of the run; a state that does not fit gets the name of its file.
     fn failure(&self, error: Error) -> Failure {
         match &self.start {
@@ -56,11 +69,14 @@ impl Run {
     /// Integrates and reports.
     pub fn run(&self) -> Result<(), Failure> {
         let control = Control::default();
-        let harvester = self.spec.harvester()?.with_control(&control);
+        let mut harvester = self.spec.harvester()?.with_control(&control);
         self.check_save_state()?;
+        self.check_record()?;
         let mut options = self.options.clone();
-        if let Some(path) = &self.start {
-            options.start = Some(StartState::read(path).map_err(Error::from)?);
+        match self.start.as_deref().map(|path| (path, path.to_str())) {
+            Some((_, Some(name @ ("rest" | "linear")))) => harvester.set("run.start", name)?,
+            Some((path, _)) => options.start = Some(StartState::read(path).map_err(Error::from)?),
+            None => {}
         }
         if self.output.out.is_some() {
             options = options.with_record(harvester.spec());
@@ -68,7 +84,7 @@ impl Run {
         output::warn(&options.warnings(harvester.spec()));
         interruption::install(&control);
         let work = || harvester.run(&options);
-        let result = progress::with_parts("thousandths of the run", &control, work);
+        let result = progress::with_percent("% of the run", &control, work);
         let result = result.map_err(|error| self.failure(error))?;
         if let Some(path) = &self.save_state {
             result.end.write(path).map_err(Error::from)?;

@@ -161,7 +161,7 @@ fn print_quality(result: &RunResult) {
             "no period          a regulator switches at its own times, so there is no periodic steady state",
         ),
         (None, _) => line(
-            "no period          the drives have no common period, so there is no periodic steady state",
+            "no period          no drives with a common period, so there is no periodic steady state",
         ),
     }
 }
@@ -173,8 +173,12 @@ fn print_voltages(result: &RunResult) {
             "voltage, rms       {:.6} V  (load {})",
             load.voltage_rms_v, load.name
         ));
-        if let Some(peak_v) = load.voltage_peak_v {
-            line(format!("voltage, peak      {peak_v:.6} V"));
+        match load.voltage_peak_v {
+            Some(peak_v) => line(format!("voltage, peak      {peak_v:.6} V")),
+            None if result.settled.is_some() => line(
+                "voltage, peak      not recorded: run.average_over has too many drive cycles; decrease it",
+            ),
+            None => {}
         }
     }
     for patch in &result.patches {
@@ -250,6 +254,8 @@ fn print_stop(stop: &StopResult, is_labelled: bool) {
             "  impact velocity  {:.4e} m/s in the mean, {:.4e} m/s at most",
             stop.mean_impact_velocity_m_s, stop.max_impact_velocity_m_s
         ));
+    }
+    if stop.contacts > 0 && !stop.is_rigid {
         line(format!(
             "  contact duration {:.4e} s in the mean, {:.4e} s at most",
             stop.mean_contact_duration_s, stop.max_contact_duration_s

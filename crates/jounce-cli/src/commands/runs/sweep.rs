@@ -3,6 +3,7 @@
 use crate::cache;
 use crate::failure::Failure;
 use crate::interruption;
+use crate::option_names::on_command_line;
 use crate::output::{self, line, print};
 use crate::progress;
 use crate::spec_arguments::{OutputArguments, SpecArguments};
@@ -74,18 +75,22 @@ impl Sweep {
 
 /// Prints the result as lines of text.
 fn print_lines(result: &SweepResult) {
+    let heading = output::key_heading(&result.key, &result.unit);
+    let width = heading.len();
     line(format!(
-        "{:>14}  direction    mean_power_w   voltage_rms_v  settled",
-        format!("parameter [{}]", result.unit)
+        "{heading}  direction    mean_power_w   voltage_rms_v  settled"
     ));
     for point in &result.points {
         line(format!(
-            "{:>14.6}  {:<11}  {}  {:>13.6}  {}",
-            point.parameter,
+            "{:>width$}  {:<11}  {}  {:>13.6}  {}",
+            output::key_value(point.parameter),
             point.direction.name(),
             output::power(point.mean_power_w),
             point.voltage_rms_v,
             point.settled
         ));
+    }
+    if let Some(text) = result.carried_over() {
+        line(on_command_line(text));
     }
 }

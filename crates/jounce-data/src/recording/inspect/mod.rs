@@ -66,6 +66,7 @@ pub(crate) fn inspect_samples<S: Series>(
     let found = [
         statistics.not_a_number(),
         statistics.constant(),
+        statistics.outlier(),
         statistics.padding(),
         flat_tops.issue(),
         statistics.counts().filter(|_| may_be_counts),
@@ -134,6 +135,18 @@ mod tests {
         );
         let Sizes { rms, peak, mean } = Sizes::of(&[3.0, -1.0, f64::NAN]);
         assert_eq!((rms, peak, mean), (5f64.sqrt(), 3.0, 1.0));
+    }
+
+    #[test]
+    fn a_sample_that_dominates_all_others_is_found() {
+        let with = |value: f64| {
+            let mut values = sine(1.0, 1000);
+            values[700] = value;
+            found(values)
+        };
+        let expected = (IssueKind::Outlier, 1, Some(IssuePlace::Sample(700)));
+        assert_eq!(with(1e30), [expected]);
+        assert_eq!(with(100.3), []);
     }
 
     #[test]

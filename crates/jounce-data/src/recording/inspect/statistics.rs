@@ -17,6 +17,13 @@ const ROUND_NUMBER_TOLERANCE: f64 = 1e-12;
 /// 1 g.
 const STANDARD_GRAVITY_M_S2: f64 = 9.80665;
 
+/// Fewest samples among which one can be an outlier.
+const MIN_OUTLIER_SAMPLES: usize = 100;
+
+/// Share of the sum of all squares beyond which one sample is an outlier. The pulse of a single hit has
+/// several samples.
+const OUTLIER_SHARE: f64 = 0.999;
+
 /// Size beyond which integers without unit are converter counts.
 const MIN_COUNT_PEAK: f64 = 100.0;
 
@@ -45,6 +52,7 @@ pub(super) struct ChannelStatistics {
     pub sum: f64,
     pub square_sum: f64,
     pub peak: f64,
+    peak_index: usize,
 }
 
 impl Default for ChannelStatistics {
@@ -67,6 +75,7 @@ impl Default for ChannelStatistics {
             sum: 0.0,
             square_sum: 0.0,
             peak: 0.0,
+            peak_index: 0,
         }
     }
 }
@@ -96,7 +105,9 @@ impl ChannelStatistics {
             self.is_integer &= x.fract() == 0.0;
             self.sum += x;
             self.square_sum += x * x;
-            self.peak = self.peak.max(x.abs());
+            if x.abs() > self.peak {
+                (self.peak, self.peak_index) = (x.abs(), self.number);
+            }
         } else {
             self.missing += 1;
             self.first_missing = self.first_missing.or(Some(self.number));
@@ -118,6 +129,16 @@ impl ChannelStatistics {
         let message = format!("all samples are {}; there is no signal", self.first);
         (self.is_constant && self.number > 1)
             .then(|| Issue::new(IssueKind::Constant, self.number, None, message))
+    }
+
+    pub(super) fn outlier(&self) -> Option<Issue> {
+        let dominates = self.peak * self.peak > OUTLIER_SHARE * self.square_sum;
+        let message = "one sample has more than 99.9 % of the sum of all squares; if it is a reading \
+            error, remove it";
+        (dominates && self.number >= MIN_OUTLIER_SAMPLES).then(|| {
+            let place = Some(IssuePlace::Sample(self.peak_index));
+            Issue::new(IssueKind::Outlier, 1, place, message.to_owned())
+        })
     }
 
     pub(super) fn padding(&self) -> Option<Issue> {

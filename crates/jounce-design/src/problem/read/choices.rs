@@ -114,7 +114,7 @@ fn read(
 }
 
 /// Returns the message without the overrides that made the choice.
-fn plain(fault: &Fault) -> &str {
+pub(super) fn plain(fault: &Fault) -> &str {
     let message = fault.message.as_str();
     message
         .split_once("; caused by --set")

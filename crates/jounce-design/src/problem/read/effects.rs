@@ -19,7 +19,7 @@ pub(super) fn check(
     reader: &mut FaultCollector,
     root: &Table,
     problem: &Problem,
-    models: &[Model],
+    models: &[Vec<Model>],
 ) {
     let mut stride = 1;
     for (index, free) in problem.free.iter().enumerate() {
@@ -27,10 +27,15 @@ pub(super) fn check(
             FreeValues::Choice(choices) => {
                 let own = (stride, choices.len());
                 stride *= choices.len();
-                choice_has_effect(problem, models, own) || has_ranges(problem, index)
+                let mut models = models.iter();
+                models.any(|models| choice_has_effect(problem, models, own))
+                    || has_ranges(problem, index)
             }
             FreeValues::Range(_) if free.path.starts_with(RUN) && !has_run(problem) => false,
-            FreeValues::Range(range) => range_has_effect(problem, models, (free, range)),
+            FreeValues::Range(range) => {
+                let mut models = models.iter();
+                models.any(|models| range_has_effect(problem, models, (free, range)))
+            }
         };
         if !has_effect {
             let path = &free.path;

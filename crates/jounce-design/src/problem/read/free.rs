@@ -1,6 +1,7 @@
 //! Free keys.
 
 use super::choices::choices;
+use super::conditions::Changes;
 use crate::problem::{Condition, FreeKey, FreeRange, FreeValues};
 use jounce_analysis::study::FaultCollector;
 use jounce_spec::SpecFile;
@@ -60,12 +61,11 @@ pub(super) fn check_paths(
     root: &Table,
     free: &[FreeKey],
     conditions: &[Condition],
+    changes: &Changes,
 ) {
-    let by_conditions: Vec<&str> = conditions
-        .iter()
-        .flat_map(|condition| &condition.values)
-        .map(|(key, _)| key.path())
-        .collect();
+    let numbers = conditions.iter().flat_map(|condition| &condition.values);
+    let texts = changes.iter().flatten().map(|(path, _)| path.as_str());
+    let by_conditions: Vec<&str> = numbers.map(|(key, _)| key.path()).chain(texts).collect();
     let mut set = Vec::new();
     for one in free {
         let paths = set_by(one);

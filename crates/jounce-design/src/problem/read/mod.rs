@@ -18,7 +18,7 @@ mod goals;
 mod limits;
 mod variants;
 
-use super::{Goal, Limit, Problem, Tolerance, digest};
+use super::{Condition, Goal, Limit, Problem, Tolerance, digest};
 use crate::DesignError;
 use conditions::conditions;
 use free::{check_paths, free};
@@ -26,7 +26,7 @@ use goals::{check_goals, goals};
 use jounce_analysis::Model;
 use jounce_analysis::study::FaultCollector;
 use jounce_control::Control;
-use jounce_spec::SpecFile;
+use jounce_spec::{DriveSignal, Spec, SpecFile};
 use limits::{check_limits, check_together, limits};
 use std::path::PathBuf;
 use toml_edit::{Item, Table};
@@ -66,8 +66,8 @@ pub(super) fn read(
     let model = Model::new(spec.clone())?;
     let free = free(&mut reader, root.get("free"), &file);
     let (goals, starts, limits) = wanted(&mut reader, root, &model);
-    let conditions = conditions(&mut reader, root.get("conditions"), &file);
-    check_paths(&mut reader, root, &free, &conditions);
+    let (conditions, changes) = conditions(&mut reader, root.get("conditions"), &file);
+    check_paths(&mut reader, root, &free, &conditions, &changes);
     let tolerances = tolerances(&mut reader, root.get("tolerance"), &file);
     let seed = reader.integer("seed", root.get("seed"), (0, 1 << 53), 1);
     let evaluations = root.get("evaluations");
@@ -79,7 +79,7 @@ pub(super) fn read(
     if !reader.faults.is_empty() {
         return Err(DesignError::Faults(reader.sorted()));
     }
-    let problem = Problem {
+    let mut problem = Problem {
         hash_hex: digest(text, &spec),
         file,
         variants,
@@ -90,13 +90,17 @@ pub(super) fn read(
         starts,
         limits,
         conditions,
+        changes,
+        has_noise: false,
         tolerances,
         draws,
         seed,
         evaluations,
         seconds,
     };
-    check(&mut reader, root, &problem)?;
+    let models = problem.models(&Control::default())?;
+    problem.has_noise = models.iter().flatten().any(|model| has_noise(&model.spec));
+    check(&mut reader, root, &problem, &models);
     match reader.faults.is_empty() {
         true => Ok(problem),
         false => Err(DesignError::Faults(reader.sorted())),
@@ -127,24 +131,37 @@ fn wanted(
     (goals, starts, limits)
 }
 
-/// Checks the harvesters of all combinations of choices, and the effects of the free keys.
-fn check(reader: &mut FaultCollector, root: &Table, problem: &Problem) -> Result<(), DesignError> {
-    let models = problem.models(&Control::default())?;
-    if models.len() > 1 {
+/// True where a drive of a spec is noise.
+fn has_noise(spec: &Spec) -> bool {
+    let mut drives = spec.drive.values();
+    drives.any(|drive| matches!(drive.signal, DriveSignal::Noise { .. }))
+}
+
+/// Checks the harvesters of all combinations of choices and of all conditions, and the effects of the
+/// free keys.
+fn check(reader: &mut FaultCollector, root: &Table, problem: &Problem, models: &[Vec<Model>]) {
+    for (change, models) in models.iter().enumerate() {
+        let conditions = problem.conditions.iter();
+        let own: Vec<&Condition> = conditions.filter(|one| one.change == change).collect();
+        // The harvester of the spec as given has been checked.
+        if own.is_empty() || (models.len() == 1 && change == 0) {
+            continue;
+        }
+        let in_condition = problem.change_text(change);
         for (index, model) in models.iter().enumerate() {
-            let choices = problem.choices_text(index);
+            let parts = [problem.choices_text(index), in_condition.clone()];
+            let parts = parts.into_iter().filter(|part| !part.is_empty());
+            let choices = parts.collect::<Vec<_>>().join(", ");
             let with = format!("; this concerns {choices}");
             check_goals(reader, root, &problem.goals, (model, &with));
-            let (free, conditions) = (&problem.free, &problem.conditions);
-            check_keys(reader, root, free, conditions, (&model.spec, &choices));
+            check_keys(reader, root, &problem.free, &own, (&model.spec, &choices));
             check_limits(reader, root, &problem.limits, (model, &choices));
             if !reader.faults.is_empty() {
-                return Ok(());
+                return;
             }
         }
     }
-    effects::check(reader, root, problem, &models);
-    Ok(())
+    effects::check(reader, root, problem, models);
 }
 
 /// Reads the tolerances.

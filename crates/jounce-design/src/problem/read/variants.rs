@@ -84,7 +84,7 @@ pub(super) fn check_keys(
     reader: &mut FaultCollector,
     root: &Table,
     free: &[FreeKey],
-    conditions: &[Condition],
+    conditions: &[&Condition],
     (spec, choices): (&Spec, &str),
 ) {
     for key in free.iter().filter(|key| key.with.is_none()) {

@@ -196,9 +196,14 @@ fn an_endless_line_is_refused() {
 
 #[test]
 fn a_file_that_is_not_a_recording_is_refused_with_its_reason() {
-    let cases: [(&str, &[u8], &str); 8] = [
+    let cases: [(&str, &[u8], &str); 9] = [
         ("a.csv", b"", "empty"),
         ("a.csv", b"no numbers\nat all\n", "no rows of numbers"),
+        (
+            "a.csv",
+            b"t [s],a,b\n0,1,2\n1,2\n2,3,3\n3\n",
+            "no two successive rows have equally many numbers",
+        ),
         (
             "a.csv",
             b"a,b\n5,1\n3,2\n4,3\n",
@@ -220,4 +225,18 @@ fn a_file_that_is_not_a_recording_is_refused_with_its_reason() {
     }
     let constant = one("a.csv", b"t [s],a\n0,1\n1,1\n2,1\n3,1\n", None);
     assert!(kinds(&constant).contains(&IssueKind::Constant));
+}
+
+#[test]
+fn columns_of_one_name_are_read_under_two_with_an_issue() {
+    let recording = one("a.csv", b"t [s],u [V],u [V]\n0,1,2\n1,2,1\n2,1,3\n", None);
+    let issue = recording
+        .issues
+        .iter()
+        .find(|issue| issue.kind == IssueKind::Assumed);
+    let message = issue.expect("an issue").about.clone();
+    assert_eq!(
+        message,
+        "2 columns have the name \"u\"; they are read as \"u 2\", \"u 3\""
+    );
 }

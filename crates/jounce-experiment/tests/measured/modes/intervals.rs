@@ -240,7 +240,7 @@ fn intervals_hold_the_truth() {
 }
 
 #[test]
-#[ignore = "400 trials; 40 of them in every run"]
-fn intervals_hold_the_truth_in_400_trials() {
-    check_all(400, 0.92..=0.98);
+#[ignore = "200 trials; 40 of them in every run"]
+fn intervals_hold_the_truth_in_200_trials() {
+    check_all(200, 0.92..=0.98);
 }

@@ -68,10 +68,11 @@ fn largest_differences(identification: &Identification, expected: &Identificatio
 /// the modes those of the computed functions. Measured: frequencies 7e-16, damping ratios 2e-14
 /// apart (UFF has 13 digits), 2e-16 from Parquet and CSV.
 #[test]
+#[ignore = "long: runs with ./test --all"]
 fn references_of_a_file_of_response_functions_are_used() {
     let (sensors, forces) = (&[0, 1, 2, 3, 4, 5][..], &[0, 3][..]);
     let computed = responses(&CLOSE, sensors, forces, 0.005);
-    let expected = modes_of(&computed, 16);
+    let expected = modes_of(&computed, 10);
     let folder = tempfile::tempdir().expect("a folder");
     let node = |force: usize| format!("node {} -z", 10 + force);
     let named = |force: usize| format!("hit {force}");
@@ -102,7 +103,7 @@ fn references_of_a_file_of_response_functions_are_used() {
             responses.names[1],
             format!("{} from {}", responses.outputs[0], reference(0))
         );
-        let identification = modes_of(&responses, 16);
+        let identification = modes_of(&responses, 10);
         let errors = largest_differences(&identification, &expected);
         eprintln!(
             "{ending}: frequencies {:.1e}, damping ratios {:.1e}, shapes {:.1e} apart",

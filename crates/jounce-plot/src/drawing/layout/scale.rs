@@ -3,15 +3,15 @@
 use super::DrawingLayout;
 use crate::drawing::{Drawing, DrawnShape};
 
-/// Width of the room of a group, px.
+/// Width of the room of a group on a sheet of the default width, px.
 const WIDTH: f64 = 560.0;
 
 /// Height of the room of a group, px; the smaller one if only gaps have a length.
 const HEIGHTS: [f64; 2] = [400.0, 220.0];
 
 /// Lays out all bodies at the largest scale at which every group has room; the scale is 0 if the
-/// drawing has no lengths.
-pub fn fitted(drawing: &Drawing) -> DrawingLayout {
+/// drawing has no lengths. `width_share` is the width of the sheet relative to the default.
+pub fn fitted(drawing: &Drawing, width_share: f64) -> DrawingLayout {
     let beams = drawing
         .bodies
         .iter()
@@ -24,7 +24,7 @@ pub fn fitted(drawing: &Drawing) -> DrawingLayout {
     let fits = |layout: &DrawingLayout| {
         (0..layout.groups()).all(|group| {
             let room = layout.extent(drawing, group);
-            room.width() <= WIDTH && room.height() <= height
+            room.width() <= WIDTH * width_share && room.height() <= height
         })
     };
     let (mut low, mut high) = (-9.0_f64, 12.0_f64);

@@ -155,8 +155,7 @@ mod tests {
             .unwrap_or_default();
         assert_eq!(
             error_message,
-            "3 samples are too few for a spectrum: a segment, and therefore the record, needs at \
-            least 8 samples"
+            "a segment of 3 samples is too short for a spectrum; it needs at least 8 samples: use a longer record"
         );
         let record = Segments::new(8, 0.5, Window::Hann)
             .and_then(|segments| segments.starts(3).map(Iterator::count));

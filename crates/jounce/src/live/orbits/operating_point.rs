@@ -1,16 +1,15 @@
 //! Attractors at the operating point of a design, with the peaks and warnings of their orbits.
 
-use super::limits;
+use super::attractor_place::period;
+use super::limits::{self, ReachedLimit};
 use super::motion;
-use super::orbit::TOLERANCE;
 use crate::basins::{AttractorResult, BasinsOptions, BasinsResult};
 use crate::error::Error;
 use crate::live::analysis::Shapes;
 use crate::live::{Design, LiveAnalysis};
-use jounce_analysis::run::{ExceededLimit, Warning};
-use jounce_analysis::{KeyLine, Model};
+use jounce_analysis::{BasinFraction, Model, wilson};
 use jounce_control::Control;
-use jounce_orbits::{OrbitQuantity, ParametricModel, Shooting, ShootingEvaluation};
+use jounce_orbits::{Orbit, OrbitQuantity, ShootingEvaluation};
 use serde::Serialize;
 
 /// Attractors at the operating point of a design.
@@ -20,8 +19,22 @@ pub struct OperatingPoint {
     pub basins: BasinsResult,
     /// Peaks and warnings of each attractor, in the order of the attractors.
     pub peaks: Vec<AttractorPeaks>,
+    /// Share of the starts by the limits of the patches.
+    pub limit_shares: LimitShares,
     /// Number of stops.
     pub stops: usize,
+}
+
+/// Shares of the starts whose settled motion keeps all limits of the patches, exceeds one, or is
+/// not known well enough.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct LimitShares {
+    /// Starts that reach an orbit within all limits.
+    pub within: BasinFraction,
+    /// Starts that reach an attractor beyond a limit.
+    pub beyond: BasinFraction,
+    /// Starts that failed, or reach an attractor without known peaks.
+    pub unknown: BasinFraction,
 }
 
 /// Peaks of an attractor over its period, and its warnings.
@@ -32,9 +45,12 @@ pub struct AttractorPeaks {
     pub strain_peak: Option<f64>,
     /// Largest voltage of any patch, V; `None` for an aperiodic attractor, and without a patch.
     pub voltage_peak_v: Option<f64>,
-    /// Each limit of a patch with the value that exceeds it most or is nearest to it.
-    pub limits: Vec<ExceededLimit>,
-    /// Exceeded limits of patches, and deflections too large for a linear beam.
+    /// Largest impact velocity at any stop, m/s, 0 without a contact; `None` for an aperiodic attractor.
+    pub max_impact_velocity_m_s: Option<f64>,
+    /// Each limit of a patch with the value that exceeds it most or is nearest to it; only exceeded
+    /// ones of an aperiodic attractor.
+    pub limits: Vec<ReachedLimit>,
+    /// Deflections too large for a linear beam.
     pub warnings: Vec<String>,
 }
 
@@ -55,32 +71,60 @@ impl LiveAnalysis {
         let base = harvester.model()?;
         let shapes = self.shapes(design.spec())?;
         let peaks = |own: &AttractorResult| AttractorPeaks::of(own, &base, &shapes);
+        let peaks: Vec<AttractorPeaks> = basins.attractors.iter().map(peaks).collect();
         Ok(OperatingPoint {
-            peaks: basins.attractors.iter().map(peaks).collect(),
+            limit_shares: LimitShares::of(&basins, &peaks),
+            peaks,
             stops: base.kernel.plant.system.stops.len(),
             basins,
         })
     }
 }
 
+impl LimitShares {
+    fn of(basins: &BasinsResult, peaks: &[AttractorPeaks]) -> Self {
+        let (mut within, mut beyond) = (0, 0);
+        for number in basins.points.iter().filter_map(|start| start.attractor) {
+            let own = &peaks[number];
+            let is_beyond = own.limits.iter().any(|own| own.excess > 0.0);
+            match own.max_impact_velocity_m_s {
+                _ if is_beyond => beyond += 1,
+                Some(_) => within += 1,
+                None => {}
+            }
+        }
+        let share = |count| wilson(count, basins.finished);
+        Self {
+            within: share(within),
+            beyond: share(beyond),
+            unknown: share(basins.finished - within - beyond),
+        }
+    }
+}
+
 impl AttractorPeaks {
     /// Returns the peaks of an attractor. One without an orbit, or whose orbit cannot be
-    /// integrated, has only the warnings of its basin.
+    /// integrated, has only the limits that its basin exceeds.
     fn of(attractor: &AttractorResult, base: &Model, shapes: &Shapes) -> Self {
-        let period = period(attractor, base);
-        let over_period = period.map(|period| Self::over_period(&period, base, shapes));
-        over_period.unwrap_or_else(|| {
-            let found = attractor.warnings.iter().cloned().map(Warning::Limit);
-            Self {
-                strain_peak: None,
-                voltage_peak_v: None,
-                limits: Vec::new(),
-                warnings: found.map(|warning| warning.to_string()).collect(),
-            }
+        let orbit = attractor.attracting.as_ref().map(|own| &own.orbit);
+        let period = orbit.and_then(|orbit| Some((orbit, period(orbit, base).ok()?)));
+        let over_period =
+            period.map(|(orbit, period)| Self::over_period(&period, orbit, base, shapes));
+        over_period.unwrap_or_else(|| Self {
+            strain_peak: None,
+            voltage_peak_v: None,
+            max_impact_velocity_m_s: None,
+            limits: attractor.warnings.iter().map(ReachedLimit::of).collect(),
+            warnings: Vec::new(),
         })
     }
 
-    fn over_period(period: &ShootingEvaluation, base: &Model, shapes: &Shapes) -> Self {
+    fn over_period(
+        period: &ShootingEvaluation,
+        orbit: &Orbit,
+        base: &Model,
+        shapes: &Shapes,
+    ) -> Self {
         let patches = &period.kernel.plant.system.modes.patch;
         let peak = |quantity: fn(usize) -> OrbitQuantity| {
             let peaks = (0..patches.len()).map(|patch| quantity(patch).of(period));
@@ -92,18 +136,9 @@ impl AttractorPeaks {
         Self {
             strain_peak: peak(OrbitQuantity::Strain).filter(|_| has_strain),
             voltage_peak_v: peak(OrbitQuantity::Voltage),
-            warnings: limits::warnings(&limits, &motion.beams),
-            limits,
+            max_impact_velocity_m_s: Some(orbit.max_impact_velocity_m_s),
+            warnings: limits::large_deflections(&motion.beams),
+            limits: limits.iter().map(ReachedLimit::of).collect(),
         }
     }
-}
-
-/// Integrates the period of the orbit of an attractor; `None` without an orbit, or where the
-/// integration fails.
-fn period(attractor: &AttractorResult, base: &Model) -> Option<ShootingEvaluation> {
-    let orbit = attractor.orbit.as_ref()?;
-    let line = KeyLine::at(base);
-    let kernel = line.at(0.0).ok()?.kernel;
-    let shooting = Shooting::new(&line, &base.kernel, orbit.period_cycles, TOLERANCE);
-    shooting.integrated(kernel, orbit.start()).ok()
 }

@@ -1,20 +1,22 @@
-//! Orbit of a point of a response, sampled over its period.
+//! Orbit of a point of a response or of an attractor, sampled over its period.
 
+use super::attractor_place::AttractorPlace;
+use super::branch_place::BranchPlace;
 use super::force_curve::ForceCurves;
 use super::limits;
 use super::motion::{self, BeamMotion, Motion, PlateMotion};
 use super::orbit_stop::OrbitStop;
+use super::stability;
 use crate::error::Error;
 use crate::live::LiveAnalysis;
-use crate::live::responses::StoredResponse;
 use jounce_analysis::run::ExceededLimit;
-use jounce_analysis::{BranchPoint, Parameter};
-use jounce_continuation::{CorrectedPoint, Corrector, Metric, Position, Problem, correct_at};
+use jounce_analysis::{BranchKind, SectionPoint};
 use jounce_control::Control;
 use jounce_dynamics::TrajectoryState;
 use jounce_model::plant::Stop;
-use jounce_orbits::{Orbit, OrbitMethod, Shooting, ShootingEvaluation};
+use jounce_orbits::{Orbit, ShootingEvaluation};
 use jounce_signal::{Samples, Window};
+use jounce_spec::Spec;
 use serde::{Deserialize, Serialize};
 
 /// Largest number of samples per drive cycle.
@@ -27,36 +29,10 @@ const MIN_SAMPLES_PER_CYCLE: usize = 60;
 const MAX_SPECTRUM_ORDER: f64 = 12.0;
 /// Relative tolerance of the integration.
 pub(super) const TOLERANCE: f64 = 1e-9;
-/// Goal of Newton's method and its largest number of iterations.
-const CORRECTOR: Corrector = Corrector {
-    goal: 50.0 * TOLERANCE,
-    most: 10,
-};
-
-/// Point of a stored response.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct BranchPlace {
-    /// Number of the response.
-    pub response: u64,
-    /// Number of the branch in the response, from 0.
-    pub branch: usize,
-    /// Number of the point on the branch, from 0.
-    pub point: usize,
-    /// Value of the key near the point at which the orbit is computed, SI; by default the value at
-    /// the point.
-    #[serde(default)]
-    pub parameter: Option<f64>,
-}
 
 /// A periodic orbit, sampled over its period.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct OrbitResult {
-    /// The key of the response.
-    pub over: String,
-    /// Its SI unit.
-    pub unit: String,
-    /// Its value, SI.
-    pub parameter: f64,
     /// Period, in drive cycles.
     pub period_cycles: u32,
     /// Period, s.
@@ -71,12 +47,18 @@ pub struct OrbitResult {
     pub max_penetration_m: f64,
     /// True where all Floquet multipliers lie inside the unit circle.
     pub stable: bool,
+    /// Kind of the bifurcation of the response whose orbit this is.
+    pub bifurcation: Option<&'static str>,
+    /// True where the orbit is neither stable nor unstable: only critical multipliers have modulus one.
+    pub is_at_stability_limit: bool,
     /// Largest modulus of a Floquet multiplier.
     pub floquet_max_abs: f64,
     /// Estimated relative error of state and mean power.
     pub error_estimate: f64,
     /// Floquet multipliers, real and imaginary part.
     pub multipliers: Vec<(f64, f64)>,
+    /// Motion at the start of the period.
+    pub section: SectionPoint,
     /// Times of the samples, s.
     pub time_s: Vec<f64>,
     /// Voltage of the first patch, V.
@@ -95,106 +77,51 @@ pub struct OrbitResult {
     pub beams: Vec<BeamMotion>,
     /// Each plate.
     pub plates: Vec<PlateMotion>,
+    /// Stored attractors of the same design whose orbit this is.
+    pub attractors: Vec<AttractorPlace>,
     /// Each limit of a patch with the value that exceeds it most or is nearest to it.
     pub limits: Vec<ExceededLimit>,
     /// Exceeded limits of patches, and deflections too large for a linear beam.
     pub warnings: Vec<String>,
 }
 
+/// An orbit that the page shows.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum OrbitPlace {
+    /// That of a point of a response.
+    Branch(BranchPlace),
+    /// That of an attractor.
+    Attractor(AttractorPlace),
+}
+
+/// An orbit with its design and its motion over the period.
+pub(super) struct ShownOrbit {
+    pub spec: Spec,
+    /// Kind of the bifurcation of the response whose orbit this is.
+    pub bifurcation: Option<BranchKind>,
+    pub orbit: Orbit,
+    pub motion: ShootingEvaluation,
+}
+
 impl LiveAnalysis {
-    /// Computes the orbit of a point of a stored response, and samples it over its period.
+    /// Computes the orbit of a point of a stored response, or that of a stored attractor, and
+    /// samples it over its period.
     ///
     /// # Errors
-    /// [`Error::Option`] for a response that is no longer stored or has no such point,
-    /// [`Error::Continuation`] and [`Error::Orbit`] where the orbit cannot be computed.
-    pub fn orbit(&self, place: &BranchPlace, control: &Control) -> Result<OrbitResult, Error> {
-        let response = self.stored_response(place.response)?;
-        let (cycles, point) = point_at(&response, place)?;
-        let base = self.model(&response.spec, control)?;
-        let parameter = response.parameter(&base);
-        let shooting = Shooting::new(&parameter, &base.kernel, cycles, TOLERANCE);
-        let (orbit, solution) = match bifurcation_at(&response, place) {
-            Some(own) => own_orbit(&shooting, own)?,
-            None => corrected(&shooting, point, place.parameter.unwrap_or(point.parameter))?,
+    /// [`Error::Option`] for a response or attractors that are no longer stored or have no such
+    /// point or orbit, [`Error::Continuation`] and [`Error::Orbit`] where the orbit cannot be
+    /// computed.
+    pub fn orbit(&self, place: &OrbitPlace, control: &Control) -> Result<OrbitResult, Error> {
+        let shown = match place {
+            OrbitPlace::Branch(place) => self.branch_orbit(place, control)?,
+            OrbitPlace::Attractor(place) => self.attractor_orbit(place, control)?,
         };
-        let shapes = self.shapes(&response.spec)?;
-        let motion = motion::of_bodies(&solution.local, &shapes);
-        let limits = limits::reached(&response.spec, &solution.local);
-        let sampled = sampled(&response, &orbit, &solution, motion)?;
-        let warnings = limits::warnings(&limits, &sampled.beams);
-        Ok(OrbitResult {
-            limits,
-            warnings,
-            ..sampled
-        })
+        let shapes = self.shapes(&shown.spec)?;
+        let bodies = motion::of_bodies(&shown.motion, &shapes);
+        let limits = limits::reached(&shown.spec, &shown.motion);
+        sampled(&shown, bodies, limits, self.attractors_of(&shown))
     }
-}
-
-/// Returns the period of a branch in drive cycles and a point of it.
-pub(in crate::live) fn point_at<'r>(
-    response: &'r StoredResponse,
-    place: &BranchPlace,
-) -> Result<(u32, &'r BranchPoint), Error> {
-    let branch = response.branches.get(place.branch);
-    let found = branch.and_then(|own| Some((own.period_cycles, own.points.get(place.point)?)));
-    found.ok_or_else(|| {
-        Error::option(
-            "point",
-            format!("{} of branch {}", place.point, place.branch),
-            "this response has no such point; choose a point of its curves",
-        )
-    })
-}
-
-/// Orbit with its motion.
-type Solution = (Orbit, CorrectedPoint<ShootingEvaluation>);
-
-/// Returns the orbit at a value of the key from a point near it.
-fn corrected(
-    shooting: &Shooting<'_, Parameter<'_>>,
-    point: &BranchPoint,
-    parameter: f64,
-) -> Result<Solution, Error> {
-    let position = Position {
-        unknown: point.orbit.start().to_vec(),
-        parameter,
-    };
-    let metric = Metric::at(&position, 1.0);
-    let solution = correct_at(shooting, &CORRECTOR, &metric, position)?;
-    Ok((shooting.orbit(&solution.local, solution.error)?, solution))
-}
-
-/// Returns the orbit of a bifurcation as it was located. At a fixed value of the key Newton's method
-/// finds no orbit at a fold.
-fn own_orbit(
-    shooting: &Shooting<'_, Parameter<'_>>,
-    bifurcation: &BranchPoint,
-) -> Result<Solution, Error> {
-    let (orbit, parameter) = (bifurcation.orbit.clone(), bifurcation.parameter);
-    let position = Position {
-        unknown: orbit.start().to_vec(),
-        parameter,
-    };
-    let local = shooting.at(orbit.start(), parameter)?;
-    let error = orbit.error_estimate;
-    let solution = CorrectedPoint {
-        position,
-        local,
-        error,
-        evaluations: 1,
-    };
-    Ok((orbit, solution))
-}
-
-/// Returns the bifurcation of the branch at the requested value of the key.
-fn bifurcation_at<'r>(
-    response: &'r StoredResponse,
-    place: &BranchPlace,
-) -> Option<&'r BranchPoint> {
-    let parameter = place.parameter?;
-    let mut all = response.branches.get(place.branch)?.bifurcations.iter();
-    all.find(|own| own.at.parameter == parameter)
-        .map(|own| &own.at)
 }
 
 /// Returns the states at so many equally spaced times of the period.
@@ -215,12 +142,12 @@ pub(super) fn sample_states(
 }
 
 fn sampled(
-    response: &StoredResponse,
-    orbit: &Orbit,
-    solution: &CorrectedPoint<ShootingEvaluation>,
-    motion: Motion,
+    shown: &ShownOrbit,
+    bodies: Motion,
+    limits: Vec<ExceededLimit>,
+    attractors: Vec<AttractorPlace>,
 ) -> Result<OrbitResult, Error> {
-    let (evaluation, parameter) = (&solution.local, solution.position.parameter);
+    let (orbit, evaluation) = (&shown.orbit, &shown.motion);
     let plant = &evaluation.kernel.plant;
     let cycles = evaluation.trajectories.len();
     let samples_per_cycle = SAMPLES_PER_CYCLE
@@ -242,12 +169,9 @@ fn sampled(
         spectrum(&voltage_v, step_s, max_frequency_hz)?;
     let stop = |(number, stop): (usize, &Stop)| {
         let force_n = instants.iter().map(|instant| instant.forces_n[number]);
-        OrbitStop::new(&response.spec, stop, &states, force_n.collect())
+        OrbitStop::new(&shown.spec, stop, &states, force_n.collect())
     };
     Ok(OrbitResult {
-        over: response.key.path().to_owned(),
-        unit: response.key.unit(),
-        parameter,
         period_cycles: orbit.period_cycles,
         period_s: evaluation.period_s,
         mean_power_w: orbit.mean_power_w,
@@ -255,6 +179,8 @@ fn sampled(
         contacts: orbit.contacts,
         max_penetration_m: orbit.max_penetration_m,
         stable: orbit.is_stable(),
+        bifurcation: shown.bifurcation.map(BranchKind::name),
+        is_at_stability_limit: stability::is_at_limit(orbit, shown.bifurcation),
         floquet_max_abs: orbit.floquet_max_abs(),
         error_estimate: orbit.error_estimate,
         multipliers: orbit
@@ -262,17 +188,19 @@ fn sampled(
             .iter()
             .map(|own| (own.re, own.im))
             .collect(),
+        section: SectionPoint::of(&plant.system, &states[0]),
         time_s: (0..instants.len()).map(|k| step_s * k as f64).collect(),
         voltage_v,
         spectrum_frequency_hz,
         spectrum_amplitude_peak_v,
         stops: plant.system.stops.iter().enumerate().map(stop).collect(),
         forces: ForceCurves::of(evaluation, samples_per_cycle),
-        frames: motion.frames,
-        beams: motion.beams,
-        plates: motion.plates,
-        limits: Vec::new(),
-        warnings: Vec::new(),
+        warnings: limits::warnings(&limits, &bodies.beams),
+        frames: bodies.frames,
+        beams: bodies.beams,
+        plates: bodies.plates,
+        attractors,
+        limits,
     })
 }
 

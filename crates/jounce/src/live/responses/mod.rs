@@ -14,4 +14,4 @@ pub(super) use linear::LastLinear;
 pub use linear::LinearCurve;
 pub use response::ResponseOptions;
 pub use response_result::{ResponseBifurcation, ResponseBranch, ResponseResult};
-pub(super) use stored_response::{StoredResponse, StoredResponses};
+pub(super) use stored_response::StoredResponse;

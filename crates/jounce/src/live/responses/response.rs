@@ -3,7 +3,7 @@
 use super::ResponseResult;
 use super::carry::{CarriedBranches, DraftProblem, TOLERANCE};
 use super::stored_response::StoredResponse;
-use crate::branch::search_note;
+use crate::branch::{budget_note, search_note};
 use crate::error::Error;
 use crate::live::{Design, KeySpan, LiveAnalysis};
 use crate::options::check_tolerance;
@@ -100,7 +100,7 @@ impl LiveAnalysis {
             longest_period: options.longest_period,
         };
         let (carried, linear) = rayon::join(
-            || problem.branches(self.responses.last(key.path())),
+            || problem.branches(self.last_response(key.path())),
             || self.linear.curve(design.spec(), &parameter, range),
         );
         let mut result = ResponseResult::new(&key, system(&base), linear, &carried.branches);
@@ -120,7 +120,6 @@ impl LiveAnalysis {
             draft,
         } = carried;
         let stored = StoredResponse {
-            id,
             spec: design.spec().clone(),
             key,
             range,
@@ -128,7 +127,7 @@ impl LiveAnalysis {
             origin,
             draft: Some(draft),
         };
-        self.store(stored, control);
+        self.store(id, stored, control);
         Ok(result)
     }
 
@@ -144,7 +143,7 @@ impl LiveAnalysis {
         control: &Control,
     ) -> Result<Option<ResponseResult>, Error> {
         let (key, range) = (span.key(design)?, span.ends());
-        if self.responses.last(key.path()).is_some() {
+        if self.last_response(key.path()).is_some() {
             return Ok(None);
         }
         let base = self.model(design.spec(), control)?;
@@ -181,16 +180,17 @@ impl LiveAnalysis {
             seeds: options.seeds,
             longest_period: options.longest_period,
         };
-        let stored = self.responses.last(key.path());
-        let branches = search.run_with(&BranchOptions {
+        let stored = self.last_response(key.path());
+        let search_options = BranchOptions {
             known_orbits: stored.map(|stored| stored.orbits()).unwrap_or_default(),
             ..Default::default()
-        })?;
+        };
+        let branches = search.run_with(&search_options)?;
         let linear = self.linear.curve(design.spec(), &parameter, range);
         let mut result = ResponseResult::new(&key, system(&base), linear, &branches);
         result.note = Some(search_note(options.seeds, options.longest_period));
+        result.budget_note = budget_note(&branches, search_options.budget);
         let stored = StoredResponse {
-            id,
             spec: design.spec().clone(),
             key,
             range,
@@ -198,7 +198,7 @@ impl LiveAnalysis {
             origin: None,
             draft: None,
         };
-        self.store(stored, control);
+        self.store(id, stored, control);
         Ok(result)
     }
 
@@ -225,9 +225,9 @@ impl LiveAnalysis {
     }
 
     /// Stores a response, unless its computation was stopped.
-    fn store(&self, response: StoredResponse, control: &Control) {
+    fn store(&self, id: u64, response: StoredResponse, control: &Control) {
         if !control.is_stopped() {
-            self.responses.store(response);
+            self.responses.store(id, Arc::new(response));
         }
     }
 }

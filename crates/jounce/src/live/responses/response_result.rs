@@ -27,6 +27,9 @@ pub struct ResponseResult {
     pub bifurcations: Vec<ResponseBifurcation>,
     /// Branches that the search may miss; `None` for a coarse response.
     pub note: Option<String>,
+    /// Branches that the search did not follow to their end, or not at all, for lack of budget;
+    /// `None` where there are none.
+    pub budget_note: Option<String>,
     /// How a draft was found; `None` for a searched response.
     pub draft: Option<Draft>,
 }
@@ -110,6 +113,7 @@ impl ResponseResult {
             branches: branches.iter().map(ResponseBranch::new).collect(),
             bifurcations: branches.iter().enumerate().flat_map(bifurcations).collect(),
             note: None,
+            budget_note: None,
             draft: None,
         }
     }

@@ -1,19 +1,14 @@
 //! Responses computed so far, for the orbits of their points and for the next response.
 
 use super::draft::Draft;
+use crate::error::Error;
 use jounce_analysis::{Branch, KnownOrbit, Model, Parameter};
 use jounce_spec::{NumericKey, Spec};
-use std::collections::VecDeque;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
-
-/// Largest number of stored responses.
-const MAX_STORED_RESPONSES: usize = 8;
+use std::sync::Arc;
 
 /// Stored response.
 #[derive(Debug, Clone)]
 pub struct StoredResponse {
-    /// Number of the response.
-    pub id: u64,
     /// The design.
     pub spec: Spec,
     /// Key.
@@ -31,46 +26,14 @@ pub struct StoredResponse {
 /// Origin of updated branches.
 pub type Origin = (Spec, Arc<Vec<Branch>>);
 
-/// Last responses.
-#[derive(Debug, Default)]
-pub struct StoredResponses(Mutex<VecDeque<Arc<StoredResponse>>>);
-
-impl StoredResponses {
-    fn lock(&self) -> MutexGuard<'_, VecDeque<Arc<StoredResponse>>> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
-    /// Returns a copy that the responses stored later in one of both do not change.
-    pub fn fork(&self) -> Self {
-        Self(Mutex::new(self.lock().clone()))
-    }
-
-    /// Stores a response; a fine response replaces the coarse one of its number.
-    pub fn store(&self, response: StoredResponse) {
-        let mut responses = self.lock();
-        responses.retain(|stored| stored.id != response.id);
-        responses.push_back(Arc::new(response));
-        if responses.len() > MAX_STORED_RESPONSES {
-            responses.pop_front();
-        }
-    }
-
-    /// Returns the response of a number.
-    pub fn find(&self, id: u64) -> Option<Arc<StoredResponse>> {
-        self.lock().iter().find(|stored| stored.id == id).cloned()
-    }
-
-    /// Returns the last response over a key.
-    pub fn last(&self, key: &str) -> Option<Arc<StoredResponse>> {
-        self.lock()
-            .iter()
-            .rev()
-            .find(|stored| stored.key.path() == key && !stored.branches.is_empty())
-            .cloned()
-    }
-}
-
 impl StoredResponse {
+    /// Returns the design at a value of the key.
+    pub fn spec_at(&self, parameter: f64) -> Result<Spec, Error> {
+        let mut spec = self.spec.clone();
+        self.key.set(&mut spec, parameter)?;
+        Ok(spec)
+    }
+
     /// Returns the family of models over the key.
     pub fn parameter<'s>(&'s self, base: &'s Model) -> Parameter<'s> {
         Parameter::new(base, &self.key, self.range.1 - self.range.0)

@@ -19,11 +19,12 @@ use crate::read::column::samples::SampleStore;
 use crate::read::contents::FormatContents;
 use crate::read::error::Damage;
 use header::Header;
+use jounce_io::store;
 
 const HEAD_BYTES: u64 = 1 << 18;
 
 pub(in crate::read) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, Damage> {
-    let io_error = |fault: std::io::Error| Damage::new(fault.to_string());
+    let io_error = |fault: std::io::Error| Damage::new(store::reason(&fault));
     let mut head = Vec::new();
     File::open(path)
         .map_err(io_error)?

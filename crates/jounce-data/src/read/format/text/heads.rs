@@ -2,8 +2,9 @@
 
 use super::delimiter::Delimiter;
 use super::settings_keys::{is_of_time, is_pair};
+use crate::read::heading::axis::is_time;
 use crate::read::heading::name;
-use crate::recording::Issue;
+use crate::recording::{Issue, IssueKind};
 
 /// Words that occur in a line of units but are not known units, in lower case.
 const UNIT_WORDS: [&str; 22] = [
@@ -64,7 +65,7 @@ pub(super) fn heads(
         Some(names) => (names, Some(last)),
         None => (last, None),
     };
-    let issues = if units.is_none() {
+    let mut issues: Vec<Issue> = if units.is_none() {
         names
             .iter()
             .filter_map(|name| name::ambiguity_issue(name))
@@ -93,7 +94,10 @@ pub(super) fn heads(
             }
         }
     };
-    (with_unique_names((0..count).map(head).collect()), issues)
+    let heads: Vec<ColumnHead> = (0..count).map(head).collect();
+    let named = with_unique_names(&heads);
+    issues.extend(repeated_names(&heads, &named));
+    (named, issues)
 }
 
 /// True for a line that is neither a key with its value, nor a title, nor a list of statistics.
@@ -234,7 +238,7 @@ fn fields_of_head(line: &str, used: usize, count: usize, delimiter: Delimiter) -
 }
 
 /// Appends the column number to duplicate names.
-fn with_unique_names(heads: Vec<ColumnHead>) -> Vec<ColumnHead> {
+fn with_unique_names(heads: &[ColumnHead]) -> Vec<ColumnHead> {
     let is_repeated = |name: &str| heads.iter().filter(|head| head.name == name).count() > 1;
     let name = |k: usize, name: &str| {
         if is_repeated(name) {
@@ -251,4 +255,27 @@ fn with_unique_names(heads: Vec<ColumnHead>) -> Vec<ColumnHead> {
             ..head.clone()
         })
         .collect()
+}
+
+/// Returns an issue for each name of several columns; a file may have a time for each channel.
+fn repeated_names(heads: &[ColumnHead], named: &[ColumnHead]) -> Vec<Issue> {
+    let mut issues = Vec::new();
+    for (k, head) in heads.iter().enumerate() {
+        let same = heads
+            .iter()
+            .zip(named)
+            .filter(|(other, _)| other.name == head.name);
+        let names: Vec<String> = same.map(|(_, own)| format!("{:?}", own.name)).collect();
+        let is_first = heads[..k].iter().all(|other| other.name != head.name);
+        if names.len() > 1 && is_first && !is_time(&head.name) {
+            let message = format!(
+                "{} columns have the name {:?}; they are read as {}",
+                names.len(),
+                head.name,
+                names.join(", ")
+            );
+            issues.push(Issue::new(IssueKind::Assumed, names.len(), None, message));
+        }
+    }
+    issues
 }

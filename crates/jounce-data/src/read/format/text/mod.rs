@@ -29,6 +29,7 @@ use crate::read::contents::FormatContents;
 use crate::read::error::Damage;
 use crate::read::notes::written::WrittenNotes;
 use crate::recording::{Issue, IssueKind, IssuePlace};
+use jounce_io::store;
 use jounce_units::clip;
 
 /// Initial and maximum size of the window in which the first row of numbers is searched. The result
@@ -40,7 +41,7 @@ const MAX_WINDOW: u64 = 1 << 26;
 /// Reads a text: the layout from its head, then row by row, so memory never holds the complete
 /// text.
 pub(in crate::read) fn read(path: &Path, store: &SampleStore) -> Result<FormatContents, Damage> {
-    let io_error = |fault: std::io::Error| Damage::new(fault.to_string());
+    let io_error = |fault: std::io::Error| Damage::new(store::reason(&fault));
     let mut file = File::open(path).map_err(io_error)?;
     let size = file.metadata().map_err(io_error)?.len();
     let (layout, invalid_line) = find_layout(&mut file, size)?;
@@ -88,7 +89,7 @@ pub(in crate::read) fn read(path: &Path, store: &SampleStore) -> Result<FormatCo
 
 /// Finds the layout, and the first line that is not UTF-8.
 fn find_layout(file: &mut File, size: u64) -> Result<(TextLayout, Option<usize>), Damage> {
-    let io_error = |fault: std::io::Error| Damage::new(fault.to_string());
+    let io_error = |fault: std::io::Error| Damage::new(store::reason(&fault));
     let (mut head, mut window) = (Vec::new(), INITIAL_WINDOW);
     loop {
         let remaining = window - head.len() as u64;
@@ -107,10 +108,15 @@ fn find_layout(file: &mut File, size: u64) -> Result<(TextLayout, Option<usize>)
             return Ok((layout, latin.then_some(invalid)));
         }
         if is_all || window >= MAX_WINDOW {
-            let first = text.lines().find(|line| !line.trim().is_empty());
+            let lines: Vec<&str> = text.lines().collect();
+            let first = lines.iter().find(|line| !line.trim().is_empty());
+            let reason = match number_rows::has_numbers(&lines) {
+                true => "no two successive rows have equally many numbers",
+                false => "it contains no rows of numbers",
+            };
             return Err(Damage::new(format!(
-                "it contains no rows of numbers; columns are separated by commas, semicolons, tabs or blanks, but it begins with {:?}",
-                clip(first.unwrap_or_default().trim())
+                "{reason}; columns are separated by commas, semicolons, tabs or blanks, but it begins with {:?}",
+                clip(first.map_or("", |line| line.trim()))
             )));
         }
         window *= 4;

@@ -16,11 +16,7 @@ const DELIMITERS: [Delimiter; 4] = [
 
 /// First line, number of columns, delimiter and decimal comma that give the most columns.
 pub(super) fn most_columns(lines: &[&str], rows: usize) -> Option<(usize, usize, Delimiter, bool)> {
-    let candidates = DELIMITERS
-        .into_iter()
-        .flat_map(|delimiter| [(delimiter, false), (delimiter, true)]);
-    let candidates = candidates.filter(|candidate| *candidate != (Delimiter::Byte(b','), true));
-    let counted_candidates: Vec<_> = candidates
+    let counted_candidates: Vec<_> = candidates()
         .map(|(delimiter, comma)| (delimiter, comma, counts(lines, delimiter, comma)))
         .collect();
     // A text may have fewer rows than required, but then under every way of reading it.
@@ -38,6 +34,20 @@ pub(super) fn most_columns(lines: &[&str], rows: usize) -> Option<(usize, usize,
         }
     }
     best
+}
+
+/// True where a line has only numbers.
+pub(super) fn has_numbers(lines: &[&str]) -> bool {
+    candidates()
+        .any(|(delimiter, comma)| (counts(lines, delimiter, comma).iter()).any(|count| *count > 0))
+}
+
+/// Delimiters, each without and with a decimal comma.
+fn candidates() -> impl Iterator<Item = (Delimiter, bool)> {
+    let candidates = DELIMITERS
+        .into_iter()
+        .flat_map(|delimiter| [(delimiter, false), (delimiter, true)]);
+    candidates.filter(|candidate| *candidate != (Delimiter::Byte(b','), true))
 }
 
 /// Number of numbers in each line; 0 for a line with other content.

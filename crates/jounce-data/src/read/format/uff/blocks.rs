@@ -9,6 +9,7 @@ use crate::read::column::numbers::ColumnNumbers;
 use crate::read::column::samples::SampleStore;
 use crate::read::error::Damage;
 use crate::recording::IssuePlace;
+use jounce_io::store;
 
 /// Maximum length of a line of a universal file, bytes.
 const MAX_LINE_BYTES: u64 = 1 << 20;
@@ -205,7 +206,7 @@ impl<S: BufRead> Cursor<S> {
         let start = self.at;
         self.line.clear();
         let io_error =
-            |fault: std::io::Error| Damage::at(IssuePlace::Byte(start), fault.to_string());
+            |fault: std::io::Error| Damage::at(IssuePlace::Byte(start), store::reason(&fault));
         let length = self
             .source
             .by_ref()
