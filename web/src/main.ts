@@ -77,8 +77,12 @@ let file = "";
 const say = (words: string) => {
     if (status.textContent !== words) status.textContent = status.title = words;
 };
+/** Replies to an action of the user. No result replaces it; it stays until the next action. */
+const replied = find("reply");
+const reply = (words: string) => (replied.textContent = replied.title = words);
+for (const action of ["pointerdown", "keydown"]) addEventListener(action, () => reply(""), true);
 const measured = new Measured(response);
-const strain = new Strain(wire, response, say);
+const strain = new Strain(wire, response, reply);
 const quantities = new Quantities(controls, (quantity) => {
     response.quantity = quantity;
     response.draw();
@@ -86,7 +90,7 @@ const quantities = new Quantities(controls, (quantity) => {
     strain.show();
     remember();
 });
-const pins = new Pins(find("pins"), response, design, say);
+const pins = new Pins(find("pins"), response, design, reply);
 const point = new OperatingPoint(wire, design, { words: find("operating-words"), warnings: find("operating-warnings"), safety: find("operating-safety"), stop: find<HTMLButtonElement>("operating-stop") });
 const selection = new Selection(wire, response, point);
 const band = new Band(wire, design, response, selection, search.problem.tolerance);
@@ -240,7 +244,7 @@ wire.on("response", (frame, request) => {
     if (frame.head.stage === "fine") linked.reached("response");
 });
 wire.on("file", () => {
-    say(save.takeChange() ? `saved as ${find("file").textContent}` : "the file has changed");
+    reply(save.takeChange() ? `saved as ${find("file").textContent}` : "the file has changed");
     design.fileChanged();
     search.fileChanged();
     requests.forgetDesign();
@@ -283,7 +287,7 @@ const exporting = (purpose: typeof wanted) => {
 /** Copies a link; where the browser refuses, the export shows it. */
 const copy = (link: string) => {
     const copied = navigator.clipboard?.writeText(link) ?? Promise.reject(new Error("no clipboard"));
-    copied.then(() => say("the link was copied; elsewhere: jounce explore --link LINK"), () => exporting("export"));
+    copied.then(() => reply("the link was copied; elsewhere: jounce explore --link LINK"), () => exporting("export"));
 };
 for (const [id, run] of Object.entries(act)) find(id).onclick = run;
 const theme = new Theme(find("theme"), () => {

@@ -20,14 +20,14 @@ interface Pin {
 export class Pins {
     private kept: Pin[] = stored();
 
-    constructor(private readonly host: HTMLElement, private readonly response: Response, private readonly design: Design, private readonly say: (words: string) => void) {
+    constructor(private readonly host: HTMLElement, private readonly response: Response, private readonly design: Design, private readonly reply: (words: string) => void) {
         this.show();
     }
 
     add(): void {
         const { result } = this.response;
         if (!result) return;
-        if (this.kept.length === MOST) return this.say(`at most ${MOST} pins; remove one first`);
+        if (this.kept.length === MOST) return this.reply(`at most ${MOST} pins; remove one first`);
         const words = this.design.pairs.map(([key, value]) => `${key.split(".").slice(1).join(" ")} ${value}`).join(", ") || "as in the file";
         const colour = [2, 3, 4, 5].find((own) => this.kept.every((pin) => pin.colour !== own))!;
         this.kept.push({ words, pairs: this.design.pairs, result, colour });

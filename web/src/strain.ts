@@ -18,10 +18,10 @@ export class Strain {
     /** Response for which it was requested. */
     private requested: ResponseResult | undefined;
 
-    constructor(private readonly wire: Wire, private readonly response: Response, private readonly say: (words: string) => void) {
+    constructor(private readonly wire: Wire, private readonly response: Response, private readonly reply: (words: string) => void) {
         wire.on("strain", (frame) => {
             const { result } = response;
-            if (frame.head.stage === "fault") return this.say(frame.head.faults[0]?.message ?? "");
+            if (frame.head.stage === "fault") return this.reply(frame.head.faults[0]?.message ?? "");
             if (!result || frame.head.response !== result.id || result !== this.requested) return;
             result.branches.forEach((branch, k) => (branch.values.strain = frame.array(`${k}.strain`).map((own) => PPM * own)));
             response.draw();

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { ready } from "./browser.mjs";
-import { field, page, type, until } from "./suite.mjs";
+import { enter, field, page, type, until } from "./suite.mjs";
 
 const active = () => page.evaluate(() => document.activeElement.id || document.activeElement.ariaLabel || document.activeElement.textContent.trim() || document.activeElement.tagName);
 /** Nodes of the tree of a screen reader. */
@@ -76,8 +76,7 @@ test("the selected point is the value of the response, and the arrow keys change
     const shown = (await value()).text;
     assert.ok(Math.abs(shown - parseFloat(after)) < 1e-3, `${shown} ${after}`);
     await until("orbit-title", new RegExp(`Orbit at ${after.split(" ")[0].slice(0, 5)}`));
-    await page.locator("#operating-show").focus();
-    await page.keyboard.press("Enter");
+    await enter(page.locator("#operating-show"));
 });
 
 test("Home and End go to the first and the last tab", async () => {
@@ -92,28 +91,23 @@ test("a control that is hidden, disabled or removed by its own key leaves the fo
     // Zoom tools, which the complete range hides.
     await page.locator("#chart-response").focus();
     await page.keyboard.press("+");
-    await page.locator("#zoom-out").focus();
-    await page.keyboard.press("Enter");
+    await enter(page.locator("#zoom-out"));
     await page.waitForFunction(() => document.getElementById("zoom-tools").hidden && document.activeElement !== document.body);
     // Undo without a further step.
     await type("stop.tip.gap", "1.1");
     await ready(page);
-    await page.locator("#undo").focus();
-    await page.keyboard.press("Enter");
+    await enter(page.locator("#undo"));
     await page.waitForFunction(() => document.getElementById("undo").disabled && !document.activeElement.matches(":disabled, body"));
     await ready(page);
     // A pin that is removed.
     await page.locator("#pin").focus();
     await page.keyboard.press("p");
-    await page.getByLabel(/^Unpin/).focus();
-    await page.keyboard.press("Enter");
+    await enter(page.getByLabel(/^Unpin/));
     await page.waitForFunction(() => document.querySelectorAll("#pins li").length === 0 && document.activeElement !== document.body);
     // A value that is restored.
     await type("stop.tip.gap", "1.1");
     await ready(page);
-    // A hidden button would not take the focus.
-    await page.getByLabel("stop.tip.gap: restore the value of the file").waitFor();
-    await page.getByLabel("stop.tip.gap: restore the value of the file").press("Enter");
+    await enter(page.getByLabel("stop.tip.gap: restore the value of the file"));
     await page.waitForFunction(() => document.querySelector("[aria-label='stop.tip.gap, value']").value === "1" && document.activeElement.closest(".control"));
     assert.equal(await field("stop.tip.gap").inputValue(), "1");
     await ready(page);

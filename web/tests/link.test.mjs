@@ -20,7 +20,7 @@ test("the copied link opens spec, changes and axis elsewhere", async () => {
     await ready(page);
     await browser.context.grantPermissions(["clipboard-read", "clipboard-write"]);
     await page.locator("#share").click();
-    await page.waitForFunction(() => /link was copied/.test(document.getElementById("status").textContent));
+    await page.waitForFunction(() => /link was copied/.test(document.getElementById("reply").textContent));
     const link = await page.evaluate(() => navigator.clipboard.readText());
     assert.match(link, /^jounce:\?set=/);
     // The colleague gets no access to this server.
@@ -71,7 +71,7 @@ test("the copied link opens the same view: tab, quantity, toggles, zoom, orbit a
     await page.locator("#basins-velocity-from").fill("-300 mm/s");
     await page.locator("#basins-velocity-to").fill("0.4");
     await page.locator("#share").click();
-    await page.waitForFunction(() => /link was copied/.test(document.getElementById("status").textContent));
+    await page.waitForFunction(() => /link was copied/.test(document.getElementById("reply").textContent));
     const link = await page.evaluate(() => navigator.clipboard.readText());
     const other = await serve({ link });
     const copy = await open(browser.context, other.address);

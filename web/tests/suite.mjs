@@ -21,6 +21,11 @@ export const type = async (key, value) => {
     await field(key).fill(value);
     await field(key).press("Enter");
 };
+/** Presses Enter on a control, once it can be used. */
+export const enter = async (control) => {
+    await control.click({ trial: true });
+    await control.press("Enter");
+};
 export const until = (id, pattern, own = page) => own.waitForFunction(([name, source]) => new RegExp(source).test(document.getElementById(name).textContent), [id, pattern.source]);
 
 /** Labels of the drawing that cover each other or leave their part of it. */

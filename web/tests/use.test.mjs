@@ -133,7 +133,7 @@ test("pins: undo goes back over a restored one, the fifth is refused, and they o
     await page.waitForFunction(() => document.querySelector("[aria-label='stop.tip.gap, value']").value === "0.9");
     for (let k = 0; k < 4; k++) await page.locator("#pin").click();
     assert.equal(await page.locator("#pins li").count(), 4);
-    await until("status", /at most 4 pins/);
+    await until("reply", /at most 4 pins/);
     const theme = await page.evaluate(() => document.documentElement.dataset.theme);
     await page.locator("#theme").click();
     await page.reload();
