@@ -13,10 +13,6 @@ use serde::{Deserialize, Serialize};
 /// Fraction of the averaging window that may lie after the end of a recording.
 const MAX_UNRECORDED_SHARE: f64 = 0.01;
 
-/// Energy residual, relative to the largest energy, above which rounding errors make the results
-/// unreliable.
-const MAX_ENERGY_RESIDUAL: f64 = 1e-3;
-
 /// Samples within the mean contact below which its force is not resolved.
 const SAMPLES_PER_CONTACT: f64 = 10.0;
 
@@ -200,13 +196,15 @@ pub enum Warning {
         /// Name of the drive.
         drive: String,
     },
-    /// The energy balance does not close.
+    /// The energy balance does not close within the tolerance.
     #[error(
-        "the energy balance is off by {residual_relative:.1e} of the largest energy, so rounding errors make these results unreliable; find the value of the spec that is far too large or too small, often a wrong unit (`jounce show` draws the harvester to scale), and correct it"
+        "the energy balance is off by {residual_relative:.1e} of the largest energy, more than the tolerance of {tolerance:.0e}; compare with a run at a smaller tolerance. If its residual is as large, the cause is roundoff: look for a value of the spec that is far too large or too small, often a wrong unit (`jounce show` draws the harvester to scale)"
     )]
     Unbalanced {
         /// Energy residual over the largest energy.
         residual_relative: f64,
+        /// Tolerance of the run.
+        tolerance: f64,
     },
 }
 
@@ -310,9 +308,11 @@ impl Warning {
             .into_iter()
             .map(Self::Limit);
         let residual_relative = result.energies.residual_relative();
-        let is_unbalanced =
-            !(residual_relative.abs() <= MAX_ENERGY_RESIDUAL || result.is_trivial());
-        let unbalanced = is_unbalanced.then_some(Self::Unbalanced { residual_relative });
+        let is_balanced = residual_relative.abs() <= plan.tolerance || result.is_trivial();
+        let unbalanced = (!is_balanced).then_some(Self::Unbalanced {
+            residual_relative,
+            tolerance: plan.tolerance,
+        });
         let noticed = spec.issues().filter(|(_, issue)| !issue.kind.is_note());
         let noticed = noticed.map(|(drive, issue)| Self::Recording {
             drive: drive.to_owned(),

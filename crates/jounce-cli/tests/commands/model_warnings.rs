@@ -64,3 +64,26 @@ fn a_run_outside_the_model_gives_a_warning() {
     let (_, _, text) = jounce(&["run", &still]);
     assert!(text.contains("the spec has no drive"), "{text}");
 }
+
+/// Penetrations of 0.6 um at displacements of 300 um: their roundoff is 7e-12 of the energy.
+#[test]
+fn a_residual_above_the_tolerance_gives_a_warning() {
+    let spec = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../examples/seismic-mass-jacquelin-2011/harvester.toml"
+    );
+    let short = ["--set", "run.duration=1s", "--set", "run.average_over=0.5s"];
+    for tolerance in ["1e-9", "1e-13"] {
+        let (code, run, text) =
+            jounce(&[&["run", spec, "--json", "--tolerance", tolerance], &short[..]].concat());
+        assert_eq!(code, 0, "{text}");
+        let residual = run["energy_residual_relative"].as_f64().unwrap().abs();
+        let exceeds = residual > tolerance.parse().unwrap();
+        assert_eq!(exceeds, tolerance == "1e-13", "{residual:e}");
+        let message = format!("more than the tolerance of {tolerance}");
+        assert_eq!(text.contains(&message), exceeds, "{text}");
+        let warnings = run["warnings"].as_array().unwrap();
+        let found = warnings.iter().find(|one| one["warning"] == "unbalanced");
+        assert_eq!(found.is_some(), exceeds, "{run}");
+    }
+}
