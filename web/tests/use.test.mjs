@@ -184,7 +184,7 @@ test("at 390 px the circle of the multipliers and the drawings of circuits and s
 
 test("a long status stays on one line", async () => {
     const height = (words) => page.locator("header").evaluate((own, status) => {
-        own.querySelector("#status").textContent = status;
+        own.querySelector("#reply").textContent = own.querySelector("#status").textContent = status;
         return own.getBoundingClientRect().height;
     }, words);
     for (const width of [1280, 820, 390]) {
@@ -195,6 +195,8 @@ test("a long status stays on one line", async () => {
         assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= width, String(width));
     }
     await page.setViewportSize({ width: 1280, height: 800 });
+    await page.locator("h1").click();
+    assert.equal(await page.locator("#reply").textContent(), "");
     // The page sets its own status again.
     await type("stop.tip.gap", "1.01");
     await page.locator("#reset").click();
