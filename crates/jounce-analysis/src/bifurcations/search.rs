@@ -292,17 +292,24 @@ impl BifurcationSearch<'_> {
             parameter: parameter_2,
         };
         let metric = Metric::at(&position, self.scale_2());
+        // A seed from which no curve starts is a curve of one point with the reason.
+        let lone = |reason: String| BifurcationCurve {
+            points: vec![seed.point(parameter_2)],
+            failures: vec![reason],
+            ..seed.curve()
+        };
         let mut ways = Vec::new();
         for sign in [-1.0, 1.0] {
-            let Ok(first) = correct_at(&tracking, &corrector, &metric, position.clone()) else {
-                return Ok(None);
+            let first = match correct_at(&tracking, &corrector, &metric, position.clone()) {
+                Ok(first) => first,
+                Err(error) => return Ok(Some(lone(error.to_string()))),
             };
             let up = Direction {
                 unknown: vec![0.0; position.unknown.len()],
                 parameter: sign,
             };
             let Some(direction) = tangent(&first.local, &metric, &up) else {
-                return Ok(None);
+                return Ok(Some(lone("the curve has no direction there".to_owned())));
             };
             ways.push(self.trace(&tracking, corrector, (first, direction), seed.curve()));
         }

@@ -14,6 +14,9 @@ use jounce_linalg::c64;
 use jounce_model::contact::ContactLaw;
 use jounce_simd::{F64x8, Simd};
 
+/// Share of the largest value so far above which the peak of a step between its nodes may exceed it.
+const NEAR_PEAK: f64 = 0.98;
+
 impl Integrator<'_> {
     /// Accepts a solved step.
     #[inline(always)]
@@ -114,7 +117,7 @@ impl Integrator<'_> {
         };
         let depth = w.mul(w.splat(side), w.load(&solved.penetration));
         let highest = w.largest(depth).max(side * started.0);
-        if highest > 0.98 * statistics.max_penetration_m {
+        if highest > NEAR_PEAK * statistics.max_penetration_m {
             let turns =
                 step.shape == ForceBasis::Smooth && side * started.1 > 0.0 && side * end_m_s < 0.0;
             let peak = if turns {
@@ -132,7 +135,16 @@ impl Integrator<'_> {
             }
         }
         if law.is_rate_dependent() {
-            statistics.max_force_n = statistics.max_force_n.max(w.largest(w.load(&solved.force)));
+            let start_n = law.force_n(started.0, started.1);
+            let highest_n = w.largest(w.load(&solved.force)).max(start_n);
+            if highest_n > NEAR_PEAK * statistics.max_force_n {
+                let peak_n = if step.shape == ForceBasis::Smooth {
+                    interpolated_peak(start_n, &solved.force)
+                } else {
+                    highest_n
+                };
+                statistics.max_force_n = statistics.max_force_n.max(peak_n);
+            }
             // Work done on the stop minus its stored energy: the elastic force itself has a kink
             // where a contact with loss is left.
             let work: f64 = (0..NODES)

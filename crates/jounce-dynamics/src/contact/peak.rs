@@ -1,4 +1,4 @@
-//! Highest penetration inside a step.
+//! Highest value inside a step: of the penetration, or of the force.
 
 use crate::force_response::basis::{NODES, SMOOTH_BASIS};
 use jounce_simd::F64x8;

@@ -154,11 +154,14 @@ pub(crate) fn judge<W: Simd, L: ContactLaw>(
 ) -> SolvedStep {
     let by_basis = |at: &F64x8| w.sum(w.mul(w.load(at), force));
     let (start, end) = (by_basis(&step.basis.at_start), by_basis(&step.basis.at_end));
-    let size = at_start.abs().max(w.largest(w.abs(force)));
-    let secant_n_m = size / largest(w, law, penetration).max(f64::MIN_POSITIVE);
-    let roundoff_n = RESOLVED_ROUNDOFFS * step.roundoff_m * secant_n_m;
-    let (penetration, rate, force) = (w.store(penetration), w.store(rate), w.store(force));
+    let deepest_m = largest(w, law, penetration);
+    let (penetration, rate, mut force) = (w.store(penetration), w.store(rate), w.store(force));
+    // Newton's method solves for the nodal forces only.
     let at_end = law.force_n(penetration.0[NODES], rate.0[NODES]);
+    force.0[NODES] = at_end;
+    let size = at_start.abs().max(w.largest(w.abs(w.load(&force))));
+    let secant_n_m = size / deepest_m.max(f64::MIN_POSITIVE);
+    let roundoff_n = RESOLVED_ROUNDOFFS * step.roundoff_m * secant_n_m;
     let mismatch = ((start - at_start).abs().max((end - at_end).abs()) - roundoff_n).max(0.0);
     // Gauss weights double the order of the interpolation for smooth forces and gain less at a
     // kink: 3/2 lies between. A force that exists at the end only has been missed completely.

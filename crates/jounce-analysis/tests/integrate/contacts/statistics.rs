@@ -3,7 +3,7 @@
 use crate::plants::{integrate, kernel, physical, relative, springs};
 use jounce_analysis::run::{RunPlan, StartState, simulate};
 use jounce_dynamics::Integrator;
-use jounce_model::contact::{Cubic, Hertz, HuntCrossley, Law, Rigid};
+use jounce_model::contact::{Cubic, Hertz, HuntCrossley, KelvinVoigt, Law, Rigid};
 use jounce_model::drive::Wave;
 use jounce_model::plant::{Signal, Stop, System};
 use jounce_model::reference::BouncingBall;
@@ -275,4 +275,58 @@ fn a_window_that_opens_at_the_deepest_point_has_its_force() {
                     < 1e-10 * force_n
         );
     }
+}
+
+/// A mass of 1 kg strikes a spring with a dashpot at 1 m/s: its displacement is
+/// `Im e^{s t} / w`, `s = -z w0 + i w`, and the force `-Im s^2 e^{s t} / w` is largest where
+/// `Im s^3 e^{s t} = 0`, or at the start. Measured: 2e-9.
+#[test]
+fn the_largest_force_of_a_dashpot_is_that_of_the_closed_form() {
+    let w0: f64 = 1000.0;
+    for damping_ratio in [0.01, 0.2, 0.45, 0.7] {
+        let law = Law::KelvinVoigt(KelvinVoigt {
+            stiffness_n_m: w0 * w0,
+            damping_n_s_m: 2.0 * damping_ratio * w0,
+        });
+        let decay = damping_ratio * w0;
+        let w = w0 * (1.0 - damping_ratio * damping_ratio).sqrt();
+        let angle = w.atan2(-decay);
+        let force_n = |time_s: f64| {
+            let phase = w * time_s + 2.0 * angle;
+            -w0 * w0 * (-decay * time_s).exp() * phase.sin() / w
+        };
+        let peak_s = (-3.0 * angle).rem_euclid(PI) / w;
+        let exact_n = force_n(0.0).max(force_n(peak_s));
+        let mut system = springs(&[0.0], 0.0);
+        system.stops.push(stop(&[1.0], 0.0, law));
+        let kernel = kernel(system);
+        let start = kernel.plant.from_physical(&[-1e-4, 1.0], 0.0);
+        let mut integrator = Integrator::new(&kernel, &start, 0.0, 1e-9).unwrap();
+        integrator.advance_to(0.01).unwrap();
+        let error = relative(integrator.statistics().max_force_n, exact_n);
+        eprintln!("damping ratio {damping_ratio}: {exact_n} N, {error:e}");
+        assert!(error < 1e-8, "{damping_ratio}: {error:e}");
+    }
+}
+
+/// A spring pushes a point onto a stop with a strong dashpot, where Newton's method solves the steps:
+/// the point is at rest, and the largest force is the static one.
+#[test]
+fn the_largest_force_of_a_point_at_rest_is_its_static_force() {
+    let law = KelvinVoigt {
+        stiffness_n_m: 2e4,
+        damping_n_s_m: 1e3,
+    };
+    let mut system = springs(&[5.0], 0.0);
+    system.stops.push(stop(&[1.0], -1e-2, Law::KelvinVoigt(law)));
+    let kernel = kernel(system);
+    let spring_n_m = (TAU * 5.0).powi(2);
+    let rest_m = -1e-2 * law.stiffness_n_m / (spring_n_m + law.stiffness_n_m);
+    let start = kernel.plant.from_physical(&[rest_m, 0.0], 0.0);
+    let mut integrator = Integrator::new(&kernel, &start, 0.0, 1e-7).unwrap();
+    integrator.advance_to(2.0).unwrap();
+    let statistics = integrator.statistics();
+    let error = relative(statistics.max_force_n, -spring_n_m * rest_m);
+    eprintln!("{:e} N, {error:e}", statistics.max_force_n);
+    assert!(error < 1e-6, "{error:e}");
 }
