@@ -74,8 +74,13 @@ fn a_residual_above_the_tolerance_gives_a_warning() {
     );
     let short = ["--set", "run.duration=1s", "--set", "run.average_over=0.5s"];
     for tolerance in ["1e-9", "1e-13"] {
-        let (code, run, text) =
-            jounce(&[&["run", spec, "--json", "--tolerance", tolerance], &short[..]].concat());
+        let (code, run, text) = jounce(
+            &[
+                &["run", spec, "--json", "--tolerance", tolerance],
+                &short[..],
+            ]
+            .concat(),
+        );
         assert_eq!(code, 0, "{text}");
         let residual = run["energy_residual_relative"].as_f64().unwrap().abs();
         let exceeds = residual > tolerance.parse().unwrap();

@@ -318,7 +318,9 @@ fn the_largest_force_of_a_point_at_rest_is_its_static_force() {
         damping_n_s_m: 1e3,
     };
     let mut system = springs(&[5.0], 0.0);
-    system.stops.push(stop(&[1.0], -1e-2, Law::KelvinVoigt(law)));
+    system
+        .stops
+        .push(stop(&[1.0], -1e-2, Law::KelvinVoigt(law)));
     let kernel = kernel(system);
     let spring_n_m = (TAU * 5.0).powi(2);
     let rest_m = -1e-2 * law.stiffness_n_m / (spring_n_m + law.stiffness_n_m);

@@ -77,15 +77,23 @@ impl Bifurcations {
                 curve.period_cycles,
                 counted(curve.points.len(), "point")
             ));
-            for point in curve.points.first().into_iter().chain(curve.points.last()) {
+            let (first, last) = (curve.points.first(), curve.points.last());
+            let ends = match curve.points.len() {
+                0 | 1 => [("at", first), ("", None)],
+                _ => [("from", first), ("to", last)],
+            };
+            for (word, point) in ends {
+                let Some(point) = point else { continue };
                 let stable = match point.stable {
                     None => "",
                     Some(true) => "  stable",
                     Some(false) => "  unstable",
                 };
                 line(format!(
-                    "  {:>12} {unit}  {:>12} {unit_2}  {} W{stable}",
+                    "  {word:<4} {} {} {unit}, {} {} {unit_2}, mean power {} W{stable}",
+                    result.key,
                     key_value(point.parameter),
+                    result.key_2,
                     key_value(point.parameter_2),
                     power(point.mean_power_w)
                 ));
