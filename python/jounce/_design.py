@@ -46,7 +46,7 @@ _ENDS = {
 
 
 def _limit_text(limit: dict[str, Any]) -> str:
-    state = ", exceeded" if limit["violation"] > 0 else ", binds" if limit["active"] else ""
+    state = ", not met" if limit["violation"] > 0 else ", binds" if limit["active"] else ""
     noise = limit["noise"]
     others = f", beyond it in {noise['exceeded']} of {noise['realisations']} other realisations of the noise" if noise else ""
     return f"{limit['value']:.6g} of {limit['limit']:.6g}{state}{others}"

@@ -22,8 +22,8 @@ interface Key {
     at_end: string | null;
 }
 
-/** State of a limit that is not kept. */
-const EXCEEDED = "exceeded";
+/** State of a limit that is not met. */
+const NOT_MET = "not met";
 const share = (value: number) => `${digits(100 * value, 3)} %`;
 
 export class Outcome {
@@ -73,7 +73,7 @@ export class Outcome {
         if (limits.length === 0) return [];
         const row = ({ name, value, limit, active, price, violation }: Limit) => [
             name.replaceAll(".", " ").replaceAll("_", " "), value === null ? "unknown" : this.problem.limitText(name, value), this.problem.limitText(name, limit),
-            violation > 0 ? EXCEEDED : active ? "binds" : "does not bind", price === null ? "" : this.problem.priceText(name, price),
+            violation > 0 ? NOT_MET : active ? "binds" : "does not bind", price === null ? "" : this.problem.priceText(name, price),
         ];
         return [table("Limits", ["limit", "value", "allowed", "", "price"], limits.map(row))];
     }
@@ -114,7 +114,7 @@ function table(title: string, columns: string[], rows: string[][]): HTMLElement 
         const cell = document.createElement(text === "" && kind(k) === "th" ? "td" : kind(k));
         if (cell.tagName === "TH") cell.setAttribute("scope", scope);
         cell.textContent = text;
-        cell.classList.toggle("warning", text === EXCEEDED);
+        cell.classList.toggle("warning", text === NOT_MET);
         return cell;
     });
     made.createTHead().insertRow().append(...cells(columns, () => "th", "col"));

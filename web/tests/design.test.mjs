@@ -130,13 +130,13 @@ test("Stop ends the search with the best design so far, and so does a change by 
     await ready(page);
 });
 
-test("a limit that no design keeps is exceeded, in the colour of warnings", async () => {
+test("a limit that no design keeps is not met, in the colour of warnings", async () => {
     await put("Patch mfc strain, limit", "1");
     await put("designs, at most", "40");
     await page.locator("#search-run").click();
     await until("search-words", /^finished; no design keeps all limits$/);
     const state = page.locator("#search-result td.warning");
-    assert.deepEqual(await state.allTextContents(), ["exceeded"]);
+    assert.deepEqual(await state.allTextContents(), ["not met"]);
     assert.doesNotMatch(await page.locator("#search-result table").last().textContent(), /bind/);
     const [own, due] = await Promise.all([state, page.locator("#search-stale")].map((one) => one.evaluate((element) => getComputedStyle(element).color)));
     assert.equal(own, due);

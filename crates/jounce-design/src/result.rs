@@ -125,12 +125,23 @@ pub struct LimitResult {
     pub violation: f64,
     /// True where the limit binds.
     pub active: bool,
-    /// Gain of mean power per unit of the limit, W per SI unit, where the limit binds and the main
-    /// orbit has derivatives.
+    /// Gain of mean power per unit of the limit, W per SI unit, where the limit is met and binds, a
+    /// free key affects it, and the main orbit has derivatives.
     pub price: Option<f64>,
     /// The limit under other noise than that of the search; `null` without noise, and for a limit that
     /// does not depend on it.
     pub noise: Option<NoiseLimit>,
+}
+
+impl LimitResult {
+    /// Returns whether the limit is met, in words.
+    pub fn state(&self) -> &'static str {
+        match (self.violation > 0.0, self.active) {
+            (true, _) => "not met",
+            (false, true) => "binds",
+            (false, false) => "does not bind",
+        }
+    }
 }
 
 /// Limit of the best design under realisations of the noise other than that of its spec. The search

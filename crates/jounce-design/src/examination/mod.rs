@@ -94,7 +94,8 @@ fn limits(
     let pairs = problem.limits.iter().zip(&best.evaluation.limits);
     let mut limits: Vec<LimitResult> = pairs.enumerate().map(limit).collect();
     if let Some(followed) = followed {
-        let active: Vec<bool> = limits.iter().map(|limit| limit.active).collect();
+        let binds = |limit: &LimitResult| limit.active && limit.violation == 0.0;
+        let active: Vec<bool> = limits.iter().map(binds).collect();
         let prices = prices::prices(problem, &best.place, followed, &active);
         for (limit, price) in limits.iter_mut().zip(prices) {
             limit.price = price;

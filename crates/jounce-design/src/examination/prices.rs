@@ -8,7 +8,7 @@
 //! ```
 //!
 //! over the keys that are not at an end of their range. The prices solve it in the least squares;
-//! a limit with a negative price does not bind, and is left out.
+//! a limit with a negative price does not bind, and is left out. So is one that no key affects.
 
 use crate::problem::Problem;
 use crate::search::Followed;
@@ -62,7 +62,8 @@ pub fn prices(
     let Some(by_key) = by_key else { return prices };
     let mut values = found.values;
     values.extend(sizes.iter().map(|(_, size)| size.of(spec)));
-    let mut columns: Vec<usize> = (1..=binding.len()).collect();
+    let is_affected = |column: &usize| by_key.iter().any(|row| row[*column] != 0.0);
+    let mut columns: Vec<usize> = (1..=binding.len()).filter(is_affected).collect();
     while !columns.is_empty() {
         let Some(solved) = least_squares(&values, &by_key, &columns) else {
             return prices;

@@ -32,6 +32,25 @@ fn a_limit_of_mass_binds_and_has_its_price() {
     assert!((price / slope - 1.0).abs() < 0.02, "{price} {slope}");
 }
 
+/// A load has no mass: the limit of the mass has no price, met or not.
+#[test]
+fn a_limit_that_no_key_affects_has_no_price() {
+    let design = |limit_g: f64| {
+        outcome_of(
+            CANTILEVER,
+            &format!(
+                "[free]\n\"circuit.load.resistance\" = \"10kohm:1Mohm:log\"\n\
+                 [goal]\nmaximise = \"expected-power\"\nstarts = 2\n[limits]\nmass = \"{limit_g} g\"\n"
+            ),
+        )
+    };
+    let heavy = design(10.0);
+    assert!(!heavy.feasible && heavy.limits[0].price.is_none());
+    assert_eq!(heavy.limits[0].state(), "not met");
+    let light = design(1001.0 * heavy.limits[0].value);
+    assert!(light.limits[0].active && light.limits[0].price.is_none());
+}
+
 /// The branch of a linear harvester has no fold within 30 % of the frequency of its drive, 9.7 Hz.
 #[test]
 fn a_distance_to_the_nearest_fold_is_at_most_that_of_the_searched_range() {

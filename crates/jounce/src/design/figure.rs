@@ -80,14 +80,12 @@ fn limits_panel(limits: &[LimitResult]) -> Panel {
     .high(80.0 + ROW_PX * rows.len() as f64)
     .reference(Along::X, 1.0, None);
     for ((limit, row), used) in limits.iter().zip(&rows).zip(&used) {
-        let state = match (limit.violation > 0.0, limit.active) {
-            (true, _) => "exceeded",
-            (false, true) => "binds",
-            (false, false) => "does not bind",
-        };
         let text = format!(
-            "{} {:.4e} of {:.4e}: {state}",
-            limit.name, limit.value, limit.limit
+            "{} {:.4e} of {:.4e}: {}",
+            limit.name,
+            limit.value,
+            limit.limit,
+            limit.state()
         );
         panel = panel
             .with(Series::line(vec![0.0, *used], vec![*row; 2]))

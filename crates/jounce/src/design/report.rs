@@ -242,17 +242,13 @@ fn limit_text(limit: &LimitResult) -> String {
             0.01 * price * limit.limit
         )
     });
-    let state = match (limit.violation > 0.0, limit.active) {
-        (true, _) => "exceeded",
-        (false, true) => "binds",
-        (false, false) => "does not bind",
-    };
     let noise = limit.noise.as_ref();
     format!(
-        "{:<16} {:.6e} of {:.6e}, {state}{price}{}",
+        "{:<16} {:.6e} of {:.6e}, {}{price}{}",
         limit.name,
         limit.value,
         limit.limit,
+        limit.state(),
         noise.map_or_else(String::new, noise_limit_text)
     )
 }
