@@ -30,15 +30,16 @@ struct BracketEnd {
 /// sides, whose error falls with the fourth power of its length. The search ends when the bracket
 /// or the last move is shorter than `resolution` (in the metric), or a value is as small relative
 /// to those at the two ends. Newton may fail within roundoff of a kink. Then the trial point with
-/// the smallest value is returned if it is close enough. Otherwise, as between points of different
-/// pieces, it returns `None`.
+/// the smallest value is returned if it is close enough, and likewise where a trial point has no
+/// value. Otherwise, as between points of different pieces or without a value at an end, it returns
+/// `None`.
 pub fn locate<F: Problem>(
     family: &F,
     corrector: &Corrector,
     parameter_scale: f64,
     (before, after): (&CurvePoint<F::Evaluation>, &CurvePoint<F::Evaluation>),
     resolution: f64,
-    value: impl Fn(&CurvePoint<F::Evaluation>) -> f64,
+    value: impl Fn(&CurvePoint<F::Evaluation>) -> Option<f64>,
 ) -> Option<CurvePoint<F::Evaluation>> {
     let metric = Metric::at(&before.position, parameter_scale);
     let chord = before.position.to(&after.position);
@@ -49,7 +50,7 @@ pub fn locate<F: Problem>(
         tangent: step.tangent.clone(),
         distance,
     };
-    let (at_low, at_high) = (value(before), value(after));
+    let (at_low, at_high) = (value(before)?, value(after)?);
     let size = at_low.abs().max(at_high.abs());
     let mut bracket = Bracket::between((0.0, at_low), (length, at_high));
     let (mut low, mut high) = (side(before, 0.0), side(after, length));
@@ -62,16 +63,15 @@ pub fn locate<F: Problem>(
         );
         let share = (bracket.next(resolution) - low.distance) / (high.distance - low.distance);
         let guess = segment.at(share * segment.length);
-        let Some(step) = point_near(family, corrector, &metric, &unit, guess) else {
+        let trial = point_near(family, corrector, &metric, &unit, guess);
+        let Some((step, value_here)) = trial.and_then(|step| value(&step).map(|here| (step, here)))
+        else {
             let is_narrow = bracket.length() <= NARROW_BRACKET * resolution;
             return best
                 .filter(|(magnitude, _)| is_narrow || *magnitude <= SMALL_VALUE * size)
                 .map(|(_, step)| step);
         };
-        let (distance, value_here) = (
-            metric.inner(&unit, &before.position.to(&step.position)),
-            value(&step),
-        );
+        let distance = metric.inner(&unit, &before.position.to(&step.position));
         let progress = bracket.put(distance, value_here);
         *(if (value_here > 0.0) == (at_high > 0.0) {
             &mut high
@@ -107,4 +107,76 @@ fn point_near<F: Problem>(
         local: corrected.local,
         error: corrected.error,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Linearization;
+
+    /// The line `u = p`.
+    struct Line;
+
+    struct Residual([f64; 1]);
+
+    impl Linearization for Residual {
+        fn residual(&self) -> &[f64] {
+            &self.0
+        }
+
+        /// Solves `[1 -1; row corner] (du, dp) = (right, last)`.
+        fn bordered(
+            &self,
+            row: &[f64],
+            corner: f64,
+            right: &[f64],
+            last: f64,
+        ) -> Option<(Vec<f64>, f64)> {
+            let dp = (last - row[0] * right[0]) / (row[0] + corner);
+            Some((vec![right[0] + dp], dp))
+        }
+    }
+
+    impl Problem for Line {
+        type Evaluation = Residual;
+        type Error = std::convert::Infallible;
+
+        fn at(&self, unknown: &[f64], parameter: f64) -> Result<Residual, Self::Error> {
+            Ok(Residual([unknown[0] - parameter]))
+        }
+    }
+
+    fn point(parameter: f64) -> CurvePoint<Residual> {
+        let half = std::f64::consts::FRAC_1_SQRT_2;
+        CurvePoint {
+            position: Position {
+                unknown: vec![parameter],
+                parameter,
+            },
+            tangent: Direction {
+                unknown: vec![half],
+                parameter: half,
+            },
+            local: Residual([0.0]),
+            error: 0.0,
+        }
+    }
+
+    /// A test function without a value at a trial point or at an end has no proved zero.
+    #[test]
+    fn a_point_without_a_value_is_no_zero() {
+        let corrector = Corrector {
+            goal: 1e-12,
+            most: 10,
+        };
+        let (before, after) = (point(0.0), point(1.0));
+        let zero = |value: &dyn Fn(f64) -> Option<f64>| {
+            let value = |step: &CurvePoint<Residual>| value(step.position.parameter);
+            locate(&Line, &corrector, 1.0, (&before, &after), 1e-9, value)
+        };
+        let found = zero(&|p| Some(p - 0.3)).map_or(f64::NAN, |step| step.position.parameter);
+        assert!((found - 0.3).abs() < 1e-8, "{found}");
+        assert!(zero(&|p| [0.0, 1.0].contains(&p).then_some(p - 0.3)).is_none());
+        assert!(zero(&|p| (p < 1.0).then_some(p - 0.3)).is_none());
+    }
 }

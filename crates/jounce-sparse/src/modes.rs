@@ -278,9 +278,6 @@ impl Search<'_> {
                 .iter()
                 .filter(|theta| self.eigenvalue(**theta) < below)
                 .count();
-            if found == 0 {
-                return Ok(true);
-            }
             outcome = self
                 .problem
                 .factor(below)
@@ -339,3 +336,7 @@ fn bound(theta: f64, residual: f64) -> f64 {
         f64::INFINITY
     }
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests;

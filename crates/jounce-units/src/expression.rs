@@ -9,6 +9,7 @@
 //! A product after a quotient (`N/m s`) is ambiguous and is refused; parentheses resolve it.
 
 use super::dimension::Dimension;
+use super::quantity::MAX_CHARS;
 use super::symbol::UnitSymbol;
 
 /// Largest power of a unit.
@@ -44,6 +45,12 @@ impl Unit {
 
     /// Reads a complete expression.
     pub(super) fn parse(text: &str) -> Result<Self, UnitFault> {
+        // The parser calls itself for each parenthesis.
+        if text.chars().count() > MAX_CHARS {
+            return Err(UnitFault::Malformed(format!(
+                "longer than {MAX_CHARS} characters"
+            )));
+        }
         let mut parser = Parser { rest: text.trim() };
         let unit = parser.unit()?;
         if parser.rest.is_empty() {

@@ -7,7 +7,7 @@ use super::expression::{Unit, UnitFault};
 use std::borrow::Cow;
 
 /// Largest number of characters of a quantity.
-const MAX_CHARS: usize = 200;
+pub(super) const MAX_CHARS: usize = 200;
 
 /// A kind of quantity; its value is always in the SI unit named here.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -4,12 +4,13 @@ use crate::error::Error;
 use crate::harvester::Harvester;
 use crate::record::text_sha256;
 use jounce_analysis::Journal;
+use jounce_analysis::run::identity_text;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::path::Path;
 
-/// Opens the journal of a question in a folder. The spec, the options and the version of jounce
-/// identify it; `options` holds no option on which the result does not depend.
+/// Opens the journal of a question in a folder. The spec with its recordings and its start
+/// state, the options and the version of jounce identify it; `options` holds no option on which the result does not depend.
 ///
 /// # Errors
 /// [`Error::Journal`].
@@ -19,7 +20,8 @@ pub fn open<P: Serialize + DeserializeOwned>(
     (question, options): (&str, &impl Serialize),
 ) -> Result<Journal<P>, Error> {
     let options = serde_json::to_string(options).unwrap_or_default();
-    let (spec, version) = (harvester.hash_hex(), env!("CARGO_PKG_VERSION"));
+    let spec = identity_text(harvester.spec(), harvester.folder());
+    let version = env!("CARGO_PKG_VERSION");
     let key = text_sha256(&format!("{spec} {question} {options} {version}"));
     Ok(Journal::open(folder, &key)?)
 }

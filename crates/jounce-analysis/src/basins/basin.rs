@@ -43,8 +43,11 @@ impl Basins<'_> {
         let ends = self.ends(&line, &kernel);
         let scale = Shooting::new(&line, &kernel, 1, self.recognition.tolerance).scale;
         let mirrored = |one: &AttractingOrbit, two: &AttractingOrbit| {
-            mirrored_states(&kernel, &one.orbit, &scale, self.recognition.tolerance)
-                .is_ok_and(|states| two.passes(&states))
+            kernel.plant.period_s().is_some_and(|cycle_s| {
+                let accuracy = (cycle_s, self.recognition.tolerance);
+                mirrored_states(&kernel, &one.orbit, &scale, accuracy)
+                    .is_ok_and(|states| two.passes(&states))
+            })
         };
         let mut result = counted(&ends, mirrored);
         let limits = Limits::of(&self.base.spec, &kernel.plant);

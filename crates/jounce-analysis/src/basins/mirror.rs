@@ -8,14 +8,13 @@ use jounce_dynamics::{IntegrationError, Integrator, Kernel};
 use jounce_orbits::Orbit;
 
 /// Returns the mirrored states of an orbit at the start of each drive cycle, in energy coordinates
-/// of a scale.
+/// of a scale. `cycle_s` is the length of the drive cycle.
 pub fn mirrored_states(
     kernel: &Kernel,
     orbit: &Orbit,
     scale: &[f64],
-    tolerance: f64,
+    (cycle_s, tolerance): (f64, f64),
 ) -> Result<Vec<Vec<f64>>, IntegrationError> {
-    let cycle_s = kernel.plant.period_s().unwrap_or(1.0);
     let state = |strobe_state: &Vec<f64>| {
         let physical: Vec<f64> = strobe_state.iter().zip(scale).map(|(u, w)| u / w).collect();
         let mut integrator = Integrator::new(

@@ -89,8 +89,11 @@ impl DiagramPoint {
                 visit.set_orbit((base, parameter), &steady_state.orbit, tolerance)?;
             }
             SteadyState::Aperiodic(steady_state) => {
-                match strobe_states(&kernel, &steady_state.state, cycles, tolerance) {
-                    Ok(states) => {
+                let states = kernel.plant.period_s().map(|cycle_s| {
+                    strobe_states(&kernel, &steady_state.state, (cycles, cycle_s), tolerance)
+                });
+                match states {
+                    Some(Ok(states)) => {
                         visit.mean_power_w = steady_state.mean_power_w;
                         visit.section = states
                             .iter()
@@ -98,7 +101,7 @@ impl DiagramPoint {
                             .collect();
                         visit.end = states.into_iter().next_back().unwrap_or(visit.end);
                     }
-                    Err(_) => visit.motion = AttractorKind::Lost,
+                    Some(Err(_)) | None => visit.motion = AttractorKind::Lost,
                 }
             }
             SteadyState::Failed(_) => {}
@@ -162,14 +165,13 @@ impl DiagramPoint {
     }
 }
 
-/// Returns the physical states at the start of drive cycles, the given one first.
+/// Returns the physical states at the start of drive cycles of a length, the given one first.
 fn strobe_states(
     kernel: &Kernel,
     start: &[f64],
-    cycles: u32,
+    (cycles, cycle_s): (u32, f64),
     tolerance: f64,
 ) -> Result<Vec<Vec<f64>>, IntegrationError> {
-    let cycle_s = kernel.plant.period_s().unwrap_or(1.0);
     let mut integrator = Integrator::new(
         kernel,
         &kernel.plant.from_physical(start, 0.0),

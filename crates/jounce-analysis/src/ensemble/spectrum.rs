@@ -15,6 +15,7 @@
 //! Efron, C. Stein, Ann. Stat. 9 (1981) 586.
 
 use super::estimate::{Estimate, IntervalOver};
+use jounce_signal::spectral::student_95;
 
 /// Largest number of jackknife groups.
 const MAX_JACKKNIFE_GROUPS: usize = 16;
@@ -100,6 +101,7 @@ impl VoltagePeriodograms {
     pub fn to_spectrum(&self, patch: String, resolution_hz: f64) -> VoltageSpectrum {
         let lines = self.groups.first().map_or(0, |group| group.lines.len());
         let per_bin = lines.div_ceil(MAX_BINS);
+        let quantile_95 = student_95(self.members as f64 - 1.0);
         let middle = |bin: usize| {
             let last = ((bin + 1) * per_bin).min(lines) - 1;
             0.5 * (bin * per_bin + last) as f64 * resolution_hz
@@ -110,7 +112,7 @@ impl VoltagePeriodograms {
             density: self
                 .bins
                 .iter()
-                .map(|sums| Estimate::of_sums(self.members, *sums))
+                .map(|sums| Estimate::of_sums(self.members, quantile_95, *sums))
                 .collect(),
             bandwidth_hz: self.bandwidth(resolution_hz),
         }

@@ -54,11 +54,11 @@ pub(super) struct TangentMotion<'k> {
 
 impl<'k> TangentMotion<'k> {
     /// Starts from block coordinates at the start of a cycle.
-    pub fn from(kernel: &'k Kernel, y: &[f64], tolerance: f64) -> Self {
+    pub fn from(kernel: &'k Kernel, y: &[f64], (cycle_s, tolerance): (f64, f64)) -> Self {
         Self {
             kernel,
             tolerance,
-            cycle_s: kernel.plant.period_s().unwrap_or(1.0),
+            cycle_s,
             state: y.to_vec(),
             direction: vec![1.0 / (y.len() as f64).sqrt(); y.len()],
             cycles: Vec::new(),
@@ -126,16 +126,16 @@ impl<'k> TangentMotion<'k> {
     }
 }
 
-/// Computes the largest exponent over `cycles` drive cycles (rounded up to full blocks), from block
-/// coordinates `y` at the start of a cycle.
+/// Computes the largest exponent over `cycles` drive cycles of a length (rounded up to full blocks),
+/// from block coordinates `y` at the start of a cycle.
 ///
 /// # Errors
 /// [`SensitivityError`].
 pub fn largest_exponent(
     kernel: &Kernel,
     y: &[f64],
-    cycles: usize,
+    (cycles, cycle_s): (usize, f64),
     tolerance: f64,
 ) -> Result<Lyapunov, SensitivityError> {
-    TangentMotion::from(kernel, y, tolerance).exponent(cycles)
+    TangentMotion::from(kernel, y, (cycle_s, tolerance)).exponent(cycles)
 }

@@ -44,6 +44,8 @@ pub struct OrbitSearch<'h, H> {
     pub harvester: &'h H,
     pub kernel: &'h Kernel,
     pub parameter: f64,
+    /// Length of the drive cycle, s.
+    pub cycle_s: f64,
     /// Goal of Newton's method.
     pub goal: f64,
 }
@@ -183,14 +185,13 @@ impl<H: ParametricModel> OrbitSearch<'_, H> {
         tolerance: f64,
     ) -> Result<Vec<f64>, IntegrationError> {
         let plant = &self.kernel.plant;
-        let cycle_s = plant.period_s().unwrap_or(1.0);
         let mut integrator = Integrator::new(
             self.kernel,
             &plant.from_physical(&shooting.physical(from), 0.0),
             0.0,
             tolerance,
         )?;
-        integrator.advance_to(f64::from(shooting.cycles) * cycle_s)?;
+        integrator.advance_to(f64::from(shooting.cycles) * self.cycle_s)?;
         Ok(shooting.unknown(&plant.to_physical(&integrator.state(), 0.0)))
     }
 

@@ -7,7 +7,7 @@ use super::orbit_search::{OrbitSearch, SearchOutcome};
 use super::steady_state::{Aperiodic, SteadyState};
 use super::transient::Transient;
 use jounce_dynamics::{Kernel, SensitivityError};
-use jounce_orbits::{ParametricModel, Shooting};
+use jounce_orbits::{OrbitError, ParametricModel, Shooting, cycle_s};
 use std::sync::Arc;
 
 /// Growth of the number of cycles from one search to the next; unneeded cycles remain in proportion
@@ -87,14 +87,19 @@ pub struct Recognizer<'h, H: ParametricModel> {
 impl<H: ParametricModel> Recognizer<'_, H> {
     /// Integrates a physical start to its steady state. The `known` orbits are tried first.
     pub fn settle(&self, start: &[f64], known: &[Arc<AttractingOrbit>]) -> SteadyState {
-        self.integrate(start, known)
-            .unwrap_or_else(|error| SteadyState::Failed(error.to_string()))
+        let cycle_s = match cycle_s(&self.kernel.plant) {
+            Ok(cycle_s) => cycle_s,
+            Err(error) => return failed::<OrbitError<H::Error>>(&error),
+        };
+        self.integrate(start, known, cycle_s)
+            .unwrap_or_else(|error| failed(&error))
     }
 
     fn integrate(
         &self,
         start: &[f64],
         known: &[Arc<AttractingOrbit>],
+        cycle_s: f64,
     ) -> Result<SteadyState, SensitivityError> {
         let Recognition {
             tolerance,
@@ -104,7 +109,6 @@ impl<H: ParametricModel> Recognizer<'_, H> {
             examines_chaos,
         } = self.options;
         let scale = Shooting::new(self.harvester, self.kernel, 1, tolerance).scale;
-        let cycle_s = self.kernel.plant.period_s().unwrap_or(1.0);
         let mut motion = Transient::from(
             self.kernel,
             start,
@@ -115,6 +119,7 @@ impl<H: ParametricModel> Recognizer<'_, H> {
             harvester: self.harvester,
             kernel: self.kernel,
             parameter: self.parameter,
+            cycle_s,
             goal: target_residual,
         };
         let mut orbits = known.to_vec();
@@ -138,22 +143,27 @@ impl<H: ParametricModel> Recognizer<'_, H> {
             }
             if motion.cycles >= FIRST_AVERAGE_CYCLES && motion.is_quasi_periodic() {
                 let state = motion.block_state();
-                let exponent =
-                    largest_exponent(self.kernel, &state, EXPONENT_CYCLES, motion.tolerance)?;
+                let (cycles, tolerance) = (EXPONENT_CYCLES, motion.tolerance);
+                let exponent = largest_exponent(self.kernel, &state, (cycles, cycle_s), tolerance)?;
                 if exponent.kind() == AttractorKind::Torus {
                     return Ok(aperiodic(AttractorKind::Torus, Some(exponent), &motion));
                 }
             }
         }
         match examines_chaos {
-            true => self.without_orbit(&motion),
+            true => self.without_orbit(&motion, cycle_s),
             false => Ok(aperiodic(AttractorKind::Undecided, None, &motion)),
         }
     }
 
     /// Returns chaos or an undecided end for a motion without a proved attractor.
-    fn without_orbit(&self, motion: &Transient<'_>) -> Result<SteadyState, SensitivityError> {
-        let mut tangent = TangentMotion::from(self.kernel, &motion.block_state(), motion.tolerance);
+    fn without_orbit(
+        &self,
+        motion: &Transient<'_>,
+        cycle_s: f64,
+    ) -> Result<SteadyState, SensitivityError> {
+        let state = motion.block_state();
+        let mut tangent = TangentMotion::from(self.kernel, &state, (cycle_s, motion.tolerance));
         let mut exponent = tangent.exponent(EXPONENT_CYCLES)?;
         if exponent.kind() == AttractorKind::Chaos {
             exponent = tangent.exponent(CONFIRMATION_CYCLES)?;
@@ -169,6 +179,11 @@ impl<H: ParametricModel> Recognizer<'_, H> {
             motion,
         ))
     }
+}
+
+/// Returns the end of an integration that failed.
+fn failed<E: std::error::Error>(error: &E) -> SteadyState {
+    SteadyState::Failed(error.to_string())
 }
 
 /// Returns the orbit that a motion has reached: it entered the ball, and contracted over one period

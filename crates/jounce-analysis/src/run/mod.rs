@@ -29,5 +29,5 @@ pub use plan::RunPlan;
 pub use result::{LeakResult, LoadResult, RectifiedResult, RunResult, StopResult};
 pub use settle::Settlement;
 pub use simulate::simulate;
-pub use start::{StartFileError, StartState};
+pub use start::{StartFileError, StartState, identity_text};
 pub use warning::{MAX_DEFLECTION_SHARE, Warning};

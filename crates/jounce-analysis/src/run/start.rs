@@ -3,7 +3,7 @@
 use jounce_io::store::{self, StoreError};
 use jounce_model::plant::Plant;
 use jounce_model::structure::Modes;
-use jounce_spec::Spec;
+use jounce_spec::{Spec, Start};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
@@ -31,6 +31,17 @@ pub struct StartState {
     pub current_a: Vec<f64>,
     /// Angle of each drive (argument of its sine), rad; a run from this state continues it.
     pub drive_angle_rad: Vec<f64>,
+}
+
+/// Returns the digest of a spec with the text of the state file that it names, relative to `folder`.
+/// Two specs with the same text have the same recordings and the same initial state. A file that
+/// cannot be read counts as empty.
+pub fn identity_text(spec: &Spec, folder: &Path) -> String {
+    let state = match &spec.run.start {
+        Start::State(path) => std::fs::read_to_string(folder.join(path)).unwrap_or_default(),
+        Start::Rest | Start::Linear => String::new(),
+    };
+    format!("{}\n{state}", spec.hash_hex())
 }
 
 impl StartState {

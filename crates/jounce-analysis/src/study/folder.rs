@@ -155,10 +155,10 @@ impl Folder {
     /// Stores a part that was computed elsewhere.
     ///
     /// # Errors
-    /// A file that cannot be written, bytes that are not this part.
+    /// A file that cannot be written; bytes that are not this part, which are not written.
     pub fn keep(&self, part: usize, bytes: &[u8]) -> Result<(), StudyError> {
-        store::write_in_folder(&self.file(part), bytes)?;
-        self.part(part).map(|_| ())
+        self.checked(part, Table::from_parquet(bytes))?;
+        Ok(store::write_in_folder(&self.file(part), bytes)?)
     }
 
     /// Returns the numbers of the missing or damaged parts.
@@ -266,11 +266,20 @@ impl Folder {
                 first: part,
             });
         }
+        self.checked(part, Table::read(&path))
+    }
+
+    /// Returns the table of a part that was read, if it is this part of this study.
+    fn checked(
+        &self,
+        part: usize,
+        read: Result<(Table, Manifest), TableError>,
+    ) -> Result<Table, StudyError> {
         let damaged = |reason: String| StudyError::Damaged {
-            path: path.clone(),
+            path: self.file(part),
             reason,
         };
-        let (table, manifest) = Table::read(&path).map_err(|error| match error {
+        let (table, manifest) = read.map_err(|error| match error {
             TableError::Read { reason, .. } => damaged(reason),
             error => error.into(),
         })?;

@@ -3,6 +3,7 @@
 use super::quantity::evaluation::evaluate;
 use super::read::{StudyText, read};
 use super::{Design, Quantity, StudyError};
+use crate::run::identity_text;
 use crate::{AnalysisError, Model};
 use jounce_control::Control;
 use jounce_io::table::{Column, Manifest, Table};
@@ -78,7 +79,7 @@ impl Study {
             file: "the spec of the study".to_owned(),
             faults,
         })?;
-        let hash_hex = digest(&spec, &parsed);
+        let hash_hex = digest(&identity_text(&spec, &folder), &parsed);
         let StudyText {
             design,
             quantity,
@@ -95,8 +96,8 @@ impl Study {
         })
     }
 
-    /// Returns the SHA-256 of all inputs of the table: the spec, the points, the quantity, the
-    /// parts and the version of jounce.
+    /// Returns the SHA-256 of all inputs of the table: the spec with its recordings and its start
+    /// state, the points, the quantity, the parts and the version of jounce.
     pub fn hash_hex(&self) -> &str {
         &self.hash_hex
     }
@@ -224,8 +225,8 @@ fn fault_of_spec(message: &str) -> StudyError {
 }
 
 /// Returns the digest of everything that determines the bits of the table.
-fn digest(spec: &Spec, parsed: &StudyText) -> String {
-    let mut all = format!("jounce {}\n{}\n", env!("CARGO_PKG_VERSION"), spec.to_toml());
+fn digest(spec: &str, parsed: &StudyText) -> String {
+    let mut all = format!("jounce {}\n{spec}\n", env!("CARGO_PKG_VERSION"));
     for varied in &parsed.design.varied {
         let values = varied
             .values

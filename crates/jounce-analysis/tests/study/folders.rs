@@ -131,3 +131,51 @@ fn a_folder_belongs_to_one_study_and_a_shard_to_one_process() {
         .unwrap();
     assert_eq!(folder_state.status().finished, 1);
 }
+
+/// Bytes that are not the part are refused, and the finished part remains.
+#[test]
+fn a_wrong_part_from_elsewhere_is_not_stored() {
+    let (study, folder) = (study(GRID), tempfile::tempdir().unwrap());
+    let reference = merged_bytes(&study, folder.path(), 1);
+    let bytes = |part: u32| {
+        let name = format!("parts/part-{part:06}.parquet");
+        std::fs::read(folder.path().join(name)).unwrap()
+    };
+    let folder_state = Folder::open(folder.path()).unwrap();
+    for wrong in [bytes(1), b"no table".to_vec()] {
+        let error = folder_state.keep(0, &wrong).unwrap_err();
+        assert!(matches!(error, StudyError::Damaged { .. }), "{error}");
+    }
+    folder_state.keep(0, &bytes(0)).unwrap();
+    assert_eq!(
+        reference,
+        std::fs::read(folder_state.merge().unwrap()).unwrap()
+    );
+}
+
+/// A recording and a start state are inputs by their content, which may change under their names.
+#[test]
+fn the_digest_depends_on_the_files_that_the_spec_names() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
+    write(
+        "harvester.toml",
+        "[mass.m]\nmass = \"2 kg\"\nstiffness = \"7 kN/m\"\ndamping_ratio = 0.04\n\
+         [drive.road]\nkind = \"base-acceleration\"\nsignal = \"recording\"\nfile = \"road.csv\"\n\
+         [run]\nduration = \"1 s\"\nstart = \"state.json\"\n",
+    );
+    write("road.csv", "time (s),a (g)\n0,0\n0.5,1\n1,-2\n");
+    write("state.json", "{\"displacement\": [0]}");
+    let text = "spec = \"harvester.toml\"\n[vary]\n\"mass.m.mass\" = \"1kg,2kg\"\n";
+    let digest = || {
+        let study = Study::parse(text, folder.path()).unwrap();
+        study.hash_hex().to_owned()
+    };
+    let before = digest();
+    assert_eq!(digest(), before);
+    write("state.json", "{\"displacement\": [1]}");
+    let with_state = digest();
+    write("road.csv", "time (s),a (g)\n0,0\n0.5,1\n1,-3\n");
+    let with_both = digest();
+    assert!(before != with_state && with_state != with_both);
+}

@@ -28,11 +28,25 @@ const SUPERSCRIPTS: [(char, char); 5] = [
     ('\u{2074}', '4'),
 ];
 
+/// Bytes above which a text is no unit, and its brackets remain.
+const MAX_UNIT_BYTES: usize = 1 << 10;
+
 /// Removes brackets around the complete text.
 pub(crate) fn unbracketed(text: &str) -> &str {
-    let trimmed = text.trim();
-    let inner = [('[', ']'), ('(', ')')].iter().find_map(|(open, close)| {
-        let inner = trimmed.strip_prefix(*open)?.strip_suffix(*close)?;
+    let mut trimmed = text.trim();
+    if trimmed.len() > MAX_UNIT_BYTES {
+        return trimmed;
+    }
+    while let Some(inner) = without_brackets(trimmed) {
+        trimmed = inner.trim();
+    }
+    trimmed
+}
+
+/// Removes one pair of brackets around the complete text; `None` without one.
+fn without_brackets(text: &str) -> Option<&str> {
+    [('[', ']'), ('(', ')')].iter().find_map(|(open, close)| {
+        let inner = text.strip_prefix(*open)?.strip_suffix(*close)?;
         // In `(m/s)/(N)` the first bracket closes before the end.
         let mut depth = 0;
         let closes = |c: char| {
@@ -40,8 +54,7 @@ pub(crate) fn unbracketed(text: &str) -> &str {
             depth < 0
         };
         (!inner.chars().any(closes)).then_some(inner)
-    });
-    inner.map_or(trimmed, unbracketed)
+    })
 }
 
 /// Removes brackets around the text and superscripts.
@@ -85,4 +98,18 @@ fn plain_powers(text: &str) -> String {
         normalised.push(digit.unwrap_or(c));
     }
     normalised
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn brackets_around_the_complete_text_are_removed() {
+        let many = format!("{}V{}", "(".repeat(400), ")".repeat(400));
+        assert_eq!([" [ (m/s) ] ", &many].map(unbracketed), ["m/s", "V"]);
+        assert_eq!(unbracketed("(m/s)/(N)"), "(m/s)/(N)");
+        let line = format!("{}V{}", "(".repeat(1 << 20), ")".repeat(1 << 20));
+        assert_eq!(unbracketed(&line), line);
+    }
 }

@@ -25,6 +25,7 @@ pub use tolerance::Tolerance;
 
 use crate::DesignError;
 use crate::evaluation::Effort;
+use jounce_analysis::run::identity_text;
 use jounce_analysis::{DerivativeKey, Model};
 use jounce_control::Control;
 use jounce_orbits::OrbitQuantity;
@@ -70,6 +71,15 @@ pub struct Problem {
     hash_hex: String,
 }
 
+/// Spec of a problem.
+struct SpecSource {
+    file: SpecFile,
+    /// Name in messages.
+    name: String,
+    /// Folder of the files that the spec names.
+    folder: PathBuf,
+}
+
 impl Problem {
     /// Reads a file; the path of its spec is relative to its folder.
     ///
@@ -82,18 +92,19 @@ impl Problem {
         };
         let text = std::fs::read_to_string(path).map_err(unreadable)?;
         let parent = path.parent().unwrap_or(Path::new(""));
-        let mut folder = parent.to_path_buf();
-        let parsed = read::read(&text, |named| {
+        read::read(&text, |named| {
             let Some(named) = named else {
                 let message =
                     "the design names no spec; write spec = \"harvester.toml\" at its top";
                 return Err(fault_of_spec(message));
             };
             let path = parent.join(named);
-            folder = path.parent().map_or_else(PathBuf::new, Path::to_path_buf);
-            Ok((SpecFile::read(&path)?, path.display().to_string()))
-        })?;
-        Ok(Self { folder, ..parsed })
+            Ok(SpecSource {
+                file: SpecFile::read(&path)?,
+                name: path.display().to_string(),
+                folder: path.parent().map_or_else(PathBuf::new, Path::to_path_buf),
+            })
+        })
     }
 
     /// Creates a problem of a spec from its text. A spec that the text names, relative to
@@ -107,7 +118,7 @@ impl Problem {
         text: &str,
         text_folder: &Path,
     ) -> Result<Self, DesignError> {
-        let parsed = read::read(text, |named| {
+        read::read(text, |named| {
             if let Some(named) = named {
                 let other = SpecFile::read(text_folder.join(named))?;
                 if !is_same_spec(&file, &other) {
@@ -116,13 +127,16 @@ impl Problem {
                     )));
                 }
             }
-            Ok((file, "the spec of the design".to_owned()))
-        })?;
-        let folder = folder.to_path_buf();
-        Ok(Self { folder, ..parsed })
+            Ok(SpecSource {
+                file,
+                name: "the spec of the design".to_owned(),
+                folder: folder.to_path_buf(),
+            })
+        })
     }
 
-    /// Returns the SHA-256 of the text and of the spec: everything that determines the result.
+    /// Returns the SHA-256 of the text and of all specs with their recordings and start states:
+    /// everything that determines the result.
     pub fn hash_hex(&self) -> &str {
         &self.hash_hex
     }
@@ -258,13 +272,12 @@ fn fault_of_spec(message: &str) -> DesignError {
     DesignError::Faults(vec![Fault::without_position("spec", message)])
 }
 
-/// Returns the digest of a text and a spec.
-fn digest(text: &str, spec: &Spec) -> String {
-    let all = format!(
-        "jounce {}\n{text}\n{}",
-        env!("CARGO_PKG_VERSION"),
-        spec.to_toml()
-    );
+/// Returns the digest of a text and of the specs of models.
+fn digest<'a>(text: &str, folder: &Path, models: impl Iterator<Item = &'a Model>) -> String {
+    let mut all = format!("jounce {}\n{text}", env!("CARGO_PKG_VERSION"));
+    for model in models {
+        all += &format!("\n{}", identity_text(&model.spec, folder));
+    }
     let bytes = Sha256::digest(all.as_bytes());
     bytes.iter().map(|byte| format!("{byte:02x}")).collect()
 }

@@ -3,8 +3,10 @@
 use super::{
     DRIVE_HZ, FORCE_N, LINEAR, harvester, linear, optimal_resistance, outcome_of, problem_of,
 };
+use jounce_design::Problem;
 use jounce_linalg::c64;
 use jounce_signal::RandomStream;
+use jounce_spec::SpecFile;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 use std::io::Write;
@@ -281,4 +283,36 @@ fn a_gait_has_a_design_within_the_strain_of_its_patch() {
         found.best.mean_power_w > found.before.goals["mean-power"],
         "{found:?}"
     );
+}
+
+/// The key of the journal depends on the recording of a condition and on the start state by their
+/// content, which may change under their names.
+#[test]
+fn the_digest_depends_on_the_files_that_the_spec_names() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    let spec = format!("{LINEAR}start = \"state.json\"\n");
+    let text = format!(
+        "[free]\n\"circuit.load.resistance\" = \"10kohm:1Mohm:log\"\n\
+         [goal]\nmaximise = \"mean-power\"\n[limits]\n\"patch.m.p.voltage\" = \"1 kV\"\n\
+         [[conditions]]\nset = {{ \"drive.d\" = {{ at = \"m.tip\", kind = \"force\", signal = \"recording\", file = '{}' }} }}\n",
+        at("force.csv").display()
+    );
+    let digest = || {
+        let file = SpecFile::from_text(&spec);
+        let problem = Problem::with_spec(file, folder.path(), &text, folder.path()).unwrap();
+        problem.hash_hex().to_owned()
+    };
+    let write_force = |last: &str| {
+        let content = format!("time [s],force [N]\n0,0\n0.5,1\n1,{last}\n");
+        std::fs::write(at("force.csv"), content).unwrap();
+    };
+    write_force("2");
+    std::fs::write(at("state.json"), "{}").unwrap();
+    let before = digest();
+    assert_eq!(digest(), before);
+    std::fs::write(at("state.json"), "{ }").unwrap();
+    let with_state = digest();
+    write_force("3");
+    assert!(before != with_state && with_state != digest());
 }

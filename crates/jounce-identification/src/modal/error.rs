@@ -63,6 +63,17 @@ pub enum ModalError {
         /// Upper end, Hz.
         high_hz: f64,
     },
+    /// The modes of all blocks except one cannot be fitted.
+    #[error(
+        "the modes cannot be fitted without block {block} of {blocks}, so their deviations are \
+        unknown; try a longer record, a narrower band, or another order"
+    )]
+    LeaveOneOut {
+        /// Number of the block that is left out, from 1.
+        block: usize,
+        /// Number of blocks.
+        blocks: usize,
+    },
     /// All poles may be noise.
     #[error(
         "there is no clear mode between {low_hz} and {high_hz} Hz: all poles found there ({}, at \

@@ -29,8 +29,12 @@ impl StoreError {
     }
 }
 
-/// Prefix of the names of incomplete files.
+/// Beginning and end of the names of incomplete files; between them are random letters and digits.
 pub(super) const PREFIX: &str = ".jounce-";
+pub(super) const SUFFIX: &str = ".part";
+
+/// Number of random letters and digits in the name of an incomplete file.
+pub(super) const RANDOM_CHARACTERS: usize = 6;
 
 /// A complete file under a temporary name, in the folder of its target. It is removed when it is
 /// dropped.
@@ -219,7 +223,10 @@ fn flush_name(target: &Path) {
 /// applies).
 pub(super) fn temporary_file(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
     let mut builder = tempfile::Builder::new();
-    builder.prefix(PREFIX);
+    builder
+        .prefix(PREFIX)
+        .suffix(SUFFIX)
+        .rand_bytes(RANDOM_CHARACTERS);
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt as _;

@@ -23,7 +23,8 @@ pub fn check_folder(folder: &Path) -> Result<(), StoreError> {
 /// Tries a file in a folder; in place of a missing one, in the nearest folder above it.
 fn check_writable(path: &Path, folder: &Path) -> Result<(), StoreError> {
     let mut nearest = folder;
-    while !nearest.exists() {
+    // The current folder may be unreadable too.
+    while !nearest.exists() && nearest != folder_of(nearest) {
         nearest = folder_of(nearest);
     }
     if !nearest.is_dir() {

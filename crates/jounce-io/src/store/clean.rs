@@ -1,6 +1,6 @@
 //! Removal of incomplete files of killed processes.
 
-use super::atomic::PREFIX;
+use super::atomic::{PREFIX, RANDOM_CHARACTERS, SUFFIX};
 use std::fs::{self, DirEntry, File};
 use std::path::Path;
 use std::time::Duration;
@@ -19,8 +19,17 @@ pub fn clean(folder: &Path) {
     }
 }
 
+/// True for a name that an incomplete file has.
+fn is_incomplete(name: &str) -> bool {
+    let random = (name.strip_prefix(PREFIX)).and_then(|rest| rest.strip_suffix(SUFFIX));
+    random.is_some_and(|random| {
+        random.len() == RANDOM_CHARACTERS && random.bytes().all(|c| c.is_ascii_alphanumeric())
+    })
+}
+
 fn is_leftover(entry: &DirEntry) -> bool {
-    let is_ours = entry.file_name().to_string_lossy().starts_with(PREFIX);
+    let name = entry.file_name();
+    let is_ours = name.to_str().is_some_and(is_incomplete);
     let age = || entry.metadata().ok()?.modified().ok()?.elapsed().ok();
     let is_free = || File::open(entry.path()).is_ok_and(|file| file.try_lock().is_ok());
     is_ours && age().is_some_and(|age| age > MIN_AGE) && is_free()

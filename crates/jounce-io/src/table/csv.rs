@@ -35,29 +35,18 @@ pub(super) fn join<W: Write, E>(
 ) -> Result<(), E> {
     let mut writer = csv::Writer::from_writer(BufWriter::new(target));
     let to_error = |fault: csv::Error| failed(reason(&fault));
-    let mut names = None;
+    let mut is_empty = true;
     for table in tables {
         let table = table?;
-        let columns: Vec<String> = table
-            .columns()
-            .iter()
-            .map(|column| column.name.clone())
-            .collect();
-        match &names {
-            None => {
-                heads(&mut writer, &table).map_err(to_error)?;
-                names = Some(columns);
-            }
-            Some(names) if *names != columns => {
-                return Err(failed("the tables have different columns".to_owned()));
-            }
-            Some(_) => {}
+        if is_empty {
+            heads(&mut writer, &table).map_err(to_error)?;
+            is_empty = false;
         }
         rows(&mut writer, &table).map_err(to_error)?;
     }
-    match names {
-        Some(_) => writer.flush().map_err(|fault| failed(reason(&fault))),
-        None => Err(failed("there is no table to write".to_owned())),
+    match is_empty {
+        false => writer.flush().map_err(|fault| failed(reason(&fault))),
+        true => Err(failed("there is no table to write".to_owned())),
     }
 }
 

@@ -139,6 +139,13 @@ impl Table {
         let mut failure = None;
         let table = store::prepare(path, |file| {
             let refused = |reason: String| E::from(encode_error(path, reason));
+            let mut first = None;
+            let tables = tables.map(|table| match table {
+                Ok(table) if *first.get_or_insert_with(|| table.form()) != table.form() => {
+                    Err(refused("the tables have different columns".to_owned()))
+                }
+                table => table,
+            });
             let joined = match ending(path) {
                 Some("csv") => csv::join(file, tables, refused),
                 _ => parquet::join(file, manifest, tables, refused),
@@ -152,6 +159,26 @@ impl Table {
             Some(error) => Err(error),
             None => Ok(named_after_notes(notes, table.map_err(TableError::from)?)?),
         }
+    }
+
+    /// Returns the name, the unit and the kind of each column.
+    fn form(&self) -> Vec<(String, String, &'static str)> {
+        let column = |column: &Column| {
+            let (name, unit) = (column.name.clone(), column.unit.clone());
+            (name, unit, column.values.kind())
+        };
+        self.columns.iter().map(column).collect()
+    }
+
+    /// Reads a table and its manifest from the bytes of a Parquet file of jounce.
+    ///
+    /// # Errors
+    /// The bytes are damaged or without the notes of jounce.
+    pub fn from_parquet(bytes: &[u8]) -> Result<(Self, Manifest), TableError> {
+        parquet::decode_bytes(bytes).map_err(|reason| TableError::Read {
+            path: Path::new("table.parquet").to_owned(),
+            reason,
+        })
     }
 
     /// Reads a table and its manifest from a CSV (with its sidecar), Parquet or HTML file of jounce.

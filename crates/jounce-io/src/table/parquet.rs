@@ -27,7 +27,19 @@ pub(super) fn encode(table: &Table, manifest: &Manifest) -> Result<Vec<u8>, Stri
 }
 
 pub(super) fn decode(path: &Path) -> Result<(Table, Manifest), String> {
-    let file = File::open(path).map_err(|fault| fault.to_string())?;
+    read(File::open(path).map_err(|fault| fault.to_string())?)
+}
+
+pub(super) fn decode_bytes(bytes: &[u8]) -> Result<(Table, Manifest), String> {
+    let in_file = || {
+        let mut file = tempfile::tempfile()?;
+        file.write_all(bytes)?;
+        Ok(file)
+    };
+    read(in_file().map_err(|fault: std::io::Error| reason(&fault))?)
+}
+
+fn read(file: File) -> Result<(Table, Manifest), String> {
     parquet_check::footer(&file)?;
     let pages = file.try_clone().map_err(|fault| fault.to_string())?;
     let reader = SerializedFileReader::new(file).map_err(|fault| fault.to_string())?;

@@ -4,6 +4,7 @@ use jounce_io::store::{clean, create, open_locked, prepare, write, write_in_fold
 use std::fs::{self, File};
 use std::io::Write;
 use std::path::Path;
+use std::sync::atomic::Ordering::SeqCst;
 use std::time::{Duration, SystemTime};
 
 fn names(folder: &Path) -> Vec<String> {
@@ -123,11 +124,13 @@ fn only_abandoned_files_are_removed() {
         file
     };
     drop((
-        create_aged(".jounce-left", 60),
-        create_aged(".jounce-young", 0),
+        create_aged(".jounce-left00.part", 60),
+        create_aged(".jounce-young0.part", 0),
         create_aged("part.parquet", 60),
+        create_aged(".jounce-notes", 60),
+        create_aged(".jounce-my-own.part", 60),
     ));
-    let written = create_aged(".jounce-written", 60);
+    let written = create_aged(".jounce-writt0.part", 60);
     written.lock().unwrap();
     clean(folder.path());
     let mut names: Vec<_> = fs::read_dir(folder.path())
@@ -135,7 +138,14 @@ fn only_abandoned_files_are_removed() {
         .map(|entry| entry.unwrap().file_name())
         .collect();
     names.sort();
-    assert_eq!(names, [".jounce-written", ".jounce-young", "part.parquet"]);
+    let kept = [
+        ".jounce-my-own.part",
+        ".jounce-notes",
+        ".jounce-writt0.part",
+        ".jounce-young0.part",
+        "part.parquet",
+    ];
+    assert_eq!(names, kept);
 }
 
 #[test]
@@ -175,7 +185,7 @@ fn a_prepared_file_has_its_name_only_when_it_is_persisted() {
 #[test]
 fn the_next_file_removes_what_a_killed_process_left() {
     let folder = tempfile::tempdir().unwrap();
-    let left = File::create(folder.path().join(".jounce-left")).unwrap();
+    let left = File::create(folder.path().join(".jounce-left00.part")).unwrap();
     left.set_modified(SystemTime::now() - Duration::from_secs(60))
         .unwrap();
     drop(left);
@@ -191,4 +201,24 @@ fn a_locked_file_is_refused_until_its_holder_ends() {
     assert!(held.is_some() && open_locked(&path).unwrap().is_none());
     drop(held);
     assert!(open_locked(&path).unwrap().is_some());
+}
+
+/// Threads that lock a file and remove it before they release it: never two at a time.
+#[test]
+fn a_removed_file_is_not_locked_a_second_time() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("lock");
+    let holders = std::sync::atomic::AtomicUsize::new(0);
+    let work = || {
+        for _ in 0..3000 {
+            if let Some(file) = open_locked(&path).unwrap() {
+                assert_eq!(holders.fetch_add(1, SeqCst), 0);
+                std::thread::yield_now();
+                holders.fetch_sub(1, SeqCst);
+                fs::remove_file(&path).unwrap();
+                drop(file);
+            }
+        }
+    };
+    std::thread::scope(|scope| (0..4).for_each(|_| drop(scope.spawn(work))));
 }

@@ -1,6 +1,6 @@
 //! Tables written and read again, and tables that are refused.
 
-use jounce_io::table::{Column, Manifest, Table, TableError};
+use jounce_io::table::{Column, Manifest, Table, TableError, Values};
 
 fn awkward() -> Table {
     let floats = vec![
@@ -186,4 +186,31 @@ fn a_table_and_its_notes_are_replaced_together() {
     set_read_only(false);
     table(2.0).write(&path, &new).unwrap();
     assert_eq!(Table::read(&path).unwrap(), (table(2.0), new));
+}
+
+/// Tables of other names, units or kinds are refused in every format, and nothing is written.
+#[test]
+fn joined_tables_have_the_same_columns() {
+    let folder = tempfile::tempdir().unwrap();
+    let table = |name: &str, unit: &str, values: Values| {
+        Table::new(vec![Column::new(name, unit, "", values)]).unwrap()
+    };
+    let first = || table("power_w", "W", Values::Float(vec![1.0]));
+    let others = [
+        table("power_mw", "W", Values::Float(vec![2.0])),
+        table("power_w", "mW", Values::Float(vec![2.0])),
+        table("power_w", "W", Values::Count(vec![2])),
+    ];
+    for name in ["t.csv", "t.parquet"] {
+        let path = folder.path().join(name);
+        for other in &others {
+            let tables = [Ok::<_, TableError>(first()), Ok(other.clone())];
+            let error = Table::write_joined(&path, &manifest(), tables).unwrap_err();
+            assert!(error.to_string().contains("different columns"), "{error}");
+            assert!(!path.exists());
+        }
+        let tables = [Ok::<_, TableError>(first()), Ok(first())];
+        Table::write_joined(&path, &manifest(), tables).unwrap();
+        assert_eq!(Table::read(&path).unwrap().0.rows(), 2);
+    }
 }

@@ -57,7 +57,7 @@ impl OrbitQuantity {
                 places
                     .iter()
                     .map(|place| place.at(state).abs())
-                    .fold(0.0, f64::max)
+                    .fold(0.0, larger)
             }
             Self::ContactForce(stop) => at.forces_n[stop],
             Self::Displacement(stop) => {
@@ -125,12 +125,23 @@ fn largest(
         },
     };
     let peaks = evaluation.trajectories.iter().enumerate().map(of_cycle);
-    peaks.fold(
-        start,
-        |best, peak| {
-            if peak.value > best.value { peak } else { best }
-        },
-    )
+    peaks.fold(start, |best, peak| {
+        if is_beaten(best.value, peak.value) {
+            peak
+        } else {
+            best
+        }
+    })
+}
+
+/// Returns the larger value; NaN if one is NaN.
+fn larger(best: f64, value: f64) -> f64 {
+    if is_beaten(best, value) { value } else { best }
+}
+
+/// True where a value replaces the largest one so far: it is larger, or the first that is NaN.
+fn is_beaten(best: f64, value: f64) -> bool {
+    value > best || value.is_nan() && !best.is_nan()
 }
 
 /// Returns the index of the highest value.
@@ -164,6 +175,13 @@ fn parabola_top(values: &[f64]) -> (f64, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_value_that_is_not_a_number_is_the_largest() {
+        let largest = |values: [f64; 3]| values.into_iter().fold(0.0, larger);
+        assert_eq!(largest([1.0, 3.0, 2.0]), 3.0);
+        assert!(largest([1.0, f64::NAN, 2.0]).is_nan());
+    }
 
     #[test]
     fn a_parabola_finds_its_own_top() {

@@ -1,7 +1,7 @@
 //! Orbit near a shooting evaluation, and its estimated error.
 
 use crate::{
-    Orbit, OrbitError, ParametricModel, Shooting, ShootingEvaluation, displacement_peak_m,
+    Orbit, OrbitError, ParametricModel, Shooting, ShootingEvaluation, cycle_s, displacement_peak_m,
 };
 use jounce_continuation::Linearization;
 use jounce_dynamics::{Integrator, Kernel, SensitivityError};
@@ -85,7 +85,7 @@ impl<H: ParametricModel> Shooting<'_, H> {
         kernel: &Kernel,
         unknown: &[f64],
     ) -> Result<f64, OrbitError<H::Error>> {
-        let cycle_s = kernel.plant.period_s().unwrap_or(1.0);
+        let cycle_s = cycle_s(&kernel.plant)?;
         let mut y = kernel.plant.from_physical(&self.physical(unknown), 0.0);
         let mut sum_j = 0.0;
         for _ in 0..self.cycles {

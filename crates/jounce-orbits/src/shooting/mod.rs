@@ -300,7 +300,10 @@ fn propagated_derivative(cycle: &FlowSensitivity, before: &[f64], longer_s: f64)
 }
 
 /// Returns the length of the drive cycle, s.
-fn cycle_s<F: std::error::Error>(plant: &Plant) -> Result<f64, OrbitError<F>> {
+///
+/// # Errors
+/// [`OrbitError::Frequencies`].
+pub fn cycle_s<F: std::error::Error>(plant: &Plant) -> Result<f64, OrbitError<F>> {
     plant.period_s().ok_or(OrbitError::Frequencies {
         frequencies: plant.tones.len(),
     })

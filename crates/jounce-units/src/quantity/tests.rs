@@ -143,6 +143,17 @@ const REFUSED: [(Quantity, &str, &str); 17] = [
     ),
 ];
 
+/// A text of any length is examined without a call for each of its parentheses.
+#[test]
+fn a_long_text_is_no_unit() {
+    assert!(crate::is_unit(&format!(
+        "{}m{}",
+        "(".repeat(99),
+        ")".repeat(99)
+    )));
+    assert!(!crate::is_unit(&"(".repeat(1 << 20)));
+}
+
 #[test]
 fn wrong_texts_are_refused_with_the_units_that_fit() {
     for (quantity, text, message) in REFUSED {

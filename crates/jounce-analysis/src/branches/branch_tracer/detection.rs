@@ -140,10 +140,8 @@ impl BranchTracer {
         (a, b): (&OrbitPoint<M>, &OrbitPoint<M>),
     ) -> Option<CurvePoint<M::Evaluation>> {
         let value = |step: &CurvePoint<M::Evaluation>| {
-            let evaluation = method.shot(&step.local);
-            evaluation.map_or(0.0, |evaluation| {
-                self.value(event, (a, b), step, evaluation)
-            })
+            let evaluation = method.shot(&step.local).ok()?;
+            self.value(event, (a, b), step, evaluation)
         };
         locate(
             method,
@@ -156,15 +154,15 @@ impl BranchTracer {
     }
 
     /// Returns the test function of an event between two points, of an orbit at a point of the
-    /// curve.
+    /// curve; `None` where its multipliers are unknown.
     pub(super) fn value<M: OrbitMethod>(
         &self,
         event: DetectedEvent,
         (a, b): (&OrbitPoint<M>, &OrbitPoint<M>),
         step: &CurvePoint<M::Evaluation>,
         evaluation: &ShootingEvaluation,
-    ) -> f64 {
-        match event {
+    ) -> Option<f64> {
+        Some(match event {
             DetectedEvent::Fold => step.tangent.parameter,
             DetectedEvent::Grazing(turn) => {
                 let length = self.along(&a.step, &b.step, &b.step.position);
@@ -172,8 +170,8 @@ impl BranchTracer {
                 turn.past_m(evaluation, share)
             }
             DetectedEvent::Level(number) => self.levels[number].relative_difference(evaluation),
-            _ => of_multipliers(event, step, (evaluation, &a.point.orbit)),
-        }
+            _ => return of_multipliers(event, step, (evaluation, &a.point.orbit)),
+        })
     }
 
     /// Returns grazings and level crossings between two points, by the signs of their test
@@ -246,21 +244,20 @@ fn is_pair_nearest(multipliers: &[c64]) -> bool {
         .is_some_and(|value| value.im != 0.0)
 }
 
-/// Returns the function of the multipliers that is zero at a bifurcation between two points.
+/// Returns the function of the multipliers that is zero at a bifurcation between two points; `None`
+/// where they do not converge.
 fn of_multipliers<L>(
     event: DetectedEvent,
     step: &CurvePoint<L>,
     (evaluation, before): (&ShootingEvaluation, &Orbit),
-) -> f64 {
+) -> Option<f64> {
     let map = &evaluation.block_map;
-    match event {
+    Some(match event {
         DetectedEvent::PeriodDoubling => determinant_at(map, -1.0),
         DetectedEvent::NeimarkSacker => {
             // The number outside gives the sign: products also change theirs at real multipliers
             // whose product is one.
-            let Some(values) = multipliers(map) else {
-                return 0.0;
-            };
+            let values = multipliers(map)?;
             let distance = nearest_pair_to_circle(&values);
             if outside_count(&values).abs_diff(before.outside_count()) < 2 {
                 -distance
@@ -269,5 +266,5 @@ fn of_multipliers<L>(
             }
         }
         _ => determinant_at(map, 1.0) * step.tangent.parameter.signum(),
-    }
+    })
 }

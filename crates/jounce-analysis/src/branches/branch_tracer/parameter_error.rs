@@ -41,7 +41,7 @@ impl BranchTracer {
             let there = method
                 .finer_shot(&moved, parameter + across.parameter)
                 .ok()?;
-            let value = self.value(event, (a, b), located, &there);
+            let value = self.value(event, (a, b), located, &there)?;
             -value / self.slope(method, event, (a, b), located)? * self.key_slope((a, b), located)
         };
         let resolution = self.resolution * self.parameter_scale();
@@ -79,7 +79,7 @@ impl BranchTracer {
     ) -> Option<f64> {
         let value = |point: &OrbitPoint<M>| {
             let evaluation = method.shot(&point.step.local).ok()?;
-            Some(self.value(event, (a, b), &point.step, evaluation))
+            self.value(event, (a, b), &point.step, evaluation)
         };
         let length = self.along(&a.step, &b.step, &b.step.position);
         let before = self.along(&a.step, &b.step, &located.position);

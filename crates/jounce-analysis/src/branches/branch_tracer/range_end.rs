@@ -108,7 +108,7 @@ impl BranchTracer {
         {
             return None;
         }
-        let value = |step: &CurvePoint<M::Evaluation>| step.tangent.parameter;
+        let value = |step: &CurvePoint<M::Evaluation>| Some(step.tangent.parameter);
         let fold = locate(
             method,
             &self.corrector,
@@ -132,7 +132,7 @@ impl BranchTracer {
         } else {
             self.range.1
         };
-        let value = |step: &CurvePoint<M::Evaluation>| step.position.parameter - edge;
+        let value = |step: &CurvePoint<M::Evaluation>| Some(step.position.parameter - edge);
         let near = locate(
             method,
             &self.corrector,

@@ -10,6 +10,7 @@ use jounce_analysis::{
 use jounce_dynamics::{Integrator, Kernel};
 use jounce_model::reference::ImpactOscillator;
 use jounce_orbits::ParametricModel;
+use jounce_spec::Spec;
 use std::f64::consts::TAU;
 
 const CLOUD: Cloud = Cloud {
@@ -166,6 +167,25 @@ fn a_grid_starts_at_its_limits() {
     );
 }
 
+/// Drives without a common period have no cycle, and so no attractor of this kind.
+#[test]
+fn drives_without_a_common_period_have_no_attractor() {
+    let second = "[drive.second]\nkind = \"base-acceleration\"\namplitude = \"1 m/s^2\"\n\
+                  frequency = \"13.731 Hz\"\n";
+    let text = format!("{}\n{second}", at(13.0).spec.to_toml());
+    let base = Model::new(Spec::from_toml(&text).unwrap()).unwrap();
+    assert_eq!(base.kernel.plant.period_s(), None);
+    let cloud = Cloud { starts: 2, ..CLOUD };
+    let result = Basins {
+        base: &base,
+        starts: InitialStates::Cloud(cloud),
+        recognition: Recognition::at(1e-8),
+    }
+    .run()
+    .unwrap();
+    assert!(result.attractors.is_empty(), "{:?}", result.attractors);
+}
+
 /// Without contact every motion decays like the slowest mode.
 #[test]
 fn the_exponent_of_a_linear_plant_is_its_slowest_decay() {
@@ -180,7 +200,13 @@ fn the_exponent_of_a_linear_plant_is_its_slowest_decay() {
         .iter()
         .map(|value| value.re)
         .fold(f64::NEG_INFINITY, f64::max);
-    let exponent = largest_exponent(&kernel, &vec![0.0; kernel.plant.len()], 640, 1e-8).unwrap();
+    let exponent = largest_exponent(
+        &kernel,
+        &vec![0.0; kernel.plant.len()],
+        (640, kernel.plant.period_s().unwrap()),
+        1e-8,
+    )
+    .unwrap();
     eprintln!(
         "exponent {} +- {}, slowest decay {slowest}",
         exponent.exponent_per_s, exponent.error_per_s
@@ -221,7 +247,7 @@ fn the_exponent_of_a_stable_orbit_is_that_of_its_multiplier() {
         .from_physical(&oscillator.start(&orbit), start_s);
     let mut integrator = Integrator::new(&kernel, &y, start_s, 1e-12).unwrap();
     integrator.advance_to(TAU / 0.8).unwrap();
-    let exponent = largest_exponent(&kernel, &integrator.state(), 320, 1e-12).unwrap();
+    let exponent = largest_exponent(&kernel, &integrator.state(), (320, TAU / 0.8), 1e-12).unwrap();
     eprintln!(
         "{} +- {}, closed form {exact}",
         exponent.exponent_per_s, exponent.error_per_s
@@ -245,7 +271,7 @@ fn chaos_is_identified_by_its_exponent() {
     };
     let mut y = kernel.plant.from_physical(&[-0.1, 0.0], 0.0);
     (0..200).for_each(|_| y = after_cycle(&y));
-    let exponent = largest_exponent(&kernel, &y, 1600, 1e-12).unwrap();
+    let exponent = largest_exponent(&kernel, &y, (1600, cycle_s), 1e-12).unwrap();
     let (cycles, separation) = (1600, 1e-8);
     let mut other = y.clone();
     other[0] += separation;

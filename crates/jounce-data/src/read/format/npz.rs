@@ -155,9 +155,9 @@ fn texts(source: &mut dyn Read, header: &Header, length: u64) -> Result<Vec<Stri
     let plausible_count = count.filter(|count| {
         count
             .checked_mul(length)
-            .is_some_and(|characters| characters <= MAX_CHARACTERS)
+            .is_some_and(|characters| (1..=MAX_CHARACTERS).contains(&characters))
     });
-    let Some(count) = plausible_count.filter(|_| length > 0) else {
+    let Some(count) = plausible_count else {
         return Ok(Vec::new());
     };
     let mut result = Vec::new();
@@ -177,4 +177,29 @@ fn texts(source: &mut dyn Read, header: &Header, length: u64) -> Result<Vec<Stri
         );
     }
     Ok(result)
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "tests")]
+mod tests {
+    use super::*;
+
+    fn texts_of(dtype: &str, shape: &str, content: &[u8]) -> Vec<String> {
+        let text = format!("{{'descr': '{dtype}', 'fortran_order': False, 'shape': {shape}, }}");
+        let mut bytes = [super::super::npy::BEGIN, &[1, 0]].concat();
+        bytes.extend((text.len() as u16).to_le_bytes());
+        bytes.extend(text.bytes().chain(content.iter().copied()));
+        let mut source = bytes.as_slice();
+        let header = Header::read(&mut source).unwrap();
+        let length = header.dtype.trim_start_matches("<U").parse().unwrap();
+        texts(&mut source, &header, length).unwrap()
+    }
+
+    /// An empty array of long texts takes no memory.
+    #[test]
+    fn an_empty_array_of_long_texts_is_empty() {
+        assert_eq!(texts_of("<U2", "(1,)", b"m\0\0\0s\0\0\0"), ["ms"]);
+        assert!(texts_of("<U1000000000000", "(0,)", b"").is_empty());
+        assert!(texts_of("<U0", "(3,)", b"").is_empty());
+    }
 }

@@ -56,6 +56,16 @@ pub enum GridError {
         /// Number of stamps.
         count: usize,
     },
+    /// A uniform grid would be far longer than the recording.
+    #[error(
+        "the stamps span {positions:.3e} uniform positions, but there are only {samples} samples; cut the recording at its gaps into parts, or correct the stamps"
+    )]
+    Sparse {
+        /// Number of samples.
+        samples: usize,
+        /// Number of positions at the typical rate.
+        positions: f64,
+    },
     /// A stamp is not a number.
     #[error("the stamp of sample {sample} is {value}; every stamp must be a number")]
     NotANumber {

@@ -18,7 +18,7 @@ mod goals;
 mod limits;
 mod variants;
 
-use super::{Condition, Goal, Limit, Problem, Tolerance, digest};
+use super::{Condition, Goal, Limit, Problem, SpecSource, Tolerance, digest};
 use crate::DesignError;
 use conditions::conditions;
 use free::{check_paths, free};
@@ -28,7 +28,6 @@ use jounce_analysis::study::FaultCollector;
 use jounce_control::Control;
 use jounce_spec::{DriveSignal, Spec, SpecFile};
 use limits::{check_limits, check_together, limits};
-use std::path::PathBuf;
 use toml_edit::{Item, Table};
 use variants::{check_keys, variants};
 
@@ -46,11 +45,10 @@ const KEYS: [&str; 10] = [
     "tolerance",
 ];
 
-/// Reads a text; `file` finds the spec and its name in messages by the path in the text, `None` if
-/// it names no path.
+/// Reads a text; `source` finds the spec by the path in the text, `None` if it names no path.
 pub(super) fn read(
     text: &str,
-    file: impl FnOnce(Option<&str>) -> Result<(SpecFile, String), DesignError>,
+    source: impl FnOnce(Option<&str>) -> Result<SpecSource, DesignError>,
 ) -> Result<Problem, DesignError> {
     let mut reader = FaultCollector::new(text);
     let Some(document) = reader.document() else {
@@ -59,7 +57,8 @@ pub(super) fn read(
     let root = document.as_table();
     reader.known("", root, &KEYS);
     let path = reader.text("spec", root.get("spec"));
-    let (file, name) = file(path).map_err(|error| unread_spec(text, root, error))?;
+    let SpecSource { file, name, folder } =
+        source(path).map_err(|error| unread_spec(text, root, error))?;
     let spec = file
         .spec()
         .map_err(|faults| DesignError::Spec { file: name, faults })?;
@@ -80,11 +79,10 @@ pub(super) fn read(
         return Err(DesignError::Faults(reader.sorted()));
     }
     let mut problem = Problem {
-        hash_hex: digest(text, &spec),
         file,
         variants,
         spec,
-        folder: PathBuf::new(),
+        folder,
         free,
         goals,
         starts,
@@ -97,8 +95,10 @@ pub(super) fn read(
         seed,
         evaluations,
         seconds,
+        hash_hex: String::new(),
     };
     let models = problem.models(&Control::default())?;
+    problem.hash_hex = digest(text, &problem.folder, models.iter().flatten());
     problem.has_noise = models.iter().flatten().any(|model| has_noise(&model.spec));
     check(&mut reader, root, &problem, &models);
     match reader.faults.is_empty() {

@@ -22,7 +22,8 @@ const END_RATIO: f64 = 0.03;
 /// deviations are computed by leaving out one block at a time.
 ///
 /// # Errors
-/// Too few lines, decays that are zero, no stable pole, no pole with significant damping.
+/// Too few lines, decays that are zero, no stable pole, no pole with significant damping, modes that
+/// cannot be fitted without one of the blocks.
 ///
 /// # Validation
 /// `tests`: exact decays that have fallen by only 45 % give their frequencies within 2e-16 and
