@@ -5,7 +5,7 @@
 //! are not found: [`BranchSearch`](super::BranchSearch) finds those.
 
 use super::branch::Branch;
-use super::branch_tracer::tracer::{BranchTracer, newton_tolerance};
+use super::branch_tracer::tracer::{BranchTracer, correction_goal};
 use crate::{AnalysisError, Parameter};
 use jounce_continuation::{Corrector, Metric, Position, StepControl, correct_at};
 use jounce_dynamics::Kernel;
@@ -69,11 +69,10 @@ impl WarmStart<'_> {
     /// # Errors
     /// [`OrbitError`].
     pub fn run(&self, known: &[KnownOrbit]) -> Result<Vec<Branch>, OrbitError<AnalysisError>> {
-        let target_residual = newton_tolerance(self.tolerance);
         let tracer = BranchTracer {
             range: self.range,
             corrector: Corrector {
-                goal: target_residual,
+                goal: correction_goal(self.tolerance),
                 most: 8,
             },
             control: self.control,

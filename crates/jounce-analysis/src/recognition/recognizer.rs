@@ -98,7 +98,7 @@ impl<H: ParametricModel> Recognizer<'_, H> {
     ) -> Result<SteadyState, SensitivityError> {
         let Recognition {
             tolerance,
-            goal: target_residual,
+            goal,
             longest_period,
             max_cycles,
             examines_chaos,
@@ -115,7 +115,7 @@ impl<H: ParametricModel> Recognizer<'_, H> {
             harvester: self.harvester,
             kernel: self.kernel,
             parameter: self.parameter,
-            goal: target_residual,
+            goal,
         };
         let mut orbits = known.to_vec();
         let (mut entry, mut next_search): (Option<BallEntry>, u32) = (None, FIRST_SEARCH_CYCLES);

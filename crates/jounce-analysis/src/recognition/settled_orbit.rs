@@ -18,13 +18,13 @@ const MAX_EVALUATIONS: u32 = 12;
 
 /// Returns the stable orbit that the motion from `start` (physical) reaches, provided it can be
 /// followed: it does not rest on a rigid stop. `None` where no orbit is proved to be reached.
-/// `goal` is the goal of Newton's method, relative to the state.
+/// `correction_goal` is the goal of Newton's method, relative to the state.
 pub fn settled_orbit<H: ParametricModel>(
     harvester: &H,
     parameter: f64,
     start: &[f64],
     tolerance: f64,
-    target_residual: f64,
+    correction_goal: f64,
 ) -> Option<Orbit> {
     let orbit = settled_orbits(harvester, parameter, &[start.to_vec()], tolerance).pop()??;
     let setting = harvester.at(parameter).ok()?;
@@ -39,7 +39,7 @@ pub fn settled_orbit<H: ParametricModel>(
     let corrected = correct_at(
         &shooting,
         &Corrector {
-            goal: target_residual,
+            goal: correction_goal,
             most: MAX_EVALUATIONS,
         },
         &metric,

@@ -26,7 +26,7 @@ const NEWTON_GOAL_FACTOR: f64 = 50.0;
 const NEWTON_GOAL_LIMITS: (f64, f64) = (1e-11, 1e-6);
 
 /// Returns Newton's goal for a tolerance of integration.
-pub(in crate::branches) fn newton_tolerance(tolerance: f64) -> f64 {
+pub(in crate::branches) fn correction_goal(tolerance: f64) -> f64 {
     (NEWTON_GOAL_FACTOR * tolerance)
         .clamp(NEWTON_GOAL_LIMITS.0, NEWTON_GOAL_LIMITS.1.max(tolerance))
 }

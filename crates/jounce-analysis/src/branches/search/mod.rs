@@ -12,7 +12,7 @@ mod ramp_down;
 mod starts;
 
 use super::branch::{Branch, BranchKind, BranchPoint};
-use super::branch_tracer::tracer::{BranchTracer, RESOLUTION, newton_tolerance};
+use super::branch_tracer::tracer::{BranchTracer, RESOLUTION, correction_goal};
 use super::options::BranchOptions;
 use crate::{AnalysisError, Model, Parameter};
 use jounce_continuation::{
@@ -78,7 +78,7 @@ impl BranchSearch<'_> {
         BranchTracer {
             range: self.range,
             corrector: Corrector {
-                goal: newton_tolerance(self.tolerance),
+                goal: correction_goal(self.tolerance),
                 most: 8,
             },
             control: StepControl {
