@@ -34,7 +34,7 @@ const FINER: f64 = 0.1;
 #[derive(Debug)]
 pub struct LineErrors<'s> {
     /// Family of models over the key.
-    pub harvester: &'s Parameter<'s>,
+    pub family: &'s Parameter<'s>,
     /// Kernel of one of these models.
     pub kernel: &'s Kernel,
     /// Ends of the range of the key.
@@ -60,7 +60,7 @@ impl LineErrors<'_> {
     /// infinite where it is not known.
     pub fn of(&self, branch: &Branch) -> Vec<f64> {
         let (cycles, tolerance) = (branch.period_cycles, FINER * self.tolerance);
-        let shooting = Shooting::new(self.harvester, self.kernel, cycles, tolerance);
+        let shooting = Shooting::new(self.family, self.kernel, cycles, tolerance);
         let points = branch.points.par_iter();
         let drawn: Vec<_> = points.map(|point| self.drawn(&shooting, point)).collect();
         let error = |pair: &[Option<DrawnPoint>]| match pair {

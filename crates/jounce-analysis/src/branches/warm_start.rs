@@ -49,7 +49,7 @@ impl KnownOrbit {
 #[derive(Debug)]
 pub struct WarmStart<'s> {
     /// Family of models over the key.
-    pub harvester: &'s Parameter<'s>,
+    pub family: &'s Parameter<'s>,
     /// Kernel of one of these models.
     pub kernel: &'s Kernel,
     /// Ends of the range of the key.
@@ -85,7 +85,7 @@ impl WarmStart<'_> {
         for orbit in known {
             let parameter = orbit.parameter.clamp(self.range.0, self.range.1);
             let shooting = Shooting::new(
-                self.harvester,
+                self.family,
                 self.kernel,
                 orbit.period_cycles,
                 self.tolerance,

@@ -77,7 +77,7 @@ impl DiagramPoint {
         };
         let options = Recognition::at(tolerance);
         let steady_state = Recognizer {
-            harvester: parameter,
+            family: parameter,
             kernel: &kernel,
             parameter: value,
             options,

@@ -75,7 +75,7 @@ impl Recognition {
 #[derive(Debug)]
 pub struct Recognizer<'h, H: ParametricModel> {
     /// Family of models.
-    pub harvester: &'h H,
+    pub family: &'h H,
     /// Kernel of the model at the value.
     pub kernel: &'h Kernel,
     /// Value of the parameter.
@@ -103,7 +103,7 @@ impl<H: ParametricModel> Recognizer<'_, H> {
             max_cycles,
             examines_chaos,
         } = self.options;
-        let scale = Shooting::new(self.harvester, self.kernel, 1, tolerance).scale;
+        let scale = Shooting::new(self.family, self.kernel, 1, tolerance).scale;
         let cycle_s = self.kernel.plant.period_s().unwrap_or(1.0);
         let mut motion = Transient::from(
             self.kernel,
@@ -112,7 +112,7 @@ impl<H: ParametricModel> Recognizer<'_, H> {
             (tolerance, longest_period),
         )?;
         let mut search = OrbitSearch {
-            harvester: self.harvester,
+            family: self.family,
             kernel: self.kernel,
             parameter: self.parameter,
             goal,

@@ -71,7 +71,7 @@ impl<H: ParametricModel> Shooting<'_, H> {
     ) -> Result<f64, OrbitError<H::Error>> {
         self.integrated_power_w(
             &self
-                .harvester
+                .family
                 .at(parameter)
                 .map_err(OrbitError::Harvester)?
                 .kernel,

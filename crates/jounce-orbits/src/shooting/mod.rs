@@ -37,7 +37,7 @@ const FINER: f64 = 0.1;
 #[derive(Debug)]
 pub struct Shooting<'h, H> {
     /// Family of harvesters.
-    pub harvester: &'h H,
+    pub family: &'h H,
     /// Drive cycles in the period.
     pub cycles: u32,
     /// Relative tolerance of the integration.
@@ -51,7 +51,7 @@ pub struct Shooting<'h, H> {
 impl<'h, H: ParametricModel> Shooting<'h, H> {
     /// Creates the problem for orbits of `cycles` drive cycles; `kernel` is the harvester at any
     /// value of its parameter.
-    pub fn new(harvester: &'h H, kernel: &Kernel, cycles: u32, tolerance: f64) -> Self {
+    pub fn new(family: &'h H, kernel: &Kernel, cycles: u32, tolerance: f64) -> Self {
         let modes = &kernel.plant.system.modes;
         let drive = kernel
             .plant
@@ -66,7 +66,7 @@ impl<'h, H: ParametricModel> Shooting<'h, H> {
             .chain(std::iter::repeat_n(1.0, modes.len()))
             .chain(kernel.plant.electrical.energy_scale());
         Self {
-            harvester,
+            family,
             cycles,
             tolerance,
             scale: scale.collect(),
@@ -78,7 +78,7 @@ impl<'h, H: ParametricModel> Shooting<'h, H> {
     #[must_use]
     pub fn with_tolerance(&self, tolerance: f64) -> Self {
         Self {
-            harvester: self.harvester,
+            family: self.family,
             cycles: self.cycles,
             tolerance,
             scale: self.scale.clone(),
@@ -117,10 +117,7 @@ impl<'h, H: ParametricModel> Shooting<'h, H> {
         unknown: &[f64],
         parameter: f64,
     ) -> Result<(ShootingEvaluation, bool), OrbitError<H::Error>> {
-        let setting = self
-            .harvester
-            .at(parameter)
-            .map_err(OrbitError::Harvester)?;
+        let setting = self.family.at(parameter).map_err(OrbitError::Harvester)?;
         let kernel = setting.kernel;
         let plant = &kernel.plant;
         let cycle_s = cycle_s(plant)?;
@@ -248,7 +245,7 @@ impl<H: ParametricModel> Problem for Shooting<'_, H> {
     fn at(&self, unknown: &[f64], parameter: f64) -> Result<ShootingEvaluation, Self::Error> {
         let (mut evaluation, exact) = self.shoot(unknown, parameter)?;
         if !exact {
-            let step = self.harvester.difference();
+            let step = self.family.difference();
             let (perturbed, _) = self.shoot(unknown, parameter + step)?;
             evaluation.by_parameter = perturbed
                 .residual
