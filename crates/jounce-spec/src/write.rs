@@ -15,8 +15,8 @@ impl Spec {
     /// Defaults are printed too; the spring of a mass is printed as its stiffness.
     ///
     /// # Validation
-    /// `tests/spec/round_trip.rs`: random specs with all laws, sides and structures come back
-    /// equal.
+    /// `crates/jounce-spec/tests/spec/round_trip.rs`: random specs with all laws, sides and
+    /// structures come back equal.
     pub fn to_toml(&self) -> String {
         let mut out = String::new();
         for key in SPEC {

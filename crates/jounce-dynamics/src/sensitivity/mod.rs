@@ -28,8 +28,8 @@
 //! start at the same instant; the basis of the others represents their variation only
 //! approximately. Impacts on several rigid stops at the same instant are refused.
 //!
-//! Validation: `tests/integrate/sensitivity` compares with difference quotients of the flow,
-//! with its determinant and with closed forms.
+//! Validation: `crates/jounce-analysis/tests/integrate/sensitivity` compares with difference
+//! quotients of the flow, with its determinant and with closed forms.
 
 mod conduction_states;
 mod contact;
