@@ -71,7 +71,7 @@ impl Checkpoint {
     }
 }
 
-/// Continuation along a curve. All of its state is public.
+/// Continuation along a curve.
 #[derive(Debug)]
 pub struct Continuation<'f, F: Problem> {
     /// The problem.
