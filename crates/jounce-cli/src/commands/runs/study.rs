@@ -2,7 +2,7 @@
 
 use crate::failure::{Failure, of_file};
 use crate::interruption;
-use crate::output::{self, line, print};
+use crate::output::{self, line};
 use crate::progress;
 use crate::record;
 use crate::spec_arguments::print_recording_issues;
@@ -85,7 +85,7 @@ impl Study {
             Action::Merge(existing) => {
                 let path = existing.open()?.merge().map_err(Error::from)?;
                 match existing.json {
-                    true => print(&serde_json::json!({ "table": path })),
+                    true => line(&serde_json::json!({ "table": path })),
                     false => line(path.display()),
                 }
                 Ok(())
@@ -125,7 +125,7 @@ impl Page {
         let page = study_page(&study, &name)?;
         write_file(&path, page.as_bytes()).map_err(Error::from)?;
         match self.study.json {
-            true => print(&serde_json::json!({ "page": path })),
+            true => line(&serde_json::json!({ "page": path })),
             false => line(path.display()),
         }
         Ok(())
@@ -175,7 +175,7 @@ fn warn_of_transients(folder: &StudyFolder) {
 
 fn print_status(status: &StudyStatus, json: bool) {
     if json {
-        print(&serde_json::json!(status));
+        line(&serde_json::json!(status));
         return;
     }
     line(format!(
