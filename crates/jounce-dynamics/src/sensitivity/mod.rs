@@ -139,11 +139,7 @@ impl FlowSensitivity {
             integrator.statistics(),
             integrator.energies(),
         );
-        let rectified = energies
-            .rectified
-            .iter()
-            .map(|energy| energy.load_j + energy.battery_j);
-        let delivered_j = energies.loads_j.iter().copied().chain(rectified).collect();
+        let delivered_j = energies.delivered_per_element_j().collect();
         let rate = conduction_states::rate(
             integrator.kernel,
             &integrator.physical(),
