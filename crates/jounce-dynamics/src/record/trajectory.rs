@@ -100,6 +100,15 @@ pub struct TrajectoryState {
     pub forces_n: Vec<f64>,
 }
 
+impl TrajectoryState {
+    /// Returns the displacement of a port, m.
+    pub fn displacement_m(&self, plant: &Plant, port: &Port) -> f64 {
+        let pairs = port.displacement.iter().zip(&self.state);
+        let moving: f64 = pairs.map(|(c, y)| c * y).sum();
+        moving + plant.driven(port, self.time_s)[0]
+    }
+}
+
 /// Values of a trajectory over time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SampledRows {
