@@ -26,7 +26,7 @@ pub use orbit::turning_points::{
 };
 pub use parametric_model::{ModelInstance, ParameterDerivatives, ParametricModel};
 pub use shooting::evaluation::ShootingEvaluation;
-pub use shooting::{InstantSensitivity, OrbitInstant, OrbitSensitivity, Shooting};
+pub use shooting::{FINER_TOLERANCE, InstantSensitivity, OrbitInstant, OrbitSensitivity, Shooting};
 pub use tracking::{
     Condition, ExtendedEvaluation, ExtendedProblem, Gradient, GrazingPoint, TwoParameterProblem,
 };

@@ -5,9 +5,9 @@
 //! are not found: [`BranchSearch`](super::BranchSearch) finds those.
 
 use super::branch::Branch;
-use super::branch_tracer::tracer::{BranchTracer, correction_goal};
+use super::branch_tracer::tracer::BranchTracer;
 use crate::{AnalysisError, Parameter};
-use jounce_continuation::{Corrector, Metric, Position, StepControl, correct_at};
+use jounce_continuation::{Metric, Position, StepControl, correct_at};
 use jounce_dynamics::Kernel;
 use jounce_orbits::{Orbit, OrbitError, OrbitMethod, ParametricModel, Shooting};
 
@@ -70,16 +70,10 @@ impl WarmStart<'_> {
     /// [`OrbitError`].
     pub fn run(&self, known: &[KnownOrbit]) -> Result<Vec<Branch>, OrbitError<AnalysisError>> {
         let tracer = BranchTracer {
-            range: self.range,
-            corrector: Corrector {
-                goal: correction_goal(self.tolerance),
-                most: 8,
-            },
             control: self.control,
             most_points: 2000,
-            budget: usize::MAX,
             resolution: self.resolution,
-            levels: Vec::new(),
+            ..BranchTracer::new(self.range, self.tolerance)
         };
         let mut branches: Vec<Branch> = Vec::new();
         for orbit in known {

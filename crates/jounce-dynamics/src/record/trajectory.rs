@@ -9,7 +9,7 @@ use crate::force_response::basis::{NODES, legendre};
 use crate::force_response::output_rows::parts;
 use crate::force_response::step_response::StepResponse;
 use crate::kernel::{ForceBasis, Kernel};
-use jounce_model::plant::SignalSample;
+use jounce_model::plant::{Plant, Port, SignalSample};
 use jounce_simd::F64x8;
 use std::collections::HashMap;
 

@@ -24,14 +24,14 @@ use super::{
 use charges::{conserved_charges, without_conserved};
 pub use derivatives::{InstantSensitivity, OrbitInstant, OrbitSensitivity};
 use jounce_continuation::Problem;
-use jounce_dynamics::{FlowSensitivity, Kernel, ParameterSensitivity};
+use jounce_dynamics::{FlowSensitivity, Kernel};
 use jounce_linalg::Mat;
 use jounce_model::plant::{Plant, product};
 use period_record::PeriodRecord;
 use std::sync::OnceLock;
 
-/// Tolerance of an integration that shows the error of another, relative to that one's.
-const FINER: f64 = 0.1;
+/// Tolerance of an integration that shows the error of another, relative to that of the other.
+pub const FINER_TOLERANCE: f64 = 0.1;
 
 /// Shooting method for the orbits of a harvester.
 #[derive(Debug)]
@@ -123,7 +123,8 @@ impl<'h, H: ParametricModel> Shooting<'h, H> {
         let cycle_s = cycle_s(plant)?;
         let period_s = cycle_s * f64::from(self.cycles);
         let exact = setting.change.is_some();
-        let change = setting.change.unwrap_or_else(|| no_change(plant));
+        let change = setting.change;
+        let change = change.unwrap_or_else(|| ParameterDerivatives::zero(plant.len()));
         let mut y = plant.from_physical(&self.physical(unknown), 0.0);
         let steady = plant.steady_at(0.0);
         let mut record = PeriodRecord::new(plant, unknown.to_vec());
@@ -279,7 +280,7 @@ impl<H: ParametricModel> OrbitMethod for Shooting<'_, H> {
     }
 
     fn finer_shot(&self, state: &[f64], parameter: f64) -> Result<ShootingEvaluation, Self::Error> {
-        self.with_tolerance(FINER * self.tolerance)
+        self.with_tolerance(FINER_TOLERANCE * self.tolerance)
             .at(state, parameter)
     }
 
@@ -301,13 +302,4 @@ fn cycle_s<F: std::error::Error>(plant: &Plant) -> Result<f64, OrbitError<F>> {
     plant.period_s().ok_or(OrbitError::Frequencies {
         frequencies: plant.tones.len(),
     })
-}
-
-/// Returns the derivatives of a harvester that does not state them.
-fn no_change(plant: &Plant) -> ParameterDerivatives {
-    ParameterDerivatives {
-        drift: ParameterSensitivity::default(),
-        steady: vec![0.0; plant.len()],
-        period_relative: 0.0,
-    }
 }
