@@ -92,8 +92,9 @@ impl Study {
             }
             Action::Status(existing) => {
                 let folder = existing.open()?;
-                warn_of_transients(&folder);
-                print_status(&folder.status(), existing.json);
+                let status = folder.status();
+                warn_of_transients(&folder, &status);
+                print_status(&status, existing.json);
                 Ok(())
             }
             Action::Page(page) => page.run(),
@@ -152,7 +153,7 @@ impl Run {
         }
         output::warn(&status.warnings);
         let folder = StudyFolder::open(&self.out).map_err(Error::from)?;
-        warn_of_transients(&folder);
+        warn_of_transients(&folder, &status);
         print_status(&status, self.json);
         if status.merged && !self.json {
             let (table, _) = folder.merged().map_err(Error::from)?;
@@ -164,8 +165,8 @@ impl Run {
 }
 
 /// Warns of points that had not settled, whose values contain the transient.
-fn warn_of_transients(folder: &StudyFolder) {
-    let (unsettled, points) = (folder.unsettled_points(), folder.status().points);
+fn warn_of_transients(folder: &StudyFolder, status: &StudyStatus) {
+    let (unsettled, points) = (folder.unsettled_points(), status.points);
     if unsettled > 0 {
         output::warn(&[format!(
             "points that had not settled when they were averaged: {unsettled} of {points}; increase run.duration, or compute a quantity of orbits"
