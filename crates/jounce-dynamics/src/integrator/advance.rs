@@ -70,8 +70,8 @@ impl Integrator<'_> {
         end_s.min(self.excitation.until_s(self.time_s))
     }
 
-    /// Updates the ports of all stops after an impulse of a signal; a port that stuck to a rigid stop and now
-    /// moves away enters flight.
+    /// Updates the ports of all stops after an impulse of a signal; a port that stuck to a rigid
+    /// stop and now moves away enters flight.
     #[inline(always)]
     fn update_ports<W: Simd>(&mut self, w: W) {
         for (p, stop) in self.kernel.plant.system.stops.iter().enumerate() {

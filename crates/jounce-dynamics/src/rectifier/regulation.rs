@@ -9,9 +9,6 @@ use crate::ports::state::ContactState;
 use jounce_model::plant::{BridgeChange, EventFunction, Regulator, SignalIntegrals, VoltageBand};
 use jounce_simd::Portable;
 
-/// Phase in which the device sleeps; the others are its task.
-const SLEEP: usize = 2;
-
 /// Operation of one device since the start of a run, or since the last reset.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct DeviceStatistics {
@@ -112,7 +109,7 @@ impl Regulation {
                 self.enter(self.regulator.first_phase(), time_s);
             }
             (Some(phase), BridgeChange::Falls) if self.band_index == 0 => {
-                self.statistics.interrupted_tasks += u64::from(phase != SLEEP);
+                self.statistics.interrupted_tasks += u64::from(phase != Regulator::SLEEP);
                 self.off_since_s = time_s;
                 (self.phase, self.until_s) = (None, f64::INFINITY);
                 self.band = self.regulator.off_band();
@@ -129,7 +126,7 @@ impl Regulation {
         self.count(time_s);
         if let Some(phase) = self.phase {
             let next = self.regulator.phase_after(phase);
-            self.statistics.completed_tasks += u64::from(next == SLEEP);
+            self.statistics.completed_tasks += u64::from(next == Regulator::SLEEP);
             self.enter(next, time_s);
         }
     }
