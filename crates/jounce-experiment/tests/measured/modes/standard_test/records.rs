@@ -8,7 +8,7 @@ use jounce_experiment::rig::Sensor;
 use jounce_fft::Complex;
 use jounce_identification::modal::{Band, ModalSettings, Mode, identify};
 use jounce_identification::response::{ChannelChoice, Excitation, MeasuredResponses};
-use jounce_model::linear::{FrfInput, FrfResponse};
+use jounce_model::linear::{FrfInput, FrfOutput};
 use jounce_signal::spectral::ImpactSettings;
 use jounce_signal::{NORMAL_95, RandomStream};
 
@@ -121,7 +121,7 @@ pub fn flank_feature(
     let value = lines.iter().map(|k| function.value[*k]).collect();
     ResponseFeature {
         input: FrfInput::BaseAcceleration,
-        output: FrfResponse::LoadVoltage("load".to_owned()),
+        output: FrfOutput::LoadVoltage("load".to_owned()),
         lines: MeasuredLines::Complex(
             lines.iter().map(|k| function.frequency_hz[*k]).collect(),
             value,
