@@ -34,11 +34,11 @@
 mod conduction_states;
 mod contact;
 mod elimination;
-mod linearization;
 mod parameter_sensitivity;
 mod parameters;
 mod saltation;
 mod tangents;
+mod variational_integration;
 
 pub use parameter_sensitivity::ParameterSensitivity;
 pub use parameters::{OutputDerivatives, ParameterRequest, StateDerivative};
