@@ -38,7 +38,7 @@ impl SpecFile {
     /// Reads a file. [`SpecFile::spec`] reports the faults of its contents.
     ///
     /// # Errors
-    /// A path that is missing, a directory, not readable, larger than 16 MiB or not UTF-8 text.
+    /// A path that is missing, a folder, not readable, larger than 16 MiB or not UTF-8 text.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, ReadError> {
         let path = path.as_ref();
         let file = super::read_error::read_text(path).map(Self::from_text)?;
