@@ -86,7 +86,7 @@ impl SpecFile {
     pub fn set(&mut self, key: &str, value: &str) -> Result<(), Fault> {
         let change = Override::new(&self.source.root, key, value, self.overrides.len());
         let change = change.map_err(|message| Fault {
-            set: Some(Override::quoted_value(key, value)),
+            set: Some(Override::option_text(key, value)),
             ..Fault::without_position(&clip(key), message)
         })?;
         change.apply(&mut self.source.root);
