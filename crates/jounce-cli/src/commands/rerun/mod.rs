@@ -100,7 +100,7 @@ impl Rerun {
 
 impl RerunResult<'_> {
     /// Prints the command, and that all is equal.
-    fn line(&self, file: &Path, size: &str) {
+    fn print(&self, file: &Path, size: &str) {
         line(format!("command   jounce {}", self.arguments.join(" ")));
         if self.stored_version != self.version {
             let (stored, version) = (self.stored_version, self.version);
